@@ -1,0 +1,82 @@
+#pragma once
+
+#include <string>
+
+#include "irsg/radiometry/Spectrum.h"
+
+namespace irsg {
+
+/// What a scene may ask of the air. A scene never sees a gas.
+enum class AtmosphereProperty {
+    transmittance, pathRadiance, backgroundRadiance, solarIrradiance, upwardFlux, downwardFlux,
+    ambientTemperature
+};
+inline constexpr AtmosphereProperty allAtmosphereProperties[] = {
+    AtmosphereProperty::transmittance,    AtmosphereProperty::pathRadiance,
+    AtmosphereProperty::backgroundRadiance, AtmosphereProperty::solarIrradiance,
+    AtmosphereProperty::upwardFlux,       AtmosphereProperty::downwardFlux,
+    AtmosphereProperty::ambientTemperature};
+/// "path radiance".
+const char* name(AtmosphereProperty property);
+
+/// A finite path from a sensor to a target. Scene geometry is flat; these three numbers fix the
+/// spherical path. Altitudes are above the ground, >= 0.
+struct AirPath {
+    double sensorAltitude_m = 0.0;
+    double targetAltitude_m = 0.0;
+    double range_m = 0.0;
+};
+
+/// An unbounded line of sight: to space, or to the ground where it meets it.
+struct LineOfSight {
+    double sensorAltitude_m = 0.0;
+    double elevation_rad = 0.0; ///< above the local horizontal, up positive
+    double azimuth_rad = 0.0;   ///< east of north
+};
+
+/// Where the sun stands.
+struct SunPosition {
+    double azimuth_rad = 0.0;   ///< east of north, 0 to 2 pi
+    double elevation_rad = 0.7854; ///< -pi/2 to pi/2
+
+    bool isUp() const { return elevation_rad > 0.0; }
+};
+
+/// The seam between a scene and its air (report section 5, F13, F14). Spectral quantities come as
+/// spectra over at least the asked range, in W, m, sr and um. An implementation answers only what
+/// it accepts; asking for more is a LogicError.
+class Atmosphere {
+  public:
+    virtual ~Atmosphere() = default;
+
+    /// How results and the log call it: "vacuum", "Beer-Lambert (haze.csv)".
+    virtual std::string name() const = 0;
+    /// The spectral base: what this atmosphere has data for.
+    virtual SpectralRange base() const = 0;
+    virtual bool supports(AtmosphereProperty property) const = 0;
+    /// False if the property is not supported; else true only if the base holds the whole range.
+    bool accept(const SpectralRange& range, AtmosphereProperty property) const {
+        return supports(property) && base().contains(range);
+    }
+
+    /// 0 to 1; 1 at range 0.
+    virtual Spectrum transmittance(const AirPath& path, const SpectralRange& range) const;
+    /// Emitted and scattered into the path, W m-2 sr-1 um-1; 0 at range 0.
+    virtual Spectrum pathRadiance(const AirPath& path, const SunPosition& sun,
+                                  const SpectralRange& range) const;
+    /// Everything seen along an unbounded line of sight with no target in it, W m-2 sr-1 um-1.
+    virtual Spectrum backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
+                                        const SpectralRange& range) const;
+    /// Direct sun on a plane normal to the beam at an altitude, W m-2 um-1; 0 below the horizon.
+    virtual Spectrum solarIrradiance(double altitude_m, const SunPosition& sun,
+                                     const SpectralRange& range) const;
+    /// Diffuse hemispherical fluxes on a horizontal plane, W m-2 um-1. The downward flux excludes
+    /// the direct beam, the upward flux includes reflected sun.
+    virtual Spectrum upwardFlux(double altitude_m, const SunPosition& sun,
+                                const SpectralRange& range) const;
+    virtual Spectrum downwardFlux(double altitude_m, const SunPosition& sun,
+                                  const SpectralRange& range) const;
+    virtual double ambientTemperature_K(double altitude_m) const;
+};
+
+} // namespace irsg

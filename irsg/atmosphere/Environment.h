@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "irsg/atmosphere/Atmosphere.h"
+
+namespace irsg {
+
+/// A value and which atmosphere gave it.
+template <typename Value>
+struct Answer {
+    Value value;
+    std::string answeredBy;
+};
+
+/// The world around a scene (report section 5): the sun and an ordered list of atmospheres. The
+/// first that accepts (property, range) answers. Where none accepts, an InputError lists each and
+/// why it refused, except that the background falls back to `defaultBackground` and the ambient
+/// temperature to `defaultAmbient_K` where they are set.
+class Environment {
+  public:
+    Environment() = default;
+    /// Vacuum alone.
+    static Environment vacuum();
+
+    void add(std::shared_ptr<const Atmosphere> atmosphere);
+    const std::vector<std::shared_ptr<const Atmosphere>>& atmospheres() const {
+        return atmospheres_;
+    }
+
+    SunPosition sun;
+    std::optional<Spectrum> defaultBackground; ///< W m-2 sr-1 um-1
+    std::optional<double> defaultAmbient_K = 288.15;
+
+    /// The first that accepts, or null.
+    const Atmosphere* find(const SpectralRange& range, AtmosphereProperty property) const;
+
+    Answer<Spectrum> transmittance(const AirPath& path, const SpectralRange& range) const;
+    Answer<Spectrum> pathRadiance(const AirPath& path, const SpectralRange& range) const;
+    Answer<Spectrum> backgroundRadiance(const LineOfSight& sight, const SpectralRange& range) const;
+    /// Zero when the sun is below the horizon, whoever answers.
+    Answer<Spectrum> solarIrradiance(double altitude_m, const SpectralRange& range) const;
+    Answer<Spectrum> upwardFlux(double altitude_m, const SpectralRange& range) const;
+    Answer<Spectrum> downwardFlux(double altitude_m, const SpectralRange& range) const;
+    Answer<double> ambientTemperature_K(double altitude_m) const;
+
+  private:
+    const Atmosphere& require(const SpectralRange& range, AtmosphereProperty property) const;
+
+    std::vector<std::shared_ptr<const Atmosphere>> atmospheres_;
+};
+
+} // namespace irsg

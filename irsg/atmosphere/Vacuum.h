@@ -1,0 +1,29 @@
+#pragma once
+
+#include "irsg/atmosphere/Atmosphere.h"
+
+namespace irsg {
+
+/// No air: transmittance 1, no path radiance, no diffuse flux, a black background. The sun is a black
+/// body of 5772 K (IAU 2015 nominal effective temperature) seen under the nominal solar radius
+/// (6.957e8 m) at 1 au: solid angle 6.794e-5 sr. Has no ambient temperature of its own.
+class Vacuum : public Atmosphere {
+  public:
+    std::string name() const override { return "vacuum"; }
+    SpectralRange base() const override { return {0.2, 40.0}; }
+    bool supports(AtmosphereProperty property) const override;
+
+    Spectrum transmittance(const AirPath&, const SpectralRange&) const override;
+    Spectrum pathRadiance(const AirPath&, const SunPosition&, const SpectralRange&) const override;
+    Spectrum backgroundRadiance(const LineOfSight&, const SunPosition&,
+                                const SpectralRange&) const override;
+    Spectrum solarIrradiance(double altitude_m, const SunPosition& sun,
+                             const SpectralRange& range) const override;
+    Spectrum upwardFlux(double, const SunPosition&, const SpectralRange&) const override;
+    Spectrum downwardFlux(double, const SunPosition&, const SpectralRange&) const override;
+};
+
+/// The sun outside the atmosphere as above, W m-2 um-1 on a plane normal to the beam.
+Spectrum extraterrestrialSolarIrradiance(const SpectralRange& range);
+
+} // namespace irsg

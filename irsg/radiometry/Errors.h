@@ -1,0 +1,40 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace irsg {
+
+/// Our own fault: a broken promise between two pieces of this program.
+class LogicError : public std::logic_error {
+  public:
+    using std::logic_error::logic_error;
+};
+
+/// One thing that is wrong with what the world gave us, in the words a user can act on.
+struct Offence {
+    std::string file;     ///< path, or the name of the object when there is no file
+    std::string position; ///< "line 7", "byte 1204", "materials.3.emissivity", "" when it is the whole
+    std::string value;    ///< what was found
+    std::string expected; ///< what would have been right
+
+    /// "FILE: POSITION: found VALUE, expected EXPECTED", without the parts that are empty.
+    std::string message() const;
+};
+
+/// The world's fault: a file, a value or a combination that cannot be used. Loaders collect every
+/// offence of a file before they throw, so that one run shows them all.
+class InputError : public std::runtime_error {
+  public:
+    explicit InputError(Offence offence);
+    /// `offences` must not be empty (LogicError).
+    explicit InputError(std::vector<Offence> offences);
+
+    const std::vector<Offence>& offences() const { return offences_; }
+
+  private:
+    std::vector<Offence> offences_;
+};
+
+} // namespace irsg

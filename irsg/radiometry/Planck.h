@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+
+namespace irsg {
+
+class Band;
+
+/// Exact SI constants (2019 redefinition).
+inline constexpr double planckConstant_J_s = 6.62607015e-34;
+inline constexpr double speedOfLight_m_s = 299792458.0;
+inline constexpr double boltzmannConstant_J_K = 1.380649e-23;
+/// c2 = h c / k in um K.
+inline constexpr double secondRadiationConstant_um_K =
+    planckConstant_J_s * speedOfLight_m_s / boltzmannConstant_J_K * 1e6;
+
+/// Spectral radiance of a black body, W m-2 sr-1 um-1 (Planck's law, per unit wavelength):
+/// L = 2 h c^2 / lambda^5 / (exp(h c / lambda k T) - 1).
+/// Relative error below 1e-12 for h c / lambda k T from 1e-12 to 1e5 wherever the result exceeds
+/// 1e-290, else 0; never NaN. T <= 0 gives 0. The trap: exp(x) - 1 loses all digits for small x, so
+/// expm1; pbrt and Mitsuba differ by 1e9 in the unit of what they call blackbody, this one is per um.
+double planckRadiance_W_m2_sr_um(double wavelength_um, double temperature_K);
+
+/// Derivative of the above with respect to temperature, W m-2 sr-1 um-1 K-1.
+double planckDerivative_W_m2_sr_um_K(double wavelength_um, double temperature_K);
+
+/// Brightness temperature, K, of a spectral radiance; no value for radiance <= 0 or not finite.
+std::optional<double> brightnessTemperature_K(double wavelength_um, double radiance_W_m2_sr_um);
+
+/// Band radiance of a black body, W m-2 sr-1: integral of L_bb(lambda, T) R(lambda) over the band,
+/// by direct quadrature to 1e-9 relative.
+double bandRadiance_W_m2_sr(const Band& band, double temperature_K);
+
+/// Apparent temperature, K: the temperature of the black body whose band radiance is `radiance`,
+/// solved to 1e-9 relative between 1 K and 1e6 K. No value for radiance <= 0, not finite, or
+/// outside what black bodies of that range give.
+std::optional<double> apparentTemperature_K(const Band& band, double radiance_W_m2_sr);
+
+} // namespace irsg

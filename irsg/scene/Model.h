@@ -1,0 +1,78 @@
+#pragma once
+
+#include <compare>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "irsg/scene/Pose.h"
+
+namespace osg {
+class Node;
+}
+
+namespace irsg {
+
+/// The pair of codes a face carries.
+struct IrCodes {
+    int temperature = 0; ///< IRColor, OpenFlight IR colour code
+    int material = 0;    ///< IRMaterial, OpenFlight IR material code
+
+    auto operator<=>(const IrCodes&) const = default;
+};
+
+struct BoundingBox {
+    Vec3 min, max;
+    bool valid() const { return min.x <= max.x && min.y <= max.y && min.z <= max.z; }
+    Vec3 centre() const { return (min + max) * 0.5; }
+    double diagonal_m() const { return length(max - min); }
+    bool operator==(const BoundingBox&) const = default;
+};
+
+enum class NoseAxis { plusX, minusX, plusY, minusY };
+
+/// Triangles of one pair of codes, as counted in the loaded scene graph.
+struct CodeUse {
+    int faces = 0; ///< polygons as the file counts them (triangles where the file cannot tell)
+    double area_m2 = 0.0;
+    bool operator==(const CodeUse&) const = default;
+};
+
+struct ModelOptions {
+    NoseAxis noseAxis = NoseAxis::plusY; ///< which axis of the file the nose points along
+    bool forceTwoSided = false;          ///< ignore draw type 0 (backface culling)
+};
+
+/// A loaded model: geometry with its codes, merged per pair of codes, in the axes of this program
+/// (x starboard, y nose, z up). The graph belongs to one Model; drawables carry a ShapeAttributeList
+/// with IRColor and IRMaterial and no textures or lights that would touch the infrared picture.
+class Model {
+  public:
+    /// Loads .flt, .osgt, .osgb, .ive and whatever OpenSceneGraph reads. An OpenFlight file is
+    /// validated by the record scanner first. Throws InputError for a file that is missing, truncated,
+    /// malformed (with the byte offset), unreadable or without faces.
+    static std::shared_ptr<Model> load(const std::filesystem::path& file,
+                                       const ModelOptions& options = {});
+    /// Takes a graph made in memory; codes are read from its ShapeAttributeLists.
+    static std::shared_ptr<Model> fromGraph(osg::Node* graph, const std::string& name,
+                                            const ModelOptions& options = {});
+    ~Model();
+
+    const std::string& name() const;
+    const std::filesystem::path& file() const;
+    osg::Node* graph() const;
+    const std::map<IrCodes, CodeUse>& codes() const;
+    /// Of all geometry, model axes.
+    const BoundingBox& bounds() const;
+    /// What the loader had to do or could not keep: LODs overridden, normals made, files missing.
+    const std::vector<std::string>& remarks() const;
+
+  private:
+    struct Parts;
+    explicit Model(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace irsg

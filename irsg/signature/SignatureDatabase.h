@@ -1,0 +1,74 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "irsg/radiometry/Spectrum.h"
+#include "irsg/signature/ComponentFactors.h"
+#include "irsg/signature/SurfaceTemperature.h"
+#include "irsg/signature/UserSpectrum.h"
+
+namespace irsg {
+
+enum class EmissionMode {
+    temperature, ///< grey or spectral emission of a surface at the temperature of eq. 7
+    userSpectrum ///< sum of the factors times the components of a user-defined spectrum, eq. 6
+};
+
+/// What stands behind one temperature index (IRColor) of a model.
+struct TemperatureEntry {
+    std::string name;
+    EmissionMode mode = EmissionMode::temperature;
+    TemperatureTerms terms;   ///< kept in both modes, used in the first
+    std::string userSpectrum; ///< name of a user-defined spectrum, used in the second
+    ComponentFactors factors; ///< components without a factor count with 1
+    std::string notes;        ///< provenance: where the numbers come from
+
+    bool operator==(const TemperatureEntry&) const = default;
+};
+
+/// What stands behind one material index (IRMaterial) of a model. Reflectivity is derived:
+/// rho = 1 - emissivity - transmissivity.
+struct Material {
+    std::string name;
+    Spectrum emissivity = Spectrum::constant(1.0);
+    Spectrum transmissivity;   ///< grey or spectral, 0 for opaque
+    double nAngleFactor = 0.0; ///< N of cos^N(theta_view), >= 0
+    std::string notes;
+
+    bool isOpaque() const { return transmissivity.maximum() <= 0.0; }
+    double reflectivityAt(double wavelength_um) const;
+    bool operator==(const Material&) const = default;
+};
+
+/// The signature of one 3-D model: a value, copied and compared like one. Index 0 (a face without a
+/// code) is an ordinary entry.
+struct SignatureDatabase {
+    std::string title;
+    std::string notes;
+    std::map<int, TemperatureEntry> temperatures;
+    std::map<int, Material> materials;
+    std::map<std::string, UserSpectrum> spectra;
+
+    bool operator==(const SignatureDatabase&) const = default;
+};
+
+/// One thing a person should look at.
+struct Finding {
+    enum class Severity { warning, error };
+    Severity severity = Severity::error;
+    std::string place;  ///< "materials.3.emissivity at 4.2 um"
+    std::string value;
+    std::string reason; ///< what is wrong, and what was expected
+    std::string repair; ///< what would mend it; may be empty
+};
+
+/// Checks the physics of a database: emissivity, transmissivity and their sum in [0, 1] at every
+/// node, N >= 0, names of spectra and components that exist, table axes, temperatures in a plausible
+/// range at rest, brightness temperatures of user-defined spectra between 200 and 4000 K (with the
+/// factor 1e4 between W cm-2 and W m-2 named as suspect), and, given a band, spectra that cover it.
+std::vector<Finding> lint(const SignatureDatabase& database);
+std::vector<Finding> lint(const SignatureDatabase& database, const SpectralRange& band);
+
+} // namespace irsg

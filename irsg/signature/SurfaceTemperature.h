@@ -1,0 +1,39 @@
+#pragma once
+
+#include "irsg/signature/EntityState.h"
+#include "irsg/signature/LookupTable.h"
+
+namespace irsg {
+
+/// The terms of the report's eq. 7. Its printed layout is damaged; the reading
+///   T = T0 + a T_amb (1 + 0.2 r M^2 + dT / T_amb) + f_time(t) + f_power(P) + f_alt(h) + f_mach(M)
+/// fits its seven plus signs and the recovery temperature of air (0.2 = (gamma - 1) / 2). Each term
+/// is one function below, so that a correction is one line. All in K.
+struct TemperatureTerms {
+    double base_K = 0.0;           ///< T0
+    double ambientFactor = 1.0;    ///< a
+    double recoveryFactor = 0.0;   ///< r, 0.85 laminar and 0.89 turbulent by custom
+    double ambientOffset_K = 0.0;  ///< dT
+    LookupTable time;              ///< f_time over s; empty tables add nothing
+    LookupTable power;             ///< f_power over the power setting
+    LookupTable altitude;          ///< f_alt over m
+    LookupTable mach;              ///< f_mach over Mach number
+
+    bool operator==(const TemperatureTerms&) const = default;
+};
+
+/// a T_amb, K.
+double ambientTerm_K(const TemperatureTerms& terms, const EntityState& state);
+/// a T_amb 0.2 r M^2, K.
+double aerodynamicTerm_K(const TemperatureTerms& terms, const EntityState& state);
+/// a dT, K.
+double offsetTerm_K(const TemperatureTerms& terms, const EntityState& state);
+double timeTerm_K(const TemperatureTerms& terms, const EntityState& state);
+double powerTerm_K(const TemperatureTerms& terms, const EntityState& state);
+double altitudeTerm_K(const TemperatureTerms& terms, const EntityState& state);
+double machTerm_K(const TemperatureTerms& terms, const EntityState& state);
+
+/// The sum of all terms, K. May be <= 0 for a database that is wrong: the caller names the entry.
+double surfaceTemperature_K(const TemperatureTerms& terms, const EntityState& state);
+
+} // namespace irsg
