@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "irsg/image/RadianceImage.h"
+#include "smatcore/data/ResultTable.h"
+#include "smatcore/project/Project.h"
+
+namespace smat {
+
+enum class AnalysisState { notRun, complete, partial };
+
+/// A number worth saying about a result: "peak contrast intensity", 12.3, "W sr-1".
+struct SummaryItem {
+    std::string label;
+    double value = 0.0;
+    std::string unit;
+};
+
+/// One analysis: what it is asked, and, once AnalysisGenerator has run it, what came out.
+struct AnalysisData {
+    // What is asked.
+    std::string name;
+    AnalysisKind kind = AnalysisKind::image;
+    Project project;
+    Settings settings;       ///< all in effect: those of the project with the overrides on top
+    std::string commandLine; ///< goes into the provenance where it is not empty
+
+    // What came out.
+    AnalysisState state = AnalysisState::notRun;
+    irsg::RadianceImage image; ///< of an image analysis, else empty
+    ResultTable table;         ///< of every kind; an image gives one row of sums
+    std::vector<SummaryItem> summary;
+    std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
+    std::vector<std::string> warnings;   ///< each said once
+    std::string renderer;
+    double elapsed_s = 0.0;
+
+    /// The analysis `name` of a project, ready to run. Throws InputError listing the names there
+    /// are.
+    static AnalysisData of(const Project& project, const std::string& name);
+    /// An analysis of a kind with the project's own settings and `overrides` on top.
+    static AnalysisData of(const Project& project, AnalysisKind kind,
+                           const Settings& overrides = {});
+    /// The command that does the same from a terminal.
+    std::string equivalentCommand(const std::string& outputFile) const;
+};
+
+/// Writes a result by the extension of `file`: images as .exr, .csv or .png (false colour with a
+/// colour bar), tables as .csv or .json. `.json` of an image analysis holds its row of sums. Throws
+/// InputError for another extension or a file that cannot be written.
+void saveResult(const AnalysisData& data, const std::filesystem::path& file);
+
+} // namespace smat

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "irsg/radiometry/Quantity.h"
+#include "irsg/scene/Pose.h"
+#include "smatcore/project/Project.h"
+
+namespace smat {
+
+/// One drawing of a sweep, in terms that need no scene: attitude and state of the target and where
+/// the camera is about its reference point.
+struct AnalysisCase {
+    enum class CameraPath {
+        about,     ///< Viewpoint::about with `cameraYaw`, `azimuth`, `elevation`
+        pitchPlane ///< Viewpoint::aroundPitchPlane with `angle`, in the model's own frame
+    };
+
+    double coordinate = 0.0; ///< angle, range or time in the plan's unit: the first column
+    double time_s = 0.0;
+    irsg::Attitude attitude;
+    CameraPath path = CameraPath::about;
+    double cameraYaw_rad = 0.0; ///< yaw of the horizontal frame the camera's azimuth is counted in
+    double azimuth_rad = 0.0;   ///< of the camera in that frame
+    double elevation_rad = 0.0;
+    double angle_rad = 0.0;
+    double range_m = 0.0;
+
+    // What the table says, deg: azimuth and elevation about the target at its attitude of this
+    // case.
+    double shownAzimuth_deg = 0.0;
+    double shownElevation_deg = 0.0;
+    double shownYaw_deg = 0.0;
+
+    irsg::Viewpoint viewpoint(const irsg::Vec3& referencePoint) const;
+};
+
+/// A sweep, expanded to its cases before anything is drawn.
+struct AnalysisPlan {
+    AnalysisKind kind = AnalysisKind::image;
+    irsg::Quantity coordinate = irsg::Quantity::dimensionless;
+    std::vector<AnalysisCase> cases;
+    std::vector<double> wavenumbers_cm1; ///< of a spectrum, ascending
+
+    /// "polar: 36 cases, angle 0 to 350 deg, 640 x 512 px".
+    std::string description;
+};
+
+/// Throws InputError naming every setting that does not fit the others: a reversed sweep, a range
+/// of 0 on a logarithmic axis, more than 1e6 cases.
+AnalysisPlan planAnalysis(AnalysisKind kind, const Project& project, const Settings& settings);
+
+} // namespace smat

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "irsg/scene/Irsg.h"
+
+namespace smat {
+
+/// A scene as a renderer takes it: checked, loaded, in radians.
+struct SceneDescription {
+    std::vector<irsg::Entity> entities; ///< the first is the target
+    irsg::Environment environment;
+    irsg::Sensor sensor;
+    irsg::RenderSettings render;
+};
+
+/// What smatcore asks of a renderer: the seam between analyses and irsg::Irsg, so that analyses are
+/// tested against closed forms without OpenGL. May be used from any one thread at a time.
+class ImageSource {
+  public:
+    virtual ~ImageSource() = default;
+
+    /// Takes a scene. Throws InputError with every offence where it cannot be drawn.
+    virtual void configure(const SceneDescription& scene) = 0;
+    /// Reference point of an entity in its own model axes.
+    virtual irsg::Vec3 referencePointInModel(std::size_t entity) = 0;
+    virtual void setPose(std::size_t entity, const irsg::Pose& pose) = 0;
+    virtual void setState(std::size_t entity, const irsg::EntityState& state) = 0;
+    virtual void setViewpoint(const irsg::Viewpoint& viewpoint) = 0;
+
+    virtual irsg::RenderedImage render() = 0;
+    virtual irsg::RenderReport measure() = 0;
+    virtual irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) = 0;
+
+    virtual std::string rendererDescription() = 0;
+    /// Time spent inside the renderer by stage since the last reset.
+    virtual irsg::StageTimes stageTimes() const = 0;
+    virtual void resetStageTimes() = 0;
+};
+
+/// The infrared scene generator behind the seam. Throws InputError where this machine has no
+/// OpenGL.
+std::unique_ptr<ImageSource> makeIrsgImageSource();
+
+} // namespace smat

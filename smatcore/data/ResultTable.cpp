@@ -1,0 +1,145 @@
+#include "smatcore/data/ResultTable.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/support/TextFile.h"
+
+namespace smat {
+
+namespace {
+
+const irsg::QuantityInfo* quantityOf(std::string_view key) {
+    for (int i = 0; i <= static_cast<int>(irsg::Quantity::dimensionless); ++i) {
+        const irsg::QuantityInfo& candidate = irsg::info(static_cast<irsg::Quantity>(i));
+        if (candidate.key == key) {
+            return &candidate;
+        }
+    }
+    return nullptr;
+}
+
+/// "range [m]" -> {"range", "m"}.
+std::pair<std::string, std::string> splitHeader(const std::string& header) {
+    const std::size_t open = header.rfind(" [");
+    if (open == std::string::npos || header.back() != ']') {
+        return {header, ""};
+    }
+    return {header.substr(0, open), header.substr(open + 2, header.size() - open - 3)};
+}
+
+} // namespace
+
+std::string ResultColumn::header() const {
+    return unit.empty() ? key : key + " [" + unit + "]";
+}
+
+std::string ResultColumn::axisTitle() const {
+    const irsg::QuantityInfo* quantity = quantityOf(key);
+    const std::string label = quantity != nullptr ? std::string(quantity->label) : key;
+    const std::string pretty =
+        quantity != nullptr && quantity->unit == unit ? std::string(quantity->prettyUnit) : unit;
+    return pretty.empty() ? label : label + " (" + pretty + ")";
+}
+
+ResultColumn& ResultTable::add(irsg::Quantity quantity) {
+    const irsg::QuantityInfo& entry = irsg::info(quantity);
+    addColumn(std::string(entry.key), std::string(entry.unit));
+    return columns_.back();
+}
+
+void ResultTable::addColumn(std::string key, std::string unit) {
+    columns_.push_back({std::move(key), std::move(unit), std::vector<double>(rowCount(), 0.0)});
+}
+
+const ResultColumn* ResultTable::find(std::string_view key) const {
+    const auto found = std::find_if(columns_.begin(), columns_.end(),
+                                    [&](const ResultColumn& column) { return column.key == key; });
+    return found == columns_.end() ? nullptr : &*found;
+}
+
+const ResultColumn* ResultTable::find(irsg::Quantity quantity) const {
+    return find(irsg::info(quantity).key);
+}
+
+void ResultTable::addRow(const std::vector<double>& values) {
+    if (values.size() != columns_.size()) {
+        throw irsg::LogicError("a row of a result table needs one value per column");
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        columns_[i].values.push_back(values[i]);
+    }
+}
+
+std::string ResultTable::toCsv() const {
+    std::string text = provenance.toCsvLines();
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        text += (i == 0 ? "" : ",") + columns_[i].header();
+    }
+    text += "\n";
+    for (std::size_t row = 0; row < rowCount(); ++row) {
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            // The shortest digits that read back as the same double.
+            text += fmt::format("{}{}", i == 0 ? "" : ",", columns_[i].values[row]);
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+void ResultTable::save(const std::filesystem::path& file) const {
+    writeTextFile(file, file.extension() == ".json" ? toJson() : toCsv());
+}
+
+ResultTable ResultTable::load(const std::filesystem::path& file) {
+    return file.extension() == ".json" ? fromJson(file) : fromCsv(file);
+}
+
+ResultTable ResultTable::fromCsv(const std::filesystem::path& file) {
+    const irsg::CsvTable csv = irsg::CsvTable::read(file);
+    std::vector<irsg::Offence> offences;
+    ResultTable table;
+    for (const irsg::CsvComment& comment : csv.comments()) {
+        table.provenance.add(comment.key, comment.value);
+    }
+    if (csv.rows().empty()) {
+        throw irsg::InputError(csv.offence("no rows", "a header row of names with units"));
+    }
+
+    // A header row names columns; one made of a number was meant as data.
+    for (const irsg::CsvCell& cell : csv.rows().front().cells) {
+        if (cell.text.empty() || irsg::parseNumber(cell.text)) {
+            offences.push_back(csv.offence(cell, "the name of a column"));
+        } else if (table.find(splitHeader(cell.text).first) != nullptr) {
+            offences.push_back(csv.offence(cell, "a name that no other column has"));
+        }
+        const auto [key, unit] = splitHeader(cell.text);
+        table.addColumn(key, unit);
+    }
+    for (std::size_t row = 1; row < csv.rows().size(); ++row) {
+        const irsg::CsvRow& line = csv.rows()[row];
+        if (line.cells.size() != table.columns_.size()) {
+            offences.push_back(csv.offence(line.line, fmt::format("{} cells", line.cells.size()),
+                                           fmt::format("{} cells", table.columns_.size())));
+            continue;
+        }
+        for (std::size_t i = 0; i < line.cells.size(); ++i) {
+            const irsg::CsvCell& cell = line.cells[i];
+            // A quantity without a value (a temperature of no radiance) is written as nan.
+            const std::optional<double> value = cell.text == "nan"
+                                                    ? std::numeric_limits<double>::quiet_NaN()
+                                                    : csv.number(cell, offences, "a number");
+            table.columns_[i].values.push_back(value.value_or(0.0));
+        }
+    }
+    if (!offences.empty()) {
+        throw irsg::InputError(offences);
+    }
+    return table;
+}
+
+} // namespace smat

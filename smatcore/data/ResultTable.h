@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "irsg/radiometry/Quantity.h"
+#include "smatcore/data/Provenance.h"
+
+namespace smat {
+
+/// One column of numbers with what they mean.
+struct ResultColumn {
+    std::string key;  ///< "contrast_intensity"
+    std::string unit; ///< "W sr-1", "" when dimensionless
+    std::vector<double> values;
+
+    /// "contrast_intensity [W sr-1]".
+    std::string header() const;
+    /// "Contrast intensity (W·sr⁻¹)", from the quantity of that key where there is one.
+    std::string axisTitle() const;
+    bool operator==(const ResultColumn&) const = default;
+};
+
+/// What an analysis measured: columns of equal length, the first is the abscissa, and the
+/// provenance that tells how it came to be.
+class ResultTable {
+  public:
+    Provenance provenance;
+
+    ResultColumn& add(irsg::Quantity quantity);
+    const std::vector<ResultColumn>& columns() const { return columns_; }
+    std::size_t rowCount() const { return columns_.empty() ? 0 : columns_.front().values.size(); }
+    bool empty() const { return rowCount() == 0; }
+    /// Null where there is none.
+    const ResultColumn* find(std::string_view key) const;
+    const ResultColumn* find(irsg::Quantity quantity) const;
+    /// One value per column (LogicError otherwise).
+    void addRow(const std::vector<double>& values);
+
+    /// `# key: value` lines, a header row, then numbers that read back exactly.
+    std::string toCsv() const;
+    std::string toJson() const;
+    /// Writes .json for that extension, CSV for any other. Throws InputError.
+    void save(const std::filesystem::path& file) const;
+    /// Reads either form back. Throws InputError with every offence: a missing header, ragged rows,
+    /// cells that are no numbers.
+    static ResultTable load(const std::filesystem::path& file);
+
+    bool operator==(const ResultTable&) const = default;
+
+  private:
+    static ResultTable fromCsv(const std::filesystem::path& file);
+    static ResultTable fromJson(const std::filesystem::path& file);
+    void addColumn(std::string key, std::string unit);
+
+    std::vector<ResultColumn> columns_;
+};
+
+} // namespace smat

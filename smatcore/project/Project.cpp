@@ -1,0 +1,80 @@
+#include "smatcore/project/Project.h"
+
+#include <algorithm>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace smat {
+
+std::string name(AnalysisKind kind) {
+    switch (kind) {
+    case AnalysisKind::image:
+        return "image";
+    case AnalysisKind::spectrum:
+        return "spectrum";
+    case AnalysisKind::polar:
+        return "polar";
+    case AnalysisKind::time:
+        return "time";
+    case AnalysisKind::range:
+        return "range";
+    }
+    throw irsg::LogicError("unknown kind of analysis");
+}
+
+std::string title(AnalysisKind kind) {
+    return sectionTitle(name(kind));
+}
+
+std::optional<AnalysisKind> analysisKindFromName(std::string_view text) {
+    for (const AnalysisKind kind : allAnalysisKinds) {
+        if (name(kind) == text) {
+            return kind;
+        }
+    }
+    return std::nullopt;
+}
+
+std::filesystem::path Project::resolve(const std::filesystem::path& path) const {
+    if (path.empty() || path.is_absolute() || file.empty()) {
+        return path;
+    }
+    return (file.parent_path() / path).lexically_normal();
+}
+
+const NamedAnalysis* Project::find(std::string_view analysis) const {
+    const auto found = std::find_if(analyses.begin(), analyses.end(),
+                                    [&](const NamedAnalysis& one) { return one.name == analysis; });
+    return found == analyses.end() ? nullptr : &*found;
+}
+
+std::string Project::displayName() const {
+    if (!file.empty()) {
+        return file.filename().string();
+    }
+    return title.empty() ? "new project" : title;
+}
+
+Project projectOfModel(const std::filesystem::path& model, const std::filesystem::path& database) {
+    Project project;
+    ProjectModel target;
+    target.name = model.stem().string();
+    target.file = model;
+    target.database = database;
+    if (database.empty()) {
+        const std::filesystem::path beside[] = {
+            std::filesystem::path(model).replace_extension(".sigdb"),
+            model.parent_path() / "signature.sigdb"};
+        for (const std::filesystem::path& candidate : beside) {
+            if (std::filesystem::is_regular_file(candidate)) {
+                target.database = candidate;
+                break;
+            }
+        }
+    }
+    project.title = target.name;
+    project.models.push_back(std::move(target));
+    return project;
+}
+
+} // namespace smat

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "irsg/scene/Model.h"
+#include "irsg/scene/Pose.h"
+#include "smatcore/settings/Settings.h"
+
+namespace smat {
+
+/// The five things a project can ask for.
+enum class AnalysisKind { image, spectrum, polar, time, range };
+inline constexpr AnalysisKind allAnalysisKinds[] = {AnalysisKind::image, AnalysisKind::spectrum,
+                                                    AnalysisKind::polar, AnalysisKind::time,
+                                                    AnalysisKind::range};
+/// "polar": the word of files and commands, and the section of the settings of this kind alone.
+std::string name(AnalysisKind kind);
+/// "Polar plot".
+std::string title(AnalysisKind kind);
+std::optional<AnalysisKind> analysisKindFromName(std::string_view name);
+
+/// One model of a project. The first is the target: it stands at the origin at `target.altitude`
+/// with the attitude of `target.yaw`, `.pitch` and `.roll`, and the camera looks at its reference
+/// point. The others stand where their own pose says.
+struct ProjectModel {
+    std::string name;               ///< the file's name where it is empty
+    std::filesystem::path file;     ///< relative to the project file, or absolute
+    std::filesystem::path database; ///< the same
+    irsg::NoseAxis noseAxis = irsg::NoseAxis::plusY;
+    bool forceTwoSided = false;
+    irsg::Pose pose; ///< world: m east, north, altitude; not of the target
+    std::optional<irsg::Vec3> referencePoint_m; ///< model axes; else the centre of the bounding box
+    std::optional<int> fallbackTemperature;     ///< entries that stand in for codes without one
+    std::optional<int> fallbackMaterial;
+    std::string unknownKeys; ///< JSON object of keys this version does not know, kept on save
+
+    bool operator==(const ProjectModel&) const = default;
+};
+
+/// An analysis with its name; its settings override those of the project.
+struct NamedAnalysis {
+    std::string name;
+    AnalysisKind kind = AnalysisKind::image;
+    Settings settings;
+    std::string notes;
+    std::string unknownKeys;
+
+    bool operator==(const NamedAnalysis&) const = default;
+};
+
+/// Everything a `.smat` file holds: a value, copied and compared like one.
+struct Project {
+    std::filesystem::path file; ///< where it was loaded from; empty for a new one
+    std::string title;
+    std::string notes;
+    std::vector<ProjectModel> models;
+    Settings settings;
+    std::vector<NamedAnalysis> analyses; ///< sorted by name, names unique
+    std::string unknownKeys;
+
+    /// A path of the project as a path from here.
+    std::filesystem::path resolve(const std::filesystem::path& path) const;
+    const NamedAnalysis* find(std::string_view analysis) const;
+    /// "turboprop4.smat", or the title, or "new project".
+    std::string displayName() const;
+    bool operator==(const Project&) const = default;
+};
+
+/// A project of one model with defaults: what opening a bare model gives. A database of the same
+/// name beside it (`ship.sigdb` for `ship.flt`), or `signature.sigdb`, is taken where `database` is
+/// empty.
+Project projectOfModel(const std::filesystem::path& model,
+                       const std::filesystem::path& database = {});
+
+} // namespace smat

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "smatcore/project/Project.h"
+
+namespace smat {
+
+inline constexpr int projectFileVersion = 1;
+
+/// Reads a `.smat` file: JSON with `version`, `title`, `notes`, `models`, one object for each
+/// section of settings, and `analyses`. Throws InputError with every offence at once, each with its
+/// key path and line, the value and what was expected. A file of a newer version is refused. Keys
+/// this version does not know are kept. Files that the project names are looked at by SceneBuilder,
+/// not here.
+Project loadProject(const std::filesystem::path& file);
+/// The same from memory; `fileName` stands for the file in errors, `directory` is what paths are
+/// relative to.
+Project projectFromJson(const std::string& text, const std::filesystem::path& file);
+
+/// Sorted keys, defaults omitted, unknown keys kept, paths relative to `file`'s folder where they
+/// lie in or beside it. Equal projects give equal text.
+std::string projectToJson(const Project& project, const std::filesystem::path& file);
+/// Writes it whole or not at all. Throws InputError where the file cannot be written.
+void saveProject(const Project& project, const std::filesystem::path& file);
+
+} // namespace smat

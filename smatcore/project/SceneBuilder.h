@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/project/Project.h"
+
+namespace smat {
+
+/// Makes the scene a project and its settings describe: loads models and databases, each once,
+/// reads atmospheres and responses, and checks the whole. Models and databases are kept until their
+/// file changes (time of writing or size).
+class SceneBuilder {
+  public:
+    using ModelLoader = std::function<std::shared_ptr<const irsg::Model>(
+        const std::filesystem::path&, const irsg::ModelOptions&)>;
+
+    /// `loader` stands in for irsg::Model::load in tests.
+    explicit SceneBuilder(ModelLoader loader = {});
+
+    /// Throws InputError with the offences of all parts together.
+    SceneDescription build(const Project& project, const Settings& settings);
+    /// What loading had to say about models and databases since the last build, each said once.
+    const std::vector<std::string>& remarks() const { return remarks_; }
+
+    std::shared_ptr<const irsg::Model> model(const std::filesystem::path& file,
+                                             const irsg::ModelOptions& options);
+    std::shared_ptr<const irsg::SignatureDatabase> database(const std::filesystem::path& file);
+
+  private:
+    struct Stamp {
+        std::filesystem::file_time_type written;
+        std::uintmax_t size = 0;
+        bool operator==(const Stamp&) const = default;
+    };
+    template <typename Value>
+    struct Kept {
+        Stamp stamp;
+        Value value;
+    };
+    static Stamp stampOf(const std::filesystem::path& file, const char* what);
+
+    ModelLoader loader_;
+    std::map<std::string, Kept<std::shared_ptr<const irsg::Model>>> models_;
+    std::map<std::string, Kept<std::shared_ptr<const irsg::SignatureDatabase>>> databases_;
+    std::vector<std::string> remarks_;
+};
+
+/// The pieces that need no file of a model, for forms that show their effect at once. Paths are
+/// resolved against `project`. Each throws InputError.
+irsg::Environment environmentOf(const Project& project, const Settings& settings);
+irsg::Sensor sensorOf(const Project& project, const Settings& settings);
+irsg::RenderSettings renderSettingsOf(const Settings& settings);
+irsg::Pose targetPoseOf(const Settings& settings);
+
+} // namespace smat

@@ -1,0 +1,158 @@
+#include "smatcore/settings/SettingInfo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "irsg/radiometry/Band.h"
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat {
+
+namespace {
+
+std::string numberText(double value) {
+    return fmt::format("{}", value);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+    }
+    return text;
+}
+
+std::optional<std::string> canonicalNumber(const SettingInfo& setting, std::string_view text) {
+    const std::optional<double> value = irsg::parseNumber(text);
+    if (!value || *value < setting.minimum || *value > setting.maximum) {
+        return std::nullopt;
+    }
+    if (setting.kind != SettingKind::integer) {
+        return numberText(*value == 0.0 ? 0.0 : *value); // -0 and 0 are one value
+    }
+    if (*value != std::floor(*value) || std::abs(*value) > std::numeric_limits<int>::max()) {
+        return std::nullopt;
+    }
+    return fmt::format("{}", static_cast<int>(*value));
+}
+
+std::optional<std::string> canonicalBand(std::string_view text) {
+    try {
+        const irsg::SpectralRange range = irsg::Band::fromText(std::string(text)).range();
+        return numberText(range.min_um) + "-" + numberText(range.max_um);
+    } catch (const irsg::InputError&) {
+        return std::nullopt;
+    }
+}
+
+std::optional<std::string> canonicalPathList(std::string_view text) {
+    std::string list;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(';'), text.size());
+        const std::string_view item = irsg::trimmed(text.substr(0, end));
+        if (item.empty()) {
+            return std::nullopt;
+        }
+        list += (list.empty() ? "" : ";") + std::string(item);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return list.empty() ? "none" : list;
+}
+
+} // namespace
+
+std::string SettingInfo::section() const {
+    return key.substr(0, key.find('.'));
+}
+
+std::string SettingInfo::expected() const {
+    const std::string suffix = unit.empty() ? "" : " " + unit;
+    const std::string range =
+        " from " + numberText(minimum) + " to " + numberText(maximum) + suffix;
+    switch (kind) {
+    case SettingKind::real:
+        return "a number" + range;
+    case SettingKind::integer:
+        return "a whole number" + range;
+    case SettingKind::boolean:
+        return "true or false";
+    case SettingKind::choice:
+        return choices.size() == 1 ? choices.front() + ", the only choice of this version"
+                                   : joined(choices);
+    case SettingKind::choiceOrReal:
+        return joined(choices) + ", or a number" + range;
+    case SettingKind::band:
+        return "a band MIN-MAX with 0 < MIN < MAX in um";
+    case SettingKind::path:
+        return "a file name, or nothing";
+    case SettingKind::pathList:
+        return "file names separated by semicolons, or none";
+    }
+    throw irsg::LogicError("unknown kind of setting");
+}
+
+const SettingInfo* findSetting(std::string_view key) {
+    const auto& table = settingTable();
+    const auto found = std::find_if(table.begin(), table.end(),
+                                    [&](const SettingInfo& row) { return row.key == key; });
+    return found == table.end() ? nullptr : &*found;
+}
+
+const SettingInfo& settingInfo(std::string_view key) {
+    const SettingInfo* found = findSetting(key);
+    if (found == nullptr) {
+        throw irsg::LogicError("there is no setting " + std::string(key));
+    }
+    return *found;
+}
+
+std::string sectionTitle(std::string_view section) {
+    if (section == "render") {
+        return "Rendering";
+    }
+    if (isAnalysisSection(section)) {
+        return section == "image"      ? "Image"
+               : section == "spectrum" ? "Intensity spectrum"
+               : section == "polar"    ? "Polar plot"
+               : section == "range"    ? "Range plot"
+                                       : "Time plot";
+    }
+    std::string title(section);
+    title.front() = static_cast<char>(title.front() - 'a' + 'A');
+    return title;
+}
+
+bool isAnalysisSection(std::string_view section) {
+    return section == "image" || section == "spectrum" || section == "polar" ||
+           section == "range" || section == "time";
+}
+
+std::optional<std::string> canonicalText(const SettingInfo& setting, std::string_view given) {
+    const std::string_view text = irsg::trimmed(given);
+    const bool isChoice =
+        std::find(setting.choices.begin(), setting.choices.end(), text) != setting.choices.end();
+    switch (setting.kind) {
+    case SettingKind::real:
+    case SettingKind::integer:
+        return canonicalNumber(setting, text);
+    case SettingKind::boolean:
+        return text == "true" || text == "false" ? std::optional(std::string(text)) : std::nullopt;
+    case SettingKind::choice:
+        return isChoice ? std::optional(std::string(text)) : std::nullopt;
+    case SettingKind::choiceOrReal:
+        return isChoice ? std::optional(std::string(text)) : canonicalNumber(setting, text);
+    case SettingKind::band:
+        return canonicalBand(text);
+    case SettingKind::path:
+        return std::string(text);
+    case SettingKind::pathList:
+        return canonicalPathList(text);
+    }
+    throw irsg::LogicError("unknown kind of setting");
+}
+
+} // namespace smat

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace smat {
+
+/// What a setting holds. Every kind has one canonical text, which files, forms and the command line
+/// share.
+enum class SettingKind {
+    real,         ///< "12.5"
+    integer,      ///< "640"
+    boolean,      ///< "false" or "true"
+    choice,       ///< one of `choices`
+    choiceOrReal, ///< one of `choices`, or a number in the range
+    band,         ///< "3-5", wavelengths in um
+    path,         ///< a file, or empty; relative to the project file
+    pathList      ///< files in order, separated by ';', or "none"
+};
+
+/// Who needs to see a setting: forms hide the expert ones until asked.
+enum class SettingAudience { basic, expert };
+
+/// The one description of a setting. The form, the project file, `--set key=value`, the short
+/// option of the command line, the validation and the manual all come from it.
+struct SettingInfo {
+    std::string key;   ///< "sensor.width": section and name, the path in the project file
+    std::string label; ///< "Width"
+    std::string unit;  ///< "px", "" without
+    SettingKind kind = SettingKind::real;
+    double minimum = 0.0; ///< of numbers, inclusive
+    double maximum = 0.0;
+    std::vector<std::string> choices = {};
+    std::string defaultText;
+    std::string option; ///< "--width"; every setting has one
+    std::string help;   ///< documentation string: one or more sentences
+    SettingAudience audience = SettingAudience::basic;
+
+    /// "sensor".
+    std::string section() const;
+    /// "a number from 1 to 16384 (px)": what a value must be, as errors and the manual say it.
+    std::string expected() const;
+};
+
+/// All settings, in the order of forms and manual. Sections: sensor, camera, target, state,
+/// environment, render, display, and those that belong to one kind of analysis: image, spectrum,
+/// polar, range, time.
+const std::vector<SettingInfo>& settingTable();
+/// Null for an unknown key.
+const SettingInfo* findSetting(std::string_view key);
+/// LogicError for an unknown key.
+const SettingInfo& settingInfo(std::string_view key);
+/// "sensor" -> "Sensor": heading of a section in forms and manual.
+std::string sectionTitle(std::string_view section);
+/// True for the sections that concern one kind of analysis only.
+bool isAnalysisSection(std::string_view section);
+
+/// The canonical text of `text` as a value of this setting ("0640" -> "640"), or no value where it
+/// is not one.
+std::optional<std::string> canonicalText(const SettingInfo& setting, std::string_view text);
+
+/// The reference manual of all settings, docs/settings.md.
+std::string settingsManual();
+
+} // namespace smat

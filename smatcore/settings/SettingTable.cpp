@@ -1,0 +1,214 @@
+#include "smatcore/settings/SettingInfo.h"
+
+namespace smat {
+
+namespace {
+
+SettingInfo number(std::string key, std::string option, std::string label, std::string unit,
+                   double minimum, double maximum, std::string defaultText, std::string help,
+                   SettingAudience audience = SettingAudience::basic) {
+    return {.key = std::move(key),
+            .label = std::move(label),
+            .unit = std::move(unit),
+            .kind = SettingKind::real,
+            .minimum = minimum,
+            .maximum = maximum,
+            .defaultText = std::move(defaultText),
+            .option = std::move(option),
+            .help = std::move(help),
+            .audience = audience};
+}
+
+SettingInfo integer(std::string key, std::string option, std::string label, std::string unit,
+                    double minimum, double maximum, std::string defaultText, std::string help,
+                    SettingAudience audience = SettingAudience::basic) {
+    SettingInfo info = number(std::move(key), std::move(option), std::move(label), std::move(unit),
+                              minimum, maximum, std::move(defaultText), std::move(help), audience);
+    info.kind = SettingKind::integer;
+    return info;
+}
+
+SettingInfo choice(std::string key, std::string option, std::string label,
+                   std::vector<std::string> choices, std::string defaultText, std::string help,
+                   SettingAudience audience = SettingAudience::basic) {
+    return {.key = std::move(key),
+            .label = std::move(label),
+            .kind = SettingKind::choice,
+            .choices = std::move(choices),
+            .defaultText = std::move(defaultText),
+            .option = std::move(option),
+            .help = std::move(help),
+            .audience = audience};
+}
+
+SettingInfo choiceOrNumber(std::string key, std::string option, std::string label, std::string unit,
+                           std::vector<std::string> choices, double minimum, double maximum,
+                           std::string defaultText, std::string help,
+                           SettingAudience audience = SettingAudience::basic) {
+    SettingInfo info = number(std::move(key), std::move(option), std::move(label), std::move(unit),
+                              minimum, maximum, std::move(defaultText), std::move(help), audience);
+    info.kind = SettingKind::choiceOrReal;
+    info.choices = std::move(choices);
+    return info;
+}
+
+SettingInfo text(std::string key, std::string option, std::string label, std::string unit,
+                 SettingKind kind, std::string defaultText, std::string help,
+                 SettingAudience audience = SettingAudience::basic) {
+    return {.key = std::move(key),
+            .label = std::move(label),
+            .unit = std::move(unit),
+            .kind = kind,
+            .defaultText = std::move(defaultText),
+            .option = std::move(option),
+            .help = std::move(help),
+            .audience = audience};
+}
+
+void addSensor(std::vector<SettingInfo>& table) {
+    table.push_back(integer("sensor.width", "--width", "Width", "px", 1, 16384, "640",
+                            "Columns of the detector."));
+    table.push_back(integer("sensor.height", "--height", "Height", "px", 1, 16384, "512",
+                            "Rows of the detector."));
+    table.push_back(number("sensor.fov", "--fov", "Field of view", "deg", 1e-6, 179.0, "2",
+                           "Horizontal field of view. Pixels are square, so the vertical one "
+                           "follows from width and height."));
+    table.push_back(text("sensor.band", "--band", "Band", "um", SettingKind::band, "3-5",
+                         "Spectral band MIN-MAX with a response of 1 between its ends."));
+    table.push_back(text("sensor.response", "--response", "Response file", "", SettingKind::path,
+                         "",
+                         "CSV of wavelength and response; where it is given it stands in for the "
+                         "band."));
+    table.push_back(
+        choice("sensor.mode", "--mode", "Calculation mode", {"spectral"}, "spectral",
+               "How the band is integrated. Spectral multiplies at every wavelength and "
+               "integrates last.",
+               SettingAudience::expert));
+}
+
+void addViewAndTarget(std::vector<SettingInfo>& table) {
+    table.push_back(number("camera.range", "--range", "Range", "m", 0, 1e8, "1000",
+                           "Distance from the camera to the reference point of the target."));
+    table.push_back(
+        number("camera.azimuth", "--azimuth", "Azimuth", "deg", -360, 360, "0",
+               "Azimuth of the camera about the target: 0 looks at the nose, 90 sees the "
+               "starboard side. It turns with the target's yaw."));
+    table.push_back(number("camera.elevation", "--elevation", "Elevation", "deg", -90, 90, "0",
+                           "Elevation of the camera about the target; 0 is the horizontal plane, "
+                           "positive looks down on it."));
+    table.push_back(
+        number("target.yaw", "--yaw", "Yaw", "deg", -360, 360, "0",
+               "Turns the target counter-clockwise seen from above; its heading is minus "
+               "the yaw."));
+    table.push_back(
+        number("target.pitch", "--pitch", "Pitch", "deg", -90, 90, "0", "Nose up is positive."));
+    table.push_back(number("target.roll", "--roll", "Roll", "deg", -180, 180, "0",
+                           "Starboard down is positive."));
+    table.push_back(number("target.altitude", "--altitude", "Altitude", "m", 0, 1e6, "1000",
+                           "Altitude of the target's origin above the ground. Neither camera nor "
+                           "target may be below the ground."));
+    table.push_back(number("state.time", "--time", "Time", "s", -1e9, 1e9, "0",
+                           "Time since the scene began: the axis of the time tables of a signature "
+                           "database."));
+    table.push_back(number("state.power", "--power", "Engine power", "", 0, 1e6, "0",
+                           "Power setting: the axis of the power tables of a signature database, 0 "
+                           "to 1 by custom."));
+    table.push_back(number("state.mach", "--mach", "Mach number", "", 0, 30, "0",
+                           "Speed of the target for aerodynamic heating."));
+}
+
+void addEnvironment(std::vector<SettingInfo>& table) {
+    table.push_back(text(
+        "environment.atmospheres", "--atmosphere", "Atmospheres", "", SettingKind::pathList, "none",
+        "Atmosphere files in order, separated by semicolons; the first that has the "
+        "asked quantity in the band answers. With none there is no air."));
+    table.push_back(number("environment.sunAzimuth", "--sun-azimuth", "Sun azimuth", "deg", 0, 360,
+                           "180", "Azimuth of the sun, east of north."));
+    table.push_back(
+        number("environment.sunElevation", "--sun-elevation", "Sun elevation", "deg", -90, 90, "45",
+               "Elevation of the sun above the horizon; below it no sun is reflected."));
+    table.push_back(number("environment.ambientTemperature", "--ambient-temperature",
+                           "Ambient temperature", "K", 1, 5000, "288.15",
+                           "Air temperature that surfaces take part of, where no atmosphere gives "
+                           "one."));
+}
+
+void addRendering(std::vector<SettingInfo>& table) {
+    table.push_back(integer("render.antialiasing", "--antialiasing", "Antialiasing", "", 0, 2, "2",
+                            "Mode 0: one sample a pixel. Mode 1: 2 samples per axis. Mode 2: 4 "
+                            "samples per axis."));
+    const std::vector<std::string> reflections = {"off", "approx", "smart"};
+    table.push_back(choice("render.sun", "--sun", "Sun reflection", reflections, "smart",
+                           "Reflected sun: off, approx (independent of geometry: a quarter "
+                           "everywhere) or smart (per pixel)."));
+    table.push_back(choice("render.fluxes", "--fluxes", "Flux reflection", reflections, "smart",
+                           "Reflected sky and ground: off, approx (independent of geometry: a half "
+                           "of each) or smart (per pixel)."));
+    table.push_back(choice("render.fluxWeights", "--flux-weights", "Flux weights",
+                           {"viewFactor", "report"}, "viewFactor",
+                           "Share of sky and ground a tilted facet sees: its exact view factor, or "
+                           "the angle over 180 degrees as published.",
+                           SettingAudience::expert));
+    table.push_back(
+        choiceOrNumber("render.background", "--background", "Background", "W m-2 sr-1",
+                       {"smart", "none"}, 0, 1e9, "smart",
+                       "What lies behind the models: smart asks the environment along "
+                       "the line of sight at the field's centre, none is 0, a number is "
+                       "an in-band radiance."));
+    table.push_back(integer("render.layers", "--layers", "Transparent layers", "", 1, 64, "16",
+                            "Transparent surfaces taken apart per sample; what lies behind more of "
+                            "them is counted and reported.",
+                            SettingAudience::expert));
+}
+
+void addAnalyses(std::vector<SettingInfo>& table) {
+    table.push_back(choice("image.quantity", "--quantity", "Quantity",
+                           {"radiance", "irradiance", "apparent-temperature"}, "radiance",
+                           "What a pixel holds: in-band radiance, its irradiance on the detector "
+                           "(radiance times solid angle times the cosine off the axis), or the "
+                           "temperature of a black body of that radiance."));
+    table.push_back(text("image.truthLayers", "--truth-layers", "Truth layers", "",
+                         SettingKind::boolean, "false",
+                         "Adds planes of indices, range and the terms of the radiance to an EXR "
+                         "file."));
+    table.push_back(number("spectrum.resolution", "--resolution", "Resolution", "cm-1", 0.01, 1000,
+                           "5", "Distance between two wavenumbers."));
+    table.push_back(
+        choice("polar.type", "--type", "Type", {"camera-azimuth", "camera-elevation", "model-yaw"},
+               "camera-azimuth",
+               "What turns: the camera about the target in a horizontal plane (clockwise "
+               "seen from above, from the nose), the camera in the target's vertical "
+               "plane (front, belly, tail, top), or the target itself "
+               "(counter-clockwise, level, the camera stays)."));
+    table.push_back(number("polar.step", "--step", "Step", "deg", 0.001, 180, "10",
+                           "Angle between two cases. The sweep covers one turn from 0."));
+    table.push_back(number("polar.offset", "--offset", "View offset", "deg", -90, 90, "0",
+                           "Elevation of the camera in a camera-azimuth plot."));
+    table.push_back(number("range.from", "--from", "From", "m", 0, 1e8, "500", "First range."));
+    table.push_back(number("range.to", "--to", "To", "m", 0, 1e8, "10000", "Last range."));
+    table.push_back(integer("range.points", "--points", "Points", "", 2, 100000, "20",
+                            "Number of ranges, both ends included."));
+    table.push_back(text("range.log", "--log", "Logarithmic", "", SettingKind::boolean, "false",
+                         "Spaces the ranges by equal ratios."));
+    table.push_back(number("time.from", "--from", "From", "s", -1e9, 1e9, "0", "First time."));
+    table.push_back(number("time.to", "--to", "To", "s", -1e9, 1e9, "10", "Last time, included."));
+    table.push_back(
+        number("time.step", "--step", "Step", "s", 1e-6, 1e9, "0.5", "Time between two cases."));
+}
+
+} // namespace
+
+const std::vector<SettingInfo>& settingTable() {
+    static const std::vector<SettingInfo> table = [] {
+        std::vector<SettingInfo> made;
+        addSensor(made);
+        addViewAndTarget(made);
+        addEnvironment(made);
+        addRendering(made);
+        addAnalyses(made);
+        return made;
+    }();
+    return table;
+}
+
+} // namespace smat

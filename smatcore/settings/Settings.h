@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smatcore/settings/SettingInfo.h"
+
+namespace smat {
+
+/// Values of settings by key. A setting that was never set has its default; a value that was set
+/// stays set even where it equals the default, so that the settings of an analysis can override
+/// those of its project.
+class Settings {
+  public:
+    /// Throws InputError naming key, value and what was expected, also for an unknown key. `file`
+    /// is what the error calls the place the text came from.
+    void set(std::string_view key, std::string_view text, const std::string& file = "");
+    void set(std::string_view key, double value);
+    void set(std::string_view key, int value);
+    /// "key=value", the argument of `--set`.
+    void setFromArgument(std::string_view argument);
+    void reset(std::string_view key);
+
+    /// Canonical text of the value in effect. Unknown keys are a LogicError here and below, and so
+    /// is asking for another kind than the setting has.
+    const std::string& text(std::string_view key) const;
+    double real(std::string_view key) const;
+    int integer(std::string_view key) const;
+    bool boolean(std::string_view key) const;
+    /// The number of a choiceOrReal setting; no value where it is one of the choices.
+    std::optional<double> optionalReal(std::string_view key) const;
+    /// The files of a path or pathList setting as written; empty where there are none.
+    std::vector<std::filesystem::path> paths(std::string_view key) const;
+
+    bool isSet(std::string_view key) const { return values_.find(key) != values_.end(); }
+    /// True where the value in effect is the default, set or not.
+    bool isDefault(std::string_view key) const;
+    /// Everything that was set, by key.
+    const std::map<std::string, std::string, std::less<>>& values() const { return values_; }
+    /// These settings, with everything that is set in `overrides` on top.
+    Settings with(const Settings& overrides) const;
+
+    bool operator==(const Settings&) const = default;
+
+  private:
+    std::map<std::string, std::string, std::less<>> values_;
+};
+
+} // namespace smat
