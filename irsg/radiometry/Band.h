@@ -13,7 +13,8 @@ class Band {
   public:
     /// Response 1 from min to max. Throws InputError unless 0 < min < max, both finite.
     static Band topHat(double min_um, double max_um);
-    /// A sampled response (zero outside its axis). Throws InputError for a negative value or no area.
+    /// A sampled response (zero outside its axis). Throws InputError for a negative value or no
+    /// area.
     static Band fromResponse(Spectrum response, std::string name = "response");
     /// Reads a CSV of two columns: `wavelength [um]` (or cell (0,0) `um` or `cm-1`) and response.
     /// Comment lines begin with #. Throws InputError naming file and line.

@@ -1,5 +1,7 @@
 #include "irsg/radiometry/Errors.h"
 
+#include <array>
+#include <charconv>
 #include <utility>
 
 namespace irsg {
@@ -43,5 +45,11 @@ InputError::InputError(Offence offence) : InputError(std::vector<Offence>{std::m
 
 InputError::InputError(std::vector<Offence> offences)
     : std::runtime_error(messageOf(offences)), offences_(std::move(offences)) {}
+
+std::string numberText(double value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
+}
 
 } // namespace irsg

@@ -14,9 +14,10 @@ class LogicError : public std::logic_error {
 
 /// One thing that is wrong with what the world gave us, in the words a user can act on.
 struct Offence {
-    std::string file;     ///< path, or the name of the object when there is no file
-    std::string position; ///< "line 7", "byte 1204", "materials.3.emissivity", "" when it is the whole
-    std::string value;    ///< what was found
+    std::string file; ///< path, or the name of the object when there is no file
+    std::string
+        position;      ///< "line 7", "byte 1204", "materials.3.emissivity", "" when it is the whole
+    std::string value; ///< what was found
     std::string expected; ///< what would have been right
 
     /// "FILE: POSITION: found VALUE, expected EXPECTED", without the parts that are empty.
@@ -36,5 +37,8 @@ class InputError : public std::runtime_error {
   private:
     std::vector<Offence> offences_;
 };
+
+/// The shortest decimal text that reads back as `value`, whatever the locale: "3.5", "nan".
+std::string numberText(double value);
 
 } // namespace irsg

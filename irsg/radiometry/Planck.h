@@ -10,15 +10,18 @@ class Band;
 inline constexpr double planckConstant_J_s = 6.62607015e-34;
 inline constexpr double speedOfLight_m_s = 299792458.0;
 inline constexpr double boltzmannConstant_J_K = 1.380649e-23;
-/// c2 = h c / k in um K.
+/// 2 h c^2 in W m-2 sr-1 um^4, and c2 = h c / k in um K, both rounded once.
+inline constexpr double firstRadiationConstant_W_um4_m2_sr =
+    static_cast<double>(2.0L * 6.62607015e-34L * 299792458.0L * 299792458.0L * 1e24L);
 inline constexpr double secondRadiationConstant_um_K =
-    planckConstant_J_s * speedOfLight_m_s / boltzmannConstant_J_K * 1e6;
+    static_cast<double>(6.62607015e-34L * 299792458.0L / 1.380649e-23L * 1e6L);
 
 /// Spectral radiance of a black body, W m-2 sr-1 um-1 (Planck's law, per unit wavelength):
 /// L = 2 h c^2 / lambda^5 / (exp(h c / lambda k T) - 1).
 /// Relative error below 1e-12 for h c / lambda k T from 1e-12 to 1e5 wherever the result exceeds
 /// 1e-290, else 0; never NaN. T <= 0 gives 0. The trap: exp(x) - 1 loses all digits for small x, so
-/// expm1; pbrt and Mitsuba differ by 1e9 in the unit of what they call blackbody, this one is per um.
+/// expm1; pbrt and Mitsuba differ by 1e9 in the unit of what they call blackbody, this one is per
+/// um.
 double planckRadiance_W_m2_sr_um(double wavelength_um, double temperature_K);
 
 /// Derivative of the above with respect to temperature, W m-2 sr-1 um-1 K-1.

@@ -8,10 +8,10 @@
 
 namespace irsg {
 
-/// Wavelengths and weights on which every factor of an in-band integral is sampled, so that products
-/// are multiplied spectrally and integrated last. The nodes are Gauss-Legendre points between all
-/// the breakpoints of the given spectra, so products of piecewise linear functions are integrated
-/// exactly and Planck functions of at least `coldest_K` to about 1e-10 relative.
+/// Wavelengths and weights on which every factor of an in-band integral is sampled, so that
+/// products are multiplied spectrally and integrated last. The nodes are Gauss-Legendre points
+/// between all the breakpoints of the given spectra, so products of piecewise linear functions are
+/// integrated exactly and Planck functions of at least `coldest_K` to about 1e-10 relative.
 class SpectralQuadrature {
   public:
     /// `breakpoints`: the spectra whose kinks the grid must respect (may be empty).

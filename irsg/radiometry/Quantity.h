@@ -8,16 +8,38 @@ namespace irsg {
 /// What the numbers of an axis, a column or an image channel mean. One table labels plots, CSV
 /// headers and EXR attributes.
 enum class Quantity {
-    wavelength, wavenumber, time, range, angle, azimuth, elevation, yaw, altitude, temperature,
-    apparentTemperature, radiance, spectralRadiance, intensity, contrastIntensity,
-    spectralIntensity, spectralContrastIntensity, irradiance, totalIrradiance, spectralIrradiance,
-    transmittance, emissivity, transmissivity, pixels, index, dimensionless
+    wavelength,
+    wavenumber,
+    time,
+    range,
+    angle,
+    azimuth,
+    elevation,
+    yaw,
+    altitude,
+    temperature,
+    apparentTemperature,
+    radiance,
+    spectralRadiance,
+    intensity,
+    contrastIntensity,
+    spectralIntensity,
+    spectralContrastIntensity,
+    irradiance,
+    totalIrradiance,
+    spectralIrradiance,
+    transmittance,
+    emissivity,
+    transmissivity,
+    pixels,
+    index,
+    dimensionless
 };
 
 struct QuantityInfo {
-    std::string_view key;   ///< "contrast_intensity": column and attribute name
-    std::string_view label; ///< "Contrast intensity": axis title
-    std::string_view unit;  ///< "W sr-1" as in files; "" when dimensionless
+    std::string_view key;        ///< "contrast_intensity": column and attribute name
+    std::string_view label;      ///< "Contrast intensity": axis title
+    std::string_view unit;       ///< "W sr-1" as in files; "" when dimensionless
     std::string_view prettyUnit; ///< "W·sr⁻¹" as on plots
 };
 

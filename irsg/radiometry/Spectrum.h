@@ -22,9 +22,9 @@ struct SpectralRange {
 
 /// A function of wavelength sampled on its own axis and linear between its nodes.
 ///
-/// A spectrum is either constant (one value, no axis, valid at every wavelength) or has at least two
-/// nodes. Outside its axis a sampled spectrum answers with `Outside`: emission and response are zero
-/// there, surface properties and transmittance hold their end value.
+/// A spectrum is either constant (one value, no axis, valid at every wavelength) or has at least
+/// two nodes. Outside its axis a sampled spectrum answers with `Outside`: emission and response are
+/// zero there, surface properties and transmittance hold their end value.
 class Spectrum {
   public:
     enum class Outside { zero, hold };
@@ -33,9 +33,9 @@ class Spectrum {
     Spectrum() = default;
     static Spectrum constant(double value);
 
-    /// `wavelengths_um` strictly ascending, positive and finite, at least two; `values` finite and as
-    /// many. Throws InputError naming the first node that breaks the rule; `name` is how the message
-    /// calls the spectrum.
+    /// `wavelengths_um` strictly ascending, positive and finite, at least two; `values` finite and
+    /// as many. Throws InputError naming the first node that breaks the rule; `name` is how the
+    /// message calls the spectrum.
     Spectrum(std::vector<double> wavelengths_um, std::vector<double> values,
              Outside outside = Outside::hold, const std::string& name = "spectrum");
 

@@ -8,15 +8,27 @@ namespace irsg {
 /// um and temperatures K.
 inline constexpr double pi = std::numbers::pi;
 
-constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
-constexpr double degrees(double radians) { return radians * (180.0 / pi); }
+constexpr double radians(double degrees) {
+    return degrees * (pi / 180.0);
+}
+constexpr double degrees(double radians) {
+    return radians * (180.0 / pi);
+}
 
-constexpr double kelvinFromCelsius(double celsius) { return celsius + 273.15; }
-constexpr double celsiusFromKelvin(double kelvin) { return kelvin - 273.15; }
+constexpr double kelvinFromCelsius(double celsius) {
+    return celsius + 273.15;
+}
+constexpr double celsiusFromKelvin(double kelvin) {
+    return kelvin - 273.15;
+}
 
 /// lambda [um] = 1e4 / nu [cm-1], and back.
-constexpr double wavelengthFromWavenumber_um(double wavenumber_cm1) { return 1e4 / wavenumber_cm1; }
-constexpr double wavenumberFromWavelength_cm1(double wavelength_um) { return 1e4 / wavelength_um; }
+constexpr double wavelengthFromWavenumber_um(double wavenumber_cm1) {
+    return 1e4 / wavenumber_cm1;
+}
+constexpr double wavenumberFromWavelength_cm1(double wavelength_um) {
+    return 1e4 / wavelength_um;
+}
 
 /// A density per cm-1 becomes one per um by the Jacobian |d nu / d lambda| = nu^2 / 1e4.
 constexpr double perMicrometreFromPerWavenumber(double density_per_cm1, double wavenumber_cm1) {

@@ -1,0 +1,219 @@
+#include "irsg/radiometry/Band.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "irsg/radiometry/Errors.h"
+
+using namespace irsg;
+using testing::HasSubstr;
+
+namespace {
+
+/// A file of its own in the temporary folder, gone with the object.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(const std::string& text)
+        : path_(std::filesystem::path(testing::TempDir()) /
+                ("band_" +
+                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
+                 ".csv")) {
+        std::ofstream(path_, std::ios::binary) << text;
+    }
+    ~TemporaryFile() {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+Band bandOf(const std::string& text) {
+    const TemporaryFile file(text);
+    return Band::fromCsv(file.path());
+}
+
+} // namespace
+
+TEST(Band, topHatIsOneInsideAndZeroOutside) {
+    const Band band = Band::topHat(3.0, 5.0);
+    EXPECT_TRUE(band.isTopHat());
+    EXPECT_EQ(band.responseAt(3.0), 1.0);
+    EXPECT_EQ(band.responseAt(5.0), 1.0);
+    EXPECT_EQ(band.responseAt(2.999), 0.0);
+    EXPECT_EQ(band.responseAt(5.001), 0.0);
+    EXPECT_DOUBLE_EQ(band.area_um(), 2.0);
+    EXPECT_EQ(band.name(), "3-5 um");
+    EXPECT_EQ(band, Band::topHat(3.0, 5.0));
+    EXPECT_FALSE(band == Band::topHat(3.0, 4.9));
+}
+
+TEST(Band, topHatTakesTheEndsOfTheSpectrum) {
+    EXPECT_DOUBLE_EQ(Band::topHat(0.2, 40.0).area_um(), 39.8);
+}
+
+TEST(Band, responseIsZeroOutsideItsAxisWhateverItsSpectrumHolds) {
+    const Band band =
+        Band::fromResponse({{3.0, 4.0, 5.0}, {0.5, 1.0, 0.5}, Spectrum::Outside::hold}, "filter");
+    EXPECT_FALSE(band.isTopHat());
+    EXPECT_EQ(band.name(), "filter");
+    EXPECT_EQ(band.range(), (SpectralRange{3.0, 5.0}));
+    EXPECT_EQ(band.responseAt(2.9), 0.0);
+    EXPECT_EQ(band.responseAt(3.5), 0.75);
+    EXPECT_DOUBLE_EQ(band.area_um(), 1.5);
+}
+
+TEST(Band, textOfTwoNumbersIsATopHat) {
+    EXPECT_EQ(Band::fromText("3-5"), Band::topHat(3.0, 5.0));
+    EXPECT_EQ(Band::fromText(" 8.0 - 12 "), Band::topHat(8.0, 12.0));
+    EXPECT_EQ(Band::fromText("3e-1-4e1"), Band::topHat(0.3, 40.0));
+}
+
+TEST(Band, csvInMicrometresIsReadAsItStands) {
+    for (const char* header : {"um,response", "wavelength [um],response", "\"um\",R"}) {
+        const Band band =
+            bandOf("# a filter\r\n" + std::string(header) + "\r\n3.0,0\r\n4.0,0.8\r\n5.0,0\r\n");
+        EXPECT_EQ(band.range(), (SpectralRange{3.0, 5.0}));
+        EXPECT_DOUBLE_EQ(band.responseAt(3.5), 0.4);
+        EXPECT_DOUBLE_EQ(band.area_um(), 0.8);
+    }
+}
+
+TEST(Band, csvInWavenumbersIsLinearInWavenumbers) {
+    const Band band = bandOf("cm-1,response\n2000,0\n2500,1\n3000,0\n");
+    EXPECT_DOUBLE_EQ(band.range().min_um, 1e4 / 3000.0);
+    EXPECT_DOUBLE_EQ(band.range().max_um, 5.0);
+    for (double wavenumber_cm1 = 2001.0; wavenumber_cm1 < 3000.0; wavenumber_cm1 += 7.0) {
+        EXPECT_NEAR(band.responseAt(1e4 / wavenumber_cm1),
+                    1.0 - std::abs(wavenumber_cm1 - 2500.0) / 500.0, 1.1e-7);
+    }
+}
+
+namespace {
+
+struct BadBand {
+    const char* name;
+    std::string text;
+    const char* message;
+};
+
+class BandCsvRefuses : public testing::TestWithParam<BadBand> {};
+class BandTextRefuses : public testing::TestWithParam<BadBand> {};
+
+std::string nameOf(const testing::TestParamInfo<BadBand>& row) {
+    return row.param.name;
+}
+
+} // namespace
+
+TEST_P(BandCsvRefuses, withFilePlaceAndExpectation) {
+    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
+                                       (std::string("bad_") + GetParam().name + ".csv");
+    std::ofstream(path, std::ios::binary) << GetParam().text;
+    try {
+        Band::fromCsv(path);
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(path.string()));
+        EXPECT_THAT(error.what(), HasSubstr(GetParam().message));
+        for (const Offence& offence : error.offences()) {
+            EXPECT_FALSE(offence.expected.empty());
+        }
+    }
+    std::filesystem::remove(path);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, BandCsvRefuses,
+    testing::Values(
+        BadBand{"nothing", "", "found no rows"},
+        BadBand{"commentsOnly", "# a\n# b\n", "found no rows"},
+        BadBand{"headerOnly", "um,r\n", "found 0 rows of numbers, expected at least two"},
+        BadBand{"oneRow", "um,r\n3,1\n", "found 1 rows of numbers"},
+        BadBand{"noUnit", "lambda,r\n3,1\n4,1\n", "line 1, column 1: found 'lambda'"},
+        BadBand{"noHeader", "3,1\n4,1\n5,1\n", "line 1, column 1: found '3'"},
+        BadBand{"nanometres", "wavelength [nm],r\n3000,1\n4000,1\n", "'wavelength [nm]'"},
+        BadBand{"threeColumns", "um,r,s\n3,1,1\n4,1,1\n", "line 1: found '3 cells'"},
+        BadBand{"aShortRow", "um,r\n3,1\n4\n5,1\n", "line 3: found '1 cells', expected two"},
+        BadBand{"aLongRow", "um,r\n3,1\n4,1,2\n", "line 3: found '3 cells'"},
+        BadBand{"decimalCommas", "um,r\n3,0,5\n4,0,5\n", "line 2: found '3 cells'"},
+        BadBand{"semicolons", "um;r\n3;1\n4;1\n", "line 1"},
+        BadBand{"reversed", "um,r\n5,1\n4,1\n",
+                "line 3, column 1: found '4', expected more than 5"},
+        BadBand{"duplicated", "um,r\n4,1\n4,1\n5,0\n", "line 3, column 1: found '4'"},
+        BadBand{"wavelengthNan", "um,r\n3,1\nnan,1\n5,1\n", "line 3, column 1: found 'nan'"},
+        BadBand{"responseNan", "um,r\n3,1\n4,NaN\n", "line 3, column 2: found 'NaN'"},
+        BadBand{"infinite", "um,r\n3,1\ninf,1\n", "line 3, column 1: found 'inf'"},
+        BadBand{"words", "um,r\n3,one\n4,1\n", "line 2, column 2: found 'one'"},
+        BadBand{"emptyCell", "um,r\n3,\n4,1\n", "line 2, column 2: found nothing"},
+        BadBand{"negativeWavelength", "um,r\n-3,1\n4,1\n", "line 2, column 1: found '-3'"},
+        BadBand{"zeroWavenumber", "cm-1,r\n0,1\n2000,1\n", "line 2, column 1: found '0'"},
+        BadBand{"negativeResponse", "um,r\n3,1\n4,-0.1\n", "line 3, column 2: found '-0.1'"},
+        BadBand{"zeroArea", "um,r\n3,0\n4,0\n", "found a response that is 0 everywhere"},
+        BadBand{"binary", std::string("um,r\n3,1\n\0\1", 11), "byte 9: found a NUL byte"}),
+    nameOf);
+
+TEST(BandCsv, refusesAFileThatIsNotThere) {
+    EXPECT_THROW(Band::fromCsv("no/such/band.csv"), InputError);
+}
+
+TEST(BandCsv, namesEveryOffenceAtOnce) {
+    try {
+        bandOf("um,r\n3,x\n2,1\n4,-1\n");
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        ASSERT_EQ(error.offences().size(), 2u);
+        EXPECT_EQ(error.offences()[0].position, "line 2, column 2");
+        EXPECT_EQ(error.offences()[1].position, "line 4, column 2");
+    }
+}
+
+TEST_P(BandTextRefuses, andSaysHowABandIsWritten) {
+    try {
+        Band::fromText(GetParam().text);
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("'" + GetParam().text + "'"));
+        EXPECT_THAT(error.what(), HasSubstr("such as 3-5"));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, BandTextRefuses,
+    testing::Values(BadBand{"nothing", "", ""}, BadBand{"dash", "-", ""},
+                    BadBand{"oneNumber", "3", ""}, BadBand{"openEnd", "3-", ""},
+                    BadBand{"openStart", "-5", ""}, BadBand{"reversed", "5-3", ""},
+                    BadBand{"empty", "4-4", ""}, BadBand{"zero", "0-5", ""},
+                    BadBand{"negative", "-3-5", ""}, BadBand{"nan", "nan-5", ""},
+                    BadBand{"infinite", "3-inf", ""}, BadBand{"words", "mid-wave", ""},
+                    BadBand{"unit", "3-5um", ""}),
+    nameOf);
+
+TEST(Band, refusesTopHatsThatAreNoInterval) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double notANumber = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(Band::topHat(5.0, 3.0), InputError);
+    EXPECT_THROW(Band::topHat(4.0, 4.0), InputError);
+    EXPECT_THROW(Band::topHat(0.0, 4.0), InputError);
+    EXPECT_THROW(Band::topHat(-1.0, 4.0), InputError);
+    EXPECT_THROW(Band::topHat(3.0, infinity), InputError);
+    EXPECT_THROW(Band::topHat(notANumber, 4.0), InputError);
+}
+
+TEST(Band, refusesResponsesThatAreNegativeConstantOrOfNoArea) {
+    EXPECT_THROW(Band::fromResponse({{3.0, 4.0, 5.0}, {0.0, -0.1, 1.0}}), InputError);
+    EXPECT_THROW(Band::fromResponse({{3.0, 4.0}, {0.0, 0.0}}), InputError);
+    EXPECT_THROW(Band::fromResponse(Spectrum::constant(1.0)), InputError);
+    EXPECT_THROW(Band::fromResponse({{3.0, 9.0}, {1e308, 1e308}}), InputError);
+}

@@ -1,0 +1,148 @@
+#include "irsg/radiometry/CsvTable.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace irsg;
+using testing::HasSubstr;
+
+namespace {
+
+std::vector<std::string> texts(const CsvRow& row) {
+    std::vector<std::string> result;
+    for (const CsvCell& cell : row.cells) {
+        result.push_back(cell.text);
+    }
+    return result;
+}
+
+using Texts = std::vector<std::string>;
+
+} // namespace
+
+TEST(CsvTable, keepsThePlaceOfEveryCell) {
+    const CsvTable table = CsvTable::parse("# unit: W\n\na, b ,c\n1,2,3\n", "f.csv");
+    ASSERT_EQ(table.rows().size(), 2u);
+    EXPECT_EQ(table.file(), "f.csv");
+    EXPECT_EQ(texts(table.rows()[0]), (Texts{"a", "b", "c"}));
+    EXPECT_EQ(table.rows()[0].line, 3);
+    EXPECT_EQ(table.rows()[1].cells[2].line, 4);
+    EXPECT_EQ(table.rows()[1].cells[2].column, 3);
+}
+
+TEST(CsvTable, keepsCommentsWithKeyValueAndLine) {
+    const CsvTable table =
+        CsvTable::parse("#just text\nx,y\n#  sky temperature : 250 : K \n", "f.csv");
+    ASSERT_EQ(table.comments().size(), 2u);
+    EXPECT_EQ(table.comments()[0].key, "");
+    EXPECT_EQ(table.comments()[0].value, "just text");
+    const CsvComment* comment = table.comment("sky temperature");
+    ASSERT_NE(comment, nullptr);
+    EXPECT_EQ(comment->value, "250 : K");
+    EXPECT_EQ(comment->line, 3);
+    EXPECT_EQ(table.comment("air"), nullptr);
+}
+
+TEST(CsvTable, readsEveryLineEndingAndByteOrderMarkAlike) {
+    const auto rows = [](const char* text) {
+        std::vector<Texts> all;
+        const CsvTable table = CsvTable::parse(text, "f.csv");
+        for (const CsvRow& row : table.rows()) {
+            all.push_back(texts(row));
+            all.back().push_back(std::to_string(row.line));
+        }
+        return all;
+    };
+    const std::vector<Texts> expected = {{"a", "b", "1"}, {"1", "2", "3"}};
+    EXPECT_EQ(rows("a,b\n\n1,2"), expected);
+    EXPECT_EQ(rows("a,b\r\n\r\n1,2\r\n"), expected);
+    EXPECT_EQ(rows("a,b\r\r1,2\r"), expected);
+    EXPECT_EQ(rows("\xEF\xBB\xBF"
+                   "a,b\n , \n1,2\n"),
+              expected);
+}
+
+TEST(CsvTable, takesQuotedCellsWithCommasAndQuotesInThem) {
+    const CsvTable table = CsvTable::parse("\"a, b\",\"say \"\"hi\"\"\" ,c\n", "f.csv");
+    EXPECT_EQ(texts(table.rows()[0]), (Texts{"a, b", "say \"hi\"", "c"}));
+}
+
+TEST(CsvTable, keepsEmptyCellsAndRowsOfDifferentLength) {
+    const CsvTable table = CsvTable::parse(",x,\n1\n", "f.csv");
+    EXPECT_EQ(texts(table.rows()[0]), (Texts{"", "x", ""}));
+    EXPECT_EQ(texts(table.rows()[1]), (Texts{"1"}));
+    EXPECT_TRUE(CsvTable::parse("", "f.csv").rows().empty());
+}
+
+TEST(CsvTable, turnsABadCellIntoAnOffence) {
+    const CsvTable table = CsvTable::parse("x\n1,abc\n2,\n", "f.csv");
+    std::vector<Offence> offences;
+    EXPECT_EQ(table.number(table.rows()[1].cells[0], offences), 1.0);
+    EXPECT_FALSE(table.number(table.rows()[1].cells[1], offences));
+    EXPECT_FALSE(table.number(table.rows()[2].cells[1], offences, "a temperature in K"));
+    ASSERT_EQ(offences.size(), 2u);
+    EXPECT_EQ(offences[0].message(),
+              "f.csv: line 2, column 2: found 'abc', expected a finite number");
+    EXPECT_EQ(offences[1].message(),
+              "f.csv: line 3, column 2: found nothing, expected a temperature in K");
+}
+
+TEST(CsvTable, showsLongAndUnprintableTextInOneShortLine) {
+    const CsvTable table = CsvTable::parse(std::string(200, 'a') + ",b\x01\x7f"
+                                                                   "c\n",
+                                           "f.csv");
+    EXPECT_EQ(table.offence(table.rows()[0].cells[0], "").value,
+              "'" + std::string(60, 'a') + "...'");
+    EXPECT_EQ(table.offence(table.rows()[0].cells[1], "").value, "'b??c'");
+}
+
+TEST(CsvTable, refusesWhatIsNotAReadableTextTable) {
+    const auto messageOf = [](auto&& act) -> std::string {
+        try {
+            act();
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    const std::filesystem::path folder = testing::TempDir();
+    EXPECT_THAT(messageOf([&] { CsvTable::read(folder / "absent.csv"); }),
+                HasSubstr("absent.csv: found no readable file"));
+    EXPECT_THAT(messageOf([&] { CsvTable::read(folder); }), HasSubstr("found a folder"));
+    EXPECT_THAT(messageOf([] { CsvTable::parse(std::string("ab\0c", 4), "f.csv"); }),
+                HasSubstr("f.csv: byte 2: found a NUL byte"));
+    EXPECT_THAT(messageOf([] { CsvTable::parse("a,\"b\n\"c,d\nx,\"y\"\n", "f.csv"); }),
+                testing::AllOf(HasSubstr("f.csv: line 1: found 'a,\"b', expected a closing quote"),
+                               HasSubstr("f.csv: line 2"), testing::Not(HasSubstr("line 3"))));
+}
+
+TEST(CsvTable, readsAFileAsItReadsText) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "csvtable.csv";
+    std::ofstream(file, std::ios::binary) << "a,b\r\n1,2\r\n";
+    const CsvTable table = CsvTable::read(file);
+    EXPECT_EQ(table.file(), file.string());
+    EXPECT_EQ(texts(table.rows()[1]), (Texts{"1", "2"}));
+    std::filesystem::remove(file);
+}
+
+TEST(ParseNumber, takesFiniteNumbersWhole) {
+    EXPECT_EQ(parseNumber("1"), 1.0);
+    EXPECT_EQ(parseNumber(" -2.5e3\t"), -2500.0);
+    EXPECT_EQ(parseNumber("+4"), 4.0);
+    EXPECT_EQ(parseNumber(".5"), 0.5);
+    EXPECT_EQ(parseNumber("7.76E-05"), 7.76e-5);
+    EXPECT_EQ(parseNumber("1e-400"), 0.0);
+    EXPECT_EQ(parseNumber("4.9e-324"), 4.9406564584124654e-324);
+}
+
+TEST(ParseNumber, refusesEverythingElse) {
+    for (const char* text :
+         {"",     " ",   "-",   "+",    "+-1",      "--1",   "abc",    "1x", "1 2",    "1,5",
+          "0x10", "nan", "inf", "-inf", "infinity", "1e400", "-1e400", "1e", "1e5000", "1;2"}) {
+        EXPECT_FALSE(parseNumber(text)) << "'" << text << "'";
+    }
+}
