@@ -1,4 +1,5 @@
-# What every target of ours has in common: language level, warnings, sanitizers, ccache.
+# What every target of ours has in common: language level, warnings, sanitizers, ccache, precompiled
+# headers, installation.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -14,10 +15,14 @@ endif()
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR};$ORIGIN")
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON) # Qwt may lie in the user's cache
 
 find_program(SMAT_CCACHE ccache)
-if(SMAT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    set(CMAKE_CXX_COMPILER_LAUNCHER "${SMAT_CCACHE}")
+find_program(SMAT_ENV env)
+if(SMAT_CCACHE AND SMAT_ENV AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    # Without this sloppiness ccache refuses to serve what uses precompiled headers.
+    set(sloppiness pch_defines,time_macros,include_file_mtime,include_file_ctime)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${SMAT_ENV}" "CCACHE_SLOPPINESS=${sloppiness}" "${SMAT_CCACHE}")
 endif()
 
 set(SMAT_SANITIZE "" CACHE STRING "Sanitizers, comma separated, for example address,undefined")
@@ -36,9 +41,26 @@ function(smat_configure_target target)
         target_link_options(${target} PUBLIC -fsanitize=${SMAT_SANITIZE})
     endif()
     if(SMAT_PRECOMPILE AND SMAT_CCACHE)
-        # ccache accepts precompiled headers only with this pair of settings.
+        # The other half of what ccache asks for before it accepts precompiled headers.
         target_compile_options(${target} PRIVATE -fpch-preprocess)
     endif()
+endfunction()
+
+# smat_precompile(target gtest) precompiles the headers of one big library for a target that uses it:
+# qt, osg, gtest or core (JSON and the larger standard headers). Best where a target has four source
+# files or more; SMAT_PRECOMPILE=OFF switches all of it off.
+function(smat_precompile target kind)
+    if(NOT SMAT_PRECOMPILE)
+        return()
+    endif()
+    set(qt <QtWidgets>)
+    set(osg <osg/Geode> <osg/Geometry> <osg/MatrixTransform> <osg/NodeVisitor> <osgDB/ReadFile>)
+    set(gtest <gmock/gmock.h> <gtest/gtest.h> <filesystem> <fstream> <string> <vector>)
+    set(core <nlohmann/json.hpp> <filesystem> <functional> <map> <memory> <string> <vector>)
+    if(NOT DEFINED ${kind})
+        message(FATAL_ERROR "smat_precompile knows qt, osg, gtest and core, but not ${kind}")
+    endif()
+    target_precompile_headers(${target} PRIVATE ${${kind}})
 endfunction()
 
 # smat_add_floor(irsg radiometry SOURCES a.cpp b.cpp DEPENDS other::target PRIVATE_DEPENDS x)
@@ -55,4 +77,14 @@ function(smat_add_floor house floor)
     set_target_properties(${name} PROPERTIES EXPORT_NAME ${floor}
                           VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
     smat_configure_target(${name})
+
+    # irsg is a package of its own for other programs; the floors above it only serve our programs.
+    if(house STREQUAL irsg)
+        install(TARGETS ${name} EXPORT irsgTargets COMPONENT irsg)
+        file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+        install(DIRECTORY ./ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${folder}" COMPONENT irsg
+                FILES_MATCHING PATTERN "*.h")
+    else()
+        install(TARGETS ${name} LIBRARY NAMELINK_SKIP)
+    endif()
 endfunction()

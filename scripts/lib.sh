@@ -3,8 +3,8 @@
 set -euo pipefail
 
 root_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+export HOME="${HOME:-$(getent passwd "$(id -u)" | cut -d : -f 6)}"
 cache_dir="${XDG_CACHE_HOME:-$HOME/.cache}/smat"
-export DEBIAN_FRONTEND=noninteractive
 
 # A line about what is done next.
 say() { printf '== %s\n' "$*"; }
@@ -23,17 +23,6 @@ run_logged() {
     "$@" >"$log" 2>&1 </dev/null
 }
 
-# as_root COMMAND...: with sudo when we are somebody else.
-as_root() {
-    if [ "$(id -u)" -eq 0 ]; then
-        "$@"
-    elif command -v sudo >/dev/null; then
-        sudo DEBIAN_FRONTEND=noninteractive "$@"
-    else
-        fail "root is needed to run '$*', and there is no sudo: run that line as root, then this script again."
-    fi
-}
-
 # Whether a Debian package is installed.
 is_installed() {
     [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]
@@ -41,5 +30,20 @@ is_installed() {
 
 # Whether apt could install a package, as far as the lists of this machine know.
 is_available() {
-    [ -n "$(apt-cache policy "$1" 2>/dev/null | sed -n 's/^ *Candidate: *//p' | grep -v '(none)' || true)" ]
+    apt-cache policy "$1" 2>/dev/null | grep -q '^ *Candidate: *[^ (]'
+}
+
+# cmake --preset NAME with what scripts/setup found out, then the build; noise only where it fails.
+configure_and_build() {
+    local preset="$1" log="$root_dir/build/$1-configure.log" options=()
+    if [ "${SMAT_BUILD_GUI:-ON}" = OFF ]; then
+        options+=(-DSMAT_BUILD_GUI=OFF)
+    fi
+    say "Configuring build/$preset"
+    if ! run_logged "$log" cmake --preset "$preset" "${options[@]}"; then
+        grep -A 12 'CMake Error' "$log" >&2 || tail -n 20 "$log" >&2
+        fail "the build could not be configured (all of it in $log)."
+    fi
+    say "Building (the first time takes a few minutes)"
+    cmake --build --preset "$preset" || fail "the build failed; the first error is above."
 }
