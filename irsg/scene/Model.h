@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -66,6 +67,8 @@ class Model {
     const std::map<IrCodes, CodeUse>& codes() const;
     /// Of all geometry, model axes.
     const BoundingBox& bounds() const;
+    /// Of the geometry whose codes satisfy a condition; not valid() when there is none.
+    BoundingBox boundsOf(const std::function<bool(const IrCodes&)>& condition) const;
     /// What the loader had to do or could not keep: LODs overridden, normals made, files missing.
     const std::vector<std::string>& remarks() const;
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <compare>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "irsg/scene/Model.h"
@@ -25,16 +27,16 @@ struct FactorSums {
     double up_sr = 0.0;       ///< times the weight of the lower hemisphere
     double down_sr = 0.0;     ///< times the weight of the upper hemisphere
     double sun_sr = 0.0;      ///< times cos theta_sun where the seen side is lit
-    /// The first four again with cos(off-axis) inside, for the irradiance on the detector plane.
+    /// The same with cos(off-axis) inside, for the irradiance on the detector plane.
     double coverageCos_sr = 0.0, thermalCos_sr = 0.0, upCos_sr = 0.0, downCos_sr = 0.0,
            sunCos_sr = 0.0;
+    double pixels = 0.0; ///< coverage as a number of pixels
 };
 
 /// Geometry once, physics many times: given this table, another band, wavelength, temperature, time
 /// or scaling is a dot product, without drawing.
 struct ProjectedFactors {
     std::map<FactorKey, FactorSums> sums;
-    double coveredPixels = 0.0;
     int layersLeftOver = 0;
 };
 

@@ -1,0 +1,86 @@
+#include "irsg/scene/GlFunctions.h"
+
+#include "benchmarks/ConstantShaderDrawing.h"
+
+#include <osg/Program>
+#include <osg/RenderInfo>
+#include <osgUtil/SceneView>
+
+#include "irsg/scene/CameraFrame.h"
+#include "irsg/scene/FloatTarget.h"
+#include "irsg/scene/OffscreenContext.h"
+
+namespace irsg::bench {
+
+struct ConstantShaderDrawing::Parts {
+    std::shared_ptr<OffscreenContext> context = OffscreenContext::shared();
+    std::shared_ptr<const Model> model;
+    Sensor sensor;
+    osg::ref_ptr<osgUtil::SceneView> view;
+    std::unique_ptr<FloatTarget> target;
+    std::vector<float> samples;
+};
+
+ConstantShaderDrawing::ConstantShaderDrawing(std::shared_ptr<const Model> model,
+                                             const Sensor& sensor, const Viewpoint& viewpoint)
+    : parts_(std::make_unique<Parts>()) {
+    Parts& p = *parts_;
+    p.model = std::move(model);
+    p.sensor = sensor;
+    p.context->run([&](osg::RenderInfo& info) {
+        p.target = std::make_unique<FloatTarget>(1);
+        p.target->reserve(sensor.width_px, sensor.height_px);
+
+        osg::ref_ptr<osg::Program> program = new osg::Program;
+        program->addShader(new osg::Shader(
+            osg::Shader::VERTEX, "#version 330 compatibility\n"
+                                 "void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }"));
+        program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
+                                           "#version 330 compatibility\n"
+                                           "layout(location = 0) out vec4 colour;\n"
+                                           "void main() { colour = vec4(1.0); }"));
+
+        const CameraFrame camera(sensor, viewpoint);
+        const Pose origin;
+        const PixelWindow frame{0, 0, sensor.width_px, sensor.height_px};
+        p.view = new osgUtil::SceneView;
+        p.view->setDefaults();
+        p.view->setState(info.getState());
+        p.view->setSceneData(p.model->graph());
+        p.view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+        p.view->setViewport(0, 0, sensor.width_px, sensor.height_px);
+        p.view->setViewMatrix(camera.eyeFromModel(origin));
+        p.view->setProjectionMatrix(
+            camera.clipFromEye(frame, *camera.depthOf(p.model->bounds(), origin)));
+        p.view->setClearColor(osg::Vec4(0, 0, 0, 0));
+        p.view->setDrawBufferValue(GL_COLOR_ATTACHMENT0);
+        p.view->getGlobalStateSet()->setAttributeAndModes(program,
+                                                          osg::StateAttribute::ON |
+                                                              osg::StateAttribute::OVERRIDE);
+        p.view->init();
+    });
+}
+
+ConstantShaderDrawing::~ConstantShaderDrawing() {
+    parts_->context->run([&](osg::RenderInfo& info) {
+        parts_->view = nullptr;
+        parts_->target = nullptr;
+        info.getState()->reset();
+    });
+}
+
+int ConstantShaderDrawing::draw() {
+    Parts& p = *parts_;
+    p.context->run([&](osg::RenderInfo&) {
+        p.target->bind(p.sensor.width_px, p.sensor.height_px);
+        p.view->cull();
+        p.view->draw();
+        p.target->read(0, p.sensor.width_px, p.sensor.height_px, p.samples);
+    });
+    int covered = 0;
+    for (std::size_t i = 0; i < p.samples.size(); i += 4)
+        covered += p.samples[i] > 0.0f;
+    return covered;
+}
+
+} // namespace irsg::bench

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "irsg/scene/Model.h"
+#include "irsg/scene/Pose.h"
+#include "irsg/scene/Sensor.h"
+
+namespace irsg::bench {
+
+/// The floor that rendering is compared with: OpenSceneGraph itself (cull traversal, state sorting,
+/// drawing) putting the same model into the same float target with a shader that writes a constant.
+class ConstantShaderDrawing {
+  public:
+    ConstantShaderDrawing(std::shared_ptr<const Model> model, const Sensor& sensor,
+                          const Viewpoint& viewpoint);
+    ~ConstantShaderDrawing();
+    /// Draws one frame and reads it back; the number of samples the model covers.
+    int draw();
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace irsg::bench

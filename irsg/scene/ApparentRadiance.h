@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "irsg/atmosphere/Environment.h"
+#include "irsg/signature/EntityState.h"
+#include "irsg/signature/SignatureDatabase.h"
+
+namespace irsg {
+
+/// The air between one object and the sensor, sampled on one set of wavelengths. Radiances in
+/// W m-2 sr-1 um-1, irradiances and fluxes in W m-2 um-1.
+struct AirSamples {
+    std::vector<double> transmittance;
+    std::vector<double> pathRadiance;
+    std::vector<double> solarIrradiance; ///< on a plane normal to the beam, at the object
+    std::vector<double> upwardFlux;
+    std::vector<double> downwardFlux;
+};
+
+/// One surface and what it is doing.
+struct SurfaceInput {
+    const TemperatureEntry* temperature = nullptr;
+    const Material* material = nullptr;
+    const UserSpectrum* userSpectrum = nullptr; ///< of the entry, in the second mode
+    EntityState state;
+    double temperatureScale = 1.0; ///< multiplies T in K; ignored for user spectra
+    double emissivityScale = 1.0;  ///< multiplies the emission; emissivity is kept at most 1 - t
+    /// Transmittance from the source to the spectrum's reference distance; empty where that is 0.
+    std::vector<double> referenceTransmittance;
+    /// The sensor is not farther than the reference distance: the measurement is taken as it is.
+    bool insideReference = false;
+};
+
+/// Apparent spectral radiance of a surface at the sensor, W m-2 sr-1 um-1, term by term and each at
+/// geometric factor 1 (report eqs. 1 to 3, 6; corrected as docs/physics.md says):
+///   thermal: epsilon L_bb(T) tau, or sum of c_j L_j tau / tau_ref for a user-defined spectrum
+///   up:      rho psi_up tau / pi       (times the weight of the lower hemisphere)
+///   down:    rho psi_down tau / pi     (times the weight of the upper hemisphere)
+///   sun:     rho E_sun tau / pi        (times cos theta_sun)
+///   path:    (1 - t) L_path
+/// Emission and reflection are not multiplied by 1 - t again: epsilon + rho + t = 1 already.
+struct SurfaceSpectra {
+    std::vector<double> thermal, up, down, sun, path;
+    std::vector<double> transmissivity;
+    double nAngleFactor = 0.0;
+    double temperature_K = 0.0; ///< of the surface; 0 for a user-defined spectrum
+};
+
+/// Temperature of the surface, K, with its scaling.
+double surfaceTemperature_K(const SurfaceInput& surface);
+
+/// All vectors as long as `wavelengths_um`. The temperature must be positive (LogicError: the scene
+/// check names the entry).
+SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const AirSamples& air,
+                                const std::vector<double>& wavelengths_um);
+
+} // namespace irsg

@@ -1,0 +1,77 @@
+#include "irsg/scene/DrawList.h"
+
+#include <osg/CullFace>
+#include <osg/NodeVisitor>
+#include <osg/Transform>
+#include <osgSim/ShapeAttribute>
+
+namespace irsg {
+
+namespace {
+
+IrCodes codesOf(const osg::Drawable& drawable) {
+    IrCodes codes;
+    const auto* list = dynamic_cast<const osgSim::ShapeAttributeList*>(drawable.getUserData());
+    if (!list)
+        return codes;
+    for (const osgSim::ShapeAttribute& attribute : *list) {
+        if (attribute.getType() != osgSim::ShapeAttribute::INTEGER)
+            continue;
+        if (attribute.getName() == "IRColor")
+            codes.temperature = attribute.getInt();
+        else if (attribute.getName() == "IRMaterial")
+            codes.material = attribute.getInt();
+    }
+    return codes;
+}
+
+BoundingBox boundsOf(const osg::Drawable& drawable, const osg::Matrixd& modelFromLocal) {
+    const osg::BoundingBox local = drawable.getBoundingBox();
+    osg::BoundingBoxd box;
+    for (unsigned int i = 0; local.valid() && i < 8; ++i)
+        box.expandBy(osg::Vec3d(local.corner(i)) * modelFromLocal);
+    return {{box.xMin(), box.yMin(), box.zMin()}, {box.xMax(), box.yMax(), box.zMax()}};
+}
+
+class Collector : public osg::NodeVisitor {
+  public:
+    Collector() : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN) {}
+
+    void apply(osg::Drawable& drawable) override {
+        osg::Geometry* geometry = drawable.asGeometry();
+        if (!geometry)
+            return;
+        const osg::Matrixd modelFromLocal = osg::computeLocalToWorld(getNodePath());
+        items.push_back({geometry, modelFromLocal, codesOf(drawable), cullsBackFaces(drawable),
+                         boundsOf(drawable, modelFromLocal)});
+    }
+
+    std::vector<DrawItem> items;
+
+  private:
+    /// The culling mode nearest to the drawable decides.
+    bool cullsBackFaces(const osg::Drawable& drawable) const {
+        bool culls = false;
+        auto look = [&](const osg::StateSet* state) {
+            if (!state)
+                return;
+            const auto mode = state->getMode(GL_CULL_FACE);
+            if (mode != osg::StateAttribute::INHERIT)
+                culls = (mode & osg::StateAttribute::ON) != 0;
+        };
+        for (const osg::Node* node : getNodePath())
+            look(node->getStateSet());
+        look(drawable.getStateSet());
+        return culls;
+    }
+};
+
+} // namespace
+
+std::vector<DrawItem> collectDrawItems(const Model& model) {
+    Collector collector;
+    model.graph()->accept(collector);
+    return std::move(collector.items);
+}
+
+} // namespace irsg

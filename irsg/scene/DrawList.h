@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include <osg/Geometry>
+#include <osg/Matrixd>
+#include <osg/ref_ptr>
+
+#include "irsg/scene/Model.h"
+
+namespace irsg {
+
+/// One piece of a model that is drawn with one pair of codes.
+struct DrawItem {
+    osg::ref_ptr<osg::Geometry> geometry;
+    osg::Matrixd modelFromLocal; ///< of the transforms above it
+    IrCodes codes;
+    bool cullsBackFaces = false; ///< OpenFlight draw type 0
+    BoundingBox bounds;          ///< model axes
+};
+
+/// The visible pieces of a model in the order of its graph. Level-of-detail nodes show their most
+/// detailed child at every range, switches their active ones.
+std::vector<DrawItem> collectDrawItems(const Model& model);
+
+} // namespace irsg

@@ -1,0 +1,87 @@
+#include "irsg/scene/FrameReduction.h"
+
+#include <algorithm>
+
+namespace irsg {
+
+FrameReduction::FrameReduction(const Sensor& sensor, const PixelWindow& window,
+                               double background_W_m2_sr)
+    : sensor_(sensor), window_(window), background_W_m2_sr_(background_W_m2_sr),
+      radiance_(static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height)),
+      opacity_(radiance_.size()) {}
+
+void FrameReduction::add(const PixelWindow& tile, int samplesPerAxis,
+                         const std::vector<float>& samples) {
+    const auto n = static_cast<std::size_t>(samplesPerAxis);
+    const auto width = static_cast<std::size_t>(tile.width), height =
+                                                                 static_cast<std::size_t>(tile.height);
+    const double scale = 1.0 / static_cast<double>(n * n);
+    for (std::size_t y = 0; y < height; ++y) {
+        const std::size_t first =
+            (static_cast<std::size_t>(tile.y - window_.y) + y) *
+                static_cast<std::size_t>(window_.width) +
+            static_cast<std::size_t>(tile.x - window_.x);
+        // GL's rows run from the bottom up.
+        for (std::size_t sy = 0; sy < n; ++sy) {
+            const float* sample = &samples[((height - 1 - y) * n + sy) * width * n * 4];
+            for (std::size_t x = 0; x < width; ++x)
+                for (std::size_t sx = 0; sx < n; ++sx, sample += 4) {
+                    radiance_[first + x] += static_cast<double>(sample[0]);
+                    opacity_[first + x] += static_cast<double>(sample[3]);
+                }
+        }
+        for (std::size_t x = 0; x < width; ++x) {
+            radiance_[first + x] *= scale;
+            opacity_[first + x] *= scale;
+        }
+    }
+}
+
+ObjectRadiometry FrameReduction::objects(double range_m) const {
+    ObjectRadiometry sum;
+    sum.name = "all";
+    sum.range_m = range_m;
+    std::size_t i = 0;
+    for (int y = 0; y < window_.height; ++y)
+        for (int x = 0; x < window_.width; ++x, ++i) {
+            if (opacity_[i] == 0.0 && radiance_[i] == 0.0)
+                continue;
+            const double omega_sr = sensor_.pixelSolidAngle_sr(window_.x + x, window_.y + y);
+            const double contrast = radiance_[i] - opacity_[i] * background_W_m2_sr_;
+            sum.intensity_W_sr += radiance_[i] * omega_sr;
+            sum.contrastIntensity_W_sr += contrast * omega_sr;
+            sum.irradiance_W_m2 +=
+                contrast * omega_sr * sensor_.cosOffAxis(window_.x + x, window_.y + y);
+            sum.coveredPixels += opacity_[i];
+            sum.solidAngle_sr += opacity_[i] * omega_sr;
+        }
+    sum.intensity_W_sr *= range_m * range_m;
+    sum.contrastIntensity_W_sr *= range_m * range_m;
+    return sum;
+}
+
+double FrameReduction::projectedSolidAngle_sr(const Sensor& sensor) {
+    double sum = 0.0;
+    for (int y = 0; y < sensor.height_px; ++y)
+        for (int x = 0; x < sensor.width_px; ++x)
+            sum += sensor.pixelSolidAngle_sr(x, y) * sensor.cosOffAxis(x, y);
+    return sum;
+}
+
+double FrameReduction::totalIrradiance_W_m2() const {
+    return objects(1.0).irradiance_W_m2 + background_W_m2_sr_ * projectedSolidAngle_sr(sensor_);
+}
+
+RadianceImage FrameReduction::compose() const {
+    RadianceImage image(sensor_.width_px, sensor_.height_px);
+    std::vector<float>& pixels = image.primary().values;
+    std::ranges::fill(pixels, static_cast<float>(background_W_m2_sr_));
+    std::size_t i = 0;
+    for (int y = 0; y < window_.height; ++y)
+        for (int x = 0; x < window_.width; ++x, ++i)
+            pixels[image.offset(window_.x + x, window_.y + y)] =
+                static_cast<float>(radiance_[i] + (1.0 - opacity_[i]) * background_W_m2_sr_);
+    return image;
+}
+
+} // namespace irsg

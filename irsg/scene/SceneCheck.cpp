@@ -1,0 +1,152 @@
+#include "irsg/scene/SceneCheck.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+std::string text(double value) {
+    std::ostringstream out;
+    out << value;
+    return out.str();
+}
+
+/// An altitude that is negative by rounding alone is the ground.
+double altitude_m(double z_m, double range_m, const std::string& what,
+                  std::vector<Offence>& offences) {
+    if (z_m < -1e-6 * std::max(1.0, range_m))
+        offences.push_back({what, "altitude", text(z_m) + " m",
+                            "at least 0 m: raise the target, or look from above"});
+    return std::max(z_m, 0.0);
+}
+
+std::string faces(int count) { return std::to_string(count) + (count == 1 ? " face" : " faces"); }
+
+void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double ambient_K,
+                 const Band& band, std::vector<Offence>& offences) {
+    // One offence an index, with all the faces that carry it.
+    std::map<int, int> missingTemperatures, missingMaterials;
+    for (const auto& [codes, use] : entity.model->codes()) {
+        if (!temperatureEntry(entity, codes.temperature))
+            missingTemperatures[codes.temperature] += use.faces;
+        if (!materialEntry(entity, codes.material))
+            missingMaterials[codes.material] += use.faces;
+    }
+    auto missing = [&](const char* kind, const std::map<int, int>& indices) {
+        for (const auto& [index, count] : indices)
+            offences.push_back({entity.name, std::string(kind) + " index " + std::to_string(index),
+                                faces(count) + " of " + entity.model->name() + " carry it",
+                                "an entry in the signature database, or a fallback entry"});
+    };
+    missing("temperature", missingTemperatures);
+    missing("material", missingMaterials);
+
+    EntityState state = entity.state;
+    state.altitude_m = geometry.path.targetAltitude_m;
+    state.ambient_K = ambient_K;
+    state.aspectAngle_rad = geometry.aspectAngle_rad;
+    std::map<int, const TemperatureEntry*> temperatures;
+    std::map<int, const Material*> materials;
+    for (const auto& [codes, use] : entity.model->codes()) {
+        if (const TemperatureEntry* entry = temperatureEntry(entity, codes.temperature))
+            temperatures.emplace(codes.temperature, entry);
+        if (const Material* material = materialEntry(entity, codes.material))
+            materials.emplace(codes.material, material);
+    }
+    for (const auto& [index, entry] : temperatures) {
+        const std::string place =
+            "temperature index " + std::to_string(index) + " (" + entry->name + ")";
+        if (entry->mode == EmissionMode::userSpectrum) {
+            if (!entity.database->spectra.contains(entry->userSpectrum))
+                offences.push_back({entity.name, place, "spectrum '" + entry->userSpectrum + "'",
+                                    "the name of a spectrum of the database"});
+            continue;
+        }
+        const double temperature_K = surfaceTemperature_K(entry->terms, state);
+        if (!(temperature_K > 0.0) || !std::isfinite(temperature_K))
+            offences.push_back({entity.name, place, text(temperature_K) + " K",
+                                "a positive temperature in the present state"});
+    }
+    for (const auto& [index, material] : materials)
+        for (const auto& [name, spectrum] : {std::pair("emissivity", &material->emissivity),
+                                             std::pair("transmissivity", &material->transmissivity)})
+            if (!spectrum->covers(band.range()))
+                offences.push_back(
+                    {entity.name,
+                     "material index " + std::to_string(index) + " (" + material->name + ") " + name,
+                     text(spectrum->wavelengths_um().front()) + " to " +
+                         text(spectrum->wavelengths_um().back()) + " um",
+                     "a spectrum that covers the band " + text(band.range().min_um) + " to " +
+                         text(band.range().max_um) + " um"});
+}
+
+} // namespace
+
+std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
+                                           const std::vector<Vec3>& referencePoints,
+                                           const Viewpoint& viewpoint) {
+    std::vector<ObjectGeometry> result;
+    std::vector<Offence> offences;
+    for (std::size_t e = 0; e < entities.size(); ++e) {
+        const Vec3 toSensor = viewpoint.position_m - referencePoints[e];
+        ObjectGeometry geometry;
+        geometry.path.range_m = length(toSensor);
+        geometry.path.sensorAltitude_m =
+            altitude_m(viewpoint.position_m.z, geometry.path.range_m, "sensor", offences);
+        geometry.path.targetAltitude_m = altitude_m(referencePoints[e].z, geometry.path.range_m,
+                                                    entities[e].name, offences);
+        if (geometry.path.range_m > 0.0) {
+            const Vec3 nose = entities[e].pose.attitude.rotation() * Vec3{0, 1, 0};
+            const double cosine = dot(nose, toSensor) / geometry.path.range_m;
+            geometry.aspectAngle_rad = std::acos(std::clamp(cosine, -1.0, 1.0));
+        }
+        result.push_back(geometry);
+    }
+    if (!offences.empty()) {
+        // A sensor below ground is one offence, however many targets it looks at.
+        auto last = std::unique(offences.begin(), offences.end(),
+                                [](const Offence& a, const Offence& b) {
+                                    return a.file == b.file && a.value == b.value;
+                                });
+        offences.erase(last, offences.end());
+        throw InputError(offences);
+    }
+    return result;
+}
+
+void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
+                const Environment& environment, const Sensor& sensor,
+                const RenderSettings& settings) {
+    std::vector<Offence> offences;
+    try {
+        sensor.check();
+    } catch (const InputError& error) {
+        offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+    }
+    if (settings.samplesPerAxis < 1 || settings.samplesPerAxis > 16)
+        offences.push_back({"settings", "samples per axis", std::to_string(settings.samplesPerAxis),
+                            "1 to 16"});
+    if (settings.maximumLayers < 1)
+        offences.push_back(
+            {"settings", "maximum layers", std::to_string(settings.maximumLayers), "at least 1"});
+    if (settings.background == BackgroundMode::constant &&
+        !(settings.background_W_m2_sr >= 0.0 && std::isfinite(settings.background_W_m2_sr)))
+        offences.push_back({"settings", "background", text(settings.background_W_m2_sr),
+                            "a finite radiance of at least 0 W m-2 sr-1"});
+
+    for (std::size_t e = 0; e < entities.size(); ++e) {
+        const double ambient_K =
+            environment.ambientTemperature_K(geometry[e].path.targetAltitude_m).value;
+        checkEntity(entities[e], geometry[e], ambient_K, sensor.band, offences);
+    }
+    if (!offences.empty())
+        throw InputError(offences);
+}
+
+} // namespace irsg

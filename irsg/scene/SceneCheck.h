@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "irsg/scene/Irsg.h"
+#include "irsg/scene/SceneRadiometry.h"
+
+namespace irsg {
+
+/// What the air is asked for, per object. Throws InputError for a sensor or a target below ground.
+std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
+                                           const std::vector<Vec3>& referencePoints,
+                                           const Viewpoint& viewpoint);
+
+/// Throws InputError with every offence of the scene: sensor, settings, faces without an entry (codes
+/// and face counts), user-defined spectra that are missing, surface spectra that do not cover the
+/// band, temperatures that are not positive.
+void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
+                const Environment& environment, const Sensor& sensor,
+                const RenderSettings& settings);
+
+} // namespace irsg

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <osg/GL>
+#include <osg/Matrixd>
+
+namespace irsg {
+
+/// A linked GL program made of files of shaders/. Lives and dies on the context's thread.
+class ShaderProgram {
+  public:
+    /// Throws LogicError with the driver's log when a shader does not compile.
+    ShaderProgram(const std::vector<std::string>& vertexFiles,
+                  const std::vector<std::string>& fragmentFiles);
+    ~ShaderProgram();
+    ShaderProgram(const ShaderProgram&) = delete;
+    ShaderProgram& operator=(const ShaderProgram&) = delete;
+
+    void use() const;
+    void set(const char* name, int value) const;
+    void set(const char* name, float x, float y, float z) const;
+    void set(const char* name, const float (&value)[4]) const;
+    void set(const char* name, const osg::Matrixd& matrix) const;
+    /// The upper left 3 x 3 of a matrix.
+    void setNormalMatrix(const char* name, const osg::Matrixd& matrix) const;
+
+  private:
+    GLint location(const char* name) const;
+
+    GLuint program_ = 0;
+    mutable std::unordered_map<std::string, GLint> locations_;
+};
+
+} // namespace irsg

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "irsg/image/RadianceImage.h"
+#include "irsg/scene/CameraFrame.h"
+#include "irsg/scene/SceneRadiometry.h"
+
+namespace irsg {
+
+/// Adds what is known of every pixel to its image, as channels:
+///   temperature_index, material_index, range [m]  of the nearest surface at the pixel's middle sample,
+///                                                 NaN where there is none;
+///   thermal, sun, up, down, path, background      terms of the pixel's radiance [W m-2 sr-1], averaged
+///                                                 over its samples; their sum is the pixel.
+class TruthLayers {
+  public:
+    /// `image` must outlive this and have the size of the sensor.
+    TruthLayers(const SceneRadiometry& radiometry, RadianceImage& image);
+
+    void beginWindow(const PixelWindow& window, int samplesPerAxis);
+    /// Layers as SurfacePass::drawFactors gives them, from front to back.
+    void addLayer(const std::vector<float>& plane0, const std::vector<float>& plane1);
+    void endWindow();
+
+  private:
+    struct Terms {
+        double thermal = 0, up = 0, down = 0, sun = 0, path = 0, transmissivity = 0;
+    };
+
+    std::vector<Terms> rows_;
+    std::vector<IrCodes> codes_;
+    double background_W_m2_sr_;
+    RadianceImage& image_;
+    PixelWindow window_;
+    int samplesPerAxis_ = 1;
+    std::vector<double> remaining_; // transmissivity of what lies in front, of each sample
+};
+
+} // namespace irsg

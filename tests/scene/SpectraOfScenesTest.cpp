@@ -1,0 +1,259 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "irsg/radiometry/Planck.h"
+#include "irsg/radiometry/Units.h"
+#include "tests/support/SceneFixtures.h"
+
+using namespace irsg;
+using namespace irsg::test;
+
+namespace {
+
+const IrCodes one{1, 1};
+const Band midwave = Band::topHat(3.0, 5.0);
+
+/// Air whose transmittance falls with range as one exponential a wavelength: 3-4 um clear, 4-5 um not.
+class TwoBandAir : public ConstantAir {
+  public:
+    Spectrum transmittance(const AirPath& path, const SpectralRange&) const override {
+        const double t = std::exp(-1e-3 * path.range_m);
+        return Spectrum({0.2, 4.0, 4.0001, 40.0}, {1.0, 1.0, t, t});
+    }
+};
+
+SignatureDatabase gasDatabase(double referenceDistance_m) {
+    SignatureDatabase database = greyDatabase(1.0, 300.0);
+    TemperatureEntry& entry = database.temperatures[1];
+    entry.mode = EmissionMode::userSpectrum;
+    entry.userSpectrum = "gas";
+    ComponentFactor factor;
+    factor.component = "CO2";
+    factor.constant = 2.0;
+    factor.angle = LookupTable({0.0, 180.0}, {1.0, 3.0});
+    entry.factors = {factor};
+    database.spectra["gas"] = {
+        "gas", referenceDistance_m, "W m-2 sr-1 um-1", "",
+        {{"CO2", Spectrum({4.1, 4.3, 4.6}, {0.0, 10.0, 0.0}, Spectrum::Outside::zero)},
+         {"H2O", Spectrum({3.0, 5.0}, {0.5, 0.5}, Spectrum::Outside::zero)}}};
+    return database;
+}
+
+double centreRadiance(Irsg& irsg) {
+    const RadianceImage image = irsg.render().image;
+    return static_cast<double>(image.at(image.width() / 2, image.height() / 2));
+}
+
+} // namespace
+
+TEST(IntensitySpectrumOfASphere, IsPlancksLawTimesItsArea) {
+    const Mesh mesh = sphereMesh(1.0, 64, 128, one);
+    Irsg irsg;
+    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.9, 450.0))});
+    look(irsg, {.range_m = 1000.0, .width_px = 200, .height_px = 200, .fieldOfView_rad = 0.0024});
+    const std::vector<double> wavenumbers_cm1{2000.0, 3333.0, 2500.0, 2100.5};
+    const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_cm1);
+
+    EXPECT_EQ(spectrum.wavenumbers_cm1, wavenumbers_cm1) << "in the order that was asked for";
+    const Vec3 from = irsg.viewpoint().position_m - irsg.referencePoint(0);
+    const double area_m2 = convexSolidAngle_sr(mesh, from) * dot(from, from);
+    for (std::size_t i = 0; i < wavenumbers_cm1.size(); ++i) {
+        const double expected =
+            0.9 * planckRadiance_W_m2_sr_um(1e4 / wavenumbers_cm1[i], 450.0) * area_m2;
+        EXPECT_NEAR(spectrum.intensity_W_sr_um[i] / expected, 1.0, 1e-3);
+        EXPECT_NEAR(spectrum.intensity_W_sr_um[i] / spectrum.intensity_W_sr_um[0],
+                    planckRadiance_W_m2_sr_um(1e4 / wavenumbers_cm1[i], 450.0) /
+                        planckRadiance_W_m2_sr_um(5.0, 450.0),
+                    1e-9);
+    }
+}
+
+TEST(IntensitySpectrumOfAScene, IntegratesToItsInBandIntensity) {
+    Irsg irsg;
+    auto air = std::make_shared<TwoBandAir>();
+    air->sunValue = 2.0;
+    Environment environment;
+    environment.add(air);
+    irsg.setEnvironment(environment);
+    irsg.setEntities({entityOf(modelOf(boxMesh({1, 2, 1}, std::vector<IrCodes>(6, one))),
+                               greyDatabase(0.7, 330.0))});
+    look(irsg, {.azimuth_rad = 0.4, .fieldOfView_rad = 0.08});
+    std::vector<double> wavelengths_um, wavenumbers_cm1;
+    for (int i = 0; i <= 4000; ++i) {
+        wavelengths_um.push_back(3.0 + i * 2.0 / 4000.0);
+        wavenumbers_cm1.push_back(1e4 / wavelengths_um.back());
+    }
+    const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_cm1);
+    double integral = 0.0;
+    for (std::size_t i = 1; i < wavelengths_um.size(); ++i)
+        integral += 0.5 * (spectrum.contrastIntensity_W_sr_um[i] +
+                           spectrum.contrastIntensity_W_sr_um[i - 1]) *
+                    (wavelengths_um[i] - wavelengths_um[i - 1]);
+    EXPECT_NEAR(integral / irsg.measure().all.contrastIntensity_W_sr, 1.0, 1e-4);
+}
+
+TEST(UserSpectrum, AddsItsComponentsWithTheirFactors) {
+    Irsg irsg;
+    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(0.0))});
+    // CO2 is a triangle of area 2.5, H2O a constant of area 1; the aspect angle is the azimuth here.
+    for (double azimuth_deg : {0.0, 45.0, 90.0, 180.0}) {
+        look(irsg, {.azimuth_rad = radians(azimuth_deg)});
+        const double expected = 2.0 * (1.0 + azimuth_deg / 90.0) * 2.5 + 1.0;
+        EXPECT_NEAR(centreRadiance(irsg) / expected, 1.0, 1e-6) << azimuth_deg;
+    }
+}
+
+TEST(UserSpectrum, LosesTheAirBeyondItsReferenceDistanceOnly) {
+    Irsg irsg;
+    Environment environment;
+    environment.add(std::make_shared<TwoBandAir>());
+    irsg.setEnvironment(environment);
+    auto radianceAt = [&](double range_m, double reference_m) {
+        irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(reference_m))});
+        look(irsg, {.range_m = range_m, .fieldOfView_rad = 1.0 / range_m});
+        return centreRadiance(irsg);
+    };
+    const double clear = 2.0 * 2.5 + 1.0;   // nothing lost
+    const double inFoulAir = 2.0 * 2.5 + 0.5; // CO2 all in 4-5 um, half of H2O
+    EXPECT_NEAR(radianceAt(400.0, 500.0), clear, 1e-5) << "nearer than the reference distance";
+    EXPECT_NEAR(radianceAt(500.0, 500.0), clear, 1e-5);
+    EXPECT_NEAR(radianceAt(1500.0, 500.0), 0.5 + inFoulAir * std::exp(-1.0), 1e-3);
+    EXPECT_NEAR(radianceAt(1500.0, 0.0), 0.5 + inFoulAir * std::exp(-1.5), 1e-3);
+}
+
+TEST(UserSpectrum, SaysWhenItIsSeenFromNearerThanItWasMeasured) {
+    Irsg irsg;
+    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), gasDatabase(500.0))});
+    look(irsg, {.range_m = 100.0});
+    const RenderReport report = irsg.measure();
+    ASSERT_EQ(report.warnings.size(), 1u);
+    EXPECT_NE(report.warnings[0].find("gas"), std::string::npos);
+}
+
+TEST(ProjectedFactorsOfAScene, MultiplySpectrallyWhatAScalarCannot) {
+    // A filter that passes 3-4 um only before a body at 400 K and another at 300 K.
+    SignatureDatabase database = greyDatabase(1.0, 400.0);
+    database.temperatures[2] = fixedTemperature(1.0);
+    database.materials[2] = greyMaterial(0.0);
+    database.materials[2].transmissivity = Spectrum({3.0, 4.0, 4.000001, 5.0}, {1.0, 1.0, 0.0, 0.0});
+    const Mesh mesh = joined(plateMesh({0, 0, 0}, {0.5, 0, 0}, {0, 0, 0.5}, one),
+                             plateMesh({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {2, 2}));
+    Irsg irsg;
+    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    irsg.setEntities({entityOf(modelOf(mesh), database)});
+    look(irsg, {.range_m = 200.0, .fieldOfView_rad = 0.02});
+    const RenderReport report = irsg.measure();
+    const double exact = bandRadiance_W_m2_sr(Band::topHat(3.0, 4.0), 400.0);
+    const double area_m2 = 1.0;
+    EXPECT_NEAR(report.all.intensity_W_sr / (exact * area_m2), 1.0, 2e-2) << "edges fall on samples";
+
+    // The image carries one number for the filter and says what that costs.
+    const double body = bandRadiance_W_m2_sr(midwave, 400.0);
+    EXPECT_NEAR(report.transmissivityResidue, std::abs(exact - 0.5 * body) / body, 1e-5);
+    EXPECT_NEAR(centreRadiance(irsg), 0.5 * body, 1e-4 * body);
+}
+
+TEST(ProjectedFactorsOfAScene, AreKeptWhileOnlySignaturesChange) {
+    Irsg irsg;
+    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 320.0))});
+    look(irsg, {});
+    auto drawings = [&] {
+        for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
+            if (stage.name == "drawing")
+                return stage.calls;
+        return 0L;
+    };
+    const double before = irsg.measure().all.intensity_W_sr;
+    const long drawn = drawings();
+    irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(greyDatabase(0.3, 320.0)));
+    EXPECT_NEAR(irsg.measure().all.intensity_W_sr / before, 1.0 / 3.0, 1e-12);
+    EXPECT_EQ(drawings(), drawn) << "another emissivity is a dot product";
+    irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(greyDatabase(0.3, 320.0, 1.0)));
+    irsg.measure();
+    EXPECT_EQ(drawings(), drawn + 1) << "another N is another drawing";
+    look(irsg, {.azimuth_rad = 0.1});
+    irsg.measure();
+    EXPECT_EQ(drawings(), drawn + 2) << "and so is another view";
+}
+
+TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
+    ConstantAir air;
+    air.transmittanceValue = 0.7;
+    air.pathRadianceValue = 0.1;
+    air.backgroundValue = 0.3;
+    air.sunValue = 2.0;
+    air.upValue = 1.0;
+    air.downValue = 0.5;
+    SignatureDatabase database = greyDatabase(0.6, 320.0);
+    database.temperatures[7] = fixedTemperature(350.0);
+    database.materials[9] = greyMaterial(0.2, 0.5);
+    const Mesh mesh = joined(sphereMesh(1.0, 32, 64, one),
+                             plateMesh({0, 2, 0}, {0.5, 0, 0}, {0, 0, 2}, {7, 9}));
+    Irsg irsg;
+    irsg.setEnvironment(environmentOf(air));
+    RenderSettings settings;
+    settings.truthLayers = true;
+    settings.samplesPerAxis = 3;
+    irsg.setSettings(settings);
+    irsg.setEntities({entityOf(modelOf(mesh), database)});
+    look(irsg, {.range_m = 100.0, .width_px = 65, .height_px = 65, .fieldOfView_rad = 0.05});
+    const RadianceImage image = irsg.render().image;
+
+    const std::vector<float>& radiance = image.primary().values;
+    for (std::size_t i = 0; i < radiance.size(); ++i) {
+        double sum = 0.0;
+        for (const char* term : {"thermal", "sun", "up", "down", "path", "background"})
+            sum += static_cast<double>(image.find(term)->values[i]);
+        EXPECT_NEAR(sum, static_cast<double>(radiance[i]), 2e-6 * sum);
+    }
+    const std::size_t centre = image.offset(32, 32);
+    EXPECT_EQ(image.find("temperature_index")->values[centre], 7.0f);
+    EXPECT_EQ(image.find("material_index")->values[centre], 9.0f);
+    EXPECT_NEAR(image.find("range")->values[centre], 98.0, 1e-4);
+    const std::size_t side = image.offset(32 + 10, 32);
+    EXPECT_EQ(image.find("temperature_index")->values[side], 1.0f);
+    EXPECT_TRUE(std::isnan(image.find("range")->values[0]));
+}
+
+TEST(StageTimesOfAnImage, NameEveryStageThatTookTime) {
+    Irsg irsg;
+    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 320.0))});
+    look(irsg, {});
+    irsg.render();
+    std::vector<std::string> names;
+    for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
+        names.push_back(stage.name);
+        EXPECT_GE(stage.seconds, 0.0);
+        EXPECT_EQ(stage.calls, 1) << stage.name;
+    }
+    for (const char* expected : {"radiometry", "drawing", "read back", "reduction", "composition"})
+        EXPECT_TRUE(std::ranges::find(names, expected) != names.end()) << expected;
+    irsg.resetStageTimes();
+    EXPECT_TRUE(irsg.stageTimes().stages.empty());
+}
+
+TEST(SeveralEntities, AreMeasuredEachAndTogether) {
+    Irsg irsg;
+    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    const auto sphere = modelOf(sphereMesh(1.0, 32, 64, one));
+    Entity first = entityOf(sphere, greyDatabase(0.9, 320.0));
+    Entity second = entityOf(sphere, greyDatabase(0.9, 350.0));
+    first.name = "first";
+    second.name = "second";
+    second.pose.position_m.x += 3.0;
+    irsg.setEntities({first, second});
+    look(irsg, {.range_m = 200.0, .width_px = 128, .height_px = 64});
+    const RenderReport report = irsg.render().report;
+    ASSERT_EQ(report.objects.size(), 2u);
+    EXPECT_NEAR(report.objects[1].intensity_W_sr / report.objects[0].intensity_W_sr,
+                bandRadiance_W_m2_sr(midwave, 350.0) / bandRadiance_W_m2_sr(midwave, 320.0), 5e-3);
+    EXPECT_NEAR((report.objects[0].irradiance_W_m2 + report.objects[1].irradiance_W_m2) /
+                    report.all.irradiance_W_m2,
+                1.0, 1e-5);
+}
