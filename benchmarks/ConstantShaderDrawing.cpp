@@ -2,10 +2,13 @@
 
 #include "benchmarks/ConstantShaderDrawing.h"
 
+#include <cmath>
+
 #include <osg/Program>
 #include <osg/RenderInfo>
 #include <osgUtil/SceneView>
 
+#include "irsg/radiometry/Units.h"
 #include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/FloatTarget.h"
 #include "irsg/scene/OffscreenContext.h"
@@ -13,7 +16,7 @@
 namespace irsg::bench {
 
 struct ConstantShaderDrawing::Parts {
-    std::shared_ptr<OffscreenContext> context = OffscreenContext::shared();
+    OffscreenContext& context = OffscreenContext::shared();
     std::shared_ptr<const Model> model;
     Sensor sensor;
     osg::ref_ptr<osgUtil::SceneView> view;
@@ -27,14 +30,15 @@ ConstantShaderDrawing::ConstantShaderDrawing(std::shared_ptr<const Model> model,
     Parts& p = *parts_;
     p.model = std::move(model);
     p.sensor = sensor;
-    p.context->run([&](osg::RenderInfo& info) {
+    p.context.run([&](osg::RenderInfo& info) {
         p.target = std::make_unique<FloatTarget>(1);
         p.target->reserve(sensor.width_px, sensor.height_px);
 
         osg::ref_ptr<osg::Program> program = new osg::Program;
         program->addShader(new osg::Shader(
-            osg::Shader::VERTEX, "#version 330 compatibility\n"
-                                 "void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }"));
+            osg::Shader::VERTEX,
+            "#version 330 compatibility\n"
+            "void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }"));
         program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
                                            "#version 330 compatibility\n"
                                            "layout(location = 0) out vec4 colour;\n"
@@ -42,7 +46,6 @@ ConstantShaderDrawing::ConstantShaderDrawing(std::shared_ptr<const Model> model,
 
         const CameraFrame camera(sensor, viewpoint);
         const Pose origin;
-        const PixelWindow frame{0, 0, sensor.width_px, sensor.height_px};
         p.view = new osgUtil::SceneView;
         p.view->setDefaults();
         p.view->setState(info.getState());
@@ -50,19 +53,20 @@ ConstantShaderDrawing::ConstantShaderDrawing(std::shared_ptr<const Model> model,
         p.view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
         p.view->setViewport(0, 0, sensor.width_px, sensor.height_px);
         p.view->setViewMatrix(camera.eyeFromModel(origin));
-        p.view->setProjectionMatrix(
-            camera.clipFromEye(frame, *camera.depthOf(p.model->bounds(), origin)));
+        const DepthRange depth = *camera.depthOf(p.model->bounds(), origin);
+        p.view->setProjectionMatrixAsPerspective(
+            degrees(2.0 * std::atan(0.5 * sensor.height_px * sensor.pixelPitch())),
+            static_cast<double>(sensor.width_px) / sensor.height_px, depth.near_m, depth.far_m);
         p.view->setClearColor(osg::Vec4(0, 0, 0, 0));
         p.view->setDrawBufferValue(GL_COLOR_ATTACHMENT0);
-        p.view->getGlobalStateSet()->setAttributeAndModes(program,
-                                                          osg::StateAttribute::ON |
-                                                              osg::StateAttribute::OVERRIDE);
+        p.view->getGlobalStateSet()->setAttributeAndModes(
+            program, osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
         p.view->init();
     });
 }
 
 ConstantShaderDrawing::~ConstantShaderDrawing() {
-    parts_->context->run([&](osg::RenderInfo& info) {
+    parts_->context.run([&](osg::RenderInfo& info) {
         parts_->view = nullptr;
         parts_->target = nullptr;
         info.getState()->reset();
@@ -71,7 +75,7 @@ ConstantShaderDrawing::~ConstantShaderDrawing() {
 
 int ConstantShaderDrawing::draw() {
     Parts& p = *parts_;
-    p.context->run([&](osg::RenderInfo&) {
+    p.context.run([&](osg::RenderInfo&) {
         p.target->bind(p.sensor.width_px, p.sensor.height_px);
         p.view->cull();
         p.view->draw();

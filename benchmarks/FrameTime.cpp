@@ -17,7 +17,8 @@ namespace {
 double milliseconds(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
 }
 
 double median(std::vector<double> values) {
@@ -25,7 +26,8 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// Every index of the model has an entry; `transmissivity` is that of the gas and the propeller discs.
+/// Every index of the model has an entry; `transmissivity` is that of the gas and the propeller
+/// discs.
 SignatureDatabase plainDatabase(const Model& model, double transmissivity) {
     SignatureDatabase database;
     for (const auto& [codes, use] : model.codes()) {

@@ -14,7 +14,7 @@ uniform int fluxMode;   // 0 off, 1 independent of geometry, 2 view factors, 3 t
 uniform int product;    // 0 radiance, 1 factors
 
 uniform int peel;                // 0 opaque pass, 1 first layer, 2 any further layer
-uniform sampler2D opaqueDepth;   // depth of the opaque surfaces
+uniform sampler2D opaqueDepth;   // depth of the opaque surfaces: 1 near, 0 far or none
 uniform sampler2D previousDepth; // depth of the layer before
 
 layout(location = 0) out vec4 plane0; // radiance: (A_pre, 0, 0, alpha); factors: (row + 1, thermal, down, sun)
@@ -26,9 +26,9 @@ float power(float base, float exponent);
 void main() {
     if (peel > 0) {
         ivec2 here = ivec2(gl_FragCoord.xy);
-        if (gl_FragCoord.z >= texelFetch(opaqueDepth, here, 0).r)
+        if (gl_FragCoord.z <= texelFetch(opaqueDepth, here, 0).r)
             discard;
-        if (peel > 1 && gl_FragCoord.z <= texelFetch(previousDepth, here, 0).r)
+        if (peel > 1 && gl_FragCoord.z >= texelFetch(previousDepth, here, 0).r)
             discard;
     }
 

@@ -65,8 +65,12 @@ osg::Matrixd CameraFrame::clipFromEye(const PixelWindow& window, const DepthRang
     const double right = left + window.width * pitch;
     const double top = (0.5 * sensor_.height_px - window.y) * pitch;
     const double bottom = top - window.height * pitch;
-    const double n = depth.near_m;
-    return osg::Matrixd::frustum(left * n, right * n, bottom * n, top * n, n, depth.far_m);
+    const double n = depth.near_m, f = depth.far_m;
+    return osg::Matrixd(2.0 / (right - left), 0, 0, 0,                                    //
+                        0, 2.0 / (top - bottom), 0, 0,                                    //
+                        (right + left) / (right - left), (top + bottom) / (top - bottom), //
+                        n / (f - n), -1,                                                  //
+                        0, 0, n * f / (f - n), 0);
 }
 
 std::optional<DepthRange> CameraFrame::depthOf(const BoundingBox& box, const Pose& pose) const {
@@ -87,7 +91,8 @@ std::optional<DepthRange> CameraFrame::depthOf(const BoundingBox& box, const Pos
 PixelWindow CameraFrame::windowOf(const BoundingBox& box, const Pose& pose) const {
     const PixelWindow frame{0, 0, sensor_.width_px, sensor_.height_px};
     const double pitch = sensor_.pixelPitch();
-    double left = std::numeric_limits<double>::infinity(), top = left, right = -left, bottom = -left;
+    double left = std::numeric_limits<double>::infinity(), top = left, right = -left,
+           bottom = -left;
     double nearest = left, farthest = -left;
     for (const Vec3& corner : corners(box)) {
         const Vec3 eye = toEye(pose.toWorld(corner) - viewpoint_.position_m);

@@ -25,8 +25,8 @@ struct DepthRange {
     double near_m = 0.0, far_m = 0.0;
 };
 
-/// How a sensor at a viewpoint sees the world. Everything is double and relative to the camera; what
-/// GL gets is composed first and rounded last.
+/// How a sensor at a viewpoint sees the world. Everything is double and relative to the camera;
+/// what GL gets is composed first and rounded last.
 class CameraFrame {
   public:
     CameraFrame(const Sensor& sensor, const Viewpoint& viewpoint);
@@ -34,11 +34,14 @@ class CameraFrame {
     /// World directions and model coordinates to eye space (x right, y up, z backward).
     osg::Matrixd eyeFromModel(const Pose& pose) const;
     Vec3 toEye(const Vec3& worldDirection) const;
-    /// Eye space to the clip space of a window of the sensor: an off-axis frustum on the pixel grid.
+    /// Eye space to the clip space of a window of the sensor: an off-axis frustum on the pixel
+    /// grid. Depth runs from 1 at the near to 0 at the far distance (zero-to-one clip control),
+    /// where a float has its digits: a camera inside an object still tells surfaces 1e-6 of their
+    /// distance apart.
     osg::Matrixd clipFromEye(const PixelWindow& window, const DepthRange& depth) const;
 
-    /// Pixels that can see any of a box standing at `pose`, with a margin of one pixel; the whole frame
-    /// when the box reaches behind the camera; empty when it lies outside the frame.
+    /// Pixels that can see any of a box standing at `pose`, with a margin of one pixel; the whole
+    /// frame when the box reaches behind the camera; empty when it lies outside the frame.
     PixelWindow windowOf(const BoundingBox& box, const Pose& pose) const;
     /// Depths the box spans, or nothing when all of it is behind the camera.
     std::optional<DepthRange> depthOf(const BoundingBox& box, const Pose& pose) const;

@@ -41,6 +41,11 @@ class Collector : public osg::NodeVisitor {
         osg::Geometry* geometry = drawable.asGeometry();
         if (!geometry)
             return;
+        // Array state per geometry: OSG's shared array state compares addresses of arrays, and
+        // those of a model that is gone come back with the next one.
+        geometry->setUseDisplayList(false);
+        geometry->setUseVertexBufferObjects(true);
+        geometry->setUseVertexArrayObject(true);
         const osg::Matrixd modelFromLocal = osg::computeLocalToWorld(getNodePath());
         items.push_back({geometry, modelFromLocal, codesOf(drawable), cullsBackFaces(drawable),
                          boundsOf(drawable, modelFromLocal)});

@@ -48,9 +48,9 @@ void FactorAccumulator::addLayer(const std::vector<float>& plane0,
             for (int sy = 0; sy < n; ++sy) {
                 // GL's rows run from the bottom up.
                 const int glRow = (window_.height - 1 - py) * n + sy;
-                const std::size_t first = static_cast<std::size_t>(glRow) *
-                                              static_cast<std::size_t>(width) +
-                                          static_cast<std::size_t>(px * n);
+                const std::size_t first =
+                    static_cast<std::size_t>(glRow) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(px * n);
                 for (std::size_t i = first; i < first + static_cast<std::size_t>(n); ++i) {
                     const float* sample = &plane0[4 * i];
                     if (sample[0] == 0.0f)
@@ -168,8 +168,7 @@ void evaluateFactors(const ProjectedFactors& factors, const SceneRadiometry& rad
         auto add = [&](ObjectRadiometry& object) {
             const double square_m2 = object.range_m * object.range_m;
             object.intensity_W_sr += radiance * square_m2;
-            object.contrastIntensity_W_sr +=
-                (radiance - background * sums.coverage_sr) * square_m2;
+            object.contrastIntensity_W_sr += (radiance - background * sums.coverage_sr) * square_m2;
             object.irradiance_W_m2 += onDetector;
             object.coveredPixels += opacity * sums.pixels;
             object.solidAngle_sr += opacity * sums.coverage_sr;
@@ -208,10 +207,9 @@ IntensitySpectrum evaluateSpectrum(const ProjectedFactors& factors,
             spectrum.contrastIntensity_W_sr_um[i] +=
                 (radiance - passed * hidden * sums.coverage_sr) * square_m2;
             spectrum.irradiance_W_m2_um[i] +=
-                passed *
-                (surface.thermal[i] * sums.thermalCos_sr + surface.up[i] * sums.upCos_sr +
-                 surface.down[i] * sums.downCos_sr + surface.sun[i] * sums.sunCos_sr +
-                 (surface.path[i] - hidden) * sums.coverageCos_sr);
+                passed * (surface.thermal[i] * sums.thermalCos_sr + surface.up[i] * sums.upCos_sr +
+                          surface.down[i] * sums.downCos_sr + surface.sun[i] * sums.sunCos_sr +
+                          (surface.path[i] - hidden) * sums.coverageCos_sr);
         }
         if (key.inFront.empty())
             spectrum.coveredPixels += sums.pixels;

@@ -16,8 +16,8 @@ class FactorAccumulator {
     /// `keys` are the rows of the drawing; `transparent` says which of them let light through.
     FactorAccumulator(std::vector<SceneRadiometry::SurfaceKey> keys, std::vector<bool> transparent);
 
-    /// Begins a window: nothing lies in front of any sample. Layers of `width` x `height` pixels of n x n
-    /// samples follow.
+    /// Begins a window: nothing lies in front of any sample. Layers of `width` x `height` pixels of
+    /// n x n samples follow.
     void beginWindow(const Sensor& sensor, const PixelWindow& window, int samplesPerAxis);
     /// One layer as SurfacePass gives it.
     void addLayer(const std::vector<float>& plane0, const std::vector<float>& plane1);
@@ -41,8 +41,8 @@ class FactorAccumulator {
     std::vector<std::vector<FactorSums>> sums_;     // [prefix][row]
 };
 
-/// Radiometry of every object, and of all together, from projected factors: exact in the products of
-/// spectral transmissivities. Ranges are filled in from `geometry`.
+/// Radiometry of every object, and of all together, from projected factors: exact in the products
+/// of spectral transmissivities. Ranges are filled in from `geometry`.
 void evaluateFactors(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
                      const std::vector<ObjectGeometry>& geometry,
                      const std::vector<Entity>& entities, RenderReport& report);

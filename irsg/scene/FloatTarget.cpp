@@ -24,7 +24,9 @@ void allocate(GLuint texture, GLint internalFormat, GLenum format, int width, in
 
 FloatTarget::FloatTarget(int colourPlanes) : colour_(static_cast<std::size_t>(colourPlanes), 0) {}
 
-FloatTarget::~FloatTarget() { release(); }
+FloatTarget::~FloatTarget() {
+    release();
+}
 
 void FloatTarget::release() {
     if (!framebuffer_)
@@ -74,7 +76,7 @@ void FloatTarget::bind(int width, int height) const {
 void FloatTarget::clear() const {
     glDepthMask(GL_TRUE);
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    glClearDepth(1.0);
+    glClearDepth(0.0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 

@@ -19,7 +19,8 @@ class FloatTarget {
     void reserve(int width, int height);
     /// Binds it for drawing with the viewport at its lower left corner.
     void bind(int width, int height) const;
-    /// Colours to 0, depth to 1.
+    /// Colours to 0, depth to 0, which is infinitely far: depth is reversed
+    /// (CameraFrame::clipFromEye).
     void clear() const;
 
     /// RGBA of a colour plane, four floats a sample, bottom row first as GL has it.

@@ -6,21 +6,22 @@ namespace irsg {
 
 FrameReduction::FrameReduction(const Sensor& sensor, const PixelWindow& window,
                                double background_W_m2_sr)
-    : sensor_(sensor), window_(window), background_W_m2_sr_(background_W_m2_sr),
+    : sensor_(sensor),
+      window_(window),
+      background_W_m2_sr_(background_W_m2_sr),
       radiance_(static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height)),
       opacity_(radiance_.size()) {}
 
 void FrameReduction::add(const PixelWindow& tile, int samplesPerAxis,
                          const std::vector<float>& samples) {
     const auto n = static_cast<std::size_t>(samplesPerAxis);
-    const auto width = static_cast<std::size_t>(tile.width), height =
-                                                                 static_cast<std::size_t>(tile.height);
+    const auto width = static_cast<std::size_t>(tile.width),
+               height = static_cast<std::size_t>(tile.height);
     const double scale = 1.0 / static_cast<double>(n * n);
     for (std::size_t y = 0; y < height; ++y) {
-        const std::size_t first =
-            (static_cast<std::size_t>(tile.y - window_.y) + y) *
-                static_cast<std::size_t>(window_.width) +
-            static_cast<std::size_t>(tile.x - window_.x);
+        const std::size_t first = (static_cast<std::size_t>(tile.y - window_.y) + y) *
+                                      static_cast<std::size_t>(window_.width) +
+                                  static_cast<std::size_t>(tile.x - window_.x);
         // GL's rows run from the bottom up.
         for (std::size_t sy = 0; sy < n; ++sy) {
             const float* sample = &samples[((height - 1 - y) * n + sy) * width * n * 4];

@@ -8,8 +8,8 @@
 
 namespace irsg {
 
-/// Reduces samples to pixels by exact averaging of premultiplied radiance and opacity, in double, and
-/// sums the radiometry of the objects on their own window before anything is rounded to float.
+/// Reduces samples to pixels by exact averaging of premultiplied radiance and opacity, in double,
+/// and sums the radiometry of the objects on their own window before anything is rounded to float.
 class FrameReduction {
   public:
     /// `window`: the pixels that will be added; `background`: uniform, W m-2 sr-1.

@@ -56,7 +56,7 @@ std::string text(double value) {
 } // namespace
 
 struct Irsg::Parts {
-    std::shared_ptr<OffscreenContext> context = OffscreenContext::shared();
+    OffscreenContext& context = OffscreenContext::shared();
     std::unique_ptr<SurfacePass> pass; // made and destroyed on the context's thread
 
     Environment environment = Environment::vacuum();
@@ -121,9 +121,7 @@ struct Irsg::Parts {
         return opaque.valid() ? opaque.centre() : entity.model->bounds().centre();
     }
 
-    void prepareEntity(std::size_t e) {
-        referencePoints[e] = modelReferencePoint(entities[e]);
-    }
+    void prepareEntity(std::size_t e) { referencePoints[e] = modelReferencePoint(entities[e]); }
 
     std::vector<ObjectGeometry> geometry() const {
         std::vector<Vec3> points;
@@ -158,10 +156,12 @@ struct Irsg::Parts {
         const std::vector<ObjectGeometry> objects = geometry();
         checkScene(entities, objects, environment, sensor, settings);
         return timed("radiometry", [&] {
-            Frame result{CameraFrame(sensor, viewpoint), objects,
-                         SceneRadiometry(environment, entities, objects, settings, centre(),
-                                         sensor.band),
-                         {}, {}};
+            Frame result{
+                CameraFrame(sensor, viewpoint),
+                objects,
+                SceneRadiometry(environment, entities, objects, settings, centre(), sensor.band),
+                {},
+                {}};
             fillRows(result);
             fillItems(result);
             return result;
@@ -189,8 +189,7 @@ struct Irsg::Parts {
         for (std::size_t e = 0; e < entities.size(); ++e) {
             const Entity& entity = entities[e];
             const auto depth = frame.camera.depthOf(entity.model->bounds(), entity.pose);
-            const PixelWindow window =
-                frame.camera.windowOf(entity.model->bounds(), entity.pose);
+            const PixelWindow window = frame.camera.windowOf(entity.model->bounds(), entity.pose);
             if (!depth || window.empty())
                 continue;
             DepthRange& all = frame.scene.depth;
@@ -216,12 +215,12 @@ struct Irsg::Parts {
     }
 
     int tileSide() const {
-        return std::max(1, std::min(largestDrawing, context->maximumTargetSize()) /
+        return std::max(1, std::min(largestDrawing, context.maximumTargetSize()) /
                                settings.samplesPerAxis);
     }
 
     void onContext(const std::function<void(osg::RenderInfo&)>& work) {
-        context->run([&](osg::RenderInfo& info) {
+        context.run([&](osg::RenderInfo& info) {
             osg::flushAllDeletedGLObjects(info.getContextID());
             if (!pass)
                 pass = std::make_unique<SurfacePass>();
@@ -318,7 +317,7 @@ struct Irsg::Parts {
         report.answeredBy = frame.radiometry.answeredBy();
         report.warnings = frame.radiometry.warnings();
         report.transmissivityResidue = frame.radiometry.transmissivityResidue();
-        report.renderer = context->rendererDescription();
+        report.renderer = context.rendererDescription();
         if (report.layersLeftOver > 0)
             report.warnings.push_back(std::to_string(report.layersLeftOver) +
                                       " samples have more than " +
@@ -334,9 +333,8 @@ struct Irsg::Parts {
         image.attributes["sensor.horizontal_field_of_view_deg"] =
             text(degrees(sensor.horizontalFieldOfView_rad));
         image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
-        image.attributes["background_W_m2_sr"] =
-            text(frame.radiometry.backgroundInBand_W_m2_sr());
-        image.attributes["renderer"] = context->rendererDescription();
+        image.attributes["background_W_m2_sr"] = text(frame.radiometry.backgroundInBand_W_m2_sr());
+        image.attributes["renderer"] = context.rendererDescription();
         if (!frame.geometry.empty())
             image.attributes["range_m"] = text(frame.geometry.front().path.range_m);
     }
@@ -345,18 +343,36 @@ struct Irsg::Parts {
 Irsg::Irsg() : parts_(std::make_unique<Parts>()) {}
 
 Irsg::~Irsg() {
-    parts_->context->run([&](osg::RenderInfo&) { parts_->pass.reset(); });
+    parts_->context.run([&](osg::RenderInfo&) { parts_->pass.reset(); });
 }
 
-void Irsg::setEnvironment(Environment environment) { parts_->environment = std::move(environment); }
-const Environment& Irsg::environment() const { return parts_->environment; }
-void Irsg::setSensor(const Sensor& sensor) { parts_->sensor = sensor; }
-const Sensor& Irsg::sensor() const { return parts_->sensor; }
-void Irsg::setSettings(const RenderSettings& settings) { parts_->settings = settings; }
-const RenderSettings& Irsg::settings() const { return parts_->settings; }
-void Irsg::setViewpoint(const Viewpoint& viewpoint) { parts_->viewpoint = viewpoint; }
-const Viewpoint& Irsg::viewpoint() const { return parts_->viewpoint; }
-const std::vector<Entity>& Irsg::entities() const { return parts_->entities; }
+void Irsg::setEnvironment(Environment environment) {
+    parts_->environment = std::move(environment);
+}
+const Environment& Irsg::environment() const {
+    return parts_->environment;
+}
+void Irsg::setSensor(const Sensor& sensor) {
+    parts_->sensor = sensor;
+}
+const Sensor& Irsg::sensor() const {
+    return parts_->sensor;
+}
+void Irsg::setSettings(const RenderSettings& settings) {
+    parts_->settings = settings;
+}
+const RenderSettings& Irsg::settings() const {
+    return parts_->settings;
+}
+void Irsg::setViewpoint(const Viewpoint& viewpoint) {
+    parts_->viewpoint = viewpoint;
+}
+const Viewpoint& Irsg::viewpoint() const {
+    return parts_->viewpoint;
+}
+const std::vector<Entity>& Irsg::entities() const {
+    return parts_->entities;
+}
 
 void Irsg::setEntities(std::vector<Entity> entities) {
     for (const Entity& entity : entities)
@@ -410,8 +426,8 @@ RenderedImage Irsg::render() {
             scene.camera = &frame.camera;
             std::vector<float> samples;
             for (const PixelWindow& tile : tiles(frame.window, p.tileSide())) {
-                result.report.layersLeftOver += p.pass->drawRadiance(
-                    info, scene, tile, p.settings.samplesPerAxis, samples);
+                result.report.layersLeftOver +=
+                    p.pass->drawRadiance(info, scene, tile, p.settings.samplesPerAxis, samples);
                 Stopwatch watch(reducing_s);
                 reduction.add(tile, p.settings.samplesPerAxis, samples);
             }
@@ -498,8 +514,14 @@ ProjectedFactors Irsg::projectFactors() {
     return parts_->factorsOf(frame);
 }
 
-std::string Irsg::rendererDescription() { return parts_->context->rendererDescription(); }
-StageTimes Irsg::stageTimes() const { return {parts_->stages}; }
-void Irsg::resetStageTimes() { parts_->stages.clear(); }
+std::string Irsg::rendererDescription() {
+    return parts_->context.rendererDescription();
+}
+StageTimes Irsg::stageTimes() const {
+    return {parts_->stages};
+}
+void Irsg::resetStageTimes() {
+    parts_->stages.clear();
+}
 
 } // namespace irsg

@@ -69,19 +69,19 @@ struct Entity {
 /// The radiometry of one object as the sensor sees it, summed in double over its samples.
 struct ObjectRadiometry {
     std::string name;
-    double range_m = 0.0;                 ///< sensor to reference point
-    double intensity_W_sr = 0.0;          ///< sum of A_pre omega d^2
-    double contrastIntensity_W_sr = 0.0;  ///< sum of (A_pre - alpha L_bg) omega d^2
-    double irradiance_W_m2 = 0.0;         ///< sum of (A_pre - alpha L_bg) omega cos theta
-    double coveredPixels = 0.0;           ///< sum of the coverage
-    double solidAngle_sr = 0.0;           ///< sum of coverage omega
+    double range_m = 0.0;                ///< sensor to reference point
+    double intensity_W_sr = 0.0;         ///< sum of A_pre omega d^2
+    double contrastIntensity_W_sr = 0.0; ///< sum of (A_pre - alpha L_bg) omega d^2
+    double irradiance_W_m2 = 0.0;        ///< sum of (A_pre - alpha L_bg) omega cos theta
+    double coveredPixels = 0.0;          ///< sum of the coverage
+    double solidAngle_sr = 0.0;          ///< sum of coverage omega
 };
 
 struct RenderReport {
     double totalIrradiance_W_m2 = 0.0; ///< of the whole frame, background included
     double background_W_m2_sr = 0.0;
     std::vector<ObjectRadiometry> objects;
-    ObjectRadiometry all; ///< of all objects together, at the first object's range
+    ObjectRadiometry all;                ///< of all objects together, at the first object's range
     std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
     std::vector<std::string> warnings;   ///< each said once
     int layersLeftOver = 0;              ///< samples whose last transparent layers were not peeled
@@ -145,22 +145,23 @@ class Irsg {
     void setViewpoint(const Viewpoint& viewpoint);
     const Viewpoint& viewpoint() const;
 
-    /// Checks the whole scene: every code has an entry, spectra cover the band, sensor and targets are
-    /// above the ground. Throws InputError with every offence.
+    /// Checks the whole scene: every code has an entry, spectra cover the band, sensor and targets
+    /// are above the ground. Throws InputError with every offence.
     void checkConfiguration() const;
 
     /// Radiance image in W m-2 sr-1 with its report.
     RenderedImage render();
-    /// The report alone, in double from the projected factors. These are kept and drawn anew only when
-    /// geometry, viewpoint, sensor raster, transparency or N change; another time, power, band,
-    /// temperature or spectrum is a dot product.
+    /// The report alone, in double from the projected factors. These are kept and drawn anew only
+    /// when geometry, viewpoint, sensor raster, transparency or N change; another time, power,
+    /// band, temperature or spectrum is a dot product.
     RenderReport measure();
     /// The same, per wavelength.
     IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1);
     /// The table that gives the intensity of this view in any band (architecture, decision 1).
     ProjectedFactors projectFactors();
 
-    /// GL renderer string: "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6".
+    /// GL renderer string: "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile)
+    /// Mesa 22.3.6".
     std::string rendererDescription();
     StageTimes stageTimes() const;
     void resetStageTimes();

@@ -47,13 +47,14 @@ struct ModelOptions {
 };
 
 /// A loaded model: geometry with its codes, merged per pair of codes, in the axes of this program
-/// (x starboard, y nose, z up). The graph belongs to one Model; drawables carry a ShapeAttributeList
-/// with IRColor and IRMaterial and no textures or lights that would touch the infrared picture.
+/// (x starboard, y nose, z up). The graph belongs to one Model; drawables carry a
+/// ShapeAttributeList with IRColor and IRMaterial and no textures or lights that would touch the
+/// infrared picture.
 class Model {
   public:
     /// Loads .flt, .osgt, .osgb, .ive and whatever OpenSceneGraph reads. An OpenFlight file is
-    /// validated by the record scanner first. Throws InputError for a file that is missing, truncated,
-    /// malformed (with the byte offset), unreadable or without faces.
+    /// validated by the record scanner first. Throws InputError for a file that is missing,
+    /// truncated, malformed (with the byte offset), unreadable or without faces.
     static std::shared_ptr<Model> load(const std::filesystem::path& file,
                                        const ModelOptions& options = {});
     /// Takes a graph made in memory; codes are read from its ShapeAttributeLists.

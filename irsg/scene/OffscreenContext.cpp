@@ -2,6 +2,7 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <osg/GLExtensions>
 #include <osg/GraphicsContext>
 #include <osg/RenderInfo>
 #include <osg/State>
@@ -24,8 +25,8 @@ namespace {
 
 InputError unavailable(const std::string& step) {
     return InputError(Offence{"OpenGL", step, "not available on this machine",
-                              "an EGL driver with an OpenGL 3.3 compatibility context "
-                              "(Mesa's software renderer is enough)"});
+                              "an EGL driver with an OpenGL 3.3 compatibility context and "
+                              "GL_ARB_clip_control (Mesa's software renderer is enough)"});
 }
 
 /// OSG's view of an EGL context without a surface.
@@ -73,8 +74,9 @@ class EglContext : public osg::GraphicsContext {
     void swapBuffersImplementation() override {}
 
   private:
-    /// Displays to try: real devices first, then Mesa without a surface, then whatever is the default.
-    /// IRSG_EGL=software goes straight to Mesa, so that both can be compared on one machine.
+    /// Displays to try: real devices first, then Mesa without a surface, then whatever is the
+    /// default. IRSG_EGL=software goes straight to Mesa, so that both can be compared on one
+    /// machine.
     static std::vector<EGLDisplay> candidates() {
         std::vector<EGLDisplay> displays;
         auto getDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
@@ -85,7 +87,8 @@ class EglContext : public osg::GraphicsContext {
             for (EGLDeviceEXT device : hardwareDevices())
                 displays.push_back(getDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
         if (getDisplay)
-            displays.push_back(getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+            displays.push_back(
+                getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
         displays.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
         std::erase(displays, EGL_NO_DISPLAY);
         return displays;
@@ -93,7 +96,8 @@ class EglContext : public osg::GraphicsContext {
 
     /// EGL devices that are not Mesa's software rasterizer, which surfaceless Mesa gives anyway.
     static std::vector<EGLDeviceEXT> hardwareDevices() {
-        auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+        auto query =
+            reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
         auto text = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(
             eglGetProcAddress("eglQueryDeviceStringEXT"));
         EGLint count = 0;
@@ -112,7 +116,8 @@ class EglContext : public osg::GraphicsContext {
         if (!eglBindAPI(EGL_OPENGL_API))
             return false;
 
-        const EGLint configWish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+        const EGLint configWish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
+                                     EGL_NONE};
         EGLConfig config = nullptr;
         EGLint found = 0;
         if (!eglChooseConfig(display_, configWish, &config, 1, &found) || found < 1)
@@ -141,7 +146,8 @@ struct OffscreenContext::Parts {
     std::string description;
     int maximumTargetSize = 0;
 
-    // One caller at a time hands its work over through `work`; the thread answers through `failure`.
+    // One caller at a time hands its work over through `work`; the thread answers through
+    // `failure`.
     std::mutex callers;
     std::mutex mutex;
     std::condition_variable changed;
@@ -165,6 +171,8 @@ struct OffscreenContext::Parts {
             const GLubyte* value = glGetString(name);
             return value ? std::string(reinterpret_cast<const char*>(value)) : std::string();
         };
+        if (!osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_clip_control"))
+            throw unavailable("finding zero-to-one clip control in " + text(GL_RENDERER));
         description = text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
         GLint size = 0;
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
@@ -203,16 +211,10 @@ struct OffscreenContext::Parts {
     }
 };
 
-std::shared_ptr<OffscreenContext> OffscreenContext::shared() {
-    static std::mutex mutex;
-    static std::weak_ptr<OffscreenContext> current;
-    std::lock_guard lock(mutex);
-    auto context = current.lock();
-    if (!context) {
-        context = std::make_shared<OffscreenContext>();
-        current = context;
-    }
-    return context;
+OffscreenContext& OffscreenContext::shared() {
+    // Never destroyed: its thread sleeps when the process ends, after everything that could use it.
+    static OffscreenContext* const context = new OffscreenContext;
+    return *context;
 }
 
 OffscreenContext::OffscreenContext() : parts_(std::make_unique<Parts>()) {
@@ -250,7 +252,11 @@ void OffscreenContext::run(const std::function<void(osg::RenderInfo&)>& work) {
         std::rethrow_exception(std::exchange(parts_->failure, nullptr));
 }
 
-const std::string& OffscreenContext::rendererDescription() const { return parts_->description; }
-int OffscreenContext::maximumTargetSize() const { return parts_->maximumTargetSize; }
+const std::string& OffscreenContext::rendererDescription() const {
+    return parts_->description;
+}
+int OffscreenContext::maximumTargetSize() const {
+    return parts_->maximumTargetSize;
+}
 
 } // namespace irsg

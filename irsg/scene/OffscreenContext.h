@@ -11,21 +11,21 @@ class RenderInfo;
 
 namespace irsg {
 
-/// An OpenGL context of IRSG's own, on a thread of its own: EGL on a device where there is one, Mesa
-/// without a surface otherwise. No display and no window are needed, and because nothing is ever made
-/// current on the caller's thread, whatever the caller (a Qt widget, say) has current stays so.
+/// An OpenGL context of IRSG's own, on a thread of its own: EGL on a device where there is one,
+/// Mesa without a surface otherwise. No display and no window are needed, and because nothing is
+/// ever made current on the caller's thread, whatever the caller (a Qt widget, say) has current
+/// stays so.
 ///
 /// All generators of a process share one context, so that models can be shared between them and a
 /// thousand analyses need no more GL than one.
 class OffscreenContext {
   public:
-    /// The shared context, made at the first call and kept while somebody holds it. Throws InputError
-    /// that says which step failed when the machine offers no OpenGL 3.3 compatibility context with
-    /// float targets.
-    static std::shared_ptr<OffscreenContext> shared();
+    /// The shared context, made at the first call and kept until the process ends: drivers are not
+    /// robust against contexts that come and go on threads that come and go. Throws InputError that
+    /// says which step failed when the machine offers no OpenGL 3.3 compatibility context with
+    /// zero-to-one clip control; the next call tries again.
+    static OffscreenContext& shared();
 
-    OffscreenContext();
-    ~OffscreenContext();
     OffscreenContext(const OffscreenContext&) = delete;
     OffscreenContext& operator=(const OffscreenContext&) = delete;
 
@@ -38,6 +38,9 @@ class OffscreenContext {
     int maximumTargetSize() const;
 
   private:
+    OffscreenContext();
+    ~OffscreenContext();
+
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

@@ -9,12 +9,14 @@
 
 namespace irsg {
 
-/// What a sample of a surface is, radiometrically: the codes that fix its spectra and the transparent
-/// materials in front of it, because the integral of a product of transmissivities does not factor.
+/// What a sample of a surface is, radiometrically: the codes that fix its spectra and the
+/// transparent materials in front of it, because the integral of a product of transmissivities does
+/// not factor.
 struct FactorKey {
     int entity = 0;
     IrCodes codes;
-    /// (entity, material) of transparent surfaces in front, sorted, repeated as often as they occur.
+    /// (entity, material) of transparent surfaces in front, sorted, repeated as often as they
+    /// occur.
     std::vector<std::pair<int, int>> inFront;
 
     auto operator<=>(const FactorKey&) const = default;

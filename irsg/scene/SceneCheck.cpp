@@ -26,7 +26,9 @@ double altitude_m(double z_m, double range_m, const std::string& what,
     return std::max(z_m, 0.0);
 }
 
-std::string faces(int count) { return std::to_string(count) + (count == 1 ? " face" : " faces"); }
+std::string faces(int count) {
+    return std::to_string(count) + (count == 1 ? " face" : " faces");
+}
 
 void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double ambient_K,
                  const Band& band, std::vector<Offence>& offences) {
@@ -74,16 +76,17 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
                                 "a positive temperature in the present state"});
     }
     for (const auto& [index, material] : materials)
-        for (const auto& [name, spectrum] : {std::pair("emissivity", &material->emissivity),
-                                             std::pair("transmissivity", &material->transmissivity)})
+        for (const auto& [name, spectrum] :
+             {std::pair("emissivity", &material->emissivity),
+              std::pair("transmissivity", &material->transmissivity)})
             if (!spectrum->covers(band.range()))
-                offences.push_back(
-                    {entity.name,
-                     "material index " + std::to_string(index) + " (" + material->name + ") " + name,
-                     text(spectrum->wavelengths_um().front()) + " to " +
-                         text(spectrum->wavelengths_um().back()) + " um",
-                     "a spectrum that covers the band " + text(band.range().min_um) + " to " +
-                         text(band.range().max_um) + " um"});
+                offences.push_back({entity.name,
+                                    "material index " + std::to_string(index) + " (" +
+                                        material->name + ") " + name,
+                                    text(spectrum->wavelengths_um().front()) + " to " +
+                                        text(spectrum->wavelengths_um().back()) + " um",
+                                    "a spectrum that covers the band " + text(band.range().min_um) +
+                                        " to " + text(band.range().max_um) + " um"});
 }
 
 } // namespace
@@ -99,8 +102,8 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
         geometry.path.range_m = length(toSensor);
         geometry.path.sensorAltitude_m =
             altitude_m(viewpoint.position_m.z, geometry.path.range_m, "sensor", offences);
-        geometry.path.targetAltitude_m = altitude_m(referencePoints[e].z, geometry.path.range_m,
-                                                    entities[e].name, offences);
+        geometry.path.targetAltitude_m =
+            altitude_m(referencePoints[e].z, geometry.path.range_m, entities[e].name, offences);
         if (geometry.path.range_m > 0.0) {
             const Vec3 nose = entities[e].pose.attitude.rotation() * Vec3{0, 1, 0};
             const double cosine = dot(nose, toSensor) / geometry.path.range_m;
@@ -110,10 +113,10 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
     }
     if (!offences.empty()) {
         // A sensor below ground is one offence, however many targets it looks at.
-        auto last = std::unique(offences.begin(), offences.end(),
-                                [](const Offence& a, const Offence& b) {
-                                    return a.file == b.file && a.value == b.value;
-                                });
+        auto last =
+            std::unique(offences.begin(), offences.end(), [](const Offence& a, const Offence& b) {
+                return a.file == b.file && a.value == b.value;
+            });
         offences.erase(last, offences.end());
         throw InputError(offences);
     }
@@ -130,8 +133,8 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
         offences.insert(offences.end(), error.offences().begin(), error.offences().end());
     }
     if (settings.samplesPerAxis < 1 || settings.samplesPerAxis > 16)
-        offences.push_back({"settings", "samples per axis", std::to_string(settings.samplesPerAxis),
-                            "1 to 16"});
+        offences.push_back(
+            {"settings", "samples per axis", std::to_string(settings.samplesPerAxis), "1 to 16"});
     if (settings.maximumLayers < 1)
         offences.push_back(
             {"settings", "maximum layers", std::to_string(settings.maximumLayers), "at least 1"});

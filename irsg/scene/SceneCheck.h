@@ -12,9 +12,9 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
                                            const std::vector<Vec3>& referencePoints,
                                            const Viewpoint& viewpoint);
 
-/// Throws InputError with every offence of the scene: sensor, settings, faces without an entry (codes
-/// and face counts), user-defined spectra that are missing, surface spectra that do not cover the
-/// band, temperatures that are not positive.
+/// Throws InputError with every offence of the scene: sensor, settings, faces without an entry
+/// (codes and face counts), user-defined spectra that are missing, surface spectra that do not
+/// cover the band, temperatures that are not positive.
 void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
                 const Environment& environment, const Sensor& sensor,
                 const RenderSettings& settings);

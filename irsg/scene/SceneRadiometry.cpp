@@ -34,8 +34,8 @@ double scaleOf(const std::map<int, double>& scales, int index) {
     return found == scales.end() ? 1.0 : found->second;
 }
 
-SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes, const ObjectGeometry& geometry,
-                          double ambient_K) {
+SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
+                          const ObjectGeometry& geometry, double ambient_K) {
     SurfaceInput input;
     input.temperature = temperatureEntry(entity, codes.temperature);
     input.material = materialEntry(entity, codes.material);
@@ -98,7 +98,8 @@ SceneRadiometry::SceneRadiometry(const Environment& environment,
                                  const std::vector<ObjectGeometry>& geometry,
                                  const RenderSettings& settings, const LineOfSight& centre,
                                  std::vector<double> wavelengths_um)
-    : wavelengths_um_(std::move(wavelengths_um)), weights_um_(wavelengths_um_.size(), 1.0),
+    : wavelengths_um_(std::move(wavelengths_um)),
+      weights_um_(wavelengths_um_.size(), 1.0),
       keys_(surfaceKeys(entities)) {
     if (wavelengths_um_.empty())
         throw LogicError("a spectrum without wavelengths was asked for");
@@ -133,15 +134,16 @@ void SceneRadiometry::ask(const Environment& environment, const std::vector<Enti
             air.solarIrradiance =
                 take("solar irradiance", environment.solarIrradiance(path.targetAltitude_m, range));
         if (settings.fluxes != ReflectionMode::off) {
-            air.upwardFlux = take("upward flux", environment.upwardFlux(path.targetAltitude_m, range));
+            air.upwardFlux =
+                take("upward flux", environment.upwardFlux(path.targetAltitude_m, range));
             air.downwardFlux =
                 take("downward flux", environment.downwardFlux(path.targetAltitude_m, range));
         }
         air.ambient_K =
             take("ambient temperature", environment.ambientTemperature_K(path.targetAltitude_m));
 
-        // What a measured spectrum already holds of the air is taken out again. The part of the path
-        // next to the target is the one that was inside the measurement.
+        // What a measured spectrum already holds of the air is taken out again. The part of the
+        // path next to the target is the one that was inside the measurement.
         for (const auto& [name, spectrum] : entities[e].database->spectra) {
             const double inside_m = spectrum.referenceDistance_m;
             if (inside_m <= 0.0)
@@ -195,18 +197,17 @@ SceneRadiometry::allSpectra(const std::vector<Entity>& entities) const {
 void SceneRadiometry::sample(const std::vector<Entity>& entities,
                              const std::vector<ObjectGeometry>& geometry,
                              const RenderSettings& settings, double bandArea_um) {
-    background_ = settings.background == BackgroundMode::constant
-                      ? std::vector<double>(wavelengths_um_.size(),
-                                            settings.background_W_m2_sr / bandArea_um)
-                      : backgroundSpectrum_.sample(wavelengths_um_);
+    background_ =
+        settings.background == BackgroundMode::constant
+            ? std::vector<double>(wavelengths_um_.size(), settings.background_W_m2_sr / bandArea_um)
+            : backgroundSpectrum_.sample(wavelengths_um_);
 
     std::vector<AirSamples> samples;
     for (const Air& air : air_)
-        samples.push_back({air.transmittance.sample(wavelengths_um_),
-                           air.pathRadiance.sample(wavelengths_um_),
-                           air.solarIrradiance.sample(wavelengths_um_),
-                           air.upwardFlux.sample(wavelengths_um_),
-                           air.downwardFlux.sample(wavelengths_um_)});
+        samples.push_back(
+            {air.transmittance.sample(wavelengths_um_), air.pathRadiance.sample(wavelengths_um_),
+             air.solarIrradiance.sample(wavelengths_um_), air.upwardFlux.sample(wavelengths_um_),
+             air.downwardFlux.sample(wavelengths_um_)});
 
     for (const auto& [e, codes] : keys_) {
         const auto index = static_cast<std::size_t>(e);
@@ -242,7 +243,8 @@ double SceneRadiometry::integrate(const std::vector<double>& values) const {
     return sum;
 }
 
-double SceneRadiometry::integrate(const std::vector<double>& a, const std::vector<double>& b) const {
+double SceneRadiometry::integrate(const std::vector<double>& a,
+                                  const std::vector<double>& b) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i)
         sum += weights_um_[i] * a[i] * b[i];

@@ -11,7 +11,8 @@ struct Sensor {
     double horizontalFieldOfView_rad = 0.0349; ///< 0 to pi, exclusive
     Band band = Band::topHat(3.0, 5.0);
 
-    /// Throws InputError for a resolution below 1 x 1 or above 16384, or a field of view out of range.
+    /// Throws InputError for a resolution below 1 x 1 or above 16384, or a field of view out of
+    /// range.
     void check() const;
     /// p / f: the side of a pixel at unit focal length.
     double pixelPitch() const;

@@ -56,9 +56,13 @@ ShaderProgram::ShaderProgram(const std::vector<std::string>& vertexFiles,
     }
 }
 
-ShaderProgram::~ShaderProgram() { glDeleteProgram(program_); }
+ShaderProgram::~ShaderProgram() {
+    glDeleteProgram(program_);
+}
 
-void ShaderProgram::use() const { glUseProgram(program_); }
+void ShaderProgram::use() const {
+    glUseProgram(program_);
+}
 
 GLint ShaderProgram::location(const char* name) const {
     auto [place, isNew] = locations_.try_emplace(name, -1);
@@ -67,7 +71,9 @@ GLint ShaderProgram::location(const char* name) const {
     return place->second;
 }
 
-void ShaderProgram::set(const char* name, int value) const { glUniform1i(location(name), value); }
+void ShaderProgram::set(const char* name, int value) const {
+    glUniform1i(location(name), value);
+}
 
 void ShaderProgram::set(const char* name, float x, float y, float z) const {
     glUniform3f(location(name), x, y, z);

@@ -9,7 +9,8 @@ class Stopwatch {
   public:
     explicit Stopwatch(double& total_s) : total_s_(total_s) {}
     ~Stopwatch() {
-        total_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        total_s_ +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
     Stopwatch(const Stopwatch&) = delete;
     Stopwatch& operator=(const Stopwatch&) = delete;

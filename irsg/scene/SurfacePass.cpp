@@ -20,6 +20,17 @@ enum Product { radianceProduct = 0, factorProduct = 1 };
 enum Peel { opaquePass = 0, firstLayer = 1, furtherLayer = 2 };
 constexpr int opaqueDepthUnit = 0, previousDepthUnit = 1, layerUnit = 2;
 
+/// Depth from 1 near to 0 far, for as long as it lives.
+class ReversedDepth {
+  public:
+    ReversedDepth() { glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); }
+    ~ReversedDepth() {
+        glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+        glDepthFunc(GL_LESS);
+        glClearDepth(1.0);
+    }
+};
+
 void bindTexture(int unit, GLuint texture) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, texture);
@@ -30,8 +41,8 @@ void bindTexture(int unit, GLuint texture) {
 struct SurfacePass::Parts {
     ShaderProgram surface{{"surface.vert.glsl"}, {"surface.frag.glsl", "accurate.glsl"}};
     ShaderProgram layer{{"fullscreen.vert.glsl"}, {"layer.frag.glsl"}};
-    // Radiance needs one plane a target, factors two; the opaque pass has a target of its own, layers
-    // are peeled into two in turn and gathered in the last.
+    // Radiance needs one plane a target, factors two; the opaque pass has a target of its own,
+    // layers are peeled into two in turn and gathered in the last.
     FloatTarget opaque[2] = {FloatTarget{1}, FloatTarget{2}};
     FloatTarget peeled[2][2] = {{FloatTarget{1}, FloatTarget{1}}, {FloatTarget{2}, FloatTarget{2}}};
     FloatTarget gathered{1};
@@ -56,7 +67,8 @@ struct SurfacePass::Parts {
 
     /// Draws the items of one kind with the surface shader into the bound target.
     void drawItems(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
-                   bool transparent, Product product, Peel peel) {
+                   bool transparent, Product product, Peel peel,
+                   GLenum depthFunction = GL_GREATER) {
         surface.use();
         surface.set("product", static_cast<int>(product));
         surface.set("peel", static_cast<int>(peel));
@@ -72,7 +84,7 @@ struct SurfacePass::Parts {
         setDirection("sunEye", scene.modes.sunEye);
 
         glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
+        glDepthFunc(depthFunction);
         glDisable(GL_BLEND);
         for (const SurfaceItem& item : scene.items) {
             if (item.transparent != transparent)
@@ -96,8 +108,7 @@ struct SurfacePass::Parts {
             item.geometry->draw(info);
         }
         glDisable(GL_CULL_FACE);
-        info.getState()->unbindVertexBufferObject();
-        info.getState()->unbindElementBufferObject();
+        info.getState()->unbindVertexArrayObject();
     }
 
     void drawOpaque(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
@@ -124,23 +135,36 @@ struct SurfacePass::Parts {
                 touched = touched.unitedWith(item.window);
         touched = touched.intersectedWith(raster.window);
         const int n = raster.samplesPerAxis;
-        const int rowsBelow =
-            raster.window.y + raster.window.height - touched.y - touched.height;
+        const int rowsBelow = raster.window.y + raster.window.height - touched.y - touched.height;
         glScissor((touched.x - raster.window.x) * n, rowsBelow * n, touched.width * n,
                   touched.height * n);
     }
 
-    /// Peels one layer of the transparent surfaces into `target`; the number of samples it has.
-    GLuint peelLayer(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
-                     Product product, bool first, const FloatTarget& opaqueTarget,
-                     const FloatTarget& previous, FloatTarget& target) {
+    /// Peels one layer of the transparent surfaces into `target`; false when there is none.
+    bool peelLayer(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
+                   Product product, bool first, const FloatTarget& opaqueTarget,
+                   const FloatTarget& previous, FloatTarget& target) {
         target.reserve(raster.width, raster.height);
         target.bind(raster.width, raster.height);
         target.clear();
         bindTexture(opaqueDepthUnit, opaqueTarget.depthTexture());
         bindTexture(previousDepthUnit, previous.depthTexture());
+        return fragmentsPassed([&] {
+                   drawItems(info, scene, raster, true, product, first ? firstLayer : furtherLayer);
+               }) > 0;
+    }
+
+    /// The number of samples in the layer just peeled: those fragments that lie at its depth.
+    int samplesOfLayer(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
+                       Product product) {
+        return static_cast<int>(fragmentsPassed(
+            [&] { drawItems(info, scene, raster, true, product, furtherLayer, GL_EQUAL); }));
+    }
+
+    template <typename Drawing>
+    GLuint fragmentsPassed(Drawing drawing) {
         glBeginQuery(GL_SAMPLES_PASSED, query);
-        drawItems(info, scene, raster, true, product, first ? firstLayer : furtherLayer);
+        drawing();
         glEndQuery(GL_SAMPLES_PASSED);
         GLuint passed = 0;
         glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
@@ -175,6 +199,7 @@ int SurfacePass::drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene,
     const Parts::Raster raster = Parts::raster(scene, window, samplesPerAxis);
     FloatTarget& opaque = p.opaque[radianceProduct];
     const FloatTarget* result = &opaque;
+    const ReversedDepth reversed;
     int leftOver = 0;
     {
         Stopwatch watch(p.drawSeconds);
@@ -191,13 +216,11 @@ int SurfacePass::drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene,
             Parts::scissorToTransparent(scene, raster);
             for (int layer = 0; layer <= scene.maximumLayers; ++layer) {
                 FloatTarget& target = peeled[layer % 2];
-                const GLuint passed =
-                    p.peelLayer(info, scene, raster, radianceProduct, layer == 0, opaque,
-                                peeled[(layer + 1) % 2], target);
-                if (passed == 0)
+                if (!p.peelLayer(info, scene, raster, radianceProduct, layer == 0, opaque,
+                                 peeled[(layer + 1) % 2], target))
                     break;
                 if (layer == scene.maximumLayers)
-                    leftOver = static_cast<int>(passed);
+                    leftOver = p.samplesOfLayer(info, scene, raster, radianceProduct);
                 else
                     p.layUnder(raster, target);
             }
@@ -221,6 +244,7 @@ int SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
     FloatTarget& opaque = p.opaque[factorProduct];
     int leftOver = 0;
     std::vector<float> plane0, plane1;
+    const ReversedDepth reversed;
     auto give = [&](const FloatTarget& target) {
         {
             Stopwatch watch(p.readSeconds);
@@ -246,16 +270,16 @@ int SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
         Parts::scissorToTransparent(scene, raster);
         for (int layer = 0; layer <= scene.maximumLayers; ++layer) {
             FloatTarget& target = peeled[layer % 2];
-            GLuint passed = 0;
+            bool found = false;
             {
                 Stopwatch watch(p.drawSeconds);
-                passed = p.peelLayer(info, scene, raster, factorProduct, layer == 0, opaque,
-                                     peeled[(layer + 1) % 2], target);
+                found = p.peelLayer(info, scene, raster, factorProduct, layer == 0, opaque,
+                                    peeled[(layer + 1) % 2], target);
             }
-            if (passed == 0)
+            if (!found)
                 break;
             if (layer == scene.maximumLayers)
-                leftOver = static_cast<int>(passed);
+                leftOver = p.samplesOfLayer(info, scene, raster, factorProduct);
             else
                 give(target);
         }
@@ -265,7 +289,11 @@ int SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
     return leftOver;
 }
 
-double SurfacePass::takeDrawSeconds() { return std::exchange(parts_->drawSeconds, 0.0); }
-double SurfacePass::takeReadSeconds() { return std::exchange(parts_->readSeconds, 0.0); }
+double SurfacePass::takeDrawSeconds() {
+    return std::exchange(parts_->drawSeconds, 0.0);
+}
+double SurfacePass::takeReadSeconds() {
+    return std::exchange(parts_->readSeconds, 0.0);
+}
 
 } // namespace irsg

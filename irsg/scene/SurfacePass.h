@@ -18,8 +18,8 @@ namespace irsg {
 /// What the shader is told of one kind of surface.
 struct SurfaceRow {
     float thermal = 0.0f, up = 0.0f, down = 0.0f, sun = 0.0f; ///< W m-2 sr-1 at factor 1
-    float path = 0.0f;     ///< W m-2 sr-1, already times (1 - t)
-    float opacity = 1.0f;  ///< 1 - t
+    float path = 0.0f;                                        ///< W m-2 sr-1, already times (1 - t)
+    float opacity = 1.0f;                                     ///< 1 - t
     float nAngleFactor = 0.0f;
 };
 
@@ -58,14 +58,14 @@ class SurfacePass {
     SurfacePass();
     ~SurfacePass();
 
-    /// Samples of (A_pre, alpha) interleaved as RGBA in `samples`, window.width n x window.height n,
-    /// bottom row first. Returns the number of samples with layers left over.
+    /// Samples of (A_pre, alpha) interleaved as RGBA in `samples`, window.width n x window.height
+    /// n, bottom row first. Returns the number of samples with layers left over.
     int drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene, const PixelWindow& window,
                      int samplesPerAxis, std::vector<float>& samples);
 
-    /// The factors of each layer from front to back: transparent layers in order, the opaque surfaces
-    /// last. `layer(plane0, plane1)` gets RGBA planes as surface.frag.glsl writes them, of the same
-    /// size and order as above. Returns the number of samples with layers left over.
+    /// The factors of each layer from front to back: transparent layers in order, the opaque
+    /// surfaces last. `layer(plane0, plane1)` gets RGBA planes as surface.frag.glsl writes them, of
+    /// the same size and order as above. Returns the number of samples with layers left over.
     using LayerSink =
         std::function<void(const std::vector<float>& plane0, const std::vector<float>& plane1)>;
     int drawFactors(osg::RenderInfo& info, const SurfaceScene& scene, const PixelWindow& window,

@@ -61,10 +61,9 @@ void TruthLayers::addLayer(const std::vector<float>& plane0, const std::vector<f
             for (int sy = 0; sy < n; ++sy)
                 for (int sx = 0; sx < n; ++sx) {
                     const int glRow = (window_.height - 1 - y) * n + sy;
-                    const std::size_t i =
-                        static_cast<std::size_t>(glRow) *
-                            static_cast<std::size_t>(window_.width * n) +
-                        static_cast<std::size_t>(x * n + sx);
+                    const std::size_t i = static_cast<std::size_t>(glRow) *
+                                              static_cast<std::size_t>(window_.width * n) +
+                                          static_cast<std::size_t>(x * n + sx);
                     const float* sample = &plane0[4 * i];
                     if (sample[0] == 0.0f)
                         continue;

@@ -9,9 +9,11 @@
 namespace irsg {
 
 /// Adds what is known of every pixel to its image, as channels:
-///   temperature_index, material_index, range [m]  of the nearest surface at the pixel's middle sample,
+///   temperature_index, material_index, range [m]  of the nearest surface at the pixel's middle
+///   sample,
 ///                                                 NaN where there is none;
-///   thermal, sun, up, down, path, background      terms of the pixel's radiance [W m-2 sr-1], averaged
+///   thermal, sun, up, down, path, background      terms of the pixel's radiance [W m-2 sr-1],
+///   averaged
 ///                                                 over its samples; their sum is the pixel.
 class TruthLayers {
   public:

@@ -15,7 +15,9 @@ namespace {
 
 const IrCodes one{1, 1};
 
-Environment darkness() { return environmentOf(ConstantAir{}); }
+Environment darkness() {
+    return environmentOf(ConstantAir{});
+}
 
 double total(const RadianceImage& image) {
     double sum = 0.0;
@@ -55,7 +57,10 @@ TEST(FloatTargets, KeepRadiancesFarAboveOneAndBelowZero) {
         entry.mode = EmissionMode::userSpectrum;
         entry.userSpectrum = "flat";
         database.spectra["flat"] = {
-            "flat", 0.0, "W m-2 sr-1 um-1", "",
+            "flat",
+            0.0,
+            "W m-2 sr-1 um-1",
+            "",
             {{"c", Spectrum({1.0, 10.0}, {level / 2.0, level / 2.0}, Spectrum::Outside::zero)}}};
         irsg.setEntities({entityOf(model, database)});
         look(irsg, {.range_m = 50.0, .fieldOfView_rad = 0.01});
@@ -67,8 +72,7 @@ TEST(FloatTargets, KeepRadiancesFarAboveOneAndBelowZero) {
 TEST(Drawing, ShowsAChangedMaterialInTheVeryNextFrame) {
     Stage stage;
     const double before = total(stage.irsg.render().image);
-    stage.irsg.setDatabase(
-        0, std::make_shared<const SignatureDatabase>(greyDatabase(0.45, 320.0)));
+    stage.irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(greyDatabase(0.45, 320.0)));
     EXPECT_NEAR(total(stage.irsg.render().image) / before, 0.5, 1e-6);
 }
 
@@ -82,8 +86,8 @@ TEST(Drawing, IsBitEqualWhenRepeated) {
 }
 
 TEST(Drawing, PutsTheSkyAtTheTop) {
-    // A plate above the axis of the camera is seen in the upper half of the picture, one to starboard of
-    // a target seen from its nose in the left half.
+    // A plate above the axis of the camera is seen in the upper half of the picture, one to
+    // starboard of a target seen from its nose in the left half.
     Irsg irsg;
     irsg.setEnvironment(darkness());
     const auto model = modelOf(plateMesh({0.5, 0, 0.5}, {0.3, 0, 0}, {0, 0, 0.3}, one));
@@ -155,8 +159,9 @@ TEST(Drawing, HandlesEveryShapeOfImage) {
 }
 
 TEST(Drawing, GivesTheSamePictureInOneTileAndInMany) {
-    // 16 samples an axis at 300 pixels are 4800 samples: several drawings. One sample an axis in the
-    // middle of each of those is one drawing of 4800 pixels, cut likewise; compare with 1 of 300.
+    // 16 samples an axis at 300 pixels are 4800 samples: several drawings. One sample an axis in
+    // the middle of each of those is one drawing of 4800 pixels, cut likewise; compare with 1 of
+    // 300.
     Stage stage;
     RenderSettings settings;
     auto intensityWith = [&](int samples) {
@@ -192,8 +197,10 @@ TEST(Drawing, DropsAnObjectOfAThousandthOfAPixelWithoutHarm) {
 
 TEST(Drawing, SurvivesDegenerateTrianglesAndMissingNormals) {
     Mesh mesh = sphereMesh(1.0, 16, 32, one);
-    mesh.push_back({{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, one, false});
-    mesh.push_back({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, one, false});
+    mesh.push_back(
+        {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, one, false});
+    mesh.push_back(
+        {{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, one, false});
     Stage stage;
     stage.irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.5, 320.0, 1.0))});
     look(stage.irsg, {});
@@ -203,13 +210,15 @@ TEST(Drawing, SurvivesDegenerateTrianglesAndMissingNormals) {
 TEST(Drawing, LeavesNothingBehindAfterAHundredAnalyses) {
     auto threads = [] {
         int count = 0;
-        for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/task"))
+        for ([[maybe_unused]] const auto& entry :
+             std::filesystem::directory_iterator("/proc/self/task"))
             ++count;
         return count;
     };
     auto files = [] {
         int count = 0;
-        for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
+        for ([[maybe_unused]] const auto& entry :
+             std::filesystem::directory_iterator("/proc/self/fd"))
             ++count;
         return count;
     };
@@ -299,57 +308,61 @@ void replaceDatabase(Stage& stage, const SignatureDatabase& database) {
 
 INSTANTIATE_TEST_SUITE_P(
     BadScenes, SceneChecks,
-    testing::Values(
-        Refusal{"SensorBelowGround",
-                [](Stage& s) { look(s.irsg, {.range_m = 5000.0, .elevation_rad = -1.0}); },
-                "altitude", "at least 0 m"},
-        Refusal{"TargetBelowGround",
-                [](Stage& s) { s.irsg.setPose(0, {{0, 0, -10}, {}}); }, "altitude", "at least 0 m"},
-        Refusal{"TemperatureWithoutEntry",
-                [](Stage& s) {
-                    SignatureDatabase d = greyDatabase(0.9, 300.0);
-                    d.temperatures.clear();
-                    replaceDatabase(s, d);
-                },
-                "temperature index 1", "an entry in the signature database"},
-        Refusal{"MaterialWithoutEntry",
-                [](Stage& s) {
-                    SignatureDatabase d = greyDatabase(0.9, 300.0);
-                    d.materials.clear();
-                    replaceDatabase(s, d);
-                },
-                "material index 1", "an entry in the signature database"},
-        Refusal{"SpectrumShortOfTheBand",
-                [](Stage& s) {
-                    SignatureDatabase d = greyDatabase(0.9, 300.0);
-                    d.materials[1].emissivity = Spectrum({3.2, 5.0}, {0.9, 0.9});
-                    replaceDatabase(s, d);
-                },
-                "emissivity", "covers the band"},
-        Refusal{"NegativeTemperature",
-                [](Stage& s) { replaceDatabase(s, greyDatabase(0.9, -4.0)); },
-                "temperature index 1", "positive temperature"},
-        Refusal{"UnknownUserSpectrum",
-                [](Stage& s) {
-                    SignatureDatabase d = greyDatabase(0.9, 300.0);
-                    d.temperatures[1].mode = EmissionMode::userSpectrum;
-                    d.temperatures[1].userSpectrum = "plume";
-                    replaceDatabase(s, d);
-                },
-                "spectrum 'plume'", "the name of a spectrum"},
-        Refusal{"TooManySamples",
-                [](Stage& s) {
-                    RenderSettings settings;
-                    settings.samplesPerAxis = 17;
-                    s.irsg.setSettings(settings);
-                },
-                "samples per axis", "1 to 16"},
-        Refusal{"BackgroundNotANumber",
-                [](Stage& s) {
-                    RenderSettings settings;
-                    settings.background = BackgroundMode::constant;
-                    settings.background_W_m2_sr = std::nan("");
-                    s.irsg.setSettings(settings);
-                },
-                "background", "finite radiance"}),
+    testing::Values(Refusal{"SensorBelowGround",
+                            [](Stage& s) {
+                                look(s.irsg, {.range_m = 5000.0, .elevation_rad = -1.0});
+                            },
+                            "altitude", "at least 0 m"},
+                    Refusal{"TargetBelowGround",
+                            [](Stage& s) {
+                                s.irsg.setPose(0, {{0, 0, -10}, {}});
+                            },
+                            "altitude", "at least 0 m"},
+                    Refusal{"TemperatureWithoutEntry",
+                            [](Stage& s) {
+                                SignatureDatabase d = greyDatabase(0.9, 300.0);
+                                d.temperatures.clear();
+                                replaceDatabase(s, d);
+                            },
+                            "temperature index 1", "an entry in the signature database"},
+                    Refusal{"MaterialWithoutEntry",
+                            [](Stage& s) {
+                                SignatureDatabase d = greyDatabase(0.9, 300.0);
+                                d.materials.clear();
+                                replaceDatabase(s, d);
+                            },
+                            "material index 1", "an entry in the signature database"},
+                    Refusal{"SpectrumShortOfTheBand",
+                            [](Stage& s) {
+                                SignatureDatabase d = greyDatabase(0.9, 300.0);
+                                d.materials[1].emissivity = Spectrum({3.2, 5.0}, {0.9, 0.9});
+                                replaceDatabase(s, d);
+                            },
+                            "emissivity", "covers the band"},
+                    Refusal{"NegativeTemperature",
+                            [](Stage& s) { replaceDatabase(s, greyDatabase(0.9, -4.0)); },
+                            "temperature index 1", "positive temperature"},
+                    Refusal{"UnknownUserSpectrum",
+                            [](Stage& s) {
+                                SignatureDatabase d = greyDatabase(0.9, 300.0);
+                                d.temperatures[1].mode = EmissionMode::userSpectrum;
+                                d.temperatures[1].userSpectrum = "plume";
+                                replaceDatabase(s, d);
+                            },
+                            "spectrum 'plume'", "the name of a spectrum"},
+                    Refusal{"TooManySamples",
+                            [](Stage& s) {
+                                RenderSettings settings;
+                                settings.samplesPerAxis = 17;
+                                s.irsg.setSettings(settings);
+                            },
+                            "samples per axis", "1 to 16"},
+                    Refusal{"BackgroundNotANumber",
+                            [](Stage& s) {
+                                RenderSettings settings;
+                                settings.background = BackgroundMode::constant;
+                                settings.background_W_m2_sr = std::nan("");
+                                s.irsg.setSettings(settings);
+                            },
+                            "background", "finite radiance"}),
     [](const auto& row) { return std::string(row.param.name); });

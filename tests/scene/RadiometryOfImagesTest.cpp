@@ -27,9 +27,13 @@ Irsg& generator() {
 }
 
 /// Vacuum without its sun.
-Environment darkness() { return environmentOf(ConstantAir{}); }
+Environment darkness() {
+    return environmentOf(ConstantAir{});
+}
 
-float centreOf(const RadianceImage& image) { return image.at(image.width() / 2, image.height() / 2); }
+float centreOf(const RadianceImage& image) {
+    return image.at(image.width() / 2, image.height() / 2);
+}
 
 } // namespace
 
@@ -47,14 +51,17 @@ TEST(GreySphere, ShowsItsPlanckRadianceInTheCentrePixel) {
 }
 
 TEST(GreySphere, HasTheIntensityOfItsMeshOverAllPixelPhases) {
-    // 34 pixels across, supersampling 4, 16 x 16 phases that are irrational to the sampling lattice.
+    // 34 pixels across, supersampling 4, 16 x 16 phases that are irrational to the sampling
+    // lattice.
     const Mesh mesh = sphereMesh(1.0, 128, 256, one);
     const double range_m = 1000.0, pixel_rad = 2.0 / range_m / 34.0;
     Irsg& irsg = generator();
     irsg.setEnvironment(darkness());
     irsg.setSettings(samples(4));
     irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))});
-    look(irsg, {.range_m = range_m, .width_px = 48, .height_px = 48,
+    look(irsg, {.range_m = range_m,
+                .width_px = 48,
+                .height_px = 48,
                 .fieldOfView_rad = 2.0 * std::atan(24.0 * pixel_rad)});
 
     const double radiance = 0.9 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
@@ -69,10 +76,8 @@ TEST(GreySphere, HasTheIntensityOfItsMeshOverAllPixelPhases) {
             pose.position_m = pose.position_m + camera.right * u + camera.up * v;
             irsg.setPose(0, pose);
             const Vec3 from = camera.position_m - pose.position_m;
-            const double truth =
-                radiance * convexSolidAngle_sr(mesh, from) * dot(from, from);
-            const double error =
-                irsg.render().report.all.contrastIntensity_W_sr / truth - 1.0;
+            const double truth = radiance * convexSolidAngle_sr(mesh, from) * dot(from, from);
+            const double error = irsg.render().report.all.contrastIntensity_W_sr / truth - 1.0;
             squares += error * error;
             worst = std::max(worst, std::abs(error));
         }
@@ -80,7 +85,8 @@ TEST(GreySphere, HasTheIntensityOfItsMeshOverAllPixelPhases) {
     EXPECT_LE(rms, 1e-3);
     RecordProperty("rms", std::to_string(rms));
     RecordProperty("worst", std::to_string(worst));
-    std::printf("sphere 34 px, 4 samples an axis, 256 phases: RMS %.2e, largest %.2e\n", rms, worst);
+    std::printf("sphere 34 px, 4 samples an axis, 256 phases: RMS %.2e, largest %.2e\n", rms,
+                worst);
 }
 
 TEST(GreySphere, RadiatesTwoThirdsWithAnAngleFactorOfOne) {
@@ -91,7 +97,9 @@ TEST(GreySphere, RadiatesTwoThirdsWithAnAngleFactorOfOne) {
     const double range_m = 20000.0;
     auto intensity = [&](double n) {
         irsg.setEntities({entityOf(model, greyDatabase(0.9, 320.0, n))});
-        look(irsg, {.range_m = range_m, .width_px = 256, .height_px = 256,
+        look(irsg, {.range_m = range_m,
+                    .width_px = 256,
+                    .height_px = 256,
                     .fieldOfView_rad = 2.4 / range_m});
         return irsg.render().report.all.intensity_W_sr;
     };
@@ -109,7 +117,9 @@ TEST(GreySphere, FollowsTheAngleFactorAlongItsRadius) {
     const double range_m = 20000.0;
     for (double n : {0.0, 0.25, 1.0, 3.0}) {
         irsg.setEntities({entityOf(model, greyDatabase(1.0, 300.0, n))});
-        look(irsg, {.range_m = range_m, .width_px = 201, .height_px = 201,
+        look(irsg, {.range_m = range_m,
+                    .width_px = 201,
+                    .height_px = 201,
                     .fieldOfView_rad = 2.0 / range_m});
         const RadianceImage image = irsg.render().image;
         const double black = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 300.0);
@@ -128,7 +138,9 @@ TEST(GreySphere, ObeysTheInverseSquareLaw) {
     irsg.setSettings(samples(8));
     irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 64, 128, one)), greyDatabase(0.9, 320.0))});
     auto irradianceAt = [&](double range_m) {
-        look(irsg, {.range_m = range_m, .width_px = 200, .height_px = 200,
+        look(irsg, {.range_m = range_m,
+                    .width_px = 200,
+                    .height_px = 200,
                     .fieldOfView_rad = 2.6 / range_m});
         return irsg.render().report.all.irradiance_W_m2;
     };
@@ -165,8 +177,8 @@ TEST_P(ReflectionOnASphere, FollowsTheFormulaAlongTheVerticalGreatCircle) {
     irsg.setSettings(settings);
     irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 256, 512, one)), greyDatabase(0.3, 1.0))});
     const double range_m = 20000.0;
-    look(irsg, {.range_m = range_m, .width_px = 101, .height_px = 101,
-                .fieldOfView_rad = 2.0 / range_m});
+    look(irsg,
+         {.range_m = range_m, .width_px = 101, .height_px = 101, .fieldOfView_rad = 2.0 / range_m});
     const RadianceImage image = irsg.render().image;
 
     const double full = 0.7 * 0.5 / pi * 2.0; // rho tau / pi over 2 um, for a flux of 1
@@ -209,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
 // A horizontal plate seen from above or below, with the sun above or below its plane.
 struct PlateCase {
     const char* name;
-    bool frontUp;       ///< the front side of the plate points up
+    bool frontUp; ///< the front side of the plate points up
     bool seenFromAbove;
     double sunElevation_deg;
     double sun, up, down; ///< expected factors
@@ -221,8 +233,9 @@ TEST_P(TwoSidedPlate, IsLitOnTheSideThatIsSeen) {
     const PlateCase& c = GetParam();
     const Vec3 x{1, 0, 0}, y{0, 1, 0};
     Irsg& irsg = generator();
-    irsg.setEntities({entityOf(modelOf(plateMesh({0, 0, 0}, c.frontUp ? x : y, c.frontUp ? y : x, one)),
-                               greyDatabase(0.4, 300.0))});
+    irsg.setEntities(
+        {entityOf(modelOf(plateMesh({0, 0, 0}, c.frontUp ? x : y, c.frontUp ? y : x, one)),
+                  greyDatabase(0.4, 300.0))});
     const double elevation = radians(c.seenFromAbove ? 60.0 : -60.0);
     auto seen = [&](double sun, double up, double down) {
         ConstantAir air;
@@ -262,8 +275,8 @@ TEST(Surface, ThatTransmitsEverythingIsExactlyTheBackground) {
     air.sunValue = air.upValue = air.downValue = 1.0;
     Irsg& irsg = generator();
     irsg.setEnvironment(environmentOf(air));
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 16, 32, one)),
-                               greyDatabase(0.0, 300.0, 0.0, 1.0))});
+    irsg.setEntities(
+        {entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), greyDatabase(0.0, 300.0, 0.0, 1.0))});
     look(irsg, {.range_m = 60.0});
     const RenderedImage rendered = irsg.render();
     for (float value : rendered.image.primary().values)
@@ -299,8 +312,8 @@ TEST(Surface, IsInvisibleInAnIsothermalEnclosure) {
     air.upValue = air.downValue = pi * black;
     Irsg& irsg = generator();
     irsg.setEnvironment(environmentOf(air, {0.0, -0.5}));
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 64, 128, one)),
-                               greyDatabase(0.55, 300.0, 0.0, 0.0))});
+    irsg.setEntities(
+        {entityOf(modelOf(sphereMesh(1.0, 64, 128, one)), greyDatabase(0.55, 300.0, 0.0, 0.0))});
     look(irsg, {.range_m = 60.0, .band = band});
     const RadianceImage image = irsg.render().image;
     for (float value : image.primary().values)

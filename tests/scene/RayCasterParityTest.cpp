@@ -13,7 +13,8 @@ namespace {
 
 const Band band = Band::topHat(3.0, 5.0);
 
-/// A surface of the scene as both renderers need it: codes (i, i) in a database, terms for the rays.
+/// A surface of the scene as both renderers need it: codes (i, i) in a database, terms for the
+/// rays.
 struct Surface {
     double emissivity, transmissivity, temperature_K, nAngleFactor;
 };
@@ -33,7 +34,9 @@ Mesh withCode(Mesh mesh, int code) {
     return mesh;
 }
 
-std::vector<IrCodes> sixCodes() { return {{1, 1}, {2, 2}, {3, 3}, {1, 1}, {2, 2}, {3, 3}}; }
+std::vector<IrCodes> sixCodes() {
+    return {{1, 1}, {2, 2}, {3, 3}, {1, 1}, {2, 2}, {3, 3}};
+}
 
 /// A cloud of triangles of all sizes and directions, with normals of their own.
 Mesh shards(int count) {
@@ -60,15 +63,22 @@ Mesh shards(int count) {
 std::vector<Case> cases() {
     const std::vector<Surface> opaque{{0.9, 0, 320, 0}, {0.5, 0, 300, 1}, {0.2, 0, 400, 3}};
     const std::vector<Surface> clear{{0.6, 0.3, 320, 0}, {0.2, 0.7, 330, 1}, {0.9, 0, 300, 0}};
-    const View at100{.range_m = 100.0, .azimuth_rad = 0.7, .elevation_rad = 0.4,
-                     .width_px = 96, .height_px = 80, .fieldOfView_rad = 0.05};
+    const View at100{.range_m = 100.0,
+                     .azimuth_rad = 0.7,
+                     .elevation_rad = 0.4,
+                     .width_px = 240,
+                     .height_px = 200,
+                     .fieldOfView_rad = 0.05};
+    View near = at100;
+    near.fieldOfView_rad = 0.025;
     View inside = at100;
     inside.range_m = 0.9;
     inside.fieldOfView_rad = 1.2;
     return {
-        {"Sphere", sphereMesh(1.0, 12, 24, {1, 1}), opaque, at100},
-        {"FacettedSphere", sphereMesh(1.0, 12, 24, {2, 2}, false), opaque, at100},
-        {"Plate", withCode(plateMesh({0, 0, 0}, {1.3, 0.2, 0}, {0, 0.4, 1.1}, {}), 2), opaque, at100},
+        {"Sphere", sphereMesh(1.0, 12, 24, {1, 1}), opaque, near},
+        {"FacettedSphere", sphereMesh(1.0, 12, 24, {2, 2}, false), opaque, near},
+        {"Plate", withCode(plateMesh({0, 0, 0}, {1.3, 0.2, 0}, {0, 0.4, 1.1}, {}), 2), opaque,
+         at100},
         {"Box", boxMesh({1.0, 1.5, 0.5}, sixCodes()), opaque, at100},
         {"TurnedBox", boxMesh({1.0, 1.5, 0.5}, sixCodes()), opaque, at100, {0.5, -0.3, 1.1}},
         {"Shards", shards(40), opaque, at100},
@@ -78,9 +88,14 @@ std::vector<Case> cases() {
          joined(withCode(sphereMesh(0.8, 12, 24, {}), 1),
                 withCode(plateMesh({0, -1.5, 0}, {1.5, 0, 0}, {0, 0, 1.5}, {}), 3)),
          clear, at100},
-        // Large facets seen from among them: what the report's vertex-stage vectors got 44 degrees wrong.
+        // Large facets seen from among them: what the report's vertex-stage vectors got 44 degrees
+        // wrong.
         {"InsideABox", boxMesh({3.0, 3.0, 3.0}, sixCodes()), opaque, inside},
     };
+}
+
+void PrintTo(const Case& c, std::ostream* out) {
+    *out << c.name;
 }
 
 class ShaderAgainstRays : public testing::TestWithParam<Case> {};
@@ -109,12 +124,11 @@ TEST_P(ShaderAgainstRays, AgreeWhereNeighboursHitTheSameFacets) {
         database.materials[code] = greyMaterial(s.emissivity, s.transmissivity, s.nAngleFactor);
         const double reflected =
             (1.0 - s.emissivity - s.transmissivity) * air.transmittanceValue / pi * width_um;
-        rays.surfaces.push_back({s.emissivity * bandRadiance_W_m2_sr(band, s.temperature_K) *
-                                     air.transmittanceValue,
-                                 reflected * air.upValue, reflected * air.downValue,
-                                 reflected * air.sunValue,
-                                 (1.0 - s.transmissivity) * air.pathRadianceValue * width_um,
-                                 s.transmissivity, s.nAngleFactor});
+        rays.surfaces.push_back(
+            {s.emissivity * bandRadiance_W_m2_sr(band, s.temperature_K) * air.transmittanceValue,
+             reflected * air.upValue, reflected * air.downValue, reflected * air.sunValue,
+             (1.0 - s.transmissivity) * air.pathRadianceValue * width_um, s.transmissivity,
+             s.nAngleFactor});
     }
 
     Irsg irsg;
@@ -145,22 +159,25 @@ TEST_P(ShaderAgainstRays, AgreeWhereNeighboursHitTheSameFacets) {
     for (std::size_t i = 0; i < truth.size(); ++i) {
         const double found = static_cast<double>(rendered.image.primary().values[i]);
         covered += truth[i].facet >= 0;
-        total += found - rays.background;
-        totalTruth += truth[i].radiance - rays.background;
         const double error = std::abs(found / truth[i].radiance - 1.0);
         if (truth[i].isInterior && truth[i].facet >= 0) {
             worst = std::max(worst, error);
             ++compared;
         } else if (error > c.tolerance) {
+            // Drivers snap vertices to 1/256 of a sample: an edge may fall on its other side.
             ++silhouettes;
+            continue;
         }
+        total += found - rays.background;
+        totalTruth += truth[i].radiance - rays.background;
     }
     ASSERT_GT(compared, 50) << "the case must show something";
     EXPECT_LE(worst, c.tolerance);
-    EXPECT_NEAR(total / totalTruth, 1.0, 1e-4) << "all samples together";
-    EXPECT_LE(silhouettes, covered / 200) << "samples on edges that fell to another facet";
-    std::printf("%-24s %5d samples compared, largest relative difference %.1e, %d on edges differ\n",
-                c.name, compared, worst, silhouettes);
+    EXPECT_NEAR(total / totalTruth, 1.0, 1e-5) << "all samples that hit the same facets";
+    EXPECT_LE(silhouettes, covered / 1000) << "samples on edges that fell to another facet";
+    std::printf(
+        "%-24s %5d samples compared, largest relative difference %.1e, %d on edges differ\n",
+        c.name, compared, worst, silhouettes);
 
     // The projected factors hold the same radiometry without the shader's sum.
     const RenderReport measured = irsg.measure();

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "irsg/radiometry/Planck.h"
@@ -14,7 +15,8 @@ namespace {
 const IrCodes one{1, 1};
 const Band midwave = Band::topHat(3.0, 5.0);
 
-/// Air whose transmittance falls with range as one exponential a wavelength: 3-4 um clear, 4-5 um not.
+/// Air whose transmittance falls with range as one exponential a wavelength: 3-4 um clear, 4-5 um
+/// not.
 class TwoBandAir : public ConstantAir {
   public:
     Spectrum transmittance(const AirPath& path, const SpectralRange&) const override {
@@ -34,7 +36,10 @@ SignatureDatabase gasDatabase(double referenceDistance_m) {
     factor.angle = LookupTable({0.0, 180.0}, {1.0, 3.0});
     entry.factors = {factor};
     database.spectra["gas"] = {
-        "gas", referenceDistance_m, "W m-2 sr-1 um-1", "",
+        "gas",
+        referenceDistance_m,
+        "W m-2 sr-1 um-1",
+        "",
         {{"CO2", Spectrum({4.1, 4.3, 4.6}, {0.0, 10.0, 0.0}, Spectrum::Outside::zero)},
          {"H2O", Spectrum({3.0, 5.0}, {0.5, 0.5}, Spectrum::Outside::zero)}}};
     return database;
@@ -88,9 +93,10 @@ TEST(IntensitySpectrumOfAScene, IntegratesToItsInBandIntensity) {
     const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_cm1);
     double integral = 0.0;
     for (std::size_t i = 1; i < wavelengths_um.size(); ++i)
-        integral += 0.5 * (spectrum.contrastIntensity_W_sr_um[i] +
-                           spectrum.contrastIntensity_W_sr_um[i - 1]) *
-                    (wavelengths_um[i] - wavelengths_um[i - 1]);
+        integral +=
+            0.5 *
+            (spectrum.contrastIntensity_W_sr_um[i] + spectrum.contrastIntensity_W_sr_um[i - 1]) *
+            (wavelengths_um[i] - wavelengths_um[i - 1]);
     EXPECT_NEAR(integral / irsg.measure().all.contrastIntensity_W_sr, 1.0, 1e-4);
 }
 
@@ -98,7 +104,8 @@ TEST(UserSpectrum, AddsItsComponentsWithTheirFactors) {
     Irsg irsg;
     irsg.setEnvironment(environmentOf(ConstantAir{}));
     irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(0.0))});
-    // CO2 is a triangle of area 2.5, H2O a constant of area 1; the aspect angle is the azimuth here.
+    // CO2 is a triangle of area 2.5, H2O a constant of area 1; the aspect angle is the azimuth
+    // here.
     for (double azimuth_deg : {0.0, 45.0, 90.0, 180.0}) {
         look(irsg, {.azimuth_rad = radians(azimuth_deg)});
         const double expected = 2.0 * (1.0 + azimuth_deg / 90.0) * 2.5 + 1.0;
@@ -112,11 +119,12 @@ TEST(UserSpectrum, LosesTheAirBeyondItsReferenceDistanceOnly) {
     environment.add(std::make_shared<TwoBandAir>());
     irsg.setEnvironment(environment);
     auto radianceAt = [&](double range_m, double reference_m) {
-        irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(reference_m))});
+        irsg.setEntities(
+            {entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(reference_m))});
         look(irsg, {.range_m = range_m, .fieldOfView_rad = 1.0 / range_m});
         return centreRadiance(irsg);
     };
-    const double clear = 2.0 * 2.5 + 1.0;   // nothing lost
+    const double clear = 2.0 * 2.5 + 1.0;     // nothing lost
     const double inFoulAir = 2.0 * 2.5 + 0.5; // CO2 all in 4-5 um, half of H2O
     EXPECT_NEAR(radianceAt(400.0, 500.0), clear, 1e-5) << "nearer than the reference distance";
     EXPECT_NEAR(radianceAt(500.0, 500.0), clear, 1e-5);
@@ -139,7 +147,8 @@ TEST(ProjectedFactorsOfAScene, MultiplySpectrallyWhatAScalarCannot) {
     SignatureDatabase database = greyDatabase(1.0, 400.0);
     database.temperatures[2] = fixedTemperature(1.0);
     database.materials[2] = greyMaterial(0.0);
-    database.materials[2].transmissivity = Spectrum({3.0, 4.0, 4.000001, 5.0}, {1.0, 1.0, 0.0, 0.0});
+    database.materials[2].transmissivity =
+        Spectrum({3.0, 4.0, 4.000001, 5.0}, {1.0, 1.0, 0.0, 0.0});
     const Mesh mesh = joined(plateMesh({0, 0, 0}, {0.5, 0, 0}, {0, 0, 0.5}, one),
                              plateMesh({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {2, 2}));
     Irsg irsg;
@@ -149,7 +158,8 @@ TEST(ProjectedFactorsOfAScene, MultiplySpectrallyWhatAScalarCannot) {
     const RenderReport report = irsg.measure();
     const double exact = bandRadiance_W_m2_sr(Band::topHat(3.0, 4.0), 400.0);
     const double area_m2 = 1.0;
-    EXPECT_NEAR(report.all.intensity_W_sr / (exact * area_m2), 1.0, 2e-2) << "edges fall on samples";
+    EXPECT_NEAR(report.all.intensity_W_sr / (exact * area_m2), 1.0, 2e-2)
+        << "edges fall on samples";
 
     // The image carries one number for the filter and says what that costs.
     const double body = bandRadiance_W_m2_sr(midwave, 400.0);
@@ -192,8 +202,8 @@ TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
     SignatureDatabase database = greyDatabase(0.6, 320.0);
     database.temperatures[7] = fixedTemperature(350.0);
     database.materials[9] = greyMaterial(0.2, 0.5);
-    const Mesh mesh = joined(sphereMesh(1.0, 32, 64, one),
-                             plateMesh({0, 2, 0}, {0.5, 0, 0}, {0, 0, 2}, {7, 9}));
+    const Mesh mesh =
+        joined(sphereMesh(1.0, 32, 64, one), plateMesh({0, 2, 0}, {0.5, 0, 0}, {0, 0, 2}, {7, 9}));
     Irsg irsg;
     irsg.setEnvironment(environmentOf(air));
     RenderSettings settings;

@@ -50,7 +50,8 @@ std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
                 Hit hit{};
                 hit.facet = static_cast<int>(i);
                 const Triangle& t = scene.mesh[i];
-                if (intersect(t, viewpoint.position_m, ray, hit) && (hit.front || !t.cullsBackFaces))
+                if (intersect(t, viewpoint.position_m, ray, hit) &&
+                    (hit.front || !t.cullsBackFaces))
                     hits.push_back(hit);
             }
             std::ranges::sort(hits, {}, &Hit::distance);
@@ -70,9 +71,9 @@ std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
                 const double thermal =
                     s.nAngleFactor == 0.0 ? 1.0 : std::pow(cosView, s.nAngleFactor);
                 pixel.radiance +=
-                    passed * (thermal * s.thermal + 0.5 * (1.0 - n.z) * s.up +
-                              0.5 * (1.0 + n.z) * s.down +
-                              std::max(0.0, dot(n, scene.sunDirection)) * s.sun + s.path);
+                    passed *
+                    (thermal * s.thermal + 0.5 * (1.0 - n.z) * s.up + 0.5 * (1.0 + n.z) * s.down +
+                     std::max(0.0, dot(n, scene.sunDirection)) * s.sun + s.path);
                 passed *= s.transmissivity;
                 facets.push_back(hit.facet);
                 if (s.transmissivity == 0.0)
@@ -92,8 +93,8 @@ std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
             bool same = true;
             for (int dy = -1; dy <= 1; ++dy)
                 for (int dx = -1; dx <= 1; ++dx)
-                    same = same && order[static_cast<std::size_t>((y + dy) * w + x + dx)] ==
-                                       order[centre];
+                    same = same &&
+                           order[static_cast<std::size_t>((y + dy) * w + x + dx)] == order[centre];
             pixels[centre].isInterior = same;
         }
     return pixels;

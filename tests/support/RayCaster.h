@@ -15,7 +15,7 @@ struct SurfaceTerms {
 };
 
 struct RayScene {
-    Mesh mesh; ///< in the world
+    Mesh mesh;                          ///< in the world
     std::vector<SurfaceTerms> surfaces; ///< by temperature code
     Vec3 sunDirection{0, 0, 1};
     double background = 0.0;
@@ -24,12 +24,12 @@ struct RayScene {
 struct RayPixel {
     double radiance = 0.0;
     double opacity = 0.0;
-    int facet = -1;        ///< index of the nearest triangle, -1 for none
+    int facet = -1;          ///< index of the nearest triangle, -1 for none
     bool isInterior = false; ///< the 3 x 3 neighbours hit the same facets in the same order
 };
 
-/// Renders pixel centres in double by casting a ray at every triangle: the reference that shader images
-/// are held against. Written from the equations, sharing no code with the shader.
+/// Renders pixel centres in double by casting a ray at every triangle: the reference that shader
+/// images are held against. Written from the equations, sharing no code with the shader.
 std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
                                const Viewpoint& viewpoint);
 

@@ -46,10 +46,9 @@ Mesh boxMesh(const Vec3& half, const std::vector<IrCodes>& codes) {
     const Vec3 x{half.x, 0, 0}, y{0, half.y, 0}, z{0, 0, half.z};
     const Vec3 o{0, 0, 0};
     Mesh mesh = plateMesh(x, y, z, codes.at(0));
-    for (const Mesh& side :
-         {plateMesh(o - x, z, y, codes.at(1)), plateMesh(y, z, x, codes.at(2)),
-          plateMesh(o - y, x, z, codes.at(3)), plateMesh(z, x, y, codes.at(4)),
-          plateMesh(o - z, y, x, codes.at(5))})
+    for (const Mesh& side : {plateMesh(o - x, z, y, codes.at(1)), plateMesh(y, z, x, codes.at(2)),
+                             plateMesh(o - y, x, z, codes.at(3)), plateMesh(z, x, y, codes.at(4)),
+                             plateMesh(o - z, y, x, codes.at(5))})
         mesh.insert(mesh.end(), side.begin(), side.end());
     return mesh;
 }
