@@ -12,7 +12,7 @@ FactorAccumulator::FactorAccumulator(std::vector<SceneRadiometry::SurfaceKey> ke
 
 void FactorAccumulator::beginWindow(const Sensor& sensor, const PixelWindow& window,
                                     int samplesPerAxis) {
-    sensor_ = sensor;
+    grid_ = PixelGrid(sensor);
     window_ = window;
     samplesPerAxis_ = samplesPerAxis;
     const auto n = static_cast<std::size_t>(samplesPerAxis);
@@ -56,8 +56,9 @@ void FactorAccumulator::addLayer(const std::vector<float>& plane0,
                     if (sample[0] == 0.0f)
                         continue;
                     if (omega_sr < 0.0) {
-                        omega_sr = sensor_.pixelSolidAngle_sr(x, y) / (n * n);
-                        cosOffAxis = sensor_.cosOffAxis(x, y);
+                        const PixelGrid::Pixel pixel = grid_.at(x, y);
+                        omega_sr = pixel.solidAngle_sr / (n * n);
+                        cosOffAxis = pixel.cosOffAxis;
                     }
                     const int row = static_cast<int>(sample[0]) - 1;
                     const auto prefix = static_cast<std::size_t>(samplePrefix_[i]);

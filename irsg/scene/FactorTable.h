@@ -6,6 +6,7 @@
 
 #include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/Irsg.h"
+#include "irsg/scene/PixelGrid.h"
 #include "irsg/scene/SceneRadiometry.h"
 
 namespace irsg {
@@ -29,7 +30,7 @@ class FactorAccumulator {
 
     std::vector<SceneRadiometry::SurfaceKey> keys_;
     std::vector<bool> transparent_;
-    Sensor sensor_;
+    PixelGrid grid_;
     PixelWindow window_;
     int samplesPerAxis_ = 1;
 

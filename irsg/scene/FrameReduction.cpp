@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "irsg/scene/PixelGrid.h"
+
 namespace irsg {
 
 FrameReduction::FrameReduction(const Sensor& sensor, const PixelWindow& window,
@@ -42,35 +44,23 @@ ObjectRadiometry FrameReduction::objects(double range_m) const {
     ObjectRadiometry sum;
     sum.name = "all";
     sum.range_m = range_m;
+    const PixelGrid grid(sensor_);
     std::size_t i = 0;
     for (int y = 0; y < window_.height; ++y)
         for (int x = 0; x < window_.width; ++x, ++i) {
             if (opacity_[i] == 0.0 && radiance_[i] == 0.0)
                 continue;
-            const double omega_sr = sensor_.pixelSolidAngle_sr(window_.x + x, window_.y + y);
+            const auto [omega_sr, cosOffAxis] = grid.at(window_.x + x, window_.y + y);
             const double contrast = radiance_[i] - opacity_[i] * background_W_m2_sr_;
             sum.intensity_W_sr += radiance_[i] * omega_sr;
             sum.contrastIntensity_W_sr += contrast * omega_sr;
-            sum.irradiance_W_m2 +=
-                contrast * omega_sr * sensor_.cosOffAxis(window_.x + x, window_.y + y);
+            sum.irradiance_W_m2 += contrast * omega_sr * cosOffAxis;
             sum.coveredPixels += opacity_[i];
             sum.solidAngle_sr += opacity_[i] * omega_sr;
         }
     sum.intensity_W_sr *= range_m * range_m;
     sum.contrastIntensity_W_sr *= range_m * range_m;
     return sum;
-}
-
-double FrameReduction::projectedSolidAngle_sr(const Sensor& sensor) {
-    double sum = 0.0;
-    for (int y = 0; y < sensor.height_px; ++y)
-        for (int x = 0; x < sensor.width_px; ++x)
-            sum += sensor.pixelSolidAngle_sr(x, y) * sensor.cosOffAxis(x, y);
-    return sum;
-}
-
-double FrameReduction::totalIrradiance_W_m2() const {
-    return objects(1.0).irradiance_W_m2 + background_W_m2_sr_ * projectedSolidAngle_sr(sensor_);
 }
 
 RadianceImage FrameReduction::compose() const {

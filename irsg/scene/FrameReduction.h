@@ -20,13 +20,8 @@ class FrameReduction {
 
     /// Sums over all pixels added, for objects at a range.
     ObjectRadiometry objects(double range_m) const;
-    /// Irradiance of the whole frame on the detector, background included, W m-2.
-    double totalIrradiance_W_m2() const;
     /// A_pre + (1 - alpha) L_bg of every pixel of the frame.
     RadianceImage compose() const;
-
-    /// Sum of omega cos(theta) over the frame.
-    static double projectedSolidAngle_sr(const Sensor& sensor);
 
   private:
     Sensor sensor_;

@@ -1,6 +1,7 @@
 #include "irsg/scene/Irsg.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -15,6 +16,7 @@
 #include "irsg/scene/FactorTable.h"
 #include "irsg/scene/FrameReduction.h"
 #include "irsg/scene/OffscreenContext.h"
+#include "irsg/scene/PixelGrid.h"
 #include "irsg/scene/SceneCheck.h"
 #include "irsg/scene/SceneRadiometry.h"
 #include "irsg/scene/Stopwatch.h"
@@ -73,6 +75,10 @@ struct Irsg::Parts {
     std::vector<double> factorFingerprint;
     std::vector<std::shared_ptr<const Model>> factorModels;
     ProjectedFactors factors;
+
+    // Sum of omega cos(theta) over the frame, kept for one raster.
+    std::array<double, 3> frameRaster{};
+    double frameProjectedSolidAngle_sr = 0.0;
 
     /// Everything one drawing needs, made anew for each.
     struct Frame {
@@ -291,6 +297,18 @@ struct Irsg::Parts {
         return factors;
     }
 
+    /// Of the whole frame on the detector: the objects' contrast upon the background.
+    double totalIrradiance_W_m2(const RenderReport& report) {
+        const std::array<double, 3> raster{static_cast<double>(sensor.width_px),
+                                           static_cast<double>(sensor.height_px),
+                                           sensor.horizontalFieldOfView_rad};
+        if (raster != frameRaster) {
+            frameRaster = raster;
+            frameProjectedSolidAngle_sr = PixelGrid(sensor).projectedSolidAngle_sr();
+        }
+        return report.all.irradiance_W_m2 + report.background_W_m2_sr * frameProjectedSolidAngle_sr;
+    }
+
     void addTruthLayers(const Frame& frame, RadianceImage& image) {
         TruthLayers truth(frame.radiometry, image);
         double adding_s = 0.0;
@@ -446,7 +464,7 @@ RenderedImage Irsg::render() {
     }
     const double range_m = frame.geometry.empty() ? 0.0 : frame.geometry.front().path.range_m;
     result.report.all = reduction.objects(range_m);
-    result.report.totalIrradiance_W_m2 = reduction.totalIrradiance_W_m2();
+    result.report.totalIrradiance_W_m2 = p.totalIrradiance_W_m2(result.report);
     if (p.entities.size() == 1) {
         result.report.objects = {result.report.all};
         result.report.objects.front().name = p.entities.front().name;
@@ -465,9 +483,7 @@ RenderReport Irsg::measure() {
     p.timed("evaluation", [&] {
         evaluateFactors(factors, frame.radiometry, frame.geometry, p.entities, report);
         p.fillReport(frame, report);
-        report.totalIrradiance_W_m2 =
-            report.all.irradiance_W_m2 +
-            report.background_W_m2_sr * FrameReduction::projectedSolidAngle_sr(p.sensor);
+        report.totalIrradiance_W_m2 = p.totalIrradiance_W_m2(report);
     });
     return report;
 }
