@@ -5,13 +5,14 @@
 
 namespace irsg {
 
-/// A function given by nodes: linear between them, held constant outside, or periodic when `loop` is
-/// set (period = last - first node, report section 8).
+/// A function given by nodes: linear between them, held constant outside, or periodic when `loop`
+/// is set (period = last - first node, report section 8).
 class LookupTable {
   public:
     LookupTable() = default;
-    /// `x` strictly ascending and finite, at least one node; `y` finite and as many. A loop needs two
-    /// nodes. Throws InputError naming the first node that breaks the rule, with `name` before it.
+    /// `x` strictly ascending and finite, at least one node; `y` finite and as many. A loop needs
+    /// two nodes. Throws InputError naming the first node that breaks the rule, with `name` before
+    /// it.
     LookupTable(std::vector<double> x, std::vector<double> y, bool loop = false,
                 const std::string& name = "lookup table");
 

@@ -58,16 +58,17 @@ struct SignatureDatabase {
 struct Finding {
     enum class Severity { warning, error };
     Severity severity = Severity::error;
-    std::string place;  ///< "materials.3.emissivity at 4.2 um"
+    std::string place; ///< "materials.3.emissivity at 4.2 um"
     std::string value;
     std::string reason; ///< what is wrong, and what was expected
     std::string repair; ///< what would mend it; may be empty
 };
 
 /// Checks the physics of a database: emissivity, transmissivity and their sum in [0, 1] at every
-/// node, N >= 0, names of spectra and components that exist, table axes, temperatures in a plausible
-/// range at rest, brightness temperatures of user-defined spectra between 200 and 4000 K (with the
-/// factor 1e4 between W cm-2 and W m-2 named as suspect), and, given a band, spectra that cover it.
+/// node, N >= 0, names of spectra and components that exist, table axes, temperatures in a
+/// plausible range at rest, brightness temperatures of user-defined spectra between 200 and 4000 K
+/// (with the factor 1e4 between W cm-2 and W m-2 named as suspect), and, given a band, spectra that
+/// cover it.
 std::vector<Finding> lint(const SignatureDatabase& database);
 std::vector<Finding> lint(const SignatureDatabase& database, const SpectralRange& band);
 

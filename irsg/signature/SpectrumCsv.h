@@ -14,8 +14,9 @@ struct SpectralRadianceUnit {
     double toW_m2 = 1.0; ///< factor to W m-2 sr-1
     bool perWavenumber = false;
 
-    /// "W m-2 sr-1 um-1", "W cm-2 sr-1 (cm-1)-1", "uW cm-2 sr-1 um-1", ...; throws InputError that
-    /// lists what is known.
+    /// "W m-2 sr-1 um-1", "W cm-2 sr-1 (cm-1)-1", "uW cm-2 sr-1 um-1", ..., also written with
+    /// slashes ("W/(cm2 sr cm-1)"), raised digits or the Greek letter; throws InputError that lists
+    /// what is known.
     static SpectralRadianceUnit parse(const std::string& text);
     static std::vector<std::string> known();
     std::string text() const;
@@ -23,23 +24,28 @@ struct SpectralRadianceUnit {
 };
 
 /// Reads a user-defined spectrum (report table 18): cell (0,0) `um` or `cm-1`, row 0 the component
-/// names, column 0 the shared axis, ascending or descending but strictly monotonic. A `# unit:` line
-/// may state the unit; `unit` overrides it; with neither, InputError. Values per cm-1 become values
-/// per um with the Jacobian nu^2 / 1e4, whatever the axis is. Descending axes are reversed.
-/// Wavenumber axes are refined in wavelength until linear interpolation in um follows linear
-/// interpolation in cm-1 to 1e-7, so that both give one in-band radiance.
+/// names, column 0 the shared axis, ascending or descending but strictly monotonic. A `# unit:`
+/// line may state the unit; `unit` overrides it; with neither, InputError. A `#
+/// reference_distance_m:` line may state the distance; `referenceDistance_m` overrides it; with
+/// neither, 0. Values per cm-1 become values per um with the Jacobian nu^2 / 1e4, whatever the axis
+/// is. Descending axes are reversed. Each node is converted and none is added, so that one spectrum
+/// written over um and over cm-1 gives one curve and one in-band radiance; a straight line in cm-1
+/// between two nodes differs from one in um by at most (step / nu) / 4 of their difference.
 /// Throws InputError naming file, line, column, value and what was expected, all at once.
 UserSpectrum readSpectrumCsv(const std::filesystem::path& file,
                              std::optional<SpectralRadianceUnit> unit = std::nullopt,
-                             double referenceDistance_m = 0.0);
-/// Writes it back in um and W m-2 sr-1 um-1 with its `# unit:` line.
+                             std::optional<double> referenceDistance_m = std::nullopt);
+/// Writes it back in um and W m-2 sr-1 um-1, with its unit and reference distance as comments;
+/// every number reads back as the same double. The components must share one axis (LogicError).
+/// Throws InputError where the file cannot be written.
 void writeSpectrumCsv(const UserSpectrum& spectrum, const std::filesystem::path& file);
 
 enum class FactorAxis { time_s, angle_deg };
 
-/// Reads a factor table (report tables 19 and 20): first cell empty, row 0 component names, column 0
-/// seconds or degrees. The tables are set in the factors of `into` by name (added where absent); a
-/// name that is not in `spectrum` is an offence, and so are angles outside 0 to 180.
+/// Reads a factor table (report tables 19 and 20): first cell empty, row 0 component names, column
+/// 0 seconds or degrees. The tables are set in the factors of `into` by name (added where absent);
+/// a name that is not in `spectrum` is an offence, and so are negative factors, axes that do not
+/// ascend, angles outside 0 to 180 and a loop over angle. After an error `into` is what it was.
 void readFactorCsv(const std::filesystem::path& file, FactorAxis axis, bool loop,
                    const UserSpectrum& spectrum, ComponentFactors& into);
 

@@ -10,14 +10,14 @@ namespace irsg {
 /// fits its seven plus signs and the recovery temperature of air (0.2 = (gamma - 1) / 2). Each term
 /// is one function below, so that a correction is one line. All in K.
 struct TemperatureTerms {
-    double base_K = 0.0;           ///< T0
-    double ambientFactor = 1.0;    ///< a
-    double recoveryFactor = 0.0;   ///< r, 0.85 laminar and 0.89 turbulent by custom
-    double ambientOffset_K = 0.0;  ///< dT
-    LookupTable time;              ///< f_time over s; empty tables add nothing
-    LookupTable power;             ///< f_power over the power setting
-    LookupTable altitude;          ///< f_alt over m
-    LookupTable mach;              ///< f_mach over Mach number
+    double base_K = 0.0;          ///< T0
+    double ambientFactor = 1.0;   ///< a
+    double recoveryFactor = 0.0;  ///< r, 0.85 laminar and 0.89 turbulent by custom
+    double ambientOffset_K = 0.0; ///< dT
+    LookupTable time;             ///< f_time over s; empty tables add nothing
+    LookupTable power;            ///< f_power over the power setting
+    LookupTable altitude;         ///< f_alt over m
+    LookupTable mach;             ///< f_mach over Mach number
 
     bool operator==(const TemperatureTerms&) const = default;
 };

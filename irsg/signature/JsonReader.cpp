@@ -1,0 +1,249 @@
+#include "irsg/signature/JsonReader.h"
+
+#include <cmath>
+#include <utility>
+
+namespace irsg {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t longestQuote = 60;
+
+std::string shown(const json& value) {
+    std::string text = value.is_number_float()
+                           ? numberText(value.get<double>())
+                           : value.dump(-1, ' ', false, json::error_handler_t::replace);
+    if (text.size() > longestQuote) {
+        text = text.substr(0, longestQuote) + "...";
+    }
+    return text;
+}
+
+/// "line 3, column 7" of a byte that counts from 1.
+std::string placeOf(const std::string& text, std::size_t byte) {
+    std::size_t line = 1;
+    std::size_t column = 1;
+    for (std::size_t i = 0; i + 1 < byte && i < text.size(); ++i) {
+        ++column;
+        if (text[i] == '\n') {
+            ++line;
+            column = 1;
+        }
+    }
+    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+/// Watches a parse for keys that an object holds twice: the library would keep the last in silence.
+class DuplicateKeys {
+  public:
+    bool operator()(int /*depth*/, json::parse_event_t event, json& parsed) {
+        if (event == json::parse_event_t::object_start) {
+            open_.emplace_back();
+        } else if (event == json::parse_event_t::object_end) {
+            open_.pop_back();
+        } else if (event == json::parse_event_t::key &&
+                   !open_.back().insert(parsed.get<std::string>()).second) {
+            found.push_back(parsed.get<std::string>());
+        }
+        return true;
+    }
+
+    std::vector<std::string> found;
+
+  private:
+    std::vector<std::set<std::string>> open_;
+};
+
+} // namespace
+
+void JsonProblems::add(const std::string& path, const json& value, std::string expected) {
+    addText(path, shown(value), std::move(expected));
+}
+
+void JsonProblems::addText(const std::string& path, std::string value, std::string expected) {
+    offences_.push_back({fileName_, path, std::move(value), std::move(expected)});
+}
+
+void JsonProblems::add(const std::string& path, const InputError& error) {
+    for (const Offence& offence : error.offences()) {
+        const std::string within = offence.position.empty() ? "" : ", " + offence.position;
+        addText(path + within, offence.value, offence.expected);
+    }
+}
+
+void JsonProblems::throwIfAny() const {
+    if (!offences_.empty()) {
+        throw InputError(offences_);
+    }
+}
+
+json parseJson(const std::string& text, const std::string& fileName) {
+    DuplicateKeys duplicates;
+    json root;
+    try {
+        root = json::parse(text, std::ref(duplicates));
+    } catch (const json::parse_error& error) {
+        const bool ended = error.byte > text.size() || text.empty();
+        throw InputError({fileName, placeOf(text, error.byte),
+                          ended ? "the end of the text" : "text that is not JSON",
+                          "well-formed JSON in UTF-8"});
+    } catch (const json::exception&) {
+        throw InputError({fileName, "", "a number too large for double precision",
+                          "numbers of magnitude below 1.8e308"});
+    }
+    JsonProblems problems(fileName);
+    for (const std::string& key : duplicates.found) {
+        problems.addText(key, "the key '" + key + "' twice in one object", "each key once");
+    }
+    problems.throwIfAny();
+    return root;
+}
+
+JsonObject::JsonObject(const json& value, std::string path, JsonProblems& problems)
+    : path_(std::move(path)), problems_(&problems) {
+    if (value.is_object()) {
+        object_ = &value;
+    } else {
+        problems.add(path_, value, "an object {...}");
+    }
+}
+
+std::string JsonObject::pathOf(const std::string& key) const {
+    return path_.empty() ? key : path_ + "." + key;
+}
+
+const json* JsonObject::find(const std::string& key, bool required) {
+    known_.insert(key);
+    if (object_ == nullptr) {
+        return nullptr;
+    }
+    const auto found = object_->find(key);
+    if (found == object_->end()) {
+        if (required) {
+            problems_->addText(pathOf(key), "nothing", "a value: this key is required");
+        }
+        return nullptr;
+    }
+    return &*found;
+}
+
+std::string JsonObject::text(const std::string& key, bool required) {
+    const json* const value = find(key, required);
+    if (value != nullptr && !value->is_string()) {
+        problems_->add(pathOf(key), *value, "text in quotes");
+        return "";
+    }
+    return value == nullptr ? "" : value->get<std::string>();
+}
+
+double JsonObject::number(const std::string& key, double otherwise, bool required) {
+    const json* const value = find(key, required);
+    if (value != nullptr && !value->is_number()) {
+        problems_->add(pathOf(key), *value, "a number");
+        return otherwise;
+    }
+    return value == nullptr ? otherwise : value->get<double>();
+}
+
+bool JsonObject::flag(const std::string& key, bool otherwise) {
+    const json* const value = find(key);
+    if (value != nullptr && !value->is_boolean()) {
+        problems_->add(pathOf(key), *value, "true or false");
+        return otherwise;
+    }
+    return value == nullptr ? otherwise : value->get<bool>();
+}
+
+std::optional<std::vector<std::vector<double>>> JsonObject::columns(const std::string& key,
+                                                                    std::size_t columns) {
+    const json* const rows = find(key, true);
+    if (rows == nullptr) {
+        return std::nullopt;
+    }
+    const std::string expected = "rows of " + std::to_string(columns) + " numbers";
+    if (!rows->is_array()) {
+        problems_->add(pathOf(key), *rows, expected);
+        return std::nullopt;
+    }
+
+    std::vector<std::vector<double>> result(columns);
+    bool good = true;
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+        const json& row = (*rows)[i];
+        bool fits = row.is_array() && row.size() == columns;
+        for (std::size_t j = 0; fits && j < columns; ++j) {
+            fits = row[j].is_number();
+            if (fits) {
+                result[j].push_back(row[j].get<double>());
+            }
+        }
+        if (!fits) {
+            problems_->add(pathOf(key) + "[" + std::to_string(i) + "]", row, expected);
+            good = false;
+        }
+    }
+    return good ? std::optional(std::move(result)) : std::nullopt;
+}
+
+LookupTable JsonObject::table(const std::string& key) {
+    const json* const value = find(key);
+    if (value == nullptr) {
+        return {};
+    }
+    JsonObject object(*value, pathOf(key), *problems_);
+    const bool loop = object.flag("loop", false);
+    const auto nodes = object.columns("nodes", 2);
+    object.finish();
+    if (!nodes) {
+        return {};
+    }
+    try {
+        return {(*nodes)[0], (*nodes)[1], loop};
+    } catch (const InputError& error) {
+        problems_->add(object.pathOf("nodes"), error);
+        return {};
+    }
+}
+
+Spectrum JsonObject::spectrum(const std::string& key, double otherwise, bool required) {
+    const json* const value = find(key, required);
+    if (value == nullptr) {
+        return Spectrum::constant(otherwise);
+    }
+    if (value->is_number()) {
+        return Spectrum::constant(value->get<double>());
+    }
+    if (!value->is_array()) {
+        problems_->add(pathOf(key), *value, "a number, or rows of wavelength in um and value");
+        return Spectrum::constant(otherwise);
+    }
+    const auto nodes = columns(key, 2);
+    if (!nodes) {
+        return Spectrum::constant(otherwise);
+    }
+    try {
+        return {(*nodes)[0], (*nodes)[1]};
+    } catch (const InputError& error) {
+        problems_->add(pathOf(key), error);
+        return Spectrum::constant(otherwise);
+    }
+}
+
+void JsonObject::finish() {
+    if (object_ == nullptr) {
+        return;
+    }
+    std::string keys;
+    for (const std::string& key : known_) {
+        keys += (keys.empty() ? "" : ", ") + key;
+    }
+    for (const auto& item : object_->items()) {
+        if (!known_.contains(item.key())) {
+            problems_->addText(pathOf(item.key()), "an unknown key", "one of " + keys);
+        }
+    }
+}
+
+} // namespace irsg

@@ -1,0 +1,126 @@
+#include "irsg/signature/JsonText.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+using nlohmann::json;
+
+/// Whole numbers by value, before words; equal values by their text.
+bool keyBefore(const std::string& a, const std::string& b) {
+    const auto x = parseNumber(a);
+    const auto y = parseNumber(b);
+    if (x && y && *x != *y) {
+        return *x < *y;
+    }
+    if (x.has_value() != y.has_value()) {
+        return x.has_value();
+    }
+    return a < b;
+}
+
+std::vector<std::string> sortedKeys(const json& object) {
+    std::vector<std::string> keys;
+    for (const auto& item : object.items()) {
+        keys.push_back(item.key());
+    }
+    std::ranges::sort(keys, keyBefore);
+    return keys;
+}
+
+std::string scalarText(const json& value) {
+    if (value.is_number_float()) {
+        return numberText(value.get<double>());
+    }
+    try {
+        return value.dump();
+    } catch (const json::exception&) {
+        throw InputError({"", "",
+                          "'" + value.dump(-1, ' ', true, json::error_handler_t::replace) + "'",
+                          "text in UTF-8"});
+    }
+}
+
+class Writer {
+  public:
+    explicit Writer(bool pretty) : pretty_(pretty) {}
+
+    std::string write(const json& value) {
+        append(value, 0);
+        return std::move(text_);
+    }
+
+  private:
+    void newLine(int depth) {
+        if (pretty_) {
+            text_ += '\n';
+            text_.append(static_cast<std::size_t>(depth) * 2, ' ');
+        }
+    }
+
+    void append(const json& value, int depth) {
+        if (value.is_object()) {
+            appendObject(value, depth);
+        } else if (value.is_array()) {
+            appendArray(value, depth);
+        } else {
+            text_ += scalarText(value);
+        }
+    }
+
+    void appendObject(const json& object, int depth) {
+        text_ += '{';
+        bool first = true;
+        for (const std::string& key : sortedKeys(object)) {
+            text_ += first ? "" : ",";
+            first = false;
+            newLine(depth + 1);
+            text_ += scalarText(key) + (pretty_ ? ": " : ":");
+            append(object.at(key), depth + 1);
+        }
+        if (!first) {
+            newLine(depth);
+        }
+        text_ += '}';
+    }
+
+    void appendArray(const json& array, int depth) {
+        const bool plain = std::ranges::none_of(
+            array, [](const json& element) { return element.is_structured(); });
+        text_ += '[';
+        bool first = true;
+        for (const json& element : array) {
+            text_ += first ? "" : (plain && pretty_ ? ", " : ",");
+            first = false;
+            if (!plain) {
+                newLine(depth + 1);
+            }
+            append(element, depth + 1);
+        }
+        if (!plain) {
+            newLine(depth);
+        }
+        text_ += ']';
+    }
+
+    bool pretty_;
+    std::string text_;
+};
+
+} // namespace
+
+std::string compactJson(const json& value) {
+    return Writer(false).write(value);
+}
+
+std::string prettyJson(const json& value) {
+    return Writer(true).write(value);
+}
+
+} // namespace irsg

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/signature/SignatureDatabase.h"
+
+namespace irsg {
+
+/// The findings of severity error as offences of `file`.
+std::vector<Offence> lintErrors(const SignatureDatabase& database, const std::string& file);
+/// Throws InputError when there are any.
+void throwOnLintErrors(const SignatureDatabase& database, const std::string& file);
+
+} // namespace irsg

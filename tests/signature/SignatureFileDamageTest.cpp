@@ -1,0 +1,253 @@
+#include <functional>
+#include <random>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "irsg/signature/SignatureFile.h"
+
+#include "Support.h"
+
+namespace irsg {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::string goodBytes(const TemporaryFolder& folder) {
+    const fs::path file = folder.file("good.sigdb");
+    saveSignatureFile(completeDatabase(), file);
+    return readBytes(file);
+}
+
+/// Loads what may be damaged: the database as it was saved, or a refusal that names the file.
+/// Returns whether it was refused.
+bool isRefusedOrHarmless(const fs::path& file, const std::string& what) {
+    try {
+        const LoadedSignature loaded = loadSignatureFile(file);
+        EXPECT_TRUE(loaded.database == completeDatabase()) << what;
+        return false;
+    } catch (const InputError& error) {
+        for (const Offence& offence : error.offences()) {
+            EXPECT_EQ(offence.file, file.string()) << what;
+            EXPECT_FALSE(offence.value.empty()) << what;
+            EXPECT_FALSE(offence.expected.empty()) << what;
+        }
+        return true;
+    }
+}
+
+TEST(SignatureFileDamage, OfSingleBytesIsDetectedOrHarmless) {
+    const TemporaryFolder folder;
+    const std::string good = goodBytes(folder);
+    std::mt19937 random(20110301);
+    std::uniform_int_distribution<std::size_t> anywhere(0, good.size() - 1);
+    std::uniform_int_distribution<int> anyBits(1, 255);
+    int refused = 0;
+    constexpr int trials = 1500;
+    for (int trial = 0; trial < trials; ++trial) {
+        std::string bytes = good;
+        const std::size_t at = anywhere(random);
+        const int bits = anyBits(random);
+        bytes[at] = static_cast<char>(bytes[at] ^ bits);
+        const fs::path file = writeBytes(folder.file("flipped.sigdb"), bytes);
+        refused += isRefusedOrHarmless(file, "byte " + std::to_string(at) + " xor " +
+                                                 std::to_string(bits));
+        ASSERT_EQ(readBytes(file), bytes) << "reading changed the file";
+    }
+    EXPECT_GT(refused, trials / 20);
+}
+
+TEST(SignatureFileDamage, OfEveryHeaderByteIsDetectedOrHarmless) {
+    const TemporaryFolder folder;
+    const std::string good = goodBytes(folder);
+    for (std::size_t at = 0; at < 100; ++at) {
+        for (const int bits : {0x01, 0x80, 0xff}) {
+            std::string bytes = good;
+            bytes[at] = static_cast<char>(bytes[at] ^ bits);
+            isRefusedOrHarmless(writeBytes(folder.file("header.sigdb"), bytes),
+                                "header byte " + std::to_string(at));
+        }
+    }
+}
+
+TEST(SignatureFileDamage, ByTruncationIsAlwaysDetected) {
+    const TemporaryFolder folder;
+    const std::string good = goodBytes(folder);
+    for (std::size_t length = 0; length < good.size(); length += length < 120 ? 1 : 997) {
+        const fs::path file = writeBytes(folder.file("cut.sigdb"), good.substr(0, length));
+        EXPECT_TRUE(isRefusedOrHarmless(file, "length " + std::to_string(length))) << length;
+        ASSERT_EQ(fs::file_size(file), length) << "reading changed the file";
+    }
+}
+
+struct Unusable {
+    const char* name;
+    std::function<void(const fs::path&)> make;
+    const char* value;
+    const char* expected;
+};
+
+void change(const fs::path& file, const std::string& sql) {
+    saveSignatureFile(completeDatabase(), file);
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(sql);
+}
+
+const Unusable unusable[] = {
+    {"PlainText", [](const auto& file) { writeBytes(file, "name,value\n1,2\n"); },
+     "does not begin as an SQLite database", "signature database"},
+    {"Folder", [](const auto& file) { fs::create_directory(file); }, "a folder",
+     "signature database"},
+    {"OtherSqliteDatabase",
+     [](const auto& file) {
+         SQLite::Database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+             .exec("CREATE TABLE bookmark (url TEXT)");
+     },
+     "application id 0", "application id 1397571924"},
+    {"WrongApplicationId",
+     [](const auto& file) { change(file, "PRAGMA application_id = 252006673"); },
+     "application id 252006673", "application id 1397571924"},
+    {"NewerVersion", [](const auto& file) { change(file, "PRAGMA user_version = 2"); },
+     "schema version 2", "a newer version of this program"},
+    {"VersionZero", [](const auto& file) { change(file, "PRAGMA user_version = 0"); },
+     "schema version 0", "schema version 1"},
+};
+
+class UnusableFile : public testing::TestWithParam<Unusable> {};
+
+TEST_P(UnusableFile, IsNamedOnLoadAndOnSaveAndLeftAlone) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.file("unusable.sigdb");
+    GetParam().make(file);
+    const std::string before = fs::is_directory(file) ? "" : readBytes(file);
+    for (const bool saving : {false, true}) {
+        const auto offences = refusalOf([&] {
+            if (saving) {
+                saveSignatureFile(completeDatabase(), file);
+            } else {
+                loadSignatureFile(file);
+            }
+        });
+        ASSERT_EQ(offences.size(), 1U);
+        EXPECT_EQ(offences[0].file, file.string());
+        EXPECT_THAT(offences[0].value, HasSubstr(GetParam().value));
+        EXPECT_THAT(offences[0].expected, HasSubstr(GetParam().expected));
+    }
+    EXPECT_EQ(fs::is_directory(file) ? "" : readBytes(file), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(SignatureFileDamage, UnusableFile, testing::ValuesIn(unusable),
+                         [](const auto& row) { return row.param.name; });
+
+TEST(SignatureFileDamage, AMissingFileIsNamed) {
+    const TemporaryFolder folder;
+    const auto offences = refusalOf([&] { loadSignatureFile(folder.file("absent.sigdb")); });
+    EXPECT_EQ(offences[0].file, folder.file("absent.sigdb").string());
+    EXPECT_EQ(offences[0].value, "no such file");
+    EXPECT_FALSE(fs::exists(folder.file("absent.sigdb")));
+}
+
+TEST(SignatureFileDamage, AnEmptyFileIsNoDatabaseButMayBecomeOne) {
+    const TemporaryFolder folder;
+    const fs::path file = writeBytes(folder.file("empty.sigdb"), "");
+    EXPECT_EQ(refusalOf([&] { loadSignatureFile(file); })[0].value, "an empty file");
+    saveSignatureFile(completeDatabase(), file);
+    EXPECT_TRUE(loadSignatureFile(file).database == completeDatabase());
+}
+
+TEST(SignatureFileDamage, AWriteProtectedFileIsReadButNotSavedTo) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.file("protected.sigdb");
+    saveSignatureFile(completeDatabase(), file);
+    const std::string before = readBytes(file);
+    fs::permissions(file, fs::perms::owner_read);
+    EXPECT_TRUE(loadSignatureFile(file).database == completeDatabase());
+    const auto offences = refusalOf([&] { saveSignatureFile({}, file); });
+    EXPECT_EQ(offences[0].file, file.string());
+    EXPECT_EQ(offences[0].value, "a write-protected file");
+    EXPECT_EQ(readBytes(file), before);
+}
+
+TEST(SignatureFileDamage, AFolderThatIsMissingIsNamedOnSave) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.file("nowhere") / "a.sigdb";
+    const auto offences = refusalOf([&] { saveSignatureFile({}, file); });
+    EXPECT_EQ(offences[0].file, file.string());
+    EXPECT_THAT(offences[0].value, HasSubstr("unable to open"));
+}
+
+TEST(SignatureFileDamage, AFileInUseByAnotherProgramIsNamed) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.file("busy.sigdb");
+    saveSignatureFile(completeDatabase(), file);
+    SQLite::Database other(file.string(), SQLite::OPEN_READWRITE);
+    other.exec("BEGIN EXCLUSIVE");
+    EXPECT_THAT(refusalOf([&] { loadSignatureFile(file); })[0].value, HasSubstr("locked"));
+    EXPECT_THAT(refusalOf([&] { saveSignatureFile({}, file); })[0].value, HasSubstr("locked"));
+    other.exec("ROLLBACK");
+    EXPECT_TRUE(loadSignatureFile(file).database == completeDatabase());
+}
+
+struct BadRow {
+    const char* name;
+    const char* sql;
+    const char* position;
+    const char* value;
+};
+
+class BadRows : public testing::TestWithParam<BadRow> {};
+
+TEST_P(BadRows, AreNamedWithTableOrEntry) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.file("rows.sigdb");
+    change(file, std::string("PRAGMA foreign_keys = OFF; PRAGMA ignore_check_constraints = ON; ") +
+                     GetParam().sql);
+    const auto offences = refusalOf([&] { loadSignatureFile(file, OutsideChanges::accept); });
+    bool found = false;
+    std::string all;
+    for (const Offence& offence : offences) {
+        EXPECT_EQ(offence.file, file.string());
+        all += offence.message() + "\n";
+        found |= offence.position.find(GetParam().position) != std::string::npos &&
+                 offence.value.find(GetParam().value) != std::string::npos;
+    }
+    EXPECT_TRUE(found) << all;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SignatureFileDamage, BadRows,
+    testing::Values(
+        BadRow{"TextForNumber", "UPDATE temperature SET base_K = 'hot' WHERE id = 0",
+               "table temperature, row 2", "base_K = 'hot'"},
+        BadRow{"BlobForText", "UPDATE material SET notes = x'00ff' WHERE id = 0",
+               "table material, row 1", "notes"},
+        BadRow{"NoEmissivity", "UPDATE material SET emissivity = NULL WHERE id = 0",
+               "table material, row 1", "nothing in emissivity"},
+        BadRow{"EmissivityTwice", "UPDATE material SET emissivity = 0.5 WHERE id = 3",
+               "table material, row 2", "as a number and as nodes"},
+        BadRow{"AxisDescends", "UPDATE material_node SET wavelength_um = 1 WHERE node = 1",
+               "materials.3.emissivity, node 2", "1"},
+        BadRow{"Infinity", "UPDATE material_node SET value = 9e999 WHERE node = 1",
+               "materials.3.emissivity, node 2", "inf"},
+        BadRow{"TableDescends",
+               "UPDATE temperature_node SET x = -1 WHERE term = 'time_s' AND"
+               " node = 2",
+               "temperatures.0.terms.time_s, node 3", "-1 after 10"},
+        BadRow{"TableWithoutNodes", "DELETE FROM temperature_node WHERE term = 'mach'",
+               "temperatures.0.terms.mach", "0 nodes"},
+        BadRow{"UnknownMode", "UPDATE temperature SET mode = 'magic' WHERE id = 0", "", "magic"},
+        BadRow{"UnknownTerm", "UPDATE temperature_table SET term = 'x' WHERE term = 'mach'", "",
+               "x"},
+        BadRow{"UnknownAxis", "UPDATE factor_table SET axis = 'x' WHERE axis = 'angle_deg'", "",
+               "x"},
+        BadRow{"UnknownAboutKey", "INSERT INTO about VALUES ('author', 'me')", "table about",
+               "author"},
+        BadRow{"OrphanNode", "INSERT INTO material_node VALUES (77, 'emissivity', 0, 1, 1)",
+               "table material_node", "material"},
+        BadRow{"IndexTooLarge", "UPDATE material SET id = 4294967296 WHERE id = 0",
+               "table material", "id = '4294967296'"},
+        BadRow{"MissingTable", "DROP TABLE factor_node", "", "no such table"},
+        BadRow{"MissingColumn", "ALTER TABLE material DROP COLUMN notes", "", "no such column"}),
+    [](const auto& row) { return row.param.name; });
+
+} // namespace
+} // namespace irsg

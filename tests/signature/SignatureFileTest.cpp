@@ -1,0 +1,202 @@
+#include "irsg/signature/SignatureFile.h"
+
+#include <cstring>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "Support.h"
+
+namespace irsg {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(SignatureFile, BringsACompleteDatabaseBackUnchanged) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.file("complete.sigdb");
+    saveSignatureFile(completeDatabase(), file);
+    const LoadedSignature loaded = loadSignatureFile(file);
+    EXPECT_TRUE(loaded.database == completeDatabase());
+    EXPECT_THAT(loaded.changedOutside, IsEmpty());
+}
+
+TEST(SignatureFile, OfAnEmptyDatabaseComesBack) {
+    const TemporaryFolder folder;
+    saveSignatureFile({}, folder.file("empty.sigdb"));
+    EXPECT_TRUE(loadSignatureFile(folder.file("empty.sigdb")).database == SignatureDatabase{});
+}
+
+TEST(SignatureFile, KeepsEveryBitOfEveryNumber) {
+    const TemporaryFolder folder;
+    const double values[] = {0.1,  1.0 / 3.0,          5e-324, 1.7976931348623157e308, -0.0,
+                             -1.5, 9007199254740993.0, 4.0};
+    SignatureDatabase database;
+    int index = 0;
+    for (const double value : values) {
+        database.temperatures[index++] = {
+            "t", {}, {300.0, 0.0, 0.0, value, {}, {{0.0, 1.0}, {0.0, value / 1e308}}, {}, {}},
+            "",  {}, ""};
+    }
+    saveSignatureFile(database, folder.file("bits.sigdb"));
+    const auto again = loadSignatureFile(folder.file("bits.sigdb")).database.temperatures;
+    index = 0;
+    for (const double value : values) {
+        const TemperatureTerms& terms = again.at(index++).terms;
+        const double scaled = value / 1e308;
+        EXPECT_EQ(std::memcmp(&terms.ambientOffset_K, &value, sizeof value), 0) << value;
+        EXPECT_EQ(std::memcmp(&terms.power.y()[1], &scaled, sizeof value), 0) << value;
+    }
+}
+
+TEST(SignatureFile, IsReplacedAsAWholeByTheNextSave) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.file("twice.sigdb");
+    saveSignatureFile(completeDatabase(), file);
+    SignatureDatabase other;
+    other.title = "other";
+    other.materials[8].name = "steel";
+    saveSignatureFile(other, file);
+    EXPECT_TRUE(loadSignatureFile(file).database == other);
+    saveSignatureFile(completeDatabase(), file);
+    EXPECT_TRUE(loadSignatureFile(file).database == completeDatabase());
+}
+
+TEST(SignatureFile, HoldsAsMuchAsTheJsonForm) {
+    const TemporaryFolder folder;
+    saveSignatureFile(completeDatabase(), folder.file("a.sigdb"));
+    const SignatureDatabase loaded = loadSignatureFile(folder.file("a.sigdb")).database;
+    EXPECT_EQ(signatureToJson(loaded), signatureToJson(completeDatabase()));
+}
+
+TEST(SignatureFile, IsAnSqliteDatabaseThatOthersRead) {
+    const TemporaryFolder folder;
+    saveSignatureFile(completeDatabase(), folder.file("a.sigdb"));
+    SQLite::Database file(folder.file("a.sigdb").string());
+    EXPECT_EQ(file.execAndGet("PRAGMA application_id").getInt(), 0x534D4154);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), signatureFileVersion);
+    EXPECT_EQ(file.execAndGet("SELECT name FROM material WHERE id = 3").getString(), "glass");
+    EXPECT_EQ(file.execAndGet("SELECT emissivity FROM material WHERE id = 0").getDouble(), 0.9);
+    EXPECT_EQ(file.execAndGet("SELECT value FROM material_node WHERE material = 3 AND"
+                              " property = 'emissivity' AND wavelength_um = 4.5")
+                  .getDouble(),
+              0.2);
+    EXPECT_EQ(file.execAndGet("SELECT count(*) FROM user_spectrum_node").getInt(), 82);
+    EXPECT_EQ(file.execAndGet("SELECT length(sha256) FROM content_hash WHERE entry = 'materials.3'")
+                  .getInt(),
+              64);
+}
+
+struct OutsideChange {
+    const char* name;
+    const char* sql;
+    const char* entry;
+};
+
+class ChangedOutside : public testing::TestWithParam<OutsideChange> {};
+
+TEST_P(ChangedOutside, IsRefusedOrAcceptedButNeverSilent) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.file("changed.sigdb");
+    saveSignatureFile(completeDatabase(), file);
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
+        .exec(std::string("PRAGMA foreign_keys = ON; ") + GetParam().sql);
+
+    const auto offences = refusalOf([&] { loadSignatureFile(file); });
+    ASSERT_EQ(offences.size(), 1U);
+    EXPECT_EQ(offences[0].file, file.string());
+    EXPECT_EQ(offences[0].position, GetParam().entry);
+    EXPECT_THAT(offences[0].value, HasSubstr("changed outside"));
+
+    const LoadedSignature accepted = loadSignatureFile(file, OutsideChanges::accept);
+    EXPECT_THAT(accepted.changedOutside, ElementsAre(GetParam().entry));
+    EXPECT_FALSE(accepted.database == completeDatabase());
+
+    // Saved again by this program, the change is its own.
+    saveSignatureFile(accepted.database, file);
+    EXPECT_TRUE(loadSignatureFile(file).database == accepted.database);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SignatureFile, ChangedOutside,
+    testing::Values(
+        OutsideChange{"Emissivity", "UPDATE material SET emissivity = 0.91 WHERE id = 0",
+                      "materials.0"},
+        OutsideChange{"LastBit",
+                      "UPDATE material SET emissivity = 0.90000000000000013 WHERE id = 0",
+                      "materials.0"},
+        OutsideChange{"Node",
+                      "UPDATE material_node SET value = 0.15 WHERE node = 0 AND"
+                      " property = 'emissivity'",
+                      "materials.3"},
+        OutsideChange{"Notes", "UPDATE temperature SET notes = 'x' WHERE id = -7",
+                      "temperatures.-7"},
+        OutsideChange{"Title", "UPDATE about SET value = 'x' WHERE key = 'title'", "title"},
+        OutsideChange{"Loop", "UPDATE temperature_table SET loop = 0 WHERE term = 'time_s'",
+                      "temperatures.0"},
+        OutsideChange{"Factor", "UPDATE factor SET constant = 0.2 WHERE position = 0",
+                      "temperatures.2147483647"},
+        OutsideChange{"Radiance",
+                      "UPDATE user_spectrum_node SET radiance_W_m2_sr_um = 1 WHERE"
+                      " node = 3 AND position = 1",
+                      "spectra.plume core"},
+        OutsideChange{"EntryAdded", "INSERT INTO material VALUES (9, 'new', 0.5, 0, 0, '')",
+                      "materials.9"},
+        OutsideChange{"EntryRemoved", "DELETE FROM material WHERE id = 3", "materials.3"},
+        OutsideChange{"IndexMoved", "UPDATE temperature SET name = 'cold' WHERE id = -7",
+                      "temperatures.-7"}),
+    [](const auto& row) { return row.param.name; });
+
+TEST(SignatureFile, WithWrongPhysicsFromOutsideIsRefusedEvenWhenChangesAreAccepted) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.file("wrong.sigdb");
+    saveSignatureFile(completeDatabase(), file);
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
+        .exec("UPDATE material SET emissivity = 1.5 WHERE id = 0");
+    const auto offences = refusalOf([&] { loadSignatureFile(file, OutsideChanges::accept); });
+    ASSERT_EQ(offences.size(), 1U);
+    EXPECT_EQ(offences[0].position, "materials.0.emissivity");
+    EXPECT_EQ(offences[0].value, "1.5");
+}
+
+TEST(SignatureFile, RefusesToSaveWhatIsPhysicallyWrongAndLeavesTheFileAlone) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.file("kept.sigdb");
+    saveSignatureFile(completeDatabase(), file);
+    const std::string before = readBytes(file);
+    SignatureDatabase wrong = completeDatabase();
+    wrong.materials[0].nAngleFactor = -1.0;
+    const auto offences = refusalOf([&] { saveSignatureFile(wrong, file); });
+    EXPECT_EQ(offences[0].position, "materials.0.nAngleFactor");
+    wrong = completeDatabase();
+    wrong.materials[0].notes = "\xff";
+    EXPECT_THROW(saveSignatureFile(wrong, file), InputError);
+    EXPECT_EQ(readBytes(file), before);
+    EXPECT_THROW(saveSignatureFile(wrong, folder.file("new.sigdb")), InputError);
+    EXPECT_FALSE(fs::exists(folder.file("new.sigdb")));
+}
+
+TEST(SignatureFile, RollsASaveBackThatWasCutOff) {
+    // A save that spills to the file before it commits, as after a power cut: both the file and its
+    // journal are taken away in the middle.
+    const TemporaryFolder folder;
+    const fs::path file = folder.file("cut.sigdb");
+    saveSignatureFile(completeDatabase(), file);
+    const fs::path victim = folder.file("victim.sigdb");
+    {
+        SQLite::Database half(file.string(), SQLite::OPEN_READWRITE);
+        half.exec("PRAGMA cache_size = 1; BEGIN IMMEDIATE; DELETE FROM user_spectrum_node;"
+                  "UPDATE material SET name = hex(zeroblob(20000));"
+                  "UPDATE temperature SET notes = hex(zeroblob(20000))");
+        fs::copy_file(file, victim);
+        fs::copy_file(file.string() + "-journal", victim.string() + "-journal");
+        half.exec("ROLLBACK");
+    }
+    ASSERT_NE(readBytes(victim), readBytes(file)) << "the half save did not reach the file";
+    EXPECT_TRUE(loadSignatureFile(victim).database == completeDatabase());
+}
+
+} // namespace
+} // namespace irsg

@@ -1,0 +1,61 @@
+#include "irsg/signature/SpectrumCsv.h"
+
+#include "Support.h"
+
+namespace irsg {
+namespace {
+
+struct Row {
+    const char* text;
+    double toW_m2;
+    bool perWavenumber;
+};
+
+TEST(SpectralRadianceUnit, HasTheseFactors) {
+    const Row rows[] = {{"W m-2 sr-1 um-1", 1.0, false},    {"W m-2 sr-1 (cm-1)-1", 1.0, true},
+                        {"mW m-2 sr-1 um-1", 1e-3, false},  {"mW m-2 sr-1 (cm-1)-1", 1e-3, true},
+                        {"uW m-2 sr-1 um-1", 1e-6, false},  {"uW m-2 sr-1 (cm-1)-1", 1e-6, true},
+                        {"W cm-2 sr-1 um-1", 1e4, false},   {"W cm-2 sr-1 (cm-1)-1", 1e4, true},
+                        {"mW cm-2 sr-1 um-1", 10.0, false}, {"mW cm-2 sr-1 (cm-1)-1", 10.0, true},
+                        {"uW cm-2 sr-1 um-1", 1e-2, false}, {"uW cm-2 sr-1 (cm-1)-1", 1e-2, true}};
+    ASSERT_EQ(std::size(rows), SpectralRadianceUnit::known().size());
+    for (std::size_t i = 0; i < std::size(rows); ++i) {
+        const auto unit = SpectralRadianceUnit::parse(rows[i].text);
+        EXPECT_EQ(unit.toW_m2, rows[i].toW_m2) << rows[i].text;
+        EXPECT_EQ(unit.perWavenumber, rows[i].perWavenumber) << rows[i].text;
+        EXPECT_EQ(unit.text(), rows[i].text);
+        EXPECT_THAT(SpectralRadianceUnit::known(), testing::Contains(rows[i].text));
+    }
+}
+
+TEST(SpectralRadianceUnit, IsKnownInOtherSpellings) {
+    const std::pair<const char*, const char*> rows[] = {
+        {"W/(cm2 sr cm-1)", "W cm-2 sr-1 (cm-1)-1"},
+        {"W/cm^2/sr/um", "W cm-2 sr-1 um-1"},
+        {"W m^-2 sr^-1 um^-1", "W m-2 sr-1 um-1"},
+        {"\u00b5W\u00b7cm\u207b\u00b2\u00b7sr\u207b\u00b9\u00b7\u00b5m\u207b\u00b9",
+         "uW cm-2 sr-1 um-1"},
+        {"\u03bcW cm-2 sr-1 / cm-1", "uW cm-2 sr-1 (cm-1)-1"},
+        {"W cm-2 sr-1 per cm-1", "W cm-2 sr-1 (cm-1)-1"},
+        {" W  m-2  sr-1  um-1 ", "W m-2 sr-1 um-1"}};
+    for (const auto& [spelling, canonical] : rows) {
+        EXPECT_EQ(SpectralRadianceUnit::parse(spelling).text(), canonical) << spelling;
+    }
+}
+
+TEST(SpectralRadianceUnit, IsRefusedWithTheListOfWhatIsKnown) {
+    for (const char* const text : {"", "W", "W cm-2 sr-1", "W cm-2 um-1", "W m-2 sr-1 nm-1",
+                                   "MW m-2 sr-1 um-1", "w m-2 sr-1 um-1", "K", "W m-2 sr-1 cm-1"}) {
+        const auto offences = refusalOf([&] { SpectralRadianceUnit::parse(text); });
+        ASSERT_EQ(offences.size(), 1U) << text;
+        EXPECT_EQ(offences[0].value, "'" + std::string(text) + "'");
+        EXPECT_THAT(offences[0].expected, testing::HasSubstr("uW cm-2 sr-1 (cm-1)-1"));
+    }
+}
+
+TEST(SpectralRadianceUnit, OfAnotherFactorHasNoName) {
+    EXPECT_THROW((SpectralRadianceUnit{2.0, false}.text()), LogicError);
+}
+
+} // namespace
+} // namespace irsg
