@@ -10,6 +10,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t longestQuote = 60;
+constexpr int deepestNesting = 16;
 
 std::string shown(const json& value) {
     std::string text = value.is_number_float()
@@ -35,10 +36,19 @@ std::string placeOf(const std::string& text, std::size_t byte) {
     return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-/// Watches a parse for keys that an object holds twice: the library would keep the last in silence.
-class DuplicateKeys {
+/// Watches a parse for keys that an object holds twice, of which the library would keep the last in
+/// silence, and for nesting that no recursion should follow.
+class ParseWatch {
   public:
-    bool operator()(int /*depth*/, json::parse_event_t event, json& parsed) {
+    explicit ParseWatch(const std::string& fileName) : fileName_(fileName) {}
+
+    bool operator()(int depth, json::parse_event_t event, json& parsed) {
+        if (depth > deepestNesting) {
+            throw InputError(
+                {fileName_, "",
+                 "lists or objects nested more than " + std::to_string(deepestNesting) + " deep",
+                 "the form of a signature database"});
+        }
         if (event == json::parse_event_t::object_start) {
             open_.emplace_back();
         } else if (event == json::parse_event_t::object_end) {
@@ -53,6 +63,7 @@ class DuplicateKeys {
     std::vector<std::string> found;
 
   private:
+    const std::string& fileName_;
     std::vector<std::set<std::string>> open_;
 };
 
@@ -80,10 +91,10 @@ void JsonProblems::throwIfAny() const {
 }
 
 json parseJson(const std::string& text, const std::string& fileName) {
-    DuplicateKeys duplicates;
+    ParseWatch watch(fileName);
     json root;
     try {
-        root = json::parse(text, std::ref(duplicates));
+        root = json::parse(text, std::ref(watch));
     } catch (const json::parse_error& error) {
         const bool ended = error.byte > text.size() || text.empty();
         throw InputError({fileName, placeOf(text, error.byte),
@@ -94,7 +105,7 @@ json parseJson(const std::string& text, const std::string& fileName) {
                           "numbers of magnitude below 1.8e308"});
     }
     JsonProblems problems(fileName);
-    for (const std::string& key : duplicates.found) {
+    for (const std::string& key : watch.found) {
         problems.addText(key, "the key '" + key + "' twice in one object", "each key once");
     }
     problems.throwIfAny();

@@ -36,14 +36,13 @@ std::vector<std::string> sortedKeys(const json& object) {
 
 std::string scalarText(const json& value) {
     if (value.is_number_float()) {
-        return numberText(value.get<double>());
+        // Adding 0 makes -0 the 0 that it equals.
+        return numberText(value.get<double>() + 0.0);
     }
     try {
         return value.dump();
-    } catch (const json::exception&) {
-        throw InputError({"", "",
-                          "'" + value.dump(-1, ' ', true, json::error_handler_t::replace) + "'",
-                          "text in UTF-8"});
+    } catch (const json::exception& error) {
+        throw LogicError(error.what());
     }
 }
 

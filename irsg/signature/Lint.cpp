@@ -5,6 +5,7 @@
 #include "irsg/signature/EntryJson.h"
 #include "irsg/signature/LintErrors.h"
 #include "irsg/signature/LintSpectrum.h"
+#include "irsg/signature/Utf8.h"
 
 namespace irsg {
 
@@ -22,6 +23,7 @@ class Linter {
     explicit Linter(const SignatureDatabase& database) : database_(database) {}
 
     std::vector<Finding> run() {
+        checkTexts();
         for (const auto& [index, material] : database_.materials) {
             checkMaterial(materialPath(index), material);
         }
@@ -45,6 +47,37 @@ class Linter {
                  std::string repair = "") {
         findings_.push_back({Severity::warning, std::move(place), std::move(value),
                              "expected " + expected, std::move(repair)});
+    }
+
+    void checkText(const std::string& path, const std::string& text) {
+        if (!isUtf8(text)) {
+            error(path, "bytes that are not UTF-8", "text in UTF-8");
+        }
+    }
+
+    void checkTexts() {
+        checkText("title", database_.title);
+        checkText("notes", database_.notes);
+        for (const auto& [index, material] : database_.materials) {
+            checkText(materialPath(index) + ".name", material.name);
+            checkText(materialPath(index) + ".notes", material.notes);
+        }
+        for (const auto& [index, entry] : database_.temperatures) {
+            checkText(temperaturePath(index) + ".name", entry.name);
+            checkText(temperaturePath(index) + ".notes", entry.notes);
+            checkText(temperaturePath(index) + ".userSpectrum", entry.userSpectrum);
+            for (const ComponentFactor& factor : entry.factors) {
+                checkText(temperaturePath(index) + ".factors", factor.component);
+            }
+        }
+        for (const auto& [name, spectrum] : database_.spectra) {
+            checkText(spectrumPath(name), name);
+            checkText(spectrumPath(name) + ".importedUnit", spectrum.importedUnit);
+            checkText(spectrumPath(name) + ".notes", spectrum.notes);
+            for (const SpectrumComponent& component : spectrum.components) {
+                checkText(spectrumPath(name) + ".components", component.name);
+            }
+        }
     }
 
     void checkMaterial(const std::string& path, const Material& material) {

@@ -60,7 +60,7 @@ struct Finding {
     Severity severity = Severity::error;
     std::string place; ///< "materials.3.emissivity at 4.2 um"
     std::string value;
-    std::string reason; ///< what is wrong, and what was expected
+    std::string reason; ///< "expected a value from 0 to 1", with why where that is not plain
     std::string repair; ///< what would mend it; may be empty
 };
 

@@ -125,15 +125,14 @@ LoadedSignature load(const fs::path& file, OutsideChanges outside) {
     checkIntegrity(database, file);
 
     LoadedSignature loaded{readRows(database, file.string()), {}};
+    throwOnLintErrors(loaded.database, file.string());
     loaded.changedOutside = changedEntries(loaded.database, readHashes(database));
-    std::vector<Offence> offences = lintErrors(loaded.database, file.string());
-    if (outside == OutsideChanges::refuse) {
+    if (outside == OutsideChanges::refuse && !loaded.changedOutside.empty()) {
+        std::vector<Offence> offences;
         for (const std::string& entry : loaded.changedOutside) {
             offences.push_back({file.string(), entry, "content changed outside this program",
                                 "the content it was saved with, or leave to accept changes"});
         }
-    }
-    if (!offences.empty()) {
         throw InputError(std::move(offences));
     }
     return loaded;

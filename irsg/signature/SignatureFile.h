@@ -27,12 +27,17 @@ LoadedSignature loadSignatureFile(const std::filesystem::path& file,
                                   OutsideChanges outside = OutsideChanges::refuse);
 
 /// Replaces the content of the file (made where absent) in one transaction: a crash leaves the old
-/// or the new state. Throws InputError for a file that cannot be written or is not ours.
+/// or the new state. Throws InputError for a database that could not be loaded again (lint errors)
+/// and for a file that cannot be written, is write-protected, is not ours or is of a newer version;
+/// such a file is left as it is.
 void saveSignatureFile(const SignatureDatabase& database, const std::filesystem::path& file);
 
-/// Sorted, complete JSON for review and version control; equal databases give equal text.
+/// Sorted, complete JSON for review and version control; equal databases give equal text. Throws
+/// InputError for a database with lint errors.
 std::string signatureToJson(const SignatureDatabase& database);
-/// Throws InputError listing every offence with its key path; unknown keys are offences.
+/// Throws InputError listing every offence with its key path; unknown and doubled keys are
+/// offences, and so are lint errors. A material may state its `reflectivity`, which must close to
+/// 1e-4.
 SignatureDatabase signatureFromJson(const std::string& text, const std::string& fileName = "JSON");
 
 } // namespace irsg

