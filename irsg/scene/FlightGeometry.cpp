@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "irsg/scene/FlightValidator.h"
 
@@ -29,6 +30,15 @@ std::size_t poolStride(std::uint32_t mask) {
     return (mask & 0x80000000 ? 24u : 0u) + (mask & 0x40000000 ? 4u : 0u) +
            (mask & 0x20000000 ? 4u : 0u) + (mask & 0x10000000 ? 12u : 0u) +
            8u * static_cast<std::size_t>(std::popcount(mask & 0x0FF00000));
+}
+
+/// The record with another payload, at most as long as its own.
+std::string withPayload(const FlightRecord& record, const std::string& payload) {
+    std::string bytes(record.bytes.substr(0, 4));
+    const auto length = payload.size() + 4;
+    bytes[2] = static_cast<char>(length >> 8 & 0xFF);
+    bytes[3] = static_cast<char>(length & 0xFF);
+    return bytes + payload;
 }
 
 } // namespace
@@ -106,8 +116,7 @@ void FlightValidator::paletteVertex(const FlightRecord& record) {
 }
 
 void FlightValidator::checkPaletteEnd(std::size_t at) {
-    if (inPalette_ && std::exchange(inPalette_, false) && at != paletteEnd_ &&
-        at != paletteStart_)
+    if (inPalette_ && std::exchange(inPalette_, false) && at != paletteEnd_ && at != paletteStart_)
         offend(paletteStart_ + 4,
                "a vertex palette that ends at byte " + std::to_string(paletteEnd_),
                "byte " + std::to_string(at) + ", where its vertices end");
@@ -203,7 +212,8 @@ bool FlightValidator::visitGeometry(const FlightRecord& record) {
     case 7:
     case 8:
     case 9:
-        offend(record.offset, "a record of a version before 14 (" + flightRecordName(record.opcode) + ")",
+        offend(record.offset,
+               "a record of a version before 14 (" + flightRecordName(record.opcode) + ")",
                "records of version 14 to 16");
         return true;
     default:
@@ -230,7 +240,8 @@ void FlightValidator::face(const FlightRecord& record) {
 
     const int type = face.drawType;
     if (!((type >= 0 && type <= 4) || (type >= 8 && type <= 10)))
-        offend(record.offset + 18 + shift, "draw type " + std::to_string(type), "0 to 4 or 8 to 10");
+        offend(record.offset + 18 + shift, "draw type " + std::to_string(type),
+               "0 to 4 or 8 to 10");
     const bool white = record.u8(19 + shift) != 0 && record.i16(28 + shift) >= 0;
     if ((flags & packedColour) == 0 && !colours_ && !white)
         offend(record.offset,
@@ -252,8 +263,8 @@ void FlightValidator::vertexList(const FlightRecord& record) {
         return;
     }
     open(record);
-    const bool underFace = !levels_.empty() && levels_.back().face >= 0 &&
-                           levels_.back().opcode == flight::face;
+    const bool underFace =
+        !levels_.empty() && levels_.back().face >= 0 && levels_.back().opcode == flight::face;
     if (!underFace)
         return offend(record.offset, "a vertex list", "a face above it");
     if (!hasPalette_)
@@ -264,14 +275,31 @@ void FlightValidator::vertexList(const FlightRecord& record) {
     if ((record.size() - 4) % stride != 0)
         offend(record.offset, "a vertex list of " + std::to_string(record.size()) + " bytes",
                "4 and a multiple of " + std::to_string(stride));
-    for (std::size_t at = 4; at + 4 <= record.size(); at += 4) {
-        const auto vertex = vertices_.find(record.u32(at));
-        if (vertex == vertices_.end())
-            return offend(record.offset + at, "vertex offset " + std::to_string(record.u32(at)),
-                          "the offset of a vertex in the palette");
-        face.normals = face.normals && vertex->second;
+    // Offsets of one vertex each, or of a pair where the vertex morphs.
+    std::string kept;
+    for (std::size_t at = 4; at + stride <= record.size(); at += stride) {
+        bool known = true, normal = true;
+        for (std::size_t offset = at; offset < at + stride; offset += 4) {
+            if (record.u32(offset) >= paletteEnd_ - paletteStart_)
+                return offend(record.offset + offset,
+                              "vertex offset " + std::to_string(record.u32(offset)),
+                              "an offset inside the vertex palette of " +
+                                  std::to_string(paletteEnd_ - paletteStart_) + " bytes");
+            const auto vertex = vertices_.find(record.u32(offset));
+            known = known && vertex != vertices_.end();
+            normal = normal && known && vertex->second;
+        }
+        if (known) {
+            kept += record.bytes.substr(at, stride);
+            face.normals = face.normals && normal;
+        } else
+            file_.remarks.push_back("the vertex at byte " + std::to_string(record.offset + at) +
+                                    " of face " + face.id +
+                                    " points between the vertices of the palette and is left out");
     }
-    face.vertices += static_cast<int>((record.size() - 4) / stride);
+    face.vertices += static_cast<int>(kept.size() / stride);
+    if (kept.size() + 4 < record.size())
+        file_.steps.back().replacement = withPayload(record, kept);
 }
 
 void FlightValidator::localVertexPool(const FlightRecord& record) {
@@ -304,7 +332,8 @@ void FlightValidator::localVertexPool(const FlightRecord& record) {
 void FlightValidator::meshPrimitive(const FlightRecord& record) {
     open(record);
     if (levels_.empty() || levels_.back().opcode != flight::mesh || !levels_.back().poolSize)
-        return offend(record.offset, "a mesh primitive", "a mesh with a local vertex pool above it");
+        return offend(record.offset, "a mesh primitive",
+                      "a mesh with a local vertex pool above it");
     if (!atLeast(record, 12))
         return;
     const int type = record.i16(4);
@@ -375,8 +404,9 @@ bool FlightValidator::visitNode(const FlightRecord& record) {
     case flight::clipRegion:
     case flight::curve:
     case flight::continuouslyAdaptiveTerrain:
-        remarkOnce(std::to_string(record.opcode), "sounds, texts, clip regions, curves and adaptive "
-                                                  "terrain are not drawn");
+        remarkOnce(std::to_string(record.opcode),
+                   "sounds, texts, clip regions, curves and adaptive "
+                   "terrain are not drawn");
         open(record, FlightTreatment::asGroup).light = true;
         return true;
     default:

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <map>
+#include <optional>
 
 namespace irsg {
 namespace {
@@ -10,7 +11,8 @@ constexpr std::size_t headerSize = 4;
 /// Some early files end in a pop level record of the other byte order.
 constexpr std::uint16_t swappedPopLevel = 0x0B00, swappedPopLength = 0x0400;
 
-template <typename Unsigned> Unsigned bigEndian(std::string_view bytes, std::size_t at) {
+template <typename Unsigned>
+Unsigned bigEndian(std::string_view bytes, std::size_t at) {
     if (at + sizeof(Unsigned) > bytes.size())
         throw LogicError("an OpenFlight field is read beyond the end of its record");
     Unsigned value = 0;
@@ -21,6 +23,21 @@ template <typename Unsigned> Unsigned bigEndian(std::string_view bytes, std::siz
 
 bool onlyZeros(std::string_view bytes) {
     return bytes.find_first_not_of('\0') == std::string_view::npos;
+}
+
+/// What is wrong with a record of this header and so many bytes left in the file.
+std::optional<Offence> brokenHeader(std::uint16_t opcode, std::size_t length, std::size_t left) {
+    const auto record =
+        "a " + flightRecordName(opcode) + " record of length " + std::to_string(length);
+    if (left < headerSize)
+        return Offence{"", "", "a record header of " + std::to_string(left) + " bytes",
+                       "4 bytes: the file is truncated"};
+    if (length < headerSize)
+        return Offence{"", "", record, "a length of at least 4"};
+    if (length > left)
+        return Offence{"", "", record + " with " + std::to_string(left) + " bytes left in the file",
+                       "the whole record: the file is truncated"};
+    return std::nullopt;
 }
 
 } // namespace
@@ -36,9 +53,15 @@ std::uint16_t FlightRecord::u16(std::size_t at) const {
 std::uint32_t FlightRecord::u32(std::size_t at) const {
     return bigEndian<std::uint32_t>(bytes, at);
 }
-std::int16_t FlightRecord::i16(std::size_t at) const { return static_cast<std::int16_t>(u16(at)); }
-std::int32_t FlightRecord::i32(std::size_t at) const { return static_cast<std::int32_t>(u32(at)); }
-float FlightRecord::f32(std::size_t at) const { return std::bit_cast<float>(u32(at)); }
+std::int16_t FlightRecord::i16(std::size_t at) const {
+    return static_cast<std::int16_t>(u16(at));
+}
+std::int32_t FlightRecord::i32(std::size_t at) const {
+    return static_cast<std::int32_t>(u32(at));
+}
+float FlightRecord::f32(std::size_t at) const {
+    return std::bit_cast<float>(u32(at));
+}
 double FlightRecord::f64(std::size_t at) const {
     return std::bit_cast<double>(bigEndian<std::uint64_t>(bytes, at));
 }
@@ -54,33 +77,24 @@ FlightRecords::FlightRecords(std::string_view bytes, const std::string& file,
                              std::vector<Offence>& offences) {
     std::size_t at = 0;
     int level = 0;
-    const auto stop = [&](const std::string& value, const std::string& expected) {
-        offences.push_back({file, "byte " + std::to_string(at), value, expected});
-        end_ = at;
-    };
 
     while (at < bytes.size()) {
         // The header says what the record is and how long; zeros to the end are padding.
-        if (onlyZeros(bytes.substr(at, headerSize)) && onlyZeros(bytes.substr(at)))
+        const auto rest = bytes.substr(at);
+        if (onlyZeros(rest.substr(0, headerSize)) && onlyZeros(rest))
             break;
-        if (bytes.size() - at < headerSize)
-            return stop("a record header of " + std::to_string(bytes.size() - at) + " bytes",
-                        "4 bytes: the file is truncated");
-        auto opcode = bigEndian<std::uint16_t>(bytes, at);
-        std::size_t length = bigEndian<std::uint16_t>(bytes, at + 2);
+        std::uint16_t opcode = rest.size() < headerSize ? 0 : bigEndian<std::uint16_t>(rest, 0);
+        std::size_t length = rest.size() < headerSize ? 0 : bigEndian<std::uint16_t>(rest, 2);
         if (opcode == swappedPopLevel && length == swappedPopLength) {
             opcode = flight::popLevel;
             length = headerSize;
         }
-        if (length < headerSize)
-            return stop("a " + flightRecordName(opcode) + " record of length " +
-                            std::to_string(length),
-                        "a length of at least 4");
-        if (length > bytes.size() - at)
-            return stop("a " + flightRecordName(opcode) + " record of length " +
-                            std::to_string(length) + " with " + std::to_string(bytes.size() - at) +
-                            " bytes left in the file",
-                        "the whole record: the file is truncated");
+        if (auto broken = brokenHeader(opcode, length, rest.size())) {
+            broken->file = file;
+            broken->position = "byte " + std::to_string(at);
+            offences.push_back(*broken);
+            break;
+        }
 
         // A continuation belongs to the record before it.
         if (opcode == flight::continuation && !records_.empty()) {

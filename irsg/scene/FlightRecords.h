@@ -75,8 +75,9 @@ enum Opcode : std::uint16_t {
 struct FlightRecord {
     std::size_t offset = 0; ///< of its first byte in the file
     std::uint16_t opcode = 0;
-    std::size_t fileLength = 0; ///< bytes in the file, continuation records with their headers included
-    std::string_view bytes;     ///< header of 4 bytes and all payload
+    std::size_t fileLength =
+        0;                  ///< bytes in the file, continuation records with their headers included
+    std::string_view bytes; ///< header of 4 bytes and all payload
 
     std::size_t size() const { return bytes.size(); }
     /// Big-endian fields. `at` counts from the record's first byte; LogicError beyond the end.
@@ -94,8 +95,8 @@ struct FlightRecord {
 /// The records of one file in their order. The bytes must outlive the object.
 class FlightRecords {
   public:
-    /// Walks to the pop that closes the first level or to zero padding. Appends to `offences` what ends
-    /// the walk early: a record that is shorter than its header or longer than the file.
+    /// Walks to the pop that closes the first level or to zero padding. Appends to `offences` what
+    /// ends the walk early: a record that is shorter than its header or longer than the file.
     FlightRecords(std::string_view bytes, const std::string& file, std::vector<Offence>& offences);
 
     const std::vector<FlightRecord>& all() const { return records_; }

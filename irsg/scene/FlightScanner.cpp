@@ -54,8 +54,8 @@ class Follower {
         if (const auto known = extents_.find(key); known != extents_.end())
             return known->second;
         if (open_.size() >= longestChain)
-            throw InputError({path.string(), "", "a chain of more than 32 external references",
-                              "at most 32"});
+            throw InputError(
+                {path.string(), "", "a chain of more than 32 external references", "at most 32"});
         scan_.files.push_back(scanFlightBytes(readAll(path), path, coloursGiven));
         const auto index = scan_.files.size() - 1;
         open_.push_back(key);
@@ -68,8 +68,7 @@ class Follower {
             extent.height = std::max(extent.height, scan_.files[index].height + child.height);
         }
         if (extent.faces > mostFaces || extent.height > highest)
-            throw InputError({path.string(), "",
-                              "external references that multiply without end",
+            throw InputError({path.string(), "", "external references that multiply without end",
                               "at most 20 million faces and 1024 levels"});
         open_.pop_back();
         extents_[key] = extent;
@@ -151,6 +150,10 @@ std::string FlightFile::stream(Purpose purpose) const {
             if (step.length >= 12)
                 record.replace(4, 7, bytes, step.offset + 4, 7);
             out += record;
+            continue;
+        }
+        if (!step.replacement.empty()) {
+            out += step.replacement;
             continue;
         }
         out.append(bytes, step.offset, step.length);

@@ -36,9 +36,10 @@ struct FlightExternal {
 /// What is to be done with a record when the file is handed to OpenSceneGraph's plug-in.
 enum class FlightTreatment {
     keep,
-    drop,      ///< nothing that geometry or codes depend on, and a risk to read
+    drop,       ///< nothing that geometry or codes depend on, and a risk to read
     appearance, ///< kept for the visible display only: textures and materials
-    asGroup    ///< a node the plug-in does not know or draws as lights: a plain group with its children
+    asGroup     ///< a node the plug-in does not know or draws as lights: a plain group with its
+                ///< children
 };
 
 /// A validated file.
@@ -64,15 +65,17 @@ struct FlightFile {
         FlightTreatment treatment = FlightTreatment::keep;
         std::size_t lightModeOffset = 0; ///< 0 where there is none
         std::uint8_t lightMode = 0;      ///< for the infrared picture
+        std::string replacement; ///< stands for the record's own bytes where it is not empty
     };
     std::vector<Step> steps;
 };
 
 /// Validates the bytes of one OpenFlight file of version 14 to 16.4: record lengths, levels, vertex
-/// offsets, palettes, mesh pools and their indices, finite coordinates, instances, everything that the
-/// stock plug-in would follow blindly. Throws InputError with every offence and its byte offset.
-/// `coloursGiven`: a referring file lends its colour palette. External references are listed, not
-/// followed, and their `file` is empty.
+/// offsets, palettes, mesh pools and their indices, finite coordinates, instances, everything that
+/// the stock plug-in would follow blindly. Real files hold vertex offsets that lie inside the
+/// palette but on no vertex; such a vertex is left out and remarked. Throws InputError with every
+/// offence and its byte offset. `coloursGiven`: a referring file lends its colour palette. External
+/// references are listed, not followed, and their `file` is empty.
 FlightFile scanFlightBytes(std::string bytes, const std::filesystem::path& name,
                            bool coloursGiven = false);
 
@@ -86,9 +89,9 @@ struct FlightScan {
     const FlightFile& find(const std::filesystem::path& path) const;
 };
 
-/// Reads and validates a file and, recursively, its external references. Throws InputError for a file
-/// that is missing or malformed, a reference that leads nowhere (naming both files) or in a circle,
-/// and a model that instances and references multiply beyond 20 million faces.
+/// Reads and validates a file and, recursively, its external references. Throws InputError for a
+/// file that is missing or malformed, a reference that leads nowhere (naming both files) or in a
+/// circle, and a model that instances and references multiply beyond 20 million faces.
 FlightScan scanFlight(const std::filesystem::path& file);
 
 } // namespace irsg

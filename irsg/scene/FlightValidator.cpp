@@ -33,7 +33,7 @@ void FlightValidator::run() {
         throw InputError({file_.path.string(), "byte 0",
                           file_.bytes.empty() ? "an empty file"
                           : all.empty()       ? "no record"
-                                              : "a " + flightRecordName(all.front().opcode) + " record",
+                                        : "a " + flightRecordName(all.front().opcode) + " record",
                           "an OpenFlight header record"});
 
     for (const auto& record : all) {
@@ -141,7 +141,7 @@ void FlightValidator::push(const FlightRecord& record) {
     if (!current_ || current_->pushed) {
         // The level is opened nevertheless so that its pop finds it.
         offend(record.offset, "a push level record", "a node before it that has no children yet");
-        levels_.push_back(Node{.opcode = flight::group, .offset = record.offset});
+        levels_.emplace_back(flight::group, record.offset);
         current_.reset();
         return;
     }
@@ -173,7 +173,7 @@ FlightValidator::Node& FlightValidator::open(const FlightRecord& record,
         offend(record.offset, "a " + flightRecordName(record.opcode) + " record",
                "a push level record before it");
     keep(record, treatment);
-    current_ = Node{.opcode = record.opcode, .offset = record.offset};
+    current_.emplace(record.opcode, record.offset);
     current_->step = file_.steps.size() - 1;
 
     // Children of a face become children of the node above it; a switch has a bit for each child.
@@ -227,7 +227,7 @@ void FlightValidator::close(Node node) {
 
 void FlightValidator::keep(const FlightRecord& record, FlightTreatment treatment) {
     if (treatment != FlightTreatment::drop)
-        file_.steps.push_back({record.offset, record.fileLength, treatment, 0, 0});
+        file_.steps.push_back({record.offset, record.fileLength, treatment, 0, 0, {}});
 }
 
 bool FlightValidator::atLeast(const FlightRecord& record, std::size_t size) {
@@ -260,8 +260,7 @@ void FlightValidator::finite(const FlightRecord& record, std::size_t at, std::si
 
 void FlightValidator::offend(std::size_t offset, const std::string& value,
                              const std::string& expected) {
-    offences_.push_back(
-        {file_.path.string(), "byte " + std::to_string(offset), value, expected});
+    offences_.push_back({file_.path.string(), "byte " + std::to_string(offset), value, expected});
 }
 
 void FlightValidator::remarkOnce(const std::string& key, const std::string& text) {

@@ -25,8 +25,10 @@ class FlightValidator {
     /// How often faces (key -1) and external references (their index) are drawn below a node.
     using Placements = std::map<int, double>;
     struct Node {
-        std::uint16_t opcode = 0;
-        std::size_t offset = 0;
+        Node(std::uint16_t theOpcode, std::size_t theOffset)
+            : opcode(theOpcode), offset(theOffset) {}
+        std::uint16_t opcode;
+        std::size_t offset;
         int face = -1; ///< index in file.faces of a face or mesh
         bool pushed = false;
         int subfaces = 0; ///< push subface records open among its children
