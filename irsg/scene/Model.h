@@ -39,8 +39,8 @@ struct CodeUse {
     /// OpenFlight: Face and Mesh records, each once however often it is placed, lines and hidden
     /// faces included. Other files: polygons as they are drawn.
     int faces = 0;
-    double area_m2 =
-        0.0; ///< of what is drawn, with every copy; 0 where only lines or hidden faces are
+    /// Of what is drawn, with every copy; 0 where there are only lines or hidden faces.
+    double area_m2 = 0.0;
     bool operator==(const CodeUse&) const = default;
 };
 
@@ -49,12 +49,6 @@ struct ModelOptions {
     bool forceTwoSided = false;          ///< ignore draw type 0 (backface culling)
 };
 
-<<<<<<< HEAD
-/// A loaded model: geometry with its codes, merged per pair of codes, in the axes of this program
-/// (x starboard, y nose, z up). The graph belongs to one Model; drawables carry a
-/// ShapeAttributeList with IRColor and IRMaterial and no textures or lights that would touch the
-/// infrared picture.
-=======
 /// A loaded model: geometry with its codes, in the axes of this program (x starboard, y nose, z
 /// up). The graph is one Group with one Geode; its drawables are osg::Geometry, one for each
 /// subface level, pair of codes and culling, sorted by these: a Vec3Array of vertices, a Vec3Array
@@ -65,7 +59,6 @@ struct ModelOptions {
 /// subfaces of level n, which lie in the plane of the face below them and follow it in the list.
 /// UserData is a ShapeAttributeList with IRColor and IRMaterial. Two loads of a file give equal
 /// graphs.
->>>>>>> c789c3e (Load models: validated, merged per codes, in model axes)
 class Model {
   public:
     /// Loads .flt, .osgt, .osgb, .ive and whatever OpenSceneGraph reads. An OpenFlight file is
@@ -84,13 +77,8 @@ class Model {
     const std::map<IrCodes, CodeUse>& codes() const;
     /// Of all geometry, model axes.
     const BoundingBox& bounds() const;
-<<<<<<< HEAD
-    /// Of the geometry whose codes satisfy a condition; not valid() when there is none.
-    BoundingBox boundsOf(const std::function<bool(const IrCodes&)>& condition) const;
-=======
     /// Of the geometry whose codes are wanted; not valid() where there is none.
     BoundingBox boundsOf(const std::function<bool(const IrCodes&)>& wanted) const;
->>>>>>> c789c3e (Load models: validated, merged per codes, in model axes)
     /// What the loader had to do or could not keep: LODs overridden, normals made, files missing.
     const std::vector<std::string>& remarks() const;
 
