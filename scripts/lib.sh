@@ -15,7 +15,8 @@ fail() {
     exit 1
 }
 
-# run_logged LOG COMMAND...: keeps the noise of a command in a file; its exit status stays.
+# run_logged LOG COMMAND...: keeps the noise of a command in a file; its exit status stays. A function
+# called this way in a condition runs on after a failing line: chain its lines with && or || return.
 run_logged() {
     local log="$1"
     shift
@@ -30,7 +31,10 @@ is_installed() {
 
 # Whether apt could install a package, as far as the lists of this machine know.
 is_available() {
-    apt-cache policy "$1" 2>/dev/null | grep -q '^ *Candidate: *[^ (]'
+    local policy
+    policy="$(apt-cache policy "$1" 2>/dev/null || true)"
+    case "$policy" in *'Candidate: (none)'*) return 1 ;; *'Candidate: '*) return 0 ;; esac
+    return 1
 }
 
 # cmake --preset NAME with what scripts/setup found out, then the build; noise only where it fails.
