@@ -1,0 +1,123 @@
+#include "gui/Theme.h"
+
+#include <array>
+
+#include <QApplication>
+#include <QFile>
+#include <QPainter>
+#include <QStyleFactory>
+#include <QSvgRenderer>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+namespace {
+
+struct Shades {
+    const char *window, *base, *alternate, *button, *text, *faint, *accent, *tip, *link;
+};
+constexpr Shades lightShades{"#f4f5f7", "#ffffff", "#f0f2f5", "#fafbfc", "#1f2430",
+                             "#9aa1ad", "#2f6fde", "#ffffff", "#1d5bc4"};
+constexpr Shades darkShades{"#23262d", "#1b1d23", "#22252c", "#2d3139", "#e6e8ec",
+                            "#7c828e", "#4c8dff", "#31353e", "#7fb0ff"};
+
+QPalette makePalette(const Shades& shades) {
+    QPalette palette{QColor(shades.button), QColor(shades.window)};
+    const QColor text(shades.text);
+    const QColor faint(shades.faint);
+    palette.setColor(QPalette::Base, QColor(shades.base));
+    palette.setColor(QPalette::AlternateBase, QColor(shades.alternate));
+    palette.setColor(QPalette::ToolTipBase, QColor(shades.tip));
+    palette.setColor(QPalette::Link, QColor(shades.link));
+    palette.setColor(QPalette::Highlight, QColor(shades.accent));
+    palette.setColor(QPalette::HighlightedText, Qt::white);
+    palette.setColor(QPalette::PlaceholderText, faint);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
+                            QPalette::ToolTipText}) {
+        palette.setColor(role, text);
+        palette.setColor(QPalette::Disabled, role, faint);
+    }
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, faint);
+    return palette;
+}
+
+QPixmap drawIcon(QByteArray svg, const QColor& color, int size) {
+    svg.replace("currentColor", color.name().toLatin1());
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    QSvgRenderer(svg).render(&painter);
+    return pixmap;
+}
+
+} // namespace
+
+bool isDark(const QPalette& palette) {
+    return palette.color(QPalette::Window).lightness() < 128;
+}
+
+void applyTheme(QApplication& application, ThemeMode mode) {
+    const bool dark = mode == ThemeMode::dark ||
+                      (mode == ThemeMode::system && isDark(QApplication::palette()));
+    application.setStyle(QStyleFactory::create("Fusion"));
+    application.setPalette(makePalette(dark ? darkShades : lightShades));
+    application.setStyleSheet(QStringLiteral(
+        "QToolTip { padding: 4px; }"
+        "QToolBar { border: 0; padding: 4px; spacing: 4px; }"
+        "QDockWidget::title { padding: 6px 8px; }"
+        "QTabBar::tab { padding: 6px 12px; }"
+        "QStatusBar::item { border: 0; }"));
+}
+
+QIcon icon(const QString& name, const QPalette& palette) {
+    QFile file(":/icons/" + name + ".svg");
+    if (!file.open(QIODevice::ReadOnly))
+        throw irsg::LogicError("no icon named " + name.toStdString());
+    const QByteArray svg = file.readAll();
+    QIcon result;
+    for (const int size : {16, 20, 24, 32, 48, 64}) {
+        result.addPixmap(drawIcon(svg, palette.color(QPalette::Active, QPalette::ButtonText), size));
+        result.addPixmap(drawIcon(svg, palette.color(QPalette::Disabled, QPalette::ButtonText), size),
+                         QIcon::Disabled);
+    }
+    return result;
+}
+
+QIcon icon(const QString& name) { return icon(name, QApplication::palette()); }
+
+PlotStyle PlotStyle::screen(const QPalette& palette) {
+    PlotStyle style;
+    style.dark = isDark(palette);
+    style.background = palette.color(QPalette::Base);
+    style.canvas = palette.color(QPalette::Base);
+    style.text = palette.color(QPalette::Active, QPalette::Text);
+    style.faintText = palette.color(QPalette::PlaceholderText);
+    style.frame = style.dark ? QColor("#4a505c") : QColor("#b9bfca");
+    style.grid = style.dark ? QColor("#3a3f49") : QColor("#dde1e8");
+    style.minorGrid = style.dark ? QColor("#2b2f37") : QColor("#eef0f4");
+    style.crosshair = style.dark ? QColor("#aeb4c0") : QColor("#5d6472");
+    return style;
+}
+
+PlotStyle PlotStyle::paper() {
+    PlotStyle style;
+    style.background = style.canvas = Qt::white;
+    style.text = QColor("#1a1a1a");
+    style.faintText = QColor("#6b6b6b");
+    style.frame = QColor("#8a8f98");
+    style.grid = QColor("#d5d9e0");
+    style.minorGrid = QColor("#eceef2");
+    style.crosshair = QColor("#5d6472");
+    return style;
+}
+
+QColor PlotStyle::curve(int index) const {
+    static constexpr std::array<const char*, 8> onLight{"#1f5fd0", "#d9480f", "#0b8a6a", "#a02c8f",
+                                                        "#b38600", "#0c7ea8", "#8a4b2a", "#5b6270"};
+    static constexpr std::array<const char*, 8> onDark{"#6ea8ff", "#ff8a4c", "#3fd0a6", "#e07bd2",
+                                                       "#f0c445", "#5cc8f0", "#d39a74", "#b4bac6"};
+    const auto wrapped = static_cast<std::size_t>(index) % onLight.size();
+    return QColor(dark ? onDark[wrapped] : onLight[wrapped]);
+}
+
+} // namespace smat::gui

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QString>
+
+namespace smat::gui {
+
+/// One line of a plot. A sample whose y (or x) is not finite is a gap: nothing is drawn there.
+struct Curve {
+    QString name;
+    std::vector<double> x, y; ///< of equal length (LogicError where a plot takes them)
+
+    /// y at `at`, linear between samples; nothing outside the samples and beside gaps.
+    std::optional<double> valueAt(double at) const;
+    /// The same on an axis that repeats after `period`.
+    std::optional<double> valueAt(double at, double period) const;
+};
+
+/// What a Cartesian plot shows. Titles hold their units.
+struct PlotData {
+    QString title, xTitle, yTitle;
+    std::vector<Curve> curves;
+    bool xLogarithmic = false, yLogarithmic = false;
+};
+
+/// What a polar plot shows: x of the curves is the angle in degrees, 0 drawn at the top.
+struct PolarData {
+    QString title;         ///< with mode and offset
+    QString radiusTitle;   ///< with its unit
+    QString directionNote; ///< "angle grows clockwise, seen from above"
+    bool clockwise = true;
+    std::vector<Curve> curves;
+};
+
+/// A closed interval; empty when there is nothing to enclose.
+struct Interval {
+    double minimum = 0.0, maximum = 0.0;
+};
+/// Range of the finite values, the positive ones alone for a logarithmic axis.
+std::optional<Interval> rangeOf(const std::vector<Curve>& curves,
+                                std::vector<double> Curve::* values, bool positiveOnly);
+
+/// CSV of the curves: a column pair per curve where their x differ, one x column where all agree.
+/// `within` keeps the part of x that is visible.
+QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QString& yTitle,
+              std::optional<Interval> within = {});
+
+/// "1.2346e+05": six significant digits for read-outs.
+QString readableNumber(double value);
+
+} // namespace smat::gui
