@@ -32,8 +32,8 @@ QPalette makePalette(const Shades& shades) {
     palette.setColor(QPalette::Highlight, QColor(shades.accent));
     palette.setColor(QPalette::HighlightedText, Qt::white);
     palette.setColor(QPalette::PlaceholderText, faint);
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
-                            QPalette::ToolTipText}) {
+    for (const auto role :
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
         palette.setColor(role, text);
         palette.setColor(QPalette::Disabled, role, faint);
     }
@@ -57,16 +57,15 @@ bool isDark(const QPalette& palette) {
 }
 
 void applyTheme(QApplication& application, ThemeMode mode) {
-    const bool dark = mode == ThemeMode::dark ||
-                      (mode == ThemeMode::system && isDark(QApplication::palette()));
+    const bool dark =
+        mode == ThemeMode::dark || (mode == ThemeMode::system && isDark(QApplication::palette()));
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setPalette(makePalette(dark ? darkShades : lightShades));
-    application.setStyleSheet(QStringLiteral(
-        "QToolTip { padding: 4px; }"
-        "QToolBar { border: 0; padding: 4px; spacing: 4px; }"
-        "QDockWidget::title { padding: 6px 8px; }"
-        "QTabBar::tab { padding: 6px 12px; }"
-        "QStatusBar::item { border: 0; }"));
+    application.setStyleSheet(QStringLiteral("QToolTip { padding: 4px; }"
+                                             "QToolBar { border: 0; padding: 4px; spacing: 4px; }"
+                                             "QDockWidget::title { padding: 6px 8px; }"
+                                             "QTabBar::tab { padding: 6px 12px; }"
+                                             "QStatusBar::item { border: 0; }"));
 }
 
 QIcon icon(const QString& name, const QPalette& palette) {
@@ -76,14 +75,18 @@ QIcon icon(const QString& name, const QPalette& palette) {
     const QByteArray svg = file.readAll();
     QIcon result;
     for (const int size : {16, 20, 24, 32, 48, 64}) {
-        result.addPixmap(drawIcon(svg, palette.color(QPalette::Active, QPalette::ButtonText), size));
-        result.addPixmap(drawIcon(svg, palette.color(QPalette::Disabled, QPalette::ButtonText), size),
-                         QIcon::Disabled);
+        result.addPixmap(
+            drawIcon(svg, palette.color(QPalette::Active, QPalette::ButtonText), size));
+        result.addPixmap(
+            drawIcon(svg, palette.color(QPalette::Disabled, QPalette::ButtonText), size),
+            QIcon::Disabled);
     }
     return result;
 }
 
-QIcon icon(const QString& name) { return icon(name, QApplication::palette()); }
+QIcon icon(const QString& name) {
+    return icon(name, QApplication::palette());
+}
 
 PlotStyle PlotStyle::screen(const QPalette& palette) {
     PlotStyle style;

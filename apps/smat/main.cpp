@@ -15,14 +15,6 @@ namespace {
 constexpr int inputRefused = 2;
 constexpr int ourFault = 3;
 
-bool isSet(const char* variable) {
-    const char* value = std::getenv(variable);
-    return value != nullptr && *value != '\0';
-}
-bool hasDisplay() {
-    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM");
-}
-
 int runPlot(const smat::PlotRequest& request, int argc, char** argv) {
     // Plots are painted, not drawn by OpenGL: they need no display at all.
     qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -42,8 +34,10 @@ int main(int argc, char** argv) {
     smat::PlotRequest request;
     auto* plot = cli.add_subcommand("plot", "Draws results into a file, without a display");
     plot->add_option("results", request.results, "Results (CSV or JSON) to overlay")->required();
-    plot->add_option("-o,--out", request.output, "File to write: .svg, .pdf, .png or .csv")->required();
-    plot->add_option("--quantity", request.quantity, "Column to draw, contrast_intensity where there is one");
+    plot->add_option("-o,--out", request.output, "File to write: .svg, .pdf, .png or .csv")
+        ->required();
+    plot->add_option("--quantity", request.quantity,
+                     "Column to draw, contrast_intensity where there is one");
     plot->add_flag("--log-x", request.logX, "Logarithmic abscissa");
     plot->add_flag("--log-y", request.logY, "Logarithmic ordinate");
     plot->add_flag("--db", request.decibel, "Decibel radius of a polar plot");

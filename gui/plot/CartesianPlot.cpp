@@ -9,7 +9,6 @@
 #include <QWheelEvent>
 #include <QwtLegend>
 #include <QwtLegendLabel>
-#include <QwtLogScaleEngine>
 #include <QwtPlotCanvas>
 #include <QwtPlotCurve>
 #include <QwtPlotGrid>
@@ -122,7 +121,8 @@ CartesianPlot::~CartesianPlot() = default;
 void CartesianPlot::setData(PlotData data) {
     for (const auto& curve : data.curves) {
         if (curve.x.size() != curve.y.size())
-            throw irsg::LogicError("curve " + curve.name.toStdString() + ": x and y differ in length");
+            throw irsg::LogicError("curve " + curve.name.toStdString() +
+                                   ": x and y differ in length");
     }
     data_ = std::move(data);
     detachItems(QwtPlotItem::Rtti_PlotCurve, true);
@@ -154,7 +154,7 @@ void CartesianPlot::setData(PlotData data) {
 void CartesianPlot::applyAxes() {
     const auto engine = [](bool logarithmic) -> QwtScaleEngine* {
         if (logarithmic)
-            return new QwtLogScaleEngine;
+            return new ReadableLogScale;
         return new QwtLinearScaleEngine;
     };
     setAxisScaleEngine(xBottom, engine(data_.xLogarithmic));
@@ -303,7 +303,10 @@ bool CartesianPlot::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool CartesianPlot::handleMouse(QEvent* event) {
-    const QRectF area = canvas()->rect();
+    const View shown = view();
+    const QRectF area(
+        QPointF(transform(xBottom, shown.x.minimum), transform(yLeft, shown.y.maximum)),
+        QPointF(transform(xBottom, shown.x.maximum), transform(yLeft, shown.y.minimum)));
     switch (event->type()) {
     case QEvent::Wheel: {
         const auto* wheel = static_cast<QWheelEvent*>(event);

@@ -8,8 +8,8 @@ class QPainter;
 
 namespace smat::gui {
 
-/// A transparent sheet over a plot's canvas, so that the crosshair and the zoom rectangle follow the
-/// mouse without drawing the plot anew. Grows with its parent and lets every event through.
+/// A transparent sheet over a plot's canvas, so that the crosshair and the zoom rectangle follow
+/// the mouse without drawing the plot anew. Grows with its parent and lets every event through.
 class CrosshairOverlay : public QWidget {
   public:
     CrosshairOverlay(QWidget* canvas, std::function<void(QPainter&)> paint);

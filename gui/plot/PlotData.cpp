@@ -42,7 +42,7 @@ std::optional<double> Curve::valueAt(double at, double period) const {
 }
 
 std::optional<Interval> rangeOf(const std::vector<Curve>& curves,
-                                std::vector<double> Curve::* values, bool positiveOnly) {
+                                std::vector<double> Curve::*values, bool positiveOnly) {
     std::optional<Interval> range;
     for (const auto& curve : curves) {
         for (const double value : curve.*values) {
@@ -94,9 +94,9 @@ QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QSt
         bool any = false;
         for (std::size_t i = 0; i < curves.size(); ++i) {
             const Curve& curve = curves[i];
-            const bool there = row < curve.x.size() &&
-                               (!within || (curve.x[row] >= within->minimum &&
-                                            curve.x[row] <= within->maximum));
+            const bool there =
+                row < curve.x.size() &&
+                (!within || (curve.x[row] >= within->minimum && curve.x[row] <= within->maximum));
             any = any || there;
             if (i == 0 || !sharedAxis)
                 cells << (there ? exactNumber(curve.x[row]) : QString());

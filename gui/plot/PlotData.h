@@ -40,7 +40,7 @@ struct Interval {
 };
 /// Range of the finite values, the positive ones alone for a logarithmic axis.
 std::optional<Interval> rangeOf(const std::vector<Curve>& curves,
-                                std::vector<double> Curve::* values, bool positiveOnly);
+                                std::vector<double> Curve::*values, bool positiveOnly);
 
 /// CSV of the curves: a column pair per curve where their x differ, one x column where all agree.
 /// `within` keeps the part of x that is visible.

@@ -23,6 +23,11 @@ namespace {
 using Draw = std::function<void(QPainter&, const QRectF&)>;
 constexpr double pixelsPerInch = 96.0;
 
+QRectF withMargin(const QRectF& area) {
+    const double margin = 0.02 * area.width();
+    return area.adjusted(margin, margin, -margin, -margin);
+}
+
 QByteArray asSvg(const QString& title, QSize size, const Draw& draw) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -76,8 +81,8 @@ QByteArray asPng(QSize size, const Draw& draw) {
 void write(const std::filesystem::path& file, const QByteArray& bytes) {
     QSaveFile out(QString::fromStdString(file.string()));
     if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit())
-        throw irsg::InputError({file.string(), "", out.errorString().toStdString(),
-                                "a file that can be written"});
+        throw irsg::InputError(
+            {file.string(), "", out.errorString().toStdString(), "a file that can be written"});
 }
 
 void exportAs(const std::filesystem::path& file, const QString& title, QSize size,
@@ -114,7 +119,7 @@ void exportPlot(const CartesianPlot& plot, const std::filesystem::path& file, QS
         painter.fillRect(area, Qt::white);
         QwtPlotRenderer renderer;
         renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
-        renderer.render(twin.get(), &painter, area);
+        renderer.render(twin.get(), &painter, withMargin(area));
     });
 }
 
@@ -132,7 +137,7 @@ void exportPlot(const PolarPlot& plot, const std::filesystem::path& file, QSize 
     exportAs(file, plot.data().title, size, csv, [&](QPainter& painter, const QRectF& area) {
         painter.fillRect(area, Qt::white);
         QwtPolarRenderer renderer;
-        renderer.render(twin.get(), &painter, area);
+        renderer.render(twin.get(), &painter, withMargin(area));
     });
 }
 

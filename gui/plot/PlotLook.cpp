@@ -1,6 +1,10 @@
 #include "gui/plot/PlotLook.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QApplication>
+#include <QFontInfo>
 #include <QwtLegend>
 #include <QwtPlot>
 #include <QwtScaleDraw>
@@ -10,9 +14,34 @@ namespace smat::gui {
 
 QFont plotFont(double scale, bool bold) {
     QFont font = QApplication::font();
-    font.setPointSizeF(font.pointSizeF() * scale);
+    // In pixels, so that a painter of another resolution scales it like every other length.
+    font.setPixelSize(qRound(QFontInfo(font).pixelSize() * scale));
     font.setBold(bold);
     return font;
+}
+
+QwtText NumberLabels::label(double value) const {
+    return QwtText(QString::number(value, 'g', 7), QwtText::PlainText);
+}
+
+QwtScaleDiv ReadableLogScale::divideScale(double x1, double x2, int maxMajorSteps,
+                                          int maxMinorSteps, double stepSize) const {
+    const double low = std::min(x1, x2);
+    const double high = std::max(x1, x2);
+    const bool fewDecades = low > 0.0 && high / low > 8.0 && high / low < 2000.0;
+    if (!fewDecades)
+        return QwtLogScaleEngine::divideScale(x1, x2, maxMajorSteps, maxMinorSteps, stepSize);
+    QList<double> major, minor;
+    for (double decade = std::pow(10.0, std::floor(std::log10(low))); decade <= high;
+         decade *= 10.0) {
+        for (int digit = 1; digit <= 9; ++digit) {
+            const double tick = digit * decade;
+            if (tick < low * (1.0 - 1e-9) || tick > high * (1.0 + 1e-9))
+                continue;
+            (digit == 1 || digit == 2 || digit == 5 ? major : minor) << tick;
+        }
+    }
+    return QwtScaleDiv(x1, x2, minor, {}, major);
 }
 
 QwtText plotTitle(const QString& text, const PlotStyle& style) {
@@ -39,6 +68,7 @@ void dressPlot(QwtPlot& plot, const PlotStyle& style) {
     plot.setAutoFillBackground(true);
     plot.setContentsMargins(12, 10, 16, 10);
     for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
+        plot.setAxisScaleDraw(axis, new NumberLabels);
         plot.setAxisFont(axis, plotFont(0.95));
         auto* draw = plot.axisScaleDraw(axis);
         draw->enableComponent(QwtAbstractScaleDraw::Backbone, true);
@@ -46,9 +76,15 @@ void dressPlot(QwtPlot& plot, const PlotStyle& style) {
         draw->setTickLength(QwtScaleDiv::MediumTick, 4.0);
         draw->setTickLength(QwtScaleDiv::MajorTick, 6.0);
         draw->setSpacing(5.0);
+        // Room for the widest usual number, so that the canvas does not shift while zooming.
+        if (axis == QwtPlot::yLeft)
+            draw->setMinimumExtent(QFontMetricsF(plotFont(0.95)).horizontalAdvance("0.0000") +
+                                   12.0);
         plot.axisWidget(axis)->setMargin(0);
         plot.axisWidget(axis)->setSpacing(8);
     }
+    plot.axisWidget(QwtPlot::xBottom)->setMinBorderDist(28, 28);
+    plot.axisWidget(QwtPlot::yLeft)->setMinBorderDist(8, 8);
 }
 
 void dressLegend(QwtLegend& legend, const PlotStyle& style) {

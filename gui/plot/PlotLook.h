@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QwtLogScaleEngine>
+#include <QwtScaleDraw>
 #include <QwtText>
 
 #include "gui/Theme.h"
@@ -13,6 +15,17 @@ namespace smat::gui {
 QFont plotFont(double scale = 1.0, bool bold = false);
 QwtText plotTitle(const QString& text, const PlotStyle& style);
 QwtText axisText(const QString& text, const PlotStyle& style);
+/// Numbers as files have them: no separators of thousands.
+class NumberLabels : public QwtScaleDraw {
+  public:
+    QwtText label(double value) const override;
+};
+/// Ticks at 1, 2 and 5 of each decade where there are few decades.
+class ReadableLogScale : public QwtLogScaleEngine {
+  public:
+    QwtScaleDiv divideScale(double x1, double x2, int maxMajorSteps, int maxMinorSteps,
+                            double stepSize = 0.0) const override;
+};
 void dressPlot(QwtPlot& plot, const PlotStyle& style);
 void dressLegend(QwtLegend& legend, const PlotStyle& style);
 

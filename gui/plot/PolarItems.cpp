@@ -1,6 +1,7 @@
 #include "gui/plot/PolarItems.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <QPainter>
@@ -31,8 +32,8 @@ void GappedPolarCurve::draw(QPainter* painter, const QwtScaleMap& azimuthMap,
             const double distance = radialMap.transform(point.radius());
             painter->setPen(Qt::NoPen);
             painter->setBrush(pen().color());
-            painter->drawEllipse(pole + QPointF(distance * std::cos(angle),
-                                                -distance * std::sin(angle)), 3.0, 3.0);
+            painter->drawEllipse(
+                pole + QPointF(distance * std::cos(angle), -distance * std::sin(angle)), 3.0, 3.0);
         }
         start = end + 1;
     }
@@ -44,9 +45,11 @@ QwtText AngleLabels::label(double value) const {
 }
 
 PolarNotes::PolarNotes(const PlotStyle& style, QString direction, bool clockwise, QString radius)
-    : style_(style), direction_(std::move(direction)), radius_(std::move(radius)),
+    : style_(style),
+      direction_(std::move(direction)),
+      radius_(std::move(radius)),
       clockwise_(clockwise) {
-    setZ(100.0);
+    setZ(5.0);
 }
 
 void PolarNotes::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap& radialMap,
@@ -65,14 +68,29 @@ void PolarNotes::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap& 
     painter->setFont(plotFont(0.95));
     const QFontMetricsF metrics(painter->font());
     const double arrow = metrics.height() * 0.9;
+    const double indent = arrow * 1.6;
+    const double radiusWidth = metrics.horizontalAdvance(radius_);
+    const double directionWidth = indent + metrics.horizontalAdvance(direction_);
     const double baseline = canvasRect.bottom() - metrics.descent() - 2.0;
-    drawTurnArrow(*painter, {canvasRect.left() + arrow * 0.6, baseline - metrics.ascent() * 0.35},
-                  arrow * 0.5);
     painter->setPen(style_.text);
-    painter->drawText(QPointF(canvasRect.left() + arrow * 1.5, baseline), direction_);
-    painter->drawText(QPointF(canvasRect.right() - metrics.horizontalAdvance(radius_) - 2.0,
-                              baseline), radius_);
+    painter->drawText(QPointF(canvasRect.right() - radiusWidth - 2.0, baseline), radius_);
+
+    // One above the other where the canvas is too narrow for both.
+    const bool narrow = directionWidth + radiusWidth + 2.0 * arrow > canvasRect.width();
+    const double upper = narrow ? baseline - metrics.lineSpacing() : baseline;
+    painter->drawText(QPointF(canvasRect.left() + indent, upper), direction_);
+    drawTurnArrow(*painter, {canvasRect.left() + arrow * 0.7, upper - metrics.ascent() * 0.35},
+                  arrow * 0.5);
     painter->restore();
+}
+
+int PolarNotes::marginHint() const {
+    return static_cast<int>(3.6 * QFontMetricsF(plotFont(0.95)).height());
+}
+
+QwtInterval PolarNotes::boundingInterval(int) const {
+    constexpr double below = std::numeric_limits<double>::lowest();
+    return QwtInterval(below, below);
 }
 
 void PolarNotes::drawTurnArrow(QPainter& painter, const QPointF& centre, double size) const {
@@ -90,8 +108,8 @@ void PolarNotes::drawTurnArrow(QPainter& painter, const QPointF& centre, double 
     painter.rotate(150.0);
     painter.setBrush(style_.text);
     painter.setPen(Qt::NoPen);
-    painter.drawPolygon(QPolygonF({{size * 0.55, 0.0}, {-size * 0.25, -size * 0.4},
-                                   {-size * 0.25, size * 0.4}}));
+    painter.drawPolygon(
+        QPolygonF({{size * 0.55, 0.0}, {-size * 0.25, -size * 0.4}, {-size * 0.25, size * 0.4}}));
     painter.restore();
 }
 

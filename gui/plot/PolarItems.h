@@ -11,8 +11,8 @@ namespace smat::gui {
 /// Draws runs of finite samples one by one, so that a missing point leaves a gap.
 class GappedPolarCurve : public QwtPolarCurve {
   public:
-    using QwtPolarCurve::QwtPolarCurve;
     using QwtPolarCurve::draw;
+    using QwtPolarCurve::QwtPolarCurve;
     void draw(QPainter* painter, const QwtScaleMap& azimuthMap, const QwtScaleMap& radialMap,
               const QPointF& pole, double radius, const QRectF& canvasRect) const override;
 };
@@ -30,6 +30,10 @@ class PolarNotes : public QwtPolarItem {
     PolarNotes(const PlotStyle& style, QString direction, bool clockwise, QString radius);
     void draw(QPainter* painter, const QwtScaleMap& azimuthMap, const QwtScaleMap& radialMap,
               const QPointF& pole, double radius, const QRectF& canvasRect) const override;
+    /// Keeps room below the circle for the words.
+    int marginHint() const override;
+    /// Below every radius: Qwt clips to the circle what may reach beyond it.
+    QwtInterval boundingInterval(int scale) const override;
 
   private:
     void drawTurnArrow(QPainter& painter, const QPointF& centre, double size) const;

@@ -38,7 +38,8 @@ bool goesRound(const Curve& curve) {
 
 } // namespace
 
-PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent) : QwtPolarPlot(parent), style_(style) {
+PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent)
+    : QwtPolarPlot(parent), style_(style) {
     setObjectName("polarPlot");
     setFocusPolicy(Qt::StrongFocus);
     setAutoReplot(false);
@@ -73,6 +74,7 @@ PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent) : QwtPolarPlot(par
     grid->setAxisPen(QwtPolar::AxisAzimuth, QPen(style_.text));
     grid->setAxisPen(QwtPolar::AxisRight, QPen(style_.faintText));
     grid->setAzimuthScaleDraw(new AngleLabels);
+    grid->setScaleDraw(QwtPolar::AxisRight, new NumberLabels);
     grid->setDisplayFlag(QwtPolarGrid::HideMaxRadiusLabel, false);
     grid->setDisplayFlag(QwtPolarGrid::SmartOriginLabel, true);
     grid->attach(this);
@@ -94,7 +96,8 @@ PolarPlot::~PolarPlot() = default;
 void PolarPlot::setData(PolarData data) {
     for (const auto& curve : data.curves) {
         if (curve.x.size() != curve.y.size())
-            throw irsg::LogicError("curve " + curve.name.toStdString() + ": x and y differ in length");
+            throw irsg::LogicError("curve " + curve.name.toStdString() +
+                                   ": x and y differ in length");
     }
     data_ = std::move(data);
     setTitle(plotTitle(data_.title, style_));
@@ -122,7 +125,6 @@ void PolarPlot::rebuildCurves() {
     for (const auto* curve : curves_)
         visible.push_back(curve->isVisible());
     detachItems(QwtPolarItem::Rtti_PolarCurve, true);
-    detachItems(QwtPolarItem::Rtti_PolarItem, true);
     curves_.clear();
 
     // The radius ends at a round number above the largest value; it begins at 0, or below where a
@@ -130,6 +132,7 @@ void PolarPlot::rebuildCurves() {
     const bool decibel = radiusScale_ == RadiusScale::decibel;
     const auto range = rangeOf(data_.curves, &Curve::y, decibel);
     largest_ = range ? range->maximum : 1.0;
+    setScaleMaxMinor(QwtPolar::Radius, 2);
     if (decibel) {
         setScale(QwtPolar::Radius, floor_dB, 0.0, 10.0);
     } else {
@@ -141,8 +144,6 @@ void PolarPlot::rebuildCurves() {
         QwtLinearScaleEngine().autoScale(5, low, high, step);
         setScale(QwtPolar::Radius, low, high, step);
     }
-    setScaleMaxMinor(QwtPolar::Radius, 2);
-
     for (std::size_t i = 0; i < data_.curves.size(); ++i) {
         const Curve& curve = data_.curves[i];
         QVector<QwtPointPolar> points;
@@ -169,8 +170,8 @@ void PolarPlot::rebuildCurves() {
         radius += QStringLiteral(", dB below %1").arg(readableNumber(largest_));
     if (const int left = samplesLeftOut(); left > 0)
         radius += QStringLiteral(" (%1 values not above 0 left out)").arg(left);
-    auto* notes = new PolarNotes(style_, data_.directionNote, data_.clockwise, radius);
-    notes->attach(this);
+    notes_ = std::make_unique<PolarNotes>(style_, data_.directionNote, data_.clockwise, radius);
+    notes_->attach(this);
 
     for (std::size_t i = 0; i < visible.size() && i < curves_.size(); ++i) {
         if (!visible[i])
@@ -184,8 +185,8 @@ int PolarPlot::samplesLeftOut() const {
         return 0;
     int count = 0;
     for (const auto& curve : data_.curves)
-        count += static_cast<int>(std::count_if(curve.y.begin(), curve.y.end(),
-                                                [](double v) { return v <= 0.0; }));
+        count += static_cast<int>(
+            std::count_if(curve.y.begin(), curve.y.end(), [](double v) { return v <= 0.0; }));
     return count;
 }
 
@@ -212,8 +213,7 @@ QPointF PolarPlot::canvasPoint(double angle_deg, double value) const {
     const QwtScaleMap radial = scaleMap(QwtPolar::Radius);
     const double angle = azimuth.transform(angle_deg);
     const double distance = radial.transform(radiusOf(value));
-    return plotRect().center() +
-           QPointF(distance * std::cos(angle), -distance * std::sin(angle));
+    return plotRect().center() + QPointF(distance * std::cos(angle), -distance * std::sin(angle));
 }
 
 double PolarPlot::angleAt(const QPointF& point) const {

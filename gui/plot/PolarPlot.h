@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,8 +19,9 @@ enum class RadiusScale {
 };
 
 /// Curves around a model: 0 degrees (the nose) at the top, a grid of 30 degrees, the direction in
-/// which the angle grows written beside it. A curve that goes round is closed. The wheel zooms at the
-/// cursor, the right button pans, a double click shows all, a click on the legend hides a curve.
+/// which the angle grows written beside it. A curve that goes round is closed. The wheel zooms at
+/// the cursor, the right button pans, a double click shows all, a click on the legend hides a
+/// curve.
 class PolarPlot : public QwtPolarPlot {
     Q_OBJECT
 
@@ -64,6 +66,7 @@ class PolarPlot : public QwtPolarPlot {
     RadiusScale radiusScale_ = RadiusScale::linear;
     double largest_ = 1.0;
     std::vector<QwtPolarItem*> curves_;
+    std::unique_ptr<QwtPolarItem> notes_;
     CrosshairOverlay* overlay_ = nullptr;
     std::optional<QPointF> cursor_, panStart_;
 };

@@ -11,8 +11,8 @@ namespace smat::gui {
 namespace {
 
 /// Columns that say where a row was taken, not what was measured.
-constexpr std::array abscissas{"angle",     "azimuth",  "elevation", "yaw",
-                               "wavenumber", "wavelength", "time",   "range"};
+constexpr std::array abscissas{"angle",      "azimuth",    "elevation", "yaw",
+                               "wavenumber", "wavelength", "time",      "range"};
 /// What a reader asks for first.
 constexpr std::array favourites{"contrast_intensity", "spectral_contrast_intensity"};
 
@@ -45,8 +45,8 @@ Curve curveOf(const NamedResult& result, const std::string& quantity) {
         std::string keys;
         for (const auto& key : plottableQuantities(*result.table))
             keys += (keys.empty() ? "" : ", ") + key;
-        throw irsg::InputError({result.name.toStdString(), "", "no column \"" + quantity + "\"",
-                                "one of " + keys});
+        throw irsg::InputError(
+            {result.name.toStdString(), "", "no column \"" + quantity + "\"", "one of " + keys});
     }
     return {result.name, abscissaOf(*result.table).values, column->values};
 }

@@ -1,0 +1,138 @@
+#include "gui/plot/CartesianPlot.h"
+
+#include <cmath>
+#include <limits>
+
+#include <QTest>
+#include <QWheelEvent>
+#include <QwtPlotCanvas>
+#include <gtest/gtest.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "tests/gui/GuiEnvironment.h"
+
+namespace smat::gui {
+namespace {
+
+PlotData twoCurves() {
+    PlotData data{.title = "Contrast intensity over range",
+                  .xTitle = "Range (m)",
+                  .yTitle = "Contrast intensity (W·sr⁻¹)",
+                  .curves = {}};
+    Curve cold{"idle", {}, {}};
+    Curve hot{"full power", {}, {}};
+    for (int i = 0; i <= 40; ++i) {
+        const double range = 500.0 + 237.5 * i;
+        cold.x.push_back(range);
+        cold.y.push_back(900.0 * std::exp(-range / 5000.0));
+        hot.x.push_back(range);
+        hot.y.push_back(2400.0 * std::exp(-range / 4000.0));
+    }
+    data.curves = {cold, hot};
+    return data;
+}
+
+class CartesianPlotTest : public ::testing::Test {
+  protected:
+    CartesianPlotTest() : plot(PlotStyle::screen(QPalette())) {
+        plot.resize(760, 520);
+        plot.setData(twoCurves());
+        plot.show();
+        QTest::qWait(20);
+    }
+    QPoint at(double x, double y) const {
+        return {qRound(plot.transform(QwtPlot::xBottom, x)),
+                qRound(plot.transform(QwtPlot::yLeft, y))};
+    }
+    void wheel(const QPoint& where, int delta) {
+        QWheelEvent event(where, plot.canvas()->mapToGlobal(where), {}, {0, delta}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(plot.canvas(), &event);
+    }
+    CartesianPlot plot;
+};
+
+TEST_F(CartesianPlotTest, ShowsAllOfItsCurvesAtFirst) {
+    const auto view = plot.view();
+    EXPECT_DOUBLE_EQ(view.x.minimum, 500.0);
+    EXPECT_DOUBLE_EQ(view.x.maximum, 10000.0);
+    EXPECT_LT(view.y.minimum, 900.0 * std::exp(-2.0));
+    EXPECT_GT(view.y.maximum, 2400.0 * std::exp(-0.125));
+    test::keepScreenshot(plot, "plot-cartesian");
+}
+
+TEST_F(CartesianPlotTest, WheelZoomsAtTheCursorAndKeepsWhatLiesUnderIt) {
+    const QPoint cursor = at(3000.0, 800.0);
+    const double before = plot.invTransform(QwtPlot::xBottom, cursor.x());
+    wheel(cursor, 240);
+    EXPECT_NEAR(plot.invTransform(QwtPlot::xBottom, cursor.x()), before, 1.0);
+    EXPECT_NEAR(plot.view().x.maximum - plot.view().x.minimum, 9500.0 * 0.85 * 0.85, 40.0);
+}
+
+TEST_F(CartesianPlotTest, DraggedRectangleBecomesTheView) {
+    QTest::mousePress(plot.canvas(), Qt::LeftButton, {}, at(2000.0, 1000.0));
+    QTest::mouseMove(plot.canvas(), at(4000.0, 500.0));
+    QTest::mouseRelease(plot.canvas(), Qt::LeftButton, {}, at(4000.0, 500.0));
+    EXPECT_NEAR(plot.view().x.minimum, 2000.0, 20.0);
+    EXPECT_NEAR(plot.view().x.maximum, 4000.0, 20.0);
+    EXPECT_NEAR(plot.view().y.maximum, 1000.0, 10.0);
+    plot.undoZoom();
+    EXPECT_DOUBLE_EQ(plot.view().x.maximum, 10000.0);
+}
+
+TEST_F(CartesianPlotTest, RightDragPansAndDoubleClickShowsAll) {
+    const QPoint start = at(5000.0, 800.0);
+    QTest::mousePress(plot.canvas(), Qt::RightButton, {}, start);
+    QMouseEvent move(QEvent::MouseMove, QPointF(start - QPoint(80, 0)),
+                     QPointF(plot.canvas()->mapToGlobal(start - QPoint(80, 0))), Qt::NoButton,
+                     Qt::RightButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(plot.canvas(), &move);
+    QTest::mouseRelease(plot.canvas(), Qt::RightButton, {}, start - QPoint(80, 0));
+    EXPECT_GT(plot.view().x.minimum, 900.0);
+    QTest::mouseDClick(plot.canvas(), Qt::LeftButton, {}, start);
+    EXPECT_DOUBLE_EQ(plot.view().x.minimum, 500.0);
+}
+
+TEST_F(CartesianPlotTest, ReadoutNamesEveryVisibleCurve) {
+    const QString both = plot.readoutAt(at(5250.0, 500.0));
+    EXPECT_TRUE(both.contains("idle") && both.contains("full power")) << both.toStdString();
+    plot.setCurveVisible(0, false);
+    const QString one = plot.readoutAt(at(5250.0, 500.0));
+    EXPECT_FALSE(one.contains("idle"));
+    EXPECT_TRUE(plot.readoutAt(QPointF(-50.0, 0.0)).isEmpty());
+}
+
+TEST_F(CartesianPlotTest, LogarithmicAxesHoldPositiveValuesOnly) {
+    auto data = twoCurves();
+    data.curves[0].y[3] = -5.0;
+    data.curves[0].y[4] = std::numeric_limits<double>::quiet_NaN();
+    plot.setData(data);
+    plot.setLogarithmic(QwtPlot::yLeft, true);
+    plot.setLogarithmic(QwtPlot::xBottom, true);
+    EXPECT_GT(plot.view().y.minimum, 0.0);
+    QTest::qWait(20);
+    test::keepScreenshot(plot, "plot-cartesian-logarithmic");
+}
+
+TEST_F(CartesianPlotTest, ZoomingForEverStopsInsteadOfLosingTheAxis) {
+    for (int i = 0; i < 400; ++i)
+        wheel(at(3000.0, 800.0), 120);
+    EXPECT_LT(plot.view().x.minimum, plot.view().x.maximum);
+    for (int i = 0; i < 4000; ++i)
+        wheel({100, 100}, -120);
+    EXPECT_TRUE(std::isfinite(plot.view().x.maximum));
+}
+
+TEST_F(CartesianPlotTest, RefusesACurveWithMissingOrdinates) {
+    PlotData data;
+    data.curves = {{"a", {1.0, 2.0}, {1.0}}};
+    EXPECT_THROW(plot.setData(data), irsg::LogicError);
+}
+
+TEST_F(CartesianPlotTest, DrawsNothingButAxesWithoutCurves) {
+    plot.setData({});
+    EXPECT_LT(plot.view().x.minimum, plot.view().x.maximum);
+}
+
+} // namespace
+} // namespace smat::gui

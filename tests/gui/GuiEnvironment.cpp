@@ -1,0 +1,60 @@
+#include "tests/gui/GuiEnvironment.h"
+
+#include <cstdlib>
+#include <memory>
+
+#include <QApplication>
+#include <QStandardPaths>
+#include <gtest/gtest.h>
+
+#include "gui/Theme.h"
+
+namespace smat::gui::test {
+namespace {
+
+/// One QApplication for all tests of this program, with settings kept apart from the user's own.
+class QtForTests : public ::testing::Environment {
+  public:
+    void SetUp() override {
+        if (qEnvironmentVariableIsEmpty("DISPLAY") &&
+            qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+            qputenv("QT_QPA_PLATFORM", "offscreen");
+        QStandardPaths::setTestModeEnabled(true);
+        application_ = std::make_unique<QApplication>(argumentCount_, arguments_);
+        QApplication::setOrganizationName("smat-tests");
+        applyTheme(*application_, ThemeMode::light);
+    }
+    void TearDown() override { application_.reset(); }
+
+  private:
+    int argumentCount_ = 1;
+    char name_[9] = "test_gui";
+    char* arguments_[2] = {name_, nullptr};
+    std::unique_ptr<QApplication> application_;
+};
+
+const auto* const environment = ::testing::AddGlobalTestEnvironment(new QtForTests);
+
+} // namespace
+
+void keepScreenshot(QWidget& widget, const std::string& name) {
+    const std::filesystem::path folder = std::filesystem::path(SMAT_BINARY_DIR) / "screenshots";
+    std::filesystem::create_directories(folder);
+    widget.grab().save(QString::fromStdString((folder / (name + ".png")).string()));
+}
+
+std::filesystem::path freshFolder(const std::string& name) {
+    const auto folder = std::filesystem::temp_directory_path() / "smat-gui-tests" / name;
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
+std::filesystem::path sharedFolder() {
+    const char* stated = std::getenv("SMAT_SHARED");
+    const std::filesystem::path folder =
+        stated != nullptr ? stated : std::filesystem::path(SMAT_SOURCE_DIR) / ".." / "shared";
+    return std::filesystem::is_directory(folder) ? folder : std::filesystem::path();
+}
+
+} // namespace smat::gui::test

@@ -1,0 +1,71 @@
+#include "gui/plot/ResultPlot.h"
+
+#include <gtest/gtest.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "tests/gui/ResultTables.h"
+
+namespace smat::gui {
+namespace {
+
+TEST(ResultPlotTest, OffersWhatWasMeasuredContrastFirst) {
+    const auto keys = plottableQuantities(test::polarTable());
+    ASSERT_EQ(keys.size(), 2U);
+    EXPECT_EQ(keys[0], "contrast_intensity");
+    EXPECT_EQ(keys[1], "intensity");
+}
+
+TEST(ResultPlotTest, DrawsAnAngleOnAPolarPlotAndTheRestOnAxes) {
+    EXPECT_TRUE(isPolar(test::polarTable()));
+    EXPECT_FALSE(isPolar(test::rangeTable()));
+}
+
+TEST(ResultPlotTest, StatesModeOffsetAndDirection) {
+    const auto table = test::polarTable("camera-azimuth");
+    const auto data = polarData({{"run", &table}}, "contrast_intensity");
+    EXPECT_TRUE(data.clockwise);
+    EXPECT_TRUE(data.title.contains("camera azimuth, view offset 12°")) << data.title.toStdString();
+    EXPECT_TRUE(data.directionNote.contains("clockwise"));
+    EXPECT_TRUE(data.radiusTitle.contains("W·sr⁻¹"));
+    EXPECT_DOUBLE_EQ(data.curves.at(0).y.at(9), 190.0);
+}
+
+TEST(ResultPlotTest, TurnsCounterClockwiseForTheOtherModes) {
+    for (const auto* type : {"camera-elevation", "model-yaw"}) {
+        const auto table = test::polarTable(type);
+        EXPECT_FALSE(polarData({{"run", &table}}, "intensity").clockwise) << type;
+    }
+}
+
+TEST(ResultPlotTest, KnowsTheModeFromTheColumnsWhereNothingStatesIt) {
+    EXPECT_EQ(polarType(test::polarTable()), "camera-azimuth");
+}
+
+TEST(ResultPlotTest, RefusesToOverlayDifferentSweeps) {
+    const auto azimuth = test::polarTable("camera-azimuth");
+    const auto yaw = test::polarTable("model-yaw");
+    EXPECT_THROW(polarData({{"a", &azimuth}, {"b", &yaw}}, "intensity"), irsg::InputError);
+    const auto range = test::rangeTable();
+    EXPECT_THROW(cartesianData({{"a", &azimuth}, {"b", &range}}, "intensity"), irsg::InputError);
+}
+
+TEST(ResultPlotTest, NamesTheColumnsThereAreWhenOneIsMissing) {
+    const auto table = test::rangeTable();
+    try {
+        cartesianData({{"run", &table}}, "irradiance");
+        FAIL();
+    } catch (const irsg::InputError& error) {
+        EXPECT_NE(error.offences().front().expected.find("contrast_intensity"), std::string::npos);
+    }
+    EXPECT_THROW(plottableQuantities(ResultTable()), irsg::InputError);
+}
+
+TEST(ResultPlotTest, LabelsAxesWithUnits) {
+    const auto table = test::rangeTable();
+    const auto data = cartesianData({{"run", &table}}, "contrast_intensity");
+    EXPECT_EQ(data.xTitle, "Range (m)");
+    EXPECT_EQ(data.yTitle, "Contrast intensity (W·sr⁻¹)");
+}
+
+} // namespace
+} // namespace smat::gui
