@@ -8,16 +8,16 @@ namespace irsg {
 
 /// One named plane of an image.
 struct ImageChannel {
-    std::string name; ///< "L", "alpha", "temperature_index", ...
-    std::string unit; ///< "W m-2 sr-1"
+    std::string name;          ///< "L", "alpha", "temperature_index", ...
+    std::string unit;          ///< "W m-2 sr-1"
     std::vector<float> values; ///< width x height, top row first
 
     bool operator==(const ImageChannel&) const = default;
 };
 
 /// A picture in physical units that knows what it holds: channels by name, and attributes for band,
-/// geometry, settings, versions and renderer. Row 0 is the top row. The first channel is the one that
-/// is shown: "L", radiance in W m-2 sr-1, in an image that IRSG rendered.
+/// geometry, settings, versions and renderer. Row 0 is the top row. The first channel is the one
+/// that is shown: "L", radiance in W m-2 sr-1, in an image that IRSG rendered.
 class RadianceImage {
   public:
     RadianceImage() = default;

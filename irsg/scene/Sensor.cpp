@@ -1,7 +1,6 @@
 #include "irsg/scene/Sensor.h"
 
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,13 +12,6 @@ namespace irsg {
 namespace {
 
 constexpr int largestResolution = 16384;
-
-std::string text(double value) {
-    std::ostringstream out;
-    out.precision(9);
-    out << value;
-    return out.str();
-}
 
 } // namespace
 
@@ -34,7 +26,7 @@ void Sensor::check() const {
     checkResolution("height", height_px);
     if (!(horizontalFieldOfView_rad > 0.0 && horizontalFieldOfView_rad < pi))
         offences.push_back({"sensor", "horizontal field of view",
-                            text(degrees(horizontalFieldOfView_rad)) + " deg",
+                            numberText(degrees(horizontalFieldOfView_rad)) + " deg",
                             "more than 0 and less than 180 deg"});
     if (!offences.empty())
         throw InputError(std::move(offences));

@@ -1,0 +1,121 @@
+#include "irsg/image/AxisTicks.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+std::string fixed(double value, int decimals) {
+    std::array<char, 512> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                   std::chars_format::fixed, decimals)
+                         .ptr;
+    std::string out(text.data(), end);
+    // No "-0", and the sign as it is printed.
+    if (out.find_first_not_of("-0.") == std::string::npos && out.starts_with('-'))
+        out.erase(0, 1);
+    if (out.starts_with('-'))
+        out.replace(0, 1, "\u2212");
+    return out;
+}
+
+/// The smallest of 1, 2, 5 times a power of ten that is not below `least`, and that power.
+std::pair<double, int> roundStep(double least) {
+    const int power = static_cast<int>(std::floor(std::log10(least) + 1e-9));
+    for (const double mantissa : {1.0, 2.0, 5.0})
+        if (mantissa * std::pow(10.0, power) >= least * (1.0 - 1e-9))
+            return {mantissa * std::pow(10.0, power), power};
+    return {std::pow(10.0, power + 1), power + 1};
+}
+
+} // namespace
+
+AxisTicks axisTicks(const DisplayLimits& limits, int mostTicks) {
+    const double low = limits.low, high = limits.high;
+    if (!(low < high) || !std::isfinite(low) || !std::isfinite(high))
+        throw InputError({"", "limits", numberText(low) + " to " + numberText(high),
+                          "two finite numbers, the lower one first"});
+
+    // Labels are divided by a power of ten where they would grow long.
+    AxisTicks ticks;
+    const double largest = std::max(std::abs(low), std::abs(high));
+    if (largest < 0.01 || largest >= 1e5)
+        ticks.exponent = 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0 + 1e-9));
+    const auto scaled = [&ticks](double value) {
+        return ticks.exponent >= 0 ? value / std::pow(10.0, ticks.exponent)
+                                   : value * std::pow(10.0, -ticks.exponent);
+    };
+
+    // The multiples of the step that lie inside; a step that gives too many grows once more.
+    const int most = std::max(mostTicks, 2);
+    double least = (scaled(high) - scaled(low)) / most;
+    for (int attempt = 0; attempt < 3 && least > 0.0 && std::isfinite(least); ++attempt) {
+        const auto [step, power] = roundStep(least);
+        const double first = std::ceil(scaled(low) / step - 1e-6);
+        const double last = std::floor(scaled(high) / step + 1e-6);
+        if (last - first + 1.0 > most) {
+            least = step * 1.01;
+            continue;
+        }
+        if (!(std::abs(first) < 1e12 && std::abs(last) < 1e12) || last - first < 1.0)
+            break;
+        for (double k = first; k <= last; ++k) {
+            const double value = k * step;
+            const double plain = ticks.exponent >= 0 ? value * std::pow(10.0, ticks.exponent)
+                                                     : value / std::pow(10.0, -ticks.exponent);
+            ticks.values.push_back(std::clamp(plain, low, high));
+            ticks.labels.push_back(fixed(value, std::max(0, -power)));
+        }
+        return ticks;
+    }
+    ticks.values = {low, high};
+    const int decimals =
+        std::clamp(6 - static_cast<int>(std::floor(std::log10(scaled(largest)))), 0, 9);
+    ticks.labels = {fixed(scaled(low), decimals), fixed(scaled(high), decimals)};
+    return ticks;
+}
+
+std::string superscript(int number) {
+    static const std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴",
+                                                       "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string out;
+    for (const char c : std::to_string(number))
+        out += c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
+    return out;
+}
+
+std::string prettyUnit(const std::string& unit) {
+    std::string out;
+    for (std::size_t begin = 0; begin <= unit.size();) {
+        const std::size_t end = std::min(unit.find(' ', begin), unit.size());
+        std::string symbol = unit.substr(begin, end - begin);
+        begin = end + 1;
+
+        // A symbol of letters, then perhaps an exponent.
+        const std::size_t letters = symbol.find_first_of("-0123456789");
+        int exponent = 1;
+        if (letters != std::string::npos) {
+            const char* last = symbol.data() + symbol.size();
+            const auto [stop, error] = std::from_chars(symbol.data() + letters, last, exponent);
+            if (letters == 0 || stop != last || error != std::errc())
+                return unit;
+            symbol.resize(letters);
+        }
+        if (symbol.empty())
+            return unit;
+        if (symbol == "um")
+            symbol = "µm";
+        if (symbol == "deg")
+            symbol = "°";
+        out += (out.empty() ? "" : "·") + symbol + (exponent == 1 ? "" : superscript(exponent));
+    }
+    return out;
+}
+
+} // namespace irsg

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "irsg/image/ImageStatistics.h"
+
+namespace irsg {
+
+/// Where an axis is marked and what stands there.
+struct AxisTicks {
+    std::vector<double> values;      ///< ascending, inside the limits
+    std::vector<std::string> labels; ///< values / 10^exponent, all with as many decimals
+    int exponent = 0;                ///< a multiple of 3; not 0 below 0.01 and from 100000 on
+};
+
+/// Ticks at multiples of 1, 2 or 5 times a power of ten, as many as fit but at most `mostTicks`
+/// (>= 2). Limits that are too close for that are marked at their ends. InputError unless
+/// low < high, both finite.
+AxisTicks axisTicks(const DisplayLimits& limits, int mostTicks);
+
+/// "W m-2 sr-1" as it is set: "W·m⁻²·sr⁻¹". Text that is no such product comes back unchanged.
+std::string prettyUnit(const std::string& unit);
+/// An integer in superscript digits: "⁻³".
+std::string superscript(int number);
+
+} // namespace irsg

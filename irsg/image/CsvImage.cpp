@@ -1,0 +1,253 @@
+#include "irsg/image/CsvImage.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "irsg/image/ExrFile.h"
+#include "irsg/image/FileBytes.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr std::string_view escapePrefix = "attribute.";
+constexpr std::size_t offencesShown = 20;
+
+bool isReserved(std::string_view key) {
+    static const std::set<std::string, std::less<>> keys = {"channel", "unit", "width", "height"};
+    return keys.contains(key) || key.starts_with(escapePrefix);
+}
+
+std::string escaped(std::string_view text, bool isKey) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '\\')
+            out += "\\\\";
+        else if (c == '\n')
+            out += "\\n";
+        else if (c == '\r')
+            out += "\\r";
+        else if (c == ':' && isKey)
+            out += "\\c";
+        else
+            out += c;
+    }
+    return out;
+}
+
+std::string unescaped(std::string_view text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char next = text[i] == '\\' && i + 1 < text.size() ? text[i + 1] : '\0';
+        const std::string_view codes = "\\nrc", meanings = "\\\n\r:";
+        const std::size_t code = next == '\0' ? std::string_view::npos : codes.find(next);
+        if (code == std::string_view::npos) {
+            out += text[i];
+        } else {
+            out += meanings[code];
+            ++i;
+        }
+    }
+    return out;
+}
+
+void appendNumber(std::string& out, float value) {
+    if (std::isnan(value)) {
+        out += "nan";
+        return;
+    }
+    std::array<char, 32> text;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 9)
+            .ptr;
+    out.append(text.data(), end);
+}
+
+/// Collects the pixels and the header of a text, line by line.
+class CsvImageParser {
+  public:
+    explicit CsvImageParser(std::string file) : file_(std::move(file)) {}
+
+    void line(std::string_view text) {
+        ++line_;
+        if (text.starts_with('#'))
+            comment(text.substr(1));
+        else
+            row(text);
+    }
+
+    RadianceImage image() {
+        if (width_ == 0 && offences_.empty())
+            offend("", "no number", "rows of numbers separated by commas");
+        if (offences_.empty())
+            checkSize();
+        if (!offences_.empty())
+            throw InputError(offences_);
+
+        const auto header = [this](const char* key, std::string otherwise) {
+            const auto it = header_.find(key);
+            return it == header_.end() ? otherwise : it->second;
+        };
+        RadianceImage image(static_cast<int>(width_), static_cast<int>(height_),
+                            header("channel", "L"), header("unit", ""));
+        image.primary().values = std::move(values_);
+        image.attributes = std::move(attributes_);
+        return image;
+    }
+
+    bool isFull() const { return offences_.size() >= offencesShown; }
+
+  private:
+    void offend(std::string position, std::string value, std::string expected) {
+        offences_.push_back({file_, std::move(position), std::move(value), std::move(expected)});
+    }
+    std::string here() const { return "line " + std::to_string(line_); }
+
+    void comment(std::string_view text) {
+        if (text.starts_with(' '))
+            text.remove_prefix(1);
+        const std::size_t colon = text.find(':');
+        if (colon == std::string_view::npos)
+            return;
+        const std::string key = unescaped(text.substr(0, colon));
+        std::string_view value = text.substr(colon + 1);
+        if (value.starts_with(' '))
+            value.remove_prefix(1);
+        if (key.starts_with(escapePrefix))
+            attributes_[key.substr(escapePrefix.size())] = unescaped(value);
+        else
+            (isReserved(key) ? header_ : attributes_)[key] = unescaped(value);
+    }
+
+    void row(std::string_view text) {
+        // Fields are numbers; blanks may stand around a separator or be one.
+        const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
+        const auto isSeparator = [](char c) { return c == ',' || c == ';'; };
+        const auto skipBlanks = [&](std::size_t i) {
+            while (i < text.size() && isBlank(text[i]))
+                ++i;
+            return i;
+        };
+        std::size_t columns = 0;
+        for (std::size_t i = skipBlanks(0); i < text.size() && !isFull();) {
+            std::size_t end = i;
+            while (end < text.size() && !isBlank(text[end]) && !isSeparator(text[end]))
+                ++end;
+            ++columns;
+            values_.push_back(number(text.substr(i, end - i), columns));
+            i = skipBlanks(end);
+            if (i < text.size() && isSeparator(text[i]))
+                i = skipBlanks(i + 1);
+        }
+        if (columns == 0 || isFull())
+            return;
+
+        ++height_;
+        if (height_ == 1)
+            width_ = columns;
+        if (columns != width_)
+            offend(here(), std::to_string(columns) + " values",
+                   std::to_string(width_) + " values, as in the first row");
+    }
+
+    float number(std::string_view text, std::size_t column) {
+        const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+        float value = 0.0F;
+        const auto [end, error] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (end == digits.data() + digits.size() && error == std::errc())
+            return value;
+
+        // Too small for a float is zero with its sign, too large is refused.
+        double wide = 0.0;
+        const auto [wideEnd, wideError] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), wide);
+        const bool isNumber = !digits.empty() && wideEnd == digits.data() + digits.size();
+        if (isNumber && wideError == std::errc() && std::abs(wide) < 1.0)
+            return std::copysign(0.0F, static_cast<float>(wide));
+        const std::string shown =
+            text.size() > 40 ? std::string(text.substr(0, 40)) + "..." : std::string(text);
+        offend(here() + ", column " + std::to_string(column),
+               shown.empty() ? "an empty field" : shown,
+               isNumber ? "a number within the range of 32-bit float" : "a number");
+        return 0.0F;
+    }
+
+    void checkSize() {
+        const auto claim = [this](const char* key, std::size_t found) {
+            const auto it = header_.find(key);
+            if (it != header_.end() && it->second != std::to_string(found))
+                offend(key, std::to_string(found), it->second + ", as the header says");
+        };
+        claim("width", width_);
+        claim("height", height_);
+        const auto limit = static_cast<std::size_t>(largestImageSide_px);
+        if (width_ > limit || height_ > limit)
+            offend("", std::to_string(width_) + " x " + std::to_string(height_) + " pixels",
+                   "at most " + std::to_string(limit) + " pixels a side");
+    }
+
+    std::string file_;
+    int line_ = 0;
+    std::size_t width_ = 0, height_ = 0;
+    std::vector<float> values_;
+    std::map<std::string, std::string> header_, attributes_;
+    std::vector<Offence> offences_;
+};
+
+} // namespace
+
+void writeCsvImage(const RadianceImage& image, const std::filesystem::path& file,
+                   const std::string& channel) {
+    const ImageChannel* plane = channel.empty() ? &image.primary() : image.find(channel);
+    if (plane == nullptr)
+        throw LogicError("an image has no channel " + channel);
+    if (plane->values.size() != image.pixelCount())
+        throw LogicError("channel " + plane->name + " is not as large as its image");
+
+    std::string out;
+    const auto comment = [&out](const std::string& key, const std::string& value) {
+        out += "# " + escaped(key, true) + ": " + escaped(value, false) + "\n";
+    };
+    comment("channel", plane->name);
+    comment("unit", plane->unit);
+    comment("width", std::to_string(image.width()));
+    comment("height", std::to_string(image.height()));
+    for (const auto& [key, value] : image.attributes)
+        comment(isReserved(key) ? std::string(escapePrefix) + key : key, value);
+
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            appendNumber(out, plane->values[image.offset(x, y)]);
+            out += x + 1 < image.width() ? ',' : '\n';
+        }
+    writeFileBytes(file, out);
+}
+
+RadianceImage readCsvImage(const std::filesystem::path& file) {
+    const std::string bytes = readFileBytes(file);
+    std::string_view rest = bytes;
+    if (const std::size_t nul = rest.find('\0'); nul != std::string_view::npos)
+        throw InputError({file.string(), "byte " + std::to_string(nul), "a NUL byte", "text"});
+    if (rest.starts_with("\xEF\xBB\xBF"))
+        rest.remove_prefix(3);
+
+    CsvImageParser parser(file.string());
+    while (!rest.empty() && !parser.isFull()) {
+        const std::size_t end = rest.find_first_of("\r\n");
+        parser.line(rest.substr(0, end));
+        if (end == std::string_view::npos)
+            break;
+        const bool isPair = rest[end] == '\r' && end + 1 < rest.size() && rest[end + 1] == '\n';
+        rest.remove_prefix(end + (isPair ? 2 : 1));
+    }
+    return parser.image();
+}
+
+} // namespace irsg

@@ -1,0 +1,275 @@
+#include "irsg/image/ExrFile.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstring>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDoubleAttribute.h>
+#include <OpenEXR/ImfFloatAttribute.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStdIO.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfStringVectorAttribute.h>
+
+#include "irsg/image/FileBytes.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr std::string_view unitPrefix = "unit.";
+constexpr std::string_view escapePrefix = "attribute.";
+const std::string orderName = "channelOrder";
+constexpr std::uint64_t largestValueCount = std::uint64_t{1} << 30;
+
+bool isReserved(std::string_view name) {
+    static const std::set<std::string, std::less<>> names = {"channels",
+                                                             "chunkCount",
+                                                             "compression",
+                                                             "dataWindow",
+                                                             "displayWindow",
+                                                             "lineOrder",
+                                                             "maxSamplesPerPixel",
+                                                             "name",
+                                                             "pixelAspectRatio",
+                                                             "screenWindowCenter",
+                                                             "screenWindowWidth",
+                                                             "tiles",
+                                                             "type",
+                                                             "version",
+                                                             "view",
+                                                             orderName};
+    return names.contains(name) || name.starts_with(unitPrefix) || name.starts_with(escapePrefix);
+}
+
+void checkNames(const RadianceImage& image) {
+    const auto checkName = [](const std::string& name, const std::string& what) {
+        if (name.empty() || name.size() > 200 || name.find('\0') != std::string::npos)
+            throw LogicError(what + " of an image has an empty, too long or broken name: '" + name +
+                             "'");
+    };
+    std::set<std::string> seen;
+    for (const ImageChannel& channel : image.channels) {
+        checkName(channel.name, "a channel");
+        if (!seen.insert(channel.name).second)
+            throw LogicError("two channels of an image are called " + channel.name);
+        if (channel.values.size() != image.pixelCount())
+            throw LogicError("channel " + channel.name + " has " +
+                             std::to_string(channel.values.size()) + " values, the image has " +
+                             std::to_string(image.pixelCount()) + " pixels");
+    }
+    for (const auto& [name, value] : image.attributes)
+        checkName(name, "an attribute");
+}
+
+/// Bytes in memory as a stream that OpenEXR reads: the file was read once, with our own errors.
+class MemoryStream : public Imf::IStream {
+  public:
+    MemoryStream(const std::string& bytes, const std::string& name)
+        : Imf::IStream(name.c_str()), bytes_(bytes) {}
+
+    bool read(char out[], int count) override {
+        if (count < 0 || static_cast<std::uint64_t>(count) > bytes_.size() - position_)
+            throw Iex::InputExc("the file ends after " + std::to_string(bytes_.size()) + " bytes");
+        std::memcpy(out, bytes_.data() + position_, static_cast<std::size_t>(count));
+        position_ += static_cast<std::size_t>(count);
+        return position_ < bytes_.size();
+    }
+    std::uint64_t tellg() override { return position_; }
+    void seekg(std::uint64_t position) override {
+        if (position > bytes_.size())
+            throw Iex::InputExc("it points at byte " + std::to_string(position) + " of " +
+                                std::to_string(bytes_.size()));
+        position_ = static_cast<std::size_t>(position);
+    }
+
+  private:
+    const std::string& bytes_;
+    std::size_t position_ = 0;
+};
+
+template <typename Number>
+std::string shortest(Number value) {
+    std::array<char, 64> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
+}
+
+std::optional<std::string> textOf(const Imf::Attribute& attribute) {
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute))
+        return text->value();
+    if (const auto* number = dynamic_cast<const Imf::FloatAttribute*>(&attribute))
+        return shortest(number->value());
+    if (const auto* number = dynamic_cast<const Imf::DoubleAttribute*>(&attribute))
+        return shortest(number->value());
+    if (const auto* number = dynamic_cast<const Imf::IntAttribute*>(&attribute))
+        return shortest(number->value());
+    if (const auto* list = dynamic_cast<const Imf::StringVectorAttribute*>(&attribute)) {
+        std::string joined;
+        for (const std::string& item : list->value())
+            joined += (joined.empty() ? "" : ", ") + item;
+        return joined;
+    }
+    return std::nullopt;
+}
+
+void readAttributes(const Imf::Header& header, RadianceImage& image) {
+    for (auto it = header.begin(); it != header.end(); ++it) {
+        const std::string_view name = it.name();
+        const std::optional<std::string> text = textOf(it.attribute());
+        if (!text)
+            continue;
+        if (name.starts_with(escapePrefix)) {
+            image.attributes[std::string(name.substr(escapePrefix.size()))] = *text;
+        } else if (name.starts_with(unitPrefix)) {
+            const std::string channelName(name.substr(unitPrefix.size()));
+            const auto channel =
+                std::ranges::find(image.channels, channelName, &ImageChannel::name);
+            if (channel != image.channels.end())
+                channel->unit = *text;
+        } else if (!isReserved(name)) {
+            image.attributes[std::string(name)] = *text;
+        }
+    }
+}
+
+/// Names of the channels in the order in which the image is to hold them.
+std::vector<std::string> orderedNames(const Imf::Header& header) {
+    std::vector<std::string> names;
+    for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
+        names.emplace_back(it.name());
+
+    std::vector<std::string> preferred = {"L", "Y"};
+    if (const auto* order = header.findTypedAttribute<Imf::StringVectorAttribute>(orderName))
+        preferred = order->value();
+    const auto rank = [&preferred](const std::string& name) {
+        return std::ranges::find(preferred, name) - preferred.begin();
+    };
+    std::ranges::stable_sort(names, {}, rank);
+    return names;
+}
+
+void checkHeader(const Imf::Header& header, const std::string& file) {
+    // Nothing is allocated before the sizes that the header claims are found sane.
+    const Imath::Box2i window = header.dataWindow();
+    const auto width = static_cast<std::int64_t>(window.max.x) - window.min.x + 1;
+    const auto height = static_cast<std::int64_t>(window.max.y) - window.min.y + 1;
+    std::uint64_t channels = 0;
+    for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
+        ++channels;
+        const Imf::Channel& channel = it.channel();
+        if (channel.xSampling != 1 || channel.ySampling != 1)
+            throw InputError({file, std::string("channel ") + it.name(),
+                              "a sample every " + std::to_string(channel.xSampling) + " x " +
+                                  std::to_string(channel.ySampling) + " pixels",
+                              "a value at every pixel"});
+    }
+    if (channels == 0)
+        throw InputError({file, "header", "no channel", "at least one channel"});
+    const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels, " +
+                             std::to_string(channels) + " channels";
+    if (width < 1 || height < 1 || width > largestImageSide_px || height > largestImageSide_px ||
+        static_cast<std::uint64_t>(width * height) * channels > largestValueCount)
+        throw InputError({file, "header", size,
+                          "1 to " + std::to_string(largestImageSide_px) +
+                              " pixels a side and at most 2^30 values"});
+}
+
+RadianceImage readPixels(Imf::InputFile& input, const std::string& file) {
+    const Imf::Header& header = input.header();
+    checkHeader(header, file);
+    if (!input.isComplete())
+        throw InputError({file, "", "a truncated file, some of its rows are missing",
+                          "a complete OpenEXR file"});
+
+    // The planes, in our order.
+    const Imath::Box2i window = header.dataWindow();
+    const std::vector<std::string> names = orderedNames(header);
+    RadianceImage image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1,
+                        names.front(), "");
+    for (const std::string& name : names)
+        image.channel(name);
+    readAttributes(header, image);
+
+    // OpenEXR addresses a pixel by its place in the data window, Slice::Make moves the origin.
+    Imf::FrameBuffer target;
+    for (ImageChannel& channel : image.channels)
+        target.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, channel.values.data(), window));
+    input.setFrameBuffer(target);
+
+    // Row by row, so that damage has a place; blocks of rows are cached by the library.
+    int y = window.min.y;
+    try {
+        for (; y <= window.max.y; ++y)
+            input.readPixels(y, y);
+    } catch (const std::exception& error) {
+        throw InputError({file, "row " + std::to_string(y - window.min.y), error.what(),
+                          "an undamaged OpenEXR file"});
+    }
+    return image;
+}
+
+} // namespace
+
+void writeExr(const RadianceImage& image, const std::filesystem::path& file) {
+    if (image.empty() || image.channels.empty())
+        throw LogicError("an empty image cannot be written");
+    checkNames(image);
+
+    // The header: channels, their order and units, and what the image says of itself.
+    Imf::Header header(image.width(), image.height());
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::FrameBuffer source;
+    std::vector<std::string> order;
+    for (const ImageChannel& channel : image.channels) {
+        header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+        header.insert(std::string(unitPrefix) + channel.name, Imf::StringAttribute(channel.unit));
+        order.push_back(channel.name);
+        // The library takes a pointer to what it reads from as one to non-const.
+        auto* values = const_cast<float*>(channel.values.data());
+        source.insert(channel.name,
+                      Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values), sizeof(float),
+                                 sizeof(float) * static_cast<std::size_t>(image.width())));
+    }
+    header.insert(orderName, Imf::StringVectorAttribute(order));
+    for (const auto& [name, value] : image.attributes)
+        header.insert(isReserved(name) ? std::string(escapePrefix) + name : name,
+                      Imf::StringAttribute(value));
+
+    Imf::StdOSStream bytes;
+    {
+        Imf::OutputFile output(bytes, header);
+        output.setFrameBuffer(source);
+        output.writePixels(image.height());
+    }
+    writeFileBytes(file, bytes.str());
+}
+
+RadianceImage readExr(const std::filesystem::path& file) {
+    const std::string bytes = readFileBytes(file);
+    const std::string name = file.string();
+    if (bytes.size() < 4 || std::string_view(bytes).substr(0, 4) != "\x76\x2f\x31\x01")
+        throw InputError({name, "byte 0", bytes.empty() ? "an empty file" : "no OpenEXR signature",
+                          "an OpenEXR file"});
+    try {
+        MemoryStream stream(bytes, name);
+        Imf::InputFile input(stream);
+        return readPixels(input, name);
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw InputError({name, "", error.what(), "an OpenEXR image, undamaged and complete"});
+    }
+}
+
+} // namespace irsg

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "irsg/image/RadianceImage.h"
+
+namespace irsg {
+
+/// A part of an image; (x, y) is its top left pixel.
+struct PixelRectangle {
+    int x = 0, y = 0;
+    int width = 1, height = 1;
+
+    bool operator==(const PixelRectangle&) const = default;
+};
+
+/// What the values of a plane, or of a rectangle of it, are like. NaN and infinities are counted
+/// apart and enter no other figure; where no finite value is left, the figures are NaN (the sum 0).
+struct ImageStatistics {
+    std::size_t finite = 0, nan = 0, positiveInfinite = 0, negativeInfinite = 0;
+    double minimum = 0.0, maximum = 0.0;
+    int minimumX = -1, minimumY = -1; ///< the first such pixel in reading order, in the whole image
+    int maximumX = -1, maximumY = -1;
+    double sum = 0.0; ///< in double, compensated
+    double mean = 0.0;
+    double standardDeviation = 0.0; ///< of the values themselves: divided by n, not by n - 1
+    double median = 0.0;            ///< mean of the two middle values where n is even
+};
+
+/// Throws InputError for a rectangle without pixels or not wholly inside the image, LogicError for
+/// a plane that is not as large as the image.
+ImageStatistics imageStatistics(const RadianceImage& image, const ImageChannel& plane,
+                                const std::optional<PixelRectangle>& rectangle = std::nullopt);
+/// Of the shown plane.
+ImageStatistics imageStatistics(const RadianceImage& image,
+                                const std::optional<PixelRectangle>& rectangle = std::nullopt);
+
+/// The value below which `percent` (0 to 100, else InputError) of the finite values lie, linear
+/// between the two nearest ranks: rank = percent / 100 (n - 1). NaN where no value is finite.
+double percentile(std::span<const float> values, double percent);
+
+/// The values between which a picture's colours run.
+struct DisplayLimits {
+    double low = 0.0;
+    double high = 1.0;
+
+    bool operator==(const DisplayLimits&) const = default;
+};
+
+/// Limits from percentiles of the finite values, 0 and 100 being minimum and maximum. Always
+/// usable: low < high. A plane of one value v is shown between v - |v|/100 and v + |v|/100, a plane
+/// of zeros, or without a finite value, between 0 and 1. Throws InputError unless 0 <= low < high
+/// <= 100.
+DisplayLimits percentileLimits(std::span<const float> values, double lowPercent = 0.0,
+                               double highPercent = 100.0);
+/// Limits symmetric about 0 for signed differences: the percentile of the absolute values.
+DisplayLimits symmetricLimits(std::span<const float> values, double percent = 100.0);
+
+} // namespace irsg
