@@ -1,6 +1,9 @@
 #include "irsg/atmosphere/Atmosphere.h"
 
+#include <cmath>
+
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
 
 namespace irsg {
 
@@ -60,6 +63,39 @@ Spectrum Atmosphere::downwardFlux(double, const SunPosition&, const SpectralRang
 
 double Atmosphere::ambientTemperature_K(double) const {
     refuse(*this, AtmosphereProperty::ambientTemperature);
+}
+
+void Atmosphere::checkRange(const SpectralRange& range) const {
+    if (!(range.min_um < range.max_um && base().contains(range))) {
+        throw LogicError("the atmosphere " + name() + ", which holds " + numberText(base().min_um) +
+                         " to " + numberText(base().max_um) + " um, was asked for " +
+                         numberText(range.min_um) + " to " + numberText(range.max_um) + " um");
+    }
+}
+
+void Atmosphere::checkPath(const AirPath& path) const {
+    checkAltitude(path.sensorAltitude_m, "sensor altitude");
+    checkAltitude(path.targetAltitude_m, "target altitude");
+    if (!(path.range_m >= 0.0 && std::isfinite(path.range_m))) {
+        throw InputError({name(), "range", numberText(path.range_m) + " m",
+                          "a finite distance of at least 0 m"});
+    }
+}
+
+void Atmosphere::checkSight(const LineOfSight& sight) const {
+    checkAltitude(sight.sensorAltitude_m, "sensor altitude");
+    // Degrees that became radians may miss the zenith by a rounding.
+    if (!(std::abs(sight.elevation_rad) <= 0.5 * pi + 1e-9)) {
+        throw InputError({name(), "elevation of the line of sight",
+                          numberText(degrees(sight.elevation_rad)) + " deg", "-90 to 90 deg"});
+    }
+}
+
+void Atmosphere::checkAltitude(double altitude_m, const char* what) const {
+    if (!(altitude_m >= 0.0 && std::isfinite(altitude_m))) {
+        throw InputError({name(), what, numberText(altitude_m) + " m",
+                          "a finite altitude of at least 0 m above the ground"});
+    }
 }
 
 } // namespace irsg

@@ -8,13 +8,18 @@ namespace irsg {
 
 /// What a scene may ask of the air. A scene never sees a gas.
 enum class AtmosphereProperty {
-    transmittance, pathRadiance, backgroundRadiance, solarIrradiance, upwardFlux, downwardFlux,
+    transmittance,
+    pathRadiance,
+    backgroundRadiance,
+    solarIrradiance,
+    upwardFlux,
+    downwardFlux,
     ambientTemperature
 };
 inline constexpr AtmosphereProperty allAtmosphereProperties[] = {
-    AtmosphereProperty::transmittance,    AtmosphereProperty::pathRadiance,
+    AtmosphereProperty::transmittance,      AtmosphereProperty::pathRadiance,
     AtmosphereProperty::backgroundRadiance, AtmosphereProperty::solarIrradiance,
-    AtmosphereProperty::upwardFlux,       AtmosphereProperty::downwardFlux,
+    AtmosphereProperty::upwardFlux,         AtmosphereProperty::downwardFlux,
     AtmosphereProperty::ambientTemperature};
 /// "path radiance".
 const char* name(AtmosphereProperty property);
@@ -36,7 +41,7 @@ struct LineOfSight {
 
 /// Where the sun stands.
 struct SunPosition {
-    double azimuth_rad = 0.0;   ///< east of north, 0 to 2 pi
+    double azimuth_rad = 0.0;      ///< east of north, 0 to 2 pi
     double elevation_rad = 0.7854; ///< -pi/2 to pi/2
 
     bool isUp() const { return elevation_rad > 0.0; }
@@ -77,6 +82,15 @@ class Atmosphere {
     virtual Spectrum downwardFlux(double altitude_m, const SunPosition& sun,
                                   const SpectralRange& range) const;
     virtual double ambientTemperature_K(double altitude_m) const;
+
+  protected:
+    /// What every implementation asks of its arguments. LogicError unless the base holds the range;
+    /// InputError for a path, a line of sight or an altitude below ground, a negative range or
+    /// anything that is not finite.
+    void checkRange(const SpectralRange& range) const;
+    void checkPath(const AirPath& path) const;
+    void checkSight(const LineOfSight& sight) const;
+    void checkAltitude(double altitude_m, const char* what = "altitude") const;
 };
 
 } // namespace irsg

@@ -4,9 +4,9 @@
 
 namespace irsg {
 
-/// No air: transmittance 1, no path radiance, no diffuse flux, a black background. The sun is a black
-/// body of 5772 K (IAU 2015 nominal effective temperature) seen under the nominal solar radius
-/// (6.957e8 m) at 1 au: solid angle 6.794e-5 sr. Has no ambient temperature of its own.
+/// No air: transmittance 1, no path radiance, no diffuse flux, a black background. The sun is a
+/// black body of 5772 K (IAU 2015 nominal effective temperature) seen under the nominal solar
+/// radius (6.957e8 m) at 1 au: solid angle 6.794e-5 sr. Has no ambient temperature of its own.
 class Vacuum : public Atmosphere {
   public:
     std::string name() const override { return "vacuum"; }

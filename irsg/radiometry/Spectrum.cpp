@@ -96,43 +96,46 @@ Spectrum::Spectrum(std::vector<double> wavelengths_um, std::vector<double> value
     check(wavelengths_um_, values_, name);
 }
 
+double Spectrum::valueAt(double wavelength_um, std::size_t upper) const {
+    if (wavelength_um < wavelengths_um_.front()) {
+        return outside_ == Outside::hold ? values_.front() : 0.0;
+    }
+    if (wavelength_um > wavelengths_um_.back()) {
+        return outside_ == Outside::hold ? values_.back() : 0.0;
+    }
+    const double lower_um = wavelengths_um_[upper - 1];
+    const double t = (wavelength_um - lower_um) / (wavelengths_um_[upper] - lower_um);
+    return std::lerp(values_[upper - 1], values_[upper], t);
+}
+
+std::size_t Spectrum::upperNode(double wavelength_um) const {
+    const auto found = std::ranges::lower_bound(wavelengths_um_, wavelength_um);
+    return std::clamp<std::size_t>(static_cast<std::size_t>(found - wavelengths_um_.begin()), 1,
+                                   size() - 1);
+}
+
 double Spectrum::at(double wavelength_um) const {
-    const double wavelengths[] = {wavelength_um};
-    return sample(wavelengths).front();
+    return isConstant() ? values_.front() : valueAt(wavelength_um, upperNode(wavelength_um));
 }
 
 std::vector<double> Spectrum::sample(std::span<const double> wavelengths_um) const {
-    if (isConstant()) {
+    if (isConstant() || wavelengths_um.empty()) {
         return std::vector<double>(wavelengths_um.size(), values_.front());
     }
-    const double below = outside_ == Outside::hold ? values_.front() : 0.0;
-    const double above = outside_ == Outside::hold ? values_.back() : 0.0;
-
     // The first interval is searched, the others are found by walking on from the one before.
     std::vector<double> samples;
     samples.reserve(wavelengths_um.size());
-    std::size_t upper = 1;
-    for (std::size_t i = 0; i < wavelengths_um.size(); ++i) {
-        const double x = wavelengths_um[i];
-        if (i == 0) {
-            const auto found = std::ranges::lower_bound(wavelengths_um_, x);
-            upper = std::clamp<std::size_t>(
-                static_cast<std::size_t>(found - wavelengths_um_.begin()), 1, size() - 1);
-        } else if (x < wavelengths_um[i - 1]) {
+    std::size_t upper = upperNode(wavelengths_um.front());
+    double before_um = wavelengths_um.front();
+    for (const double wavelength_um : wavelengths_um) {
+        if (wavelength_um < before_um) {
             throw LogicError("a spectrum was asked for wavelengths that do not ascend");
         }
-        while (upper + 1 < size() && wavelengths_um_[upper] < x) {
+        before_um = wavelength_um;
+        while (upper + 1 < size() && wavelengths_um_[upper] < wavelength_um) {
             ++upper;
         }
-        if (x < wavelengths_um_.front()) {
-            samples.push_back(below);
-        } else if (x > wavelengths_um_.back()) {
-            samples.push_back(above);
-        } else {
-            const double x0 = wavelengths_um_[upper - 1];
-            const double t = (x - x0) / (wavelengths_um_[upper] - x0);
-            samples.push_back(std::lerp(values_[upper - 1], values_[upper], t));
-        }
+        samples.push_back(valueAt(wavelength_um, upper));
     }
     return samples;
 }

@@ -61,6 +61,10 @@ class Spectrum {
     bool operator==(const Spectrum&) const = default;
 
   private:
+    /// Index of the upper node of the interval that holds a wavelength, 1 to size() - 1.
+    std::size_t upperNode(double wavelength_um) const;
+    double valueAt(double wavelength_um, std::size_t upper) const;
+
     std::vector<double> wavelengths_um_;
     std::vector<double> values_ = {0.0};
     Outside outside_ = Outside::hold;

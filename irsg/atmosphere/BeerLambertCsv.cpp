@@ -1,0 +1,241 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "irsg/atmosphere/BeerLambert.h"
+#include "irsg/atmosphere/Vacuum.h"
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/CurveSampling.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr std::string_view wavelengthHeader = "wavelength [um]";
+constexpr std::string_view extinctionHeader = "extinction [km-1]";
+constexpr std::string_view solarHeader = "solar_irradiance [W m-2 um-1]";
+constexpr std::string_view downHeader = "down_flux [W m-2 um-1]";
+constexpr std::string_view upHeader = "up_flux [W m-2 um-1]";
+constexpr std::string_view skyHeader = "sky_radiance [W m-2 sr-1 um-1]";
+constexpr std::array knownHeaders = {wavelengthHeader, extinctionHeader, solarHeader,
+                                     downHeader,       upHeader,         skyHeader};
+
+constexpr std::string_view airKey = "air_temperature [K]";
+constexpr std::string_view groundKey = "ground_temperature [K]";
+constexpr std::string_view skyKey = "sky_temperature [K]";
+constexpr std::array knownKeys = {std::string_view("name"),
+                                  airKey,
+                                  groundKey,
+                                  skyKey,
+                                  std::string_view("sun"),
+                                  std::string_view("source"),
+                                  std::string_view("note")};
+
+template <std::size_t count>
+std::string listOf(const std::array<std::string_view, count>& words) {
+    std::string text;
+    for (const std::string_view word : words) {
+        text += (text.empty() ? "'" : ", '") + std::string(word) + "'";
+    }
+    return text;
+}
+
+template <std::size_t count>
+bool holds(const std::array<std::string_view, count>& words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+/// A key that looks like a setting: one lower-case word, perhaps with a unit in brackets.
+bool looksLikeSetting(std::string_view key) {
+    const std::string_view word = trimmed(key.substr(0, key.find('[')));
+    return !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == word.npos;
+}
+
+/// One file on its way from cells to parameters; gathers the offences as it goes.
+class Reader {
+  public:
+    explicit Reader(const std::filesystem::path& file)
+        : table_(CsvTable::read(file)),
+          defaultName_("Beer-Lambert (" + file.filename().string() + ")") {}
+
+    BeerLambertParameters read() {
+        readSettings();
+        readColumns();
+        if (!offences_.empty()) {
+            throw InputError(std::move(offences_));
+        }
+        return parameters();
+    }
+
+  private:
+    void readSettings() {
+        for (const CsvComment& comment : table_.comments()) {
+            if (!holds(knownKeys, comment.key)) {
+                if (looksLikeSetting(comment.key)) {
+                    offences_.push_back(
+                        table_.offence(comment.line, comment.key, "one of " + listOf(knownKeys)));
+                }
+            } else if (comment.key != "note" && comment.key != "source" &&
+                       table_.comment(comment.key) != &comment) {
+                offences_.push_back(
+                    table_.offence(comment.line, comment.key,
+                                   "this key once, not again after line " +
+                                       std::to_string(table_.comment(comment.key)->line)));
+            }
+        }
+        air_K_ = temperature(airKey);
+        ground_K_ = temperature(groundKey);
+        sky_K_ = temperature(skyKey);
+        if (const CsvComment* sun = table_.comment("sun")) {
+            if (sun->value != "nominal" && sun->value != "none") {
+                offences_.push_back(
+                    table_.offence(sun->line, sun->value, "'nominal' or 'none' for the sun"));
+            }
+        }
+        if (const CsvComment* name = table_.comment("name"); name && name->value.empty()) {
+            offences_.push_back(table_.offence(name->line, "", "a name"));
+        }
+    }
+
+    std::optional<double> temperature(std::string_view key) {
+        const CsvComment* comment = table_.comment(key);
+        if (!comment) {
+            return std::nullopt;
+        }
+        const std::string expected = "a temperature of at least 0 K";
+        const auto value = table_.number(*comment, offences_, expected);
+        if (value && *value < 0.0) {
+            offences_.push_back(table_.offence(comment->line, comment->value, expected));
+            return std::nullopt;
+        }
+        return value;
+    }
+
+    void readColumns() {
+        if (table_.rows().empty()) {
+            offences_.push_back(
+                table_.offence("no rows", "a header and at least two rows of numbers"));
+            return;
+        }
+        const CsvRow& header = table_.rows().front();
+        for (const CsvCell& cell : header.cells) {
+            if (!holds(knownHeaders, cell.text)) {
+                offences_.push_back(table_.offence(cell, "one of " + listOf(knownHeaders)));
+            } else if (columns_.contains(cell.text)) {
+                offences_.push_back(table_.offence(cell, "each column once"));
+            }
+            columns_[cell.text];
+        }
+        for (const std::string_view required : {wavelengthHeader, extinctionHeader}) {
+            if (!columns_.contains(std::string(required))) {
+                offences_.push_back(table_.offence(header.line, header.cells.front().text,
+                                                   "a column '" + std::string(required) + "'"));
+            }
+        }
+        const CsvComment* sun = table_.comment("sun");
+        if (sun && columns_.contains(std::string(solarHeader))) {
+            offences_.push_back(table_.offence(sun->line, sun->value,
+                                               "either this key or the column '" +
+                                                   std::string(solarHeader) + "', not both"));
+        }
+        for (std::size_t i = 1; i < table_.rows().size(); ++i) {
+            readRow(table_.rows()[i], header);
+        }
+        if (table_.rows().size() < 3) {
+            offences_.push_back(
+                table_.offence(std::to_string(table_.rows().size() - 1) + " rows of numbers",
+                               "at least two rows of numbers"));
+        }
+    }
+
+    void readRow(const CsvRow& row, const CsvRow& header) {
+        if (row.cells.size() != header.cells.size()) {
+            offences_.push_back(
+                table_.offence(row.line, std::to_string(row.cells.size()) + " cells",
+                               std::to_string(header.cells.size()) + " cells as in the header"));
+            return;
+        }
+        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+            const bool isAxis = header.cells[k].text == wavelengthHeader;
+            const std::string expected =
+                isAxis ? "a wavelength above 0 um" : "a number of at least 0";
+            const auto value = table_.number(row.cells[k], offences_, expected);
+            if (!value) {
+                continue;
+            }
+            std::vector<double>& column = columns_[header.cells[k].text];
+            if (*value < 0.0 || (isAxis && *value == 0.0)) {
+                offences_.push_back(table_.offence(row.cells[k], expected));
+            } else if (isAxis && !column.empty() && *value <= column.back()) {
+                offences_.push_back(
+                    table_.offence(row.cells[k], "more than " + numberText(column.back()) +
+                                                     ": wavelengths ascend strictly"));
+            }
+            column.push_back(*value);
+        }
+    }
+
+    /// The spectrum of a column, or no value where the file has none.
+    std::optional<Spectrum> spectrum(std::string_view header, double factor = 1.0) const {
+        const auto column = columns_.find(std::string(header));
+        if (column == columns_.end()) {
+            return std::nullopt;
+        }
+        std::vector<double> values = column->second;
+        for (double& value : values) {
+            value *= factor;
+        }
+        return Spectrum(columns_.at(std::string(wavelengthHeader)), std::move(values),
+                        Spectrum::Outside::hold, table_.file());
+    }
+
+    BeerLambertParameters parameters() const {
+        BeerLambertParameters result;
+        const CsvComment* name = table_.comment("name");
+        result.name = name ? name->value : defaultName_;
+        result.airTemperature_K = air_K_.value_or(result.airTemperature_K);
+        result.groundTemperature_K = ground_K_.value_or(result.airTemperature_K);
+        result.extinction_per_m = *spectrum(extinctionHeader, 1e-3);
+
+        // What the file does not give follows from its temperatures.
+        const auto& axis = columns_.at(std::string(wavelengthHeader));
+        const SpectralRange base{axis.front(), axis.back()};
+        const double overhead_K = sky_K_.value_or(result.airTemperature_K);
+        const auto down = spectrum(downHeader);
+        const auto up = spectrum(upHeader);
+        result.downwardFlux_W_m2_um = down ? *down : sampledPlanck(overhead_K, base, pi);
+        result.upwardFlux_W_m2_um = up ? *up : sampledPlanck(result.groundTemperature_K, base, pi);
+        result.skyRadiance_W_m2_sr_um = spectrum(skyHeader);
+        if (!result.skyRadiance_W_m2_sr_um && sky_K_) {
+            result.skyRadiance_W_m2_sr_um = sampledPlanck(*sky_K_, base);
+        }
+        const CsvComment* sun = table_.comment("sun");
+        if (const auto solar = spectrum(solarHeader)) {
+            result.solarIrradiance_W_m2_um = *solar;
+        } else if (!sun || sun->value == "nominal") {
+            result.solarIrradiance_W_m2_um = extraterrestrialSolarIrradiance(base);
+        }
+        return result;
+    }
+
+    CsvTable table_;
+    std::string defaultName_;
+    std::vector<Offence> offences_;
+    std::map<std::string, std::vector<double>> columns_;
+    std::optional<double> air_K_;
+    std::optional<double> ground_K_;
+    std::optional<double> sky_K_;
+};
+
+} // namespace
+
+BeerLambert BeerLambert::fromCsv(const std::filesystem::path& file) {
+    return BeerLambert(Reader(file).read());
+}
+
+} // namespace irsg

@@ -1,0 +1,115 @@
+#include "irsg/atmosphere/Environment.h"
+
+#include <utility>
+
+#include "irsg/atmosphere/Vacuum.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr const char* byDefault = "default";
+
+std::string textOf(const SpectralRange& range) {
+    return numberText(range.min_um) + "-" + numberText(range.max_um) + " um";
+}
+
+std::string refusalOf(const Atmosphere& atmosphere, AtmosphereProperty property) {
+    return atmosphere.supports(property)
+               ? atmosphere.name() + " (holds only " + textOf(atmosphere.base()) + ")"
+               : atmosphere.name() + " (has no " + name(property) + ")";
+}
+
+} // namespace
+
+Environment Environment::vacuum() {
+    Environment environment;
+    environment.add(std::make_shared<Vacuum>());
+    return environment;
+}
+
+void Environment::add(std::shared_ptr<const Atmosphere> atmosphere) {
+    if (!atmosphere) {
+        throw LogicError("no atmosphere was added to an environment");
+    }
+    atmospheres_.push_back(std::move(atmosphere));
+}
+
+const Atmosphere* Environment::find(const SpectralRange& range, AtmosphereProperty property) const {
+    for (const auto& atmosphere : atmospheres_) {
+        if (atmosphere->accept(range, property)) {
+            return atmosphere.get();
+        }
+    }
+    return nullptr;
+}
+
+const Atmosphere& Environment::require(const SpectralRange& range,
+                                       AtmosphereProperty property) const {
+    if (const Atmosphere* atmosphere = find(range, property)) {
+        return *atmosphere;
+    }
+    std::string refusals;
+    for (const auto& atmosphere : atmospheres_) {
+        refusals += (refusals.empty() ? "" : ", ") + refusalOf(*atmosphere, property);
+    }
+    throw InputError({"environment", std::string(name(property)) + " over " + textOf(range),
+                      refusals.empty() ? "no atmosphere" : refusals,
+                      "an atmosphere that supports this quantity and holds the whole range"});
+}
+
+Answer<Spectrum> Environment::transmittance(const AirPath& path, const SpectralRange& range) const {
+    const Atmosphere& air = require(range, AtmosphereProperty::transmittance);
+    return {air.transmittance(path, range), air.name()};
+}
+
+Answer<Spectrum> Environment::pathRadiance(const AirPath& path, const SpectralRange& range) const {
+    const Atmosphere& air = require(range, AtmosphereProperty::pathRadiance);
+    return {air.pathRadiance(path, sun, range), air.name()};
+}
+
+Answer<Spectrum> Environment::backgroundRadiance(const LineOfSight& sight,
+                                                 const SpectralRange& range) const {
+    if (defaultBackground && !find(range, AtmosphereProperty::backgroundRadiance)) {
+        return {*defaultBackground, byDefault};
+    }
+    const Atmosphere& air = require(range, AtmosphereProperty::backgroundRadiance);
+    return {air.backgroundRadiance(sight, sun, range), air.name()};
+}
+
+Answer<Spectrum> Environment::solarIrradiance(double altitude_m, const SpectralRange& range) const {
+    const Atmosphere& air = require(range, AtmosphereProperty::solarIrradiance);
+    return {sun.isUp() ? air.solarIrradiance(altitude_m, sun, range) : Spectrum::constant(0.0),
+            air.name()};
+}
+
+Answer<Spectrum> Environment::upwardFlux(double altitude_m, const SpectralRange& range) const {
+    const Atmosphere& air = require(range, AtmosphereProperty::upwardFlux);
+    return {air.upwardFlux(altitude_m, sun, range), air.name()};
+}
+
+Answer<Spectrum> Environment::downwardFlux(double altitude_m, const SpectralRange& range) const {
+    const Atmosphere& air = require(range, AtmosphereProperty::downwardFlux);
+    return {air.downwardFlux(altitude_m, sun, range), air.name()};
+}
+
+Answer<double> Environment::ambientTemperature_K(double altitude_m) const {
+    // A temperature has no range: the first that knows one answers.
+    std::string refusals;
+    for (const auto& atmosphere : atmospheres_) {
+        if (atmosphere->supports(AtmosphereProperty::ambientTemperature)) {
+            return {atmosphere->ambientTemperature_K(altitude_m), atmosphere->name()};
+        }
+        refusals += (refusals.empty() ? "" : ", ") +
+                    refusalOf(*atmosphere, AtmosphereProperty::ambientTemperature);
+    }
+    if (defaultAmbient_K) {
+        return {*defaultAmbient_K, byDefault};
+    }
+    throw InputError({"environment", name(AtmosphereProperty::ambientTemperature),
+                      refusals.empty() ? "no atmosphere" : refusals,
+                      "an atmosphere that has an ambient temperature"});
+}
+
+} // namespace irsg

@@ -1,0 +1,204 @@
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "irsg/atmosphere/BeerLambert.h"
+#include "irsg/atmosphere/Vacuum.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Planck.h"
+#include "irsg/radiometry/Units.h"
+
+using namespace irsg;
+using testing::HasSubstr;
+
+namespace {
+
+const SpectralRange mwir{3.0, 5.0};
+const SunPosition noon{0.0, 1.0};
+
+BeerLambert airOf(const std::string& text, const std::string& fileName = "air.csv") {
+    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / fileName;
+    std::ofstream(path, std::ios::binary) << text;
+    return BeerLambert::fromCsv(path);
+}
+
+} // namespace
+
+TEST(BeerLambertCsv, readsEverythingAFileMayHold) {
+    const BeerLambert air = airOf("# name: All of it\r\n"
+                                  "# Written by hand: a test.\r\n"
+                                  "# air_temperature [K]: 280\r\n"
+                                  "# ground_temperature [K]: 290\r\n"
+                                  "# note: one\r\n"
+                                  "# note: two\r\n"
+                                  "sky_radiance [W m-2 sr-1 um-1],wavelength [um],"
+                                  "extinction [km-1],solar_irradiance [W m-2 um-1],"
+                                  "down_flux [W m-2 um-1],up_flux [W m-2 um-1]\r\n"
+                                  "0.5,3,2,10,1,3\r\n"
+                                  "0.7,5,4,20,2,5\r\n");
+    EXPECT_EQ(air.name(), "All of it");
+    EXPECT_EQ(air.base(), mwir);
+    EXPECT_EQ(air.ambientTemperature_K(0.0), 280.0);
+    EXPECT_EQ(air.parameters().groundTemperature_K, 290.0);
+    EXPECT_DOUBLE_EQ(air.parameters().extinction_per_m.at(4.0), 3e-3);
+    EXPECT_DOUBLE_EQ(air.solarIrradiance(0.0, noon, mwir).at(4.0), 15.0);
+    EXPECT_DOUBLE_EQ(air.downwardFlux(0.0, noon, mwir).at(4.0), 1.5);
+    EXPECT_DOUBLE_EQ(air.upwardFlux(0.0, noon, mwir).at(4.0), 4.0);
+    EXPECT_DOUBLE_EQ(air.parameters().skyRadiance_W_m2_sr_um->at(4.0), 0.6);
+}
+
+TEST(BeerLambertCsv, fillsWhatIsMissingFromItsTemperatures) {
+    const BeerLambert air = airOf("# air_temperature [K]: 280\n"
+                                  "# sky_temperature [K]: 250\n"
+                                  "wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n",
+                                  "plain.csv");
+    EXPECT_EQ(air.name(), "Beer-Lambert (plain.csv)");
+    EXPECT_EQ(air.parameters().groundTemperature_K, 280.0);
+    for (const double x : {3.0, 3.7, 4.9}) {
+        const double down = pi * planckRadiance_W_m2_sr_um(x, 250.0);
+        const double up = pi * planckRadiance_W_m2_sr_um(x, 280.0);
+        EXPECT_NEAR(air.downwardFlux(0.0, noon, mwir).at(x) / down, 1.0, 1e-6);
+        EXPECT_NEAR(air.upwardFlux(0.0, noon, mwir).at(x) / up, 1.0, 1e-6);
+        EXPECT_NEAR(air.parameters().skyRadiance_W_m2_sr_um->at(x) * pi / down, 1.0, 1e-6);
+        EXPECT_NEAR(air.solarIrradiance(0.0, noon, mwir).at(x) /
+                        extraterrestrialSolarIrradiance(mwir).at(x),
+                    1.0, 1e-12);
+    }
+    const BeerLambert bare = airOf("wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n");
+    EXPECT_EQ(bare.ambientTemperature_K(0.0), 288.15);
+    EXPECT_FALSE(bare.parameters().skyRadiance_W_m2_sr_um);
+    const double down = pi * planckRadiance_W_m2_sr_um(4.0, 288.15);
+    EXPECT_NEAR(bare.downwardFlux(0.0, noon, mwir).at(4.0) / down, 1.0, 1e-6);
+}
+
+TEST(BeerLambertCsv, theSunCanBeSwitchedOff) {
+    const BeerLambert air = airOf("# sun: none\nwavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n");
+    EXPECT_EQ(air.solarIrradiance(0.0, noon, mwir), Spectrum::constant(0.0));
+}
+
+TEST(BeerLambertCsv, theSampleHazeIsReadAndBehavesLikeOne) {
+    const BeerLambert haze =
+        BeerLambert::fromCsv(SMAT_SOURCE_DIR "/resources/atmospheres/haze-23km.csv");
+    EXPECT_EQ(haze.name(), "Haze 23 km (sample)");
+    EXPECT_EQ(haze.base(), (SpectralRange{0.3, 15.0}));
+    const AirPath fiveKilometres{0.0, 0.0, 5000.0};
+    const Spectrum tau = haze.transmittance(fiveKilometres, mwir);
+    EXPECT_LT(tau.at(4.26), 1e-30);
+    EXPECT_GT(tau.at(3.8), 0.8);
+    // Koschmieder: contrast 0.02 at the visibility, through the aerosol alone.
+    EXPECT_NEAR(haze.transmittance({0.0, 0.0, 23000.0}, {0.5, 0.6}).at(0.55), 0.02, 0.001);
+    for (const SpectralRange& range : {mwir, SpectralRange{8.0, 12.0}, SpectralRange{0.3, 15.0}}) {
+        const auto nodes = haze.transmittance(fiveKilometres, range).size();
+        const auto pathNodes = haze.pathRadiance(fiveKilometres, noon, range).size();
+        EXPECT_LT(nodes, 200000u);
+        std::printf("haze-23km, 5 km, %g-%g um: %zu nodes of transmittance, %zu of path radiance\n",
+                    range.min_um, range.max_um, nodes, pathNodes);
+    }
+}
+
+namespace {
+
+struct BadFile {
+    const char* name;
+    std::string text;
+    const char* message; ///< what stands behind "FILE: "
+};
+
+class BeerLambertCsvRefuses : public testing::TestWithParam<BadFile> {};
+
+const std::string header = "wavelength [um],extinction [km-1]\n";
+const std::string good = header + "3,0.1\n5,0.1\n";
+
+} // namespace
+
+TEST_P(BeerLambertCsvRefuses, withFileLineValueAndExpectation) {
+    const std::filesystem::path path =
+        std::filesystem::path(testing::TempDir()) / (std::string(GetParam().name) + ".csv");
+    std::ofstream(path, std::ios::binary) << GetParam().text;
+    try {
+        BeerLambert::fromCsv(path);
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(path.string() + ": " + GetParam().message));
+        for (const Offence& offence : error.offences()) {
+            EXPECT_FALSE(offence.value.empty());
+            EXPECT_FALSE(offence.expected.empty());
+        }
+    }
+    std::filesystem::remove(path);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, BeerLambertCsvRefuses,
+    testing::Values(
+        BadFile{"empty", "", "found no rows, expected a header"},
+        BadFile{"headerOnly", header, "found 0 rows of numbers, expected at least two"},
+        BadFile{"oneRow", header + "3,0.1\n", "found 1 rows of numbers"},
+        BadFile{"noExtinction", "wavelength [um],up_flux [W m-2 um-1]\n3,1\n5,1\n",
+                "line 1: found 'wavelength [um]', expected a column 'extinction [km-1]'"},
+        BadFile{"noWavelength", "extinction [km-1]\n1\n2\n",
+                "line 1: found 'extinction [km-1]', expected a column 'wavelength [um]'"},
+        BadFile{"extinctionPerMetre", "wavelength [um],extinction [m-1]\n3,1\n5,1\n",
+                "line 1, column 2: found 'extinction [m-1]', expected one of"},
+        BadFile{"columnTwice",
+                "wavelength [um],extinction [km-1],extinction [km-1]\n3,1,1\n5,1,1\n",
+                "line 1, column 3: found 'extinction [km-1]', expected each column once"},
+        BadFile{"noHeaderAtAll", "3,0.1\n4,0.1\n5,0.1\n", "line 1, column 1: found '3'"},
+        BadFile{"shortRow", header + "3,0.1\n4\n5,0.1\n",
+                "line 3: found '1 cells', expected 2 cells"},
+        BadFile{"longRow", header + "3,0.1\n4,0.1,7\n5,0.1\n", "line 3: found '3 cells'"},
+        BadFile{"word", header + "3,thick\n5,0.1\n", "line 2, column 2: found 'thick'"},
+        BadFile{"emptyCell", header + "3,\n5,0.1\n", "line 2, column 2: found nothing"},
+        BadFile{"extinctionNan", header + "3,nan\n5,0.1\n", "line 2, column 2: found 'nan'"},
+        BadFile{"extinctionInfinite", header + "3,1\n5,inf\n", "line 3, column 2: found 'inf'"},
+        BadFile{"extinctionNegative", header + "3,1\n5,-0.1\n",
+                "line 3, column 2: found '-0.1', expected a number of at least 0"},
+        BadFile{"wavelengthNegative", header + "-3,1\n5,1\n", "line 2, column 1: found '-3'"},
+        BadFile{"wavelengthZero", header + "0,1\n5,1\n", "line 2, column 1: found '0'"},
+        BadFile{"reversed", header + "5,1\n3,1\n",
+                "line 3, column 1: found '3', expected more than 5"},
+        BadFile{"duplicated", header + "3,1\n3,1\n5,1\n", "line 3, column 1: found '3'"},
+        BadFile{"fluxNegative",
+                "wavelength [um],extinction [km-1],up_flux [W m-2 um-1]\n"
+                "3,1,-1\n5,1,1\n",
+                "line 2, column 3: found '-1'"},
+        BadFile{"airTemperatureWord", "# air_temperature [K]: warm\n" + good,
+                "line 1: found 'warm', expected a temperature of at least 0 K"},
+        BadFile{"airTemperatureNegative", "# air_temperature [K]: -5\n" + good,
+                "line 1: found '-5'"},
+        BadFile{"airTemperatureEmpty", "# air_temperature [K]:\n" + good, "line 1: found nothing"},
+        BadFile{"celsius", "# air_temperature [C]: 15\n" + good,
+                "line 1: found 'air_temperature [C]', expected one of"},
+        BadFile{"keyWithoutUnit", "# air_temperature: 288\n" + good,
+                "line 1: found 'air_temperature'"},
+        BadFile{"misspelledKey", good + "# ground_temprature [K]: 288\n",
+                "line 4: found 'ground_temprature [K]'"},
+        BadFile{"keyTwice", "# sun: none\n# sun: nominal\n" + good,
+                "line 2: found 'sun', expected this key once"},
+        BadFile{"unknownSun", "# sun: bright\n" + good, "line 1: found 'bright'"},
+        BadFile{"sunGivenTwice",
+                "# sun: nominal\nwavelength [um],extinction [km-1],"
+                "solar_irradiance [W m-2 um-1]\n3,1,1\n5,1,1\n",
+                "line 1: found 'nominal', expected either this key or the column"},
+        BadFile{"emptyName", "# name:\n" + good, "line 1: found nothing, expected a name"},
+        BadFile{"openQuote", header + "3,\"1\n5,1\n", "line 2: found '3,\"1'"},
+        BadFile{"binary", good + std::string("\0\0", 2), "byte 46: found a NUL byte"}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(BeerLambertCsv, namesEveryOffenceAtOnce) {
+    try {
+        airOf("# air_temperature [K]: x\n# sun: y\n" + header + "3,a\n2,b\n1,-1\n");
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.offences().size(), 7u) << error.what();
+    }
+}
+
+TEST(BeerLambertCsv, refusesAFileThatIsNotThere) {
+    EXPECT_THROW(BeerLambert::fromCsv("no/such/air.csv"), InputError);
+}
