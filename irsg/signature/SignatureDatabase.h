@@ -72,4 +72,9 @@ struct Finding {
 std::vector<Finding> lint(const SignatureDatabase& database);
 std::vector<Finding> lint(const SignatureDatabase& database, const SpectralRange& band);
 
+/// The lookup tables that hold an end value in this state because their axis does not reach it:
+/// "temperatures.4.terms.power". Only what the mode of an entry uses counts. Whoever runs an
+/// analysis warns of each once.
+std::vector<std::string> tablesHeld(const SignatureDatabase& database, const EntityState& state);
+
 } // namespace irsg

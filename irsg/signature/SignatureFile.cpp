@@ -141,7 +141,8 @@ LoadedSignature load(const fs::path& file, OutsideChanges outside) {
 void save(const SignatureDatabase& database, const fs::path& file, Existing existing) {
     SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
                             busyTimeout_ms);
-    sqlite.exec("PRAGMA trusted_schema = OFF; PRAGMA foreign_keys = ON");
+    // Small pages keep small databases small; the size of a file that exists stays as it is.
+    sqlite.exec("PRAGMA page_size = 1024; PRAGMA trusted_schema = OFF; PRAGMA foreign_keys = ON");
     SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
     if (existing == Existing::sqlite) {
         checkOurs(sqlite, file);

@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Planck.h"
+#include "irsg/signature/SignatureFile.h"
+#include "irsg/signature/SpectrumCsv.h"
+
+#include "Support.h"
+
+namespace irsg {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path samples = fs::path(SMAT_SOURCE_DIR) / "samples";
+
+SignatureDatabase readJson(const std::string& sample) {
+    const fs::path file = samples / sample / "signature.json";
+    return signatureFromJson(readBytes(file), file.string());
+}
+
+class Sample : public testing::TestWithParam<const char*> {};
+
+TEST_P(Sample, HasADatabaseFileEqualToItsJson) {
+    const fs::path file = samples / GetParam() / (std::string(GetParam()) + ".sigdb");
+    EXPECT_TRUE(loadSignatureFile(file).database == readJson(GetParam()))
+        << "made anew by: smat-batch db import signature.json " << file.filename();
+}
+
+TEST_P(Sample, HasItsJsonInTheFormOfAnExport) {
+    EXPECT_EQ(signatureToJson(readJson(GetParam())),
+              readBytes(samples / GetParam() / "signature.json"));
+}
+
+TEST_P(Sample, HasNothingToFindFault) {
+    for (const SpectralRange band : {SpectralRange{2.0, 5.0}, SpectralRange{8.0, 12.0}}) {
+        for (const Finding& finding : lint(readJson(GetParam()), band)) {
+            ADD_FAILURE() << finding.place << ": " << finding.value << ": " << finding.reason;
+        }
+    }
+}
+
+TEST_P(Sample, SaysWhereEachNumberComesFrom) {
+    const SignatureDatabase database = readJson(GetParam());
+    EXPECT_FALSE(database.notes.empty());
+    for (const auto& [index, entry] : database.temperatures) {
+        EXPECT_FALSE(entry.notes.empty()) << entry.name;
+    }
+    for (const auto& [index, material] : database.materials) {
+        EXPECT_FALSE(material.notes.empty()) << material.name;
+    }
+    for (const auto& [name, spectrum] : database.spectra) {
+        EXPECT_FALSE(spectrum.notes.empty()) << name;
+    }
+}
+
+int bigEndian(const std::string& bytes, std::size_t at, std::size_t count) {
+    unsigned value = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    }
+    return static_cast<int>(value);
+}
+
+TEST_P(Sample, HasAnEntryForEveryCodeOfItsModel) {
+    const fs::path model = samples / GetParam() / (std::string(GetParam()) + ".flt");
+    if (!fs::exists(model)) {
+        GTEST_SKIP() << "the model of this sample is no OpenFlight file";
+    }
+    // The face records (opcode 5) with their colour and material code.
+    const std::string bytes = readBytes(model);
+    std::set<int> colours;
+    std::set<int> materials;
+    for (std::size_t at = 0; at + 4 <= bytes.size() && bigEndian(bytes, at + 2, 2) >= 4;
+         at += static_cast<std::size_t>(bigEndian(bytes, at + 2, 2))) {
+        if (bigEndian(bytes, at, 2) == 5) {
+            colours.insert(bigEndian(bytes, at + 12, 4));
+            materials.insert(bigEndian(bytes, at + 36, 4));
+        }
+    }
+    EXPECT_FALSE(colours.empty());
+    const SignatureDatabase database = readJson(GetParam());
+    for (const int colour : colours) {
+        EXPECT_TRUE(database.temperatures.contains(colour)) << "temperature " << colour;
+    }
+    for (const int material : materials) {
+        EXPECT_TRUE(database.materials.contains(material)) << "material " << material;
+    }
+}
+
+TEST_P(Sample, HasTheSpectraOfItsCsvFiles) {
+    for (const auto& [name, spectrum] : readJson(GetParam()).spectra) {
+        UserSpectrum imported = readSpectrumCsv(samples / GetParam() / (name + ".csv"));
+        imported.notes = spectrum.notes;
+        EXPECT_TRUE(imported == spectrum) << name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, Sample,
+                         testing::Values("sphere", "chessboard", "ship", "turboprop4"),
+                         [](const auto& row) { return row.param; });
+
+/// Emission of all components at a wavelength over what Kirchhoff's law gives for the wall.
+void expectKirchhoff(const std::string& sample, const std::string& spectrum, double temperature_K) {
+    const SignatureDatabase database = readJson(sample);
+    const Material& gas = database.materials.at(5);
+    const UserSpectrum& plume = database.spectra.at(spectrum);
+    for (const double wavelength_um : plume.components[0].radiance.wavelengths_um()) {
+        double emitted = 0.0;
+        for (const SpectrumComponent& component : plume.components) {
+            emitted += component.radiance.at(wavelength_um);
+        }
+        const double black = planckRadiance_W_m2_sr_um(wavelength_um, temperature_K);
+        EXPECT_NEAR(emitted / black, gas.emissivity.at(wavelength_um), 2e-5) << wavelength_um;
+        EXPECT_NEAR(gas.reflectivityAt(wavelength_um), 0.0, 1e-12) << wavelength_um;
+    }
+}
+
+TEST(Samples, PlumeOfTheShipObeysKirchhoffsLaw) {
+    expectKirchhoff("ship", "funnel plume", 420.0);
+}
+
+TEST(Samples, PlumeOfTheAircraftEmitsBesideWhatColdAirAbsorbs) {
+    const UserSpectrum core = readJson("turboprop4").spectra.at("plume core");
+    const Spectrum& co2 = core.find("CO2")->radiance;
+    EXPECT_EQ(core.referenceDistance_m, 100.0);
+    EXPECT_GT(co2.at(4.181), 10.0 * co2.at(4.24)) << "blue spike";
+    EXPECT_GT(co2.at(4.35), 10.0 * co2.at(4.24)) << "red spike";
+    EXPECT_LT(co2.at(4.7), 1e-3 * co2.at(4.35)) << "outside the band";
+    EXPECT_GT(core.find("H2O")->radiance.at(2.55), 0.0);
+}
+
+TEST(Samples, AircraftWarmsWithSpeedAndPower) {
+    const auto temperatures = readJson("turboprop4").temperatures;
+    EntityState cruise;
+    cruise.ambient_K = 252.0;
+    cruise.mach = 0.45;
+    cruise.power = 1.0;
+    const auto at_K = [&](int index, const EntityState& state) {
+        return surfaceTemperature_K(temperatures.at(index).terms, state);
+    };
+    EXPECT_NEAR(at_K(1, cruise), 252.0 * (1.0 + 0.2 * 0.89 * 0.45 * 0.45), 1e-9);
+    EXPECT_GT(at_K(2, cruise), at_K(1, cruise)) << "leading edges";
+    EXPECT_GT(at_K(4, cruise), at_K(2, cruise)) << "cowls";
+    EntityState parked;
+    EXPECT_NEAR(at_K(5, parked), 288.15, 1e-9) << "cold exhaust";
+    double last_K = 288.2;
+    for (const double power : {0.15, 0.5, 1.0}) {
+        parked.power = power;
+        EXPECT_GT(at_K(5, parked), last_K + 50.0) << power;
+        last_K = at_K(5, parked);
+    }
+    EXPECT_LT(last_K, 760.0);
+}
+
+} // namespace
+} // namespace irsg
