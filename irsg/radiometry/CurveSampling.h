@@ -9,7 +9,7 @@ namespace irsg {
 
 /// The accuracy that sampled curves aim at: straight pieces between nodes follow the curve to
 /// better than 1e-6 of its value.
-inline constexpr double curveTolerance = 5e-7;
+inline constexpr double curveTolerance = 8e-7;
 /// Below this part of the largest value of the curve the error is measured against this part
 /// instead, so that the flanks of an opaque band cost no nodes that nobody sees.
 inline constexpr double curveFloor = 1e-9;

@@ -59,9 +59,10 @@ std::vector<double> probes(const SpectralRange& range, int count) {
 template <typename ClosedForm>
 double worstError(const Spectrum& spectrum, const SpectralRange& range, ClosedForm&& closedForm) {
     double worst = 0.0;
+    const double floor = curveFloor * spectrum.maximum();
     for (const double x : probes(range, 50021)) {
         const double truth = closedForm(x);
-        const double scale = std::max(truth, curveFloor * spectrum.maximum());
+        const double scale = std::max(truth, floor);
         worst = std::max(worst, std::abs(spectrum.at(x) - truth) / scale);
     }
     return worst;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -16,11 +17,12 @@ namespace {
 /// The largest error at the middles and tenths of all pieces, relative to the value or the floor.
 double worstError(const Spectrum& spectrum, const std::function<double(double)>& curve) {
     double worst = 0.0;
+    const double floor = curveFloor * spectrum.maximum();
     const auto& axis = spectrum.wavelengths_um();
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
         for (const double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
             const double x = std::lerp(axis[i], axis[i + 1], t);
-            const double scale = std::max(curve(x), curveFloor * spectrum.maximum());
+            const double scale = std::max(curve(x), floor);
             worst = std::max(worst, std::abs(spectrum.at(x) - curve(x)) / scale);
         }
     }
