@@ -92,9 +92,10 @@ TEST(CsvTable, turnsABadCellIntoAnOffence) {
 }
 
 TEST(CsvTable, showsLongAndUnprintableTextInOneShortLine) {
-    const CsvTable table = CsvTable::parse(std::string(200, 'a') + ",b\x01\x7f"
-                                                                   "c\n",
-                                           "f.csv");
+    std::string text(200, 'a');
+    text += ",b\x01\x7f"
+            "c\n";
+    const CsvTable table = CsvTable::parse(text, "f.csv");
     EXPECT_THAT(table.offence(table.rows()[0].cells[0], "").value,
                 testing::MatchesRegex("'a+\\.\\.\\.'"));
     EXPECT_EQ(table.offence(table.rows()[0].cells[0], "").value.size(), 65u);
