@@ -157,26 +157,32 @@ class CsvImageParser {
     }
 
     float number(std::string_view text, std::size_t column) {
-        const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+        const bool hasPlus = text.starts_with('+') && !text.starts_with("+-");
+        const std::string_view digits = hasPlus ? text.substr(1) : text;
+        const char* last = digits.data() + digits.size();
         float value = 0.0F;
-        const auto [end, error] =
-            std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (end == digits.data() + digits.size() && error == std::errc())
+        const auto [end, error] = std::from_chars(digits.data(), last, value);
+        if (end == last && error == std::errc())
             return value;
 
         // Too small for a float is zero with its sign, too large is refused.
-        double wide = 0.0;
-        const auto [wideEnd, wideError] =
-            std::from_chars(digits.data(), digits.data() + digits.size(), wide);
-        const bool isNumber = !digits.empty() && wideEnd == digits.data() + digits.size();
-        if (isNumber && wideError == std::errc() && std::abs(wide) < 1.0)
-            return std::copysign(0.0F, static_cast<float>(wide));
+        const bool isOutOfRange = end == last && error == std::errc::result_out_of_range;
+        if (isOutOfRange && isBelowOne(digits))
+            return digits.starts_with('-') ? -0.0F : 0.0F;
         const std::string shown =
             text.size() > 40 ? std::string(text.substr(0, 40)) + "..." : std::string(text);
         offend(here() + ", column " + std::to_string(column),
                shown.empty() ? "an empty field" : shown,
-               isNumber ? "a number within the range of 32-bit float" : "a number");
+               isOutOfRange ? "a number within the range of 32-bit float" : "a number");
         return 0.0F;
+    }
+
+    /// Of a number that is out of range: whether it is too small rather than too large.
+    static bool isBelowOne(std::string_view digits) {
+        const std::size_t exponent = digits.find_first_of("eE");
+        if (exponent != std::string_view::npos)
+            return digits.substr(exponent + 1).starts_with('-');
+        return digits.find_first_of("123456789") > digits.find('.');
     }
 
     void checkSize() {

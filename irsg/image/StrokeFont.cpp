@@ -86,8 +86,7 @@ std::vector<PlacedGlyph> placed(std::string_view text, int scale) {
         // Letters stand on whole pixels, so that all stems of a kind look alike.
         letter.x_px = x_px;
         letter.width_px = static_cast<int>(std::lround(letter.glyph->width * letter.size * scale));
-        const double gap = plain != 0 ? spacing - 1.0 : spacing;
-        x_px += letter.width_px + static_cast<int>(std::lround(gap * scale));
+        x_px += letter.width_px + static_cast<int>(std::lround(spacing * scale));
         line.push_back(letter);
     }
     return line;
@@ -136,7 +135,6 @@ int textWidth(std::string_view text, int scale) {
 void drawText(Canvas& canvas, int x, int y, std::string_view text, int scale, Rgb color) {
     // A stroke is one pixel wide at scale 1. Wide strokes of an even number of pixels have their
     // middle between two pixels.
-    const double halfWidth = 0.5 * scale + 0.05;
     const double middle = 0.5 * (scale - 1);
 
     for (const PlacedGlyph& letter : placed(text, scale)) {
@@ -147,7 +145,9 @@ void drawText(Canvas& canvas, int x, int y, std::string_view text, int scale, Rg
                 point = {x + letter.x_px + middle + point.x * letter.size * scale,
                          y - middle - (point.y * letter.size + letter.rise) * scale};
 
-        // Each pixel near the letter is covered by its nearest stroke.
+        // Each pixel near the letter is covered by its nearest stroke; small letters are thinner.
+        const double weight = letter.size < 1.0 ? 0.8 * scale : scale;
+        const double halfWidth = 0.5 * std::max(weight, 1.0) + 0.05;
         const int margin = 2 * scale + 1;
         for (int row = y - 12 * scale - margin; row <= y + descent_px * scale + margin; ++row)
             for (int column = x + letter.x_px - margin;

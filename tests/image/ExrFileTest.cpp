@@ -1,0 +1,247 @@
+#include "irsg/image/ExrFile.h"
+
+#include <fstream>
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFloatAttribute.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfTiledOutputFile.h>
+#include <gmock/gmock.h>
+
+#include "irsg/image/FileBytes.h"
+#include "tests/image/ImageFixtures.h"
+
+namespace irsg {
+namespace {
+
+using test::bitsOf;
+using test::inputErrorOf;
+using test::patternImage;
+using testing::HasSubstr;
+
+TEST(ExrFile, ReturnsEveryFloatBitForBitAtEverySize) {
+    const test::TemporaryFolder folder;
+    const std::pair<int, int> sizes[] = {{1, 1}, {1, 17}, {17, 1}, {2, 2}, {61, 67}, {640, 33}};
+    for (const auto& [width, height] : sizes) {
+        SCOPED_TRACE(testing::Message() << width << " x " << height);
+        const RadianceImage image = patternImage(width, height);
+        writeExr(image, folder / "a.exr");
+        const RadianceImage back = readExr(folder / "a.exr");
+        EXPECT_EQ(back.width(), width);
+        EXPECT_EQ(back.height(), height);
+        EXPECT_EQ(bitsOf(back.primary().values), bitsOf(image.primary().values));
+        EXPECT_EQ(back.primary().name, "L");
+        EXPECT_EQ(back.primary().unit, "W m-2 sr-1");
+    }
+}
+
+TEST(ExrFile, KeepsThePayloadOfNaN) {
+    const test::TemporaryFolder folder;
+    RadianceImage image(2, 1);
+    image.primary().values = {std::bit_cast<float>(0x7fc12345U), std::bit_cast<float>(0xffc00001U)};
+    writeExr(image, folder / "a.exr");
+    EXPECT_EQ(bitsOf(readExr(folder / "a.exr").primary().values), bitsOf(image.primary().values));
+}
+
+TEST(ExrFile, KeepsChannelsInTheirOrderWithTheirUnits) {
+    const test::TemporaryFolder folder;
+    RadianceImage image(3, 2, "range", "m");
+    image.channel("temperature_index").values[1] = 4.0F;
+    image.channel("L", "W m-2 sr-1").values[5] = 1e6F;
+    image.channel("alpha").values[0] = -1.0F;
+    writeExr(image, folder / "a.exr");
+    EXPECT_EQ(readExr(folder / "a.exr"), image);
+}
+
+TEST(ExrFile, KeepsEveryAttributeUnderItsName) {
+    const test::TemporaryFolder folder;
+    RadianceImage image(1, 1);
+    image.attributes = {{"band", "3-5 um"},
+                        {"empty", ""},
+                        {"lines", "one\ntwo: #three"},
+                        {"µm · °", "ε"},
+                        {"compression", "ours"},
+                        {"dataWindow", "ours"},
+                        {"type", "ours"},
+                        {"channelOrder", "ours"},
+                        {"unit.L", "ours"},
+                        {"attribute.x", "ours"},
+                        {std::string(180, 'n'), std::string(5000, 'v')}};
+    writeExr(image, folder / "a.exr");
+    EXPECT_EQ(readExr(folder / "a.exr"), image);
+}
+
+// An image of 2 x 2 pixels as another program writes it: 1 and 2 in the top row, 3 and 4 below.
+struct ForeignChannel {
+    const char* name;
+    Imf::PixelType type;
+};
+
+void writeForeign(const std::filesystem::path& file, const std::vector<ForeignChannel>& channels,
+                  int originX = 0, int originY = 0, int sampling = 1) {
+    const Imath::Box2i window({originX, originY}, {originX + 1, originY + 1});
+    Imf::Header header(Imath::Box2i({0, 0}, {639, 479}), window);
+    header.insert("exposure", Imf::FloatAttribute(0.25F));
+    header.insert("frame", Imf::IntAttribute(7));
+    const float floats[] = {1, 2, 3, 4};
+    const half halves[] = {1, 2, 3, 4};
+    const unsigned integers[] = {1, 2, 3, 4};
+    Imf::FrameBuffer frame;
+    for (const ForeignChannel& channel : channels) {
+        header.channels().insert(channel.name, Imf::Channel(channel.type, sampling, sampling));
+        const void* data = channel.type == Imf::HALF   ? static_cast<const void*>(halves)
+                           : channel.type == Imf::UINT ? static_cast<const void*>(integers)
+                                                       : static_cast<const void*>(floats);
+        frame.insert(channel.name,
+                     Imf::Slice::Make(channel.type, data, window, 0, 0, sampling, sampling));
+    }
+    Imf::OutputFile output(file.c_str(), header);
+    output.setFrameBuffer(frame);
+    output.writePixels(2);
+}
+
+TEST(ExrFile, ReadsSingleChannelsOfOtherPrograms) {
+    const test::TemporaryFolder folder;
+    for (const Imf::PixelType type : {Imf::HALF, Imf::FLOAT, Imf::UINT}) {
+        writeForeign(folder / "f.exr", {{"Y", type}});
+        const RadianceImage image = readExr(folder / "f.exr");
+        EXPECT_EQ(image.primary().name, "Y");
+        EXPECT_EQ(image.primary().unit, "");
+        EXPECT_EQ(image.primary().values, (std::vector<float>{1, 2, 3, 4}));
+        EXPECT_EQ(image.attributes.at("exposure"), "0.25");
+        EXPECT_EQ(image.attributes.at("frame"), "7");
+    }
+}
+
+TEST(ExrFile, TakesThePixelsOfTheDataWindowWhereverItLies) {
+    const test::TemporaryFolder folder;
+    for (const auto& [x, y] : {std::pair{100, 37}, std::pair{-5, -9}}) {
+        writeForeign(folder / "f.exr", {{"Y", Imf::FLOAT}}, x, y);
+        const RadianceImage image = readExr(folder / "f.exr");
+        EXPECT_EQ(image.width(), 2);
+        EXPECT_EQ(image.primary().values, (std::vector<float>{1, 2, 3, 4}));
+    }
+}
+
+TEST(ExrFile, ShowsRadianceFirstThenLuminanceThenTheFirstName) {
+    const test::TemporaryFolder folder;
+    writeForeign(folder / "f.exr", {{"A", Imf::HALF}, {"L", Imf::HALF}, {"Y", Imf::HALF}});
+    EXPECT_EQ(readExr(folder / "f.exr").primary().name, "L");
+    writeForeign(folder / "f.exr", {{"A", Imf::HALF}, {"Y", Imf::HALF}});
+    EXPECT_EQ(readExr(folder / "f.exr").primary().name, "Y");
+    writeForeign(folder / "f.exr", {{"R", Imf::HALF}, {"G", Imf::HALF}, {"B", Imf::HALF}});
+    EXPECT_EQ(readExr(folder / "f.exr").primary().name, "B");
+}
+
+TEST(ExrFile, ReadsTiles) {
+    const test::TemporaryFolder folder;
+    Imf::Header header(2, 2);
+    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    header.setTileDescription(Imf::TileDescription(1, 1));
+    float values[] = {1, 2, 3, 4};
+    Imf::FrameBuffer frame;
+    frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values), 4, 8));
+    {
+        Imf::TiledOutputFile output((folder / "t.exr").c_str(), header);
+        output.setFrameBuffer(frame);
+        output.writeTiles(0, 1, 0, 1);
+    }
+    EXPECT_EQ(readExr(folder / "t.exr").primary().values, (std::vector<float>{1, 2, 3, 4}));
+}
+
+TEST(ExrFile, RefusesWhatIsNoImageWithItsName) {
+    const test::TemporaryFolder folder;
+    writeFileBytes(folder / "text.exr", "this is no picture\n");
+    writeFileBytes(folder / "empty.exr", "");
+    writeFileBytes(folder / "signature.exr", "\x76\x2f\x31\x01");
+    writeFileBytes(folder / "noise.exr", "\x76\x2f\x31\x01\x02" + std::string(400, '\x5a'));
+    writeForeign(folder / "subsampled.exr", {{"Y", Imf::FLOAT}}, 0, 0, 2);
+
+    const struct {
+        const char* file;
+        const char* says;
+    } rows[] = {
+        {"missing.exr", "No such file or directory"},
+        {"", "a folder"},
+        {"text.exr", "byte 0: found no OpenEXR signature"},
+        {"empty.exr", "an empty file"},
+        {"signature.exr", "expected an OpenEXR image"},
+        {"noise.exr", "expected an OpenEXR image"},
+        {"subsampled.exr", "channel Y: found a sample every 2 x 2 pixels"},
+    };
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.file);
+        const std::string message = inputErrorOf([&] { readExr(folder / row.file); });
+        EXPECT_THAT(message, HasSubstr((folder / row.file).string()));
+        EXPECT_THAT(message, HasSubstr(row.says));
+    }
+}
+
+TEST(ExrFile, RefusesAFileCutAtAnyByte) {
+    const test::TemporaryFolder folder;
+    RadianceImage image = patternImage(40, 40);
+    image.attributes["band"] = "3-5 um";
+    writeExr(image, folder / "whole.exr");
+    const std::string bytes = readFileBytes(folder / "whole.exr");
+    for (std::size_t size = 0; size < bytes.size(); size += size < 700 ? 1 : 97) {
+        writeFileBytes(folder / "cut.exr", std::string_view(bytes).substr(0, size));
+        EXPECT_THAT(inputErrorOf([&] { readExr(folder / "cut.exr"); }), HasSubstr("cut.exr"))
+            << size << " of " << bytes.size() << " bytes";
+    }
+}
+
+TEST(ExrFile, NeverCrashesOnADamagedByte) {
+    const test::TemporaryFolder folder;
+    writeExr(patternImage(20, 20), folder / "whole.exr");
+    const std::string whole = readFileBytes(folder / "whole.exr");
+    int refused = 0;
+    for (std::size_t i = 4; i < whole.size(); i += 3) {
+        std::string bytes = whole;
+        bytes[i] = static_cast<char>(bytes[i] ^ 0xff);
+        writeFileBytes(folder / "bad.exr", bytes);
+        refused += inputErrorOf([&] { readExr(folder / "bad.exr"); }).empty() ? 0 : 1;
+    }
+    EXPECT_GT(refused, 0);
+}
+
+TEST(ExrFile, SaysTheRowWhereDataAreDamaged) {
+    const test::TemporaryFolder folder;
+    RadianceImage image(64, 64);
+    for (std::size_t i = 0; i < image.pixelCount(); ++i)
+        image.primary().values[i] = std::bit_cast<float>(
+            static_cast<std::uint32_t>(0x3f800000U + (i * 2654435761U) % 8388607U));
+    writeExr(image, folder / "a.exr");
+    std::string bytes = readFileBytes(folder / "a.exr");
+    std::fill(bytes.end() - 2000, bytes.end(), '\x01');
+    writeFileBytes(folder / "a.exr", bytes);
+    EXPECT_THAT(inputErrorOf([&] { readExr(folder / "a.exr"); }), HasSubstr("row 48"));
+}
+
+TEST(ExrFile, RefusesToWriteWhereItCannot) {
+    const test::TemporaryFolder folder;
+    const std::string message =
+        inputErrorOf([&] { writeExr(RadianceImage(1, 1), folder / "none/a.exr"); });
+    EXPECT_THAT(message, HasSubstr("none/a.exr"));
+    EXPECT_THAT(message, HasSubstr("cannot be written"));
+}
+
+TEST(ExrFile, RefusesImagesThatAreBrokenInThemselves) {
+    const test::TemporaryFolder folder;
+    const auto file = folder / "a.exr";
+    EXPECT_THROW(writeExr(RadianceImage(), file), LogicError);
+    RadianceImage small(2, 2);
+    small.primary().values.resize(3);
+    EXPECT_THROW(writeExr(small, file), LogicError);
+    RadianceImage twice(1, 1);
+    twice.channels.push_back(twice.channels.front());
+    EXPECT_THROW(writeExr(twice, file), LogicError);
+    RadianceImage nameless(1, 1, "");
+    EXPECT_THROW(writeExr(nameless, file), LogicError);
+    EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+} // namespace
+} // namespace irsg
