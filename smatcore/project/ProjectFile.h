@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "smatcore/project/Project.h"
 
@@ -15,8 +16,7 @@ inline constexpr int projectFileVersion = 1;
 /// this version does not know are kept. Files that the project names are looked at by SceneBuilder,
 /// not here.
 Project loadProject(const std::filesystem::path& file);
-/// The same from memory; `fileName` stands for the file in errors, `directory` is what paths are
-/// relative to.
+/// The same from memory, as if the text stood in `file`.
 Project projectFromJson(const std::string& text, const std::filesystem::path& file);
 
 /// Sorted keys, defaults omitted, unknown keys kept, paths relative to `file`'s folder where they
@@ -24,5 +24,8 @@ Project projectFromJson(const std::string& text, const std::filesystem::path& fi
 std::string projectToJson(const Project& project, const std::filesystem::path& file);
 /// Writes it whole or not at all. Throws InputError where the file cannot be written.
 void saveProject(const Project& project, const std::filesystem::path& file);
+
+/// Key paths of the keys this version does not know, for a warning: "sensor.widht".
+std::vector<std::string> unknownKeys(const Project& project);
 
 } // namespace smat

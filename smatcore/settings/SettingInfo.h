@@ -28,7 +28,7 @@ enum class SettingAudience { basic, expert };
 struct SettingInfo {
     std::string key;   ///< "sensor.width": section and name, the path in the project file
     std::string label; ///< "Width"
-    std::string unit;  ///< "px", "" without
+    std::string unit = {}; ///< "px", "" without
     SettingKind kind = SettingKind::real;
     double minimum = 0.0; ///< of numbers, inclusive
     double maximum = 0.0;

@@ -1,0 +1,94 @@
+#include "smatcore/support/JsonLines.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+namespace smat {
+
+namespace {
+
+/// One object or array that is open.
+struct Level {
+    std::string path;
+    bool isObject = false;
+    std::size_t index = 0;   ///< of the next value of an array
+    std::string key = {};    ///< of the next value of an object
+    bool keyIsNext = true;
+};
+
+/// The end of the string that begins with the quote at `begin`: the position behind its last quote.
+std::size_t endOfString(std::string_view text, std::size_t begin) {
+    std::size_t i = begin + 1;
+    while (i < text.size() && text[i] != '"') {
+        i += text[i] == '\\' ? 2 : 1;
+    }
+    return std::min(i + 1, text.size());
+}
+
+} // namespace
+
+JsonLines::JsonLines(std::string_view text) {
+    std::vector<Level> open;
+    int line = 1;
+    const auto pathOfNext = [&] {
+        if (open.empty()) {
+            return std::string();
+        }
+        const Level& level = open.back();
+        return joinedKeyPath(level.path, level.isObject ? level.key : std::to_string(level.index));
+    };
+    const auto note = [&](const std::string& path) {
+        if (!lines_.emplace(path, line).second) {
+            duplicates_.emplace_back(path, line);
+        }
+    };
+    for (std::size_t i = 0; i < text.size();) {
+        const char c = text[i];
+        if (c == '{' || c == '[') {
+            const std::string path = pathOfNext();
+            note(path);
+            open.push_back({.path = path, .isObject = c == '{'});
+            ++i;
+        } else if (c == '}' || c == ']') {
+            open.pop_back();
+            ++i;
+        } else if (c == ',') {
+            ++open.back().index;
+            open.back().keyIsNext = true;
+            ++i;
+        } else if (c == '"') {
+            const std::size_t end = endOfString(text, i);
+            if (!open.empty() && open.back().isObject && open.back().keyIsNext) {
+                open.back().key =
+                    nlohmann::json::parse(text.substr(i, end - i)).get<std::string>();
+                open.back().keyIsNext = false;
+            } else {
+                note(pathOfNext());
+            }
+            i = end;
+        } else if (c == ':' || c == ' ' || c == '\t' || c == '\r' || c == '\n') {
+            line += c == '\n' ? 1 : 0;
+            ++i;
+        } else {
+            note(pathOfNext()); // a number, true, false or null
+            i = std::min(text.find_first_of(",]} \t\r\n", i), text.size());
+        }
+    }
+}
+
+int JsonLines::line(const std::string& path) const {
+    const auto found = lines_.find(path);
+    return found == lines_.end() ? 0 : found->second;
+}
+
+int lineOfByte(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, std::min(byte, text.size()));
+    return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+}
+
+std::string joinedKeyPath(const std::string& path, const std::string& key) {
+    return path.empty() ? key : key.empty() ? path : path + "." + key;
+}
+
+} // namespace smat
