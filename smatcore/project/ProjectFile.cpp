@@ -57,8 +57,8 @@ Json settingJson(const Project& project, const std::filesystem::path& folder,
     throw irsg::LogicError("unknown kind of setting");
 }
 
-/// Adds what is set, section by section. Values that equal what would be in effect without them, the
-/// default or the project's own, are left out.
+/// Adds what is set, section by section. Values that equal what would be in effect without them,
+/// the default or the project's own, are left out.
 void writeSettings(Json& json, const Project& project, const std::filesystem::path& folder,
                    const Settings& settings, const Settings& under) {
     for (const SettingInfo& setting : settingTable()) {
@@ -87,7 +87,9 @@ void mergeUnknown(Json& json, const std::string& unknown) {
     }
 }
 
-Json pointJson(const irsg::Vec3& point) { return {point.x, point.y, point.z}; }
+Json pointJson(const irsg::Vec3& point) {
+    return {point.x, point.y, point.z};
+}
 
 void writeAngle(Json& json, const char* key, double angle_rad) {
     // Degrees come back from radians with an error of rounding, which nobody meant to write.

@@ -28,16 +28,18 @@ Json parsed(const std::string& fileName, const std::string& text) {
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
-        throw irsg::InputError({.file = fileName,
-                                .position = fmt::format("line {}, byte {}",
-                                                        lineOfByte(text, error.byte), error.byte),
-                                .value = "text that is not JSON",
-                                .expected = "a project file (JSON)"});
+        throw irsg::InputError(
+            {.file = fileName,
+             .position = fmt::format("line {}, byte {}", lineOfByte(text, error.byte), error.byte),
+             .value = "text that is not JSON",
+             .expected = "a project file (JSON)"});
     }
 }
 
 /// What is left of an object after everything known was taken out; "" where nothing is.
-std::string leftOver(const Json& json) { return json.empty() ? "" : json.dump(); }
+std::string leftOver(const Json& json) {
+    return json.empty() ? "" : json.dump();
+}
 
 bool isFileName(const std::string& name) {
     return !name.empty() && name.front() != '.' && name.find_first_of("/\\\n\r\t") == name.npos;
@@ -186,7 +188,8 @@ NamedAnalysis ProjectReader::readAnalysis(const std::string& name, const Json& g
     const std::string word = takeText(json, "kind", path);
     const std::optional<AnalysisKind> kind = analysisKindFromName(word);
     if (!kind && (!given.contains("kind") || given["kind"].is_string())) {
-        refuse(joinedKeyPath(path, "kind"), given.contains("kind") ? shown(given["kind"]) : "nothing",
+        refuse(joinedKeyPath(path, "kind"),
+               given.contains("kind") ? shown(given["kind"]) : "nothing",
                "image, spectrum, polar, time or range");
     }
     analysis.kind = kind.value_or(AnalysisKind::image);
@@ -227,10 +230,9 @@ void ProjectReader::readSetting(Settings& settings, const std::string& key, cons
     const bool takesNumber = setting.kind == SettingKind::real ||
                              setting.kind == SettingKind::integer ||
                              setting.kind == SettingKind::choiceOrReal;
-    const bool takesText = setting.kind != SettingKind::real &&
-                           setting.kind != SettingKind::integer &&
-                           setting.kind != SettingKind::boolean &&
-                           setting.kind != SettingKind::pathList;
+    const bool takesText =
+        setting.kind != SettingKind::real && setting.kind != SettingKind::integer &&
+        setting.kind != SettingKind::boolean && setting.kind != SettingKind::pathList;
 
     // Each kind has one JSON type; its text is then judged like that of the command line.
     std::optional<std::string> text;
@@ -318,10 +320,11 @@ std::optional<irsg::Vec3> ProjectReader::takePoint(Json& json, const char* key,
         return std::nullopt;
     }
     std::optional<irsg::Vec3> point;
-    const bool isPoint = found->is_array() && found->size() == 3 &&
-                         std::all_of(found->begin(), found->end(), [](const Json& value) {
-                             return value.is_number() && std::abs(value.get<double>()) <= farthest_m;
-                         });
+    const bool isPoint =
+        found->is_array() && found->size() == 3 &&
+        std::all_of(found->begin(), found->end(), [](const Json& value) {
+            return value.is_number() && std::abs(value.get<double>()) <= farthest_m;
+        });
     if (isPoint) {
         point = irsg::Vec3{(*found)[0].get<double>(), (*found)[1].get<double>(),
                            (*found)[2].get<double>()};
@@ -367,12 +370,11 @@ irsg::NoseAxis ProjectReader::takeNoseAxis(Json& json, const std::string& path) 
 void ProjectReader::refuse(const std::string& path, const std::string& value,
                            const std::string& expected) {
     const int line = lines_.line(path);
-    offences_.push_back({.file = fileName_,
-                         .position = line > 0 && !path.empty()
-                                         ? fmt::format("{}, line {}", path, line)
-                                         : path,
-                         .value = value,
-                         .expected = expected});
+    offences_.push_back(
+        {.file = fileName_,
+         .position = line > 0 && !path.empty() ? fmt::format("{}, line {}", path, line) : path,
+         .value = value,
+         .expected = expected});
 }
 
 void ProjectReader::refuse(const std::string& path, const Json& value,

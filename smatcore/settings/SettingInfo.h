@@ -26,8 +26,8 @@ enum class SettingAudience { basic, expert };
 /// The one description of a setting. The form, the project file, `--set key=value`, the short
 /// option of the command line, the validation and the manual all come from it.
 struct SettingInfo {
-    std::string key;   ///< "sensor.width": section and name, the path in the project file
-    std::string label; ///< "Width"
+    std::string key;       ///< "sensor.width": section and name, the path in the project file
+    std::string label;     ///< "Width"
     std::string unit = {}; ///< "px", "" without
     SettingKind kind = SettingKind::real;
     double minimum = 0.0; ///< of numbers, inclusive

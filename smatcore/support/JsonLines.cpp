@@ -12,8 +12,8 @@ namespace {
 struct Level {
     std::string path;
     bool isObject = false;
-    std::size_t index = 0;   ///< of the next value of an array
-    std::string key = {};    ///< of the next value of an object
+    std::size_t index = 0; ///< of the next value of an array
+    std::string key = {};  ///< of the next value of an object
     bool keyIsNext = true;
 };
 
@@ -60,8 +60,7 @@ JsonLines::JsonLines(std::string_view text) {
         } else if (c == '"') {
             const std::size_t end = endOfString(text, i);
             if (!open.empty() && open.back().isObject && open.back().keyIsNext) {
-                open.back().key =
-                    nlohmann::json::parse(text.substr(i, end - i)).get<std::string>();
+                open.back().key = nlohmann::json::parse(text.substr(i, end - i)).get<std::string>();
                 open.back().keyIsNext = false;
             } else {
                 note(pathOfNext());

@@ -8,9 +8,9 @@
 
 namespace smat {
 
-/// Where the values of a JSON text stand, by key path ("models.0.file"), so that errors about values
-/// can name a line; and the keys that occur twice in one object, which JSON libraries pass silently.
-/// The text must be valid JSON.
+/// Where the values of a JSON text stand, by key path ("models.0.file"), so that errors about
+/// values can name a line; and the keys that occur twice in one object, which JSON libraries pass
+/// silently. The text must be valid JSON.
 class JsonLines {
   public:
     explicit JsonLines(std::string_view text);

@@ -1,0 +1,265 @@
+#include "smatcore/analysis/AnalysisGenerator.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "smatcore/analysis/AnalysisProvenance.h"
+#include "smatcore/analysis/ImageQuantity.h"
+#include "smatcore/support/Log.h"
+
+namespace smat {
+
+namespace {
+
+using irsg::Quantity;
+
+/// Puts target and camera back where the settings place them when an analysis ends, also by an
+/// exception, so that whoever shares the renderer finds it unturned.
+class Restore {
+  public:
+    Restore(ImageSource& source, const SceneDescription& scene, irsg::Viewpoint viewpoint)
+        : source_(source), scene_(scene), viewpoint_(viewpoint) {}
+    ~Restore() {
+        for (std::size_t i = 0; i < scene_.entities.size(); ++i) {
+            source_.setPose(i, scene_.entities[i].pose);
+            source_.setState(i, scene_.entities[i].state);
+        }
+        source_.setViewpoint(viewpoint_);
+    }
+    Restore(const Restore&) = delete;
+    Restore& operator=(const Restore&) = delete;
+
+  private:
+    ImageSource& source_;
+    const SceneDescription& scene_;
+    irsg::Viewpoint viewpoint_;
+};
+
+void addNew(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
+    for (const std::string& sentence : more) {
+        if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) {
+            sentences.push_back(sentence);
+        }
+    }
+}
+
+void takeReport(AnalysisData& data, const irsg::RenderReport& report) {
+    addNew(data.answeredBy, report.answeredBy);
+    addNew(data.warnings, report.warnings);
+    if (report.layersLeftOver > 0) {
+        addNew(
+            data.warnings,
+            {fmt::format("{} samples have more transparent layers than render.layers; the rest of "
+                         "their layers is not in the result",
+                         report.layersLeftOver)});
+    }
+    if (report.transmissivityResidue > 1e-3) {
+        addNew(data.warnings,
+               {fmt::format("transmissivities that vary over the band are drawn as one number; the "
+                            "largest relative error of that is {:.2g}",
+                            report.transmissivityResidue)});
+    }
+}
+
+/// The sums of an image, or one case of a sweep, as a row of the table.
+void startTable(AnalysisData& data, const AnalysisPlan& plan) {
+    ResultTable& table = data.table;
+    switch (plan.kind) {
+    case AnalysisKind::spectrum:
+        for (const Quantity quantity :
+             {Quantity::wavenumber, Quantity::wavelength, Quantity::spectralIntensity,
+              Quantity::spectralContrastIntensity, Quantity::spectralIrradiance}) {
+            table.add(quantity);
+        }
+        return;
+    case AnalysisKind::polar:
+        for (const Quantity quantity :
+             {Quantity::angle, Quantity::azimuth, Quantity::elevation, Quantity::yaw}) {
+            table.add(quantity);
+        }
+        break;
+    case AnalysisKind::image:
+        table.add(Quantity::range);
+        break;
+    case AnalysisKind::range:
+    case AnalysisKind::time:
+        table.add(plan.coordinate);
+        break;
+    }
+    for (const Quantity quantity :
+         {Quantity::intensity, Quantity::contrastIntensity, Quantity::irradiance}) {
+        table.add(quantity);
+    }
+    if (plan.kind == AnalysisKind::image) {
+        table.add(Quantity::totalIrradiance);
+    }
+    table.add(Quantity::pixels);
+}
+
+void addCaseRow(AnalysisData& data, const AnalysisPlan& plan, const AnalysisCase& one,
+                const irsg::RenderReport& report) {
+    std::vector<double> row;
+    switch (plan.kind) {
+    case AnalysisKind::polar:
+        row = {one.coordinate, one.shownAzimuth_deg, one.shownElevation_deg, one.shownYaw_deg};
+        break;
+    case AnalysisKind::image:
+        row = {one.range_m};
+        break;
+    default:
+        row = {one.coordinate};
+    }
+    const irsg::ObjectRadiometry& all = report.all;
+    row.insert(row.end(), {all.intensity_W_sr, all.contrastIntensity_W_sr, all.irradiance_W_m2});
+    if (plan.kind == AnalysisKind::image) {
+        row.push_back(report.totalIrradiance_W_m2);
+    }
+    row.push_back(all.coveredPixels);
+    data.table.addRow(row);
+}
+
+void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& source,
+               const AnalysisPlan& plan) {
+    irsg::RenderedImage rendered = source.render();
+    takeReport(data, rendered.report);
+    addCaseRow(data, plan, plan.cases.front(), rendered.report);
+    data.image = std::move(rendered.image);
+    const std::string& quantity = data.settings.text("image.quantity");
+    if (quantity == "irradiance") {
+        toIrradiance(data.image, scene.sensor);
+    } else if (quantity == "apparent-temperature") {
+        const std::size_t without = toApparentTemperature(data.image, scene.sensor);
+        if (without > 0) {
+            addNew(data.warnings,
+                   {fmt::format("{} pixels without radiance have no apparent temperature (nan)",
+                                without)});
+        }
+    }
+}
+
+void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan& plan) {
+    // The sums of the same view say who answered for the air.
+    takeReport(data, source.measure());
+    const irsg::IntensitySpectrum spectrum = source.measureSpectrum(plan.wavenumbers_cm1);
+    addNew(data.warnings, spectrum.warnings);
+    for (std::size_t i = 0; i < spectrum.wavenumbers_cm1.size(); ++i) {
+        data.table.addRow({spectrum.wavenumbers_cm1[i], spectrum.wavelengths_um[i],
+                           spectrum.intensity_W_sr_um[i], spectrum.contrastIntensity_W_sr_um[i],
+                           spectrum.irradiance_W_m2_um[i]});
+    }
+}
+
+std::string caseName(const AnalysisPlan& plan, const AnalysisCase& one) {
+    if (plan.cases.size() == 1) {
+        return name(plan.kind);
+    }
+    const irsg::QuantityInfo& axis = irsg::info(plan.coordinate);
+    return fmt::format("{}: {} {:.6g} {}", name(plan.kind), axis.key, one.coordinate, axis.unit);
+}
+
+} // namespace
+
+AnalysisGenerator::AnalysisGenerator(ImageSource& source, SceneFactory scenes)
+    : source_(source), scenes_(std::move(scenes)) {}
+
+AnalysisPlan AnalysisGenerator::plan(const AnalysisData& data) const {
+    return planAnalysis(data.kind, data.project, data.settings);
+}
+
+void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress,
+                            std::stop_token stop, StageTimer* timer) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto elapsed_s = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    data.state = AnalysisState::notRun;
+    data.image = {};
+    data.table = {};
+    data.summary.clear();
+    data.answeredBy.clear();
+    data.warnings.clear();
+
+    // Everything that can be refused is looked at before the first drawing.
+    const AnalysisPlan cases = plan(data);
+    SceneDescription scene;
+    {
+        const StageTimer::Scope scope(timer, "load");
+        scene = scenes_(data.project, data.settings);
+    }
+    irsg::Vec3 inModel;
+    {
+        const StageTimer::Scope scope(timer, "set up");
+        source_.configure(scene);
+        inModel = source_.referencePointInModel(0);
+        data.renderer = source_.rendererDescription();
+        source_.resetStageTimes();
+    }
+    const irsg::Pose standing = scene.entities.front().pose;
+    const irsg::Vec3 referencePoint = standing.toWorld(inModel);
+    startTable(data, cases);
+
+    {
+        const AnalysisCase home =
+            planAnalysis(AnalysisKind::image, data.project, data.settings).cases.front();
+        const Restore restore(source_, scene, home.viewpoint(referencePoint));
+        const StageTimer::Scope scope(timer, "analyse");
+        logInfo(cases.description);
+        std::size_t done = 0;
+        for (const AnalysisCase& one : cases.cases) {
+            if (progress) {
+                progress({done, cases.cases.size(), elapsed_s(), caseName(cases, one)});
+            }
+            if (stop.stop_requested()) {
+                break;
+            }
+            logDebug(caseName(cases, one));
+
+            // The target turns about its reference point, so that the camera keeps its range.
+            irsg::Pose pose = standing;
+            if (one.attitude != standing.attitude) {
+                pose.attitude = one.attitude;
+                pose.position_m = referencePoint - one.attitude.rotation() * inModel;
+            }
+            source_.setPose(0, pose);
+            for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+                irsg::EntityState state = scene.entities[i].state;
+                state.time_s = one.time_s;
+                source_.setState(i, state);
+            }
+            source_.setViewpoint(one.viewpoint(referencePoint));
+
+            if (data.kind == AnalysisKind::image) {
+                drawImage(data, scene, source_, cases);
+            } else if (data.kind == AnalysisKind::spectrum) {
+                measureSpectrum(data, source_, cases);
+            } else {
+                const irsg::RenderReport report = source_.measure();
+                takeReport(data, report);
+                addCaseRow(data, cases, one, report);
+            }
+            ++done;
+        }
+        if (progress) {
+            progress({done, cases.cases.size(), elapsed_s(), name(data.kind)});
+        }
+        data.state = done == cases.cases.size() ? AnalysisState::complete : AnalysisState::partial;
+        if (data.state == AnalysisState::partial) {
+            data.warnings.push_back(
+                fmt::format("stopped after {} of {} cases", done, cases.cases.size()));
+        }
+    }
+    if (timer != nullptr) {
+        std::vector<StageTimer::Stage> parts;
+        for (const irsg::StageTimes::Stage& stage : source_.stageTimes().stages) {
+            parts.push_back({stage.name, stage.seconds, stage.calls});
+        }
+        timer->split("analyse", parts);
+    }
+    data.elapsed_s = elapsed_s();
+    summarise(data);
+    writeProvenance(data, scene);
+}
+
+} // namespace smat

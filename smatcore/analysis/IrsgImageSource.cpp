@@ -1,0 +1,58 @@
+#include "smatcore/analysis/ImageSource.h"
+
+namespace smat {
+
+namespace {
+
+/// Passes everything on: the one place of this floor that knows the infrared scene generator.
+class IrsgImageSource : public ImageSource {
+  public:
+    void configure(const SceneDescription& scene) override {
+        irsg_.setEnvironment(scene.environment);
+        irsg_.setSensor(scene.sensor);
+        irsg_.setSettings(scene.render);
+        irsg_.setEntities(scene.entities);
+    }
+
+    irsg::Vec3 referencePointInModel(std::size_t entity) override {
+        const irsg::Pose& pose = irsg_.entities().at(entity).pose;
+        return pose.attitude.rotation().transposed() *
+               (irsg_.referencePoint(entity) - pose.position_m);
+    }
+
+    void setPose(std::size_t entity, const irsg::Pose& pose) override {
+        irsg_.setPose(entity, pose);
+    }
+    void setState(std::size_t entity, const irsg::EntityState& state) override {
+        irsg_.setState(entity, state);
+    }
+    void setViewpoint(const irsg::Viewpoint& viewpoint) override { irsg_.setViewpoint(viewpoint); }
+
+    irsg::RenderedImage render() override {
+        irsg_.checkConfiguration();
+        return irsg_.render();
+    }
+    irsg::RenderReport measure() override {
+        irsg_.checkConfiguration();
+        return irsg_.measure();
+    }
+    irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) override {
+        irsg_.checkConfiguration();
+        return irsg_.measureSpectrum(wavenumbers_cm1);
+    }
+
+    std::string rendererDescription() override { return irsg_.rendererDescription(); }
+    irsg::StageTimes stageTimes() const override { return irsg_.stageTimes(); }
+    void resetStageTimes() override { irsg_.resetStageTimes(); }
+
+  private:
+    irsg::Irsg irsg_;
+};
+
+} // namespace
+
+std::unique_ptr<ImageSource> makeIrsgImageSource() {
+    return std::make_unique<IrsgImageSource>();
+}
+
+} // namespace smat

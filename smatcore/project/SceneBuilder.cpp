@@ -1,0 +1,140 @@
+#include "smatcore/project/SceneBuilder.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/signature/SignatureFile.h"
+#include "smatcore/support/Log.h"
+
+namespace smat {
+
+namespace {
+
+/// Runs one piece of the work and keeps what it refuses, so that all pieces are judged in one go.
+template <typename Work>
+void collect(std::vector<irsg::Offence>& offences, const Work& work) {
+    try {
+        work();
+    } catch (const irsg::InputError& error) {
+        offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+    }
+}
+
+} // namespace
+
+SceneBuilder::SceneBuilder(ModelLoader loader) : loader_(std::move(loader)) {
+    if (!loader_) {
+        loader_ = [](const std::filesystem::path& file, const irsg::ModelOptions& options) {
+            return std::shared_ptr<const irsg::Model>(irsg::Model::load(file, options));
+        };
+    }
+}
+
+SceneDescription SceneBuilder::build(const Project& project, const Settings& settings) {
+    remarks_.clear();
+    SceneDescription scene;
+    std::vector<irsg::Offence> offences;
+    collect(offences, [&] { scene.environment = environmentOf(project, settings); });
+    collect(offences, [&] { scene.sensor = sensorOf(project, settings); });
+    scene.render = renderSettingsOf(settings);
+
+    if (project.models.empty()) {
+        offences.push_back({.file = project.displayName(),
+                            .position = "models",
+                            .value = "no model",
+                            .expected = "at least one model"});
+    }
+    for (std::size_t i = 0; i < project.models.size(); ++i) {
+        const ProjectModel& given = project.models[i];
+        irsg::Entity entity;
+        entity.name = given.name.empty() ? given.file.stem().string() : given.name;
+        collect(offences, [&] {
+            entity.model =
+                model(project.resolve(given.file),
+                      {.noseAxis = given.noseAxis, .forceTwoSided = given.forceTwoSided});
+        });
+        if (given.database.empty()) {
+            offences.push_back({.file = project.displayName(),
+                                .position = "models." + std::to_string(i) + ".database",
+                                .value = "nothing",
+                                .expected = "a signature database (.sigdb)"});
+        } else {
+            collect(offences, [&] { entity.database = database(project.resolve(given.database)); });
+        }
+        entity.pose = i == 0 ? targetPoseOf(settings) : given.pose;
+        entity.state.time_s = settings.real("state.time");
+        entity.state.power = settings.real("state.power");
+        entity.state.mach = settings.real("state.mach");
+        entity.referencePoint_m = given.referencePoint_m;
+        entity.fallbackTemperature = given.fallbackTemperature;
+        entity.fallbackMaterial = given.fallbackMaterial;
+        scene.entities.push_back(std::move(entity));
+    }
+    if (!offences.empty()) {
+        throw irsg::InputError(offences);
+    }
+    return scene;
+}
+
+std::shared_ptr<const irsg::Model> SceneBuilder::model(const std::filesystem::path& file,
+                                                       const irsg::ModelOptions& options) {
+    const Stamp stamp = stampOf(file, "a model");
+    const std::string key = file.string() + "|" +
+                            std::to_string(static_cast<int>(options.noseAxis)) +
+                            (options.forceTwoSided ? "|two-sided" : "");
+    const auto kept = models_.find(key);
+    std::shared_ptr<const irsg::Model> loaded;
+    if (kept != models_.end() && kept->second.stamp == stamp) {
+        loaded = kept->second.value;
+    } else {
+        logInfo("loading model " + file.string());
+        loaded = loader_(file, options);
+        models_[key] = {stamp, loaded};
+    }
+    if (loaded) {
+        for (const std::string& remark : loaded->remarks()) {
+            const std::string sentence = file.filename().string() + ": " + remark;
+            if (std::find(remarks_.begin(), remarks_.end(), sentence) == remarks_.end()) {
+                remarks_.push_back(sentence);
+            }
+        }
+    }
+    return loaded;
+}
+
+std::shared_ptr<const irsg::SignatureDatabase>
+SceneBuilder::database(const std::filesystem::path& file) {
+    const Stamp stamp = stampOf(file, "a signature database");
+    const auto kept = databases_.find(file.string());
+    if (kept != databases_.end() && kept->second.stamp == stamp) {
+        return kept->second.value;
+    }
+    logInfo("loading signature database " + file.string());
+    auto loaded =
+        std::make_shared<const irsg::SignatureDatabase>(irsg::loadSignatureFile(file).database);
+    databases_[file.string()] = {stamp, loaded};
+    return loaded;
+}
+
+SceneBuilder::Stamp SceneBuilder::stampOf(const std::filesystem::path& file, const char* what) {
+    std::error_code failure;
+    const auto written = std::filesystem::last_write_time(file, failure);
+    if (failure || !std::filesystem::is_regular_file(file, failure)) {
+        throw irsg::InputError({.file = file.string(),
+                                .position = "",
+                                .value = "no such file",
+                                .expected = what + std::string(" that exists")});
+    }
+    return {written, std::filesystem::file_size(file, failure)};
+}
+
+irsg::Pose targetPoseOf(const Settings& settings) {
+    return {.position_m = {0.0, 0.0, settings.real("target.altitude")},
+            .attitude = {irsg::radians(settings.real("target.yaw")),
+                         irsg::radians(settings.real("target.pitch")),
+                         irsg::radians(settings.real("target.roll"))}};
+}
+
+} // namespace smat

@@ -1,0 +1,82 @@
+#include "irsg/atmosphere/BeerLambert.h"
+#include "irsg/atmosphere/Vacuum.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+#include "smatcore/project/SceneBuilder.h"
+#include "smatcore/support/Log.h"
+
+namespace smat {
+
+irsg::Environment environmentOf(const Project& project, const Settings& settings) {
+    irsg::Environment environment;
+    environment.sun = {.azimuth_rad = irsg::radians(settings.real("environment.sunAzimuth")),
+                       .elevation_rad = irsg::radians(settings.real("environment.sunElevation"))};
+    environment.defaultAmbient_K = settings.real("environment.ambientTemperature");
+
+    std::vector<irsg::Offence> offences;
+    for (const std::filesystem::path& listed : settings.paths("environment.atmospheres")) {
+        const std::filesystem::path file = project.resolve(listed);
+        if (listed == "vacuum") {
+            environment.add(std::make_shared<irsg::Vacuum>());
+        } else if (file.extension() != ".csv") {
+            offences.push_back({.file = project.displayName(),
+                                .position = "environment.atmospheres",
+                                .value = listed.string(),
+                                .expected = "vacuum, or a .csv of a homogeneous atmosphere"});
+        } else {
+            try {
+                logInfo("reading atmosphere " + file.string());
+                environment.add(
+                    std::make_shared<irsg::BeerLambert>(irsg::BeerLambert::fromCsv(file)));
+            } catch (const irsg::InputError& error) {
+                offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            }
+        }
+    }
+    if (!offences.empty()) {
+        throw irsg::InputError(offences);
+    }
+    if (environment.atmospheres().empty()) {
+        environment.add(std::make_shared<irsg::Vacuum>());
+    }
+    return environment;
+}
+
+irsg::Sensor sensorOf(const Project& project, const Settings& settings) {
+    const auto response = settings.paths("sensor.response");
+    irsg::Sensor sensor{.width_px = settings.integer("sensor.width"),
+                        .height_px = settings.integer("sensor.height"),
+                        .horizontalFieldOfView_rad = irsg::radians(settings.real("sensor.fov")),
+                        .band = response.empty()
+                                    ? irsg::Band::fromText(settings.text("sensor.band"))
+                                    : irsg::Band::fromCsv(project.resolve(response.front()))};
+    sensor.check();
+    return sensor;
+}
+
+irsg::RenderSettings renderSettingsOf(const Settings& settings) {
+    const auto reflection = [&](std::string_view key) {
+        const std::string& text = settings.text(key);
+        return text == "off"      ? irsg::ReflectionMode::off
+               : text == "approx" ? irsg::ReflectionMode::approx
+                                  : irsg::ReflectionMode::smart;
+    };
+    irsg::RenderSettings render;
+    render.samplesPerAxis = 1 << settings.integer("render.antialiasing");
+    render.sun = reflection("render.sun");
+    render.fluxes = reflection("render.fluxes");
+    render.fluxWeights = settings.text("render.fluxWeights") == "report"
+                             ? irsg::FluxWeights::report
+                             : irsg::FluxWeights::viewFactor;
+    const std::optional<double> radiance = settings.optionalReal("render.background");
+    render.background = radiance ? irsg::BackgroundMode::constant
+                        : settings.text("render.background") == "none"
+                            ? irsg::BackgroundMode::none
+                            : irsg::BackgroundMode::environment;
+    render.background_W_m2_sr = radiance.value_or(0.0);
+    render.maximumLayers = settings.integer("render.layers");
+    render.truthLayers = settings.boolean("image.truthLayers");
+    return render;
+}
+
+} // namespace smat
