@@ -128,9 +128,9 @@ void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& s
     data.image = std::move(rendered.image);
     const std::string& quantity = data.settings.text("image.quantity");
     if (quantity == "irradiance") {
-        toIrradiance(data.image, scene.sensor);
+        showIrradiance(data.image, scene.sensor);
     } else if (quantity == "apparent-temperature") {
-        const std::size_t without = toApparentTemperature(data.image, scene.sensor);
+        const std::size_t without = showApparentTemperature(data.image, scene.sensor);
         if (without > 0) {
             addNew(data.warnings,
                    {fmt::format("{} pixels without radiance have no apparent temperature (nan)",

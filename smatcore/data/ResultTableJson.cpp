@@ -5,6 +5,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/data/ResultTable.h"
+#include "smatcore/support/JsonText.h"
 #include "smatcore/support/TextFile.h"
 
 namespace smat {
@@ -33,15 +34,8 @@ std::string ResultTable::toJson() const {
 
 ResultTable ResultTable::fromJson(const std::filesystem::path& file) {
     const std::string name = file.string();
-    Json json;
-    try {
-        json = Json::parse(readTextFile(file));
-    } catch (const Json::parse_error& error) {
-        throw irsg::InputError({.file = name,
-                                .position = "byte " + std::to_string(error.byte),
-                                .value = "text that is not JSON",
-                                .expected = "the JSON form of a result table"});
-    }
+    const Json json =
+        parseJsonText<Json>(readTextFile(file), name, "the JSON form of a result table");
     try {
         ResultTable table;
         for (const Json& entry : json.at("provenance")) {

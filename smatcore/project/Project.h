@@ -26,16 +26,17 @@ std::optional<AnalysisKind> analysisKindFromName(std::string_view name);
 /// with the attitude of `target.yaw`, `.pitch` and `.roll`, and the camera looks at its reference
 /// point. The others stand where their own pose says.
 struct ProjectModel {
-    std::string name;               ///< the file's name where it is empty
+    std::string name = {};          ///< the file's name where it is empty
     std::filesystem::path file;     ///< relative to the project file, or absolute
     std::filesystem::path database; ///< the same
     irsg::NoseAxis noseAxis = irsg::NoseAxis::plusY;
     bool forceTwoSided = false;
-    irsg::Pose pose; ///< world: m east, north, altitude; not of the target
-    std::optional<irsg::Vec3> referencePoint_m; ///< model axes; else the centre of the bounding box
-    std::optional<int> fallbackTemperature;     ///< entries that stand in for codes without one
-    std::optional<int> fallbackMaterial;
-    std::string unknownKeys; ///< JSON object of keys this version does not know, kept on save
+    irsg::Pose pose = {}; ///< world: m east, north, altitude; not of the target
+    /// In model axes; the centre of the bounding box where it is not set.
+    std::optional<irsg::Vec3> referencePoint_m = {};
+    std::optional<int> fallbackTemperature = {}; ///< entries that stand in for codes without one
+    std::optional<int> fallbackMaterial = {};
+    std::string unknownKeys = {}; ///< JSON object of keys this version does not know, kept on save
 
     bool operator==(const ProjectModel&) const = default;
 };
@@ -44,9 +45,9 @@ struct ProjectModel {
 struct NamedAnalysis {
     std::string name;
     AnalysisKind kind = AnalysisKind::image;
-    Settings settings;
-    std::string notes;
-    std::string unknownKeys;
+    Settings settings = {};
+    std::string notes = {};
+    std::string unknownKeys = {};
 
     bool operator==(const NamedAnalysis&) const = default;
 };
@@ -59,7 +60,7 @@ struct Project {
     std::vector<ProjectModel> models;
     Settings settings;
     std::vector<NamedAnalysis> analyses; ///< sorted by name, names unique
-    std::string unknownKeys;
+    std::string unknownKeys = {};
 
     /// A path of the project as a path from here.
     std::filesystem::path resolve(const std::filesystem::path& path) const;

@@ -138,7 +138,8 @@ void listKeys(const std::string& path, const std::string& unknown, std::vector<s
     if (unknown.empty()) {
         return;
     }
-    for (const auto& [key, value] : Json::parse(unknown).items()) {
+    const Json json = Json::parse(unknown);
+    for (const auto& [key, value] : json.items()) {
         // Of a section of settings only the keys inside are unknown.
         bool isSection = false;
         for (const SettingInfo& setting : settingTable()) {

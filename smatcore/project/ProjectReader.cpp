@@ -7,6 +7,7 @@
 
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/ProjectFile.h"
+#include "smatcore/support/JsonText.h"
 
 namespace smat {
 
@@ -22,18 +23,6 @@ std::string shown(const Json& value) {
         text = text.substr(0, 77) + "...";
     }
     return text;
-}
-
-Json parsed(const std::string& fileName, const std::string& text) {
-    try {
-        return Json::parse(text);
-    } catch (const Json::parse_error& error) {
-        throw irsg::InputError(
-            {.file = fileName,
-             .position = fmt::format("line {}, byte {}", lineOfByte(text, error.byte), error.byte),
-             .value = "text that is not JSON",
-             .expected = "a project file (JSON)"});
-    }
 }
 
 /// What is left of an object after everything known was taken out; "" where nothing is.
@@ -53,7 +42,9 @@ const std::vector<std::string>& noseAxisNames() {
 }
 
 ProjectReader::ProjectReader(std::string fileName, const std::string& text)
-    : fileName_(std::move(fileName)), json_(parsed(fileName_, text)), lines_(text) {}
+    : fileName_(std::move(fileName)),
+      json_(parseJsonText<Json>(text, fileName_, "a project file (JSON)")),
+      lines_(text) {}
 
 Project ProjectReader::read() {
     if (!json_.is_object()) {

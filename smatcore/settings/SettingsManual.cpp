@@ -22,7 +22,8 @@ std::string settingsManual() {
     std::string text =
         "# Settings\n\n"
         "Each setting is one key of the project file (`sensor.width` is `width` in the object\n"
-        "`sensor`), one option of `smat-batch`, and one field of the window's forms. Any of them can\n"
+        "`sensor`), one option of `smat-batch`, and one field of the window's forms. Any of them "
+        "can\n"
         "also be given as `--set key=value`. A named analysis may override every setting of its\n"
         "project. This page is written by `smat-batch settings --markdown`.\n";
     std::string section;

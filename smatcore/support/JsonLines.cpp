@@ -86,6 +86,22 @@ int lineOfByte(std::string_view text, std::size_t byte) {
     return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
 }
 
+std::size_t byteOfNesting(std::string_view text, int depth) {
+    int open = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '"') {
+            i = endOfString(text, i) - 1;
+        } else if (text[i] == '{' || text[i] == '[') {
+            if (++open > depth) {
+                return i;
+            }
+        } else if (text[i] == '}' || text[i] == ']') {
+            --open;
+        }
+    }
+    return std::string_view::npos;
+}
+
 std::string joinedKeyPath(const std::string& path, const std::string& key) {
     return path.empty() ? key : key.empty() ? path : path + "." + key;
 }

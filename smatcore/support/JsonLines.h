@@ -28,6 +28,9 @@ class JsonLines {
 /// The line of a byte of a text, from 1.
 int lineOfByte(std::string_view text, std::size_t byte);
 
+/// The first byte of a JSON text at which more than `depth` lists and objects are open, or npos.
+std::size_t byteOfNesting(std::string_view text, int depth);
+
 /// "models" + "0" -> "models.0"; an empty part adds nothing.
 std::string joinedKeyPath(const std::string& path, const std::string& key);
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/support/JsonLines.h"
+
+namespace smat {
+
+/// Deeper than any file of ours; the library's own writer would run out of stack far beyond it.
+inline constexpr int deepestJson = 100;
+
+/// The value of a JSON text. Throws InputError with the line of the first offence for text that is
+/// not JSON or nested deeper than deepestJson; `expected` says what the file should have been.
+template <typename Json>
+Json parseJsonText(const std::string& text, const std::string& file, const std::string& expected) {
+    const auto refuse = [&](std::size_t byte, const std::string& value) {
+        throw irsg::InputError(
+            irsg::Offence{.file = file,
+                          .position = "line " + std::to_string(lineOfByte(text, byte)),
+                          .value = value,
+                          .expected = expected});
+    };
+    const std::size_t tooDeep = byteOfNesting(text, deepestJson);
+    if (tooDeep != std::string::npos) {
+        refuse(tooDeep,
+               "lists or objects nested more than " + std::to_string(deepestJson) + " deep");
+    }
+    try {
+        return Json::parse(text);
+    } catch (const typename Json::parse_error& error) {
+        refuse(error.byte, "text that is not JSON");
+    }
+    return {};
+}
+
+} // namespace smat

@@ -1,0 +1,120 @@
+#include "smatcore/data/ResultTable.h"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/support/TextFile.h"
+
+namespace smat {
+namespace {
+
+std::filesystem::path temporary(const std::string& name) {
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / "smat_result_table";
+    std::filesystem::create_directories(folder);
+    return folder / name;
+}
+
+ResultTable someTable() {
+    ResultTable table;
+    table.provenance.add("program", "smat 1");
+    table.provenance.add("warning", "one");
+    table.provenance.add("warning", "two: with a colon");
+    table.add(irsg::Quantity::range);
+    table.add(irsg::Quantity::contrastIntensity);
+    table.add(irsg::Quantity::pixels);
+    table.addRow({100.0, 0.1 + 0.2, 1e-300});
+    table.addRow({200.0, -1.0 / 3.0, 12345678.901234567});
+    return table;
+}
+
+TEST(ResultTable, HasTheHeadersOfTheFormatsPage) {
+    EXPECT_EQ(someTable().toCsv(), "# program: smat 1\n"
+                                   "# warning: one\n"
+                                   "# warning: two: with a colon\n"
+                                   "range [m],contrast_intensity [W sr-1],pixels\n"
+                                   "100,0.30000000000000004,1e-300\n"
+                                   "200,-0.3333333333333333,12345678.901234567\n");
+}
+
+TEST(ResultTable, CsvAndJsonReadBackExactly) {
+    for (const char* name : {"table.csv", "table.json"}) {
+        const ResultTable table = someTable();
+        table.save(temporary(name));
+        EXPECT_EQ(ResultTable::load(temporary(name)), table) << name;
+    }
+}
+
+TEST(ResultTable, AValueThatIsNotThereIsNan) {
+    for (const char* name : {"nan.csv", "nan.json"}) {
+        ResultTable table;
+        table.add(irsg::Quantity::apparentTemperature);
+        table.addRow({std::numeric_limits<double>::quiet_NaN()});
+        table.save(temporary(name));
+        EXPECT_TRUE(std::isnan(ResultTable::load(temporary(name)).columns()[0].values[0])) << name;
+    }
+}
+
+TEST(ResultTable, ColumnsKnowTheirAxisTitle) {
+    EXPECT_EQ(someTable().columns()[1].axisTitle(), "Contrast intensity (W·sr⁻¹)");
+    const ResultColumn foreign{"error_total", "W", {}};
+    EXPECT_EQ(foreign.axisTitle(), "error_total (W)");
+}
+
+TEST(ResultTable, ARowOfAnotherLengthIsOurOwnFault) {
+    ResultTable table = someTable();
+    EXPECT_THROW(table.addRow({1.0}), irsg::LogicError);
+}
+
+struct BadTableRow {
+    const char* name;
+    const char* file;
+    const char* text;
+    const char* position;
+};
+
+class BadTable : public testing::TestWithParam<BadTableRow> {};
+
+TEST_P(BadTable, IsRefusedWithItsPlace) {
+    const auto file = temporary(std::string(GetParam().name) + GetParam().file);
+    writeTextFile(file, GetParam().text);
+    try {
+        ResultTable::load(file);
+        FAIL() << "accepted";
+    } catch (const irsg::InputError& error) {
+        EXPECT_EQ(error.offences().front().file, file.string());
+        EXPECT_THAT(error.offences().front().position, testing::HasSubstr(GetParam().position));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tables, BadTable,
+    testing::Values(BadTableRow{"Empty", ".csv", "", ""},
+                    BadTableRow{"NoHeader", ".csv", "1,2\n3,4\n", "line 1"},
+                    BadTableRow{"EmptyName", ".csv", "a,,b\n1,2,3\n", "line 1, column 2"},
+                    BadTableRow{"NameTwice", ".csv", "a,a\n1,2\n", "line 1, column 2"},
+                    BadTableRow{"Ragged", ".csv", "a,b\n1,2\n3\n", "line 3"},
+                    BadTableRow{"Word", ".csv", "a,b\n1,x\n", "line 2, column 2"},
+                    BadTableRow{"Infinite", ".csv", "a,b\n1,inf\n", "line 2, column 2"},
+                    BadTableRow{"NoJson", ".json", "{", "line 1"},
+                    BadTableRow{"OtherJson", ".json", "{}", ""},
+                    BadTableRow{"RaggedJson", ".json",
+                                R"({"provenance": [], "columns": [
+                                   {"name": "a", "unit": "", "values": [1]},
+                                   {"name": "b", "unit": "", "values": []}]})",
+                                "columns.b"}),
+    [](const auto& row) { return row.param.name; });
+
+TEST(Provenance, KeepsLineBreaksOutOfCommentLines) {
+    Provenance provenance;
+    provenance.add("notes", "a\nb\r\nc");
+    EXPECT_EQ(provenance.toCsvLines(), "# notes: a b  c\n");
+}
+
+} // namespace
+} // namespace smat

@@ -1,0 +1,146 @@
+#include "smatcore/project/SceneBuilder.h"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/signature/SignatureFile.h"
+#include "smatcore/support/TextFile.h"
+
+namespace smat {
+namespace {
+
+/// A folder with a file that stands for a model, and a signature database.
+class SceneBuilderTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::filesystem::create_directories(folder);
+        writeTextFile(folder / "model.flt", "anything");
+        irsg::SignatureDatabase database;
+        database.temperatures[0].name = "skin";
+        database.materials[0].name = "paint";
+        irsg::saveSignatureFile(database, folder / "model.sigdb");
+        project.file = folder / "p.smat";
+        project.models = {{.name = "", .file = "model.flt", .database = "model.sigdb"}};
+    }
+
+    SceneBuilder builder() {
+        return SceneBuilder([this](const std::filesystem::path&, const irsg::ModelOptions&) {
+            ++loads;
+            return std::shared_ptr<const irsg::Model>();
+        });
+    }
+
+    std::vector<irsg::Offence> refused() {
+        try {
+            builder().build(project, project.settings);
+        } catch (const irsg::InputError& error) {
+            return error.offences();
+        }
+        return {};
+    }
+
+    std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "smat_scene_builder";
+    Project project;
+    int loads = 0;
+};
+
+TEST_F(SceneBuilderTest, TakesEveryNumberOverInTheUnitsOfTheRenderer) {
+    Settings& settings = project.settings;
+    settings.set("sensor.width", "100");
+    settings.set("sensor.height", "50");
+    settings.set("sensor.fov", "30");
+    settings.set("sensor.band", "8-12");
+    settings.set("target.yaw", "90");
+    settings.set("target.pitch", "10");
+    settings.set("target.roll", "-20");
+    settings.set("target.altitude", "1234");
+    settings.set("state.time", "3");
+    settings.set("state.power", "0.5");
+    settings.set("state.mach", "0.8");
+    settings.set("environment.sunAzimuth", "90");
+    settings.set("environment.sunElevation", "30");
+    settings.set("environment.ambientTemperature", "250");
+    settings.set("render.antialiasing", "1");
+    settings.set("render.sun", "approx");
+    settings.set("render.fluxes", "off");
+    settings.set("render.fluxWeights", "report");
+    settings.set("render.background", "2.5");
+    settings.set("render.layers", "3");
+    project.models[0].fallbackMaterial = 7;
+    const SceneDescription scene = builder().build(project, settings);
+
+    EXPECT_EQ(scene.sensor.width_px, 100);
+    EXPECT_EQ(scene.sensor.height_px, 50);
+    EXPECT_NEAR(scene.sensor.horizontalFieldOfView_rad, irsg::pi / 6, 1e-15);
+    EXPECT_EQ(scene.sensor.band, irsg::Band::topHat(8, 12));
+    const irsg::Entity& target = scene.entities.at(0);
+    EXPECT_EQ(target.name, "model");
+    EXPECT_EQ(target.pose.position_m, (irsg::Vec3{0, 0, 1234}));
+    EXPECT_NEAR(target.pose.attitude.yaw_rad, irsg::pi / 2, 1e-15);
+    EXPECT_NEAR(target.pose.attitude.pitch_rad, irsg::radians(10), 1e-15);
+    EXPECT_NEAR(target.pose.attitude.roll_rad, irsg::radians(-20), 1e-15);
+    EXPECT_EQ(target.state.time_s, 3);
+    EXPECT_EQ(target.state.power, 0.5);
+    EXPECT_EQ(target.state.mach, 0.8);
+    EXPECT_EQ(target.fallbackMaterial, 7);
+    EXPECT_EQ(target.database->temperatures.at(0).name, "skin");
+    EXPECT_NEAR(scene.environment.sun.azimuth_rad, irsg::pi / 2, 1e-15);
+    EXPECT_NEAR(scene.environment.sun.elevation_rad, irsg::pi / 6, 1e-15);
+    EXPECT_EQ(scene.environment.defaultAmbient_K, 250);
+    EXPECT_EQ(scene.environment.atmospheres().size(), 1u);
+    EXPECT_EQ(scene.render.samplesPerAxis, 2);
+    EXPECT_EQ(scene.render.sun, irsg::ReflectionMode::approx);
+    EXPECT_EQ(scene.render.fluxes, irsg::ReflectionMode::off);
+    EXPECT_EQ(scene.render.fluxWeights, irsg::FluxWeights::report);
+    EXPECT_EQ(scene.render.background, irsg::BackgroundMode::constant);
+    EXPECT_EQ(scene.render.background_W_m2_sr, 2.5);
+    EXPECT_EQ(scene.render.maximumLayers, 3);
+}
+
+TEST_F(SceneBuilderTest, LoadsEachFileOnceUntilItChanges) {
+    SceneBuilder shared = builder();
+    project.models.push_back(project.models[0]);
+    const auto first = shared.build(project, project.settings);
+    const auto second = shared.build(project, project.settings);
+    EXPECT_EQ(loads, 1);
+    EXPECT_EQ(first.entities[0].database, second.entities[1].database);
+    writeTextFile(folder / "model.flt", "another content");
+    shared.build(project, project.settings);
+    EXPECT_EQ(loads, 2);
+}
+
+TEST_F(SceneBuilderTest, RefusesAllThatIsWrongAtOnce) {
+    project.models[0].file = "missing.flt";
+    project.models.push_back({.name = "", .file = "model.flt", .database = "missing.sigdb"});
+    project.models.push_back({.name = "", .file = "model.flt", .database = ""});
+    project.settings.set("environment.atmospheres", "missing.csv;air.xml");
+    project.settings.set("sensor.response", "missing-response.csv");
+    std::vector<std::string> places;
+    for (const irsg::Offence& offence : refused()) {
+        places.push_back(std::filesystem::path(offence.file).filename().string() + "|" +
+                         offence.position);
+    }
+    EXPECT_THAT(places, testing::UnorderedElementsAre("missing.flt|", "missing.sigdb|",
+                                                      "p.smat|models.2.database", "missing.csv|",
+                                                      "p.smat|environment.atmospheres",
+                                                      testing::HasSubstr("missing-response.csv")));
+}
+
+TEST_F(SceneBuilderTest, AProjectWithoutModelsIsRefused) {
+    project.models.clear();
+    ASSERT_EQ(refused().size(), 1u);
+    EXPECT_EQ(refused()[0].position, "models");
+}
+
+TEST_F(SceneBuilderTest, AFolderIsNoModel) {
+    project.models[0].file = ".";
+    ASSERT_EQ(refused().size(), 1u);
+    EXPECT_EQ(refused()[0].value, "no such file");
+}
+
+} // namespace
+} // namespace smat

@@ -1,0 +1,182 @@
+#include "smatcore/settings/Settings.h"
+
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/support/TextFile.h"
+
+namespace smat {
+namespace {
+
+TEST(SettingTable, EverySettingIsDescribedInFull) {
+    for (const SettingInfo& setting : settingTable()) {
+        EXPECT_NE(setting.key.find('.'), std::string::npos) << setting.key;
+        EXPECT_FALSE(setting.label.empty()) << setting.key;
+        EXPECT_GE(setting.help.size(), 10u) << setting.key;
+        EXPECT_EQ(setting.help.back(), '.') << setting.key;
+        EXPECT_TRUE(setting.option.starts_with("--")) << setting.key;
+        EXPECT_FALSE(setting.expected().empty()) << setting.key;
+        EXPECT_FALSE(sectionTitle(setting.section()).empty()) << setting.key;
+    }
+}
+
+TEST(SettingTable, EveryDefaultIsAValueInItsCanonicalForm) {
+    for (const SettingInfo& setting : settingTable()) {
+        EXPECT_EQ(canonicalText(setting, setting.defaultText), setting.defaultText) << setting.key;
+    }
+}
+
+TEST(SettingTable, NumbersHaveARangeAndChoicesHaveChoices) {
+    for (const SettingInfo& setting : settingTable()) {
+        const bool isNumber = setting.kind == SettingKind::real ||
+                              setting.kind == SettingKind::integer ||
+                              setting.kind == SettingKind::choiceOrReal;
+        EXPECT_EQ(isNumber, setting.minimum < setting.maximum) << setting.key;
+        const bool isChoice =
+            setting.kind == SettingKind::choice || setting.kind == SettingKind::choiceOrReal;
+        EXPECT_EQ(isChoice, !setting.choices.empty()) << setting.key;
+    }
+}
+
+TEST(SettingTable, KeysAreUniqueAndSoAreTheOptionsOfOneCommand) {
+    std::set<std::string> keys;
+    std::set<std::string> common;
+    std::set<std::pair<std::string, std::string>> ofAnalyses;
+    for (const SettingInfo& setting : settingTable()) {
+        EXPECT_TRUE(keys.insert(setting.key).second) << setting.key;
+        if (isAnalysisSection(setting.section())) {
+            EXPECT_TRUE(ofAnalyses.insert({setting.section(), setting.option}).second)
+                << setting.key;
+        } else {
+            EXPECT_TRUE(common.insert(setting.option).second) << setting.key;
+        }
+    }
+    for (const auto& [section, option] : ofAnalyses) {
+        EXPECT_EQ(common.count(option), 0u) << section << " " << option;
+    }
+}
+
+TEST(SettingTable, TheCommonOptionsOfTheFormatsPageAreThere) {
+    std::set<std::string> options;
+    for (const SettingInfo& setting : settingTable()) {
+        options.insert(setting.option);
+    }
+    for (const char* option :
+         {"--range",       "--azimuth",       "--elevation", "--yaw",        "--pitch",
+          "--roll",        "--altitude",      "--width",     "--height",     "--fov",
+          "--band",        "--response",      "--mode",      "--atmosphere", "--antialiasing",
+          "--sun-azimuth", "--sun-elevation", "--sun",       "--fluxes",     "--background",
+          "--time",        "--power",         "--mach",      "--type",       "--step",
+          "--offset",      "--from",          "--to",        "--points",     "--log",
+          "--resolution",  "--quantity"}) {
+        EXPECT_EQ(options.count(option), 1u) << option;
+    }
+}
+
+TEST(SettingsManual, IsCurrentInDocs) {
+    EXPECT_EQ(readTextFile(SMAT_SOURCE_DIR "/docs/settings.md"), settingsManual())
+        << "write it anew: smat-batch settings --markdown > docs/settings.md";
+}
+
+struct TextRow {
+    const char* name;
+    const char* key;
+    const char* text;
+    const char* canonical; ///< null where it is refused
+};
+
+class SettingText : public testing::TestWithParam<TextRow> {};
+
+TEST_P(SettingText, IsAcceptedInItsCanonicalFormOrRefusedWithKeyValueAndExpectation) {
+    const TextRow& row = GetParam();
+    Settings settings;
+    if (row.canonical != nullptr) {
+        settings.set(row.key, row.text);
+        EXPECT_EQ(settings.text(row.key), row.canonical);
+        return;
+    }
+    try {
+        settings.set(row.key, row.text, "here");
+        FAIL() << "accepted as " << settings.text(row.key);
+    } catch (const irsg::InputError& error) {
+        const irsg::Offence& offence = error.offences().front();
+        EXPECT_EQ(offence.file, "here");
+        EXPECT_EQ(offence.position, row.key);
+        EXPECT_EQ(offence.value, row.text);
+        EXPECT_FALSE(offence.expected.empty());
+    }
+    EXPECT_EQ(settings, Settings());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Texts, SettingText,
+    testing::Values(TextRow{"LeadingZeros", "sensor.width", "0640", "640"},
+                    TextRow{"ExponentOfAWholeNumber", "sensor.width", "1e3", "1000"},
+                    TextRow{"BlanksAround", "sensor.fov", " 2.50 ", "2.5"},
+                    TextRow{"MinusZero", "camera.azimuth", "-0", "0"},
+                    TextRow{"LowerEnd", "sensor.width", "1", "1"},
+                    TextRow{"UpperEnd", "sensor.width", "16384", "16384"},
+                    TextRow{"Choice", "render.sun", "off", "off"},
+                    TextRow{"ChoiceAmongNumbers", "render.background", "none", "none"},
+                    TextRow{"NumberAmongChoices", "render.background", "1.50", "1.5"},
+                    TextRow{"Band", "sensor.band", "8.0-12", "8-12"},
+                    TextRow{"ListOfFiles", "environment.atmospheres", "a.csv ; b.csv",
+                            "a.csv;b.csv"},
+                    TextRow{"EmptyList", "environment.atmospheres", "", "none"},
+                    TextRow{"BelowLowerEnd", "sensor.width", "0", nullptr},
+                    TextRow{"AboveUpperEnd", "sensor.width", "16385", nullptr},
+                    TextRow{"FractionOfAPixel", "sensor.width", "640.5", nullptr},
+                    TextRow{"HugeInteger", "sensor.width", "1e30", nullptr},
+                    TextRow{"NoNumber", "sensor.fov", "wide", nullptr},
+                    TextRow{"NumberWithRest", "sensor.fov", "2deg", nullptr},
+                    TextRow{"NotANumber", "sensor.fov", "nan", nullptr},
+                    TextRow{"Infinity", "camera.range", "inf", nullptr},
+                    TextRow{"Nothing", "sensor.fov", "", nullptr},
+                    TextRow{"UnknownChoice", "render.sun", "bright", nullptr},
+                    TextRow{"ModeWithoutAnAtmosphereForIt", "sensor.mode", "ck", nullptr},
+                    TextRow{"AntialiasingModeThatIsNotThere", "render.antialiasing", "3", nullptr},
+                    TextRow{"NegativeBackground", "render.background", "-1", nullptr},
+                    TextRow{"ReversedBand", "sensor.band", "5-3", nullptr},
+                    TextRow{"BandOfOneNumber", "sensor.band", "4", nullptr},
+                    TextRow{"NoTruthValue", "range.log", "maybe", nullptr},
+                    TextRow{"HoleInAList", "environment.atmospheres", "a.csv;;b.csv", nullptr},
+                    TextRow{"UnknownKey", "sensor.widht", "640", nullptr}),
+    [](const auto& row) { return row.param.name; });
+
+TEST(Settings, NumbersReadBackExactly) {
+    Settings settings;
+    const double value = 0.1 + 0.2;
+    settings.set("camera.range", value);
+    EXPECT_EQ(settings.real("camera.range"), value);
+}
+
+TEST(Settings, AnOverrideOfTheDefaultValueStillOverrides) {
+    Settings project;
+    project.set("sensor.width", 320);
+    Settings analysis;
+    analysis.set("sensor.width", "640");
+    EXPECT_EQ(project.with(analysis).integer("sensor.width"), 640);
+    analysis.reset("sensor.width");
+    EXPECT_EQ(project.with(analysis).integer("sensor.width"), 320);
+}
+
+TEST(Settings, ArgumentsOfSetNeedAnEqualsSign) {
+    Settings settings;
+    settings.setFromArgument("sensor.response=a=b.csv");
+    EXPECT_EQ(settings.text("sensor.response"), "a=b.csv");
+    EXPECT_THROW(settings.setFromArgument("sensor.width"), irsg::InputError);
+}
+
+TEST(Settings, AskingForAnotherKindIsOurOwnFault) {
+    const Settings settings;
+    EXPECT_THROW((void)settings.real("render.sun"), irsg::LogicError);
+    EXPECT_THROW((void)settings.integer("sensor.fov"), irsg::LogicError);
+    EXPECT_THROW((void)settings.text("sensor.widht"), irsg::LogicError);
+}
+
+} // namespace
+} // namespace smat
