@@ -48,9 +48,14 @@ struct AnalysisData {
     std::string equivalentCommand(const std::string& outputFile) const;
 };
 
-/// Writes a result by the extension of `file`: images as .exr, .csv or .png (false colour with a
-/// colour bar), tables as .csv or .json. `.json` of an image analysis holds its row of sums. Throws
-/// InputError for another extension or a file that cannot be written.
+/// The extensions a result of this kind can be saved with: images as .exr, .csv and .png (false
+/// colour with a colour bar) and their row of sums as .json, tables as .csv and .json.
+std::vector<std::string> resultExtensions(AnalysisKind kind);
+/// Throws InputError naming the extensions there are, so that a wrong name is refused before the
+/// work begins.
+void checkResultFile(AnalysisKind kind, const std::filesystem::path& file);
+/// Writes a result in the form of its extension. Throws InputError where checkResultFile does and
+/// for a file that cannot be written.
 void saveResult(const AnalysisData& data, const std::filesystem::path& file);
 
 } // namespace smat

@@ -1,3 +1,4 @@
+#include "irsg/image/ColorMap.h"
 #include "smatcore/settings/SettingInfo.h"
 
 namespace smat {
@@ -161,6 +162,21 @@ void addRendering(std::vector<SettingInfo>& table) {
                             SettingAudience::expert));
 }
 
+void addDisplay(std::vector<SettingInfo>& table) {
+    table.push_back(
+        choice("display.colorMap", "--color-map", "Colour map", irsg::ColorMap::names(),
+               irsg::ColorMap::defaultName,
+               "Colours of PNG files and of the image window; data are never coloured."));
+    table.push_back(choiceOrNumber("display.minimum", "--display-minimum", "Darkest value", "",
+                                   {"auto"}, -1e30, 1e30, "auto",
+                                   "Value that has the first colour, in the unit of the picture; "
+                                   "auto takes the least of the image."));
+    table.push_back(choiceOrNumber("display.maximum", "--display-maximum", "Brightest value", "",
+                                   {"auto"}, -1e30, 1e30, "auto",
+                                   "Value that has the last colour, in the unit of the picture; "
+                                   "auto takes the largest of the image."));
+}
+
 void addAnalyses(std::vector<SettingInfo>& table) {
     table.push_back(choice("image.quantity", "--quantity", "Quantity",
                            {"radiance", "irradiance", "apparent-temperature"}, "radiance",
@@ -205,6 +221,7 @@ const std::vector<SettingInfo>& settingTable() {
         addViewAndTarget(made);
         addEnvironment(made);
         addRendering(made);
+        addDisplay(made);
         addAnalyses(made);
         return made;
     }();
