@@ -74,6 +74,7 @@ function(smat_add_floor house floor)
     target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_link_libraries(${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
+    target_compile_features(${name} PUBLIC cxx_std_20)
     set_target_properties(${name} PROPERTIES EXPORT_NAME ${floor}
                           VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
     smat_configure_target(${name})
