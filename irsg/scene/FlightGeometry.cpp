@@ -1,4 +1,4 @@
-// The records of FlightValidator that carry geometry, palettes and nodes.
+// The geometry of FlightValidator: faces, meshes, their vertices, and what is attached to a node.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -10,20 +10,6 @@ namespace irsg {
 namespace {
 
 constexpr std::uint32_t packedColour = 0x10000000, hidden = 0x04000000;
-
-/// Bytes a vertex of the palette needs so that position, normal and packed colour are its own.
-std::size_t vertexSize(std::uint16_t opcode) {
-    switch (opcode) {
-    case flight::vertexCN:
-        return 48;
-    case flight::vertexCNT:
-        return 56;
-    case flight::vertexCT:
-        return 44;
-    default:
-        return 36;
-    }
-}
 
 /// Bytes of one vertex of a local pool with these attributes: position, colour, normal, 8 layers.
 std::size_t poolStride(std::uint32_t mask) {
@@ -42,85 +28,6 @@ std::string withPayload(const FlightRecord& record, const std::string& payload) 
 }
 
 } // namespace
-
-bool FlightValidator::visitPalette(const FlightRecord& record) {
-    switch (record.opcode) {
-    case flight::colourPalette:
-        if (atLeast(record, 136)) {
-            keep(record);
-            colours_ = true;
-        }
-        return true;
-    case flight::vertexPalette:
-        vertexPalette(record);
-        return true;
-    case flight::vertexC:
-    case flight::vertexCN:
-    case flight::vertexCNT:
-    case flight::vertexCT:
-        paletteVertex(record);
-        return true;
-    case flight::texturePalette:
-        if (atLeast(record, 208))
-            keep(record, FlightTreatment::appearance);
-        return true;
-    case flight::materialPalette:
-        if (atLeast(record, 80))
-            keep(record, FlightTreatment::appearance);
-        return true;
-    case flight::oldMaterialPalette:
-        keep(record, FlightTreatment::appearance);
-        return true;
-    case 83: // eyepoints, linkage, sounds, line styles, light sources, texture mappings, names
-    case 90:
-    case 93:
-    case 97:
-    case 102:
-    case 112:
-    case flight::nameTable:
-    case 128: // appearance and animation of light points, shaders, extended materials
-    case 129:
-        return true;
-    default:
-        return record.opcode >= 133 && record.opcode <= 149;
-    }
-}
-
-void FlightValidator::vertexPalette(const FlightRecord& record) {
-    if (!atLeast(record, 8))
-        return;
-    const std::size_t size = record.u32(4);
-    if (record.size() != 8 || size < 8 || size > file_.bytes.size() - record.offset)
-        return offend(record.offset + 4,
-                      "a vertex palette of " + std::to_string(size) + " bytes in a record of " +
-                          std::to_string(record.size()),
-                      "8 to " + std::to_string(file_.bytes.size() - record.offset) +
-                          " bytes, the vertices following a record of 8");
-    keep(record);
-    vertices_.clear();
-    hasPalette_ = inPalette_ = true;
-    paletteStart_ = record.offset;
-    paletteEnd_ = record.offset + size;
-}
-
-void FlightValidator::paletteVertex(const FlightRecord& record) {
-    if (!inPalette_ || record.offset + record.size() > paletteEnd_)
-        return offend(record.offset, "a vertex record outside the vertex palette",
-                      "vertices within the length the palette states");
-    if (!atLeast(record, vertexSize(record.opcode)))
-        return;
-    keep(record);
-    coordinate(record, 8);
-    const bool normal = record.opcode == flight::vertexCN || record.opcode == flight::vertexCNT;
-    vertices_[static_cast<std::uint32_t>(record.offset - paletteStart_)] = normal;
-}
-
-void FlightValidator::checkPaletteEnd(std::size_t at) {
-    if (inPalette_ && std::exchange(inPalette_, false) && at != paletteEnd_ && at != paletteStart_)
-        offend(paletteStart_ + 4,
-               "a vertex palette that ends at byte " + std::to_string(paletteEnd_),
-               "byte " + std::to_string(at) + ", where its vertices end");
-}
 
 bool FlightValidator::visitAncillary(const FlightRecord& record) {
     switch (record.opcode) {
@@ -356,109 +263,6 @@ void FlightValidator::meshPrimitive(const FlightRecord& record) {
             return offend(record.offset + at, "vertex index " + std::to_string(index),
                           "below " + std::to_string(*levels_.back().poolSize));
     }
-}
-
-bool FlightValidator::visitNode(const FlightRecord& record) {
-    switch (record.opcode) {
-    case flight::group:
-    case flight::object:
-        atLeast(record, 12);
-        open(record);
-        return true;
-    case flight::degreeOfFreedom:
-        open(record);
-        if (atLeast(record, 380))
-            finite(record, 16, 9 + 36);
-        return true;
-    case flight::levelOfDetail:
-        open(record);
-        if (atLeast(record, 64))
-            finite(record, 16, 2), finite(record, 40, 3);
-        return true;
-    case flight::switchNode:
-        switchNode(record);
-        return true;
-    case flight::instanceDefinition:
-    case flight::instanceReference:
-        instance(record);
-        return true;
-    case flight::externalReference:
-        external(record);
-        return true;
-    case flight::lightSource:
-    case flight::lightPoint:
-    case flight::indexedLightPoint:
-    case flight::lightPointSystem:
-        remarkOnce("light", "light sources and light points have no infrared codes: not drawn");
-        open(record, FlightTreatment::asGroup).light = true;
-        return true;
-    case flight::separatingPlane:
-    case flight::extension:
-    case flight::roadSegment:
-    case flight::roadPath:
-    case flight::roadConstruction:
-        open(record, FlightTreatment::asGroup);
-        return true;
-    case flight::sound:
-    case flight::text:
-    case flight::clipRegion:
-    case flight::curve:
-    case flight::continuouslyAdaptiveTerrain:
-        remarkOnce(std::to_string(record.opcode),
-                   "sounds, texts, clip regions, curves and adaptive "
-                   "terrain are not drawn");
-        open(record, FlightTreatment::asGroup).light = true;
-        return true;
-    default:
-        return false;
-    }
-}
-
-void FlightValidator::switchNode(const FlightRecord& record) {
-    auto& node = open(record);
-    if (!atLeast(record, 28))
-        return;
-    const std::uint32_t present = record.u32(16), masks = record.u32(20), words = record.u32(24);
-    if (masks == 0 || words == 0 || masks > record.size() || words > record.size() ||
-        std::size_t{masks} * words > (record.size() - 28) / 4)
-        return offend(record.offset + 20,
-                      std::to_string(masks) + " switch masks of " + std::to_string(words) +
-                          " words in a record of " + std::to_string(record.size()) + " bytes",
-                      "one mask of one word or more, all inside the record");
-    if (present >= masks)
-        offend(record.offset + 16, "switch mask " + std::to_string(present),
-               "below " + std::to_string(masks));
-    node.childLimit = 32 * std::size_t{words};
-}
-
-void FlightValidator::instance(const FlightRecord& record) {
-    auto& node = open(record);
-    if (!atLeast(record, 8))
-        return;
-    node.number = record.u16(6);
-    if (record.opcode == flight::instanceDefinition)
-        return;
-    const auto found = instances_.find(node.number);
-    if (found == instances_.end())
-        return offend(record.offset + 6, "a reference to instance " + std::to_string(node.number),
-                      "its definition before it");
-    node.placements = found->second.placements;
-    node.height = found->second.height + 1;
-}
-
-void FlightValidator::external(const FlightRecord& record) {
-    auto& node = open(record);
-    if (!atLeast(record, 204))
-        return;
-    const auto path = record.text(4, 200);
-    if (path.empty())
-        return offend(record.offset + 4, "an external reference without a path", "a file name");
-
-    // Bit 0 of the mask keeps the palette of the other file.
-    const std::uint32_t mask = record.size() >= 212 ? record.u32(208) : 0xFFFFFFFF;
-    const bool own = (mask & 0x80000000) != 0 || file_.version == 1541 || file_.version < 1420;
-    node.placements[static_cast<int>(file_.externals.size())] = 1;
-    file_.externals.push_back({record.offset, path, {}, !own && colours_, 0});
 }
 
 } // namespace irsg

@@ -37,6 +37,16 @@ osg::ref_ptr<osgDB::Options> privateOptions(const fs::path& folder) {
     return options;
 }
 
+/// What OpenSceneGraph printed, the first lines of it.
+void say(std::vector<std::string>& remarks, const std::vector<std::string>& lines) {
+    constexpr std::size_t most = 8;
+    for (std::size_t i = 0; i < std::min(most, lines.size()); ++i)
+        remarks.push_back("OpenSceneGraph: " + lines[i]);
+    if (lines.size() > most)
+        remarks.push_back("OpenSceneGraph: " + std::to_string(lines.size() - most) +
+                          " more lines like these");
+}
+
 class ProxyCollector : public osg::NodeVisitor {
   public:
     ProxyCollector() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) { setNodeMaskOverride(~0u); }
@@ -131,8 +141,7 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
     OsgNotices notices;
     loaded.node = FlightReader(scan, purpose).read(scan.files.front().path, nullptr);
     removeProxies(*loaded.node);
-    for (const auto& line : notices.take())
-        loaded.remarks.push_back("OpenSceneGraph: " + line);
+    say(loaded.remarks, notices.take());
 
     // A plug-in that drops the codes would paint everything with code 0.
     const auto counts = polygonCounts(*loaded.node);
@@ -176,8 +185,7 @@ LoadedGraph loadOther(const fs::path& file) {
                               (complaint.empty() ? "" : " (" + complaint + ")"),
                           "a whole model file of type ." + extension});
     }
-    for (const auto& line : lines)
-        loaded.remarks.push_back("OpenSceneGraph: " + line);
+    say(loaded.remarks, lines);
 
     ProxyCollector proxies;
     loaded.node->accept(proxies);
