@@ -7,6 +7,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace smat {
 namespace {
@@ -121,9 +122,7 @@ TEST(ProjectFile, PathsFollowTheProjectToAnotherFolder) {
 }
 
 TEST(ProjectFile, SavesAndLoads) {
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "smat_project_file";
-    std::filesystem::create_directories(folder);
+    const test::TemporaryFolder folder;
     const Project project = fullProject();
     saveProject(project, folder / "p.smat");
     const Project back = loadProject(folder / "p.smat");
@@ -274,9 +273,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& row) { return row.param.name; });
 
 TEST(ProjectOfModel, TakesTheDatabaseBesideTheModel) {
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "smat_project_of_model";
-    std::filesystem::create_directories(folder);
+    const test::TemporaryFolder folder;
     saveProject(Project(), folder / "signature.sigdb"); // any file will do
     EXPECT_EQ(projectOfModel(folder / "boat.flt").models[0].database, folder / "signature.sigdb");
     saveProject(Project(), folder / "boat.sigdb");

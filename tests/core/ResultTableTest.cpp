@@ -9,16 +9,10 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/support/TextFile.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace smat {
 namespace {
-
-std::filesystem::path temporary(const std::string& name) {
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "smat_result_table";
-    std::filesystem::create_directories(folder);
-    return folder / name;
-}
 
 ResultTable someTable() {
     ResultTable table;
@@ -43,20 +37,22 @@ TEST(ResultTable, HasTheHeadersOfTheFormatsPage) {
 }
 
 TEST(ResultTable, CsvAndJsonReadBackExactly) {
+    const test::TemporaryFolder folder;
     for (const char* name : {"table.csv", "table.json"}) {
         const ResultTable table = someTable();
-        table.save(temporary(name));
-        EXPECT_EQ(ResultTable::load(temporary(name)), table) << name;
+        table.save(folder / name);
+        EXPECT_EQ(ResultTable::load(folder / name), table) << name;
     }
 }
 
 TEST(ResultTable, AValueThatIsNotThereIsNan) {
+    const test::TemporaryFolder folder;
     for (const char* name : {"nan.csv", "nan.json"}) {
         ResultTable table;
         table.add(irsg::Quantity::apparentTemperature);
         table.addRow({std::numeric_limits<double>::quiet_NaN()});
-        table.save(temporary(name));
-        EXPECT_TRUE(std::isnan(ResultTable::load(temporary(name)).columns()[0].values[0])) << name;
+        table.save(folder / name);
+        EXPECT_TRUE(std::isnan(ResultTable::load(folder / name).columns()[0].values[0])) << name;
     }
 }
 
@@ -81,7 +77,8 @@ struct BadTableRow {
 class BadTable : public testing::TestWithParam<BadTableRow> {};
 
 TEST_P(BadTable, IsRefusedWithItsPlace) {
-    const auto file = temporary(std::string(GetParam().name) + GetParam().file);
+    const test::TemporaryFolder folder;
+    const auto file = folder / (std::string(GetParam().name) + GetParam().file);
     writeTextFile(file, GetParam().text);
     try {
         ResultTable::load(file);

@@ -9,6 +9,7 @@
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/support/TextFile.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace smat {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 class SceneBuilderTest : public testing::Test {
   protected:
     void SetUp() override {
-        std::filesystem::create_directories(folder);
         writeTextFile(folder / "model.flt", "anything");
         irsg::SignatureDatabase database;
         database.temperatures[0].name = "skin";
@@ -43,7 +43,7 @@ class SceneBuilderTest : public testing::Test {
         return {};
     }
 
-    std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "smat_scene_builder";
+    test::TemporaryFolder folder;
     Project project;
     int loads = 0;
 };
