@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "irsg/radiometry/CsvTable.h"
@@ -101,6 +99,19 @@ TEST_P(Sample, HasTheSpectraOfItsCsvFiles) {
 INSTANTIATE_TEST_SUITE_P(Samples, Sample,
                          testing::Values("sphere", "chessboard", "ship", "turboprop4"),
                          [](const auto& row) { return row.param; });
+
+TEST(Samples, GasOfThePlumesIsThatOfItsCsvFile) {
+    for (const std::string sample : {"ship", "turboprop4"}) {
+        const CsvTable table = CsvTable::read(samples / sample / "gas.csv");
+        const Spectrum transmissivity = readJson(sample).materials.at(5).transmissivity;
+        ASSERT_EQ(transmissivity.size() + 1, table.rows().size());
+        for (std::size_t i = 0; i < transmissivity.size(); ++i) {
+            const auto& cells = table.rows()[i + 1].cells;
+            EXPECT_EQ(transmissivity.wavelengths_um()[i], parseNumber(cells[0].text));
+            EXPECT_EQ(transmissivity.values()[i], parseNumber(cells[1].text));
+        }
+    }
+}
 
 /// Emission of all components at a wavelength over what Kirchhoff's law gives for the wall.
 void expectKirchhoff(const std::string& sample, const std::string& spectrum, double temperature_K) {
