@@ -1,0 +1,38 @@
+// smat-samples [FOLDER] writes the models of this project's own geometry: sphere and box into
+// FOLDER/samples, the plate of the tests into FOLDER/tests/data/models. FOLDER is the present one.
+
+#include <iostream>
+
+#include "apps/samples/SampleModels.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace {
+
+constexpr int rings = 128, segments = 256;
+
+void write(const smat::FlightWriter& model, const std::filesystem::path& file) {
+    std::cout << "writes " << file.string() << std::endl;
+    model.save(file);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc > 2 || (argc == 2 && argv[1][0] == '-')) {
+        std::cerr << "usage: smat-samples [FOLDER]\n";
+        return 2;
+    }
+    const std::filesystem::path folder = argc == 2 ? argv[1] : ".";
+    try {
+        write(smat::sphereModel(rings, segments), folder / "samples/sphere/sphere.flt");
+        write(smat::boxModel(), folder / "samples/box/box.flt");
+        write(smat::plateModel(), folder / "tests/data/models/plate.flt");
+    } catch (const irsg::InputError& error) {
+        std::cerr << error.what() << "\n";
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << "\n";
+        return 3;
+    }
+    return 0;
+}
