@@ -1,4 +1,4 @@
-#version 330 compatibility
+#version 430 compatibility
 // Functions whose built-in forms are too coarse for radiometry on some drivers (llvmpipe: acos is
 // 1.6e-4 rad off). Float accuracy of about 2e-7 on any driver.
 

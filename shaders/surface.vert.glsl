@@ -1,4 +1,4 @@
-#version 330 compatibility
+#version 430 compatibility
 // One vertex of a model. Matrices are composed in double on the CPU, relative to the camera, so that
 // neither world coordinates of 6.4e6 m nor ranges of 1e7 m cost digits here.
 

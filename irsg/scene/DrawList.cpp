@@ -25,14 +25,6 @@ IrCodes codesOf(const osg::Drawable& drawable) {
     return codes;
 }
 
-BoundingBox boundsOf(const osg::Drawable& drawable, const osg::Matrixd& modelFromLocal) {
-    const osg::BoundingBox local = drawable.getBoundingBox();
-    osg::BoundingBoxd box;
-    for (unsigned int i = 0; local.valid() && i < 8; ++i)
-        box.expandBy(osg::Vec3d(local.corner(i)) * modelFromLocal);
-    return {{box.xMin(), box.yMin(), box.zMin()}, {box.xMax(), box.yMax(), box.zMax()}};
-}
-
 class Collector : public osg::NodeVisitor {
   public:
     Collector() : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN) {}
@@ -47,8 +39,7 @@ class Collector : public osg::NodeVisitor {
         geometry->setUseVertexBufferObjects(true);
         geometry->setUseVertexArrayObject(true);
         const osg::Matrixd modelFromLocal = osg::computeLocalToWorld(getNodePath());
-        items.push_back({geometry, modelFromLocal, codesOf(drawable), cullsBackFaces(drawable),
-                         boundsOf(drawable, modelFromLocal)});
+        items.push_back({geometry, modelFromLocal, codesOf(drawable), cullsBackFaces(drawable)});
     }
 
     std::vector<DrawItem> items;

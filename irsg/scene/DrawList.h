@@ -16,7 +16,6 @@ struct DrawItem {
     osg::Matrixd modelFromLocal; ///< of the transforms above it
     IrCodes codes;
     bool cullsBackFaces = false; ///< OpenFlight draw type 0
-    BoundingBox bounds;          ///< model axes
 };
 
 /// The visible pieces of a model in the order of its graph. Level-of-detail nodes show their most

@@ -3,23 +3,37 @@
 #include <algorithm>
 
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/PixelGrid.h"
 
 namespace irsg {
+
+namespace {
+
+/// Adds one sample of solid angle `omega_sr` and `share` of a pixel.
+void addSample(FactorSums& sums, const FactorLayer& layer, double omega_sr, double cosOffAxis,
+               double share) {
+    const double thermal_sr = omega_sr * static_cast<double>(layer.thermal);
+    const double up_sr = omega_sr * static_cast<double>(layer.up);
+    const double down_sr = omega_sr * static_cast<double>(layer.down);
+    const double sun_sr = omega_sr * static_cast<double>(layer.sun);
+    sums.coverage_sr += omega_sr;
+    sums.thermal_sr += thermal_sr;
+    sums.up_sr += up_sr;
+    sums.down_sr += down_sr;
+    sums.sun_sr += sun_sr;
+    sums.coverageCos_sr += omega_sr * cosOffAxis;
+    sums.thermalCos_sr += thermal_sr * cosOffAxis;
+    sums.upCos_sr += up_sr * cosOffAxis;
+    sums.downCos_sr += down_sr * cosOffAxis;
+    sums.sunCos_sr += sun_sr * cosOffAxis;
+    sums.pixels += share;
+}
+
+} // namespace
 
 FactorAccumulator::FactorAccumulator(std::vector<SceneRadiometry::SurfaceKey> keys,
                                      std::vector<bool> transparent)
     : keys_(std::move(keys)), transparent_(std::move(transparent)) {}
-
-void FactorAccumulator::beginWindow(const Sensor& sensor, const PixelWindow& window,
-                                    int samplesPerAxis) {
-    grid_ = PixelGrid(sensor);
-    window_ = window;
-    samplesPerAxis_ = samplesPerAxis;
-    const auto n = static_cast<std::size_t>(samplesPerAxis);
-    samplePrefix_.assign(static_cast<std::size_t>(window.width) * n *
-                             static_cast<std::size_t>(window.height) * n,
-                         0);
-}
 
 int FactorAccumulator::extended(int prefix, int row) {
     const auto [place, isNew] = extensions_.try_emplace({prefix, row}, prefix);
@@ -37,61 +51,45 @@ int FactorAccumulator::extended(int prefix, int row) {
     return place->second = id->second;
 }
 
-void FactorAccumulator::addLayer(const std::vector<float>& plane0,
-                                 const std::vector<float>& plane1) {
-    const int n = samplesPerAxis_;
-    const int width = window_.width * n;
-    for (int py = 0; py < window_.height; ++py) {
-        for (int px = 0; px < window_.width; ++px) {
-            const int x = window_.x + px, y = window_.y + py;
-            double omega_sr = -1.0, cosOffAxis = 0.0;
-            for (int sy = 0; sy < n; ++sy) {
-                // GL's rows run from the bottom up.
-                const int glRow = (window_.height - 1 - py) * n + sy;
-                const std::size_t first =
-                    static_cast<std::size_t>(glRow) * static_cast<std::size_t>(width) +
-                    static_cast<std::size_t>(px * n);
-                for (std::size_t i = first; i < first + static_cast<std::size_t>(n); ++i) {
-                    const float* sample = &plane0[4 * i];
-                    if (sample[0] == 0.0f)
-                        continue;
-                    if (omega_sr < 0.0) {
-                        const PixelGrid::Pixel pixel = grid_.at(x, y);
-                        omega_sr = pixel.solidAngle_sr / (n * n);
-                        cosOffAxis = pixel.cosOffAxis;
-                    }
-                    const int row = static_cast<int>(sample[0]) - 1;
-                    const auto prefix = static_cast<std::size_t>(samplePrefix_[i]);
-                    if (sums_.size() <= prefix)
-                        sums_.resize(prefix + 1);
-                    if (sums_[prefix].empty())
-                        sums_[prefix].resize(keys_.size());
-                    FactorSums& sums = sums_[prefix][static_cast<std::size_t>(row)];
-                    const double thermal = sample[1], down = sample[2], sun = sample[3];
-                    const double up = plane1[4 * i + 1];
-                    const double cosOmega_sr = omega_sr * cosOffAxis;
-                    sums.coverage_sr += omega_sr;
-                    sums.thermal_sr += omega_sr * thermal;
-                    sums.up_sr += omega_sr * up;
-                    sums.down_sr += omega_sr * down;
-                    sums.sun_sr += omega_sr * sun;
-                    sums.coverageCos_sr += cosOmega_sr;
-                    sums.thermalCos_sr += cosOmega_sr * thermal;
-                    sums.upCos_sr += cosOmega_sr * up;
-                    sums.downCos_sr += cosOmega_sr * down;
-                    sums.sunCos_sr += cosOmega_sr * sun;
-                    sums.pixels += 1.0 / (n * n);
-                    if (transparent_[static_cast<std::size_t>(row)])
-                        samplePrefix_[i] = extended(samplePrefix_[i], row);
-                }
+void FactorAccumulator::add(const Sensor& sensor, const PixelWindow& window, int samplesPerAxis,
+                            const FactorSamples& samples) {
+    const PixelGrid grid(sensor);
+    const int n = samplesPerAxis;
+    const double share = 1.0 / (n * n);
+    layersLeftOver_ += samples.layersLeftOver;
+
+    std::size_t i = 0;
+    for (int glRow = 0; glRow < samples.height; ++glRow)
+        for (int column = 0; column < samples.width; ++column, ++i) {
+            const std::uint32_t begin = samples.first[i], end = samples.first[i + 1];
+            if (begin == end)
+                continue;
+            // GL's rows run from the bottom up.
+            const PixelGrid::Pixel pixel =
+                grid.at(window.x + column / n, window.y + window.height - 1 - glRow / n);
+            const double omega_sr = pixel.solidAngle_sr * share;
+            int prefix = 0;
+            for (std::uint32_t k = begin; k < end; ++k) {
+                const FactorLayer& layer = samples.layers[k];
+                addSample(sumsOf(prefix, layer.row), layer, omega_sr, pixel.cosOffAxis, share);
+                if (transparent_[static_cast<std::size_t>(layer.row)])
+                    prefix = extended(prefix, layer.row);
             }
         }
-    }
 }
 
-ProjectedFactors FactorAccumulator::take(int layersLeftOver) const {
+FactorSums& FactorAccumulator::sumsOf(int prefix, int row) {
+    const auto index = static_cast<std::size_t>(prefix);
+    if (sums_.size() <= index)
+        sums_.resize(index + 1);
+    if (sums_[index].empty())
+        sums_[index].resize(keys_.size());
+    return sums_[index][static_cast<std::size_t>(row)];
+}
+
+ProjectedFactors FactorAccumulator::take() const {
     ProjectedFactors factors;
-    factors.layersLeftOver = layersLeftOver;
+    factors.layersLeftOver = layersLeftOver_;
     for (std::size_t prefix = 0; prefix < sums_.size(); ++prefix)
         for (std::size_t row = 0; row < sums_[prefix].size(); ++row) {
             const FactorSums& sums = sums_[prefix][row];

@@ -6,40 +6,35 @@
 
 #include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/Irsg.h"
-#include "irsg/scene/PixelGrid.h"
 #include "irsg/scene/SceneRadiometry.h"
+#include "irsg/scene/SurfacePass.h"
 
 namespace irsg {
 
-/// Sums layers of factors, sample by sample from front to back, into ProjectedFactors.
+/// Sums factors, sample by sample from front to back, into ProjectedFactors.
 class FactorAccumulator {
   public:
     /// `keys` are the rows of the drawing; `transparent` says which of them let light through.
     FactorAccumulator(std::vector<SceneRadiometry::SurfaceKey> keys, std::vector<bool> transparent);
 
-    /// Begins a window: nothing lies in front of any sample. Layers of `width` x `height` pixels of
-    /// n x n samples follow.
-    void beginWindow(const Sensor& sensor, const PixelWindow& window, int samplesPerAxis);
-    /// One layer as SurfacePass gives it.
-    void addLayer(const std::vector<float>& plane0, const std::vector<float>& plane1);
+    void add(const Sensor& sensor, const PixelWindow& window, int samplesPerAxis,
+             const FactorSamples& samples);
 
-    ProjectedFactors take(int layersLeftOver) const;
+    ProjectedFactors take() const;
 
   private:
+    FactorSums& sumsOf(int prefix, int row);
     int extended(int prefix, int row);
 
     std::vector<SceneRadiometry::SurfaceKey> keys_;
     std::vector<bool> transparent_;
-    PixelGrid grid_;
-    PixelWindow window_;
-    int samplesPerAxis_ = 1;
 
     using Prefix = std::vector<std::pair<int, int>>; // sorted (entity, material)
     std::vector<Prefix> prefixes_{Prefix{}};
     std::map<Prefix, int> prefixIds_{{Prefix{}, 0}};
     std::map<std::pair<int, int>, int> extensions_; // (prefix, row) -> prefix
-    std::vector<int> samplePrefix_;                 // of each sample of the window
-    std::vector<std::vector<FactorSums>> sums_;     // [prefix][row]
+    int layersLeftOver_ = 0;
+    std::vector<std::vector<FactorSums>> sums_; // [prefix][row]
 };
 
 /// Radiometry of every object, and of all together, from projected factors: exact in the products

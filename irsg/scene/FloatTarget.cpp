@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "irsg/radiometry/Errors.h"
 
@@ -20,9 +21,27 @@ void allocate(GLuint texture, GLint internalFormat, GLenum format, int width, in
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+struct PlaneFormat {
+    GLint internal;
+    GLenum format;
+};
+
+PlaneFormat formatOf(int channels) {
+    switch (channels) {
+    case 1:
+        return {GL_R32F, GL_RED};
+    case 2:
+        return {GL_RG32F, GL_RG};
+    case 4:
+        return {GL_RGBA32F, GL_RGBA};
+    }
+    throw LogicError("a plane of a float target has 1, 2 or 4 channels");
+}
+
 } // namespace
 
-FloatTarget::FloatTarget(int colourPlanes) : colour_(static_cast<std::size_t>(colourPlanes), 0) {}
+FloatTarget::FloatTarget(std::vector<int> channels)
+    : channels_(std::move(channels)), colour_(channels_.size(), 0) {}
 
 FloatTarget::~FloatTarget() {
     release();
@@ -52,7 +71,8 @@ void FloatTarget::reserve(int width, int height) {
     std::vector<GLenum> buffers;
     for (GLuint texture : colour_) {
         const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
-        allocate(texture, GL_RGBA32F, GL_RGBA, newWidth, newHeight);
+        const PlaneFormat plane = formatOf(channels_[buffers.size()]);
+        allocate(texture, plane.internal, plane.format, newWidth, newHeight);
         glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
         buffers.push_back(attachment);
     }
@@ -63,9 +83,10 @@ void FloatTarget::reserve(int width, int height) {
     width_ = newWidth;
     height_ = newHeight;
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw InputError(Offence{"OpenGL", "float render target",
-                                 std::to_string(newWidth) + " x " + std::to_string(newHeight),
-                                 "a driver that renders into RGBA32F with 32-bit float depth"});
+        throw InputError(
+            Offence{"OpenGL", "float render target",
+                    std::to_string(newWidth) + " x " + std::to_string(newHeight),
+                    "a driver that renders into float planes with 32-bit float depth"});
 }
 
 void FloatTarget::bind(int width, int height) const {
@@ -81,11 +102,13 @@ void FloatTarget::clear() const {
 }
 
 void FloatTarget::read(int plane, int width, int height, std::vector<float>& into) const {
-    into.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+    const int channels = channels_[static_cast<std::size_t>(plane)];
+    into.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                static_cast<std::size_t>(channels));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
     glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(plane));
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, into.data());
+    glReadPixels(0, 0, width, height, formatOf(channels).format, GL_FLOAT, into.data());
 }
 
 } // namespace irsg

@@ -6,11 +6,12 @@
 
 namespace irsg {
 
-/// An off-screen render target: one or two RGBA32F colour planes and a 32-bit float depth texture,
-/// grown as needed and reused. Lives and dies on the context's thread.
+/// An off-screen render target: planes of 32-bit floats and a 32-bit float depth, grown as needed
+/// and reused. Lives and dies on the context's thread.
 class FloatTarget {
   public:
-    explicit FloatTarget(int colourPlanes);
+    /// Channels of each colour plane: 1, 2 or 4.
+    explicit FloatTarget(std::vector<int> channels);
     ~FloatTarget();
     FloatTarget(const FloatTarget&) = delete;
     FloatTarget& operator=(const FloatTarget&) = delete;
@@ -23,15 +24,13 @@ class FloatTarget {
     /// (CameraFrame::clipFromEye).
     void clear() const;
 
-    /// RGBA of a colour plane, four floats a sample, bottom row first as GL has it.
+    /// All channels of a plane, sample after sample, bottom row first as GL has it.
     void read(int plane, int width, int height, std::vector<float>& into) const;
-
-    GLuint colourTexture(int plane) const { return colour_[static_cast<std::size_t>(plane)]; }
-    GLuint depthTexture() const { return depth_; }
 
   private:
     void release();
 
+    std::vector<int> channels_;
     int width_ = 0;
     int height_ = 0;
     GLuint framebuffer_ = 0;

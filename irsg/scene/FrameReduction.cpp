@@ -15,7 +15,7 @@ FrameReduction::FrameReduction(const Sensor& sensor, const PixelWindow& window,
       opacity_(radiance_.size()) {}
 
 void FrameReduction::add(const PixelWindow& tile, int samplesPerAxis,
-                         const std::vector<float>& samples) {
+                         const RadianceSamples& samples) {
     const auto n = static_cast<std::size_t>(samplesPerAxis);
     const auto width = static_cast<std::size_t>(tile.width),
                height = static_cast<std::size_t>(tile.height);
@@ -26,11 +26,11 @@ void FrameReduction::add(const PixelWindow& tile, int samplesPerAxis,
                                   static_cast<std::size_t>(tile.x - window_.x);
         // GL's rows run from the bottom up.
         for (std::size_t sy = 0; sy < n; ++sy) {
-            const float* sample = &samples[((height - 1 - y) * n + sy) * width * n * 4];
+            const float* sample = &samples.planes[((height - 1 - y) * n + sy) * width * n * 2];
             for (std::size_t x = 0; x < width; ++x)
-                for (std::size_t sx = 0; sx < n; ++sx, sample += 4) {
+                for (std::size_t sx = 0; sx < n; ++sx, sample += 2) {
                     radiance_[first + x] += static_cast<double>(sample[0]);
-                    opacity_[first + x] += static_cast<double>(sample[3]);
+                    opacity_[first + x] += static_cast<double>(sample[1]);
                 }
         }
         for (std::size_t x = 0; x < width; ++x) {

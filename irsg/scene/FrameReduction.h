@@ -5,6 +5,7 @@
 #include "irsg/image/RadianceImage.h"
 #include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/Irsg.h"
+#include "irsg/scene/SurfacePass.h"
 
 namespace irsg {
 
@@ -15,8 +16,7 @@ class FrameReduction {
     /// `window`: the pixels that will be added; `background`: uniform, W m-2 sr-1.
     FrameReduction(const Sensor& sensor, const PixelWindow& window, double background_W_m2_sr);
 
-    /// Samples as SurfacePass::drawRadiance gives them, bottom row first.
-    void add(const PixelWindow& tile, int samplesPerAxis, const std::vector<float>& samples);
+    void add(const PixelWindow& tile, int samplesPerAxis, const RadianceSamples& samples);
 
     /// Sums over all pixels added, for objects at a range.
     ObjectRadiometry objects(double range_m) const;

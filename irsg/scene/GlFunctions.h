@@ -1,6 +1,6 @@
 #pragma once
 
-/// The OpenGL functions IRSG calls itself, linked directly (libOpenGL, 3.3 and older entry points).
+/// The OpenGL functions IRSG calls itself, linked directly (libOpenGL, entry points of 4.5).
 #ifndef GL_GLEXT_PROTOTYPES
 #define GL_GLEXT_PROTOTYPES
 #endif

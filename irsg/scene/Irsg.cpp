@@ -210,12 +210,9 @@ struct Irsg::Parts {
                 const int row = frame.radiometry.row(static_cast<int>(e), item.codes);
                 const bool transparent =
                     isTransparent(frame.radiometry.surfaces()[static_cast<std::size_t>(row)]);
-                // Only what is peeled needs a window of its own.
-                const PixelWindow itemWindow =
-                    transparent ? frame.camera.windowOf(item.bounds, entity.pose) : window;
                 frame.scene.items.push_back({item.geometry.get(),
                                              item.modelFromLocal * eyeFromModel, row, transparent,
-                                             item.cullsBackFaces, itemWindow});
+                                             item.cullsBackFaces});
             }
         }
     }
@@ -234,6 +231,27 @@ struct Irsg::Parts {
         });
         addTime("drawing", pass->takeDrawSeconds());
         addTime("read back", pass->takeReadSeconds());
+        addTime("layer sorting", pass->takeSortSeconds());
+    }
+
+    /// Draws the factors of the objects' window, tile by tile, and times what `sink` makes of them.
+    template <typename Sink>
+    void drawFactorTiles(const Frame& frame, bool withDistance, const char* stage, Sink sink) {
+        if (frame.window.empty())
+            return;
+        double sinking_s = 0.0;
+        onContext([&](osg::RenderInfo& info) {
+            SurfaceScene scene = frame.scene;
+            scene.camera = &frame.camera;
+            FactorSamples samples;
+            for (const PixelWindow& tile : tiles(frame.window, tileSide())) {
+                pass->drawFactors(info, scene, tile, settings.samplesPerAxis, withDistance,
+                                  samples);
+                Stopwatch watch(sinking_s);
+                sink(tile, samples);
+            }
+        });
+        addTime(stage, sinking_s);
     }
 
     /// What the projected factors depend on, as numbers.
@@ -274,24 +292,11 @@ struct Irsg::Parts {
         for (const SurfaceSpectra& surface : frame.radiometry.surfaces())
             transparent.push_back(isTransparent(surface));
         FactorAccumulator accumulator(frame.radiometry.keys(), transparent);
-        int leftOver = 0;
-        double accumulating_s = 0.0;
-        if (!frame.window.empty())
-            onContext([&](osg::RenderInfo& info) {
-                SurfaceScene scene = frame.scene;
-                scene.camera = &frame.camera;
-                for (const PixelWindow& tile : tiles(frame.window, tileSide())) {
-                    accumulator.beginWindow(sensor, tile, settings.samplesPerAxis);
-                    leftOver += pass->drawFactors(
-                        info, scene, tile, settings.samplesPerAxis,
-                        [&](const std::vector<float>& plane0, const std::vector<float>& plane1) {
-                            Stopwatch watch(accumulating_s);
-                            accumulator.addLayer(plane0, plane1);
+        drawFactorTiles(frame, false, "factor sums",
+                        [&](const PixelWindow& tile, const FactorSamples& samples) {
+                            accumulator.add(sensor, tile, settings.samplesPerAxis, samples);
                         });
-                }
-            });
-        addTime("factor sums", accumulating_s);
-        factors = accumulator.take(leftOver);
+        factors = accumulator.take();
         factorFingerprint = std::move(numbers);
         factorModels = std::move(models);
         return factors;
@@ -311,23 +316,10 @@ struct Irsg::Parts {
 
     void addTruthLayers(const Frame& frame, RadianceImage& image) {
         TruthLayers truth(frame.radiometry, image);
-        double adding_s = 0.0;
-        if (!frame.window.empty())
-            onContext([&](osg::RenderInfo& info) {
-                SurfaceScene scene = frame.scene;
-                scene.camera = &frame.camera;
-                for (const PixelWindow& tile : tiles(frame.window, tileSide())) {
-                    truth.beginWindow(tile, settings.samplesPerAxis);
-                    pass->drawFactors(
-                        info, scene, tile, settings.samplesPerAxis,
-                        [&](const std::vector<float>& plane0, const std::vector<float>& plane1) {
-                            Stopwatch watch(adding_s);
-                            truth.addLayer(plane0, plane1);
+        drawFactorTiles(frame, true, "truth layers",
+                        [&](const PixelWindow& tile, const FactorSamples& samples) {
+                            truth.add(tile, settings.samplesPerAxis, samples);
                         });
-                    truth.endWindow();
-                }
-            });
-        addTime("truth layers", adding_s);
     }
 
     void fillReport(const Frame& frame, RenderReport& report) const {
@@ -442,10 +434,10 @@ RenderedImage Irsg::render() {
         p.onContext([&](osg::RenderInfo& info) {
             SurfaceScene scene = frame.scene;
             scene.camera = &frame.camera;
-            std::vector<float> samples;
+            RadianceSamples samples;
             for (const PixelWindow& tile : tiles(frame.window, p.tileSide())) {
-                result.report.layersLeftOver +=
-                    p.pass->drawRadiance(info, scene, tile, p.settings.samplesPerAxis, samples);
+                p.pass->drawRadiance(info, scene, tile, p.settings.samplesPerAxis, samples);
+                result.report.layersLeftOver += samples.layersLeftOver;
                 Stopwatch watch(reducing_s);
                 reduction.add(tile, p.settings.samplesPerAxis, samples);
             }

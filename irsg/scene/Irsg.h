@@ -41,8 +41,9 @@ struct RenderSettings {
     FluxWeights fluxWeights = FluxWeights::viewFactor;
     BackgroundMode background = BackgroundMode::environment;
     double background_W_m2_sr = 0.0;
-    /// Transparent layers peeled per sample; what is left over is counted and reported.
-    int maximumLayers = 16;
+    /// Transparent layers kept per sample, nearest first; what is left over is counted and
+    /// reported.
+    int maximumLayers = 64;
     bool truthLayers = false;
 
     bool operator==(const RenderSettings&) const = default;
@@ -84,7 +85,7 @@ struct RenderReport {
     ObjectRadiometry all;                ///< of all objects together, at the first object's range
     std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
     std::vector<std::string> warnings;   ///< each said once
-    int layersLeftOver = 0;              ///< samples whose last transparent layers were not peeled
+    int layersLeftOver = 0;              ///< samples with more transparent layers than are kept
     double transmissivityResidue = 0.0;  ///< largest relative error of the scalar t for t(lambda)
     std::string renderer;                ///< GL renderer and version
 };

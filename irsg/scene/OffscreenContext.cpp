@@ -2,7 +2,6 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <osg/GLExtensions>
 #include <osg/GraphicsContext>
 #include <osg/RenderInfo>
 #include <osg/State>
@@ -25,8 +24,8 @@ namespace {
 
 InputError unavailable(const std::string& step) {
     return InputError(Offence{"OpenGL", step, "not available on this machine",
-                              "an EGL driver with an OpenGL 3.3 compatibility context and "
-                              "GL_ARB_clip_control (Mesa's software renderer is enough)"});
+                              "an EGL driver with an OpenGL 4.5 compatibility context "
+                              "(Mesa's software renderer is enough)"});
 }
 
 /// OSG's view of an EGL context without a surface.
@@ -124,9 +123,9 @@ class EglContext : public osg::GraphicsContext {
             return false;
 
         const EGLint contextWish[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                      3,
+                                      4,
                                       EGL_CONTEXT_MINOR_VERSION,
-                                      3,
+                                      5,
                                       EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                       EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
                                       EGL_NONE};
@@ -171,8 +170,6 @@ struct OffscreenContext::Parts {
             const GLubyte* value = glGetString(name);
             return value ? std::string(reinterpret_cast<const char*>(value)) : std::string();
         };
-        if (!osg::isGLExtensionSupported(state.getContextID(), "GL_ARB_clip_control"))
-            throw unavailable("finding zero-to-one clip control in " + text(GL_RENDERER));
         description = text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
         GLint size = 0;
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &size);

@@ -22,8 +22,8 @@ class OffscreenContext {
   public:
     /// The shared context, made at the first call and kept until the process ends: drivers are not
     /// robust against contexts that come and go on threads that come and go. Throws InputError that
-    /// says which step failed when the machine offers no OpenGL 3.3 compatibility context with
-    /// zero-to-one clip control; the next call tries again.
+    /// says which step failed when the machine offers no OpenGL 4.5 compatibility context; the
+    /// next call tries again.
     static OffscreenContext& shared();
 
     OffscreenContext(const OffscreenContext&) = delete;

@@ -9,8 +9,9 @@ namespace irsg {
 
 namespace {
 
-GLuint compile(GLenum stage, const std::string& file) {
-    const std::string source = shaderSource(file);
+GLuint compile(GLenum stage, const std::string& file, const std::string& defines) {
+    std::string source = shaderSource(file);
+    source.insert(source.find('\n') + 1, defines);
     const char* text = source.c_str();
     const GLuint shader = glCreateShader(stage);
     glShaderSource(shader, 1, &text, nullptr);
@@ -32,10 +33,11 @@ GLuint compile(GLenum stage, const std::string& file) {
 } // namespace
 
 ShaderProgram::ShaderProgram(const std::vector<std::string>& vertexFiles,
-                             const std::vector<std::string>& fragmentFiles) {
+                             const std::vector<std::string>& fragmentFiles,
+                             const std::string& defines) {
     program_ = glCreateProgram();
     auto attach = [&](GLenum stage, const std::string& file) {
-        const GLuint shader = compile(stage, file);
+        const GLuint shader = compile(stage, file, defines);
         glAttachShader(program_, shader);
         glDeleteShader(shader);
     };

@@ -3,12 +3,17 @@
 #include "irsg/scene/SurfacePass.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <map>
 #include <utility>
 
 #include <osg/RenderInfo>
 #include <osg/State>
 
 #include "irsg/scene/FloatTarget.h"
+#include "irsg/scene/FragmentList.h"
+#include "irsg/scene/LayerSort.h"
 #include "irsg/scene/ShaderProgram.h"
 #include "irsg/scene/Stopwatch.h"
 
@@ -16,9 +21,7 @@ namespace irsg {
 
 namespace {
 
-enum Product { radianceProduct = 0, factorProduct = 1 };
-enum Peel { opaquePass = 0, firstLayer = 1, furtherLayer = 2 };
-constexpr int opaqueDepthUnit = 0, previousDepthUnit = 1, layerUnit = 2;
+enum Product { radianceProduct = 0, factorProduct = 1, factorProductWithDistance = 2 };
 
 /// Depth from 1 near to 0 far, for as long as it lives.
 class ReversedDepth {
@@ -31,75 +34,76 @@ class ReversedDepth {
     }
 };
 
-void bindTexture(int unit, GLuint texture) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, texture);
+/// The shader's variant for N.
+int angleMode(float nAngleFactor) {
+    return nAngleFactor == 0.0f ? 0 : nAngleFactor == 1.0f ? 1 : 2;
+}
+
+struct Raster {
+    int width, height;
+    osg::Matrixd clipFromEye;
+};
+
+Raster rasterOf(const SurfaceScene& scene, const PixelWindow& window, int samplesPerAxis) {
+    return {window.width * samplesPerAxis, window.height * samplesPerAxis,
+            scene.camera->clipFromEye(window, scene.depth)};
 }
 
 } // namespace
 
 struct SurfacePass::Parts {
-    ShaderProgram surface{{"surface.vert.glsl"}, {"surface.frag.glsl", "accurate.glsl"}};
-    ShaderProgram layer{{"fullscreen.vert.glsl"}, {"layer.frag.glsl"}};
-    // Radiance needs one plane a target, factors two; the opaque pass has a target of its own,
-    // layers are peeled into two in turn and gathered in the last.
-    FloatTarget opaque[2] = {FloatTarget{1}, FloatTarget{2}};
-    FloatTarget peeled[2][2] = {{FloatTarget{1}, FloatTarget{1}}, {FloatTarget{2}, FloatTarget{2}}};
-    FloatTarget gathered{1};
-    GLuint query = 0;
-    double drawSeconds = 0.0;
-    double readSeconds = 0.0;
+    using Variant = std::array<int, 5>; // product, sun, flux, angle, transparent
+    std::map<Variant, ShaderProgram> programs;
+    FloatTarget radiance{{2}};
+    FloatTarget factors{{4}};
+    FloatTarget factorsWithDistance{{4, 1}};
+    FragmentList list;
+    std::uint32_t roomInList = 1u << 16; // grows to what the largest drawing needed
+    std::vector<std::uint32_t> words;
+    std::vector<float> plane0, plane1;
+    double drawSeconds = 0.0, readSeconds = 0.0, sortSeconds = 0.0;
 
-    Parts() { glGenQueries(1, &query); }
-    ~Parts() { glDeleteQueries(1, &query); }
-
-    struct Raster {
-        PixelWindow window;
-        int samplesPerAxis;
-        int width, height;
-        osg::Matrixd clipFromEye;
-    };
-
-    static Raster raster(const SurfaceScene& scene, const PixelWindow& window, int samplesPerAxis) {
-        return {window, samplesPerAxis, window.width * samplesPerAxis,
-                window.height * samplesPerAxis, scene.camera->clipFromEye(window, scene.depth)};
+    const ShaderProgram& program(const Variant& variant) {
+        const auto found = programs.find(variant);
+        if (found != programs.end())
+            return found->second;
+        const auto& [product, sun, flux, angle, transparent] = variant;
+        const auto define = [](const char* name, int value) {
+            return "#define " + std::string(name) + " " + std::to_string(value) + "\n";
+        };
+        return programs
+            .try_emplace(variant, std::vector<std::string>{"surface.vert.glsl"},
+                         std::vector<std::string>{"surface.frag.glsl", "accurate.glsl"},
+                         define("PRODUCT", product) + define("SUN_MODE", sun) +
+                             define("FLUX_MODE", flux) + define("ANGLE_MODE", angle) +
+                             define("TRANSPARENT", transparent))
+            .first->second;
     }
 
     /// Draws the items of one kind with the surface shader into the bound target.
     void drawItems(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
-                   bool transparent, Product product, Peel peel,
-                   GLenum depthFunction = GL_GREATER) {
-        surface.use();
-        surface.set("product", static_cast<int>(product));
-        surface.set("peel", static_cast<int>(peel));
-        surface.set("opaqueDepth", opaqueDepthUnit);
-        surface.set("previousDepth", previousDepthUnit);
-        surface.set("sunMode", scene.modes.sun);
-        surface.set("fluxMode", scene.modes.flux);
-        auto setDirection = [&](const char* name, const Vec3& v) {
-            surface.set(name, static_cast<float>(v.x), static_cast<float>(v.y),
-                        static_cast<float>(v.z));
-        };
-        setDirection("zenithEye", scene.modes.zenithEye);
-        setDirection("sunEye", scene.modes.sunEye);
-
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(depthFunction);
-        glDisable(GL_BLEND);
+                   bool transparent, Product product) {
+        const ShaderProgram* current = nullptr;
         for (const SurfaceItem& item : scene.items) {
             if (item.transparent != transparent)
                 continue;
             const SurfaceRow& row = scene.rows[static_cast<std::size_t>(item.row)];
-            surface.set("radiance", {row.thermal, row.up, row.down, row.sun});
-            surface.set("surface", {row.path, row.opacity, row.nAngleFactor,
-                                    static_cast<float>(item.row + 1)});
-            surface.set("eyeFromModel", item.eyeFromLocal);
-            surface.set("clipFromModel", item.eyeFromLocal * raster.clipFromEye);
-            osg::Matrixd inverse;
+            const ShaderProgram& shader =
+                program({product, scene.modes.sun, scene.modes.flux, angleMode(row.nAngleFactor),
+                         transparent ? 1 : 0});
+            if (&shader != current) {
+                current = &shader;
+                useProgram(shader, scene, raster);
+            }
+            shader.set("radiance", {row.thermal, row.up, row.down, row.sun});
+            shader.set("surface",
+                       {row.path, row.opacity, row.nAngleFactor, static_cast<float>(item.row + 1)});
+            shader.set("eyeFromModel", item.eyeFromLocal);
+            shader.set("clipFromModel", item.eyeFromLocal * raster.clipFromEye);
+            osg::Matrixd inverse, transposed;
             inverse.invert(item.eyeFromLocal);
-            osg::Matrixd transposed;
             transposed.transpose(inverse);
-            surface.setNormalMatrix("eyeNormalFromModel", transposed);
+            shader.setNormalMatrix("eyeNormalFromModel", transposed);
             // Both walls of a transparent shell count, whatever its draw type.
             if (item.cullsBackFaces && !transparent)
                 glEnable(GL_CULL_FACE);
@@ -111,182 +115,103 @@ struct SurfacePass::Parts {
         info.getState()->unbindVertexArrayObject();
     }
 
-    void drawOpaque(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
-                    Product product, FloatTarget& target) {
+    void useProgram(const ShaderProgram& shader, const SurfaceScene& scene, const Raster& raster) {
+        shader.use();
+        auto setDirection = [&](const char* name, const Vec3& v) {
+            shader.set(name, static_cast<float>(v.x), static_cast<float>(v.y),
+                       static_cast<float>(v.z));
+        };
+        setDirection("zenithEye", scene.modes.zenithEye);
+        setDirection("sunEye", scene.modes.sunEye);
+        shader.set("rasterWidth", raster.width);
+        shader.set("capacity", static_cast<int>(roomInList));
+    }
+
+    /// Draws a window: the opaque surfaces into `target`, the transparent ones before them into the
+    /// list. Returns the length of the list.
+    std::uint32_t draw(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
+                       Product product, FloatTarget& target) {
+        const ReversedDepth reversed;
         target.reserve(raster.width, raster.height);
         target.bind(raster.width, raster.height);
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, 0, raster.width, raster.height);
         target.clear();
-        drawItems(info, scene, raster, false, product, opaquePass);
-    }
-
-    static bool touchesTransparent(const SurfaceScene& scene, const Raster& raster) {
-        return std::ranges::any_of(scene.items, [&](const SurfaceItem& item) {
-            return item.transparent && !item.window.intersectedWith(raster.window).empty();
-        });
-    }
-
-    /// Restricts drawing to the samples that transparent surfaces can touch.
-    static void scissorToTransparent(const SurfaceScene& scene, const Raster& raster) {
-        PixelWindow touched;
-        for (const SurfaceItem& item : scene.items)
-            if (item.transparent)
-                touched = touched.unitedWith(item.window);
-        touched = touched.intersectedWith(raster.window);
-        const int n = raster.samplesPerAxis;
-        const int rowsBelow = raster.window.y + raster.window.height - touched.y - touched.height;
-        glScissor((touched.x - raster.window.x) * n, rowsBelow * n, touched.width * n,
-                  touched.height * n);
-    }
-
-    /// Peels one layer of the transparent surfaces into `target`; false when there is none.
-    bool peelLayer(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
-                   Product product, bool first, const FloatTarget& opaqueTarget,
-                   const FloatTarget& previous, FloatTarget& target) {
-        target.reserve(raster.width, raster.height);
-        target.bind(raster.width, raster.height);
-        target.clear();
-        bindTexture(opaqueDepthUnit, opaqueTarget.depthTexture());
-        bindTexture(previousDepthUnit, previous.depthTexture());
-        return fragmentsPassed([&] {
-                   drawItems(info, scene, raster, true, product, first ? firstLayer : furtherLayer);
-               }) > 0;
-    }
-
-    /// The number of samples in the layer just peeled: those fragments that lie at its depth.
-    int samplesOfLayer(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
-                       Product product) {
-        return static_cast<int>(fragmentsPassed(
-            [&] { drawItems(info, scene, raster, true, product, furtherLayer, GL_EQUAL); }));
-    }
-
-    template <typename Drawing>
-    GLuint fragmentsPassed(Drawing drawing) {
-        glBeginQuery(GL_SAMPLES_PASSED, query);
-        drawing();
-        glEndQuery(GL_SAMPLES_PASSED);
-        GLuint passed = 0;
-        glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
-        return passed;
-    }
-
-    /// gathered += (1 - alpha of gathered) * source, over the scissor.
-    void layUnder(const Raster& raster, const FloatTarget& source) {
-        gathered.bind(raster.width, raster.height);
-        bindTexture(layerUnit, source.colourTexture(0));
-        layer.use();
-        layer.set("layer", layerUnit);
-        glDisable(GL_DEPTH_TEST);
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-        glBegin(GL_TRIANGLES);
-        glVertex2f(-1.0f, -1.0f);
-        glVertex2f(3.0f, -1.0f);
-        glVertex2f(-1.0f, 3.0f);
-        glEnd();
+        glDisable(GL_SCISSOR_TEST);
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_GREATER);
         glDisable(GL_BLEND);
+        drawItems(info, scene, raster, false, product);
+
+        std::uint32_t listed = 0;
+        if (std::ranges::any_of(scene.items, &SurfaceItem::transparent)) {
+            glDepthMask(GL_FALSE);
+            const int vectors = product == radianceProduct ? 1 : 2;
+            for (;;) {
+                list.begin(roomInList, vectors);
+                drawItems(info, scene, raster, true, product);
+                listed = list.count();
+                if (listed <= roomInList)
+                    break;
+                roomInList = std::bit_ceil(listed);
+            }
+            glDepthMask(GL_TRUE);
+        }
+        glFinish();
+        return listed;
     }
 };
 
 SurfacePass::SurfacePass() : parts_(std::make_unique<Parts>()) {}
 SurfacePass::~SurfacePass() = default;
 
-int SurfacePass::drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene,
-                              const PixelWindow& window, int samplesPerAxis,
-                              std::vector<float>& samples) {
+void SurfacePass::drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene,
+                               const PixelWindow& window, int samplesPerAxis,
+                               RadianceSamples& samples) {
     Parts& p = *parts_;
-    const Parts::Raster raster = Parts::raster(scene, window, samplesPerAxis);
-    FloatTarget& opaque = p.opaque[radianceProduct];
-    const FloatTarget* result = &opaque;
-    const ReversedDepth reversed;
-    int leftOver = 0;
+    const Raster raster = rasterOf(scene, window, samplesPerAxis);
+    std::uint32_t listed = 0;
     {
         Stopwatch watch(p.drawSeconds);
-        p.drawOpaque(info, scene, raster, radianceProduct, opaque);
-
-        // Front to back, each layer under those before it; the opaque surfaces last.
-        if (Parts::touchesTransparent(scene, raster)) {
-            auto& peeled = p.peeled[radianceProduct];
-            peeled[0].reserve(raster.width, raster.height);
-            peeled[1].reserve(raster.width, raster.height);
-            p.gathered.reserve(raster.width, raster.height);
-            p.gathered.bind(raster.width, raster.height);
-            p.gathered.clear();
-            Parts::scissorToTransparent(scene, raster);
-            for (int layer = 0; layer <= scene.maximumLayers; ++layer) {
-                FloatTarget& target = peeled[layer % 2];
-                if (!p.peelLayer(info, scene, raster, radianceProduct, layer == 0, opaque,
-                                 peeled[(layer + 1) % 2], target))
-                    break;
-                if (layer == scene.maximumLayers)
-                    leftOver = p.samplesOfLayer(info, scene, raster, radianceProduct);
-                else
-                    p.layUnder(raster, target);
-            }
-            glScissor(0, 0, raster.width, raster.height);
-            p.layUnder(raster, opaque);
-            result = &p.gathered;
-        }
-        glDisable(GL_SCISSOR_TEST);
-        glFinish();
+        listed = p.draw(info, scene, raster, radianceProduct, p.radiance);
     }
-    Stopwatch watch(p.readSeconds);
-    result->read(0, raster.width, raster.height, samples);
-    return leftOver;
+    samples.width = raster.width;
+    samples.height = raster.height;
+    {
+        Stopwatch watch(p.readSeconds);
+        p.radiance.read(0, raster.width, raster.height, samples.planes);
+        p.list.read(listed, 1, p.words);
+    }
+    Stopwatch watch(p.sortSeconds);
+    samples.layersLeftOver = layUnderTransparent(p.words, scene.maximumLayers, samples.planes);
 }
 
-int SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
-                             const PixelWindow& window, int samplesPerAxis,
-                             const LayerSink& layerSink) {
+void SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
+                              const PixelWindow& window, int samplesPerAxis, bool withDistance,
+                              FactorSamples& samples) {
     Parts& p = *parts_;
-    const Parts::Raster raster = Parts::raster(scene, window, samplesPerAxis);
-    FloatTarget& opaque = p.opaque[factorProduct];
-    int leftOver = 0;
-    std::vector<float> plane0, plane1;
-    const ReversedDepth reversed;
-    auto give = [&](const FloatTarget& target) {
-        {
-            Stopwatch watch(p.readSeconds);
-            target.read(0, raster.width, raster.height, plane0);
-            target.read(1, raster.width, raster.height, plane1);
-        }
-        layerSink(plane0, plane1);
-    };
-
+    const Raster raster = rasterOf(scene, window, samplesPerAxis);
+    FloatTarget& target = withDistance ? p.factorsWithDistance : p.factors;
+    std::uint32_t listed = 0;
     {
         Stopwatch watch(p.drawSeconds);
-        p.drawOpaque(info, scene, raster, factorProduct, opaque);
-        glFinish();
+        listed = p.draw(info, scene, raster,
+                        withDistance ? factorProductWithDistance : factorProduct, target);
     }
-    if (Parts::touchesTransparent(scene, raster)) {
-        auto& peeled = p.peeled[factorProduct];
-        for (FloatTarget& target : peeled) {
-            // Read whole below, drawn only inside the scissor: what lies outside must be empty.
-            target.reserve(raster.width, raster.height);
-            target.bind(raster.width, raster.height);
-            target.clear();
-        }
-        Parts::scissorToTransparent(scene, raster);
-        for (int layer = 0; layer <= scene.maximumLayers; ++layer) {
-            FloatTarget& target = peeled[layer % 2];
-            bool found = false;
-            {
-                Stopwatch watch(p.drawSeconds);
-                found = p.peelLayer(info, scene, raster, factorProduct, layer == 0, opaque,
-                                    peeled[(layer + 1) % 2], target);
-            }
-            if (!found)
-                break;
-            if (layer == scene.maximumLayers)
-                leftOver = p.samplesOfLayer(info, scene, raster, factorProduct);
-            else
-                give(target);
-        }
+    samples.width = raster.width;
+    samples.height = raster.height;
+    {
+        Stopwatch watch(p.readSeconds);
+        target.read(0, raster.width, raster.height, p.plane0);
+        if (withDistance)
+            target.read(1, raster.width, raster.height, p.plane1);
+        else
+            p.plane1.clear();
+        p.list.read(listed, 2, p.words);
     }
-    glDisable(GL_SCISSOR_TEST);
-    give(opaque);
-    return leftOver;
+    Stopwatch watch(p.sortSeconds);
+    gatherFactorLayers(p.words, p.plane0, p.plane1, scene.modes.flux != 0, scene.maximumLayers,
+                       samples);
 }
 
 double SurfacePass::takeDrawSeconds() {
@@ -294,6 +219,9 @@ double SurfacePass::takeDrawSeconds() {
 }
 double SurfacePass::takeReadSeconds() {
     return std::exchange(parts_->readSeconds, 0.0);
+}
+double SurfacePass::takeSortSeconds() {
+    return std::exchange(parts_->sortSeconds, 0.0);
 }
 
 } // namespace irsg

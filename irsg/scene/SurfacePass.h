@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -30,7 +29,6 @@ struct SurfaceItem {
     int row = 0; ///< index into the rows
     bool transparent = false;
     bool cullsBackFaces = false;
-    PixelWindow window; ///< pixels it can touch
 };
 
 /// How the shader weighs sun and fluxes; the numbers of surface.frag.glsl.
@@ -48,32 +46,48 @@ struct SurfaceScene {
     SurfaceModes modes;
     std::vector<SurfaceItem> items;
     std::vector<SurfaceRow> rows;
-    int maximumLayers = 16;
+    int maximumLayers = 64;
 };
 
-/// Draws surfaces into float targets, transparent ones in exact order per sample by depth peeling.
-/// Lives on the context's thread.
+/// A surface at one sample as its geometric factors.
+struct FactorLayer {
+    int row = 0;
+    float thermal = 0.0f, up = 0.0f, down = 0.0f, sun = 0.0f;
+    float distance_m = 0.0f; ///< of opaque surfaces only where it was asked for
+};
+
+/// One window of samples, bottom row first.
+struct RadianceSamples {
+    int width = 0, height = 0;
+    std::vector<float> planes; ///< premultiplied radiance and opacity, interleaved
+    int layersLeftOver = 0;    ///< samples with more layers than the scene allows
+};
+struct FactorSamples {
+    int width = 0, height = 0;
+    /// Layers of sample i, front to back and the opaque one last: from first[i] to before first[i +
+    /// 1].
+    std::vector<std::uint32_t> first;
+    std::vector<FactorLayer> layers;
+    int layersLeftOver = 0;
+};
+
+/// Draws surfaces into float targets. Opaque ones by depth; transparent ones into a list of
+/// fragments that is sorted per sample, so that their order is exact also where they cross. Lives
+/// on the context's thread.
 class SurfacePass {
   public:
     SurfacePass();
     ~SurfacePass();
 
-    /// Samples of (A_pre, alpha) interleaved as RGBA in `samples`, window.width n x window.height
-    /// n, bottom row first. Returns the number of samples with layers left over.
-    int drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene, const PixelWindow& window,
-                     int samplesPerAxis, std::vector<float>& samples);
+    void drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene, const PixelWindow& window,
+                      int samplesPerAxis, RadianceSamples& samples);
+    void drawFactors(osg::RenderInfo& info, const SurfaceScene& scene, const PixelWindow& window,
+                     int samplesPerAxis, bool withDistance, FactorSamples& samples);
 
-    /// The factors of each layer from front to back: transparent layers in order, the opaque
-    /// surfaces last. `layer(plane0, plane1)` gets RGBA planes as surface.frag.glsl writes them, of
-    /// the same size and order as above. Returns the number of samples with layers left over.
-    using LayerSink =
-        std::function<void(const std::vector<float>& plane0, const std::vector<float>& plane1)>;
-    int drawFactors(osg::RenderInfo& info, const SurfaceScene& scene, const PixelWindow& window,
-                    int samplesPerAxis, const LayerSink& layer);
-
-    /// Seconds spent drawing and reading back since the last call.
+    /// Seconds spent drawing, reading back and sorting since the last call.
     double takeDrawSeconds();
     double takeReadSeconds();
+    double takeSortSeconds();
 
   private:
     struct Parts;

@@ -5,6 +5,7 @@
 #include "irsg/image/RadianceImage.h"
 #include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/SceneRadiometry.h"
+#include "irsg/scene/SurfacePass.h"
 
 namespace irsg {
 
@@ -20,10 +21,8 @@ class TruthLayers {
     /// `image` must outlive this and have the size of the sensor.
     TruthLayers(const SceneRadiometry& radiometry, RadianceImage& image);
 
-    void beginWindow(const PixelWindow& window, int samplesPerAxis);
-    /// Layers as SurfacePass::drawFactors gives them, from front to back.
-    void addLayer(const std::vector<float>& plane0, const std::vector<float>& plane1);
-    void endWindow();
+    /// Samples with the distances of their opaque surfaces.
+    void add(const PixelWindow& window, int samplesPerAxis, const FactorSamples& samples);
 
   private:
     struct Terms {
@@ -34,9 +33,6 @@ class TruthLayers {
     std::vector<IrCodes> codes_;
     double background_W_m2_sr_;
     RadianceImage& image_;
-    PixelWindow window_;
-    int samplesPerAxis_ = 1;
-    std::vector<double> remaining_; // transmissivity of what lies in front, of each sample
 };
 
 } // namespace irsg

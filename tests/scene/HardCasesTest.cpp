@@ -245,7 +245,7 @@ TEST(Layers, BeyondTheLimitAreCountedAndReported) {
     settings.samplesPerAxis = 1;
     irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.3, 320.0, 0.0, 0.7))});
     const double one_W_m2_sr = 0.3 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
-    for (int limit : {3, 6, 16}) {
+    for (int limit : {3, 6, 64}) {
         settings.maximumLayers = limit;
         irsg.setSettings(settings);
         look(irsg, {.range_m = 50.0, .fieldOfView_rad = 0.01});

@@ -242,7 +242,7 @@ TEST(StageTimesOfAnImage, NameEveryStageThatTookTime) {
         EXPECT_GE(stage.seconds, 0.0);
         EXPECT_EQ(stage.calls, 1) << stage.name;
     }
-    for (const char* expected : {"radiometry", "drawing", "read back", "reduction", "composition"})
+    for (const char* expected : {"radiometry", "drawing", "read back", "layer sorting", "reduction", "composition"})
         EXPECT_TRUE(std::ranges::find(names, expected) != names.end()) << expected;
     irsg.resetStageTimes();
     EXPECT_TRUE(irsg.stageTimes().stages.empty());
