@@ -31,7 +31,7 @@ ConstantShaderDrawing::ConstantShaderDrawing(std::shared_ptr<const Model> model,
     p.model = std::move(model);
     p.sensor = sensor;
     p.context.run([&](osg::RenderInfo& info) {
-        p.target = std::make_unique<FloatTarget>(1);
+        p.target = std::make_unique<FloatTarget>(std::vector<int>{4});
         p.target->reserve(sensor.width_px, sensor.height_px);
 
         osg::ref_ptr<osg::Program> program = new osg::Program;

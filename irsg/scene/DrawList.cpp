@@ -3,27 +3,12 @@
 #include <osg/CullFace>
 #include <osg/NodeVisitor>
 #include <osg/Transform>
-#include <osgSim/ShapeAttribute>
+
+#include "irsg/scene/IrCodes.h"
 
 namespace irsg {
 
 namespace {
-
-IrCodes codesOf(const osg::Drawable& drawable) {
-    IrCodes codes;
-    const auto* list = dynamic_cast<const osgSim::ShapeAttributeList*>(drawable.getUserData());
-    if (!list)
-        return codes;
-    for (const osgSim::ShapeAttribute& attribute : *list) {
-        if (attribute.getType() != osgSim::ShapeAttribute::INTEGER)
-            continue;
-        if (attribute.getName() == "IRColor")
-            codes.temperature = attribute.getInt();
-        else if (attribute.getName() == "IRMaterial")
-            codes.material = attribute.getInt();
-    }
-    return codes;
-}
 
 class Collector : public osg::NodeVisitor {
   public:
@@ -39,7 +24,8 @@ class Collector : public osg::NodeVisitor {
         geometry->setUseVertexBufferObjects(true);
         geometry->setUseVertexArrayObject(true);
         const osg::Matrixd modelFromLocal = osg::computeLocalToWorld(getNodePath());
-        items.push_back({geometry, modelFromLocal, codesOf(drawable), cullsBackFaces(drawable)});
+        items.push_back(
+            {geometry, modelFromLocal, codesOf(drawable, getNodePath()), cullsBackFaces(drawable)});
     }
 
     std::vector<DrawItem> items;
