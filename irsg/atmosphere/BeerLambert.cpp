@@ -92,7 +92,7 @@ Spectrum BeerLambert::transmittance(const AirPath& path, const SpectralRange& ra
         [&](double wavelength_um) {
             return std::exp(-extinction.at(wavelength_um) * path.range_m);
         },
-        kinks(range));
+        kinks(range), airTolerance, airFloor);
 }
 
 Spectrum BeerLambert::pathRadiance(const AirPath& path, const SunPosition&,
@@ -109,7 +109,7 @@ Spectrum BeerLambert::pathRadiance(const AirPath& path, const SunPosition&,
             return -std::expm1(-depth) *
                    planckRadiance_W_m2_sr_um(wavelength_um, parameters_.airTemperature_K);
         },
-        kinks(range));
+        kinks(range), airTolerance, airFloor);
 }
 
 Spectrum BeerLambert::backgroundRadiance(const LineOfSight& sight, const SunPosition&,
@@ -132,7 +132,7 @@ Spectrum BeerLambert::backgroundRadiance(const LineOfSight& sight, const SunPosi
                 planckRadiance_W_m2_sr_um(wavelength_um, parameters_.airTemperature_K);
             return std::exp(-depth) * ground - std::expm1(-depth) * air;
         },
-        kinks(range));
+        kinks(range), airTolerance, airFloor);
 }
 
 Spectrum BeerLambert::unboundedRadiance(const SpectralRange& range) const {
@@ -170,7 +170,7 @@ Spectrum BeerLambert::unboundedRadiance(const SpectralRange& range) const {
             }
             return sky ? sky->at(wavelength_um) : 0.0;
         },
-        nodes);
+        nodes, airTolerance, airFloor);
 }
 
 Spectrum BeerLambert::solarIrradiance(double altitude_m, const SunPosition& sun,

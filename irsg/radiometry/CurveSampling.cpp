@@ -23,8 +23,8 @@ struct Node {
 
 class Sampler {
   public:
-    Sampler(const std::function<double(double)>& curve, double relativeTolerance)
-        : curve_(curve), relativeTolerance_(relativeTolerance) {}
+    Sampler(const std::function<double(double)>& curve, double relativeTolerance, double floor)
+        : curve_(curve), relativeTolerance_(relativeTolerance), floor_(floor) {}
 
     Node nodeAt(double wavelength_um) {
         const Node node{wavelength_um, curve_(wavelength_um)};
@@ -67,7 +67,7 @@ class Sampler {
             const Node node = nodeAt(std::lerp(first.wavelength_um, last.wavelength_um, t));
             const double chord = std::lerp(first.value, last.value, t);
             const double tolerated =
-                relativeTolerance_ * std::max(std::abs(node.value), curveFloor * largest_);
+                relativeTolerance_ * std::max(std::abs(node.value), floor_ * largest_);
             if (tolerated > 0.0) {
                 deviation = std::max(deviation, std::abs(node.value - chord) / tolerated);
             }
@@ -79,6 +79,7 @@ class Sampler {
 
     const std::function<double(double)>& curve_;
     double relativeTolerance_;
+    double floor_;
     double largest_ = 0.0;
     std::vector<double> wavelengths_um_;
     std::vector<double> values_;
@@ -87,12 +88,12 @@ class Sampler {
 } // namespace
 
 Spectrum sampledCurve(const std::function<double(double)>& curve, std::span<const double> kinks,
-                      double relativeTolerance) {
+                      double relativeTolerance, double floor) {
     if (kinks.size() < 2) {
         throw LogicError("a curve was sampled between fewer than two wavelengths");
     }
     // All kinks first: they tell how large the curve becomes.
-    Sampler sampler(curve, relativeTolerance);
+    Sampler sampler(curve, relativeTolerance, floor);
     std::vector<Node> nodes;
     for (const double kink_um : kinks) {
         nodes.push_back(sampler.nodeAt(kink_um));

@@ -15,13 +15,13 @@ inline constexpr double curveTolerance = 8e-7;
 inline constexpr double curveFloor = 1e-9;
 
 /// A spectrum whose straight pieces follow `curve` to `relativeTolerance` of its local value, or of
-/// `curveFloor` times the largest where that is more. The curve is smooth between neighbouring
+/// `floor` times the largest where that is more. The curve is smooth between neighbouring
 /// `kinks`, which are wavelengths in um, ascend strictly, become nodes and span the spectrum: at
 /// least two of them (LogicError). Each piece is cut into as many equal parts as its deviation from
 /// the chord at three points asks for, again and again; the error of a chord falls with the square
 /// of the number of parts.
 Spectrum sampledCurve(const std::function<double(double)>& curve, std::span<const double> kinks,
-                      double relativeTolerance = curveTolerance);
+                      double relativeTolerance = curveTolerance, double floor = curveFloor);
 
 /// A Planck function times a factor over a range, sampled as above.
 Spectrum sampledPlanck(double temperature_K, const SpectralRange& range, double factor = 1.0);

@@ -145,7 +145,10 @@ struct SurfacePass::Parts {
 
         std::uint32_t listed = 0;
         if (std::ranges::any_of(scene.items, &SurfaceItem::transparent)) {
+            // What goes to the list leaves the planes alone; a shader that writes none would fill
+            // them with whatever it likes.
             glDepthMask(GL_FALSE);
+            glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
             const int vectors = product == radianceProduct ? 1 : 2;
             for (;;) {
                 list.begin(roomInList, vectors);
@@ -155,6 +158,7 @@ struct SurfacePass::Parts {
                     break;
                 roomInList = std::bit_ceil(listed);
             }
+            glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
             glDepthMask(GL_TRUE);
         }
         glFinish();
