@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "smatcore/analysis/AnalysisProvenance.h"
+#include "smatcore/analysis/HeldTables.h"
 #include "smatcore/analysis/ImageQuantity.h"
 #include "smatcore/support/Log.h"
 
@@ -48,13 +49,6 @@ void addNew(std::vector<std::string>& sentences, const std::vector<std::string>&
 void takeReport(AnalysisData& data, const irsg::RenderReport& report) {
     addNew(data.answeredBy, report.answeredBy);
     addNew(data.warnings, report.warnings);
-    if (report.layersLeftOver > 0) {
-        addNew(
-            data.warnings,
-            {fmt::format("{} samples have more transparent layers than render.layers; the rest of "
-                         "their layers is not in the result",
-                         report.layersLeftOver)});
-    }
     if (report.transmissivityResidue > 1e-3) {
         addNew(data.warnings,
                {fmt::format("transmissivities that vary over the band are drawn as one number; the "
@@ -188,16 +182,19 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         const StageTimer::Scope scope(timer, "load");
         scene = scenes_(data.project, data.settings);
     }
-    irsg::Vec3 inModel;
+    std::vector<irsg::Vec3> inModel;
     {
         const StageTimer::Scope scope(timer, "set up");
         source_.configure(scene);
-        inModel = source_.referencePointInModel(0);
+        for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+            inModel.push_back(source_.referencePointInModel(i));
+        }
         data.renderer = source_.rendererDescription();
         source_.resetStageTimes();
     }
+    addNew(data.warnings, scene.remarks);
     const irsg::Pose standing = scene.entities.front().pose;
-    const irsg::Vec3 referencePoint = standing.toWorld(inModel);
+    const irsg::Vec3 referencePoint = standing.toWorld(inModel.front());
     startTable(data, cases);
 
     {
@@ -220,15 +217,20 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             irsg::Pose pose = standing;
             if (one.attitude != standing.attitude) {
                 pose.attitude = one.attitude;
-                pose.position_m = referencePoint - one.attitude.rotation() * inModel;
+                pose.position_m = referencePoint - one.attitude.rotation() * inModel.front();
             }
             source_.setPose(0, pose);
+            const irsg::Viewpoint viewpoint = one.viewpoint(referencePoint);
+            source_.setViewpoint(viewpoint);
             for (std::size_t i = 0; i < scene.entities.size(); ++i) {
-                irsg::EntityState state = scene.entities[i].state;
+                const irsg::Entity& entity = scene.entities[i];
+                irsg::EntityState state = entity.state;
                 state.time_s = one.time_s;
                 source_.setState(i, state);
+                const irsg::Pose& at = i == 0 ? pose : entity.pose;
+                addNew(data.warnings,
+                       heldTables(entity, state, at, at.toWorld(inModel[i]), viewpoint.position_m));
             }
-            source_.setViewpoint(one.viewpoint(referencePoint));
 
             if (data.kind == AnalysisKind::image) {
                 drawImage(data, scene, source_, cases);

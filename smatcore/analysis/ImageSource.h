@@ -14,6 +14,7 @@ struct SceneDescription {
     irsg::Environment environment;
     irsg::Sensor sensor;
     irsg::RenderSettings render;
+    std::vector<std::string> remarks; ///< what loading had to say, each said once
 };
 
 /// What smatcore asks of a renderer: the seam between analyses and irsg::Irsg, so that analyses are

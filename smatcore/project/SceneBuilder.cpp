@@ -22,6 +22,19 @@ void collect(std::vector<irsg::Offence>& offences, const Work& work) {
     }
 }
 
+void addRemarks(std::vector<std::string>& remarks, const irsg::Model* model,
+                const std::filesystem::path& file) {
+    if (model == nullptr) {
+        return;
+    }
+    for (const std::string& remark : model->remarks()) {
+        const std::string sentence = file.filename().string() + ": " + remark;
+        if (std::find(remarks.begin(), remarks.end(), sentence) == remarks.end()) {
+            remarks.push_back(sentence);
+        }
+    }
+}
+
 } // namespace
 
 SceneBuilder::SceneBuilder(ModelLoader loader) : loader_(std::move(loader)) {
@@ -33,7 +46,6 @@ SceneBuilder::SceneBuilder(ModelLoader loader) : loader_(std::move(loader)) {
 }
 
 SceneDescription SceneBuilder::build(const Project& project, const Settings& settings) {
-    remarks_.clear();
     SceneDescription scene;
     std::vector<irsg::Offence> offences;
     collect(offences, [&] { scene.environment = environmentOf(project, settings); });
@@ -54,6 +66,7 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
             entity.model =
                 model(project.resolve(given.file),
                       {.noseAxis = given.noseAxis, .forceTwoSided = given.forceTwoSided});
+            addRemarks(scene.remarks, entity.model.get(), given.file);
         });
         if (given.database.empty()) {
             offences.push_back({.file = project.displayName(),
@@ -92,14 +105,6 @@ std::shared_ptr<const irsg::Model> SceneBuilder::model(const std::filesystem::pa
         logInfo("loading model " + file.string());
         loaded = loader_(file, options);
         models_[key] = {stamp, loaded};
-    }
-    if (loaded) {
-        for (const std::string& remark : loaded->remarks()) {
-            const std::string sentence = file.filename().string() + ": " + remark;
-            if (std::find(remarks_.begin(), remarks_.end(), sentence) == remarks_.end()) {
-                remarks_.push_back(sentence);
-            }
-        }
     }
     return loaded;
 }

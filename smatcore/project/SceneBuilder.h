@@ -25,9 +25,6 @@ class SceneBuilder {
 
     /// Throws InputError with the offences of all parts together.
     SceneDescription build(const Project& project, const Settings& settings);
-    /// What loading had to say about models and databases since the last build, each said once.
-    const std::vector<std::string>& remarks() const { return remarks_; }
-
     std::shared_ptr<const irsg::Model> model(const std::filesystem::path& file,
                                              const irsg::ModelOptions& options);
     std::shared_ptr<const irsg::SignatureDatabase> database(const std::filesystem::path& file);
@@ -48,7 +45,6 @@ class SceneBuilder {
     ModelLoader loader_;
     std::map<std::string, Kept<std::shared_ptr<const irsg::Model>>> models_;
     std::map<std::string, Kept<std::shared_ptr<const irsg::SignatureDatabase>>> databases_;
-    std::vector<std::string> remarks_;
 };
 
 /// The pieces that need no file of a model, for forms that show their effect at once. Paths are

@@ -1,0 +1,112 @@
+#include "apps/smat-batch/Analyses.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/StopSignal.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AnalysisGenerator.h"
+#include "smatcore/project/SceneBuilder.h"
+
+namespace smat::batch {
+
+namespace {
+
+/// Everything that can be wrong with the plans of all jobs, at once.
+std::vector<AnalysisPlan> planned(const std::vector<Job>& jobs) {
+    std::vector<AnalysisPlan> plans;
+    std::vector<irsg::Offence> offences;
+    for (const Job& job : jobs) {
+        try {
+            for (const std::filesystem::path& file : job.files) {
+                checkResultFile(job.data.kind, file);
+            }
+            plans.push_back(planAnalysis(job.data.kind, job.data.project, job.data.settings));
+        } catch (const irsg::InputError& error) {
+            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+        }
+    }
+    if (!offences.empty()) {
+        throw irsg::InputError(offences);
+    }
+    return plans;
+}
+
+} // namespace
+
+int runJobs(std::vector<Job> jobs, Context& context) {
+    planned(jobs);
+    catchStopSignal();
+    SceneBuilder builder;
+    std::unique_ptr<ImageSource> source;
+    std::vector<Outcome> outcomes;
+    for (Job& job : jobs) {
+        // Inputs are read, and refused, before a renderer is made.
+        {
+            const StageTimer::Scope scope(&context.timer, "load");
+            builder.build(job.data.project, job.data.settings);
+        }
+        if (!source) {
+            const StageTimer::Scope scope(&context.timer, "start renderer");
+            source = makeIrsgImageSource();
+        }
+        std::stop_source stop;
+        {
+            ProgressLine line;
+            AnalysisGenerator(*source,
+                              [&](const Project& project, const Settings& settings) {
+                                  return builder.build(project, settings);
+                              })
+                .run(
+                    job.data,
+                    [&](const Progress& progress) {
+                        line.show(progress);
+                        if (stopWasAsked()) {
+                            stop.request_stop();
+                        }
+                    },
+                    stop.get_token(), &context.timer);
+        }
+        const StageTimer::Scope scope(&context.timer, "save");
+        const bool hasResult = job.data.kind == AnalysisKind::image ? !job.data.image.empty()
+                                                                    : !job.data.table.empty();
+        Outcome outcome{&job.data, {}};
+        for (const std::filesystem::path& file : job.files) {
+            if (hasResult) {
+                saveResult(job.data, file);
+                outcome.files.push_back(file);
+            }
+        }
+        outcomes.push_back(outcome);
+        if (stopWasAsked()) {
+            warn("stopped; what was done so far is kept");
+            break;
+        }
+    }
+    fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
+    return stopWasAsked() ? warned : done;
+}
+
+int describeJobs(const std::vector<Job>& jobs, const Context& context) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    const std::vector<AnalysisPlan> plans = planned(jobs);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        if (context.json) {
+            list.push_back({{"name", jobs[i].data.name},
+                            {"kind", name(plans[i].kind)},
+                            {"cases", plans[i].cases.size()},
+                            {"description", plans[i].description}});
+        } else {
+            fmt::print("{}: {}\n", jobs[i].data.name, plans[i].description);
+        }
+    }
+    if (context.json) {
+        fmt::print("{}\n", nlohmann::ordered_json{{"plans", list}}.dump(1));
+    }
+    return done;
+}
+
+} // namespace smat::batch

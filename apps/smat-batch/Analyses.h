@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "apps/smat-batch/Command.h"
+#include "smatcore/analysis/AnalysisData.h"
+
+namespace smat::batch {
+
+/// An analysis with the files its result goes to.
+struct Job {
+    AnalysisData data;
+    std::vector<std::filesystem::path> files;
+};
+
+/// Runs jobs one after the other with one renderer, saves each as soon as it is done, and prints
+/// the summary. Ctrl-C ends the job that runs, keeps and marks what it has, and leaves the others
+/// out. All plans are checked before the first drawing.
+int runJobs(std::vector<Job> jobs, Context& context);
+/// Prints what would be drawn.
+int describeJobs(const std::vector<Job>& jobs, const Context& context);
+
+} // namespace smat::batch

@@ -1,0 +1,87 @@
+#include "apps/smat-batch/Analyses.h"
+#include "apps/smat-batch/ProjectInput.h"
+#include "apps/smat-batch/SettingOptions.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::batch {
+
+namespace {
+
+/// The command of one kind of analysis: `smat-batch polar PROJECT [options] --out FILE`.
+class AnalysisCommand {
+  public:
+    AnalysisCommand(CLI::App& command, AnalysisKind kind)
+        : kind_(kind), project_(command), settings_(command, kind) {
+        command.add_option("--out", files_, "Result file; may be given more than once")
+            ->type_name("FILE")
+            ->expected(1)
+            ->take_all();
+        command.add_option("--analysis", analysis_, "Start from this analysis of the project")
+            ->type_name("NAME");
+        command.add_flag("--dry-run", dryRun_, "Say what would be drawn, and stop");
+    }
+
+    int run(Context& context) const {
+        if (files_.empty() && !dryRun_) {
+            throw irsg::InputError(irsg::Offence{.file = "--out",
+                                                 .position = "",
+                                                 .value = "nothing",
+                                                 .expected = "a result file, such as --out " +
+                                                             name(kind_) +
+                                                             resultExtensions(kind_).front()});
+        }
+        Job job;
+        {
+            const StageTimer::Scope scope(&context.timer, "load");
+            const Settings given = settings_.values();
+            const Project project = project_.load();
+            job.data = started(project);
+            job.data.settings = job.data.settings.with(given);
+        }
+        job.data.commandLine = context.commandLine;
+        job.files.assign(files_.begin(), files_.end());
+        return dryRun_ ? describeJobs({job}, context) : runJobs({job}, context);
+    }
+
+  private:
+    AnalysisData started(const Project& project) const {
+        if (analysis_.empty()) {
+            return AnalysisData::of(project, kind_);
+        }
+        AnalysisData data = AnalysisData::of(project, analysis_);
+        if (data.kind != kind_) {
+            throw irsg::InputError(
+                irsg::Offence{.file = "--analysis",
+                              .position = "",
+                              .value = analysis_ + ", which is of kind " + name(data.kind),
+                              .expected = "an analysis of kind " + name(kind_)});
+        }
+        return data;
+    }
+
+    AnalysisKind kind_;
+    ProjectInput project_;
+    SettingOptions settings_;
+    std::vector<std::string> files_;
+    std::string analysis_;
+    bool dryRun_ = false;
+};
+
+} // namespace
+
+void addAnalysisCommands(CLI::App& app, Context& context) {
+    const auto add = [&](AnalysisKind kind, const char* help) {
+        CLI::App* command = app.add_subcommand(name(kind), help);
+        auto shared = std::make_shared<AnalysisCommand>(*command, kind);
+        command->callback([&context, shared] {
+            context.work = [&context, shared] { return shared->run(context); };
+        });
+    };
+    add(AnalysisKind::image, "One image: radiance, irradiance or apparent temperature");
+    add(AnalysisKind::spectrum, "Intensity of the target over wavenumber and wavelength");
+    add(AnalysisKind::polar, "Intensity over one turn of camera or target");
+    add(AnalysisKind::range, "Contrast intensity and irradiance over range");
+    add(AnalysisKind::time, "Intensity over time");
+}
+
+} // namespace smat::batch

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/smat-batch/Command.h"
+#include "apps/smat-batch/Output.h"
+#include "irsg/scene/ModelConverter.h"
+
+namespace smat::batch {
+
+namespace {
+
+struct ConvertOptions {
+    std::string in, out;
+};
+
+long total(const std::map<irsg::IrCodes, long>& polygons) {
+    long sum = 0;
+    for (const auto& [codes, count] : polygons) {
+        sum += count;
+    }
+    return sum;
+}
+
+int convert(const ConvertOptions& options, Context& context) {
+    irsg::ConversionReport report;
+    {
+        const StageTimer::Scope scope(&context.timer, "convert");
+        report = irsg::convertModel(options.in, options.out);
+    }
+    if (context.json) {
+        nlohmann::ordered_json codes = nlohmann::ordered_json::array();
+        for (const auto& [pair, count] : report.polygonsRead) {
+            const auto written = report.polygonsWritten.find(pair);
+            codes.push_back({{"temperature", pair.temperature},
+                             {"material", pair.material},
+                             {"polygons_read", count},
+                             {"polygons_written",
+                              written == report.polygonsWritten.end() ? 0 : written->second}});
+        }
+        fmt::print("{}\n", nlohmann::ordered_json{{"in", options.in},
+                                                  {"out", options.out},
+                                                  {"drawables_read", report.drawablesRead},
+                                                  {"drawables_written", report.drawablesWritten},
+                                                  {"codes", codes},
+                                                  {"remarks", report.remarks}}
+                               .dump(1));
+        return done;
+    }
+    fmt::print("{} -> {}: {} pairs of codes, {} polygons in {} drawables ({} polygons in {} as "
+               "read)\n",
+               options.in, options.out, report.polygonsWritten.size(),
+               total(report.polygonsWritten), report.drawablesWritten, total(report.polygonsRead),
+               report.drawablesRead);
+    for (const std::string& remark : report.remarks) {
+        fmt::print("  note: {}\n", remark);
+    }
+    return done;
+}
+
+} // namespace
+
+void addConvertCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand(
+        "convert", "Writes a model as .osgt, .osgb, .ive, .osg or .osgx and keeps its codes");
+    auto options = std::make_shared<ConvertOptions>();
+    command->add_option("IN", options->in, "Model to read")->required()->type_name("");
+    command->add_option("OUT", options->out, "Model to write")->required()->type_name("");
+    command->callback([&context, options] {
+        context.work = [&context, options] { return convert(*options, context); };
+    });
+}
+
+} // namespace smat::batch

@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/smat-batch/Command.h"
+#include "irsg/scene/Model.h"
+
+namespace smat::batch {
+
+namespace {
+
+int info(const std::string& file, Context& context) {
+    std::shared_ptr<irsg::Model> model;
+    {
+        const StageTimer::Scope scope(&context.timer, "load");
+        model = irsg::Model::load(file);
+    }
+    const irsg::BoundingBox& box = model->bounds();
+    if (context.json) {
+        nlohmann::ordered_json codes = nlohmann::ordered_json::array();
+        for (const auto& [pair, use] : model->codes()) {
+            codes.push_back({{"temperature", pair.temperature},
+                             {"material", pair.material},
+                             {"faces", use.faces},
+                             {"area_m2", use.area_m2}});
+        }
+        fmt::print("{}\n", nlohmann::ordered_json{{"file", file},
+                                                  {"min_m", {box.min.x, box.min.y, box.min.z}},
+                                                  {"max_m", {box.max.x, box.max.y, box.max.z}},
+                                                  {"codes", codes},
+                                                  {"remarks", model->remarks()}}
+                               .dump(1));
+        return done;
+    }
+    int faces = 0;
+    double area_m2 = 0.0;
+    fmt::print("{}\n", file);
+    fmt::print(
+        "  x {:.4g} to {:.4g} m (starboard), y {:.4g} to {:.4g} m (nose), z {:.4g} to {:.4g} "
+        "m (up)\n",
+        box.min.x, box.max.x, box.min.y, box.max.y, box.min.z, box.max.z);
+    fmt::print("  {:>12} {:>12} {:>8} {:>14}\n", "temperature", "material", "faces", "area m2");
+    for (const auto& [pair, use] : model->codes()) {
+        fmt::print("  {:>12} {:>12} {:>8} {:>14.6g}\n", pair.temperature, pair.material, use.faces,
+                   use.area_m2);
+        faces += use.faces;
+        area_m2 += use.area_m2;
+    }
+    fmt::print("  {:>25} {:>8} {:>14.6g}\n", "all", faces, area_m2);
+    for (const std::string& remark : model->remarks()) {
+        fmt::print("  note: {}\n", remark);
+    }
+    return done;
+}
+
+} // namespace
+
+void addModelCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("model", "Looks into a model");
+    command->require_subcommand(1);
+    CLI::App* infoCommand = command->add_subcommand("info", "Size, codes, faces and areas");
+    auto file = std::make_shared<std::string>();
+    infoCommand->add_option("FILE", *file, "Model")->required()->type_name("");
+    infoCommand->callback(
+        [&context, file] { context.work = [&context, file] { return info(*file, context); }; });
+}
+
+} // namespace smat::batch

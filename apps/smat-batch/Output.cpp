@@ -1,0 +1,121 @@
+#include "apps/smat-batch/Output.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace smat::batch {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* stateName(AnalysisState state) {
+    switch (state) {
+    case AnalysisState::notRun:
+        return "not run";
+    case AnalysisState::complete:
+        return "complete";
+    case AnalysisState::partial:
+        return "partial";
+    }
+    return "";
+}
+
+} // namespace
+
+void warn(const std::string& sentence) {
+    fmt::print(stderr, "warning: {}\n", sentence);
+}
+
+void complain(const irsg::InputError& error) {
+    for (const irsg::Offence& offence : error.offences()) {
+        fmt::print(stderr, "error: {}\n", offence.message());
+    }
+}
+
+ProgressLine::~ProgressLine() {
+    if (width_ > 0) {
+        fmt::print(stderr, "\r{:{}}\r", "", width_);
+        std::fflush(stderr);
+    }
+}
+
+void ProgressLine::show(const Progress& progress) {
+    if (isatty(STDERR_FILENO) == 0) {
+        return;
+    }
+    std::string line = fmt::format("{}  {}/{}  {:.0f} %  {:.1f} s", progress.what, progress.done,
+                                   progress.total, 100.0 * progress.fraction(), progress.elapsed_s);
+    if (const auto remaining_s = progress.remaining_s()) {
+        line += fmt::format(", {:.0f} s left", *remaining_s);
+    }
+    fmt::print(stderr, "\r{:<{}}", line, width_);
+    std::fflush(stderr);
+    width_ = std::max(width_, line.size());
+}
+
+std::string summaryText(const std::vector<Outcome>& outcomes) {
+    std::size_t widest = 20;
+    for (const Outcome& outcome : outcomes) {
+        for (const SummaryItem& item : outcome.data->summary) {
+            widest = std::max(widest, item.label.size() + 2);
+        }
+    }
+    std::string text;
+    for (const Outcome& outcome : outcomes) {
+        const AnalysisData& data = *outcome.data;
+        const std::string heading =
+            data.name == name(data.kind) ? data.name : data.name + " (" + name(data.kind) + ")";
+        text += fmt::format("{}: {}, {:.2f} s\n", heading, stateName(data.state), data.elapsed_s);
+        for (const SummaryItem& item : data.summary) {
+            text +=
+                fmt::format("  {:<{}} {:>12.6g} {}\n", item.label, widest, item.value, item.unit);
+        }
+        for (const std::string& warning : data.warnings) {
+            text += "  note: " + warning + "\n";
+        }
+        for (const std::filesystem::path& file : outcome.files) {
+            text += "  -> " + file.string() + "\n";
+        }
+    }
+    return text;
+}
+
+std::string summaryJson(const std::vector<Outcome>& outcomes) {
+    Json list = Json::array();
+    for (const Outcome& outcome : outcomes) {
+        const AnalysisData& data = *outcome.data;
+        Json settings = Json::object();
+        for (const SettingInfo& setting : settingTable()) {
+            if (!isAnalysisSection(setting.section()) || setting.section() == name(data.kind)) {
+                settings[setting.key] = data.settings.text(setting.key);
+            }
+        }
+        Json summary = Json::array();
+        for (const SummaryItem& item : data.summary) {
+            summary.push_back({{"label", item.label}, {"value", item.value}, {"unit", item.unit}});
+        }
+        Json files = Json::array();
+        for (const std::filesystem::path& file : outcome.files) {
+            files.push_back(file.string());
+        }
+        list.push_back({{"name", data.name},
+                        {"kind", name(data.kind)},
+                        {"state", stateName(data.state)},
+                        {"elapsed_s", data.elapsed_s},
+                        {"renderer", data.renderer},
+                        {"answered_by", data.answeredBy},
+                        {"warnings", data.warnings},
+                        {"summary", summary},
+                        {"files", files},
+                        {"settings", settings},
+                        {"table", Json::parse(data.table.toJson())}});
+    }
+    return Json{{"analyses", list}}.dump(1) + "\n";
+}
+
+} // namespace smat::batch

@@ -1,0 +1,35 @@
+#include "apps/smat-batch/ProjectInput.h"
+
+#include "apps/smat-batch/Output.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/project/ProjectFile.h"
+
+namespace smat::batch {
+
+ProjectInput::ProjectInput(CLI::App& command) {
+    command.add_option("PROJECT", file_, "Project file (.smat), or a model")
+        ->required()
+        ->type_name("");
+    command.add_option("--database", database_, "Signature database (.sigdb) of a bare model")
+        ->type_name("FILE");
+}
+
+Project ProjectInput::load() const {
+    const std::filesystem::path file(file_);
+    if (file.extension() != ".smat") {
+        return projectOfModel(file, database_);
+    }
+    if (!database_.empty()) {
+        throw irsg::InputError(irsg::Offence{.file = "--database",
+                                             .position = "",
+                                             .value = database_,
+                                             .expected = "no database: a project names its own"});
+    }
+    Project project = loadProject(file);
+    for (const std::string& key : unknownKeys(project)) {
+        warn(file_ + ": the key " + key + " is not known to this version and has no effect");
+    }
+    return project;
+}
+
+} // namespace smat::batch

@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <system_error>
+
+#include "apps/smat-batch/Analyses.h"
+#include "apps/smat-batch/ProjectInput.h"
+#include "apps/smat-batch/SettingOptions.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::batch {
+
+namespace {
+
+/// `smat-batch run PROJECT --out DIR`: the analyses a project names.
+class RunCommand {
+  public:
+    explicit RunCommand(CLI::App& command) : project_(command), settings_(command, std::nullopt) {
+        command.add_option("--analysis", names_, "Only this one; may be given more than once")
+            ->type_name("NAME")
+            ->expected(1)
+            ->take_all();
+        command.add_option("--out", folder_, "Folder for the results; made where it is missing")
+            ->type_name("DIR");
+        command.add_flag("--dry-run", dryRun_, "Say what would be drawn, and stop");
+    }
+
+    int run(Context& context) const {
+        if (folder_.empty() && !dryRun_) {
+            throw irsg::InputError(irsg::Offence{.file = "--out",
+                                                 .position = "",
+                                                 .value = "nothing",
+                                                 .expected = "a folder for the results"});
+        }
+        std::vector<Job> jobs;
+        {
+            const StageTimer::Scope scope(&context.timer, "load");
+            jobs = jobsOf(project_.load(), settings_.values(), context);
+        }
+        if (dryRun_) {
+            return describeJobs(jobs, context);
+        }
+        makeFolder();
+        return runJobs(std::move(jobs), context);
+    }
+
+  private:
+    std::vector<Job> jobsOf(const Project& project, const Settings& given,
+                            const Context& context) const {
+        std::vector<std::string> names = names_;
+        if (names.empty()) {
+            for (const NamedAnalysis& analysis : project.analyses) {
+                names.push_back(analysis.name);
+            }
+        }
+        if (names.empty()) {
+            throw irsg::InputError(irsg::Offence{.file = project.displayName(),
+                                                 .position = "analyses",
+                                                 .value = "none",
+                                                 .expected = "at least one named analysis"});
+        }
+        std::vector<Job> jobs;
+        for (const std::string& one : names) {
+            Job job{AnalysisData::of(project, one), {}};
+            job.data.settings = job.data.settings.with(given);
+            job.data.commandLine = context.commandLine;
+            for (const std::string& extension : resultExtensions(job.data.kind)) {
+                job.files.push_back(std::filesystem::path(folder_) / (one + extension));
+            }
+            jobs.push_back(std::move(job));
+        }
+        return jobs;
+    }
+
+    void makeFolder() const {
+        std::error_code failure;
+        std::filesystem::create_directories(folder_, failure);
+        if (failure || !std::filesystem::is_directory(folder_)) {
+            throw irsg::InputError(irsg::Offence{.file = folder_,
+                                                 .position = "",
+                                                 .value = "a place where no folder can be made",
+                                                 .expected = "a folder for the results"});
+        }
+    }
+
+    ProjectInput project_;
+    SettingOptions settings_;
+    std::vector<std::string> names_;
+    std::string folder_;
+    bool dryRun_ = false;
+};
+
+} // namespace
+
+void addRunCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("run", "The analyses a project names, or some of them");
+    auto shared = std::make_shared<RunCommand>(*command);
+    command->callback(
+        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+}
+
+} // namespace smat::batch

@@ -1,0 +1,99 @@
+#include "apps/smat-batch/SettingOptions.h"
+
+#include <filesystem>
+
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::batch {
+
+namespace {
+
+std::string absolutePath(const std::string& path) {
+    return path.empty() || path == "vacuum" ? path : std::filesystem::absolute(path).string();
+}
+
+/// A value with its paths made absolute; other values as they are.
+std::string placed(const SettingInfo& setting, const std::string& text) {
+    if (setting.kind == SettingKind::path) {
+        return absolutePath(text);
+    }
+    if (setting.kind != SettingKind::pathList || text == "none") {
+        return text;
+    }
+    std::string list;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(';', begin), text.size());
+        const std::string item(irsg::trimmed(std::string_view(text).substr(begin, end - begin)));
+        list += (begin == 0 ? "" : ";") + absolutePath(item);
+        begin = end + 1;
+    }
+    return list;
+}
+
+} // namespace
+
+SettingOptions::SettingOptions(CLI::App& command, std::optional<AnalysisKind> kind) {
+    for (const SettingInfo& setting : settingTable()) {
+        if (isAnalysisSection(setting.section()) && (!kind || setting.section() != name(*kind))) {
+            continue;
+        }
+        auto given = std::make_unique<Given>();
+        given->setting = &setting;
+        const std::string help = setting.help + " (" + setting.expected() + "; " +
+                                 (setting.defaultText.empty() ? "nothing" : setting.defaultText) +
+                                 ")";
+        if (setting.kind == SettingKind::boolean) {
+            given->option = command.add_flag(setting.option, given->flag, help);
+        } else {
+            given->option = command.add_option(setting.option, given->text, help);
+            given->option->type_name(setting.unit.empty() ? "" : setting.unit);
+        }
+        given->option->group(sectionTitle(setting.section()));
+        given_.push_back(std::move(given));
+    }
+    command.add_option("--set", assignments_, "Any setting: key=value, as often as needed")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+}
+
+Settings SettingOptions::values() const {
+    Settings settings;
+    std::vector<irsg::Offence> offences;
+    const auto collect = [&](const auto& work) {
+        try {
+            work();
+        } catch (const irsg::InputError& error) {
+            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+        }
+    };
+    for (const std::string& assignment : assignments_) {
+        collect([&] {
+            const std::size_t equals = assignment.find('=');
+            const SettingInfo* setting =
+                findSetting(irsg::trimmed(std::string_view(assignment).substr(0, equals)));
+            settings.setFromArgument(setting != nullptr && equals != std::string::npos
+                                         ? setting->key + "=" +
+                                               placed(*setting, assignment.substr(equals + 1))
+                                         : assignment);
+        });
+    }
+    for (const auto& given : given_) {
+        if (given->option->count() > 0) {
+            collect([&] {
+                settings.set(given->setting->key,
+                             given->setting->kind == SettingKind::boolean
+                                 ? (given->flag ? "true" : "false")
+                                 : placed(*given->setting, given->text),
+                             given->setting->option);
+            });
+        }
+    }
+    if (!offences.empty()) {
+        throw irsg::InputError(offences);
+    }
+    return settings;
+}
+
+} // namespace smat::batch

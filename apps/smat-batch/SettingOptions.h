@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "smatcore/project/Project.h"
+
+namespace smat::batch {
+
+/// The options of a command that set settings: the common ones, those of one kind of analysis where
+/// one is given, and `--set key=value`. All come from the table of settings.
+class SettingOptions {
+  public:
+    SettingOptions(CLI::App& command, std::optional<AnalysisKind> kind);
+
+    /// What was given, with paths made absolute because they are relative to where the user stands.
+    /// Throws InputError with every offence.
+    Settings values() const;
+
+  private:
+    struct Given {
+        const SettingInfo* setting;
+        CLI::Option* option;
+        std::string text;
+        bool flag = false;
+    };
+    std::vector<std::unique_ptr<Given>> given_; ///< the parser keeps pointers into them
+    std::vector<std::string> assignments_;
+};
+
+} // namespace smat::batch

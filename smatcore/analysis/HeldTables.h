@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "smatcore/analysis/ImageSource.h"
+
+namespace smat {
+
+/// A sentence for each lookup table of an entity's database that holds an end value in a state,
+/// because its axis does not reach it. Altitude and aspect angle are those of `referencePoint` (in
+/// the world) as seen from `camera`.
+std::vector<std::string> heldTables(const irsg::Entity& entity, irsg::EntityState state,
+                                    const irsg::Pose& pose, const irsg::Vec3& referencePoint,
+                                    const irsg::Vec3& camera);
+
+} // namespace smat
