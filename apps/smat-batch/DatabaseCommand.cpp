@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/smat-batch/Output.h"
+#include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/Model.h"
 #include "irsg/signature/SignatureFile.h"

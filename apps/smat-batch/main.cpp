@@ -42,7 +42,7 @@ void addCommonOptions(CLI::App& app, Context& context) {
     app.add_flag_callback(
         "--version", [&context] { context.work = printVersion; },
         "The version, with the renderer of OpenGL");
-    app.fallthrough();
+    app.fallthrough(); // inherited by the commands, which are added after this
 }
 
 } // namespace
@@ -52,13 +52,13 @@ int main(int argc, char** argv) {
     context.commandLine = commandLineOf(argc, argv);
     CLI::App app("Infrared signatures from the command line: everything the window does.",
                  "smat-batch");
+    addCommonOptions(app, context);
     addRunCommand(app, context);
     addAnalysisCommands(app, context);
     addDatabaseCommand(app, context);
     addConvertCommand(app, context);
     addModelCommand(app, context);
     addSettingsCommand(app, context);
-    addCommonOptions(app, context);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

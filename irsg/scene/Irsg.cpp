@@ -328,11 +328,6 @@ struct Irsg::Parts {
         report.warnings = frame.radiometry.warnings();
         report.transmissivityResidue = frame.radiometry.transmissivityResidue();
         report.renderer = context.rendererDescription();
-        if (report.layersLeftOver > 0)
-            report.warnings.push_back(std::to_string(report.layersLeftOver) +
-                                      " samples have more than " +
-                                      std::to_string(settings.maximumLayers) +
-                                      " transparent layers; the rest is left out");
     }
 
     void describe(const Frame& frame, RadianceImage& image) const {

@@ -49,13 +49,33 @@ void addNew(std::vector<std::string>& sentences, const std::vector<std::string>&
 void takeReport(AnalysisData& data, const irsg::RenderReport& report) {
     addNew(data.answeredBy, report.answeredBy);
     addNew(data.warnings, report.warnings);
-    if (report.transmissivityResidue > 1e-3) {
-        addNew(data.warnings,
-               {fmt::format("transmissivities that vary over the band are drawn as one number; the "
-                            "largest relative error of that is {:.2g}",
-                            report.transmissivityResidue)});
-    }
 }
+
+/// What renderings could not do exactly: the worst of all cases, said once.
+struct Shortcomings {
+    int layersLeftOver = 0;
+    double transmissivityResidue = 0.0;
+
+    void take(const irsg::RenderReport& report) {
+        layersLeftOver = std::max(layersLeftOver, report.layersLeftOver);
+        transmissivityResidue = std::max(transmissivityResidue, report.transmissivityResidue);
+    }
+    void sayIn(AnalysisData& data) const {
+        if (layersLeftOver > 0) {
+            data.warnings.push_back(
+                fmt::format("up to {} samples of a drawing have more than {} transparent layers, "
+                            "the rest of which is left out; see render.layers",
+                            layersLeftOver, data.settings.integer("render.layers")));
+        }
+        // Sums multiply transmissivities at each wavelength; only an image has one per surface.
+        if (data.kind == AnalysisKind::image && transmissivityResidue > 1e-3) {
+            data.warnings.push_back(
+                fmt::format("transmissivities that vary over the band are one number in an image; "
+                            "the largest relative error of that is {:.2g}",
+                            transmissivityResidue));
+        }
+    }
+};
 
 /// The sums of an image, or one case of a sweep, as a row of the table.
 void startTable(AnalysisData& data, const AnalysisPlan& plan) {
@@ -118,6 +138,9 @@ void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& s
                const AnalysisPlan& plan) {
     irsg::RenderedImage rendered = source.render();
     takeReport(data, rendered.report);
+    Shortcomings shortcomings;
+    shortcomings.take(rendered.report);
+    shortcomings.sayIn(data);
     addCaseRow(data, plan, plan.cases.front(), rendered.report);
     data.image = std::move(rendered.image);
     const std::string& quantity = data.settings.text("image.quantity");
@@ -204,6 +227,7 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         const StageTimer::Scope scope(timer, "analyse");
         logInfo(cases.description);
         std::size_t done = 0;
+        Shortcomings shortcomings;
         for (const AnalysisCase& one : cases.cases) {
             if (progress) {
                 progress({done, cases.cases.size(), elapsed_s(), caseName(cases, one)});
@@ -239,6 +263,7 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             } else {
                 const irsg::RenderReport report = source_.measure();
                 takeReport(data, report);
+                shortcomings.take(report);
                 addCaseRow(data, cases, one, report);
             }
             ++done;
