@@ -156,10 +156,11 @@ void addRendering(std::vector<SettingInfo>& table) {
                        "What lies behind the models: smart asks the environment along "
                        "the line of sight at the field's centre, none is 0, a number is "
                        "an in-band radiance."));
-    table.push_back(integer("render.layers", "--layers", "Transparent layers", "", 1, 64, "16",
-                            "Transparent surfaces taken apart per sample; what lies behind more of "
-                            "them is counted and reported.",
-                            SettingAudience::expert));
+    table.push_back(
+        integer("render.layers", "--layers", "Transparent layers", "", 1, 1000, "64",
+                "Transparent surfaces kept per sample, nearest first; samples with more "
+                "of them are counted and reported.",
+                SettingAudience::expert));
 }
 
 void addDisplay(std::vector<SettingInfo>& table) {
