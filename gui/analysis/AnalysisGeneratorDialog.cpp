@@ -1,0 +1,144 @@
+#include "gui/analysis/AnalysisGeneratorDialog.h"
+
+#include <algorithm>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDialogButtonBox>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/Theme.h"
+
+namespace smat::gui {
+namespace {
+
+/// The file a terminal user would write, by kind.
+std::string exampleFile(AnalysisKind kind) {
+    return name(kind) + (kind == AnalysisKind::image ? ".exr" : ".csv");
+}
+
+} // namespace
+
+AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, AnalysisKind kind,
+                                                 FileChooser chooseFile, QWidget* parent)
+    : QDialog(parent), project_(project), kind_(kind), chooseFile_(std::move(chooseFile)) {
+    setObjectName("analysisGeneratorDialog");
+    setWindowTitle(tr("New analysis – %1").arg(QString::fromStdString(title(kind))));
+    resize(560, 600);
+
+    auto* heading = new QLabel(QString::fromStdString(title(kind)), this);
+    QFont font = heading->font();
+    font.setPointSizeF(font.pointSizeF() * 1.4);
+    font.setBold(true);
+    heading->setFont(font);
+    auto* of = new QLabel(tr("of %1").arg(QString::fromStdString(project.displayName())), this);
+    of->setForegroundRole(QPalette::PlaceholderText);
+    name_ = new QLineEdit(this);
+    name_->setObjectName("analysisName");
+    name_->setPlaceholderText(tr("Name of the result (optional)"));
+
+    auto* tabs = new QTabWidget(this);
+    tabs->setObjectName("pages");
+    addPage(QString::fromStdString(title(kind)), {name(kind)}, tabs);
+    addPage(tr("Camera and target"), {"camera", "target", "state"}, tabs);
+    addPage(tr("Sensor"), {"sensor"}, tabs);
+    addPage(tr("Environment"), {"environment"}, tabs);
+    addPage(tr("Rendering"), {"render"}, tabs);
+
+    problems_ = new QLabel(this);
+    problems_->setObjectName("problems");
+    problems_->setWordWrap(true);
+    command_ = new QLineEdit(this);
+    command_->setObjectName("commandLine");
+    command_->setReadOnly(true);
+    command_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    auto* copy = new QToolButton(this);
+    copy->setText(tr("Copy"));
+    copy->setObjectName("copyCommand");
+    connect(copy, &QToolButton::clicked, this,
+            [this] { QApplication::clipboard()->setText(command_->text()); });
+    auto* same = new QLabel(tr("The same from a terminal"), this);
+    same->setForegroundRole(QPalette::PlaceholderText);
+
+    buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    buttons_->button(QDialogButtonBox::Ok)->setText(tr("Run"));
+    buttons_->button(QDialogButtonBox::Ok)->setObjectName("run");
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+
+    auto* top = new QHBoxLayout;
+    top->addWidget(heading);
+    top->addWidget(of, 1, Qt::AlignBottom);
+    auto* terminal = new QHBoxLayout;
+    terminal->addWidget(command_, 1);
+    terminal->addWidget(copy);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 14, 16, 14);
+    column->setSpacing(10);
+    column->addLayout(top);
+    column->addWidget(name_);
+    column->addWidget(tabs, 1);
+    column->addWidget(problems_);
+    column->addWidget(same);
+    column->addLayout(terminal);
+    column->addWidget(buttons_);
+    connect(name_, &QLineEdit::textChanged, this, &AnalysisGeneratorDialog::refresh);
+    refresh();
+}
+
+void AnalysisGeneratorDialog::addPage(const QString& title, const std::vector<std::string>& sections,
+                                      QTabWidget* tabs) {
+    std::vector<std::string> keys;
+    for (const auto& section : sections) {
+        for (const auto& key : settingKeys(section))
+            keys.push_back(key);
+    }
+    auto* form = new SettingForm(keys, chooseFile_);
+    form->setValues(project_.settings);
+    forms_.push_back(form);
+    connect(form, &SettingForm::edited, this, &AnalysisGeneratorDialog::refresh);
+    connect(form, &SettingForm::validityChanged, this, &AnalysisGeneratorDialog::refresh);
+    auto* scroll = new QScrollArea(tabs);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(form);
+    tabs->addTab(scroll, title);
+}
+
+bool AnalysisGeneratorDialog::isAcceptable() const {
+    return std::all_of(forms_.begin(), forms_.end(), [](const auto* form) { return form->isValid(); });
+}
+
+AnalysisData AnalysisGeneratorDialog::data() const {
+    Settings settings = project_.settings;
+    for (const auto* form : forms_)
+        form->writeTo(settings);
+    AnalysisData data = AnalysisData::of(project_, kind_, settings);
+    if (const QString given = name_->text().trimmed(); !given.isEmpty())
+        data.name = given.toStdString();
+    data.commandLine = data.equivalentCommand(exampleFile(kind_));
+    return data;
+}
+
+void AnalysisGeneratorDialog::refresh() {
+    QStringList problems;
+    for (const auto* form : forms_)
+        problems += form->problems();
+    problems_->setText(problems.join('\n'));
+    problems_->setVisible(!problems.isEmpty());
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(problems.isEmpty());
+    if (problems.isEmpty()) {
+        command_->setText(QString::fromStdString(data().commandLine));
+        command_->setCursorPosition(0);
+    }
+}
+
+} // namespace smat::gui

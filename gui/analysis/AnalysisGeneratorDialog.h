@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <QDialog>
+
+#include "gui/settings/SettingForm.h"
+#include "smatcore/analysis/AnalysisData.h"
+
+class QDialogButtonBox;
+class QLabel;
+class QLineEdit;
+
+namespace smat::gui {
+
+/// Gathers what an analysis is asked into an AnalysisData, and nothing else: it neither plans nor
+/// runs. Shows the command that does the same from a terminal.
+class AnalysisGeneratorDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    AnalysisGeneratorDialog(const Project& project, AnalysisKind kind, FileChooser chooseFile,
+                            QWidget* parent = nullptr);
+
+    /// What the forms say now; only while acceptable.
+    AnalysisData data() const;
+    bool isAcceptable() const;
+
+  private:
+    void addPage(const QString& title, const std::vector<std::string>& sections, class QTabWidget* tabs);
+    void refresh();
+
+    Project project_;
+    AnalysisKind kind_;
+    FileChooser chooseFile_;
+    std::vector<SettingForm*> forms_;
+    QLineEdit* name_ = nullptr;
+    QLineEdit* command_ = nullptr;
+    QLabel* problems_ = nullptr;
+    QDialogButtonBox* buttons_ = nullptr;
+};
+
+} // namespace smat::gui

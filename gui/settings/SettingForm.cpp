@@ -1,0 +1,204 @@
+#include "gui/settings/SettingForm.h"
+
+#include <algorithm>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QStyle>
+#include <QToolButton>
+
+#include "gui/Theme.h"
+#include "gui/image/ImageView.h"
+
+namespace smat::gui {
+namespace {
+
+QString textOf(const std::string& text) { return QString::fromStdString(text); }
+
+QString tooltipOf(const SettingInfo& info) {
+    return QStringLiteral("<p style='white-space:normal'>%1</p><p><i>%2</i></p>")
+        .arg(textOf(info.help).toHtmlEscaped(),
+             (textOf(info.expected()) + "; " + textOf(info.key)).toHtmlEscaped());
+}
+
+} // namespace
+
+SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser chooseFile,
+                         QWidget* parent)
+    : QWidget(parent), chooseFile_(std::move(chooseFile)) {
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(12, 12, 12, 12);
+    form->setHorizontalSpacing(12);
+    form->setVerticalSpacing(8);
+    form->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    for (const auto& key : keys) {
+        const SettingInfo& info = settingInfo(key);
+        QWidget* field = makeField(info);
+        field->setToolTip(tooltipOf(info));
+        auto* label = new QLabel(textOf(info.label), this);
+        label->setToolTip(field->toolTip());
+        label->setBuddy(fields_.at(key).widget);
+
+        auto* row = new QHBoxLayout;
+        row->setSpacing(8);
+        row->addWidget(field, 1);
+        auto* unit = new QLabel(readableUnit(info.unit), this);
+        unit->setForegroundRole(QPalette::PlaceholderText);
+        unit->setMinimumWidth(28);
+        row->addWidget(unit);
+        form->addRow(label, row);
+    }
+    setValues(Settings());
+}
+
+QWidget* SettingForm::makeField(const SettingInfo& info) {
+    switch (info.kind) {
+    case SettingKind::boolean:
+        return makeCheck(info);
+    case SettingKind::choice:
+        return makeChoice(info, false);
+    case SettingKind::choiceOrReal:
+        return makeChoice(info, true);
+    case SettingKind::path:
+    case SettingKind::pathList:
+        return makeText(info, true);
+    case SettingKind::real:
+    case SettingKind::integer:
+    case SettingKind::band:
+        break;
+    }
+    return makeText(info, false);
+}
+
+QWidget* SettingForm::makeText(const SettingInfo& info, bool isFile) {
+    auto* edit = new QLineEdit(this);
+    edit->setObjectName(textOf(info.key));
+    edit->setMinimumWidth(90);
+    fields_[info.key] = {[edit] { return edit->text(); },
+                         [edit](const QString& text) { edit->setText(text); }, edit};
+    connect(edit, &QLineEdit::textEdited, this, [this, key = info.key] { onEdited(key); });
+    if (!isFile)
+        return edit;
+
+    auto* holder = new QWidget(this);
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    auto* browse = new QToolButton(holder);
+    browse->setIcon(icon("open"));
+    browse->setObjectName(textOf(info.key) + ".browse");
+    browse->setToolTip(tr("Choose a file"));
+    row->addWidget(edit, 1);
+    row->addWidget(browse);
+    const bool list = info.kind == SettingKind::pathList;
+    connect(browse, &QToolButton::clicked, this, [this, edit, list, key = info.key] {
+        const QString file = chooseFile_(tr("Choose a file"), tr("All files (*)"));
+        if (file.isEmpty())
+            return;
+        const bool append = list && !edit->text().isEmpty() && edit->text() != "none";
+        edit->setText(append ? edit->text() + ";" + file : file);
+        onEdited(key);
+    });
+    return holder;
+}
+
+QWidget* SettingForm::makeChoice(const SettingInfo& info, bool editable) {
+    auto* box = new QComboBox(this);
+    box->setObjectName(textOf(info.key));
+    box->setEditable(editable);
+    for (const auto& choice : info.choices)
+        box->addItem(textOf(choice));
+    fields_[info.key] = {[box] { return box->currentText(); },
+                         [box](const QString& text) {
+                             box->isEditable() ? box->setEditText(text) : box->setCurrentText(text);
+                         },
+                         box};
+    connect(box, &QComboBox::textActivated, this, [this, key = info.key] { onEdited(key); });
+    if (editable)
+        connect(box->lineEdit(), &QLineEdit::textEdited, this,
+                [this, key = info.key] { onEdited(key); });
+    return box;
+}
+
+QWidget* SettingForm::makeCheck(const SettingInfo& info) {
+    auto* check = new QCheckBox(this);
+    check->setObjectName(textOf(info.key));
+    fields_[info.key] = {[check] { return check->isChecked() ? "true" : "false"; },
+                         [check](const QString& text) { check->setChecked(text == "true"); }, check};
+    connect(check, &QCheckBox::clicked, this, [this, key = info.key] { onEdited(key); });
+    return check;
+}
+
+bool SettingForm::mark(const std::string& key) {
+    Field& field = fields_.at(key);
+    const bool before = field.valid;
+    field.valid = canonicalText(settingInfo(key), field.read().trimmed().toStdString()).has_value();
+    QPalette colours = palette();
+    if (!field.valid) {
+        colours.setColor(QPalette::Base, isDark(colours) ? QColor("#5a2a2e") : QColor("#ffe3e3"));
+        colours.setColor(QPalette::Button, colours.color(QPalette::Base));
+    }
+    field.widget->setPalette(colours);
+    return before != field.valid;
+}
+
+void SettingForm::onEdited(const std::string& key) {
+    if (mark(key))
+        emit validityChanged();
+    if (fields_.at(key).valid)
+        emit edited(key);
+}
+
+void SettingForm::setValues(const Settings& settings) {
+    for (const auto& [key, field] : fields_)
+        setValue(key, settings.text(key));
+}
+
+void SettingForm::setValue(const std::string& key, const std::string& text) {
+    fields_.at(key).write(textOf(text));
+    if (mark(key))
+        emit validityChanged();
+}
+
+std::string SettingForm::value(const std::string& key) const {
+    const QString text = fields_.at(key).read().trimmed();
+    return canonicalText(settingInfo(key), text.toStdString()).value_or("");
+}
+
+bool SettingForm::isValid() const {
+    return std::all_of(fields_.begin(), fields_.end(), [](const auto& f) { return f.second.valid; });
+}
+
+QStringList SettingForm::problems() const {
+    QStringList list;
+    for (const auto& [key, field] : fields_) {
+        const SettingInfo& info = settingInfo(key);
+        if (!field.valid)
+            list << textOf(info.label) + ": " + textOf(info.expected());
+    }
+    return list;
+}
+
+void SettingForm::writeTo(Settings& settings) const {
+    for (const auto& [key, field] : fields_) {
+        const std::string text = value(key);
+        if (field.valid && settings.text(key) != text)
+            settings.set(key, text);
+    }
+}
+
+std::vector<std::string> settingKeys(const std::string& section, bool withExpert) {
+    std::vector<std::string> keys;
+    for (const auto& info : settingTable()) {
+        if (info.section() == section && (withExpert || info.audience == SettingAudience::basic))
+            keys.push_back(info.key);
+    }
+    return keys;
+}
+
+} // namespace smat::gui
