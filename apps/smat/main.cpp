@@ -1,13 +1,17 @@
 #include <cstdlib>
 #include <iostream>
-#include <optional>
+#include <map>
+#include <string>
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
 
 #include "apps/smat/PlotCommand.h"
+#include "gui/MainWindow.h"
 #include "gui/Theme.h"
+#include "gui/Workbench.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/ImageSource.h"
 #include "smatcore/data/Provenance.h"
 
 namespace {
@@ -24,12 +28,50 @@ int runPlot(const smat::PlotRequest& request, int argc, char** argv) {
     return EXIT_SUCCESS;
 }
 
+bool isSet(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != '\0';
+}
+
+int runWindow(const std::string& file, smat::gui::ThemeMode theme, int argc, char** argv) {
+    if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY") && !isSet("QT_QPA_PLATFORM"))
+        throw irsg::InputError({"smat", "", "no display", "a desktop (DISPLAY or WAYLAND_DISPLAY); "
+                                "without one, smat plot and smat-batch do the work"});
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("smat");
+    smat::gui::applyTheme(application, theme);
+    smat::gui::Workbench workbench;
+    smat::gui::MainWindow window(workbench);
+    window.show();
+    if (!file.empty())
+        window.open(file);
+    return QApplication::exec();
+}
+
+/// Version with the GL renderer, where this machine has one.
+std::string versionText() {
+    std::string renderer;
+    try {
+        renderer = smat::makeIrsgImageSource()->rendererDescription();
+    } catch (const irsg::InputError& error) {
+        renderer = error.offences().front().message();
+    }
+    return "smat " + smat::programVersion() + "\nrenderer: " + renderer + "\nQt " + qVersion();
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     CLI::App cli{"SMAT, the infrared signature modelling workbench"};
-    cli.set_version_flag("--version", "smat " + smat::programVersion());
-    cli.require_subcommand(1);
+    cli.set_version_flag("--version", versionText);
+    std::string file;
+    cli.add_option("file", file, "A .smat project, or a model, to open in the workbench");
+    auto theme = smat::gui::ThemeMode::system;
+    cli.add_option("--theme", theme, "Colours of the window: system, light or dark")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, smat::gui::ThemeMode>{
+            {"system", smat::gui::ThemeMode::system},
+            {"light", smat::gui::ThemeMode::light},
+            {"dark", smat::gui::ThemeMode::dark}}));
 
     smat::PlotRequest request;
     auto* plot = cli.add_subcommand("plot", "Draws results into a file, without a display");
@@ -48,7 +90,7 @@ int main(int argc, char** argv) {
         return cli.exit(error) == 0 ? EXIT_SUCCESS : inputRefused;
     }
     try {
-        return runPlot(request, argc, argv);
+        return plot->parsed() ? runPlot(request, argc, argv) : runWindow(file, theme, argc, argv);
     } catch (const irsg::InputError& error) {
         for (const auto& offence : error.offences())
             std::cerr << "smat: " << offence.message() << '\n';

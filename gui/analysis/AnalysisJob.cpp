@@ -38,7 +38,10 @@ void AnalysisJob::work(std::stop_token stop) {
     try {
         if (!engine_->source)
             engine_->source = engine_->makeSource();
-        AnalysisGenerator generator(*engine_->source, std::ref(engine_->scenes));
+        AnalysisGenerator generator(*engine_->source,
+                                    [this](const Project& project, const Settings& settings) {
+                                        return engine_->scenes.build(project, settings);
+                                    });
         generator.run(data, [this](const Progress& now) { emit progressed(now); }, stop);
         for (const auto& remark : engine_->scenes.remarks())
             data.warnings.push_back(remark);

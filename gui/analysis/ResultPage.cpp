@@ -134,7 +134,14 @@ QStringList ResultPage::exportFilters() const {
 
 void ResultPage::exportTo(const std::filesystem::path& file) const {
     const std::string suffix = file.extension().string();
-    if (image_ != nullptr) {
+    if (image_ != nullptr && suffix == ".png") {
+        // The plane, colours and limits that are seen.
+        irsg::PngViewOptions options;
+        options.colorMap = image_->colorMap().name();
+        options.limits = image_->colorBar()->limits();
+        options.title = results_.front().title.toStdString();
+        irsg::writePngView(image_->image(), file, options, image_->shownChannel());
+    } else if (image_ != nullptr) {
         saveResult(results_.front().data, file);
     } else if (results_.size() == 1 && (suffix == ".json" || suffix == ".csv")) {
         // The data with its provenance, rather than what is visible of it.

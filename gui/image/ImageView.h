@@ -32,6 +32,8 @@ class ImageView : public QWidget {
     ImageCanvas* canvas() const { return canvas_; }
     ColorBar* colorBar() const { return colorBar_; }
     const irsg::ColorMap& colorMap() const { return *map_; }
+    /// Name of the plane that is shown.
+    const std::string& shownChannel() const { return plane().name; }
     void setColorMap(const std::string& name);
     /// "x 12  y 7   Radiance 1.234 W·m⁻²·sr⁻¹   Apparent temperature 301.2 K".
     QString readoutAt(int x, int y) const;

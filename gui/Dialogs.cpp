@@ -1,0 +1,44 @@
+#include "gui/Dialogs.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QRegularExpression>
+
+namespace smat::gui {
+namespace {
+
+/// Adds the suffix of the chosen filter where the name has none.
+QString withSuffix(const QString& file, const QString& filter) {
+    const auto match = QRegularExpression(R"(\*(\.\w+))").match(filter);
+    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty() || !match.hasMatch())
+        return file;
+    return file + match.captured(1);
+}
+
+} // namespace
+
+Dialogs Dialogs::ofDesktop() {
+    Dialogs dialogs;
+    dialogs.openFile = [](QWidget* parent, const QString& title, const QStringList& filters) {
+        return QFileDialog::getOpenFileName(parent, title, {}, filters.join(";;"));
+    };
+    dialogs.saveFile = [](QWidget* parent, const QString& title, const QStringList& filters,
+                          const QString& suggestion) {
+        QString chosen;
+        const QString file =
+            QFileDialog::getSaveFileName(parent, title, suggestion, filters.join(";;"), &chosen);
+        return withSuffix(file, chosen);
+    };
+    dialogs.tell = [](QWidget* parent, const QString& title, const QStringList& sentences) {
+        QMessageBox box(QMessageBox::Warning, title, sentences.mid(0, 8).join("\n\n"),
+                        QMessageBox::Ok, parent);
+        if (sentences.size() > 8)
+            box.setDetailedText(sentences.join('\n'));
+        box.exec();
+    };
+    dialogs.run = [](QDialog& dialog) { return dialog.exec() == QDialog::Accepted; };
+    return dialogs;
+}
+
+} // namespace smat::gui

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+
+#include <QStringList>
+
+class QDialog;
+class QWidget;
+
+namespace smat::gui {
+
+/// How the window talks to a person, so that a test can answer in a person's place.
+struct Dialogs {
+    /// Asks for a file to open, or to write, with filters such as "Picture (*.png)"; empty for none.
+    std::function<QString(QWidget* parent, const QString& title, const QStringList& filters)> openFile;
+    std::function<QString(QWidget* parent, const QString& title, const QStringList& filters,
+                          const QString& suggestion)>
+        saveFile;
+    /// Says what went wrong, one sentence each.
+    std::function<void(QWidget* parent, const QString& title, const QStringList& sentences)> tell;
+    /// Shows a dialog and waits; true where it was accepted.
+    std::function<bool(QDialog& dialog)> run;
+
+    /// Those of the desktop.
+    static Dialogs ofDesktop();
+};
+
+} // namespace smat::gui

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QDialog>
+
+namespace smat::gui {
+
+/// Versions, the GL renderers, and the licences of what is linked.
+class AboutDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    AboutDialog(const QString& viewRenderer, const QString& sceneRenderer, QWidget* parent = nullptr);
+};
+
+/// Every key and mouse action of the windows.
+class ShortcutsDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    explicit ShortcutsDialog(QWidget* parent = nullptr);
+};
+
+} // namespace smat::gui

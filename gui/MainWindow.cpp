@@ -1,0 +1,368 @@
+#include "gui/MainWindow.h"
+
+#include <numbers>
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QToolBar>
+
+#include "gui/HelpDialogs.h"
+#include "gui/ScenePanel.h"
+#include "gui/Theme.h"
+#include "gui/analysis/AnalysisGeneratorDialog.h"
+#include "gui/analysis/ResultPage.h"
+#include "gui/analysis/ResultsDock.h"
+#include "gui/view/SceneView.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+namespace {
+
+QStringList sentencesOf(const irsg::InputError& error) {
+    QStringList sentences;
+    for (const auto& offence : error.offences())
+        sentences << QString::fromStdString(offence.message());
+    return sentences;
+}
+
+QSettings layoutMemory() {
+    return QSettings(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench");
+}
+
+} // namespace
+
+MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
+    : QMainWindow(parent), workbench_(workbench), dialogs_(std::move(dialogs)) {
+    setObjectName("mainWindow");
+    setWindowTitle("SMAT");
+    setWindowIcon(icon("smat"));
+    setAcceptDrops(true);
+    resize(1360, 840);
+    makeCentre();
+    auto* scene = new ScenePanel(workbench_, fileChooser(), this);
+    addDockWidget(Qt::LeftDockWidgetArea, scene);
+    results_ = new ResultsDock(workbench_, this);
+    addDockWidget(Qt::RightDockWidgetArea, results_);
+    makeActions();
+    statusBar()->showMessage(tr("Open a project (Ctrl+O), or drop one here"));
+
+    connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::onProjectOpened);
+    connect(&workbench_, &Workbench::settingsChanged, this, &MainWindow::onSettingsChanged);
+    connect(&workbench_, &Workbench::jobStarted, this, &MainWindow::refreshActions);
+    connect(&workbench_, &Workbench::jobEnded, this, &MainWindow::refreshActions);
+    connect(&workbench_, &Workbench::resultAdded, this, [this](int id) { showResults({id}); });
+    connect(&workbench_, &Workbench::resultRemoved, this, &MainWindow::closeResultsOf);
+    connect(&workbench_, &Workbench::jobFailed, this,
+            [this](const QStringList& sentences, bool ourFault) {
+                dialogs_.tell(this,
+                              ourFault ? tr("Internal error") : tr("The analysis cannot be run"),
+                              sentences);
+            });
+    connect(results_, &ResultsDock::showRequested, this, &MainWindow::showResults);
+    restoreLayout();
+    refreshActions();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makeCentre() {
+    tabs_ = new QTabWidget(this);
+    tabs_->setObjectName("tabs");
+    tabs_->setTabsClosable(true);
+    tabs_->setMovable(false);
+    tabs_->setDocumentMode(true);
+    if (const QString problem = SceneView::problem(); problem.isEmpty()) {
+        view_ = new SceneView(tabs_);
+        tabs_->addTab(view_, icon("axes"), tr("Model"));
+        connect(view_, &SceneView::cameraMoved, this, [this](const OrbitCamera& camera) {
+            if (workbench_.hasProject())
+                workbench_.setCamera(camera);
+        });
+    } else {
+        auto* notice = new QLabel(problem, tabs_);
+        notice->setObjectName("noGlNotice");
+        notice->setAlignment(Qt::AlignCenter);
+        notice->setForegroundRole(QPalette::PlaceholderText);
+        tabs_->addTab(notice, icon("axes"), tr("Model"));
+    }
+    for (const auto side : {QTabBar::LeftSide, QTabBar::RightSide})
+        tabs_->tabBar()->setTabButton(0, side, nullptr);
+    setCentralWidget(tabs_);
+    connect(tabs_, &QTabWidget::tabCloseRequested, this, [this](int index) {
+        if (index > 0)
+            delete tabs_->widget(index);
+    });
+    connect(tabs_, &QTabWidget::currentChanged, this, &MainWindow::refreshActions);
+}
+
+void MainWindow::makeActions() {
+    auto* bar = addToolBar(tr("Tools"));
+    bar->setObjectName("toolBar");
+    bar->setIconSize(QSize(22, 22));
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->setMovable(false);
+
+    auto* file = menuBar()->addMenu(tr("&File"));
+    auto* open = file->addAction(icon("open"), tr("&Open…"), this, &MainWindow::chooseProject);
+    open->setObjectName("openProject");
+    open->setShortcut(QKeySequence::Open);
+    open->setToolTip(tr("Open a project or a model (Ctrl+O)"));
+    auto* recent = file->addMenu(icon("recent"), tr("Open &recent"));
+    recent->setObjectName("recentFiles");
+    connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
+    file->addSeparator();
+    export_ = file->addAction(icon("export"), tr("&Save image or plot…"), this, &MainWindow::exportShown);
+    export_->setObjectName("exportShown");
+    export_->setIconText(tr("Save"));
+    export_->setShortcut(QKeySequence::Save);
+    export_->setToolTip(tr("Save the image or plot that is shown (Ctrl+S)"));
+    auto* close = file->addAction(tr("&Close result"), this, [this] {
+        if (tabs_->currentIndex() > 0)
+            delete tabs_->currentWidget();
+    });
+    close->setObjectName("closeResult");
+    close->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_W));
+    file->addSeparator();
+    auto* quit = file->addAction(icon("quit"), tr("&Quit"), this, &QWidget::close);
+    quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
+
+    auto* analysis = menuBar()->addMenu(tr("&Analysis"));
+    makeAnalysisActions(analysis);
+    bar->addAction(open);
+    bar->addAction(export_);
+    bar->addSeparator();
+    for (const auto& [kind, action] : analyses_)
+        bar->addAction(action);
+    makeViewMenu();
+
+    auto* help = menuBar()->addMenu(tr("&Help"));
+    auto* keys = help->addAction(icon("keyboard"), tr("&Keys and mouse"), this, [this] {
+        ShortcutsDialog dialog(this);
+        dialogs_.run(dialog);
+    });
+    keys->setObjectName("showShortcuts");
+    keys->setShortcut(QKeySequence(Qt::Key_F1));
+    help->addAction(icon("info"), tr("&About SMAT"), this, &MainWindow::showAbout)
+        ->setObjectName("showAbout");
+}
+
+void MainWindow::makeAnalysisActions(QMenu* menu) {
+    int number = 0;
+    for (const AnalysisKind kind : allAnalysisKinds) {
+        const QString word = QString::fromStdString(name(kind));
+        auto* action = menu->addAction(icon(word), tr("New &%1 analysis…").arg(word), this,
+                                       [this, kind] { newAnalysis(kind); });
+        action->setObjectName("new-" + word);
+        action->setIconText(QString(word).replace(0, 1, word.left(1).toUpper()));
+        action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + number++)));
+        action->setToolTip(tr("New %1 analysis (Ctrl+%2)").arg(word).arg(number));
+        analyses_[kind] = action;
+    }
+}
+
+void MainWindow::makeViewMenu() {
+    auto* menu = menuBar()->addMenu(tr("&View"));
+    if (view_ != nullptr) {
+        auto* wire = menu->addAction(icon("wireframe"), tr("&Wireframe"));
+        wire->setObjectName("wireframe");
+        wire->setCheckable(true);
+        wire->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W));
+        connect(wire, &QAction::toggled, view_, &SceneView::setWireframe);
+        auto* axes = menu->addAction(icon("axes"), tr("&Axes"));
+        axes->setObjectName("axes");
+        axes->setCheckable(true);
+        axes->setChecked(true);
+        axes->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A));
+        connect(axes, &QAction::toggled, view_, &SceneView::setAxesVisible);
+        auto* whole = menu->addAction(icon("home"), tr("Show the whole &model"), this, [this] {
+            if (workbench_.hasProject())
+                view_->showWholeModel();
+        });
+        whole->setObjectName("showWholeModel");
+        menu->addSeparator();
+    }
+    for (auto* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        menu->addAction(dock->toggleViewAction());
+}
+
+FileChooser MainWindow::fileChooser() {
+    return [this](const QString& title, const QString& filter) {
+        return dialogs_.openFile(this, title, {filter});
+    };
+}
+
+void MainWindow::chooseProject() {
+    const QString file = dialogs_.openFile(
+        this, tr("Open a project or a model"),
+        {tr("Projects and models (*.smat *.flt *.osgt *.osgb *.ive)"), tr("All files (*)")});
+    if (!file.isEmpty())
+        open(file.toStdString());
+}
+
+bool MainWindow::open(const std::filesystem::path& file) {
+    try {
+        workbench_.open(file);
+        return true;
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("This file cannot be opened"), sentencesOf(error));
+        return false;
+    }
+}
+
+void MainWindow::fillRecent(QMenu* menu) {
+    menu->clear();
+    for (const auto& file : workbench_.recentFiles())
+        menu->addAction(file, this, [this, file] { open(file.toStdString()); });
+    if (menu->isEmpty())
+        menu->addAction(tr("No files yet"))->setEnabled(false);
+}
+
+void MainWindow::onProjectOpened() {
+    setWindowTitle(QString::fromStdString(workbench_.project().displayName()) + " – SMAT");
+    statusBar()->showMessage(QString::fromStdString(workbench_.project().file.string()), 8000);
+    shownTarget_.clear();
+    if (view_ != nullptr)
+        view_->setScene({});
+    tabs_->setCurrentIndex(0);
+    refreshActions();
+}
+
+void MainWindow::onSettingsChanged() {
+    if (view_ == nullptr)
+        return;
+    const Project& project = workbench_.project();
+    const Settings& settings = project.settings;
+
+    // The scene is made anew only where the target stands otherwise.
+    std::string target = "placed";
+    for (const auto& key : settingKeys("target"))
+        target += " " + settings.text(key);
+    if (target != shownTarget_) {
+        shownTarget_ = target;
+        try {
+            auto scene = loadDisplayScene(project, settings);
+            for (const auto& remark : scene.remarks)
+                statusBar()->showMessage(remark, 8000);
+            view_->setScene(std::move(scene));
+        } catch (const irsg::InputError& error) {
+            view_->setScene({});
+            dialogs_.tell(this, tr("The model cannot be shown"), sentencesOf(error));
+        }
+    }
+    const double yaw = settings.real("target.yaw") * std::numbers::pi / 180.0;
+    view_->setFrame({settings.real("sensor.fov") * std::numbers::pi / 180.0,
+                     settings.integer("sensor.width"), settings.integer("sensor.height")});
+    view_->setCamera(workbench_.camera(), yaw);
+}
+
+void MainWindow::newAnalysis(AnalysisKind kind) {
+    if (!workbench_.hasProject() || workbench_.isRunning())
+        return;
+    AnalysisGeneratorDialog dialog(workbench_.project(), kind, fileChooser(), this);
+    if (dialogs_.run(dialog))
+        workbench_.start(dialog.data());
+}
+
+ResultPage* MainWindow::currentPage() const {
+    return qobject_cast<ResultPage*>(tabs_->currentWidget());
+}
+
+void MainWindow::showResults(const QList<int>& ids) {
+    for (int index = 1; index < tabs_->count(); ++index) {
+        const auto* page = qobject_cast<ResultPage*>(tabs_->widget(index));
+        if (page != nullptr && page->resultIds() == ids) {
+            tabs_->setCurrentIndex(index);
+            return;
+        }
+    }
+    std::vector<ResultEntry> entries;
+    for (const int id : ids) {
+        if (const auto* entry = workbench_.result(id))
+            entries.push_back(*entry);
+    }
+    if (entries.empty())
+        return;
+    try {
+        auto* page = new ResultPage(entries);
+        const QString word = QString::fromStdString(name(entries.front().data.kind));
+        const QString tab = entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
+        tabs_->setCurrentIndex(tabs_->addTab(page, icon(word), tab));
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("These results cannot be shown together"), sentencesOf(error));
+    }
+    sceneRenderer_ = QString::fromStdString(entries.back().data.renderer);
+    QStringList notes;
+    for (const auto& warning : entries.back().data.warnings)
+        notes << QString::fromStdString(warning);
+    statusBar()->showMessage(notes.isEmpty() ? tr("Done in %1 s").arg(entries.back().data.elapsed_s, 0, 'f', 2)
+                                             : notes.join("   "));
+}
+
+void MainWindow::closeResultsOf(int id) {
+    for (int index = tabs_->count() - 1; index > 0; --index) {
+        const auto* page = qobject_cast<ResultPage*>(tabs_->widget(index));
+        if (page != nullptr && page->resultIds().contains(id))
+            delete tabs_->widget(index);
+    }
+}
+
+void MainWindow::exportShown() {
+    const auto* page = currentPage();
+    if (page == nullptr)
+        return;
+    const QString file = dialogs_.saveFile(this, tr("Save image or plot"), page->exportFilters(), {});
+    if (file.isEmpty())
+        return;
+    try {
+        page->exportTo(file.toStdString());
+        statusBar()->showMessage(tr("Saved %1").arg(file), 8000);
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("This cannot be saved"), sentencesOf(error));
+    }
+}
+
+void MainWindow::showAbout() {
+    AboutDialog dialog(view_ != nullptr ? view_->renderer() : tr("no OpenGL on this desktop"),
+                       sceneRenderer_, this);
+    dialogs_.run(dialog);
+}
+
+void MainWindow::refreshActions() {
+    export_->setEnabled(currentPage() != nullptr);
+    findChild<QAction*>("closeResult")->setEnabled(currentPage() != nullptr);
+    for (const auto& [kind, action] : analyses_)
+        action->setEnabled(workbench_.hasProject() && !workbench_.isRunning());
+}
+
+void MainWindow::restoreLayout() {
+    auto memory = layoutMemory();
+    restoreGeometry(memory.value("geometry").toByteArray());
+    restoreState(memory.value("layout").toByteArray());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    auto memory = layoutMemory();
+    memory.setValue("geometry", saveGeometry());
+    memory.setValue("layout", saveState());
+    // The job stops by itself when the workbench goes; nothing of it needs an answer.
+    workbench_.cancel();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    open(event->mimeData()->urls().front().toLocalFile().toStdString());
+}
+
+} // namespace smat::gui
