@@ -11,8 +11,10 @@ namespace smat::gui {
 
 /// How the window talks to a person, so that a test can answer in a person's place.
 struct Dialogs {
-    /// Asks for a file to open, or to write, with filters such as "Picture (*.png)"; empty for none.
-    std::function<QString(QWidget* parent, const QString& title, const QStringList& filters)> openFile;
+    /// Asks for a file to open, or to write, with filters such as "Picture (*.png)"; empty for
+    /// none.
+    std::function<QString(QWidget* parent, const QString& title, const QStringList& filters)>
+        openFile;
     std::function<QString(QWidget* parent, const QString& title, const QStringList& filters,
                           const QString& suggestion)>
         saveFile;

@@ -28,7 +28,8 @@ QString row(const QString& left, const QString& right) {
         .arg(left, right);
 }
 QString heading(const QString& text) {
-    return QStringLiteral("<tr><td colspan='2' style='padding:12px 0 4px 0'><big>%1</big></td></tr>")
+    return QStringLiteral(
+               "<tr><td colspan='2' style='padding:12px 0 4px 0'><big>%1</big></td></tr>")
         .arg(text);
 }
 
@@ -43,11 +44,14 @@ AboutDialog::AboutDialog(const QString& viewRenderer, const QString& sceneRender
         row(tr("SMAT"), QString::fromStdString(programVersion())) + row("Qt", qVersion()) +
         row("Qwt", QWT_VERSION_STR) + row("OpenSceneGraph", osgGetVersion()) +
         row(tr("3-D view"), (viewRenderer.isEmpty() ? none : viewRenderer).toHtmlEscaped()) +
-        row(tr("Infrared renderer"), (sceneRenderer.isEmpty() ? none : sceneRenderer).toHtmlEscaped());
+        row(tr("Infrared renderer"),
+            (sceneRenderer.isEmpty() ? none : sceneRenderer).toHtmlEscaped());
     auto* label = new QLabel(
         tr("<h2>SMAT</h2><p>Infrared signature modelling workbench</p><table>%1</table>"
            "<p>MIT licence. Linked libraries keep their own licences:<br>Qt and Qwt LGPL, "
-           "OpenSceneGraph OSGPL, OpenEXR BSD, SQLite public domain.</p>").arg(table), this);
+           "OpenSceneGraph OSGPL, OpenEXR BSD, SQLite public domain.</p>")
+            .arg(table),
+        this);
     label->setObjectName("aboutText");
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     lay(*this, label);
@@ -66,8 +70,8 @@ ShortcutsDialog::ShortcutsDialog(QWidget* parent) : QDialog(parent) {
         row(tr("Drag, arrow keys"), tr("Turn the model; with Shift in steps of 1°")) +
         row(tr("Wheel, Page up, Page down"), tr("Range of the camera")) +
         row(tr("Double click, Home"), tr("Show the whole model")) +
-        row("Ctrl+Shift+W / Ctrl+Shift+A", tr("Wireframe, axes")) + heading(tr("Plots and images")) +
-        row(tr("Wheel"), tr("Zoom at the cursor")) +
+        row("Ctrl+Shift+W / Ctrl+Shift+A", tr("Wireframe, axes")) +
+        heading(tr("Plots and images")) + row(tr("Wheel"), tr("Zoom at the cursor")) +
         row(tr("Drag"), tr("Zoom into a rectangle; statistics of it in an image")) +
         row(tr("Right drag"), tr("Move")) + row(tr("Double click"), tr("Show all")) +
         row(tr("Backspace"), tr("Take a zoom back (plots)")) +

@@ -9,7 +9,8 @@ class AboutDialog : public QDialog {
     Q_OBJECT
 
   public:
-    AboutDialog(const QString& viewRenderer, const QString& sceneRenderer, QWidget* parent = nullptr);
+    AboutDialog(const QString& viewRenderer, const QString& sceneRenderer,
+                QWidget* parent = nullptr);
 };
 
 /// Every key and mouse action of the windows.

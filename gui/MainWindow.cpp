@@ -118,7 +118,8 @@ void MainWindow::makeActions() {
     recent->setObjectName("recentFiles");
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
     file->addSeparator();
-    export_ = file->addAction(icon("export"), tr("&Save image or plot…"), this, &MainWindow::exportShown);
+    export_ =
+        file->addAction(icon("export"), tr("&Save image or plot…"), this, &MainWindow::exportShown);
     export_->setObjectName("exportShown");
     export_->setIconText(tr("Save"));
     export_->setShortcut(QKeySequence::Save);
@@ -292,7 +293,8 @@ void MainWindow::showResults(const QList<int>& ids) {
     try {
         auto* page = new ResultPage(entries);
         const QString word = QString::fromStdString(name(entries.front().data.kind));
-        const QString tab = entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
+        const QString tab =
+            entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
         tabs_->setCurrentIndex(tabs_->addTab(page, icon(word), tab));
     } catch (const irsg::InputError& error) {
         dialogs_.tell(this, tr("These results cannot be shown together"), sentencesOf(error));
@@ -301,8 +303,9 @@ void MainWindow::showResults(const QList<int>& ids) {
     QStringList notes;
     for (const auto& warning : entries.back().data.warnings)
         notes << QString::fromStdString(warning);
-    statusBar()->showMessage(notes.isEmpty() ? tr("Done in %1 s").arg(entries.back().data.elapsed_s, 0, 'f', 2)
-                                             : notes.join("   "));
+    statusBar()->showMessage(notes.isEmpty()
+                                 ? tr("Done in %1 s").arg(entries.back().data.elapsed_s, 0, 'f', 2)
+                                 : notes.join("   "));
 }
 
 void MainWindow::closeResultsOf(int id) {
@@ -317,7 +320,8 @@ void MainWindow::exportShown() {
     const auto* page = currentPage();
     if (page == nullptr)
         return;
-    const QString file = dialogs_.saveFile(this, tr("Save image or plot"), page->exportFilters(), {});
+    const QString file =
+        dialogs_.saveFile(this, tr("Save image or plot"), page->exportFilters(), {});
     if (file.isEmpty())
         return;
     try {

@@ -29,7 +29,8 @@ class MainWindow : public QMainWindow {
                         QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens a project or a model; what is wrong with it is told, and nothing that was open is lost.
+    /// Opens a project or a model; what is wrong with it is told, and nothing that was open is
+    /// lost.
     bool open(const std::filesystem::path& file);
     /// Null where the desktop has no OpenGL.
     SceneView* sceneView() const { return view_; }

@@ -10,7 +10,9 @@
 namespace smat::gui {
 namespace {
 
-QSettings memory() { return QSettings(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench"); }
+QSettings memory() {
+    return QSettings(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench");
+}
 constexpr int keptFiles = 10;
 
 } // namespace

@@ -26,7 +26,8 @@ class Workbench : public QObject {
     Q_OBJECT
 
   public:
-    explicit Workbench(ImageSourceFactory makeSource = makeIrsgImageSource, QObject* parent = nullptr);
+    explicit Workbench(ImageSourceFactory makeSource = makeIrsgImageSource,
+                       QObject* parent = nullptr);
     ~Workbench() override;
 
     /// Opens a `.smat` project, or a model with defaults. Throws irsg::InputError, and then

@@ -35,7 +35,8 @@ bool isSet(const char* variable) {
 
 int runWindow(const std::string& file, smat::gui::ThemeMode theme, int argc, char** argv) {
     if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY") && !isSet("QT_QPA_PLATFORM"))
-        throw irsg::InputError({"smat", "", "no display", "a desktop (DISPLAY or WAYLAND_DISPLAY); "
+        throw irsg::InputError({"smat", "", "no display",
+                                "a desktop (DISPLAY or WAYLAND_DISPLAY); "
                                 "without one, smat plot and smat-batch do the work"});
     QApplication application(argc, argv);
     QApplication::setApplicationName("smat");
@@ -68,10 +69,10 @@ int main(int argc, char** argv) {
     cli.add_option("file", file, "A .smat project, or a model, to open in the workbench");
     auto theme = smat::gui::ThemeMode::system;
     cli.add_option("--theme", theme, "Colours of the window: system, light or dark")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, smat::gui::ThemeMode>{
-            {"system", smat::gui::ThemeMode::system},
-            {"light", smat::gui::ThemeMode::light},
-            {"dark", smat::gui::ThemeMode::dark}}));
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, smat::gui::ThemeMode>{{"system", smat::gui::ThemeMode::system},
+                                                        {"light", smat::gui::ThemeMode::light},
+                                                        {"dark", smat::gui::ThemeMode::dark}}));
 
     smat::PlotRequest request;
     auto* plot = cli.add_subcommand("plot", "Draws results into a file, without a display");

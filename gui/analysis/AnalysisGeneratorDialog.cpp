@@ -94,8 +94,8 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, Analysi
     refresh();
 }
 
-void AnalysisGeneratorDialog::addPage(const QString& title, const std::vector<std::string>& sections,
-                                      QTabWidget* tabs) {
+void AnalysisGeneratorDialog::addPage(const QString& title,
+                                      const std::vector<std::string>& sections, QTabWidget* tabs) {
     std::vector<std::string> keys;
     for (const auto& section : sections) {
         for (const auto& key : settingKeys(section))
@@ -114,7 +114,8 @@ void AnalysisGeneratorDialog::addPage(const QString& title, const std::vector<st
 }
 
 bool AnalysisGeneratorDialog::isAcceptable() const {
-    return std::all_of(forms_.begin(), forms_.end(), [](const auto* form) { return form->isValid(); });
+    return std::all_of(forms_.begin(), forms_.end(),
+                       [](const auto* form) { return form->isValid(); });
 }
 
 AnalysisData AnalysisGeneratorDialog::data() const {

@@ -27,7 +27,8 @@ class AnalysisGeneratorDialog : public QDialog {
     bool isAcceptable() const;
 
   private:
-    void addPage(const QString& title, const std::vector<std::string>& sections, class QTabWidget* tabs);
+    void addPage(const QString& title, const std::vector<std::string>& sections,
+                 class QTabWidget* tabs);
     void refresh();
 
     Project project_;

@@ -42,7 +42,8 @@ void AnalysisJob::work(std::stop_token stop) {
                                     [this](const Project& project, const Settings& settings) {
                                         return engine_->scenes.build(project, settings);
                                     });
-        generator.run(data, [this](const Progress& now) { emit progressed(now); }, stop);
+        generator.run(
+            data, [this](const Progress& now) { emit progressed(now); }, stop);
         for (const auto& remark : engine_->scenes.remarks())
             data.warnings.push_back(remark);
     } catch (const irsg::InputError& error) {

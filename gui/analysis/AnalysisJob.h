@@ -31,7 +31,8 @@ class AnalysisJob : public QObject {
     Q_OBJECT
 
   public:
-    AnalysisJob(AnalysisData data, std::shared_ptr<AnalysisEngine> engine, QObject* parent = nullptr);
+    AnalysisJob(AnalysisData data, std::shared_ptr<AnalysisEngine> engine,
+                QObject* parent = nullptr);
     ~AnalysisJob() override;
 
     void start();
@@ -45,7 +46,8 @@ class AnalysisJob : public QObject {
     void progressed(const smat::Progress& progress);
     /// Complete, or partial after a cancel with at least one case done.
     void finished(const smat::AnalysisData& data);
-    /// Nothing came out: refused (a sentence an offence), failed, or cancelled before the first case.
+    /// Nothing came out: refused (a sentence an offence), failed, or cancelled before the first
+    /// case.
     void failed(const QStringList& sentences, bool ourFault);
 
   private:

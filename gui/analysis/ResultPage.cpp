@@ -100,9 +100,8 @@ void ResultPage::makeBar(QWidget* plot) {
     reset->setToolTip(tr("Show all (double click)"));
     reset->setAutoRaise(true);
     bar->addWidget(reset);
-    connect(reset, &QToolButton::clicked, this, [this] {
-        polar_ != nullptr ? polar_->resetView() : cartesian_->resetView();
-    });
+    connect(reset, &QToolButton::clicked, this,
+            [this] { polar_ != nullptr ? polar_->resetView() : cartesian_->resetView(); });
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -14,7 +14,8 @@
 namespace smat::gui {
 namespace {
 
-QToolButton* labelled(const QString& iconName, const QString& text, const QString& name, QWidget* parent) {
+QToolButton* labelled(const QString& iconName, const QString& text, const QString& name,
+                      QWidget* parent) {
     auto* button = new QToolButton(parent);
     button->setIcon(icon(iconName));
     button->setText(text);
@@ -115,9 +116,11 @@ ResultsDock::ResultsDock(Workbench& workbench, QWidget* parent)
         empty_->setVisible(list_->count() == 0);
     });
     connect(list_, &QListWidget::itemSelectionChanged, this, &ResultsDock::refreshButtons);
-    connect(list_, &QListWidget::itemActivated, this,
-            [this](QListWidgetItem* item) { emit showRequested({item->data(Qt::UserRole).toInt()}); });
-    connect(overlay_, &QToolButton::clicked, this, [this] { emit showRequested(selectedResults()); });
+    connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
+        emit showRequested({item->data(Qt::UserRole).toInt()});
+    });
+    connect(overlay_, &QToolButton::clicked, this,
+            [this] { emit showRequested(selectedResults()); });
     connect(remove_, &QToolButton::clicked, this, [this] {
         for (const int id : selectedResults())
             workbench_.removeResult(id);

@@ -59,9 +59,9 @@ class ColorBar::Scale : public QWidget {
         painter.translate(std::min(strip.right() + 9.0 + widest + metrics.height(), width() - 4.0),
                           strip.center().y());
         painter.rotate(-90.0);
-        painter.drawText(QRectF(-strip.height() / 2.0, -metrics.ascent(), strip.height(),
-                                metrics.height()),
-                         Qt::AlignCenter, title_);
+        painter.drawText(
+            QRectF(-strip.height() / 2.0, -metrics.ascent(), strip.height(), metrics.height()),
+            Qt::AlignCenter, title_);
     }
 
   private:
@@ -96,7 +96,9 @@ ColorBar::ColorBar(QWidget* parent) : QWidget(parent) {
     connect(mode_, &QComboBox::activated, this, [this] { emit modeChosen(mode()); });
 }
 
-void ColorBar::setTitle(const QString& title) { scale_->setTitle(title); }
+void ColorBar::setTitle(const QString& title) {
+    scale_->setTitle(title);
+}
 
 void ColorBar::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits) {
     map_ = &map;
@@ -106,9 +108,13 @@ void ColorBar::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& l
     scale_->update();
 }
 
-LimitMode ColorBar::mode() const { return static_cast<LimitMode>(mode_->currentIndex()); }
+LimitMode ColorBar::mode() const {
+    return static_cast<LimitMode>(mode_->currentIndex());
+}
 
-void ColorBar::setMode(LimitMode mode) { mode_->setCurrentIndex(static_cast<int>(mode)); }
+void ColorBar::setMode(LimitMode mode) {
+    mode_->setCurrentIndex(static_cast<int>(mode));
+}
 
 void ColorBar::readLimits() {
     bool lowGood = false;

@@ -53,7 +53,8 @@ void ImageCanvas::fit() {
     fitted_ = true;
     if (width_ == 0)
         return;
-    zoom_ = std::min(static_cast<double>(width()) / width_, static_cast<double>(height()) / height_);
+    zoom_ =
+        std::min(static_cast<double>(width()) / width_, static_cast<double>(height()) / height_);
     corner_ = QPointF(width() - zoom_ * width_, height() - zoom_ * height_) / 2.0;
     update();
 }
@@ -103,7 +104,8 @@ void ImageCanvas::resizeEvent(QResizeEvent*) {
 }
 
 void ImageCanvas::wheelEvent(QWheelEvent* event) {
-    const double zoom = std::clamp(zoom_ * std::pow(1.2, event->angleDelta().y() / 120.0), 0.02, 200.0);
+    const double zoom =
+        std::clamp(zoom_ * std::pow(1.2, event->angleDelta().y() / 120.0), 0.02, 200.0);
     const QPointF cursor = event->position();
     corner_ = cursor + (corner_ - cursor) * (zoom / zoom_);
     zoom_ = zoom;
@@ -139,9 +141,13 @@ void ImageCanvas::mouseReleaseEvent(QMouseEvent* event) {
     selectFrom_.reset();
 }
 
-void ImageCanvas::mouseDoubleClickEvent(QMouseEvent*) { fit(); }
+void ImageCanvas::mouseDoubleClickEvent(QMouseEvent*) {
+    fit();
+}
 
-void ImageCanvas::leaveEvent(QEvent*) { emit hovered(std::nullopt); }
+void ImageCanvas::leaveEvent(QEvent*) {
+    emit hovered(std::nullopt);
+}
 
 void ImageCanvas::select(const QPointF& from, const QPointF& to) {
     const QRectF box = QRectF((from - corner_) / zoom_, (to - corner_) / zoom_).normalized();

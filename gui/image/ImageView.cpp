@@ -56,7 +56,8 @@ QString readableUnit(const std::string& unit) {
     for (int i = 0; i <= static_cast<int>(irsg::Quantity::dimensionless); ++i) {
         const auto& info = irsg::info(static_cast<irsg::Quantity>(i));
         if (info.unit == unit)
-            return QString::fromUtf8(info.prettyUnit.data(), static_cast<qsizetype>(info.prettyUnit.size()));
+            return QString::fromUtf8(info.prettyUnit.data(),
+                                     static_cast<qsizetype>(info.prettyUnit.size()));
     }
     return QString::fromStdString(unit);
 }
@@ -80,7 +81,8 @@ ImageView::ImageView(QWidget* parent) : QWidget(parent) {
             colors_->addItem(swatch(map), QString::fromStdString(name));
     }
     auto* fit = textButton(tr("Fit"), "fit", tr("Show the whole image (double click)"));
-    auto* actual = textButton(tr("1:1"), "actualSize", tr("One pixel of the image is one of the screen"));
+    auto* actual =
+        textButton(tr("1:1"), "actualSize", tr("One pixel of the image is one of the screen"));
     readout_ = new QLabel(this);
     readout_->setObjectName("pixelReadout");
     statistics_ = new QLabel(this);
@@ -185,10 +187,12 @@ QString ImageView::readoutAt(int x, int y) const {
 QString ImageView::statistics() const {
     const auto selection = canvas_->selection();
     const auto figures = irsg::imageStatistics(image_, plane(), selection);
-    QString text =
-        selection ? tr("Rectangle %1 × %2 at (%3, %4)")
-                        .arg(selection->width).arg(selection->height).arg(selection->x).arg(selection->y)
-                  : tr("Image %1 × %2").arg(image_.width()).arg(image_.height());
+    QString text = selection ? tr("Rectangle %1 × %2 at (%3, %4)")
+                                   .arg(selection->width)
+                                   .arg(selection->height)
+                                   .arg(selection->x)
+                                   .arg(selection->y)
+                             : tr("Image %1 × %2").arg(image_.width()).arg(image_.height());
     text += tr("     min %1   max %2   mean %3   median %4   σ %5   sum %6")
                 .arg(readableNumber(figures.minimum), readableNumber(figures.maximum),
                      readableNumber(figures.mean), readableNumber(figures.median),

@@ -17,7 +17,9 @@
 namespace smat::gui {
 namespace {
 
-QString textOf(const std::string& text) { return QString::fromStdString(text); }
+QString textOf(const std::string& text) {
+    return QString::fromStdString(text);
+}
 
 QString tooltipOf(const SettingInfo& info) {
     return QStringLiteral("<p style='white-space:normal'>%1</p><p><i>%2</i></p>")
@@ -129,7 +131,8 @@ QWidget* SettingForm::makeCheck(const SettingInfo& info) {
     auto* check = new QCheckBox(this);
     check->setObjectName(textOf(info.key));
     fields_[info.key] = {[check] { return check->isChecked() ? "true" : "false"; },
-                         [check](const QString& text) { check->setChecked(text == "true"); }, check};
+                         [check](const QString& text) { check->setChecked(text == "true"); },
+                         check};
     connect(check, &QCheckBox::clicked, this, [this, key = info.key] { onEdited(key); });
     return check;
 }
@@ -171,7 +174,8 @@ std::string SettingForm::value(const std::string& key) const {
 }
 
 bool SettingForm::isValid() const {
-    return std::all_of(fields_.begin(), fields_.end(), [](const auto& f) { return f.second.valid; });
+    return std::all_of(fields_.begin(), fields_.end(),
+                       [](const auto& f) { return f.second.valid; });
 }
 
 QStringList SettingForm::problems() const {

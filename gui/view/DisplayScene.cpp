@@ -56,7 +56,8 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings) 
         for (const auto& remark : loaded.remarks)
             scene.remarks.push_back(QString::fromStdString(remark));
         const irsg::Pose pose = i == 0 ? targetPoseOf(settings) : model.pose;
-        osg::ref_ptr<osg::MatrixTransform> turned = new osg::MatrixTransform(noseTurn(model.noseAxis));
+        osg::ref_ptr<osg::MatrixTransform> turned =
+            new osg::MatrixTransform(noseTurn(model.noseAxis));
         turned->addChild(loaded.node);
         osg::ref_ptr<osg::MatrixTransform> placed = new osg::MatrixTransform(poseMatrix(pose));
         placed->addChild(turned);

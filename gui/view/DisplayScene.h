@@ -12,7 +12,8 @@
 namespace smat::gui {
 
 /// What the 3-D view shows of a project: copies of its models of their own, with their visible
-/// colours, standing where the project puts them. Nothing of it is shared with the infrared renderer.
+/// colours, standing where the project puts them. Nothing of it is shared with the infrared
+/// renderer.
 struct DisplayScene {
     osg::ref_ptr<osg::Group> root;
     irsg::Vec3 referencePoint_m; ///< of the target, in the world

@@ -4,8 +4,8 @@
 
 namespace smat::gui {
 
-/// The camera of the 3-D view in the terms of the project: where it stands about the target. x east,
-/// y north, z up; azimuth 0 looks at the nose, 90 degrees sees the starboard side.
+/// The camera of the 3-D view in the terms of the project: where it stands about the target. x
+/// east, y north, z up; azimuth 0 looks at the nose, 90 degrees sees the starboard side.
 struct OrbitCamera {
     double azimuth_deg = 0.0;   ///< -180 to 180
     double elevation_deg = 0.0; ///< -90 to 90

@@ -24,6 +24,7 @@ struct SceneView::Parts {
     osg::ref_ptr<osg::Group> root = new osg::Group;
     osg::ref_ptr<osg::Camera> background;
     DisplayScene scene;
+    QMetaObject::Connection contextGoes;
 };
 
 SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_unique<Parts>()) {
@@ -40,6 +41,7 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_
 }
 
 SceneView::~SceneView() {
+    disconnect(parts_->contextGoes);
     if (context() != nullptr) {
         makeCurrent();
         releaseGl();
@@ -73,15 +75,17 @@ void SceneView::initializeGL() {
     if (parts_->scene.root)
         parts_->root->addChild(parts_->scene.root);
     parts_->viewer->setSceneData(parts_->root);
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+    disconnect(parts_->contextGoes);
+    parts_->contextGoes = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
         makeCurrent();
         releaseGl();
         doneCurrent();
     });
     const auto* name = context()->functions()->glGetString(GL_RENDERER);
     const auto* version = context()->functions()->glGetString(GL_VERSION);
-    renderer_ = QStringLiteral("%1, OpenGL %2")
-                    .arg(reinterpret_cast<const char*>(name), reinterpret_cast<const char*>(version));
+    renderer_ =
+        QStringLiteral("%1, OpenGL %2")
+            .arg(reinterpret_cast<const char*>(name), reinterpret_cast<const char*>(version));
 }
 
 void SceneView::releaseGl() {
@@ -114,8 +118,8 @@ void SceneView::aim() {
     // The sensor's frame fits into the widget, whichever of the two is wider.
     const double sensor = static_cast<double>(frame_.width_px) / frame_.height_px;
     const double widget = static_cast<double>(width()) / std::max(height(), 1);
-    const double tanWidth = std::tan(frame_.horizontalFieldOfView_rad / 2.0) *
-                            std::max(1.0, widget / sensor);
+    const double tanWidth =
+        std::tan(frame_.horizontalFieldOfView_rad / 2.0) * std::max(1.0, widget / sensor);
     const double tanHeight = tanWidth / widget;
     const double degrees = 2.0 * std::atan(tanHeight) * 180.0 / osg::PI;
     camera->setProjectionMatrixAsPerspective(degrees, widget, 1.0, 10.0);
@@ -203,7 +207,9 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     userMoved();
 }
 
-void SceneView::mouseDoubleClickEvent(QMouseEvent*) { showWholeModel(); }
+void SceneView::mouseDoubleClickEvent(QMouseEvent*) {
+    showWholeModel();
+}
 
 void SceneView::wheelEvent(QWheelEvent* event) {
     camera_.approach(std::pow(0.9, event->angleDelta().y() / 120.0));
@@ -303,7 +309,8 @@ void SceneView::paintAxes(QPainter& painter) const {
         painter.setPen(QPen(axis.color, 2.4, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(origin, origin + tip * length);
         const QPointF middle = origin + tip * (length + 13.0);
-        painter.drawText(QRectF(middle - QPointF(20, 10), QSizeF(40, 20)), Qt::AlignCenter, axis.name);
+        painter.drawText(QRectF(middle - QPointF(20, 10), QSizeF(40, 20)), Qt::AlignCenter,
+                         axis.name);
     }
 }
 

@@ -8,8 +8,10 @@
 namespace smat::gui {
 
 osg::ref_ptr<osg::Camera> makeViewBackground(bool dark) {
-    const osg::Vec4 above = dark ? osg::Vec4(0.20F, 0.23F, 0.28F, 1) : osg::Vec4(0.80F, 0.86F, 0.93F, 1);
-    const osg::Vec4 below = dark ? osg::Vec4(0.11F, 0.12F, 0.15F, 1) : osg::Vec4(0.97F, 0.98F, 0.99F, 1);
+    const osg::Vec4 above =
+        dark ? osg::Vec4(0.20F, 0.23F, 0.28F, 1) : osg::Vec4(0.80F, 0.86F, 0.93F, 1);
+    const osg::Vec4 below =
+        dark ? osg::Vec4(0.11F, 0.12F, 0.15F, 1) : osg::Vec4(0.97F, 0.98F, 0.99F, 1);
     osg::ref_ptr<osg::Geometry> sheet = new osg::Geometry;
     const osg::Vec3 corners[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const osg::Vec4 colors[] = {below, below, above, above};

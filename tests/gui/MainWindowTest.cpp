@@ -1,0 +1,269 @@
+#include "gui/MainWindow.h"
+
+#include <QAction>
+#include <QDialog>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QTest>
+#include <QToolButton>
+#include <gtest/gtest.h>
+
+#include "gui/HelpDialogs.h"
+#include "gui/analysis/AnalysisGeneratorDialog.h"
+#include "gui/analysis/ResultPage.h"
+#include "gui/image/ImageCanvas.h"
+#include "gui/image/ImageView.h"
+#include "gui/plot/CartesianPlot.h"
+#include "gui/plot/PolarPlot.h"
+#include "gui/view/SceneView.h"
+#include "smatcore/analysis/AnalysisGenerator.h"
+#include "tests/gui/GuiEnvironment.h"
+#include "tests/gui/SampleProject.h"
+
+namespace smat::gui {
+namespace {
+
+/// The real window; this test stands in for the person in front of it.
+class MainWindowTest : public ::testing::Test {
+  protected:
+    MainWindowTest() {
+        Dialogs dialogs;
+        dialogs.openFile = [this](QWidget*, const QString&, const QStringList&) { return chosen; };
+        dialogs.saveFile = [this](QWidget*, const QString&, const QStringList&, const QString&) {
+            return chosen;
+        };
+        dialogs.tell = [this](QWidget*, const QString&, const QStringList& sentences) {
+            told += sentences;
+        };
+        dialogs.run = [this](QDialog& dialog) {
+            dialog.show();
+            QTest::qWait(20);
+            if (onDialog)
+                onDialog(dialog);
+            return accept;
+        };
+        window = std::make_unique<MainWindow>(workbench, dialogs);
+        window->resize(1360, 840);
+        window->show();
+        QTest::qWait(50);
+    }
+    void openSample() {
+        chosen = QString::fromStdString(test::writeSampleProject(folder).string());
+        window->findChild<QAction*>("openProject")->trigger();
+        QTest::qWait(50);
+        ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+        ASSERT_TRUE(workbench.hasProject());
+    }
+    void runAnalysis(const char* word) {
+        window->findChild<QAction*>(QString("new-") + word)->trigger();
+        ASSERT_TRUE(test::waitUntil([this] { return !workbench.isRunning(); }));
+        QTest::qWait(50);
+        ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    }
+    AnalysisData runDirectly(const AnalysisData& asked) {
+        auto source = makeIrsgImageSource();
+        SceneBuilder builder;
+        AnalysisGenerator generator(
+            *source, [&](const Project& p, const Settings& s) { return builder.build(p, s); });
+        AnalysisData data = asked;
+        data.state = AnalysisState::notRun;
+        data.image = {};
+        data.table = {};
+        generator.run(data);
+        return data;
+    }
+
+    std::filesystem::path folder = test::freshFolder("window");
+    Workbench workbench;
+    QString chosen;
+    QStringList told;
+    bool accept = true;
+    std::function<void(QDialog&)> onDialog;
+    std::unique_ptr<MainWindow> window;
+};
+
+TEST_F(MainWindowTest, OpensAProjectAndShowsItsModel) {
+    openSample();
+    ASSERT_NE(window->sceneView(), nullptr);
+    EXPECT_TRUE(window->windowTitle().startsWith("ship.smat"));
+    EXPECT_EQ(window->sceneView()->camera().azimuth_deg, 60.0);
+    window->sceneView()->showWholeModel();
+    QTest::qWait(100);
+    const QImage picture = window->sceneView()->grabFramebuffer();
+    EXPECT_NE(picture.pixelColor(picture.width() / 2, picture.height() / 2),
+              picture.pixelColor(3, picture.height() / 2));
+    test::keepScreenshot(*window, "window-model");
+}
+
+TEST_F(MainWindowTest, ImageFromTheWindowEqualsTheGeneratorsOwn) {
+    openSample();
+    onDialog = [](QDialog& dialog) { test::keepScreenshot(dialog, "dialog-image"); };
+    runAnalysis("image");
+    ASSERT_EQ(workbench.results().size(), 1U);
+    const AnalysisData& shown = workbench.results().front().data;
+    const AnalysisData direct = runDirectly(shown);
+    EXPECT_EQ(shown.image.primary().values, direct.image.primary().values);
+    EXPECT_EQ(shown.table.columns(), direct.table.columns());
+    ASSERT_NE(window->currentPage(), nullptr);
+    EXPECT_EQ(window->currentPage()->imageView()->image().primary().values,
+              shown.image.primary().values);
+    test::keepScreenshot(*window, "window-image");
+}
+
+TEST_F(MainWindowTest, PolarPlotFromTheWindowEqualsTheGeneratorsOwn) {
+    openSample();
+    onDialog = [](QDialog& dialog) { test::keepScreenshot(dialog, "dialog-polar"); };
+    runAnalysis("polar");
+    ASSERT_EQ(workbench.results().size(), 1U);
+    const AnalysisData& shown = workbench.results().front().data;
+    EXPECT_EQ(shown.table.columns(), runDirectly(shown).table.columns());
+    ASSERT_NE(window->currentPage()->polarPlot(), nullptr);
+    EXPECT_EQ(window->currentPage()->polarPlot()->data().curves.at(0).y,
+              shown.table.find("contrast_intensity")->values);
+    test::keepScreenshot(*window, "window-polar");
+}
+
+TEST_F(MainWindowTest, RunsTheOtherThreeAnalysesIntoCartesianPlots) {
+    openSample();
+    for (const auto* word : {"spectrum", "range", "time"}) {
+        runAnalysis(word);
+        ASSERT_NE(window->currentPage(), nullptr) << word;
+        ASSERT_NE(window->currentPage()->cartesianPlot(), nullptr) << word;
+        test::keepScreenshot(*window, std::string("window-") + word);
+    }
+    EXPECT_EQ(workbench.results().size(), 3U);
+}
+
+TEST_F(MainWindowTest, OverlaysTwoRunsOfOneKind) {
+    openSample();
+    runAnalysis("polar");
+    workbench.set("sensor.band", "8-12");
+    runAnalysis("polar");
+    auto* list = window->findChild<QListWidget*>("resultList");
+    list->selectAll();
+    window->findChild<QToolButton*>("overlayResults")->click();
+    EXPECT_EQ(window->currentPage()->polarPlot()->data().curves.size(), 2U);
+    test::keepScreenshot(*window, "window-overlay");
+}
+
+TEST_F(MainWindowTest, DialogRefusesAValueOutOfRangeAndShowsTheCommand) {
+    openSample();
+    accept = false;
+    bool seen = false;
+    onDialog = [&](QDialog& dialog) {
+        auto& form = dynamic_cast<AnalysisGeneratorDialog&>(dialog);
+        EXPECT_TRUE(form.isAcceptable());
+        auto* command = form.findChild<QLineEdit*>("commandLine");
+        EXPECT_TRUE(command->text().contains("smat-batch polar")) << command->text().toStdString();
+        auto* step = form.findChild<QLineEdit*>("polar.step");
+        EXPECT_TRUE(step->toolTip().contains("Angle between two cases"));
+        step->selectAll();
+        QTest::keyClicks(step, "-4");
+        EXPECT_FALSE(form.isAcceptable());
+        test::keepScreenshot(dialog, "dialog-refuses");
+        step->selectAll();
+        QTest::keyClicks(step, "45");
+        EXPECT_TRUE(form.isAcceptable());
+        EXPECT_EQ(form.data().settings.real("polar.step"), 45.0);
+        seen = true;
+    };
+    window->findChild<QAction*>("new-polar")->trigger();
+    EXPECT_TRUE(seen);
+    EXPECT_FALSE(workbench.isRunning());
+}
+
+TEST_F(MainWindowTest, CancelKeepsWhatIsDone) {
+    openSample();
+    workbench.set("polar.step", "0.05");
+    window->findChild<QAction*>("new-polar")->trigger();
+    int done = 0;
+    QObject::connect(&workbench, &Workbench::jobProgressed,
+                     [&](const Progress& p) { done = static_cast<int>(p.done); });
+    ASSERT_TRUE(test::waitUntil([&] { return done >= 3; }));
+    test::keepScreenshot(*window, "window-running");
+    window->findChild<QToolButton*>("cancelJob")->click();
+    ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
+    ASSERT_EQ(workbench.results().size(), 1U);
+    const auto& data = workbench.results().front().data;
+    EXPECT_EQ(data.state, AnalysisState::partial);
+    EXPECT_GE(data.table.rowCount(), 3U);
+    EXPECT_LT(data.table.rowCount(), 7200U);
+}
+
+TEST_F(MainWindowTest, ClosesCleanlyWhileAnAnalysisRuns) {
+    openSample();
+    workbench.set("polar.step", "0.05");
+    window->findChild<QAction*>("new-polar")->trigger();
+    QTest::qWait(50);
+    EXPECT_TRUE(workbench.isRunning());
+    window->close();
+    window.reset();
+}
+
+TEST_F(MainWindowTest, TellsAboutAMissingFileAndLosesNothing) {
+    openSample();
+    chosen = QString::fromStdString((folder / "missing.smat").string());
+    window->findChild<QAction*>("openProject")->trigger();
+    EXPECT_EQ(told.size(), 1);
+    EXPECT_TRUE(told.value(0).contains("missing.smat"));
+    EXPECT_EQ(workbench.project().displayName(), "ship.smat");
+    EXPECT_TRUE(window->windowTitle().startsWith("ship.smat"));
+}
+
+TEST_F(MainWindowTest, SavesWhatIsShown) {
+    openSample();
+    runAnalysis("image");
+    for (const auto* name : {"a.exr", "a.csv", "a.png"}) {
+        chosen = QString::fromStdString((folder / name).string());
+        window->findChild<QAction*>("exportShown")->trigger();
+        EXPECT_GT(std::filesystem::file_size(folder / name), 200U) << name;
+    }
+    runAnalysis("range");
+    for (const auto* name : {"r.csv", "r.json", "r.svg", "r.png", "r.pdf"}) {
+        chosen = QString::fromStdString((folder / name).string());
+        window->findChild<QAction*>("exportShown")->trigger();
+        EXPECT_GT(std::filesystem::file_size(folder / name), 200U) << name;
+    }
+    EXPECT_TRUE(told.isEmpty());
+}
+
+TEST_F(MainWindowTest, TurningTheViewMovesTheCameraOfTheProject) {
+    openSample();
+    ASSERT_NE(window->sceneView(), nullptr);
+    QTest::keyClick(window->sceneView(), Qt::Key_Right);
+    EXPECT_EQ(workbench.camera().azimuth_deg, 70.0);
+    auto* field = window->findChild<QLineEdit*>("camera.azimuth");
+    EXPECT_EQ(field->text(), "70");
+    field->selectAll();
+    QTest::keyClicks(field, "12.345");
+    EXPECT_EQ(window->sceneView()->camera().azimuth_deg, 12.345);
+}
+
+TEST_F(MainWindowTest, ViewTogglesChangeThePicture) {
+    openSample();
+    window->sceneView()->showWholeModel();
+    QTest::qWait(50);
+    const QImage solid = window->sceneView()->grabFramebuffer();
+    window->findChild<QAction*>("wireframe")->trigger();
+    const QImage wire = window->sceneView()->grabFramebuffer();
+    EXPECT_NE(solid, wire);
+    test::keepScreenshot(*window, "window-wireframe");
+    window->findChild<QAction*>("wireframe")->trigger();
+    EXPECT_EQ(window->sceneView()->grabFramebuffer(), solid);
+}
+
+TEST_F(MainWindowTest, HelpNamesKeysAndRenderers) {
+    openSample();
+    runAnalysis("image");
+    QStringList names;
+    onDialog = [&](QDialog& dialog) {
+        names << dialog.objectName();
+        test::keepScreenshot(dialog, dialog.objectName().toStdString());
+    };
+    window->findChild<QAction*>("showShortcuts")->trigger();
+    window->findChild<QAction*>("showAbout")->trigger();
+    EXPECT_EQ(names, (QStringList{"shortcutsDialog", "aboutDialog"}));
+}
+
+} // namespace
+} // namespace smat::gui
