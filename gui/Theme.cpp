@@ -61,11 +61,19 @@ void applyTheme(QApplication& application, ThemeMode mode) {
         mode == ThemeMode::dark || (mode == ThemeMode::system && isDark(QApplication::palette()));
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setPalette(makePalette(dark ? darkShades : lightShades));
-    application.setStyleSheet(QStringLiteral("QToolTip { padding: 4px; }"
-                                             "QToolBar { border: 0; padding: 4px; spacing: 4px; }"
-                                             "QDockWidget::title { padding: 6px 8px; }"
-                                             "QTabBar::tab { padding: 6px 12px; }"
-                                             "QStatusBar::item { border: 0; }"));
+    const Shades& shades = dark ? darkShades : lightShades;
+    application.setStyleSheet(
+        QStringLiteral("QToolTip { padding: 4px; color: %1; background: %2; border: 1px solid %3; }"
+                       "QToolBar { border: 0; padding: 4px; spacing: 4px; }"
+                       "QDockWidget::title { padding: 6px 8px; }"
+                       "QTabWidget::pane { border: 0; border-top: 1px solid %4; }"
+                       "QTabBar::tab { padding: 7px 14px; border: 0; color: %3;"
+                       "               border-bottom: 2px solid transparent; }"
+                       "QTabBar::tab:hover { color: %1; }"
+                       "QTabBar::tab:selected { color: %1; border-bottom: 2px solid %5; }"
+                       "QStatusBar::item { border: 0; }")
+            .arg(shades.text, shades.tip, shades.faint, dark ? "#3a3f49" : "#d9dde4",
+                 shades.accent));
 }
 
 QIcon icon(const QString& name, const QPalette& palette) {

@@ -96,7 +96,8 @@ void Workbench::cancel() {
 
 void Workbench::onFinished(const AnalysisData& data) {
     const int id = nextId_++;
-    QString what = QString::fromStdString(data.name.empty() ? title(data.kind) : data.name);
+    QString what = QString::fromStdString(
+        data.name.empty() || data.name == name(data.kind) ? title(data.kind) : data.name);
     if (data.state == AnalysisState::partial)
         what += tr(" (partial)");
     results_.push_back({id, QStringLiteral("%1  %2").arg(id).arg(what), data});

@@ -47,6 +47,7 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, Analysi
 
     auto* tabs = new QTabWidget(this);
     tabs->setObjectName("pages");
+    tabs->setDocumentMode(true);
     addPage(QString::fromStdString(title(kind)), {name(kind)}, tabs);
     addPage(tr("Camera and target"), {"camera", "target", "state"}, tabs);
     addPage(tr("Sensor"), {"sensor"}, tabs);
@@ -70,6 +71,8 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, Analysi
 
     buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("Run"));
+    for (auto* button : buttons_->buttons())
+        button->setIcon({});
     buttons_->button(QDialogButtonBox::Ok)->setObjectName("run");
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -138,6 +141,7 @@ void AnalysisGeneratorDialog::refresh() {
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(problems.isEmpty());
     if (problems.isEmpty()) {
         command_->setText(QString::fromStdString(data().commandLine));
+        command_->setToolTip(command_->text());
         command_->setCursorPosition(0);
     }
 }

@@ -27,6 +27,14 @@ namespace {
 constexpr double turn_deg = 360.0;
 constexpr double floor_dB = -40.0;
 
+/// Some five circles in what is seen, whatever the zoom: more would run into each other's numbers.
+class FewCircles : public QwtLinearScaleEngine {
+  public:
+    QwtScaleDiv divideScale(double x1, double x2, int, int, double) const override {
+        return QwtLinearScaleEngine::divideScale(x1, x2, 5, 2, 0.0);
+    }
+};
+
 /// Goes all the way round but for its last step: then the first sample is drawn again.
 bool goesRound(const Curve& curve) {
     if (curve.x.size() < 4)
@@ -60,6 +68,7 @@ PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent)
     canvas()->setMouseTracking(true);
     canvas()->installEventFilter(this);
 
+    setScaleEngine(QwtPolar::Radius, new FewCircles);
     auto* grid = new QwtPolarGrid;
     grid->setPen(QPen(style_.text));
     grid->setMajorGridPen(QPen(style_.grid, 1.0));
@@ -132,9 +141,8 @@ void PolarPlot::rebuildCurves() {
     const bool decibel = radiusScale_ == RadiusScale::decibel;
     const auto range = rangeOf(data_.curves, &Curve::y, decibel);
     largest_ = range ? range->maximum : 1.0;
-    setScaleMaxMinor(QwtPolar::Radius, 2);
     if (decibel) {
-        setScale(QwtPolar::Radius, floor_dB, 0.0, 10.0);
+        setScale(QwtPolar::Radius, floor_dB, 0.0);
     } else {
         double low = range ? std::min(range->minimum, 0.0) : 0.0;
         double high = range ? std::max(range->maximum, 0.0) : 1.0;
@@ -142,7 +150,7 @@ void PolarPlot::rebuildCurves() {
             high = low + 1.0;
         double step = 0.0;
         QwtLinearScaleEngine().autoScale(5, low, high, step);
-        setScale(QwtPolar::Radius, low, high, step);
+        setScale(QwtPolar::Radius, low, high);
     }
     for (std::size_t i = 0; i < data_.curves.size(); ++i) {
         const Curve& curve = data_.curves[i];

@@ -66,6 +66,9 @@ void SceneView::initializeGL() {
     parts_->viewer->setThreadingModel(osgViewer::Viewer::SingleThreaded);
     parts_->viewer->setKeyEventSetsDone(0);
     parts_->viewer->setLightingMode(osg::View::HEADLIGHT);
+    // Faces that look away from the eye are seen, too.
+    parts_->viewer->getLight()->setAmbient(osg::Vec4(0.45F, 0.46F, 0.5F, 1.0F));
+    parts_->viewer->getLight()->setDiffuse(osg::Vec4(0.75F, 0.74F, 0.72F, 1.0F));
     auto* camera = parts_->viewer->getCamera();
     camera->setGraphicsContext(parts_->window);
     camera->setClearMask(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
