@@ -46,7 +46,8 @@ AxisTicks axisTicks(const DisplayLimits& limits, int mostTicks) {
     AxisTicks ticks;
     const double largest = std::max(std::abs(low), std::abs(high));
     if (largest < 0.01 || largest >= 1e5)
-        ticks.exponent = 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0 + 1e-9));
+        ticks.exponent =
+            std::max(3 * static_cast<int>(std::floor(std::log10(largest) / 3.0 + 1e-9)), -300);
     const auto scaled = [&ticks](double value) {
         return ticks.exponent >= 0 ? value / std::pow(10.0, ticks.exponent)
                                    : value * std::pow(10.0, -ticks.exponent);

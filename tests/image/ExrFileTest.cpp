@@ -215,6 +215,7 @@ TEST(ExrFile, SaysTheRowWhereDataAreDamaged) {
             static_cast<std::uint32_t>(0x3f800000U + (i * 2654435761U) % 8388607U));
     writeExr(image, folder / "a.exr");
     std::string bytes = readFileBytes(folder / "a.exr");
+    ASSERT_GT(bytes.size(), 8000U);
     std::fill(bytes.end() - 2000, bytes.end(), '\x01');
     writeFileBytes(folder / "a.exr", bytes);
     EXPECT_THAT(inputErrorOf([&] { readExr(folder / "a.exr"); }), HasSubstr("row 48"));
