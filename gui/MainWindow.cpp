@@ -159,13 +159,16 @@ void MainWindow::makeAnalysisActions(QMenu* menu) {
     for (const AnalysisKind kind : allAnalysisKinds) {
         const QString word = QString::fromStdString(name(kind));
         auto* action = menu->addAction(icon(word), tr("New &%1 analysis…").arg(word), this,
-                                       [this, kind] { newAnalysis(kind); });
+                                       [this, kind] { newAnalysis(kind, workbench_.settings()); });
         action->setObjectName("new-" + word);
         action->setIconText(QString(word).replace(0, 1, word.left(1).toUpper()));
         action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + number++)));
         action->setToolTip(tr("New %1 analysis (Ctrl+%2)").arg(word).arg(number));
         analyses_[kind] = action;
     }
+    // Those the project names, as the starting point of a new one.
+    ofProject_ = menu->addMenu(tr("Of this &project"));
+    ofProject_->setObjectName("projectAnalyses");
 }
 
 void MainWindow::makeViewMenu() {
@@ -229,6 +232,17 @@ void MainWindow::onProjectOpened() {
     setWindowTitle(QString::fromStdString(workbench_.project().displayName()) + " – SMAT");
     statusBar()->showMessage(QString::fromStdString(workbench_.project().file.string()), 8000);
     shownTarget_.clear();
+    ofProject_->clear();
+    for (const auto& analysis : workbench_.project().analyses) {
+        const QString title = QString::fromStdString(analysis.name);
+        auto* action = ofProject_->addAction(
+            icon(QString::fromStdString(name(analysis.kind))), title + "…", this,
+            [this, analysis, title] {
+                newAnalysis(analysis.kind, workbench_.settings().with(analysis.settings), title);
+            });
+        action->setToolTip(QString::fromStdString(analysis.notes));
+    }
+    ofProject_->setToolTipsVisible(true);
     if (view_ != nullptr)
         view_->setScene({});
     tabs_->setCurrentIndex(0);
@@ -239,7 +253,7 @@ void MainWindow::onSettingsChanged() {
     if (view_ == nullptr)
         return;
     const Project& project = workbench_.project();
-    const Settings& settings = project.settings;
+    const Settings& settings = workbench_.settings();
 
     // The scene is made anew only where the target stands otherwise.
     std::string target = "placed";
@@ -263,10 +277,11 @@ void MainWindow::onSettingsChanged() {
     view_->setCamera(workbench_.camera(), yaw);
 }
 
-void MainWindow::newAnalysis(AnalysisKind kind) {
+void MainWindow::newAnalysis(AnalysisKind kind, const Settings& settings, const QString& name) {
     if (!workbench_.hasProject() || workbench_.isRunning())
         return;
-    AnalysisGeneratorDialog dialog(workbench_.project(), kind, fileChooser(), this);
+    AnalysisGeneratorDialog dialog(workbench_.project(), settings, kind, fileChooser(), this);
+    dialog.setName(name);
     if (dialogs_.run(dialog))
         workbench_.start(dialog.data());
 }
@@ -341,8 +356,11 @@ void MainWindow::showAbout() {
 void MainWindow::refreshActions() {
     export_->setEnabled(currentPage() != nullptr);
     findChild<QAction*>("closeResult")->setEnabled(currentPage() != nullptr);
+    const bool ready = workbench_.hasProject() && !workbench_.isRunning();
     for (const auto& [kind, action] : analyses_)
-        action->setEnabled(workbench_.hasProject() && !workbench_.isRunning());
+        action->setEnabled(ready);
+    ofProject_->menuAction()->setVisible(workbench_.hasProject() && !ofProject_->isEmpty());
+    ofProject_->setEnabled(ready);
 }
 
 void MainWindow::restoreLayout() {

@@ -49,7 +49,7 @@ class MainWindow : public QMainWindow {
     void makeCentre();
     void chooseProject();
     void fillRecent(QMenu* menu);
-    void newAnalysis(AnalysisKind kind);
+    void newAnalysis(AnalysisKind kind, const Settings& settings, const QString& name = {});
     void exportShown();
     void onProjectOpened();
     void onSettingsChanged();
@@ -66,6 +66,7 @@ class MainWindow : public QMainWindow {
     SceneView* view_ = nullptr;
     ResultsDock* results_ = nullptr;
     QAction* export_ = nullptr;
+    QMenu* ofProject_ = nullptr;
     std::map<AnalysisKind, QAction*> analyses_;
     QString sceneRenderer_;
     std::string shownTarget_; ///< settings the 3-D scene was made for

@@ -69,7 +69,7 @@ void ScenePanel::refresh() {
     // A field that is being typed into holds the same value already and keeps its text.
     for (const auto* section : {"camera", "target", "state"}) {
         for (const auto& key : settingKeys(section)) {
-            const std::string& text = project.settings.text(key);
+            const std::string& text = workbench_.settings().text(key);
             if (form_->value(key) != text)
                 form_->setValue(key, text);
         }

@@ -33,6 +33,7 @@ void Workbench::open(const std::filesystem::path& file) {
     const auto absolute = std::filesystem::absolute(file).lexically_normal();
     Project opened = file.extension() == ".smat" ? loadProject(absolute) : projectOfModel(absolute);
     project_ = std::move(opened);
+    settings_ = project_->settings;
     rememberFile(absolute);
     emit projectOpened();
     emit settingsChanged();
@@ -53,12 +54,12 @@ void Workbench::set(const std::string& key, const std::string& text) {
 void Workbench::set(const Settings& changed) {
     if (changed == settings())
         return;
-    project_->settings = changed;
+    settings_ = changed;
     emit settingsChanged();
 }
 
 OrbitCamera Workbench::camera() const {
-    const Settings& now = settings();
+    const Settings& now = settings_;
     return {now.real("camera.azimuth"), now.real("camera.elevation"), now.real("camera.range")};
 }
 

@@ -34,10 +34,11 @@ class Workbench : public QObject {
     /// everything is as it was.
     void open(const std::filesystem::path& file);
     bool hasProject() const { return project_.has_value(); }
-    /// LogicError where nothing is open.
+    /// As its file has it. LogicError where nothing is open.
     const Project& project() const;
-    const Settings& settings() const { return project().settings; }
-    /// Of the open project, in memory. Throws irsg::InputError.
+    /// Those of the project with what was changed in the window on top.
+    const Settings& settings() const { return settings_; }
+    /// Changes them in memory. Throws irsg::InputError.
     void set(const std::string& key, const std::string& text);
     void set(const Settings& settings);
 
@@ -74,6 +75,7 @@ class Workbench : public QObject {
     void rememberFile(const std::filesystem::path& file);
 
     std::optional<Project> project_;
+    Settings settings_;
     std::shared_ptr<AnalysisEngine> engine_;
     std::unique_ptr<AnalysisJob> job_;
     std::vector<ResultEntry> results_;

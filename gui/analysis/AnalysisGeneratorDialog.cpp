@@ -27,9 +27,14 @@ std::string exampleFile(AnalysisKind kind) {
 
 } // namespace
 
-AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, AnalysisKind kind,
-                                                 FileChooser chooseFile, QWidget* parent)
-    : QDialog(parent), project_(project), kind_(kind), chooseFile_(std::move(chooseFile)) {
+AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const Settings& settings,
+                                                 AnalysisKind kind, FileChooser chooseFile,
+                                                 QWidget* parent)
+    : QDialog(parent),
+      project_(project),
+      settings_(settings),
+      kind_(kind),
+      chooseFile_(std::move(chooseFile)) {
     setObjectName("analysisGeneratorDialog");
     setWindowTitle(tr("New analysis – %1").arg(QString::fromStdString(title(kind))));
     resize(560, 600);
@@ -105,7 +110,7 @@ void AnalysisGeneratorDialog::addPage(const QString& title,
             keys.push_back(key);
     }
     auto* form = new SettingForm(keys, chooseFile_);
-    form->setValues(project_.settings);
+    form->setValues(settings_);
     forms_.push_back(form);
     connect(form, &SettingForm::edited, this, &AnalysisGeneratorDialog::refresh);
     connect(form, &SettingForm::validityChanged, this, &AnalysisGeneratorDialog::refresh);
@@ -116,13 +121,17 @@ void AnalysisGeneratorDialog::addPage(const QString& title,
     tabs->addTab(scroll, title);
 }
 
+void AnalysisGeneratorDialog::setName(const QString& name) {
+    name_->setText(name);
+}
+
 bool AnalysisGeneratorDialog::isAcceptable() const {
     return std::all_of(forms_.begin(), forms_.end(),
                        [](const auto* form) { return form->isValid(); });
 }
 
 AnalysisData AnalysisGeneratorDialog::data() const {
-    Settings settings = project_.settings;
+    Settings settings = settings_;
     for (const auto* form : forms_)
         form->writeTo(settings);
     AnalysisData data = AnalysisData::of(project_, kind_, settings);

@@ -19,8 +19,11 @@ class AnalysisGeneratorDialog : public QDialog {
     Q_OBJECT
 
   public:
-    AnalysisGeneratorDialog(const Project& project, AnalysisKind kind, FileChooser chooseFile,
-                            QWidget* parent = nullptr);
+    /// Begins with `settings`; what they change of the project's own is in the command.
+    AnalysisGeneratorDialog(const Project& project, const Settings& settings, AnalysisKind kind,
+                            FileChooser chooseFile, QWidget* parent = nullptr);
+
+    void setName(const QString& name);
 
     /// What the forms say now; only while acceptable.
     AnalysisData data() const;
@@ -32,6 +35,7 @@ class AnalysisGeneratorDialog : public QDialog {
     void refresh();
 
     Project project_;
+    Settings settings_;
     AnalysisKind kind_;
     FileChooser chooseFile_;
     std::vector<SettingForm*> forms_;

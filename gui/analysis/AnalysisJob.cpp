@@ -44,8 +44,6 @@ void AnalysisJob::work(std::stop_token stop) {
                                     });
         generator.run(
             data, [this](const Progress& now) { emit progressed(now); }, stop);
-        for (const auto& remark : engine_->scenes.remarks())
-            data.warnings.push_back(remark);
     } catch (const irsg::InputError& error) {
         for (const auto& offence : error.offences())
             sentences << QString::fromStdString(offence.message());

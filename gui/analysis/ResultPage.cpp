@@ -49,6 +49,7 @@ void ResultPage::showImage() {
     const AnalysisData& data = results_.front().data;
     image_ = new ImageView(this);
     image_->setImage(data.image, sensorOf(data.project, data.settings).band);
+    image_->setColorMap(data.settings.text("display.colorMap"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(image_);

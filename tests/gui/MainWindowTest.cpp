@@ -1,14 +1,19 @@
 #include "gui/MainWindow.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
+#include <QProcess>
 #include <QTest>
 #include <QToolButton>
 #include <gtest/gtest.h>
 
 #include "gui/HelpDialogs.h"
+#include "gui/Theme.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/image/ImageCanvas.h"
@@ -26,6 +31,10 @@ namespace {
 /// The real window; this test stands in for the person in front of it.
 class MainWindowTest : public ::testing::Test {
   protected:
+    void SetUp() override {
+        if (!SceneView::problem().isEmpty())
+            GTEST_SKIP() << "this desktop gives no OpenGL context";
+    }
     MainWindowTest() {
         Dialogs dialogs;
         dialogs.openFile = [this](QWidget*, const QString&, const QStringList&) { return chosen; };
@@ -149,6 +158,7 @@ TEST_F(MainWindowTest, OverlaysTwoRunsOfOneKind) {
 TEST_F(MainWindowTest, DialogRefusesAValueOutOfRangeAndShowsTheCommand) {
     openSample();
     accept = false;
+    workbench.set("camera.azimuth", "33");
     bool seen = false;
     onDialog = [&](QDialog& dialog) {
         auto& form = dynamic_cast<AnalysisGeneratorDialog&>(dialog);
@@ -163,6 +173,8 @@ TEST_F(MainWindowTest, DialogRefusesAValueOutOfRangeAndShowsTheCommand) {
         test::keepScreenshot(dialog, "dialog-refuses");
         step->selectAll();
         QTest::keyClicks(step, "45");
+        EXPECT_TRUE(command->text().contains("--step=45")) << command->text().toStdString();
+        EXPECT_TRUE(command->text().contains("--azimuth=33")) << command->text().toStdString();
         EXPECT_TRUE(form.isAcceptable());
         EXPECT_EQ(form.data().settings.real("polar.step"), 45.0);
         seen = true;
@@ -250,6 +262,64 @@ TEST_F(MainWindowTest, ViewTogglesChangeThePicture) {
     test::keepScreenshot(*window, "window-wireframe");
     window->findChild<QAction*>("wireframe")->trigger();
     EXPECT_EQ(window->sceneView()->grabFramebuffer(), solid);
+}
+
+TEST_F(MainWindowTest, OffersTheAnalysesOfAProjectInADarkThemeToo) {
+    applyTheme(*qApp, ThemeMode::dark);
+    window->setPalette(QApplication::palette());
+    ASSERT_TRUE(window->open(std::filesystem::path(SMAT_SOURCE_DIR) /
+                             "samples/turboprop4/turboprop4.smat"));
+    QTest::qWait(100);
+    test::keepScreenshot(*window, "window-dark-model");
+    auto* menu = window->findChild<QMenu*>("projectAnalyses");
+    const auto run = [&](const QString& name) {
+        for (auto* action : menu->actions()) {
+            if (action->text().startsWith(name))
+                action->trigger();
+        }
+        EXPECT_TRUE(test::waitUntil([this] { return !workbench.isRunning(); }));
+        QTest::qWait(50);
+        test::keepScreenshot(*window, "window-dark-" + name.toStdString());
+    };
+    run("mwir-image");
+    run("polar");
+    applyTheme(*qApp, ThemeMode::light);
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    EXPECT_EQ(workbench.results().size(), 2U);
+}
+
+TEST(MainWindowWithoutGlTest, RunsAnalysesAllTheSame) {
+    if (SceneView::problem().isEmpty()) {
+        // This desktop has OpenGL: the same test again where there is none.
+        QProcess process;
+        auto environment = QProcessEnvironment::systemEnvironment();
+        environment.remove("DISPLAY");
+        environment.remove("WAYLAND_DISPLAY");
+        environment.insert("QT_QPA_PLATFORM", "offscreen");
+        process.setProcessEnvironment(environment);
+        process.start(QCoreApplication::applicationFilePath(),
+                      {"--gtest_filter=MainWindowWithoutGlTest.*"});
+        ASSERT_TRUE(process.waitForFinished(120000));
+        const QByteArray said = process.readAllStandardOutput();
+        EXPECT_EQ(process.exitCode(), 0) << said.toStdString();
+        return;
+    }
+    Workbench workbench;
+    Dialogs dialogs;
+    dialogs.tell = [](QWidget*, const QString&, const QStringList& s) {
+        FAIL() << s.join('\n').toStdString();
+    };
+    dialogs.run = [](QDialog&) { return true; };
+    MainWindow window(workbench, dialogs);
+    window.show();
+    EXPECT_EQ(window.sceneView(), nullptr);
+    EXPECT_NE(window.findChild<QLabel*>("noGlNotice"), nullptr);
+    EXPECT_EQ(window.findChild<QAction*>("wireframe"), nullptr);
+    ASSERT_TRUE(window.open(test::writeSampleProject(test::freshFolder("no-gl"))));
+    window.findChild<QAction*>("new-image")->trigger();
+    ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
+    ASSERT_NE(window.currentPage(), nullptr);
+    test::keepScreenshot(window, "window-without-gl");
 }
 
 TEST_F(MainWindowTest, HelpNamesKeysAndRenderers) {
