@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "smatcore/analysis/AnalysisProvenance.h"
-#include "smatcore/analysis/HeldTables.h"
+#include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/ImageQuantity.h"
 #include "smatcore/support/Log.h"
 
@@ -55,12 +55,20 @@ void takeReport(AnalysisData& data, const irsg::RenderReport& report) {
 struct Shortcomings {
     int layersLeftOver = 0;
     double transmissivityResidue = 0.0;
+    std::size_t casesBeyondFrame = 0;
 
     void take(const irsg::RenderReport& report) {
         layersLeftOver = std::max(layersLeftOver, report.layersLeftOver);
         transmissivityResidue = std::max(transmissivityResidue, report.transmissivityResidue);
     }
     void sayIn(AnalysisData& data) const {
+        // An image shows what it cuts off; a plot does not.
+        if (data.kind != AnalysisKind::image && casesBeyondFrame > 0) {
+            data.warnings.push_back(fmt::format(
+                "the target's bounding box reaches beyond the frame in {} of the cases; "
+                "what lies outside is not in the sums",
+                casesBeyondFrame));
+        }
         if (layersLeftOver > 0) {
             data.warnings.push_back(
                 fmt::format("up to {} samples of a drawing have more than {} transparent layers, "
@@ -246,6 +254,9 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             source_.setPose(0, pose);
             const irsg::Viewpoint viewpoint = one.viewpoint(referencePoint);
             source_.setViewpoint(viewpoint);
+            if (reachesBeyondFrame(scene.entities.front(), pose, viewpoint, scene.sensor)) {
+                ++shortcomings.casesBeyondFrame;
+            }
             for (std::size_t i = 0; i < scene.entities.size(); ++i) {
                 const irsg::Entity& entity = scene.entities[i];
                 irsg::EntityState state = entity.state;

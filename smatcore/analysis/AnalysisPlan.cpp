@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/SceneBuilder.h"
@@ -18,6 +19,12 @@ constexpr double mostCases = 1e6;
 double wholeTurn_deg(double angle_deg) {
     const double turned = angle_deg - 360.0 * std::floor(angle_deg / 360.0);
     return turned >= 360.0 - 1e-9 || turned < 1e-12 ? 0.0 : turned;
+}
+
+/// `first + i step` without the digits that binary fractions leave behind: 0.3, not
+/// 0.30000000000000004.
+double stepped(double first, std::size_t i, double step) {
+    return irsg::parseNumber(fmt::format("{:.13g}", first + static_cast<double>(i) * step)).value();
 }
 
 /// The target and the camera as the settings place them: the case every sweep starts from.
@@ -83,7 +90,7 @@ void planPolar(AnalysisPlan& plan, const Settings& settings, std::vector<irsg::O
     plan.coordinate = irsg::Quantity::angle;
     const auto count = static_cast<std::size_t>(std::ceil(360.0 / step_deg - 1e-9));
     for (std::size_t i = 0; i < count; ++i) {
-        const double angle_deg = static_cast<double>(i) * step_deg;
+        const double angle_deg = stepped(0.0, i, step_deg);
         AnalysisCase one = standingCase(settings);
         one.coordinate = angle_deg;
         if (type == "camera-azimuth") {
@@ -156,7 +163,7 @@ void planTime(AnalysisPlan& plan, const Settings& settings, std::vector<irsg::Of
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         AnalysisCase one = standingCase(settings);
-        one.time_s = from_s + static_cast<double>(i) * step_s;
+        one.time_s = stepped(from_s, i, step_s);
         one.coordinate = one.time_s;
         plan.cases.push_back(one);
     }

@@ -14,4 +14,9 @@ std::vector<std::string> heldTables(const irsg::Entity& entity, irsg::EntityStat
                                     const irsg::Pose& pose, const irsg::Vec3& referencePoint,
                                     const irsg::Vec3& camera);
 
+/// True where a corner of the bounding box of the target lies outside the frame or behind the
+/// camera. What is not in the frame is not in the sums. Never true for an entity without a model.
+bool reachesBeyondFrame(const irsg::Entity& target, const irsg::Pose& pose,
+                        const irsg::Viewpoint& viewpoint, const irsg::Sensor& sensor);
+
 } // namespace smat
