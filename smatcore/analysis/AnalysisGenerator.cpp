@@ -56,12 +56,20 @@ struct Shortcomings {
     int layersLeftOver = 0;
     double transmissivityResidue = 0.0;
     std::size_t casesBeyondFrame = 0;
+    std::size_t casesWithoutPixels = 0;
 
     void take(const irsg::RenderReport& report) {
+        casesWithoutPixels += report.all.coveredPixels > 0.0 ? 0 : 1;
         layersLeftOver = std::max(layersLeftOver, report.layersLeftOver);
         transmissivityResidue = std::max(transmissivityResidue, report.transmissivityResidue);
     }
     void sayIn(AnalysisData& data) const {
+        if (casesWithoutPixels > 0) {
+            data.warnings.push_back(
+                fmt::format("no sample hits the target in {} of the cases: it is out of the frame, "
+                            "too small for the sampling, or the camera is inside it",
+                            casesWithoutPixels));
+        }
         // An image shows what it cuts off; a plot does not.
         if (data.kind != AnalysisKind::image && casesBeyondFrame > 0) {
             data.warnings.push_back(fmt::format(
@@ -166,7 +174,11 @@ void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& s
 
 void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan& plan) {
     // The sums of the same view say who answered for the air.
-    takeReport(data, source.measure());
+    const irsg::RenderReport report = source.measure();
+    takeReport(data, report);
+    Shortcomings shortcomings;
+    shortcomings.take(report);
+    shortcomings.sayIn(data);
     const irsg::IntensitySpectrum spectrum = source.measureSpectrum(plan.wavenumbers_cm1);
     addNew(data.warnings, spectrum.warnings);
     for (std::size_t i = 0; i < spectrum.wavenumbers_cm1.size(); ++i) {

@@ -1,0 +1,188 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "irsg/image/ExrFile.h"
+#include "irsg/radiometry/Band.h"
+#include "irsg/radiometry/Planck.h"
+#include "irsg/radiometry/Units.h"
+#include "smatcore/data/ResultTable.h"
+#include "tests/cli/Program.h"
+#include "tests/support/TemporaryFolder.h"
+
+namespace smat::test {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string sphere = sample("sphere/sphere.smat");
+
+TEST(SmatBatchRun, WritesEveryAnalysisOfTheProject) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch(
+        {"run", sphere, "--out", folder / "out", "--width", "64", "--height", "64", "--json"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const auto json = nlohmann::json::parse(ran.out);
+    EXPECT_GE(json["analyses"].size(), 4u);
+    for (const auto& analysis : json["analyses"]) {
+        EXPECT_EQ(analysis["state"], "complete");
+        EXPECT_FALSE(analysis["files"].empty());
+        for (const auto& file : analysis["files"]) {
+            EXPECT_GT(std::filesystem::file_size(file.get<std::string>()), 100u) << file;
+        }
+    }
+    for (const char* name : {"mwir-image.exr", "mwir-image.csv", "mwir-image.png", "range.csv",
+                             "range.json", "spectrum.csv"}) {
+        EXPECT_TRUE(std::filesystem::exists(folder / "out" / name)) << name;
+    }
+}
+
+TEST(SmatBatchRun, GivesTheSameBytesTwice) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a", "b"}) {
+        std::filesystem::create_directories(folder / name);
+        const Ran ran = smatBatch(
+            {"run", sphere, "--analysis", "mwir-image", "--analysis", "range", "--out", "out"},
+            folder / name);
+        ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    }
+    for (const char* name :
+         {"mwir-image.exr", "mwir-image.csv", "mwir-image.png", "range.csv", "range.json"}) {
+        EXPECT_EQ(contentOf(folder / "a" / "out" / name), contentOf(folder / "b" / "out" / name))
+            << name;
+    }
+}
+
+TEST(SmatBatchImage, TheCentreOfTheSphereIsItsClosedForm) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch({"image", sphere, "--sun", "off", "--out", folder / "a.exr"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const irsg::RadianceImage image = irsg::readExr(folder / "a.exr");
+    const double expected = 0.9 * irsg::bandRadiance_W_m2_sr(irsg::Band::topHat(3, 5), 320.0);
+    EXPECT_NEAR(image.at(image.width() / 2, image.height() / 2), expected, 1e-5 * expected);
+    EXPECT_EQ(image.attributes.at("render.sun"), "off");
+}
+
+TEST(SmatBatchImage, TakesABareModelWithItsDatabase) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch({"image", sample("sphere/sphere.flt"), "--database",
+                               sample("sphere/sphere.sigdb"), "--range", "100", "--out",
+                               folder / "a.csv", "--out", folder / "a.png"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.csv"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.png"));
+}
+
+TEST(SmatBatchPolar, HasTheColumnsOfTheFormatsPage) {
+    const TemporaryFolder folder;
+    const Ran ran =
+        smatBatch({"polar", sphere, "--sun", "off", "--step", "90", "--out", folder / "p.csv"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable table = ResultTable::load(folder / "p.csv");
+    std::vector<std::string> headers;
+    for (const ResultColumn& column : table.columns()) {
+        headers.push_back(column.header());
+    }
+    EXPECT_THAT(headers,
+                testing::ElementsAre("angle [deg]", "azimuth [deg]", "elevation [deg]", "yaw [deg]",
+                                     "intensity [W sr-1]", "contrast_intensity [W sr-1]",
+                                     "irradiance [W m-2]", "pixels"));
+    const double expected =
+        irsg::pi * 0.9 * irsg::bandRadiance_W_m2_sr(irsg::Band::topHat(3, 5), 320.0);
+    for (const double intensity : table.find("intensity")->values) {
+        EXPECT_NEAR(intensity, expected, 2e-3 * expected);
+    }
+}
+
+TEST(SmatBatchRange, TheIrradianceOfTheSphereFollowsTheInverseSquareLaw) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch({"range", sphere, "--sun", "off", "--from", "100", "--to", "400",
+                               "--points", "4", "--out", folder / "r.json"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable table = ResultTable::load(folder / "r.json");
+    const auto& range = table.find("range")->values;
+    const auto& irradiance = table.find("irradiance")->values;
+    ASSERT_EQ(range.size(), 4u);
+    for (std::size_t i = 0; i < range.size(); ++i) {
+        const double ratio = irradiance[i] * range[i] * range[i] / (irradiance[0] * 1e4);
+        EXPECT_NEAR(ratio, 1.0, 3e-3) << range[i];
+    }
+}
+
+TEST(SmatBatchRange, ANamedAnalysisGivesTheSameNumbersFromRunAndFromItsOwnCommand) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(smatBatch({"run", sphere, "--analysis", "range", "--out", folder / "out"}).exitCode,
+              0);
+    ASSERT_EQ(
+        smatBatch({"range", sphere, "--analysis", "range", "--out", folder / "r.csv"}).exitCode, 0);
+    EXPECT_EQ(ResultTable::load(folder / "out" / "range.csv").columns(),
+              ResultTable::load(folder / "r.csv").columns());
+}
+
+TEST(SmatBatchDryRun, SaysWhatWouldBeDrawnAndDrawsNothing) {
+    const Ran ran = smatBatch({"polar", sphere, "--step", "10", "--dry-run"});
+    EXPECT_EQ(ran.exitCode, 0);
+    EXPECT_THAT(ran.out, HasSubstr("polar: 36 cases, angle 0 to 350 deg"));
+}
+
+TEST(SmatBatchTiming, StagesAddUpToTheSumThatIsPrinted) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch({"image", sphere, "--out", folder / "a.exr", "--timing"});
+    EXPECT_EQ(ran.exitCode, 0);
+    EXPECT_THAT(ran.err, HasSubstr("stage"));
+    EXPECT_THAT(ran.err, HasSubstr("analyse"));
+    EXPECT_THAT(ran.err, HasSubstr("other"));
+    EXPECT_THAT(ran.err, HasSubstr("sum"));
+}
+
+TEST(SmatBatchStop, AnInterruptKeepsWhatWasDoneAndSaysSo) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch({"time", sphere, "--from", "0", "--to", "100000", "--step", "0.2",
+                               "--verbose", "--out", folder / "t.csv"},
+                              ".", "cases");
+    EXPECT_EQ(ran.exitCode, 1) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("stopped"));
+    if (std::filesystem::exists(folder / "t.csv")) {
+        const ResultTable table = ResultTable::load(folder / "t.csv");
+        EXPECT_EQ(table.provenance.value("state"), "partial");
+        EXPECT_LT(table.rowCount(), 500001u);
+    }
+}
+
+struct EmptyViewRow {
+    const char* name;
+    std::vector<std::string> options;
+};
+
+class SmatBatchEmptyView : public testing::TestWithParam<EmptyViewRow> {};
+
+TEST_P(SmatBatchEmptyView, IsDoneWithANoteThatNothingWasHit) {
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments = {"image", sphere, "--out", folder / "a.exr"};
+    arguments.insert(arguments.end(), GetParam().options.begin(), GetParam().options.end());
+    const Ran ran = smatBatch(arguments);
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("no sample hits the target"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Views, SmatBatchEmptyView,
+    testing::Values(EmptyViewRow{"CameraAtTheReferencePoint", {"--range", "0"}},
+                    EmptyViewRow{"CameraInsideTheTarget", {"--range", "0.5"}},
+                    EmptyViewRow{"TargetFarBelowASample", {"--range", "1e7"}}),
+    [](const auto& row) { return row.param.name; });
+
+TEST(SmatBatchProject, WarnsOfKeysItDoesNotKnow) {
+    const TemporaryFolder folder;
+    write(folder / "p.smat", R"({"version": 1, "sensor": {"widht": 7},
+        "models": [{"file": ")" + sample("sphere/sphere.flt").string() +
+                                 R"(", "database": ")" + sample("sphere/sphere.sigdb").string() +
+                                 R"("}]})");
+    const Ran ran = smatBatch({"image", folder / "p.smat", "--dry-run"});
+    EXPECT_EQ(ran.exitCode, 0);
+    EXPECT_THAT(ran.err, HasSubstr("warning: "));
+    EXPECT_THAT(ran.err, HasSubstr("sensor.widht"));
+}
+
+} // namespace
+} // namespace smat::test

@@ -1,0 +1,119 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/Program.h"
+#include "tests/support/TemporaryFolder.h"
+
+namespace smat::test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(SmatBatch, SaysItsVersionAndItsRenderer) {
+    const Ran ran = smatBatch({"--version"});
+    EXPECT_EQ(ran.exitCode, 0);
+    EXPECT_THAT(ran.out, HasSubstr("smat-batch 0."));
+    EXPECT_THAT(ran.out, HasSubstr("renderer: "));
+}
+
+TEST(SmatBatch, HelpOfACommandListsItsOptionsWithRangesAndDefaults) {
+    const Ran ran = smatBatch({"polar", "--help"});
+    EXPECT_EQ(ran.exitCode, 0);
+    EXPECT_THAT(ran.out, HasSubstr("--azimuth"));
+    EXPECT_THAT(ran.out, HasSubstr("from 1 to 16384 px"));
+    EXPECT_THAT(ran.out, HasSubstr("camera-azimuth"));
+    EXPECT_THAT(ran.out, testing::Not(HasSubstr("--points")));
+}
+
+TEST(SmatBatch, ListsSettingsForPeopleMachinesAndTheManual) {
+    EXPECT_THAT(smatBatch({"settings"}).out, HasSubstr("sensor.width (--width)"));
+    EXPECT_EQ(smatBatch({"settings", "--markdown"}).out,
+              contentOf(std::filesystem::path(SMAT_SOURCE_DIR) / "docs" / "settings.md"));
+    const auto json = nlohmann::json::parse(smatBatch({"settings", "--json"}).out);
+    EXPECT_EQ(json["settings"][0]["key"], "sensor.width");
+}
+
+TEST(SmatBatch, ModelInfoCountsFacesByCode) {
+    const Ran ran = smatBatch({"model", "info", sample("turboprop4/turboprop4.flt"), "--json"});
+    EXPECT_EQ(ran.exitCode, 0);
+    const auto json = nlohmann::json::parse(ran.out);
+    int faces = 0;
+    for (const auto& code : json["codes"]) {
+        faces += code["faces"].get<int>();
+    }
+    EXPECT_EQ(json["codes"].size(), 9u);
+    EXPECT_EQ(faces, 862);
+}
+
+TEST(SmatBatch, ConvertKeepsCodesThroughEveryFormat) {
+    const TemporaryFolder folder;
+    const auto codesOf = [](const std::filesystem::path& file) {
+        auto codes =
+            nlohmann::json::parse(smatBatch({"model", "info", file, "--json"}).out)["codes"];
+        for (auto& code : codes) {
+            code.erase("faces"); // a format may count triangles
+            code["area_m2"] = std::round(code["area_m2"].get<double>());
+        }
+        return codes;
+    };
+    const auto original = codesOf(sample("turboprop4/turboprop4.flt"));
+    for (const char* name : {"a.osgt", "a.osgb", "a.ive"}) {
+        const Ran ran = smatBatch({"convert", sample("turboprop4/turboprop4.flt"), folder / name});
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        EXPECT_EQ(codesOf(folder / name), original) << name;
+    }
+}
+
+TEST(SmatBatch, DatabasesGoThroughJsonUnchanged) {
+    const TemporaryFolder folder;
+    const Ran exported =
+        smatBatch({"db", "export", sample("ship/ship.sigdb"), folder / "ship.json"});
+    EXPECT_EQ(exported.exitCode, 0) << exported.err;
+    EXPECT_EQ(smatBatch({"db", "import", folder / "ship.json", folder / "ship.sigdb"}).exitCode, 0);
+    EXPECT_EQ(smatBatch({"db", "export", folder / "ship.sigdb"}).out,
+              contentOf(folder / "ship.json"));
+}
+
+TEST(SmatBatch, CreatesADatabaseForTheCodesOfAModel) {
+    const TemporaryFolder folder;
+    const std::string model = sample("ship/ship.flt");
+    EXPECT_EQ(smatBatch({"db", "create", folder / "new.sigdb", "--model", model}).exitCode, 0);
+    const Ran lint = smatBatch({"db", "lint", folder / "new.sigdb", "--model", model});
+    EXPECT_NE(lint.exitCode, 2) << lint.out;
+    const auto info =
+        nlohmann::json::parse(smatBatch({"db", "info", folder / "new.sigdb", "--json"}).out);
+    EXPECT_EQ(info["temperatures"].size(), 5u);
+    EXPECT_EQ(info["materials"].size(), 4u);
+}
+
+TEST(SmatBatch, LintNamesTheCodesAModelCarriesWithoutAnEntry) {
+    const Ran lint = smatBatch({"db", "lint", sample("sphere/sphere.sigdb"), "--model",
+                                sample("chessboard/chessboard.flt")});
+    EXPECT_EQ(lint.exitCode, 2);
+    EXPECT_THAT(lint.out, HasSubstr("temperatures.2"));
+    EXPECT_THAT(lint.out, HasSubstr("materials.3"));
+    EXPECT_THAT(lint.out, HasSubstr("32 faces"));
+}
+
+TEST(SmatBatch, ImportsSpectraAndFactorsFromCsv) {
+    const TemporaryFolder folder;
+    std::filesystem::copy(sample("ship/ship.sigdb"), folder / "ship.sigdb");
+    write(folder / "plume.csv", "um,CO2,H2O\n3,1,2\n4,2,2\n5,1,0\n");
+    const Ran spectrum =
+        smatBatch({"db", "import", folder / "plume.csv", folder / "ship.sigdb", "--unit",
+                   "W m-2 sr-1 um-1", "--name", "funnel plume", "--reference-distance", "50"});
+    EXPECT_EQ(spectrum.exitCode, 0) << spectrum.err;
+    write(folder / "angle.csv", ",CO2,H2O\n0,1,1\n180,0.5,0.25\n");
+    const Ran factors = smatBatch({"db", "import", folder / "angle.csv", folder / "ship.sigdb",
+                                   "--as", "angle", "--temperature", "8"});
+    EXPECT_EQ(factors.exitCode, 0) << factors.err;
+    const std::string text = smatBatch({"db", "export", folder / "ship.sigdb"}).out;
+    EXPECT_THAT(text, HasSubstr("0.25"));
+    const auto info =
+        nlohmann::json::parse(smatBatch({"db", "info", folder / "ship.sigdb", "--json"}).out);
+    EXPECT_EQ(info["spectra"][0]["reference_distance_m"], 50.0);
+}
+
+} // namespace
+} // namespace smat::test
