@@ -159,6 +159,34 @@ DisplayLimits percentileLimits(std::span<const float> values, double lowPercent,
                       : DisplayLimits{low - 0.01 * std::abs(low), low + 0.01 * std::abs(low)};
 }
 
+DisplayLimits objectLimits(std::span<const float> values) {
+    constexpr double lowPercent = 0.5, highPercent = 97.0;
+    constexpr std::size_t uniformShare = 20;
+    std::vector<float> finite = finiteOf(values);
+    std::ranges::sort(finite);
+
+    // The value that occurs most often, as the longest run of the sorted plane.
+    std::size_t longest = 0, start = 0;
+    for (std::size_t i = 0, from = 0; i < finite.size(); ++i) {
+        if (finite[i] != finite[from])
+            from = i;
+        if (i - from + 1 > longest) {
+            longest = i - from + 1;
+            start = from;
+        }
+    }
+    if (longest * uniformShare < finite.size() || longest == finite.size())
+        return percentileLimits(values, lowPercent, highPercent);
+
+    const double background = static_cast<double>(finite[start]);
+    finite.erase(finite.begin() + static_cast<std::ptrdiff_t>(start),
+                 finite.begin() + static_cast<std::ptrdiff_t>(start + longest));
+    DisplayLimits limits = percentileLimits(finite, lowPercent, highPercent);
+    limits.low = std::min(limits.low, background);
+    limits.high = std::max(limits.high, background);
+    return limits;
+}
+
 DisplayLimits symmetricLimits(std::span<const float> values, double percent) {
     checkPercent(percent);
     std::vector<float> finite = finiteOf(values);

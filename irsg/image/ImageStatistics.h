@@ -55,6 +55,11 @@ struct DisplayLimits {
 /// <= 100.
 DisplayLimits percentileLimits(std::span<const float> values, double lowPercent = 0.0,
                                double highPercent = 100.0);
+/// Limits that show an object on its background: where one value fills a twentieth of the plane or
+/// more (a uniform background), the percentiles 0.5 and 97 of all that differs from it, widened to
+/// hold it; else those of the whole plane. A few glowing pixels do not turn the rest of a target
+/// black.
+DisplayLimits objectLimits(std::span<const float> values);
 /// Limits symmetric about 0 for signed differences: the percentile of the absolute values.
 DisplayLimits symmetricLimits(std::span<const float> values, double percent = 100.0);
 

@@ -170,3 +170,27 @@ TEST(DisplayLimits, OfDifferencesAreSymmetric) {
 
 } // namespace
 } // namespace irsg
+
+TEST(ObjectLimits, AreThoseOfTheTargetAndNotOfItsFewGlowingPixels) {
+    // A background of 2, a body from 1 to 11 and three pixels of 1000.
+    std::vector<float> values(20000, 2.0f);
+    for (int i = 0; i < 1000; ++i)
+        values[static_cast<std::size_t>(i)] = 1.0f + 0.01f * static_cast<float>(i);
+    values[0] = values[1] = values[2] = 1000.0f;
+    const irsg::DisplayLimits limits = irsg::objectLimits(values);
+    EXPECT_NEAR(limits.low, 1.08, 0.01);
+    EXPECT_NEAR(limits.high, 10.73, 0.05);
+}
+
+TEST(ObjectLimits, HoldTheBackgroundAlso) {
+    std::vector<float> values(1000, 0.0f);
+    for (std::size_t i = 0; i < 100; ++i)
+        values[i] = 5.0f + 0.01f * static_cast<float>(i);
+    EXPECT_EQ(irsg::objectLimits(values).low, 0.0);
+    std::vector<float> even(100);
+    for (std::size_t i = 0; i < even.size(); ++i)
+        even[i] = static_cast<float>(i);
+    EXPECT_NEAR(irsg::objectLimits(even).high, 96.03, 1e-4);
+    EXPECT_LT(irsg::objectLimits(std::vector<float>(9, 3.0f)).low, 3.0);
+    EXPECT_LT(irsg::objectLimits({}).low, irsg::objectLimits({}).high);
+}
