@@ -13,7 +13,7 @@ namespace {
 
 /// The limits of the colours: those that are set, the image's own for the others.
 irsg::DisplayLimits limitsOf(const AnalysisData& data) {
-    irsg::DisplayLimits limits = irsg::percentileLimits(data.image.primary().values);
+    irsg::DisplayLimits limits = irsg::objectLimits(data.image.primary().values);
     const auto minimum = data.settings.optionalReal("display.minimum");
     const auto maximum = data.settings.optionalReal("display.maximum");
     limits.low = minimum.value_or(limits.low);

@@ -171,11 +171,11 @@ void addDisplay(std::vector<SettingInfo>& table) {
     table.push_back(choiceOrNumber("display.minimum", "--display-minimum", "Darkest value", "",
                                    {"auto"}, -1e30, 1e30, "auto",
                                    "Value that has the first colour, in the unit of the picture; "
-                                   "auto takes the least of the image."));
+                                   "auto shows the object and its background."));
     table.push_back(choiceOrNumber("display.maximum", "--display-maximum", "Brightest value", "",
                                    {"auto"}, -1e30, 1e30, "auto",
                                    "Value that has the last colour, in the unit of the picture; "
-                                   "auto takes the largest of the image."));
+                                   "auto leaves out the few hottest pixels."));
 }
 
 void addAnalyses(std::vector<SettingInfo>& table) {
