@@ -85,8 +85,10 @@ ColorBar::ColorBar(QWidget* parent) : QWidget(parent) {
     low_->setToolTip(tr("Value of the first colour; darker pixels have a colour of their own"));
     mode_ = new QComboBox(this);
     mode_->setObjectName("limitMode");
-    mode_->addItems({tr("Full range"), tr("1 to 99 %"), tr("Locked")});
-    mode_->setToolTip(tr("How the limits of the colours are found"));
+    mode_->addItems({tr("Target"), tr("Full range"), tr("Locked")});
+    mode_->setToolTip(
+        tr("How the limits of the colours are found: Target shows the object on its background and "
+           "leaves out its few hottest pixels"));
     for (QWidget* widget : {static_cast<QWidget*>(high_), static_cast<QWidget*>(scale_),
                             static_cast<QWidget*>(low_), static_cast<QWidget*>(mode_)})
         column->addWidget(widget);

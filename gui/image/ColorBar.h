@@ -11,9 +11,9 @@ namespace smat::gui {
 
 /// How the limits of the colours are found.
 enum class LimitMode {
-    full,       ///< smallest to largest value
-    percentile, ///< leaves one in a hundred out at each end
-    locked      ///< as they stand, also for the next plane or image
+    target, ///< irsg::objectLimits
+    full,   ///< least to largest
+    locked  ///< as typed in
 };
 
 /// The legend of a false-colour picture: the colours with their values and unit, the two limits as

@@ -160,8 +160,8 @@ void ImageView::updateColors() {
     irsg::DisplayLimits limits = colorBar_->limits();
     if (colorBar_->mode() == LimitMode::full)
         limits = irsg::percentileLimits(plane().values);
-    else if (colorBar_->mode() == LimitMode::percentile)
-        limits = irsg::percentileLimits(plane().values, 1.0, 99.0);
+    else if (colorBar_->mode() == LimitMode::target)
+        limits = irsg::objectLimits(plane().values);
     colorBar_->setColors(*map_, limits);
     canvas_->setColors(*map_, limits);
 }

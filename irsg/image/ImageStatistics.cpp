@@ -160,7 +160,7 @@ DisplayLimits percentileLimits(std::span<const float> values, double lowPercent,
 }
 
 DisplayLimits objectLimits(std::span<const float> values) {
-    constexpr double lowPercent = 0.5, highPercent = 97.0;
+    constexpr double lowPercent = 0.5, highPercent = 99.0;
     constexpr std::size_t uniformShare = 20;
     std::vector<float> finite = finiteOf(values);
     std::ranges::sort(finite);

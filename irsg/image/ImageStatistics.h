@@ -56,7 +56,7 @@ struct DisplayLimits {
 DisplayLimits percentileLimits(std::span<const float> values, double lowPercent = 0.0,
                                double highPercent = 100.0);
 /// Limits that show an object on its background: where one value fills a twentieth of the plane or
-/// more (a uniform background), the percentiles 0.5 and 97 of all that differs from it, widened to
+/// more (a uniform background), the percentiles 0.5 and 99 of all that differs from it, widened to
 /// hold it; else those of the whole plane. A few glowing pixels do not turn the rest of a target
 /// black.
 DisplayLimits objectLimits(std::span<const float> values);
