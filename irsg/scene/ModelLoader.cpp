@@ -135,7 +135,9 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
         for (const auto& remark : scanned.remarks)
             loaded.remarks.push_back(scanned.path.filename().string() + ": " + remark);
     if (loaded.faces.empty())
-        throw InputError({file.string(), "", "a model without faces", "at least one face"});
+        throw InputError({file.string(),
+                          "byte " + std::to_string(scan.files.front().bytes.size()),
+                          "the end of a model without faces", "at least one face"});
 
     const std::scoped_lock lock(registryMutex());
     OsgNotices notices;

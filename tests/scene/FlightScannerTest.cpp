@@ -52,7 +52,7 @@ struct BadFile {
     const char* says;
 };
 
-std::function<std::string(const SquareFile&)> at(std::string SquareFile::* part,
+std::function<std::string(const SquareFile&)> at(std::string SquareFile::*part,
                                                  std::size_t within = 0) {
     return [=](const SquareFile& file) { return file.positionOf(part, within); };
 }
@@ -97,8 +97,8 @@ TEST(FlightScanner, TakesTheLongIdForTheShortOne) {
 }
 
 TEST(FlightScanner, KnowsTheUnitsOfLength) {
-    for (const auto& [code, metres] : {std::pair{0, 1.0}, {1, 1000.0}, {4, 0.3048}, {5, 0.0254},
-                                       {8, 1852.0}}) {
+    for (const auto& [code, metres] :
+         {std::pair{0, 1.0}, {1, 1000.0}, {4, 0.3048}, {5, 0.0254}, {8, 1852.0}}) {
         SquareFile file;
         file.unit = code;
         file.remake();
@@ -142,7 +142,8 @@ TEST(FlightScanner, SetsTheLightModeOfTheInfraredStreamByTheNormals) {
     SquareFile bare; // vertices without normals: 40 bytes each
     bare.vertices = "";
     for (int i = 0; i < 4; ++i)
-        bare.vertices += record(flight::vertexC, zeros(4) + f64(i % 3) + f64(i / 2) + f64(0) + zeros(8));
+        bare.vertices +=
+            record(flight::vertexC, zeros(4) + f64(i % 3) + f64(i / 2) + f64(0) + zeros(8));
     bare.palette = record(flight::vertexPalette, i32(8 + 4 * 40));
     bare.list = record(flight::vertexList, i32(8) + i32(48) + i32(88) + i32(128));
     EXPECT_EQ(scanFlightBytes(bare.bytes(), "x.flt")
@@ -262,8 +263,8 @@ void asMesh(F& f, const std::string& records) {
 }
 
 std::string vertex(double x, std::size_t length = 56) {
-    auto bytes = record(flight::vertexCN, zeros(4) + f64(x) + f64(0) + f64(0) + f32(0) + f32(0) +
-                                              f32(1) + zeros(12));
+    auto bytes = record(flight::vertexCN,
+                        zeros(4) + f64(x) + f64(0) + f64(0) + f32(0) + f32(0) + f32(1) + zeros(12));
     bytes[3] = static_cast<char>(length);
     return bytes.substr(0, length);
 }
@@ -276,9 +277,8 @@ std::string matrix(float value, float last = 1.0f) {
 }
 
 std::string switchRecord(int present, std::int64_t masks, std::int64_t words, int stored) {
-    return record(flight::switchNode,
-                  zeros(12) + i32(present) + i32(masks) + i32(words) +
-                      zeros(static_cast<std::size_t>(4 * stored)));
+    return record(flight::switchNode, zeros(12) + i32(present) + i32(masks) + i32(words) +
+                                          zeros(static_cast<std::size_t>(4 * stored)));
 }
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();

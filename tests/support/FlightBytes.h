@@ -36,8 +36,8 @@ struct SquareFile {
     void remake();
     std::string bytes() const;
     /// Where a record begins in bytes(): &SquareFile::face.
-    std::size_t offsetOf(std::string SquareFile::* part) const;
-    std::string positionOf(std::string SquareFile::* part, std::size_t within = 0) const;
+    std::size_t offsetOf(std::string SquareFile::*part) const;
+    std::string positionOf(std::string SquareFile::*part, std::size_t within = 0) const;
 };
 
 /// A mesh of one square with its pool and primitive, to stand in for a face.

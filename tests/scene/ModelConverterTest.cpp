@@ -1,0 +1,168 @@
+#include "irsg/scene/ModelConverter.h"
+
+#include <functional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <osg/Geometry>
+#include <osg/NodeVisitor>
+#include <osgDB/Options>
+#include <osgDB/ReadFile>
+#include <osgSim/ShapeAttribute>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/IrCodes.h"
+#include "irsg/scene/ModelLoader.h"
+#include "irsg/scene/ModelSummary.h"
+#include "tests/support/FlightBytes.h"
+
+using namespace irsg;
+using namespace irsg::test;
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+namespace {
+
+const fs::path source = SMAT_SOURCE_DIR;
+const fs::path data = source / "tests/data/models";
+
+/// What the stock reader gives, with nothing of this program in between.
+osg::ref_ptr<osg::Node> stockRead(const fs::path& file) {
+    osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
+    options->setObjectCacheHint(osgDB::Options::CACHE_NONE);
+    return osgDB::readRefNodeFile(file.string(), options);
+}
+
+/// Every drawable's two integers as a foreign reader finds them.
+class AttributeReader : public osg::NodeVisitor {
+  public:
+    AttributeReader() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) { setNodeMaskOverride(~0u); }
+    void apply(osg::Drawable& drawable) override {
+        const auto* list = dynamic_cast<const osgSim::ShapeAttributeList*>(drawable.getUserData());
+        if (!list || list->size() != 2 || (*list)[0].getName() != "IRColor" ||
+            (*list)[1].getName() != "IRMaterial") {
+            ++without;
+            return;
+        }
+        codes.insert({(*list)[0].getInt(), (*list)[1].getInt()});
+        uncoloured += drawable.asGeometry()->getColorArray() == nullptr;
+    }
+    std::set<IrCodes> codes;
+    int without = 0, uncoloured = 0;
+};
+
+std::string refusal(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+class Conversion : public testing::TestWithParam<const char*> {};
+
+} // namespace
+
+TEST_P(Conversion, KeepsEveryCodeInTheUserDataOfDrawables) {
+    const TemporaryFolder folder;
+    for (const fs::path& in : {data / "tricky_1420.flt", data / "tricky_1640.flt",
+                               source / "samples/box/box.flt", data / "plate.flt"}) {
+        SCOPED_TRACE(in.filename().string());
+        const auto out = folder.path() / (std::string("out.") + GetParam());
+        const auto report = convertModel(in, out);
+
+        // Read by the stock reader alone: the lists are there, and no code was lost or made.
+        const auto graph = stockRead(out);
+        ASSERT_NE(graph, nullptr);
+        AttributeReader reader;
+        graph->accept(reader);
+        EXPECT_EQ(reader.without, 0);
+        EXPECT_EQ(reader.uncoloured, 0);
+        std::set<IrCodes> expected;
+        for (const auto& [codes, faces] : loadGraph(in, LoadPurpose::visible).faces)
+            expected.insert(codes);
+        EXPECT_EQ(reader.codes, expected);
+        EXPECT_EQ(polygonCounts(*graph), report.polygonsWritten);
+    }
+}
+
+TEST_P(Conversion, GivesTheSameModelAsTheOriginal) {
+    const TemporaryFolder folder;
+    const auto in = data / "tricky_1640.flt",
+               out = folder.path() / (std::string("out.") + GetParam());
+    convertModel(in, out);
+    const auto before = Model::load(in), after = Model::load(out);
+    EXPECT_EQ(before->bounds(), after->bounds());
+    for (const auto& [codes, use] : before->codes())
+        if (use.area_m2 > 0.0) {
+            ASSERT_TRUE(after->codes().contains(codes));
+            EXPECT_NEAR(after->codes().at(codes).area_m2, use.area_m2, 1e-5 * use.area_m2);
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Conversion, testing::Values("osgt", "osgb", "ive", "osg", "osgx"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(ModelConverter, KeepsTheNumberOfFacesOfEachCode) {
+    const TemporaryFolder folder;
+    const auto report =
+        convertModel(source / "samples/turboprop4/turboprop4.flt", folder.path() / "t.osgb");
+    EXPECT_EQ(report.polygonsRead, report.polygonsWritten);
+    long faces = 0;
+    for (const auto& [codes, count] : report.polygonsWritten)
+        faces += count;
+    EXPECT_EQ(faces, 862);
+    EXPECT_EQ(report.drawablesRead, 862);
+    EXPECT_LT(report.drawablesWritten, 50);
+}
+
+TEST(ModelConverter, ConvertsAConvertedFileAgain) {
+    const TemporaryFolder folder;
+    const auto first = folder.path() / "a.osgt", second = folder.path() / "b.ive";
+    convertModel(data / "tricky_1640.flt", first);
+    const auto report = convertModel(first, second);
+    EXPECT_EQ(report.polygonsRead, report.polygonsWritten);
+    EXPECT_EQ(Model::load(first)->codes(), Model::load(second)->codes());
+}
+
+TEST(ModelConverter, LeavesNothingBehindButItsOutput) {
+    const TemporaryFolder folder;
+    convertModel(data / "plate.flt", folder.path() / "plate.osgt");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
+}
+
+TEST(ModelConverter, RefusesWhatWouldLoseCodes) {
+    const TemporaryFolder folder;
+    const auto in = data / "plate.flt";
+    const auto own = folder.write("own.osgt", "");
+    convertModel(in, own);
+    struct Row {
+        const char* name;
+        fs::path in, out;
+        const char* says;
+    };
+    for (const auto& row : std::vector<Row>{
+             {"OpenFlight", in, folder.path() / "a.flt", "without its infrared codes"},
+             {"a kind without user data", in, folder.path() / "a.obj", "type \".obj\""},
+             {"no kind", in, folder.path() / "a", "type \".\""},
+             {"no folder", in, folder.path() / "no/a.osgt", "no such folder"},
+             {"itself", own, own, "the input itself"},
+             {"missing input", folder.path() / "x.flt", folder.path() / "a.osgt", "no such file"},
+             {"damaged input", folder.write("d.flt", readBytes(in).substr(0, 4600)),
+              folder.path() / "a.osgt", "truncated"}})
+        EXPECT_THAT(refusal([&] { convertModel(row.in, row.out); }), HasSubstr(row.says))
+            << row.name;
+}
+
+TEST(ModelSummary, SaysWhatAFileHolds) {
+    const auto summary = summarizeModel(data / "tricky_1640.flt");
+    EXPECT_EQ(summary.format, "OpenFlight 16.4");
+    EXPECT_EQ(summary.faces, 27);
+    ASSERT_EQ(summary.references.size(), 1u);
+    EXPECT_GT(summary.triangles, 7900);
+    const auto text = toText(summary);
+    EXPECT_THAT(text, HasSubstr("faces: 27"));
+    EXPECT_THAT(text, HasSubstr("codes: temperature -1, material -2: 1 faces, 1 m2"));
+    EXPECT_THAT(text, HasSubstr("remark: "));
+}
