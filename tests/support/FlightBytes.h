@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "irsg/scene/FlightRecords.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace irsg::test {
 
@@ -47,16 +48,10 @@ std::string meshRecords(std::uint32_t count = 4, std::uint32_t mask = 0x90000000
 std::string primitiveRecord(int type, int indexSize, std::uint32_t count,
                             const std::vector<int>& indices);
 
-/// A folder of its own below the system's temporary one, removed with everything in it.
-class TemporaryFolder {
+/// A folder that files can be put into.
+class TemporaryFolder : public smat::test::TemporaryFolder {
   public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    const std::filesystem::path& path() const { return path_; }
     std::filesystem::path write(const std::string& name, const std::string& bytes) const;
-
-  private:
-    std::filesystem::path path_;
 };
 
 std::string readBytes(const std::filesystem::path& file);
