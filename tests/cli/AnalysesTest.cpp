@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -94,6 +96,41 @@ TEST(SmatBatchPolar, HasTheColumnsOfTheFormatsPage) {
     }
 }
 
+struct SidesRow {
+    const char* type;
+    std::vector<double> temperatures_K; ///< of the sides seen at 0, 90, 180 and 270 deg
+    std::vector<double> areas_m2;
+};
+
+class SmatBatchBox : public testing::TestWithParam<SidesRow> {};
+
+TEST_P(SmatBatchBox, ShowsItsSixSidesInTheOrderOfTheMode) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch({"polar", sample("box/box.smat"), "--type", GetParam().type, "--step",
+                               "90", "--elevation", "0", "--out", folder / "p.csv"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const auto intensity = ResultTable::load(folder / "p.csv").find("intensity")->values;
+    ASSERT_EQ(intensity.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+        // The near side fills a little more than parallel light would: (1000 / 998)^2 at most.
+        const double expected =
+            GetParam().areas_m2[i] *
+            irsg::bandRadiance_W_m2_sr(irsg::Band::topHat(3, 5), GetParam().temperatures_K[i]);
+        EXPECT_NEAR(intensity[i], expected, 0.01 * expected) << 90 * i << " deg";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Types, SmatBatchBox,
+    testing::Values(SidesRow{"camera-azimuth", {300, 340, 320, 360}, {2, 4, 2, 4}},
+                    SidesRow{"camera-elevation", {300, 400, 320, 380}, {2, 8, 2, 8}},
+                    SidesRow{"model-yaw", {300, 340, 320, 360}, {2, 4, 2, 4}}),
+    [](const auto& row) {
+        std::string name = row.param.type;
+        name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+        return name;
+    });
+
 TEST(SmatBatchRange, TheIrradianceOfTheSphereFollowsTheInverseSquareLaw) {
     const TemporaryFolder folder;
     const Ran ran = smatBatch({"range", sphere, "--sun", "off", "--from", "100", "--to", "400",
@@ -165,12 +202,12 @@ TEST_P(SmatBatchEmptyView, IsDoneWithANoteThatNothingWasHit) {
     EXPECT_THAT(ran.out, HasSubstr("no sample hits the target"));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Views, SmatBatchEmptyView,
-    testing::Values(EmptyViewRow{"CameraAtTheReferencePoint", {"--range", "0"}},
-                    EmptyViewRow{"CameraInsideTheTarget", {"--range", "0.5"}},
-                    EmptyViewRow{"TargetFarBelowASample", {"--range", "1e7"}}),
-    [](const auto& row) { return row.param.name; });
+INSTANTIATE_TEST_SUITE_P(Views, SmatBatchEmptyView,
+                         testing::Values(EmptyViewRow{"CameraAtTheReferencePoint",
+                                                      {"--range", "0"}},
+                                         EmptyViewRow{"CameraInsideTheTarget", {"--range", "0.5"}},
+                                         EmptyViewRow{"TargetFarBelowASample", {"--range", "1e7"}}),
+                         [](const auto& row) { return row.param.name; });
 
 TEST(SmatBatchProject, WarnsOfKeysItDoesNotKnow) {
     const TemporaryFolder folder;

@@ -67,15 +67,17 @@ TEST_P(Sample, HasAnEntryForEveryCodeOfItsModel) {
     if (!fs::exists(model)) {
         GTEST_SKIP() << "the model of this sample is no OpenFlight file";
     }
-    // The face records (opcode 5) with their colour and material code.
+    // The face (opcode 5) and mesh (84) records with their colour and material code.
     const std::string bytes = readBytes(model);
     std::set<int> colours;
     std::set<int> materials;
     for (std::size_t at = 0; at + 4 <= bytes.size() && bigEndian(bytes, at + 2, 2) >= 4;
          at += static_cast<std::size_t>(bigEndian(bytes, at + 2, 2))) {
-        if (bigEndian(bytes, at, 2) == 5) {
-            colours.insert(bigEndian(bytes, at + 12, 4));
-            materials.insert(bigEndian(bytes, at + 36, 4));
+        const int opcode = bigEndian(bytes, at, 2);
+        if (opcode == 5 || opcode == 84) {
+            const std::size_t shift = opcode == 84 ? 4 : 0;
+            colours.insert(bigEndian(bytes, at + 12 + shift, 4));
+            materials.insert(bigEndian(bytes, at + 36 + shift, 4));
         }
     }
     EXPECT_FALSE(colours.empty());
@@ -97,7 +99,7 @@ TEST_P(Sample, HasTheSpectraOfItsCsvFiles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, Sample,
-                         testing::Values("sphere", "chessboard", "ship", "turboprop4"),
+                         testing::Values("sphere", "chessboard", "ship", "turboprop4", "box"),
                          [](const auto& row) { return row.param; });
 
 TEST(Samples, GasOfThePlumesIsThatOfItsCsvFile) {
