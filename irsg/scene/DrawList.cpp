@@ -1,7 +1,10 @@
 #include "irsg/scene/DrawList.h"
 
+#include <cmath>
+
 #include <osg/CullFace>
 #include <osg/NodeVisitor>
+#include <osg/PolygonOffset>
 #include <osg/Transform>
 
 #include "irsg/scene/IrCodes.h"
@@ -9,6 +12,15 @@
 namespace irsg {
 
 namespace {
+
+/// The loader gives subfaces of level n a polygon offset of -n.
+int layerOf(const osg::Drawable& drawable) {
+    const auto* state = drawable.getStateSet();
+    const auto* offset = state ? dynamic_cast<const osg::PolygonOffset*>(
+                                     state->getAttribute(osg::StateAttribute::POLYGONOFFSET))
+                               : nullptr;
+    return offset ? static_cast<int>(std::lround(-offset->getFactor())) : 0;
+}
 
 class Collector : public osg::NodeVisitor {
   public:
@@ -24,8 +36,8 @@ class Collector : public osg::NodeVisitor {
         geometry->setUseVertexBufferObjects(true);
         geometry->setUseVertexArrayObject(true);
         const osg::Matrixd modelFromLocal = osg::computeLocalToWorld(getNodePath());
-        items.push_back(
-            {geometry, modelFromLocal, codesOf(drawable, getNodePath()), cullsBackFaces(drawable)});
+        items.push_back({geometry, modelFromLocal, codesOf(drawable, getNodePath()),
+                         cullsBackFaces(drawable), layerOf(drawable)});
     }
 
     std::vector<DrawItem> items;

@@ -16,6 +16,7 @@ struct DrawItem {
     osg::Matrixd modelFromLocal; ///< of the transforms above it
     IrCodes codes;
     bool cullsBackFaces = false; ///< OpenFlight draw type 0
+    int layer = 0;               ///< OpenFlight subface level: drawn over the face it lies on
 };
 
 /// The visible pieces of a model in the order of its graph. Level-of-detail nodes show their most

@@ -212,7 +212,7 @@ struct Irsg::Parts {
                     isTransparent(frame.radiometry.surfaces()[static_cast<std::size_t>(row)]);
                 frame.scene.items.push_back({item.geometry.get(),
                                              item.modelFromLocal * eyeFromModel, row, transparent,
-                                             item.cullsBackFaces});
+                                             item.cullsBackFaces, item.layer});
             }
         }
     }

@@ -109,10 +109,23 @@ struct SurfacePass::Parts {
                 glEnable(GL_CULL_FACE);
             else
                 glDisable(GL_CULL_FACE);
+            offsetLayer(item.layer);
             item.geometry->draw(info);
         }
+        offsetLayer(0);
         glDisable(GL_CULL_FACE);
         info.getState()->unbindVertexArrayObject();
+    }
+
+    /// Lifts a subface over the face in whose plane it lies: by as much as depth changes over a
+    /// pixel, and by some steps of the depth buffer where it does not change. Depth grows towards
+    /// the eye.
+    static void offsetLayer(int layer) {
+        constexpr float steps = 16.0f;
+        if (layer == 0)
+            return glDisable(GL_POLYGON_OFFSET_FILL);
+        glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(static_cast<float>(layer), steps * static_cast<float>(layer));
     }
 
     void useProgram(const ShaderProgram& shader, const SurfaceScene& scene, const Raster& raster) {

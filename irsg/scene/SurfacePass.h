@@ -29,6 +29,7 @@ struct SurfaceItem {
     int row = 0; ///< index into the rows
     bool transparent = false;
     bool cullsBackFaces = false;
+    int layer = 0; ///< of a subface, which lies in the plane of the layer below
 };
 
 /// How the shader weighs sun and fluxes; the numbers of surface.frag.glsl.
