@@ -7,6 +7,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/support/TextFile.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat {
@@ -119,6 +120,15 @@ TEST(ProjectFile, PathsFollowTheProjectToAnotherFolder) {
     const std::string text = projectToJson(project, "/projects/copy/ship.smat");
     EXPECT_THAT(text, testing::HasSubstr("\"file\": \"../ship/ship.flt\""));
     EXPECT_THAT(text, testing::HasSubstr("\"database\": \"/far/away/ship.sigdb\""));
+}
+
+TEST(ProjectFile, TheExampleOfTheManualHoldsOnlyWhatIsKnown) {
+    const std::string page = readTextFile(SMAT_SOURCE_DIR "/docs/formats-project.md");
+    const std::size_t begin = page.find("```json\n") + 8;
+    const Project project = readText(page.substr(begin, page.find("```", begin) - begin));
+    EXPECT_TRUE(unknownKeys(project).empty());
+    EXPECT_EQ(project.models.size(), 2u);
+    EXPECT_EQ(project.analyses.size(), 3u);
 }
 
 TEST(ProjectFile, SavesAndLoads) {
