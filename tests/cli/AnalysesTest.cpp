@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include <ostream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -102,6 +104,10 @@ struct SidesRow {
     std::vector<double> areas_m2;
 };
 
+void PrintTo(const SidesRow& row, std::ostream* out) {
+    *out << row.type;
+}
+
 class SmatBatchBox : public testing::TestWithParam<SidesRow> {};
 
 TEST_P(SmatBatchBox, ShowsItsSixSidesInTheOrderOfTheMode) {
@@ -190,6 +196,10 @@ struct EmptyViewRow {
     const char* name;
     std::vector<std::string> options;
 };
+
+void PrintTo(const EmptyViewRow& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class SmatBatchEmptyView : public testing::TestWithParam<EmptyViewRow> {};
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <ostream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,6 +45,10 @@ struct PolarRow {
     std::vector<double> sidesAtRightAngles; ///< intensity at 0, 90, 180, 270 deg
     std::vector<double> azimuth, elevation;
 };
+
+void PrintTo(const PolarRow& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class PolarMode : public testing::TestWithParam<PolarRow> {};
 
@@ -337,6 +343,10 @@ struct RefusedRow {
     std::vector<std::pair<std::string, std::string>> settings;
     const char* position;
 };
+
+void PrintTo(const RefusedRow& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class RefusedPlan : public testing::TestWithParam<RefusedRow> {};
 

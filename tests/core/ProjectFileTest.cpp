@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include <ostream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -169,6 +171,10 @@ struct MalformedRow {
     const char* position; ///< how the first offence's position begins
     const char* value;    ///< what is in its value
 };
+
+void PrintTo(const MalformedRow& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class MalformedProject : public testing::TestWithParam<MalformedRow> {};
 

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <limits>
 
+#include <ostream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -73,6 +75,10 @@ struct BadTableRow {
     const char* text;
     const char* position;
 };
+
+void PrintTo(const BadTableRow& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class BadTable : public testing::TestWithParam<BadTableRow> {};
 

@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include <ostream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -88,6 +90,10 @@ struct TextRow {
     const char* text;
     const char* canonical; ///< null where it is refused
 };
+
+void PrintTo(const TextRow& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class SettingText : public testing::TestWithParam<TextRow> {};
 
