@@ -21,6 +21,7 @@
 #include "gui/analysis/ResultsDock.h"
 #include "gui/view/SceneView.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
 namespace {
@@ -231,7 +232,6 @@ void MainWindow::fillRecent(QMenu* menu) {
 void MainWindow::onProjectOpened() {
     setWindowTitle(QString::fromStdString(workbench_.project().displayName()) + " – SMAT");
     statusBar()->showMessage(QString::fromStdString(workbench_.project().file.string()), 8000);
-    shownTarget_.clear();
     ofProject_->clear();
     for (const auto& analysis : workbench_.project().analyses) {
         const QString title = QString::fromStdString(analysis.name);
@@ -244,33 +244,29 @@ void MainWindow::onProjectOpened() {
     }
     ofProject_->setToolTipsVisible(true);
     if (view_ != nullptr)
-        view_->setScene({});
+        showModel();
     tabs_->setCurrentIndex(0);
     refreshActions();
+}
+
+void MainWindow::showModel() {
+    view_->setScene({});
+    try {
+        auto scene = loadDisplayScene(workbench_.project(), workbench_.settings());
+        for (const auto& remark : scene.remarks)
+            statusBar()->showMessage(remark, 8000);
+        view_->setScene(std::move(scene));
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("The model cannot be shown"), sentencesOf(error));
+    }
 }
 
 void MainWindow::onSettingsChanged() {
     if (view_ == nullptr)
         return;
-    const Project& project = workbench_.project();
     const Settings& settings = workbench_.settings();
 
-    // The scene is made anew only where the target stands otherwise.
-    std::string target = "placed";
-    for (const auto& key : settingKeys("target"))
-        target += " " + settings.text(key);
-    if (target != shownTarget_) {
-        shownTarget_ = target;
-        try {
-            auto scene = loadDisplayScene(project, settings);
-            for (const auto& remark : scene.remarks)
-                statusBar()->showMessage(remark, 8000);
-            view_->setScene(std::move(scene));
-        } catch (const irsg::InputError& error) {
-            view_->setScene({});
-            dialogs_.tell(this, tr("The model cannot be shown"), sentencesOf(error));
-        }
-    }
+    view_->setTargetPose(targetPoseOf(settings));
     const double yaw = settings.real("target.yaw") * std::numbers::pi / 180.0;
     view_->setFrame({settings.real("sensor.fov") * std::numbers::pi / 180.0,
                      settings.integer("sensor.width"), settings.integer("sensor.height")});

@@ -52,6 +52,7 @@ class MainWindow : public QMainWindow {
     void newAnalysis(AnalysisKind kind, const Settings& settings, const QString& name = {});
     void exportShown();
     void onProjectOpened();
+    void showModel();
     void onSettingsChanged();
     void showResults(const QList<int>& ids);
     void closeResultsOf(int id);
@@ -69,7 +70,6 @@ class MainWindow : public QMainWindow {
     QMenu* ofProject_ = nullptr;
     std::map<AnalysisKind, QAction*> analyses_;
     QString sceneRenderer_;
-    std::string shownTarget_; ///< settings the 3-D scene was made for
 };
 
 } // namespace smat::gui

@@ -1,11 +1,14 @@
 #include "gui/view/DisplayScene.h"
 
 #include <osg/ComputeBoundsVisitor>
+#include <osg/Geometry>
 #include <osg/MatrixTransform>
+#include <osg/NodeVisitor>
 #include <osg/StateSet>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/ModelLoader.h"
+#include "irsg/scene/SceneRadiometry.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
@@ -26,6 +29,17 @@ osg::Matrixd noseTurn(irsg::NoseAxis axis) {
     return {};
 }
 
+/// Faces without normals cannot be lit: they show their own colour instead of black.
+class UnlitFaces : public osg::NodeVisitor {
+  public:
+    UnlitFaces() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+    void apply(osg::Geometry& geometry) override {
+        if (geometry.getNormalArray() == nullptr)
+            geometry.getOrCreateStateSet()->setMode(
+                GL_LIGHTING, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
+    }
+};
+
 osg::Matrixd poseMatrix(const irsg::Pose& pose) {
     const auto rotation = pose.attitude.rotation().m;
     osg::Matrixd matrix;
@@ -38,7 +52,36 @@ osg::Matrixd poseMatrix(const irsg::Pose& pose) {
     return matrix;
 }
 
+/// The centre of what is opaque in the infrared, as the infrared renderer takes it; of all where
+/// there is no database to tell.
+std::optional<irsg::Vec3> infraredReference(const Project& project, const ProjectModel& target) {
+    if (target.referencePoint_m)
+        return target.referencePoint_m;
+    try {
+        SceneBuilder builder;
+        irsg::Entity entity;
+        entity.model = builder.model(project.resolve(target.file),
+                                     {.noseAxis = target.noseAxis, .forceTwoSided = false});
+        entity.database = builder.database(project.resolve(target.database));
+        entity.fallbackMaterial = target.fallbackMaterial;
+        const irsg::BoundingBox opaque = entity.model->boundsOf([&](const irsg::IrCodes& codes) {
+            const irsg::Material* material = irsg::materialEntry(entity, codes.material);
+            return material == nullptr || material->isOpaque();
+        });
+        return opaque.valid() ? opaque.centre() : entity.model->bounds().centre();
+    } catch (const irsg::InputError&) {
+        // The analysis says what is wrong with the database; the view shows the model all the same.
+        return std::nullopt;
+    }
+}
+
 } // namespace
+
+void DisplayScene::placeTarget(const irsg::Pose& pose) {
+    if (target)
+        target->setMatrix(poseMatrix(pose));
+    referencePoint_m = pose.toWorld(referenceInModel_m);
+}
 
 DisplayScene loadDisplayScene(const Project& project, const Settings& settings) {
     DisplayScene scene;
@@ -55,6 +98,8 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings) 
         }
         for (const auto& remark : loaded.remarks)
             scene.remarks.push_back(QString::fromStdString(remark));
+        UnlitFaces unlit;
+        loaded.node->accept(unlit);
         const irsg::Pose pose = i == 0 ? targetPoseOf(settings) : model.pose;
         osg::ref_ptr<osg::MatrixTransform> turned =
             new osg::MatrixTransform(noseTurn(model.noseAxis));
@@ -69,9 +114,10 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings) 
         osg::ComputeBoundsVisitor bounds;
         turned->accept(bounds);
         const osg::Vec3d centre = bounds.getBoundingBox().center();
-        const irsg::Vec3 reference =
-            model.referencePoint_m.value_or(irsg::Vec3{centre.x(), centre.y(), centre.z()});
-        scene.referencePoint_m = pose.toWorld(reference);
+        scene.referenceInModel_m = infraredReference(project, model)
+                                       .value_or(irsg::Vec3{centre.x(), centre.y(), centre.z()});
+        scene.target = placed;
+        scene.placeTarget(pose);
         scene.radius_m = bounds.getBoundingBox().radius();
     }
     if (!offences.empty())

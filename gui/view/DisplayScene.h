@@ -4,6 +4,7 @@
 
 #include <QString>
 #include <osg/Group>
+#include <osg/MatrixTransform>
 #include <osg/ref_ptr>
 
 #include "irsg/scene/Pose.h"
@@ -16,9 +17,13 @@ namespace smat::gui {
 /// renderer.
 struct DisplayScene {
     osg::ref_ptr<osg::Group> root;
-    irsg::Vec3 referencePoint_m; ///< of the target, in the world
-    double radius_m = 1.0;       ///< of the target about its reference point
+    osg::ref_ptr<osg::MatrixTransform> target;
+    irsg::Vec3 referenceInModel_m; ///< of the target, the one analyses turn about
+    irsg::Vec3 referencePoint_m;   ///< the same in the world
+    double radius_m = 1.0;         ///< of the target about its reference point
     std::vector<QString> remarks;
+
+    void placeTarget(const irsg::Pose& pose);
 };
 
 /// Loads the models of a project and puts them at the poses that `settings` give. Throws

@@ -8,6 +8,7 @@
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <QWheelEvent>
+#include <osg/ColorMask>
 #include <osg/PolygonMode>
 #include <osgViewer/GraphicsWindow>
 #include <osgViewer/Viewer>
@@ -36,6 +37,9 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_
     format.setDepthBufferSize(24);
     format.setSamples(4);
     setFormat(format);
+    // Transparent faces mix with what lies behind them; the widget itself stays opaque.
+    parts_->root->getOrCreateStateSet()->setAttribute(
+        new osg::ColorMask(true, true, true, false));
     hud_ = new CrosshairOverlay(this, [this](QPainter& painter) { paintHud(painter); });
     hud_->show();
 }
@@ -149,6 +153,11 @@ void SceneView::setScene(DisplayScene scene) {
         parts_->root->addChild(parts_->scene.root);
     if (context() != nullptr)
         doneCurrent();
+    redraw();
+}
+
+void SceneView::setTargetPose(const irsg::Pose& pose) {
+    parts_->scene.placeTarget(pose);
     redraw();
 }
 

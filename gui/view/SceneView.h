@@ -30,6 +30,7 @@ class SceneView : public QOpenGLWidget {
     static QString problem();
 
     void setScene(DisplayScene scene);
+    void setTargetPose(const irsg::Pose& pose);
     void setCamera(const OrbitCamera& camera, double targetYaw_rad);
     const OrbitCamera& camera() const { return camera_; }
     void setFrame(const ViewFrame& frame);

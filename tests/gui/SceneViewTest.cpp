@@ -1,6 +1,9 @@
 #include "gui/view/SceneView.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <numbers>
 
 #include <QTest>
@@ -64,6 +67,72 @@ TEST_F(SceneViewTest, DrawsOnDemandOnly) {
     view.setCamera({61.0, 15.0, 1000.0}, 0.0);
     QTest::qWait(50);
     EXPECT_GT(view.frameCount(), before);
+}
+
+/// Where the covered part of a picture lies, in parts of its width and height.
+struct Extent {
+    double left = 1.0, right = 0.0, top = 1.0, bottom = 0.0, x = 0.0, y = 0.0;
+};
+Extent extentOf(int width, int height, const std::function<bool(int, int)>& covered) {
+    Extent e;
+    long count = 0;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (!covered(x, y))
+                continue;
+            const double u = (x + 0.5) / width;
+            const double v = (y + 0.5) / height;
+            e.left = std::min(e.left, u);
+            e.right = std::max(e.right, u);
+            e.top = std::min(e.top, v);
+            e.bottom = std::max(e.bottom, v);
+            e.x += u;
+            e.y += v;
+            ++count;
+        }
+    }
+    e.x /= static_cast<double>(std::max(count, 1L));
+    e.y /= static_cast<double>(std::max(count, 1L));
+    return e;
+}
+
+TEST_F(SceneViewTest, ShowsWhatTheSensorSeesFromTheSameSide) {
+    Settings& settings = project.settings;
+    settings.set("sensor.width", 320);
+    settings.set("sensor.height", 240);
+    settings.set("target.yaw", "25");
+    settings.set("target.pitch", "12");
+    settings.set("target.roll", "18");
+    settings.set("camera.range", "900");
+    settings.set("render.background", "none");
+    auto source = makeIrsgImageSource();
+    SceneBuilder builder;
+    AnalysisGenerator generator(
+        *source, [&](const Project& p, const Settings& s) { return builder.build(p, s); });
+    AnalysisData data = AnalysisData::of(project, AnalysisKind::image);
+    generator.run(data);
+    const Extent sensor =
+        extentOf(320, 240, [&](int x, int y) { return data.image.at(x, y) > 1e-3F; });
+
+    view.resize(640, 480);
+    view.setScene(loadDisplayScene(project, settings));
+    view.setFrame({10.0 * std::numbers::pi / 180.0, 320, 240});
+    view.setCamera({60.0, 15.0, 900.0}, 25.0 * std::numbers::pi / 180.0);
+    QTest::qWait(100);
+    const QImage picture = view.grabFramebuffer();
+    const Extent seen = extentOf(picture.width(), picture.height(), [&](int x, int y) {
+        // The background is the same along a row.
+        const QColor here = picture.pixelColor(x, y);
+        const QColor edge = picture.pixelColor(1, y);
+        return std::abs(here.red() - edge.red()) + std::abs(here.blue() - edge.blue()) > 4;
+    });
+    const double tolerance = 0.01;
+    EXPECT_NEAR(seen.left, sensor.left, tolerance);
+    EXPECT_NEAR(seen.right, sensor.right, tolerance);
+    EXPECT_NEAR(seen.top, sensor.top, tolerance);
+    EXPECT_NEAR(seen.bottom, sensor.bottom, tolerance);
+    EXPECT_NEAR(seen.x, sensor.x, tolerance);
+    EXPECT_NEAR(seen.y, sensor.y, tolerance);
 }
 
 TEST_F(SceneViewTest, KeepsThePictureAcrossResizes) {
