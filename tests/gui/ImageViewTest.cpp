@@ -45,9 +45,9 @@ TEST_F(ImageViewTest, TopRowOfTheImageIsAtTheTop) {
             (view.canvas()->widgetPoint(QPointF(x + 0.5, y + 0.5)) * seen.devicePixelRatio())
                 .toPoint());
     };
-    EXPECT_EQ(colorAt(2, 0).lightness(), 255);
-    EXPECT_EQ(colorAt(2, 5).lightness(), 0);
-    EXPECT_EQ(colorAt(5, 0).lightness(), 0);
+    EXPECT_GT(colorAt(2, 0).lightness(), 240);
+    EXPECT_LT(colorAt(2, 5).lightness(), 15);
+    EXPECT_LT(colorAt(5, 0).lightness(), 15);
     EXPECT_EQ(view.canvas()->pixelAt(view.canvas()->widgetPoint({2.5, 0.5})), QPoint(2, 0));
 }
 
