@@ -47,18 +47,19 @@ function(smat_configure_target target)
 endfunction()
 
 # smat_precompile(target gtest) precompiles the headers of one big library for a target that uses it:
-# qt, osg, gtest or core (JSON and the larger standard headers). Best where a target has four source
-# files or more; SMAT_PRECOMPILE=OFF switches all of it off.
+# qt, osg, gtest, cli (CLI11) or core (JSON and the larger standard headers). Best where a target has
+# four source files or more; a target may ask for several. SMAT_PRECOMPILE=OFF switches all of it off.
 function(smat_precompile target kind)
     if(NOT SMAT_PRECOMPILE)
         return()
     endif()
     set(qt <QtWidgets>)
     set(osg <osg/Geode> <osg/Geometry> <osg/MatrixTransform> <osg/NodeVisitor> <osgDB/ReadFile>)
+    set(cli <CLI/CLI.hpp>)
     set(gtest <gmock/gmock.h> <gtest/gtest.h> <filesystem> <fstream> <string> <vector>)
     set(core <nlohmann/json.hpp> <filesystem> <functional> <map> <memory> <string> <vector>)
     if(NOT DEFINED ${kind})
-        message(FATAL_ERROR "smat_precompile knows qt, osg, gtest and core, but not ${kind}")
+        message(FATAL_ERROR "smat_precompile knows qt, osg, gtest, cli and core, but not ${kind}")
     endif()
     target_precompile_headers(${target} PRIVATE ${${kind}})
 endfunction()

@@ -2,8 +2,7 @@
 # into a folder of its own, builds the program against it with find_package, and runs it on the
 # sample sphere.
 #
-# SOURCE and BUILD are the project's folders, MODEL is the sample sphere, WORK is a folder that is made
-# anew.
+# SOURCE and BUILD are the project's folders, WORK is a folder that is made anew.
 
 function(run_step what)
     execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${WORK}" RESULT_VARIABLE status
@@ -39,7 +38,8 @@ run_step("Configuring" "${CMAKE_COMMAND}" -S . -B build -G "${GENERATOR}"
          "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_BUILD_TYPE=${CONFIGURATION}"
          "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
 run_step("Building" "${CMAKE_COMMAND}" --build build)
-run_step("Running" ./build/sphere "${MODEL}" "${SOURCE}/samples/sphere/sphere.sigdb")
+run_step("Running" ./build/sphere "${SOURCE}/samples/sphere/sphere.flt"
+         "${SOURCE}/samples/sphere/sphere.sigdb")
 
 # The closed form of a grey sphere, 0.9 times the band radiance of 320 K in 3 to 5 um, and pi r^2 times
 # that less what facets and raster cost.
