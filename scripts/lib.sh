@@ -6,6 +6,12 @@ root_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 export HOME="${HOME:-$(getent passwd "$(id -u)" | cut -d : -f 6)}"
 cache_dir="${XDG_CACHE_HOME:-$HOME/.cache}/smat"
 
+# Qt wants a folder of the session's own, and says so at every start where there is none.
+if [ -z "${XDG_RUNTIME_DIR:-}" ]; then
+    export XDG_RUNTIME_DIR="$cache_dir/runtime"
+    mkdir -p -m 700 "$XDG_RUNTIME_DIR"
+fi
+
 # A line about what is done next.
 say() { printf '== %s\n' "$*"; }
 
