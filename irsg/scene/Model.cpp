@@ -1,6 +1,8 @@
 #include "irsg/scene/Model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <osg/Geode>
 #include <osg/Group>
@@ -80,6 +82,20 @@ struct Model::Parts {
             unite(boxes.try_emplace(key.codes, nowhere).first->second, part.bounds);
             unite(bounds, part.bounds);
         }
+        remarkPrecision();
+    }
+
+    /// Vertices are single precision: far from the origin little is left for the shape.
+    void remarkPrecision() {
+        double farthest = 0.0;
+        for (const auto& corner : {bounds.min, bounds.max})
+            farthest =
+                std::max({farthest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
+        const double step_m = farthest * std::numeric_limits<float>::epsilon();
+        if (step_m > 1e-5 * bounds.diagonal_m())
+            remarks.push_back("the model lies " + std::to_string(farthest) +
+                              " m from its origin, where single precision places vertices to " +
+                              std::to_string(step_m) + " m only");
     }
 };
 

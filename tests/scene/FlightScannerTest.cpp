@@ -57,6 +57,10 @@ std::function<std::string(const SquareFile&)> at(std::string SquareFile::*part,
     return [=](const SquareFile& file) { return file.positionOf(part, within); };
 }
 
+void PrintTo(const BadFile& file, std::ostream* out) {
+    *out << file.name;
+}
+
 class BadFlight : public testing::TestWithParam<BadFile> {};
 
 } // namespace

@@ -96,6 +96,19 @@ TEST(Model, ShowsTheHighestDetailOfLevelsAtAnyRange) {
     EXPECT_TRUE(model->codes().contains({1, 1}));
     EXPECT_THAT(model->remarks(), Contains(HasSubstr("highest detail")));
 
+    // OpenFlight has a node a level, side by side; their ranges need not join.
+    const auto level = [](IrCodes codes, float from, float to) {
+        osg::ref_ptr<osg::LOD> node = new osg::LOD;
+        node->addChild(polygon(square, codes), from, to);
+        return node;
+    };
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(level({2, 1}, 100, 1e4));
+    group->addChild(level({1, 1}, 0, 80));
+    const auto codes = Model::fromGraph(group, "siblings")->codes();
+    EXPECT_TRUE(codes.contains({1, 1}));
+    EXPECT_FALSE(codes.contains({2, 1}));
+
     // A part that has one level only is drawn however far its range begins or ends.
     osg::ref_ptr<osg::LOD> alone = new osg::LOD;
     alone->addChild(polygon(square, {3, 1}), 50, 60);
@@ -163,6 +176,15 @@ TEST(Model, LeavesOutPolygonsWithoutAreaAndSaysSo) {
     const auto model = Model::fromGraph(group, "thin");
     EXPECT_EQ(model->codes().size(), 1u);
     EXPECT_THAT(model->remarks(), Contains("2 polygons without area are left out"));
+}
+
+TEST(Model, SaysWhenItLiesTooFarFromItsOriginForSinglePrecision) {
+    osg::ref_ptr<osg::MatrixTransform> far =
+        new osg::MatrixTransform(osg::Matrixd::translate(6.4e6, 0, 0));
+    far->addChild(polygon(square, {1, 1}));
+    EXPECT_THAT(Model::fromGraph(far, "far")->remarks(), Contains(HasSubstr("single precision")));
+    EXPECT_TRUE(Model::fromGraph(polygon(square, {1, 1}), "near")->remarks().size() == 1u)
+        << "its normals only";
 }
 
 TEST(Model, TakesCodesFromTheDrawableElseFromTheNodesAbove) {
