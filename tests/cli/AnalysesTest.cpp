@@ -1,5 +1,4 @@
 #include <algorithm>
-
 #include <ostream>
 
 #include <gmock/gmock.h>

@@ -1,7 +1,6 @@
 #include "smatcore/analysis/AnalysisGenerator.h"
 
 #include <cmath>
-
 #include <ostream>
 
 #include <gmock/gmock.h>

@@ -1,7 +1,6 @@
 #include "smatcore/project/ProjectFile.h"
 
 #include <filesystem>
-
 #include <ostream>
 
 #include <gmock/gmock.h>

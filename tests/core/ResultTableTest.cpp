@@ -3,7 +3,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-
 #include <ostream>
 
 #include <gmock/gmock.h>

@@ -1,8 +1,7 @@
 #include "smatcore/settings/Settings.h"
 
-#include <set>
-
 #include <ostream>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
