@@ -1,0 +1,262 @@
+#include "irsg/scene/IrsgParts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <osg/GLObjects>
+#include <osg/RenderInfo>
+#include <osg/State>
+
+#include "irsg/radiometry/Units.h"
+#include "irsg/scene/FactorTable.h"
+#include "irsg/scene/PixelGrid.h"
+#include "irsg/scene/TruthLayers.h"
+
+namespace irsg {
+
+namespace {
+
+/// Largest side of one drawing, samples: bounds the memory of the targets.
+constexpr int largestDrawing = 2048;
+
+bool isTransparent(const SurfaceSpectra& surface) {
+    return std::ranges::any_of(surface.transmissivity, [](double t) { return t > 0.0; });
+}
+
+int shaderMode(ReflectionMode mode) {
+    return mode == ReflectionMode::off ? 0 : mode == ReflectionMode::approx ? 1 : 2;
+}
+
+std::string text(double value) {
+    std::ostringstream out;
+    out.precision(9);
+    out << value;
+    return out.str();
+}
+
+} // namespace
+
+void Irsg::Parts::addTime(const std::string& name, double seconds) {
+    auto found = std::ranges::find(stages, name, &StageTimes::Stage::name);
+    if (found == stages.end())
+        found = stages.insert(stages.end(), {name, 0.0, 0});
+    found->seconds += seconds;
+    ++found->calls;
+}
+
+Vec3 Irsg::Parts::modelReferencePoint(const Entity& entity) const {
+    if (entity.referencePoint_m)
+        return *entity.referencePoint_m;
+    const BoundingBox opaque = entity.model->boundsOf([&](const IrCodes& codes) {
+        const Material* material = materialEntry(entity, codes.material);
+        return !material || material->isOpaque();
+    });
+    return opaque.valid() ? opaque.centre() : entity.model->bounds().centre();
+}
+
+void Irsg::Parts::prepareEntity(std::size_t e) {
+    referencePoints[e] = modelReferencePoint(entities[e]);
+}
+
+std::vector<ObjectGeometry> Irsg::Parts::geometry() const {
+    std::vector<Vec3> points;
+    for (std::size_t e = 0; e < entities.size(); ++e)
+        points.push_back(entities[e].pose.toWorld(referencePoints[e]));
+    return objectGeometry(entities, points, viewpoint);
+}
+
+LineOfSight Irsg::Parts::centre() const {
+    const Vec3 view = viewpoint.forward();
+    LineOfSight sight;
+    sight.sensorAltitude_m = std::max(viewpoint.position_m.z, 0.0);
+    sight.elevation_rad = std::asin(std::clamp(view.z, -1.0, 1.0));
+    sight.azimuth_rad = std::atan2(view.x, view.y);
+    return sight;
+}
+
+SurfaceModes Irsg::Parts::modes(const CameraFrame& camera) const {
+    SurfaceModes result;
+    result.sun = shaderMode(settings.sun);
+    result.flux = shaderMode(settings.fluxes);
+    if (settings.fluxes == ReflectionMode::smart && settings.fluxWeights == FluxWeights::report)
+        result.flux = 3;
+    result.zenithEye = camera.toEye({0, 0, 1});
+    const SunPosition& sun = environment.sun;
+    result.sunEye = camera.toEye(direction(sun.azimuth_rad, sun.elevation_rad));
+    return result;
+}
+
+Irsg::Parts::Frame Irsg::Parts::frame() {
+    const std::vector<ObjectGeometry> objects = geometry();
+    checkScene(entities, objects, environment, sensor, settings);
+    return timed("radiometry", [&] {
+        Frame result{
+            CameraFrame(sensor, viewpoint),
+            objects,
+            SceneRadiometry(environment, entities, objects, settings, centre(), sensor.band),
+            {},
+            {}};
+        fillRows(result);
+        fillItems(result);
+        return result;
+    });
+}
+
+void Irsg::Parts::fillRows(Frame& frame) {
+    const SceneRadiometry& radiometry = frame.radiometry;
+    for (std::size_t row = 0; row < radiometry.surfaces().size(); ++row) {
+        const SurfaceSpectra& surface = radiometry.surfaces()[row];
+        auto inBand = [&](const std::vector<double>& term) {
+            return static_cast<float>(radiometry.integrate(term));
+        };
+        const double t = radiometry.scalarTransmissivity(static_cast<int>(row));
+        frame.scene.rows.push_back({inBand(surface.thermal), inBand(surface.up),
+                                    inBand(surface.down), inBand(surface.sun), inBand(surface.path),
+                                    static_cast<float>(1.0 - t),
+                                    static_cast<float>(surface.nAngleFactor)});
+    }
+}
+
+void Irsg::Parts::fillItems(Frame& frame) const {
+    frame.scene.maximumLayers = settings.maximumLayers;
+    frame.scene.modes = modes(frame.camera);
+    for (std::size_t e = 0; e < entities.size(); ++e) {
+        const Entity& entity = entities[e];
+        const auto depth = frame.camera.depthOf(entity.model->bounds(), entity.pose);
+        const PixelWindow window = frame.camera.windowOf(entity.model->bounds(), entity.pose);
+        if (!depth || window.empty())
+            continue;
+        DepthRange& all = frame.scene.depth;
+        if (frame.window.empty())
+            all = *depth;
+        all.near_m = std::min(all.near_m, depth->near_m);
+        all.far_m = std::max(all.far_m, depth->far_m);
+        frame.window = frame.window.unitedWith(window);
+
+        const osg::Matrixd eyeFromModel = frame.camera.eyeFromModel(entity.pose);
+        for (const DrawItem& item : drawItems[e]) {
+            const int row = frame.radiometry.row(static_cast<int>(e), item.codes);
+            const bool transparent =
+                isTransparent(frame.radiometry.surfaces()[static_cast<std::size_t>(row)]);
+            frame.scene.items.push_back({item.geometry.get(), item.modelFromLocal * eyeFromModel,
+                                         row, transparent, item.cullsBackFaces, item.layer});
+        }
+    }
+}
+
+int Irsg::Parts::tileSide() const {
+    return std::max(1, std::min(largestDrawing, context.maximumTargetSize()) /
+                           settings.samplesPerAxis);
+}
+
+void Irsg::Parts::onContext(const std::function<void(osg::RenderInfo&)>& work) {
+    context.run([&](osg::RenderInfo& info) {
+        osg::flushAllDeletedGLObjects(info.getContextID());
+        if (!pass)
+            pass = std::make_unique<SurfacePass>();
+        work(info);
+    });
+    addTime("drawing", pass->takeDrawSeconds());
+    addTime("read back", pass->takeReadSeconds());
+    addTime("layer sorting", pass->takeSortSeconds());
+}
+
+std::vector<double> Irsg::Parts::fingerprint(const Frame& frame) const {
+    std::vector<double> numbers{static_cast<double>(sensor.width_px),
+                                static_cast<double>(sensor.height_px),
+                                sensor.horizontalFieldOfView_rad,
+                                static_cast<double>(settings.samplesPerAxis),
+                                static_cast<double>(settings.maximumLayers),
+                                static_cast<double>(frame.scene.modes.sun),
+                                static_cast<double>(frame.scene.modes.flux)};
+    auto add = [&](const Vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
+    add(viewpoint.position_m);
+    add(viewpoint.right);
+    add(viewpoint.up);
+    add(frame.scene.modes.sunEye);
+    for (const Entity& entity : entities) {
+        add(entity.pose.position_m);
+        const Attitude& a = entity.pose.attitude;
+        add({a.yaw_rad, a.pitch_rad, a.roll_rad});
+    }
+    for (const SurfaceSpectra& surface : frame.radiometry.surfaces()) {
+        numbers.push_back(surface.nAngleFactor);
+        numbers.push_back(isTransparent(surface) ? 1.0 : 0.0);
+    }
+    return numbers;
+}
+
+const ProjectedFactors& Irsg::Parts::factorsOf(const Frame& frame) {
+    std::vector<double> numbers = fingerprint(frame);
+    std::vector<std::shared_ptr<const Model>> models;
+    for (const Entity& entity : entities)
+        models.push_back(entity.model);
+    if (numbers == factorFingerprint && models == factorModels)
+        return factors;
+
+    std::vector<bool> transparent;
+    for (const SurfaceSpectra& surface : frame.radiometry.surfaces())
+        transparent.push_back(isTransparent(surface));
+    FactorAccumulator accumulator(frame.radiometry.keys(), transparent);
+    drawFactorTiles(frame, false, "factor sums",
+                    [&](const PixelWindow& tile, const FactorSamples& samples) {
+                        accumulator.add(sensor, tile, settings.samplesPerAxis, samples);
+                    });
+    factors = accumulator.take();
+    factorFingerprint = std::move(numbers);
+    factorModels = std::move(models);
+    return factors;
+}
+
+double Irsg::Parts::totalIrradiance_W_m2(const RenderReport& report) {
+    const std::array<double, 3> raster{static_cast<double>(sensor.width_px),
+                                       static_cast<double>(sensor.height_px),
+                                       sensor.horizontalFieldOfView_rad};
+    if (raster != frameRaster) {
+        frameRaster = raster;
+        frameProjectedSolidAngle_sr = PixelGrid(sensor).projectedSolidAngle_sr();
+    }
+    return report.all.irradiance_W_m2 + report.background_W_m2_sr * frameProjectedSolidAngle_sr;
+}
+
+void Irsg::Parts::addTruthLayers(const Frame& frame, RadianceImage& image) {
+    TruthLayers truth(frame.radiometry, image);
+    drawFactorTiles(frame, true, "truth layers",
+                    [&](const PixelWindow& tile, const FactorSamples& samples) {
+                        truth.add(tile, settings.samplesPerAxis, samples);
+                    });
+}
+
+void Irsg::Parts::fillReport(const Frame& frame, RenderReport& report) const {
+    report.background_W_m2_sr = frame.radiometry.backgroundInBand_W_m2_sr();
+    report.answeredBy = frame.radiometry.answeredBy();
+    report.warnings = frame.radiometry.warnings();
+    report.transmissivityResidue = frame.radiometry.transmissivityResidue();
+    report.renderer = context.rendererDescription();
+}
+
+void Irsg::Parts::describe(const Frame& frame, RadianceImage& image) const {
+    const SpectralRange& range = sensor.band.range();
+    image.attributes["band.name"] = sensor.band.name();
+    image.attributes["band.min_um"] = text(range.min_um);
+    image.attributes["band.max_um"] = text(range.max_um);
+    image.attributes["sensor.horizontal_field_of_view_deg"] =
+        text(degrees(sensor.horizontalFieldOfView_rad));
+    image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
+    image.attributes["background_W_m2_sr"] = text(frame.radiometry.backgroundInBand_W_m2_sr());
+    image.attributes["renderer"] = context.rendererDescription();
+    if (!frame.geometry.empty())
+        image.attributes["range_m"] = text(frame.geometry.front().path.range_m);
+}
+
+std::vector<PixelWindow> Irsg::Parts::tiles(const PixelWindow& window, int side) {
+    std::vector<PixelWindow> result;
+    for (int y = 0; y < window.height; y += side)
+        for (int x = 0; x < window.width; x += side)
+            result.push_back({window.x + x, window.y + y, std::min(side, window.width - x),
+                              std::min(side, window.height - y)});
+    return result;
+}
+
+} // namespace irsg

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "irsg/scene/CameraFrame.h"
+#include "irsg/scene/DrawList.h"
+#include "irsg/scene/Irsg.h"
+#include "irsg/scene/OffscreenContext.h"
+#include "irsg/scene/SceneCheck.h"
+#include "irsg/scene/SceneRadiometry.h"
+#include "irsg/scene/Stopwatch.h"
+#include "irsg/scene/SurfacePass.h"
+
+namespace irsg {
+
+/// What a generator holds, and the steps its public calls are made of.
+struct Irsg::Parts {
+    OffscreenContext& context = OffscreenContext::shared();
+    std::unique_ptr<SurfacePass> pass; // made and destroyed on the context's thread
+
+    Environment environment = Environment::vacuum();
+    Sensor sensor;
+    RenderSettings settings;
+    std::vector<Entity> entities;
+    Viewpoint viewpoint;
+
+    std::vector<std::vector<DrawItem>> drawItems; // by entity
+    std::vector<Vec3> referencePoints;            // in model axes, by entity
+    std::vector<StageTimes::Stage> stages;
+
+    // The factors of the last view, kept while nothing they depend on changes.
+    std::vector<double> factorFingerprint;
+    std::vector<std::shared_ptr<const Model>> factorModels;
+    ProjectedFactors factors;
+
+    // Sum of omega cos(theta) over the frame, kept for one raster.
+    std::array<double, 3> frameRaster{};
+    double frameProjectedSolidAngle_sr = 0.0;
+
+    /// Everything one drawing needs, made anew for each.
+    struct Frame {
+        CameraFrame camera;
+        std::vector<ObjectGeometry> geometry;
+        SceneRadiometry radiometry;
+        SurfaceScene scene;
+        PixelWindow window; // of all objects
+    };
+
+    template <typename Work>
+    auto timed(const char* stage, Work work) {
+        double seconds = 0.0;
+        if constexpr (std::is_void_v<decltype(work())>) {
+            {
+                Stopwatch watch(seconds);
+                work();
+            }
+            addTime(stage, seconds);
+        } else {
+            auto result = [&] {
+                Stopwatch watch(seconds);
+                return work();
+            }();
+            addTime(stage, seconds);
+            return result;
+        }
+    }
+
+    void addTime(const std::string& name, double seconds);
+
+    /// Centre of the box around what does not let light through, or around all of it.
+    Vec3 modelReferencePoint(const Entity& entity) const;
+
+    void prepareEntity(std::size_t e);
+
+    std::vector<ObjectGeometry> geometry() const;
+
+    /// The unbounded line of sight through the middle of the field.
+    LineOfSight centre() const;
+
+    SurfaceModes modes(const CameraFrame& camera) const;
+
+    Frame frame();
+
+    static void fillRows(Frame& frame);
+
+    void fillItems(Frame& frame) const;
+
+    int tileSide() const;
+    /// Cuts a window into pieces of at most `side` pixels.
+    static std::vector<PixelWindow> tiles(const PixelWindow& window, int side);
+
+    void onContext(const std::function<void(osg::RenderInfo&)>& work);
+
+    /// Draws the factors of the objects' window, tile by tile, and times what `sink` makes of them.
+    template <typename Sink>
+    void drawFactorTiles(const Frame& frame, bool withDistance, const char* stage, Sink sink) {
+        if (frame.window.empty())
+            return;
+        double sinking_s = 0.0;
+        onContext([&](osg::RenderInfo& info) {
+            SurfaceScene scene = frame.scene;
+            scene.camera = &frame.camera;
+            FactorSamples samples;
+            for (const PixelWindow& tile : tiles(frame.window, tileSide())) {
+                pass->drawFactors(info, scene, tile, settings.samplesPerAxis, withDistance,
+                                  samples);
+                Stopwatch watch(sinking_s);
+                sink(tile, samples);
+            }
+        });
+        addTime(stage, sinking_s);
+    }
+
+    /// What the projected factors depend on, as numbers.
+    std::vector<double> fingerprint(const Frame& frame) const;
+
+    const ProjectedFactors& factorsOf(const Frame& frame);
+
+    /// Of the whole frame on the detector: the objects' contrast upon the background.
+    double totalIrradiance_W_m2(const RenderReport& report);
+
+    void addTruthLayers(const Frame& frame, RadianceImage& image);
+
+    void fillReport(const Frame& frame, RenderReport& report) const;
+
+    void describe(const Frame& frame, RadianceImage& image) const;
+};
+
+} // namespace irsg
