@@ -32,6 +32,8 @@ const char* name(AtmosphereProperty property) {
         return "downward flux";
     case AtmosphereProperty::ambientTemperature:
         return "ambient temperature";
+    case AtmosphereProperty::scatteringOpticalDepth:
+        return "scattering optical depth";
     }
     throw LogicError("unknown atmosphere property");
 }
@@ -63,6 +65,10 @@ Spectrum Atmosphere::downwardFlux(double, const SunPosition&, const SpectralRang
 
 double Atmosphere::ambientTemperature_K(double) const {
     refuse(*this, AtmosphereProperty::ambientTemperature);
+}
+
+Spectrum Atmosphere::scatteringOpticalDepth(const AirPath&, const SpectralRange&) const {
+    refuse(*this, AtmosphereProperty::scatteringOpticalDepth);
 }
 
 void Atmosphere::checkRange(const SpectralRange& range) const {

@@ -14,13 +14,14 @@ enum class AtmosphereProperty {
     solarIrradiance,
     upwardFlux,
     downwardFlux,
-    ambientTemperature
+    ambientTemperature,
+    scatteringOpticalDepth
 };
 inline constexpr AtmosphereProperty allAtmosphereProperties[] = {
     AtmosphereProperty::transmittance,      AtmosphereProperty::pathRadiance,
     AtmosphereProperty::backgroundRadiance, AtmosphereProperty::solarIrradiance,
     AtmosphereProperty::upwardFlux,         AtmosphereProperty::downwardFlux,
-    AtmosphereProperty::ambientTemperature};
+    AtmosphereProperty::ambientTemperature, AtmosphereProperty::scatteringOpticalDepth};
 /// "path radiance".
 const char* name(AtmosphereProperty property);
 
@@ -82,6 +83,9 @@ class Atmosphere {
     virtual Spectrum downwardFlux(double altitude_m, const SunPosition& sun,
                                   const SpectralRange& range) const;
     virtual double ambientTemperature_K(double altitude_m) const;
+    /// Optical depth of a path by scattering alone, which blurs (absorption by gases does not); >=
+    /// 0.
+    virtual Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const;
 
   protected:
     /// What every implementation asks of its arguments. LogicError unless the base holds the range;

@@ -199,4 +199,11 @@ double BeerLambert::ambientTemperature_K(double altitude_m) const {
     return parameters_.airTemperature_K;
 }
 
+Spectrum BeerLambert::scatteringOpticalDepth(const AirPath& path,
+                                             const SpectralRange& range) const {
+    checkPath(path);
+    checkRange(range);
+    return Spectrum::constant(0.0);
+}
+
 } // namespace irsg

@@ -72,6 +72,7 @@ class BeerLambert : public Atmosphere {
     Spectrum downwardFlux(double altitude_m, const SunPosition& sun,
                           const SpectralRange& range) const override;
     double ambientTemperature_K(double altitude_m) const override;
+    Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const override;
 
   private:
     /// The nodes of the extinction in `range` and the ends of it.

@@ -112,4 +112,10 @@ Answer<double> Environment::ambientTemperature_K(double altitude_m) const {
                       "an atmosphere that has an ambient temperature"});
 }
 
+Answer<Spectrum> Environment::scatteringOpticalDepth(const AirPath& path,
+                                                     const SpectralRange& range) const {
+    const Atmosphere& air = require(range, AtmosphereProperty::scatteringOpticalDepth);
+    return {air.scatteringOpticalDepth(path, range), air.name()};
+}
+
 } // namespace irsg

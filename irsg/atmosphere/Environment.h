@@ -46,6 +46,7 @@ class Environment {
     Answer<Spectrum> upwardFlux(double altitude_m, const SpectralRange& range) const;
     Answer<Spectrum> downwardFlux(double altitude_m, const SpectralRange& range) const;
     Answer<double> ambientTemperature_K(double altitude_m) const;
+    Answer<Spectrum> scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const;
 
   private:
     const Atmosphere& require(const SpectralRange& range, AtmosphereProperty property) const;

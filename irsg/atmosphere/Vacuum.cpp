@@ -65,4 +65,10 @@ Spectrum extraterrestrialSolarIrradiance(const SpectralRange& range) {
     return sampledPlanck(nominalSolarTemperature_K, range, pi * ratio * ratio);
 }
 
+Spectrum Vacuum::scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const {
+    checkPath(path);
+    checkRange(range);
+    return Spectrum::constant(0.0);
+}
+
 } // namespace irsg

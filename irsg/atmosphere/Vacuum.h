@@ -21,6 +21,7 @@ class Vacuum : public Atmosphere {
                              const SpectralRange& range) const override;
     Spectrum upwardFlux(double, const SunPosition&, const SpectralRange&) const override;
     Spectrum downwardFlux(double, const SunPosition&, const SpectralRange&) const override;
+    Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const override;
 };
 
 /// The sun outside the atmosphere as above, W m-2 um-1 on a plane normal to the beam.

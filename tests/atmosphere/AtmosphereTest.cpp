@@ -58,7 +58,7 @@ TEST(Atmosphere, everyPropertyHasANameOfItsOwn) {
     for (const AtmosphereProperty property : allAtmosphereProperties) {
         EXPECT_TRUE(names.insert(name(property)).second);
     }
-    EXPECT_EQ(names.size(), 7u);
+    EXPECT_EQ(names.size(), std::size(allAtmosphereProperties));
 }
 
 TEST(SunPosition, isUpAboveTheHorizonOnly) {

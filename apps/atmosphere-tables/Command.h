@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+
+namespace smat::tables {
+
+/// Where the public data lie and where the tables go.
+struct Folders {
+    std::filesystem::path data; ///< the folder with lines/, lowtran/, continuum/, profiles/, solar/
+    std::filesystem::path out;  ///< resources/atmosphere
+};
+
+/// Each writes one kind of table, says on standard output from what and how, and throws
+/// irsg::InputError for data that are missing or damaged.
+void makeProfiles(const Folders& folders);
+void makeParticles(const Folders& folders);
+void makeSolarSpectrum(const Folders& folders);
+void makeContinuum(const Folders& folders);
+void makeGases(const Folders& folders);
+
+} // namespace smat::tables

@@ -1,0 +1,49 @@
+// atmosphere-tables KIND... --data FOLDER --out FOLDER computes the tables of resources/atmosphere
+// from public line lists and the numbers of LOWTRAN 7, and prints the recipe of each.
+
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/atmosphere-tables/Command.h"
+#include "irsg/radiometry/Errors.h"
+
+int main(int argc, char** argv) {
+    using namespace smat::tables;
+    const std::vector<std::pair<std::string, void (*)(const Folders&)>> kinds = {
+        {"profiles", makeProfiles},
+        {"particles", makeParticles},
+        {"solar", makeSolarSpectrum},
+        {"continuum", makeContinuum},
+        {"gases", makeGases}};
+
+    CLI::App app{"Computes the atmosphere's tables from public data."};
+    Folders folders;
+    std::vector<std::string> wanted;
+    app.add_option("kinds", wanted, "profiles, particles, solar, continuum, gases; none: all");
+    app.add_option("--data", folders.data,
+                   "folder with lines/, lowtran/, continuum/, profiles/, solar/")
+        ->required();
+    app.add_option("--out", folders.out, "where the tables go")->required();
+    CLI11_PARSE(app, argc, argv);
+
+    try {
+        for (const std::string& name : wanted)
+            if (std::ranges::none_of(kinds, [&](const auto& kind) { return kind.first == name; }))
+                throw irsg::InputError(irsg::Offence{
+                    "command line", "", name, "profiles, particles, solar, continuum or gases"});
+        for (const auto& [name, make] : kinds)
+            if (wanted.empty() || std::ranges::find(wanted, name) != wanted.end())
+                make(folders);
+    } catch (const irsg::InputError& error) {
+        std::cerr << error.what() << "\n";
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << "\n";
+        return 3;
+    }
+    return 0;
+}

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "irsg/atmosphere/engine/AirState.h"
+
+namespace irsg {
+
+/// A spectral interval whose mean is a weighted sum over a few monochromatic nodes:
+/// mean f = sum of weight * f(node).
+struct SpectralBin {
+    double lower_cm = 0.0;
+    double upper_cm = 0.0;
+    std::uint32_t first = 0; ///< into BinSet::nodes and ::weights
+    std::uint32_t count = 0;
+
+    double centre_cm() const { return 0.5 * (lower_cm + upper_cm); }
+};
+
+/// Bins of one resolution, ascending and touching each other.
+struct BinSet {
+    double resolution_cm = 5.0;
+    std::vector<SpectralBin> bins;
+    std::vector<std::uint32_t> nodes;
+    std::vector<float> weights; ///< positive, sum 1 in a bin
+
+    /// First bin that reaches above `lower_cm` and one past the last that begins below `upper_cm`.
+    std::pair<std::size_t, std::size_t> range(double lower_cm, double upper_cm) const;
+};
+
+/// Absorption of the line gases at selected single wavenumbers ("nodes", optimal spectral sampling:
+/// Moncet et al. 2008, J. Atmos. Sci. 65, 3917), computed line by line and tabulated over pressure
+/// and temperature. At a node everything is monochromatic, so paths through inhomogeneous air,
+/// overlapping gases, emission and multiple scattering need no approximation; the only error is
+/// that of the sum over nodes, which was trained against line by line, and of interpolation in the
+/// table.
+class GasTable {
+  public:
+    static constexpr int resolutions_cm[] = {1, 5, 15};
+
+    /// The grid of the table. Cross sections are interpolated in ln k: cubic in ln p, quadratic in
+    /// T.
+    struct Grid {
+        std::vector<double> pressures_hPa;  ///< descending
+        std::vector<double> temperatures_K; ///< ascending
+        /// Mole fraction of water to which the second, self-broadened set belongs.
+        double moistFraction = 0.04;
+        std::size_t moistPressures = 0; ///< how many of the first pressures have that set
+    };
+    /// What the file holds of one node and one gas: ln of the cross section (cm2) on the grid,
+    /// temperature running fastest, dry set first and for water the moist set after it.
+    struct Block {
+        std::uint32_t node = 0;
+        Gas gas = Gas::H2O;
+        std::vector<float> lnCrossSection;
+    };
+
+    /// From memory, for the program that writes tables and for tests. Throws LogicError for blocks
+    /// of the wrong size, bins that name unknown nodes.
+    GasTable(Grid grid, std::vector<double> nodeWavenumbers_cm, std::vector<Block> blocks,
+             std::array<BinSet, 3> bins, std::string header);
+    /// Reads and writes `.gastable`. Throws InputError for a damaged or foreign file.
+    static std::shared_ptr<const GasTable> read(const std::filesystem::path& file);
+    void write(const std::filesystem::path& file) const;
+    /// The table that is shipped (resources/atmosphere/gases.gastable), read once a process.
+    static std::shared_ptr<const GasTable> shipped();
+
+    const std::string& header() const { return header_; } ///< recipe, sources, expected errors
+    const Grid& grid() const { return grid_; }
+    std::size_t nodeCount() const { return wavenumbers_cm_.size(); }
+    double wavenumber_cm(std::uint32_t node) const { return wavenumbers_cm_[node]; }
+    /// Bins of 1, 5 or 15 cm-1 (LogicError for others). Where the data are coarser, so are the
+    /// bins.
+    const BinSet& bins(int resolution_cm) const;
+    /// 200 to 50000 cm-1 and what of it this table covers.
+    double lower_cm() const;
+    double upper_cm() const;
+
+    /// Absorption by all line gases, m-1, at `nodes` for air; `out` as many as nodes. Pressures and
+    /// temperatures beyond the grid are held in shape: k is extrapolated in p linearly below the
+    /// lowest pressure's constant, temperatures are clamped.
+    void absorption_per_m(const AirState& air, std::span<const std::uint32_t> nodes,
+                          std::span<float> out) const;
+    /// Cross section of one gas at one node, cm2 per molecule; 0 where the table holds none.
+    double crossSection_cm2(std::uint32_t node, Gas gas, const AirState& air) const;
+
+  private:
+    struct Entry {
+        std::uint32_t offset = 0; ///< into values_, in blocks of 16-bit numbers
+        float scale = 0.0f, low = 0.0f;
+        Gas gas = Gas::H2O;
+    };
+    void index();
+
+    Grid grid_;
+    std::string header_;
+    std::vector<double> wavenumbers_cm_;
+    std::vector<std::uint32_t> firstEntry_; ///< of each node, with one past the last
+    std::vector<Entry> entries_;
+    std::vector<std::uint16_t> values_;
+    std::array<BinSet, 3> bins_;
+};
+
+} // namespace irsg

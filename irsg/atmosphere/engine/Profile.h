@@ -1,0 +1,71 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "irsg/atmosphere/engine/AirState.h"
+
+namespace irsg {
+
+/// The six model atmospheres (Anderson et al. 1986, AFGL-TR-86-0110), with MODTRAN's numbers.
+enum class ModelAtmosphere {
+    tropical = 1,
+    midlatitudeSummer = 2,
+    midlatitudeWinter = 3,
+    subarcticSummer = 4,
+    subarcticWinter = 5,
+    usStandard1976 = 6
+};
+
+/// Weather measured near the ground (the report's MeteoModel 2).
+struct MeteoMeasurement {
+    double height_m = 5.0;               ///< measurement height, 2 to 40
+    double temperature_K = 293.15;       ///< at that height
+    double pressure_hPa = 1013.0;        ///< at that height, 800 to 1200
+    double relativeHumidity = 0.5;       ///< at that height over water, 0 to 1
+    double temperatureAtZero_K = 293.15; ///< air at altitude 0
+};
+
+/// Air from the ground to the top of the atmosphere (100 km or the highest level given).
+///
+/// Between levels the temperature is linear in altitude, the logarithms of pressure and of the mole
+/// fractions are linear in altitude (mole fractions of 0 are linear). Below the lowest level the
+/// lowest holds; above the top there is nothing (see `top_m`).
+class Profile {
+  public:
+    /// Levels ascending in altitude from 0, at least two, pressures falling, 100 to 400 K,
+    /// fractions 0 to 1. Throws InputError naming each level that breaks a rule.
+    explicit Profile(std::vector<AirState> levels, std::string name = "profile");
+
+    /// `co2_ppmv` replaces the tables' 330 ppmv by scaling the whole CO2 profile.
+    static Profile model(ModelAtmosphere model, double co2_ppmv = 400.0);
+
+    /// A radiosonde ascent: CSV with the header `altitude [m], pressure [hPa], temperature [K] |
+    /// temperature [C], relative_humidity [%] | dew_point [C] | h2o [ppmv]` in any order and
+    /// optionally the other gases in ppmv; blended into `background` above its last level over 5
+    /// km. Throws InputError naming every offence.
+    static Profile fromRadiosonde(const std::filesystem::path& file, const Profile& background);
+
+    /// The lowest kilometre reshaped to pass through the measurements; unchanged from 1 km up,
+    /// smooth to the first derivative there. The law is stated in docs/atmosphere.md.
+    Profile withMeteo(const MeteoMeasurement& measured) const;
+
+    const std::string& name() const { return name_; }
+    const std::vector<AirState>& levels() const { return levels_; }
+    double top_m() const { return levels_.back().altitude_m; }
+    /// Air at an altitude in m; held below the lowest level and above the top.
+    AirState at(double altitude_m) const;
+
+  private:
+    std::vector<AirState> levels_;
+    std::string name_;
+};
+
+/// Saturation vapour pressure over water, hPa (Murphy and Koop 2005, eq. 10; 123 to 332 K).
+double saturationPressure_hPa(double temperature_K);
+/// 0 to 1 and beyond; over water.
+double relativeHumidity(const AirState& air);
+
+} // namespace irsg

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "irsg/atmosphere/lbl/Line.h"
+
+namespace irsg::lbl {
+
+/// An even grid of wavenumbers.
+struct WavenumberGrid {
+    double first_cm = 0.0;
+    double step_cm = 0.001;
+    std::size_t count = 0;
+
+    double at(std::size_t i) const { return first_cm + step_cm * static_cast<double>(i); }
+    double last_cm() const { return at(count - 1); }
+};
+
+/// Shape of a gas's lines far from their centres.
+struct LineShape {
+    double cut_cm = 25.0; ///< nothing beyond; rays of light farther out are the continuum
+    bool removePedestal =
+        false; ///< subtract the value at the cut (water, as its continuum expects)
+    /// Sub-Lorentzian wings of CO2 (Perrin and Hartmann 1989), which reach out to `cut_cm`.
+    bool carbonDioxideWings = false;
+};
+/// Water: 25 cm-1, pedestal removed. CO2: chi factor, 300 cm-1. Others: 25 cm-1.
+LineShape defaultLineShape(Gas gas);
+
+/// Absorption cross section of one gas in air, cm2 per molecule of the gas, on every point of the
+/// grid: Voigt lines at temperature (K), total pressure (hPa) and the gas's own mole fraction (for
+/// self-broadening). Wings are evaluated on coarse blocks and interpolated, to 1e-4 of the value.
+/// Lines whose peak is below `weakest_cm2` are left out.
+std::vector<double> crossSection_cm2(const LineList& lines, const WavenumberGrid& grid,
+                                     double temperature_K, double pressure_hPa, double moleFraction,
+                                     const LineShape& shape, double weakest_cm2 = 0.0);
+
+} // namespace irsg::lbl
