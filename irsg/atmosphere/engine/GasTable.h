@@ -53,8 +53,9 @@ class GasTable {
         double moistFraction = 0.04;
         std::size_t moistPressures = 0; ///< how many of the first pressures have that set
     };
-    /// What the file holds of one node and one gas: ln of the cross section (cm2) on the grid,
-    /// temperature running fastest, dry set first and for water the moist set after it.
+    /// One node and one gas: ln of the cross section (cm2) on the grid, temperature running
+    /// fastest, the dry set first and for water the moist set after it. Kept in steps of 1/1600
+    /// between ln 1e-33 and ln 4e-14 cm2; less counts as nothing.
     struct Block {
         std::uint32_t node = 0;
         Gas gas = Gas::H2O;
@@ -83,27 +84,31 @@ class GasTable {
     double upper_cm() const;
 
     /// Absorption by all line gases, m-1, at `nodes` for air; `out` as many as nodes. Pressures and
-    /// temperatures beyond the grid are held in shape: k is extrapolated in p linearly below the
-    /// lowest pressure's constant, temperatures are clamped.
+    /// temperatures beyond the grid are clamped to it.
     void absorption_per_m(const AirState& air, std::span<const std::uint32_t> nodes,
                           std::span<float> out) const;
     /// Cross section of one gas at one node, cm2 per molecule; 0 where the table holds none.
     double crossSection_cm2(std::uint32_t node, Gas gas, const AirState& air) const;
 
   private:
-    struct Entry {
-        std::uint32_t offset = 0; ///< into values_, in blocks of 16-bit numbers
-        float scale = 0.0f, low = 0.0f;
-        Gas gas = Gas::H2O;
+    GasTable() = default;
+    /// All nodes at which one gas absorbs. Values run over these nodes fastest, so that a level of
+    /// air is computed in long sweeps.
+    struct GasNodes {
+        std::vector<std::uint32_t> nodes;   ///< ascending
+        std::vector<std::int32_t> position; ///< of every node of the table in `nodes`, or -1
+        std::vector<std::uint16_t> values;  ///< [grid point][node of the gas], see lnStep
     };
+    /// Weights of the grid points that surround a state of the air.
+    struct Stencil;
+    Stencil stencil(Gas gas, const AirState& air) const;
+    std::size_t gridPoints(Gas gas) const;
     void index();
 
     Grid grid_;
     std::string header_;
     std::vector<double> wavenumbers_cm_;
-    std::vector<std::uint32_t> firstEntry_; ///< of each node, with one past the last
-    std::vector<Entry> entries_;
-    std::vector<std::uint16_t> values_;
+    std::array<GasNodes, lineGasCount> gases_;
     std::array<BinSet, 3> bins_;
 };
 
