@@ -22,7 +22,9 @@ struct ParticleLayer {
     /// Nodes: altitude in m ascending, extinction at 0.55 um in m-1; linear between, 0 outside.
     std::vector<double> altitudes_m;
     std::vector<double> extinction550_per_m;
-    /// Optical properties over wavelength in um, ascending; linear in ln(wavelength), held outside.
+    /// Optical properties over wavelength in um, ascending. Between nodes the extinction is a power
+    /// law of the wavelength, the absorbed part of it and the asymmetry are linear in
+    /// ln(wavelength), as MODTRAN's columns show. Held outside.
     std::vector<double> wavelengths_um;
     std::vector<ParticleOptics> optics;
 
@@ -44,21 +46,37 @@ enum class AerosolModel {
 
 struct ParticleSettings {
     std::optional<AerosolModel> aerosol = AerosolModel::rural; ///< none: clear molecular air
-    double visibility_m = 0.0;  ///< Koschmieder (2 % contrast, 3.912); 0: the model's own
+    /// Koschmieder (2 % contrast, 3.912), 10 m to 300 km; 0: the model's own.
+    double visibility_m = 0.0;
     int airMass = 3;            ///< ICSTL of the Navy maritime aerosol, 1 ocean to 10 continental
-    double windSpeed_m_s = 5.0; ///< now, at windHeight_m
+    double windSpeed_m_s = 5.0; ///< now, at windHeight_m, 0.1 to 30
     double windSpeed24h_m_s = 5.0; ///< mean of the last 24 hours
-    double windHeight_m = 10.0;
+    double windHeight_m = 10.0;    ///< of both winds above ground, 2 to 40
     bool winter = false;           ///< autumn/winter profiles above 2 km, else spring/summer
     int cloudModel = 0;            ///< 0 none, 1 to 5 clouds, 6 to 10 with rain, 18 and 19 cirrus
     double cloudBase_m = -1.0;     ///< negative: the model's own
     double cloudThickness_m = 0.0; ///< 0 or less: the model's own
-    double cloudExtinction_per_m = 0.0;        ///< vertical, at 0.55 um; 0 or less: not scaled
+    /// At 0.55 um, mean over the thickness (optical depth of the cloud over its thickness), at most
+    /// 1; 0 or less: not scaled.
+    double cloudExtinction_per_m = 0.0;
     std::optional<ModelAtmosphere> atmosphere; ///< decides the cirrus' own base
 };
 
+/// Relative humidity (0 to 1, over water) at an altitude in m.
+using HumidityProfile = std::function<double(double altitude_m)>;
+
 /// The particles of an atmosphere: boundary layer, free troposphere, stratosphere, above; cloud;
-/// rain. Humidity comes from the profile. Throws InputError naming each setting out of range.
-std::vector<ParticleLayer> particleLayers(const ParticleSettings& settings, const Profile& profile);
+/// rain. Equations, sources and defaults in docs/atmosphere-particles.md. Throws InputError naming
+/// each setting out of range (with the report's parameter name as position) and each impossible
+/// combination.
+std::vector<ParticleLayer> particleLayers(const ParticleSettings& settings,
+                                          const HumidityProfile& relativeHumidityAt);
+/// The same with the humidity of a profile.
+inline std::vector<ParticleLayer> particleLayers(const ParticleSettings& settings,
+                                                 const Profile& profile) {
+    return particleLayers(settings, [&profile](double altitude_m) {
+        return relativeHumidity(profile.at(altitude_m));
+    });
+}
 
 } // namespace irsg
