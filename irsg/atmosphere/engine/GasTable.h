@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/atmosphere/engine/AirState.h"
+#include "irsg/atmosphere/engine/CrossSectionGrid.h"
 
 namespace irsg {
 
@@ -44,15 +44,7 @@ class GasTable {
   public:
     static constexpr int resolutions_cm[] = {1, 5, 15};
 
-    /// The grid of the table. Cross sections are interpolated in ln k: cubic in ln p, quadratic in
-    /// T.
-    struct Grid {
-        std::vector<double> pressures_hPa;  ///< descending
-        std::vector<double> temperatures_K; ///< ascending
-        /// Mole fraction of water to which the second, self-broadened set belongs.
-        double moistFraction = 0.04;
-        std::size_t moistPressures = 0; ///< how many of the first pressures have that set
-    };
+    using Grid = CrossSectionGrid;
     /// One node and one gas: ln of the cross section (cm2) on the grid, temperature running
     /// fastest, the dry set first and for water the moist set after it. Kept in steps of 1/1600
     /// between ln 1e-33 and ln 4e-14 cm2; less counts as nothing.
@@ -99,10 +91,6 @@ class GasTable {
         std::vector<std::int32_t> position; ///< of every node of the table in `nodes`, or -1
         std::vector<std::uint16_t> values;  ///< [grid point][node of the gas], see lnStep
     };
-    /// Weights of the grid points that surround a state of the air.
-    struct Stencil;
-    Stencil stencil(Gas gas, const AirState& air) const;
-    std::size_t gridPoints(Gas gas) const;
     void index();
 
     Grid grid_;

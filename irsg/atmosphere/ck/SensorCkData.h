@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "irsg/atmosphere/engine/RadiativeTransfer.h"
+#include "irsg/radiometry/Band.h"
+
+namespace irsg {
+
+/// What wideband terms are prepared for.
+struct CkRequest {
+    Band band = Band::topHat(3.0, 5.0);
+    SunPosition sun;
+    /// Paths that the scene will use, where they are known; a spread of paths is always added.
+    std::vector<AirPath> paths;
+    /// Spectra of the scene's surfaces and gases (emissivities, transmissivities, user-defined
+    /// radiances): each is trained as it is, so that lines of a hot gas that sit on the air's lines
+    /// keep their correlation. Not owned; need to live during the preparation only.
+    std::vector<const Spectrum*> spectra;
+    double largestError = 0.002; ///< of in-band quantities on the training cases, relative
+    std::size_t mostTerms = 250;
+};
+
+/// Wideband correlated-k (F17): a few monochromatic terms that stand for a sensor's whole band.
+///
+/// For every quantity f of a scene, integral f R dlambda = sum over terms of weight * f(term).
+/// Terms are spectral nodes of the atmosphere; they and their weights are chosen by non-negative
+/// least squares so that in-band radiances of surfaces of 200 to 2200 K, grey and with structure,
+/// through paths of all kinds, path and sky radiances, sun and fluxes equal those of the spectral
+/// mode (optimal spectral sampling for a whole band, Moncet et al. 2008). A term is a wavelength,
+/// so response, emissivity, reflectivity, transmissivity and black bodies are converted by sampling
+/// them there: `sampled`, `planck`.
+class SensorCkData {
+  public:
+    /// Trains the terms. Throws InputError where the band has no node in the atmosphere's table.
+    static SensorCkData prepare(const RadiativeTransfer& transfer, const CkRequest& request);
+
+    std::size_t size() const { return wavelengths_um_.size(); }
+    const Band& band() const { return band_; }
+    const NodeSet& nodes() const { return nodes_; }
+    const std::vector<double>& wavelengths_um() const { return wavelengths_um_; } ///< ascending
+    /// They include the response.
+    const std::vector<double>& weights_um() const { return weights_um_; }
+    /// On the training cases, relative to each in-band quantity.
+    double largestError() const { return largestError_; }
+    double rmsError() const { return rmsError_; }
+
+    std::vector<double> sampled(const Spectrum& spectrum) const;
+    /// Planck radiance at every term, W m-2 sr-1 um-1.
+    std::vector<double> planck(double temperature_K) const;
+    /// Sum of weight times value: an in-band quantity.
+    double integrate(const std::vector<double>& values) const;
+
+  private:
+    explicit SensorCkData(Band band) : band_(std::move(band)) {}
+
+    Band band_;
+    NodeSet nodes_;
+    std::vector<double> wavelengths_um_, weights_um_;
+    double largestError_ = 0.0, rmsError_ = 0.0;
+};
+
+} // namespace irsg

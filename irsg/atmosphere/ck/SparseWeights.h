@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace irsg {
+
+/// A linear problem whose solution shall have few terms: weights w >= 0 with matrix * w = target.
+struct SparseProblem {
+    std::size_t rows = 0;
+    std::vector<float> columns; ///< column by column
+    std::vector<double> target;
+
+    std::size_t columnCount() const { return rows == 0 ? 0 : columns.size() / rows; }
+};
+
+struct SparseWeights {
+    std::vector<std::size_t> columns; ///< ascending
+    std::vector<double> weights;      ///< positive
+    double largestError = 0.0;        ///< largest |matrix w - target|
+    double rmsError = 0.0;
+};
+
+/// Non-negative least squares (Lawson and Hanson 1974, chapter 23): terms are added one at a time
+/// where the residual falls fastest. Stops when no row's error is above `largestError`, when `most`
+/// terms are in use or when nothing improves.
+SparseWeights sparseWeights(const SparseProblem& problem, double largestError, std::size_t most);
+
+} // namespace irsg

@@ -1,0 +1,88 @@
+#include "irsg/atmosphere/engine/CrossSectionGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+/// Lagrange's weights of `count` neighbouring nodes of an ascending or descending axis, clamped to
+/// it.
+template <std::size_t count>
+std::size_t lagrange(const std::vector<double>& axis, double x,
+                     std::array<double, count>& weights) {
+    const bool descending = axis.front() > axis.back();
+    const double low = std::min(axis.front(), axis.back());
+    const double high = std::max(axis.front(), axis.back());
+    x = std::clamp(x, low, high);
+    const auto above = descending ? std::ranges::lower_bound(axis, x, std::greater<>())
+                                  : std::ranges::lower_bound(axis, x);
+    const auto upper = static_cast<std::ptrdiff_t>(above - axis.begin());
+    std::ptrdiff_t first = upper - static_cast<std::ptrdiff_t>(count) / 2;
+    if constexpr (count == 3) { // the middle node is the nearest one
+        first = upper - 1;
+        if (upper > 0 && upper < static_cast<std::ptrdiff_t>(axis.size()) &&
+            std::abs(axis[static_cast<std::size_t>(upper - 1)] - x) <
+                std::abs(axis[static_cast<std::size_t>(upper)] - x))
+            first = upper - 2;
+    }
+    first = std::clamp<std::ptrdiff_t>(first, 0, static_cast<std::ptrdiff_t>(axis.size() - count));
+    const auto start = static_cast<std::size_t>(first);
+    for (std::size_t i = 0; i < count; ++i) {
+        weights[i] = 1.0;
+        for (std::size_t j = 0; j < count; ++j)
+            if (j != i)
+                weights[i] *= (x - axis[start + j]) / (axis[start + i] - axis[start + j]);
+    }
+    return start;
+}
+
+} // namespace
+
+std::size_t CrossSectionGrid::points(Gas gas) const {
+    return (pressures_hPa.size() + (gas == Gas::H2O ? moistPressures : 0)) * temperatures_K.size();
+}
+
+GridStencil CrossSectionGrid::stencil(Gas gas, const AirState& air) const {
+    std::vector<double> lnPressures(pressures_hPa.size());
+    std::ranges::transform(pressures_hPa, lnPressures.begin(),
+                           [](double p) { return std::log(p); });
+    std::array<double, 4> alongPressure{};
+    std::array<double, 3> alongTemperature{};
+    const std::size_t row = lagrange(lnPressures, std::log(air.pressure_hPa), alongPressure);
+    const std::size_t column = lagrange(temperatures_K, air.temperature_K, alongTemperature);
+
+    // Above the pressures that have a moist set there is too little water to broaden its own lines.
+    double moist = 0.0;
+    if (gas == Gas::H2O && row + 4 <= moistPressures)
+        moist = air.fraction(Gas::H2O) / moistFraction;
+    GridStencil stencil;
+    auto add = [&](std::size_t point, double weight) {
+        stencil.points[stencil.count] = static_cast<std::uint32_t>(point);
+        stencil.weights[stencil.count++] = static_cast<float>(weight);
+    };
+    for (std::size_t i = 0; i < alongPressure.size(); ++i)
+        for (std::size_t j = 0; j < alongTemperature.size(); ++j) {
+            const double weight = alongPressure[i] * alongTemperature[j];
+            const std::size_t point = (row + i) * temperatures_K.size() + column + j;
+            add(point, weight * (1.0 - moist));
+            if (moist > 0.0)
+                add(point + pressures_hPa.size() * temperatures_K.size(), weight * moist);
+        }
+    return stencil;
+}
+
+void CrossSectionGrid::check() const {
+    if (pressures_hPa.size() < 4 || temperatures_K.size() < 3 ||
+        moistPressures > pressures_hPa.size() || (moistPressures > 0 && moistPressures < 4))
+        throw LogicError("the grid of a gas table is too small to interpolate in");
+    if (!std::ranges::is_sorted(pressures_hPa, std::greater<>()) ||
+        !std::ranges::is_sorted(temperatures_K))
+        throw LogicError("the grid of a gas table is not in order");
+}
+
+} // namespace irsg
