@@ -71,6 +71,48 @@ Spectrum Atmosphere::scatteringOpticalDepth(const AirPath&, const SpectralRange&
     refuse(*this, AtmosphereProperty::scatteringOpticalDepth);
 }
 
+namespace {
+
+[[noreturn]] void refuseWideband(const Atmosphere& atmosphere) {
+    throw LogicError("the atmosphere " + atmosphere.name() +
+                     " was asked for wideband quantities, which it does not support");
+}
+
+} // namespace
+
+std::shared_ptr<const SensorCkData> Atmosphere::prepareCk(const CkRequest&) const {
+    refuseWideband(*this);
+}
+
+std::vector<double> Atmosphere::ckTransmittance(const AirPath&, const SensorCkData&) const {
+    refuseWideband(*this);
+}
+
+std::vector<double> Atmosphere::ckPathRadiance(const AirPath&, const SunPosition&,
+                                               const SensorCkData&) const {
+    refuseWideband(*this);
+}
+
+std::vector<double> Atmosphere::ckBackgroundRadiance(const LineOfSight&, const SunPosition&,
+                                                     const SensorCkData&) const {
+    refuseWideband(*this);
+}
+
+std::vector<double> Atmosphere::ckSolarIrradiance(double, const SunPosition&,
+                                                  const SensorCkData&) const {
+    refuseWideband(*this);
+}
+
+std::vector<double> Atmosphere::ckUpwardFlux(double, const SunPosition&,
+                                             const SensorCkData&) const {
+    refuseWideband(*this);
+}
+
+std::vector<double> Atmosphere::ckDownwardFlux(double, const SunPosition&,
+                                               const SensorCkData&) const {
+    refuseWideband(*this);
+}
+
 void Atmosphere::checkRange(const SpectralRange& range) const {
     if (!(range.min_um < range.max_um && base().contains(range))) {
         throw LogicError("the atmosphere " + name() + ", which holds " + numberText(base().min_um) +

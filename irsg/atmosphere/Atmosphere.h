@@ -1,10 +1,15 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "irsg/radiometry/Spectrum.h"
 
 namespace irsg {
+
+class SensorCkData;
+struct CkRequest;
 
 /// What a scene may ask of the air. A scene never sees a gas.
 enum class AtmosphereProperty {
@@ -86,6 +91,25 @@ class Atmosphere {
     /// Optical depth of a path by scattering alone, which blurs (absorption by gases does not); >=
     /// 0.
     virtual Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const;
+
+    /// True where this atmosphere can prepare wideband terms (F14, F17).
+    virtual bool isWidebandModeAvailable() const { return false; }
+    /// The wideband terms of a sensor: see SensorCkData.h. LogicError where they are not available.
+    virtual std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const;
+    /// The wideband twins of the spectral quantities: one value a term of data that this atmosphere
+    /// prepared, in the units of the spectral ones.
+    virtual std::vector<double> ckTransmittance(const AirPath& path, const SensorCkData& ck) const;
+    virtual std::vector<double> ckPathRadiance(const AirPath& path, const SunPosition& sun,
+                                               const SensorCkData& ck) const;
+    virtual std::vector<double> ckBackgroundRadiance(const LineOfSight& sight,
+                                                     const SunPosition& sun,
+                                                     const SensorCkData& ck) const;
+    virtual std::vector<double> ckSolarIrradiance(double altitude_m, const SunPosition& sun,
+                                                  const SensorCkData& ck) const;
+    virtual std::vector<double> ckUpwardFlux(double altitude_m, const SunPosition& sun,
+                                             const SensorCkData& ck) const;
+    virtual std::vector<double> ckDownwardFlux(double altitude_m, const SunPosition& sun,
+                                               const SensorCkData& ck) const;
 
   protected:
     /// What every implementation asks of its arguments. LogicError unless the base holds the range;

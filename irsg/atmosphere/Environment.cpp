@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "irsg/atmosphere/Vacuum.h"
+#include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
@@ -116,6 +117,74 @@ Answer<Spectrum> Environment::scatteringOpticalDepth(const AirPath& path,
                                                      const SpectralRange& range) const {
     const Atmosphere& air = require(range, AtmosphereProperty::scatteringOpticalDepth);
     return {air.scatteringOpticalDepth(path, range), air.name()};
+}
+
+const Atmosphere* Environment::findWideband(const SpectralRange& range) const {
+    for (const auto& atmosphere : atmospheres_) {
+        if (atmosphere->isWidebandModeAvailable() && atmosphere->base().contains(range)) {
+            return atmosphere.get();
+        }
+    }
+    return nullptr;
+}
+
+const Atmosphere& Environment::requireWideband(const SpectralRange& range) const {
+    if (const Atmosphere* atmosphere = findWideband(range)) {
+        return *atmosphere;
+    }
+    std::string refusals;
+    for (const auto& atmosphere : atmospheres_) {
+        refusals += (refusals.empty() ? "" : ", ") + atmosphere->name() +
+                    (atmosphere->isWidebandModeAvailable()
+                         ? " (holds only " + textOf(atmosphere->base()) + ")"
+                         : " (has no wideband mode)");
+    }
+    throw InputError({"environment", "wideband-ck over " + textOf(range),
+                      refusals.empty() ? "no atmosphere" : refusals,
+                      "an atmosphere with a wideband mode that holds the whole range"});
+}
+
+Answer<std::shared_ptr<const SensorCkData>> Environment::prepareCk(const CkRequest& request) const {
+    const Atmosphere& air = requireWideband(request.band.range());
+    return {air.prepareCk(request), air.name()};
+}
+
+Answer<std::vector<double>> Environment::ckTransmittance(const AirPath& path,
+                                                         const SensorCkData& ck) const {
+    const Atmosphere& air = requireWideband(ck.band().range());
+    return {air.ckTransmittance(path, ck), air.name()};
+}
+
+Answer<std::vector<double>> Environment::ckPathRadiance(const AirPath& path,
+                                                        const SensorCkData& ck) const {
+    const Atmosphere& air = requireWideband(ck.band().range());
+    return {air.ckPathRadiance(path, sun, ck), air.name()};
+}
+
+Answer<std::vector<double>> Environment::ckBackgroundRadiance(const LineOfSight& sight,
+                                                              const SensorCkData& ck) const {
+    const Atmosphere& air = requireWideband(ck.band().range());
+    return {air.ckBackgroundRadiance(sight, sun, ck), air.name()};
+}
+
+Answer<std::vector<double>> Environment::ckSolarIrradiance(double altitude_m,
+                                                           const SensorCkData& ck) const {
+    const Atmosphere& air = requireWideband(ck.band().range());
+    return {sun.isUp() ? air.ckSolarIrradiance(altitude_m, sun, ck)
+                       : std::vector<double>(ck.size(), 0.0),
+            air.name()};
+}
+
+Answer<std::vector<double>> Environment::ckUpwardFlux(double altitude_m,
+                                                      const SensorCkData& ck) const {
+    const Atmosphere& air = requireWideband(ck.band().range());
+    return {air.ckUpwardFlux(altitude_m, sun, ck), air.name()};
+}
+
+Answer<std::vector<double>> Environment::ckDownwardFlux(double altitude_m,
+                                                        const SensorCkData& ck) const {
+    const Atmosphere& air = requireWideband(ck.band().range());
+    return {air.ckDownwardFlux(altitude_m, sun, ck), air.name()};
 }
 
 } // namespace irsg

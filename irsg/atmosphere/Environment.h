@@ -48,7 +48,23 @@ class Environment {
     Answer<double> ambientTemperature_K(double altitude_m) const;
     Answer<Spectrum> scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const;
 
+    /// The first atmosphere that has wideband terms for a band; null where there is none.
+    const Atmosphere* findWideband(const SpectralRange& range) const;
+    /// InputError listing each atmosphere and why it has no wideband terms for the band: there is
+    /// no default in wideband mode (F29).
+    Answer<std::shared_ptr<const SensorCkData>> prepareCk(const CkRequest& request) const;
+    /// Answered by the atmosphere that prepared the terms.
+    Answer<std::vector<double>> ckTransmittance(const AirPath& path, const SensorCkData& ck) const;
+    Answer<std::vector<double>> ckPathRadiance(const AirPath& path, const SensorCkData& ck) const;
+    Answer<std::vector<double>> ckBackgroundRadiance(const LineOfSight& sight,
+                                                     const SensorCkData& ck) const;
+    /// Zero when the sun is below the horizon, whoever answers.
+    Answer<std::vector<double>> ckSolarIrradiance(double altitude_m, const SensorCkData& ck) const;
+    Answer<std::vector<double>> ckUpwardFlux(double altitude_m, const SensorCkData& ck) const;
+    Answer<std::vector<double>> ckDownwardFlux(double altitude_m, const SensorCkData& ck) const;
+
   private:
+    const Atmosphere& requireWideband(const SpectralRange& range) const;
     const Atmosphere& require(const SpectralRange& range, AtmosphereProperty property) const;
 
     std::vector<std::shared_ptr<const Atmosphere>> atmospheres_;

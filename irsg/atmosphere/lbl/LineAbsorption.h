@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/lbl/Line.h"
+#include "irsg/atmosphere/lbl/PartitionSums.h"
 
 namespace irsg::lbl {
 
@@ -32,8 +33,12 @@ LineShape defaultLineShape(Gas gas);
 /// grid: Voigt lines at temperature (K), total pressure (hPa) and the gas's own mole fraction (for
 /// self-broadening). Wings are evaluated on coarse blocks and interpolated, to 1e-4 of the value.
 /// Lines whose peak is below `weakest_cm2` are left out.
-std::vector<double> crossSection_cm2(const LineList& lines, const WavenumberGrid& grid,
-                                     double temperature_K, double pressure_hPa, double moleFraction,
+std::vector<double> crossSection_cm2(const LineList& lines, const PartitionSums& partition,
+                                     const WavenumberGrid& grid, double temperature_K,
+                                     double pressure_hPa, double moleFraction,
                                      const LineShape& shape, double weakest_cm2 = 0.0);
+
+/// chi(|distance|, T): how much weaker the wing of a CO2 line in air is than a Lorentzian.
+double carbonDioxideChi(double distance_cm, double temperature_K);
 
 } // namespace irsg::lbl

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <complex>
+
+namespace irsg::lbl {
+
+/// The complex error function w(z) = exp(-z^2) erfc(-i z) for Im z >= 0, to 1e-6 relative: rational
+/// series of 32 terms (Weideman 1994, SIAM J. Numer. Anal. 31, 1497) near the origin, the first
+/// term of the asymptotic expansion beyond |z| = 15.
+std::complex<double> complexErrorFunction(std::complex<double> z);
+
+/// The Voigt profile with unit area, per cm-1, at a distance from the centre, for half widths at
+/// half maximum of its Gaussian (> 0) and Lorentzian (>= 0) parts, all in cm-1.
+class VoigtProfile {
+  public:
+    VoigtProfile(double dopplerWidth_cm, double lorentzWidth_cm);
+
+    double at(double distance_cm) const;
+    /// `count` values from `first_cm` on in steps of `step_cm` times `factor` are added to `sum`.
+    void add(double first_cm, double step_cm, std::size_t count, double factor, double* sum) const;
+
+  private:
+    double scale_; ///< sqrt(ln 2) / Doppler width
+    double y_;
+};
+
+} // namespace irsg::lbl
