@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/engine/ParticleParts.h"
+#include "irsg/radiometry/Errors.h"
 #include "tests/atmosphere/AerosolSupport.h"
 
 namespace irsg {
@@ -157,6 +158,12 @@ TEST(Aerosols, theSeasonChangesOnlyWhatLiesAboveTheBoundaryLayer) {
     EXPECT_NEAR(extinction550At(winter, 3000.0) * 1e3, 0.0272, 1e-6);
     EXPECT_NEAR(extinction550At(summer, 3000.0) * 1e3, 0.0346, 1e-6);
     EXPECT_NEAR(extinction550At(winter, 16e3) * 1e3, 0.000641, 1e-9);
+}
+
+TEST(Aerosols, humidityThatIsNoNumberIsAProgrammingError) {
+    for (const AerosolModel model : {AerosolModel::rural, AerosolModel::navyMaritime})
+        EXPECT_THROW(particleLayers(settings(model), [](double) { return std::nan(""); }),
+                     LogicError);
 }
 
 TEST(Aerosols, nothingFloatsInAirWithoutAerosol) {

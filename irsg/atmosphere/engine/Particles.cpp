@@ -60,8 +60,14 @@ std::vector<ParticleLayer> particleLayers(const ParticleSettings& settings,
                                           const HumidityProfile& relativeHumidityAt) {
     particles::check(settings);
     std::vector<ParticleLayer> layers;
+    const HumidityProfile finiteHumidityAt = [&](double altitude_m) {
+        const double humidity = relativeHumidityAt(altitude_m);
+        if (!std::isfinite(humidity))
+            throw LogicError("the humidity at " + numberText(altitude_m) + " m is not a number");
+        return humidity;
+    };
     if (settings.aerosol)
-        layers = particles::aerosols(settings, relativeHumidityAt);
+        layers = particles::aerosols(settings, finiteHumidityAt);
     std::ranges::move(particles::clouds(settings), std::back_inserter(layers));
     return layers;
 }
