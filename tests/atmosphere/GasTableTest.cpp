@@ -11,9 +11,9 @@
 namespace irsg {
 namespace {
 
-/// ln k = a + b ln p + c T, which the interpolation must give exactly.
+/// ln k = a + b ln p + c / T, which the interpolation must give exactly.
 double lnCross(double lnPressure, double temperature_K, double offset) {
-    return -50.0 + offset + 0.8 * lnPressure - 0.01 * (temperature_K - 250.0);
+    return -50.0 + offset + 0.8 * lnPressure - 1500.0 / temperature_K;
 }
 
 GasTable::Grid grid() {

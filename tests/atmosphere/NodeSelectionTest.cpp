@@ -32,7 +32,7 @@ TEST(NodeSelection, findsTheNodesOfWhichTheTargetIsMade) {
     for (std::size_t r = 0; r < matrix.rows; ++r)
         matrix.target[r] = 0.3 * static_cast<double>(matrix.column(7)[r]) +
                            0.7 * static_cast<double>(matrix.column(29)[r]);
-    const NodeSelection chosen = selectNodes(matrix, 1e-6, 10);
+    const NodeSelection chosen = selectNodes(matrix, {1e-6, 1e-5, 10});
     ASSERT_EQ(chosen.columns, (std::vector<std::size_t>{7, 29}));
     EXPECT_NEAR(chosen.weights[0], 0.3, 1e-5);
     EXPECT_NEAR(chosen.weights[1], 0.7, 1e-5);
@@ -45,7 +45,7 @@ TEST(NodeSelection, needsOneNodeWhereNothingVaries) {
         for (std::size_t r = 0; r < 30; ++r)
             matrix.columns[c * 30 + r] = 0.5f;
     matrix.target.assign(30, 0.5);
-    const NodeSelection chosen = selectNodes(matrix, 1e-4, 5);
+    const NodeSelection chosen = selectNodes(matrix, {1e-4, 1e-3, 5});
     EXPECT_EQ(chosen.columns.size(), 1u);
     EXPECT_DOUBLE_EQ(chosen.weights[0], 1.0);
     EXPECT_EQ(chosen.rmsError, 0.0);
@@ -55,7 +55,7 @@ TEST(NodeSelection, comesCloserWithEveryNode) {
     const TrainingMatrix matrix = spread(60, 80);
     double last = 1.0;
     for (std::size_t most = 1; most <= 6; ++most) {
-        const NodeSelection chosen = selectNodes(matrix, 1e-9, most);
+        const NodeSelection chosen = selectNodes(matrix, {1e-9, 1e-9, most});
         EXPECT_EQ(chosen.columns.size(), most);
         EXPECT_LT(chosen.rmsError, last);
         EXPECT_NEAR(std::accumulate(chosen.weights.begin(), chosen.weights.end(), 0.0), 1.0, 1e-12);
@@ -68,8 +68,8 @@ TEST(NodeSelection, comesCloserWithEveryNode) {
 
 TEST(NodeSelection, stopsAtTheGoal) {
     const TrainingMatrix matrix = spread(60, 80);
-    const NodeSelection coarse = selectNodes(matrix, 0.02, 20);
-    const NodeSelection fine = selectNodes(matrix, 0.002, 20);
+    const NodeSelection coarse = selectNodes(matrix, {0.02, 1.0, 20});
+    const NodeSelection fine = selectNodes(matrix, {0.002, 1.0, 20});
     EXPECT_LT(coarse.columns.size(), fine.columns.size());
     EXPECT_LE(coarse.rmsError, 0.0201);
     EXPECT_LE(fine.rmsError, 0.00201);

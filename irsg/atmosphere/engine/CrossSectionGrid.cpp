@@ -51,10 +51,12 @@ GridStencil CrossSectionGrid::stencil(Gas gas, const AirState& air) const {
     std::vector<double> lnPressures(pressures_hPa.size());
     std::ranges::transform(pressures_hPa, lnPressures.begin(),
                            [](double p) { return std::log(p); });
+    std::vector<double> inverse_per_K(temperatures_K.size());
+    std::ranges::transform(temperatures_K, inverse_per_K.begin(), [](double T) { return 1.0 / T; });
     std::array<double, 4> alongPressure{};
     std::array<double, 3> alongTemperature{};
     const std::size_t row = lagrange(lnPressures, std::log(air.pressure_hPa), alongPressure);
-    const std::size_t column = lagrange(temperatures_K, air.temperature_K, alongTemperature);
+    const std::size_t column = lagrange(inverse_per_K, 1.0 / air.temperature_K, alongTemperature);
 
     // Above the pressures that have a moist set there is too little water to broaden its own lines.
     double moist = 0.0;

@@ -18,8 +18,9 @@ struct GridStencil {
 };
 
 /// Pressures and temperatures at which cross sections are tabulated. Their logarithm is
-/// interpolated by Lagrange's polynomials, cubic in ln p and quadratic in T; water has a second,
-/// self-broadened set and is interpolated linearly in its fraction between the two.
+/// interpolated by Lagrange's polynomials, cubic in ln p and quadratic in 1/T, in which Boltzmann
+/// factors are straight lines; water has a second, self-broadened set and is interpolated linearly
+/// in its fraction between the two.
 struct CrossSectionGrid {
     std::vector<double> pressures_hPa;  ///< descending, at least 4
     std::vector<double> temperatures_K; ///< ascending, at least 3

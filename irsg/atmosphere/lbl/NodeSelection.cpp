@@ -160,16 +160,38 @@ Fit exchanged(const NormalForm& form, Fit fit) {
     return fit;
 }
 
+/// Weighted sum less target, row by row.
+std::vector<double> errorsOf(const TrainingMatrix& training, const Fit& fit) {
+    std::vector<double> errors(training.rows);
+    const double sum = std::accumulate(fit.weights.begin(), fit.weights.end(), 0.0);
+    for (std::size_t r = 0; r < training.rows; ++r)
+        errors[r] = -training.target[r];
+    for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+        const auto column = training.column(fit.columns[i]);
+        for (std::size_t r = 0; r < training.rows; ++r)
+            errors[r] += fit.weights[i] / sum * static_cast<double>(column[r]);
+    }
+    return errors;
+}
+
+double largestError(const TrainingMatrix& training, const Fit& fit) {
+    double largest = 0.0;
+    for (const double error : errorsOf(training, fit))
+        largest = std::max(largest, std::abs(error));
+    return largest;
+}
+
 } // namespace
 
-NodeSelection selectNodes(const TrainingMatrix& training, double wantedRms, std::size_t most) {
+NodeSelection selectNodes(const TrainingMatrix& training, const NodeGoals& goals) {
     const NormalForm form = normalForm(training);
-    if (form.count == 0 || most == 0)
+    if (form.count == 0 || goals.most == 0)
         throw LogicError("nodes were asked for where there are no candidates");
-    const double wanted = wantedRms * wantedRms * form.weightSum;
+    const double wanted = goals.rms * goals.rms * form.weightSum;
 
     Fit fit = extended(form, Fit{});
-    while (fit.error > wanted && fit.columns.size() < most) {
+    while (fit.columns.size() < goals.most &&
+           (fit.error > wanted || largestError(training, fit) > goals.largest)) {
         const Fit more = exchanged(form, extended(form, fit));
         if (!improves(more, fit))
             break;
@@ -185,11 +207,9 @@ NodeSelection selectNodes(const TrainingMatrix& training, double wantedRms, std:
         chosen.columns.push_back(fit.columns[i]);
         chosen.weights.push_back(fit.weights[i] / sum);
     }
+    const std::vector<double> errors = errorsOf(training, fit);
     double squares = 0.0;
-    for (std::size_t r = 0; r < training.rows; ++r) {
-        double error = -training.target[r];
-        for (std::size_t i = 0; i < chosen.columns.size(); ++i)
-            error += chosen.weights[i] * static_cast<double>(training.column(chosen.columns[i])[r]);
+    for (const double error : errors) {
         squares += error * error;
         chosen.largestError = std::max(chosen.largestError, std::abs(error));
     }

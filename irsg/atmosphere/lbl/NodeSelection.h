@@ -28,10 +28,17 @@ struct NodeSelection {
     double largestError = 0.0;
 };
 
-/// The fewest nodes, up to `most`, whose weighted sum comes within `wantedRms` (weighted by row) of
-/// the target: nodes are added one at a time where they lower the error most and then exchanged as
-/// long as that helps; weights are non-negative least squares with sum 1 (optimal spectral
-/// sampling, Moncet et al. 2008, J. Atmos. Sci. 65, 3917).
-NodeSelection selectNodes(const TrainingMatrix& training, double wantedRms, std::size_t most);
+/// How closely nodes must follow and how many there may be.
+struct NodeGoals {
+    double rms = 0.004;    ///< weighted by row
+    double largest = 0.03; ///< of any row, not weighted
+    std::size_t most = 6;
+};
+
+/// The fewest nodes, up to `most`, whose weighted sum comes as close to the target as the goals
+/// want: nodes are added one at a time where they lower the error most and then exchanged as long
+/// as that helps; weights are non-negative least squares with sum 1 (optimal spectral sampling,
+/// Moncet et al. 2008, J. Atmos. Sci. 65, 3917).
+NodeSelection selectNodes(const TrainingMatrix& training, const NodeGoals& goals);
 
 } // namespace irsg::lbl

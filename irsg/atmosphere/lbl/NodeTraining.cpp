@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "irsg/atmosphere/lbl/NodeSelection.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg::lbl {
@@ -226,8 +225,7 @@ TrainedNodes trainNodes(const FineCrossSections& fine, const CrossSectionGrid& g
             const std::vector<float> column = transmittance.at(point);
             matrix.columns.insert(matrix.columns.end(), column.begin(), column.end());
         }
-        const NodeSelection selection =
-            selectNodes(matrix, goals[baseIndex].rms, goals[baseIndex].most);
+        const NodeSelection selection = selectNodes(matrix, goals[baseIndex]);
 
         std::vector<std::uint32_t> nodes;
         for (const std::size_t column : selection.columns) {
@@ -266,7 +264,7 @@ TrainedNodes trainNodes(const FineCrossSections& fine, const CrossSectionGrid& g
                     matrix.columns.insert(matrix.columns.end(), nodeColumns[node].begin(),
                                           nodeColumns[node].end());
                 }
-            const NodeSelection selection = selectNodes(matrix, goals[r].rms, goals[r].most);
+            const NodeSelection selection = selectNodes(matrix, goals[r]);
             std::vector<std::uint32_t> nodes;
             for (const std::size_t column : selection.columns)
                 nodes.push_back(inside[column]);

@@ -6,6 +6,7 @@
 #include "irsg/atmosphere/engine/CrossSectionGrid.h"
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "irsg/atmosphere/lbl/LineAbsorption.h"
+#include "irsg/atmosphere/lbl/NodeSelection.h"
 #include "irsg/atmosphere/lbl/TrainingPaths.h"
 
 namespace irsg::lbl {
@@ -15,12 +16,6 @@ namespace irsg::lbl {
 struct FineCrossSections {
     WavenumberGrid grid;
     std::array<std::vector<std::vector<float>>, lineGasCount> lnCrossSection; ///< [gas][point][nu]
-};
-
-/// How closely nodes must follow and how many there may be.
-struct NodeGoals {
-    double rms = 0.004;
-    std::size_t most = 6;
 };
 
 /// Nodes and bins of one interval of the spectrum.
