@@ -1,0 +1,210 @@
+#include "irsg/atmosphere/engine/TwoStream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "irsg/atmosphere/engine/VectorExp.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double thermalDiffusivity = 1.66;
+constexpr double solarDiffusivity = std::numbers::sqrt3;
+
+/// What a layer does to light that falls on it, from either side, and what it gives by itself.
+struct LayerRow {
+    std::vector<double> reflectance, transmittance, upSource, downSource; ///< [layer][column]
+
+    explicit LayerRow(std::size_t size)
+        : reflectance(size), transmittance(size), upSource(size), downSource(size) {}
+};
+
+/// The homogeneous solution of one layer. With k = sqrt(g1^2 - g2^2) and e = exp(-k t):
+/// a = (1 - e^2) / 2k, D' = (1 + e^2) / 2 + g1 a, R = g2 a / D', T = e / D'.
+struct Response {
+    double gamma1, gamma2;
+    double k;
+    double decay;       ///< e
+    double decayed;     ///< 1 - e
+    double decayedOver; ///< (1 - e) / (k t), 1 for a layer without optical depth
+    double a;
+    double perDenominator; ///< 1 / D'
+
+    Response(double diffusivity, double opticalDepth, double albedo, double asymmetry) {
+        gamma1 = diffusivity * (1.0 - 0.5 * albedo * (1.0 + asymmetry));
+        gamma2 = diffusivity * 0.5 * albedo * (1.0 - asymmetry);
+        // (1 - w) and (1 - w g) rather than differences of the gammas keep the digits of w near 1.
+        k = diffusivity * std::sqrt((1.0 - albedo) * (1.0 - albedo * asymmetry));
+        const double x = k * opticalDepth;
+        decayed = vectorAbsorbed(x);
+        decay = 1.0 - decayed;
+        decayedOver = x > 1e-9 ? decayed / x : 1.0;
+        a = 0.5 * opticalDepth * decayedOver * (1.0 + decay);
+        perDenominator = 1.0 / (0.5 * (1.0 + decay * decay) + gamma1 * a);
+    }
+    double reflectance() const { return gamma2 * a * perDenominator; }
+    double transmittance() const { return decay * perDenominator; }
+};
+
+/// Joins the layers: first the albedo and the upward light of everything below each level, from the
+/// ground up, then the fluxes from the top down.
+TwoStreamFluxes join(const TwoStreamLayers& layers, const LayerRow& rows,
+                     const std::vector<double>& surfaceSource, const std::vector<double>* top) {
+    const std::size_t n = layers.columns;
+    const std::size_t levels = layers.layers + 1;
+    TwoStreamFluxes fluxes{std::vector<double>(levels * n), std::vector<double>(levels * n)};
+    std::vector<double> albedoBelow(levels * n);
+    std::vector<double> sourceBelow(levels * n);
+    std::vector<double> between(layers.layers * n); // 1 / (1 - R albedo): light to and fro
+    std::ranges::copy(layers.surfaceAlbedo, albedoBelow.begin());
+    std::ranges::copy(surfaceSource, sourceBelow.begin());
+
+    for (std::size_t layer = 0; layer < layers.layers; ++layer) {
+        const double* R = &rows.reflectance[layer * n];
+        const double* T = &rows.transmittance[layer * n];
+        const double* upSource = &rows.upSource[layer * n];
+        const double* downSource = &rows.downSource[layer * n];
+        const double* albedo = &albedoBelow[layer * n];
+        const double* source = &sourceBelow[layer * n];
+        double* albedoAbove = &albedoBelow[(layer + 1) * n];
+        double* sourceAbove = &sourceBelow[(layer + 1) * n];
+        double* factor = &between[layer * n];
+        for (std::size_t i = 0; i < n; ++i) {
+            factor[i] = 1.0 / (1.0 - R[i] * albedo[i]);
+            albedoAbove[i] = R[i] + T[i] * T[i] * albedo[i] * factor[i];
+            sourceAbove[i] =
+                upSource[i] + T[i] * (source[i] + albedo[i] * downSource[i]) * factor[i];
+        }
+    }
+
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t at = layers.layers * n + i;
+        fluxes.down[at] = top ? pi * (*top)[i] : 0.0;
+        fluxes.up[at] = albedoBelow[at] * fluxes.down[at] + sourceBelow[at];
+    }
+    for (std::size_t layer = layers.layers; layer-- > 0;) {
+        const double* R = &rows.reflectance[layer * n];
+        const double* T = &rows.transmittance[layer * n];
+        const double* downSource = &rows.downSource[layer * n];
+        const double* albedo = &albedoBelow[layer * n];
+        const double* source = &sourceBelow[layer * n];
+        const double* factor = &between[layer * n];
+        const double* above = &fluxes.down[(layer + 1) * n];
+        double* down = &fluxes.down[layer * n];
+        double* up = &fluxes.up[layer * n];
+        for (std::size_t i = 0; i < n; ++i) {
+            down[i] = (T[i] * above[i] + R[i] * source[i] + downSource[i]) * factor[i];
+            up[i] = albedo[i] * down[i] + source[i];
+        }
+    }
+    return fluxes;
+}
+
+} // namespace
+
+TwoStreamLayers::TwoStreamLayers(std::size_t layerCount, std::size_t columnCount)
+    : layers(layerCount),
+      columns(columnCount),
+      opticalDepth(layerCount * columnCount),
+      albedo(layerCount * columnCount),
+      asymmetry(layerCount * columnCount),
+      surfaceAlbedo(columnCount) {}
+
+TwoStreamFluxes thermalFluxes(const TwoStreamLayers& layers, const ThermalSource& source) {
+    const std::size_t n = layers.columns;
+    LayerRow rows(layers.layers * n);
+    for (std::size_t layer = 0; layer < layers.layers; ++layer) {
+        const double* depth = &layers.opticalDepth[layer * n];
+        const double* albedo = &layers.albedo[layer * n];
+        const double* asymmetry = &layers.asymmetry[layer * n];
+        const double* below = &source.planck[layer * n];
+        const double* above = &source.planck[(layer + 1) * n];
+        double* R = &rows.reflectance[layer * n];
+        double* T = &rows.transmittance[layer * n];
+        double* up = &rows.upSource[layer * n];
+        double* down = &rows.downSource[layer * n];
+        for (std::size_t i = 0; i < n; ++i) {
+            const Response layerOf(thermalDiffusivity, depth[i], albedo[i], asymmetry[i]);
+            R[i] = layerOf.reflectance();
+            T[i] = layerOf.transmittance();
+
+            // Emissivity 1 - R - T, and what the slope of B adds to the upper face and takes from
+            // the lower: both as sums of positive terms.
+            const double absorption = thermalDiffusivity * (1.0 - albedo[i]);
+            const double over = layerOf.decayedOver;
+            const double emissivity =
+                (0.5 * layerOf.decayed * layerOf.decayed + absorption * layerOf.a) *
+                layerOf.perDenominator;
+            const double slope = (0.5 * absorption * depth[i] * over * over +
+                                  0.5 * over * (1.0 + layerOf.decay) - layerOf.decay) *
+                                 layerOf.perDenominator;
+            const double step = below[i] - above[i];
+            up[i] = pi * (above[i] * emissivity + step * slope);
+            down[i] = pi * (below[i] * emissivity - step * slope);
+        }
+    }
+    std::vector<double> surface(n);
+    for (std::size_t i = 0; i < n; ++i)
+        surface[i] = pi * (1.0 - layers.surfaceAlbedo[i]) * source.surfacePlanck[i];
+    return join(layers, rows, surface, source.topPlanck.empty() ? nullptr : &source.topPlanck);
+}
+
+TwoStreamFluxes solarFluxes(const TwoStreamLayers& layers, const SolarBeam& beam) {
+    const std::size_t n = layers.columns;
+    const double mu0 = beam.sinElevation;
+    LayerRow rows(layers.layers * n);
+    for (std::size_t layer = 0; layer < layers.layers; ++layer) {
+        const double* depth = &layers.opticalDepth[layer * n];
+        const double* albedo = &layers.albedo[layer * n];
+        const double* asymmetry = &layers.asymmetry[layer * n];
+        const double* slant = &beam.slant[layer * n];
+        const double* entering = &beam.irradiance[(layer + 1) * n];
+        double* R = &rows.reflectance[layer * n];
+        double* T = &rows.transmittance[layer * n];
+        double* up = &rows.upSource[layer * n];
+        double* down = &rows.downSource[layer * n];
+        for (std::size_t i = 0; i < n; ++i) {
+            const double w = std::min(albedo[i], 1.0 - 1e-12);
+            const double t = depth[i];
+            const Response layerOf(solarDiffusivity, t, w, asymmetry[i]);
+            R[i] = layerOf.reflectance();
+            T[i] = layerOf.transmittance();
+
+            // Light scattered out of the beam at depth s leaves a face with the flux that unit flux
+            // through that face would have at s (reciprocity), so both sources are integrals over
+            // products of exponentials: `same` of exp(-(k + m) s), `across` of
+            // exp(-k (t - s) - m s), which is finite where k and the slant m agree.
+            const double k = layerOf.k;
+            const double m = slant[i];
+            const double e = layerOf.decay;
+            const double beamTaken = vectorAbsorbed(m * t);
+            const double beamLeft = 1.0 - beamTaken;
+            const double same = (layerOf.decayed + e * beamTaken) / (k + m);
+            const double y = (k - m) * t;
+            const double y2 = y * y;
+            const double across =
+                y2 < 4e-4 ? std::sqrt(e * beamLeft) * t * (1.0 + y2 * (1.0 / 24.0 + y2 / 1920.0))
+                          : (beamLeft - e) / (k - m);
+
+            const double backward = 0.5 * (1.0 - solarDiffusivity * asymmetry[i] * mu0);
+            const double forward = 1.0 - backward;
+            const double scattered = w * entering[i] * layerOf.perDenominator;
+            const double perK = 0.5 / k;
+            up[i] = scattered * (0.5 * backward * (same + e * across) +
+                                 (backward * layerOf.gamma1 + forward * layerOf.gamma2) *
+                                     (same - e * across) * perK);
+            down[i] = scattered * (0.5 * forward * (across + e * same) +
+                                   (forward * layerOf.gamma1 + backward * layerOf.gamma2) *
+                                       (across - e * same) * perK);
+        }
+    }
+    std::vector<double> surface(n);
+    for (std::size_t i = 0; i < n; ++i)
+        surface[i] = layers.surfaceAlbedo[i] * mu0 * beam.irradiance[i];
+    return join(layers, rows, surface, nullptr);
+}
+
+} // namespace irsg
