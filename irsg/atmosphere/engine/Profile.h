@@ -44,12 +44,28 @@ class Profile {
 
     /// A radiosonde ascent: CSV with the header `altitude [m], pressure [hPa], temperature [K] |
     /// temperature [C], relative_humidity [%] | dew_point [C] | h2o [ppmv]` in any order and
-    /// optionally the other gases in ppmv; blended into `background` above its last level over 5
-    /// km. Throws InputError naming every offence.
+    /// optionally `co2 [ppmv]`, `o3 [ppmv]`, `n2o [ppmv]`, `co [ppmv]`, `ch4 [ppmv]`, `o2 [ppmv]`,
+    /// `hno3 [ppmv]`. Humidity and dew point are over water. The first altitude is at most 1000 m;
+    /// below it the air is isothermal and hydrostatic. Above its last level the ascent is blended
+    /// into `background` over 5 km (smooth step; the pressures there must agree within a fifth);
+    /// gases that the file lacks are the background's. Throws InputError naming every offence.
     static Profile fromRadiosonde(const std::filesystem::path& file, const Profile& background);
 
-    /// The lowest kilometre reshaped to pass through the measurements; unchanged from 1 km up,
-    /// smooth to the first derivative there. The law is stated in docs/atmosphere.md.
+    /// The lowest kilometre reshaped to pass through the measurements, with x = (z - h) / (1 km -
+    /// h) above the measurement height h and S(x) = x^2 (3 - 2 x):
+    /// - temperature: the model's plus a monotone piecewise cubic (Fritsch and Butland 1984, SIAM
+    /// J.
+    ///   Sci. Stat. Comput. 5, 300) through the two measured differences and 0 with slope 0 at 1
+    ///   km;
+    /// - relative humidity: the measured one up to h, then S of the model's and 1 - S of the
+    ///   measured one, so that it never leaves 0 to 1;
+    /// - pressure: hydrostatic from the measured one; what is then missing at 1 km in the logarithm
+    ///   is added as S(x), up to 0.05 (about 50 hPa, all of it in ordinary weather).
+    /// From 1 km up temperature and mole fractions are unchanged and join with a continuous first
+    /// derivative; so is pressure, except that a misfit above 0.05 remains as a constant factor
+    /// (the ground then lies at another altitude than the model's). The profile has to reach 1 km.
+    /// Throws InputError for values outside the ranges of MeteoMeasurement, temperatures 213.15 to
+    /// 333.15 K. docs/atmosphere-profiles.md has the reasons.
     Profile withMeteo(const MeteoMeasurement& measured) const;
 
     const std::string& name() const { return name_; }

@@ -1,0 +1,284 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "irsg/atmosphere/engine/Hydrostatics.h"
+#include "irsg/atmosphere/engine/Profile.h"
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr double blending_m = 5000.0;
+constexpr double highestStart_m = 1000.0;
+constexpr double greatestPressureStep = 0.2;
+constexpr std::size_t water = static_cast<std::size_t>(Gas::H2O);
+
+struct Column {
+    std::string_view header;
+    double least;
+    double most;
+    std::string_view unit;
+};
+constexpr std::array columns = {Column{"altitude [m]", 0.0, 120000.0, "m"},
+                                Column{"pressure [hPa]", 1e-6, 1200.0, "hPa"},
+                                Column{"temperature [K]", 100.0, 400.0, "K"},
+                                Column{"temperature [C]", -173.15, 126.85, "C"},
+                                Column{"relative_humidity [%]", 0.0, 100.0, "%"},
+                                Column{"dew_point [C]", -150.0, 100.0, "C"},
+                                Column{"h2o [ppmv]", 0.0, 1e6, "ppmv"},
+                                Column{"co2 [ppmv]", 0.0, 1e6, "ppmv"},
+                                Column{"o3 [ppmv]", 0.0, 1e6, "ppmv"},
+                                Column{"n2o [ppmv]", 0.0, 1e6, "ppmv"},
+                                Column{"co [ppmv]", 0.0, 1e6, "ppmv"},
+                                Column{"ch4 [ppmv]", 0.0, 1e6, "ppmv"},
+                                Column{"o2 [ppmv]", 0.0, 1e6, "ppmv"},
+                                Column{"hno3 [ppmv]", 0.0, 1e6, "ppmv"}};
+/// Columns of one group say the same thing: exactly one of them is wanted.
+const std::array<std::vector<std::string_view>, 4> groups = {
+    {{"altitude [m]"},
+     {"pressure [hPa]"},
+     {"temperature [K]", "temperature [C]"},
+     {"relative_humidity [%]", "dew_point [C]", "h2o [ppmv]"}}};
+constexpr std::array<std::string_view, gasCount> gasHeaders = {
+    "h2o [ppmv]", "co2 [ppmv]", "o3 [ppmv]", "n2o [ppmv]",
+    "co [ppmv]",  "ch4 [ppmv]", "o2 [ppmv]", "hno3 [ppmv]"};
+
+const Column* columnOf(std::string_view header) {
+    const auto found = std::ranges::find(columns, header, &Column::header);
+    return found == columns.end() ? nullptr : &*found;
+}
+
+std::string quoted(const std::vector<std::string_view>& words, std::string_view joint) {
+    std::string text;
+    for (const std::string_view word : words)
+        text += (text.empty() ? "'" : std::string(joint) + "'") + std::string(word) + "'";
+    return text;
+}
+
+/// One ascent on its way from cells to levels; gathers the offences as it goes.
+class Ascent {
+  public:
+    Ascent(const std::filesystem::path& file, const Profile& background)
+        : table_(CsvTable::read(file)), background_(background) {
+        readHeader();
+        refuse();
+        for (std::size_t i = 1; i < table_.rows().size(); ++i)
+            readRow(table_.rows()[i]);
+        if (table_.rows().size() < 3)
+            offences_.push_back(table_.offence(
+                std::to_string(table_.rows().size() - 1) + " rows of numbers", "at least two"));
+        refuse();
+        checkTop();
+        refuse();
+    }
+
+    /// The rows, from the ground up, with the other gases of the background.
+    const std::vector<AirState>& levels() const { return levels_; }
+    bool has(std::size_t gas) const { return gas == water || cells_.contains(gasHeaders[gas]); }
+
+  private:
+    void refuse() {
+        if (!offences_.empty())
+            throw InputError(std::move(offences_));
+    }
+
+    void readHeader() {
+        if (table_.rows().empty()) {
+            offences_.push_back(table_.offence("no rows", "a header and at least two rows"));
+            return;
+        }
+        const CsvRow& header = table_.rows().front();
+        for (std::size_t i = 0; i < header.cells.size(); ++i) {
+            const CsvCell& cell = header.cells[i];
+            const Column* column = columnOf(cell.text);
+            if (column == nullptr) {
+                std::vector<std::string_view> known;
+                for (const Column& each : columns)
+                    known.push_back(each.header);
+                offences_.push_back(table_.offence(cell, "one of " + quoted(known, ", ")));
+            } else if (!cells_.emplace(column->header, i).second) {
+                offences_.push_back(table_.offence(cell, "each column once"));
+            }
+        }
+        for (const auto& group : groups) {
+            const auto count = std::ranges::count_if(
+                group, [&](std::string_view name) { return cells_.contains(name); });
+            if (count != 1)
+                offences_.push_back(table_.offence(header.line,
+                                                   std::to_string(count) + " such columns",
+                                                   "one column " + quoted(group, " or ")));
+        }
+    }
+
+    void readRow(const CsvRow& row) {
+        const std::size_t width = table_.rows().front().cells.size();
+        if (row.cells.size() != width) {
+            offences_.push_back(table_.offence(row.line,
+                                               std::to_string(row.cells.size()) + " cells",
+                                               std::to_string(width) + " cells as in the header"));
+            return;
+        }
+        bool isUsable = true;
+        for (const auto& [header, place] : cells_) {
+            const Column& column = *columnOf(header);
+            const CsvCell& cell = row.cells[place];
+            const std::string expected = numberText(column.least) + " to " +
+                                         numberText(column.most) + " " + std::string(column.unit);
+            const auto value = table_.number(cell, offences_, expected);
+            if (value && !(*value >= column.least && *value <= column.most))
+                offences_.push_back(table_.offence(cell, expected));
+            isUsable = isUsable && value && *value >= column.least && *value <= column.most;
+            values_[header] = value.value_or(0.0);
+        }
+        if (isUsable)
+            addLevel(row);
+    }
+
+    const CsvCell& cell(const CsvRow& row, std::string_view header) const {
+        return row.cells[cells_.at(header)];
+    }
+
+    void addLevel(const CsvRow& row) {
+        AirState level = background_.at(values_["altitude [m]"]);
+        level.pressure_hPa = values_["pressure [hPa]"];
+        level.temperature_K = cells_.contains("temperature [K]")
+                                  ? values_["temperature [K]"]
+                                  : kelvinFromCelsius(values_["temperature [C]"]);
+        for (std::size_t gas = 0; gas < gasCount; ++gas)
+            if (cells_.contains(gasHeaders[gas]))
+                level.moleFraction[gas] = 1e-6 * values_[gasHeaders[gas]];
+        readHumidity(row, level);
+
+        if (levels_.empty()) {
+            if (level.altitude_m > highestStart_m)
+                offences_.push_back(table_.offence(cell(row, "altitude [m]"),
+                                                   "a first altitude of at most " +
+                                                       numberText(highestStart_m) + " m"));
+        } else {
+            if (level.altitude_m <= levels_.back().altitude_m)
+                offences_.push_back(table_.offence(cell(row, "altitude [m]"),
+                                                   "more than " +
+                                                       numberText(levels_.back().altitude_m) +
+                                                       " m: altitudes ascend strictly"));
+            if (level.pressure_hPa >= levels_.back().pressure_hPa)
+                offences_.push_back(table_.offence(cell(row, "pressure [hPa]"),
+                                                   "less than " +
+                                                       numberText(levels_.back().pressure_hPa) +
+                                                       " hPa: pressure falls with altitude"));
+        }
+        levels_.push_back(level);
+    }
+
+    void readHumidity(const CsvRow& row, AirState& level) {
+        double vapour_hPa = 0.0;
+        if (cells_.contains("h2o [ppmv]"))
+            return;
+        if (cells_.contains("dew_point [C]")) {
+            const double dewPoint_K = kelvinFromCelsius(values_["dew_point [C]"]);
+            if (dewPoint_K > level.temperature_K + 0.05)
+                offences_.push_back(
+                    table_.offence(cell(row, "dew_point [C]"),
+                                   "at most the temperature, " +
+                                       numberText(celsiusFromKelvin(level.temperature_K)) + " C"));
+            vapour_hPa = saturationPressure_hPa(std::min(dewPoint_K, level.temperature_K));
+        } else {
+            vapour_hPa = 0.01 * values_["relative_humidity [%]"] *
+                         saturationPressure_hPa(level.temperature_K);
+        }
+        // High and warm, vapour at saturation may exceed the pressure.
+        level.moleFraction[water] = std::min(vapour_hPa / level.pressure_hPa, 1.0);
+    }
+
+    void checkTop() {
+        const AirState& last = levels_.back();
+        if (last.altitude_m >= background_.top_m())
+            return;
+        const double expected_hPa = background_.at(last.altitude_m).pressure_hPa;
+        if (std::abs(std::log(last.pressure_hPa / expected_hPa)) > greatestPressureStep)
+            offences_.push_back(table_.offence(
+                cell(table_.rows().back(), "pressure [hPa]"),
+                "about " + numberText(std::round(expected_hPa * 100.0) / 100.0) +
+                    " hPa, the pressure of the atmosphere above (" + background_.name() + ") at " +
+                    numberText(last.altitude_m) + " m, within a fifth"));
+    }
+
+    CsvTable table_;
+    const Profile& background_;
+    std::map<std::string_view, std::size_t> cells_;
+    std::map<std::string_view, double> values_;
+    std::vector<AirState> levels_;
+    std::vector<Offence> offences_;
+};
+
+double stepDown(double x) {
+    const double t = std::clamp(x, 0.0, 1.0);
+    return 1.0 - t * t * (3.0 - 2.0 * t);
+}
+
+/// The background moved towards what the ascent last measured.
+AirState blended(const AirState& background, const AirState& backgroundAtLast, const AirState& last,
+                 double weight) {
+    AirState air = background;
+    air.temperature_K += weight * (last.temperature_K - backgroundAtLast.temperature_K);
+    air.pressure_hPa *= std::pow(last.pressure_hPa / backgroundAtLast.pressure_hPa, weight);
+    for (std::size_t gas = 0; gas < gasCount; ++gas)
+        air.moleFraction[gas] =
+            (1.0 - weight) * background.moleFraction[gas] + weight * last.moleFraction[gas];
+    return air;
+}
+
+} // namespace
+
+Profile Profile::fromRadiosonde(const std::filesystem::path& file, const Profile& background) {
+    const Ascent ascent(file, background);
+    std::vector<AirState> measured = ascent.levels();
+    if (measured.front().altitude_m > 0.0) {
+        AirState ground = measured.front();
+        ground.altitude_m = 0.0;
+        ground.pressure_hPa = hydrostaticPressure_hPa(measured.front(), ground);
+        measured.insert(measured.begin(), ground);
+    }
+    const Profile lower(measured, file.filename().string());
+    const double last_m = lower.top_m();
+
+    // Between the rows stand the background's levels, where gases bend that were not measured.
+    std::vector<double> altitudes;
+    for (const AirState& level : measured)
+        altitudes.push_back(level.altitude_m);
+    for (const AirState& level : background.levels())
+        altitudes.push_back(level.altitude_m);
+    if (last_m < background.top_m())
+        for (const double part : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0})
+            altitudes.push_back(std::min(last_m + part * blending_m, background.top_m()));
+    std::ranges::sort(altitudes);
+    const auto close = [](double a, double b) { return b - a < 1e-3; };
+    altitudes.erase(std::unique(altitudes.begin(), altitudes.end(), close), altitudes.end());
+
+    const AirState backgroundAtLast = background.at(last_m);
+    std::vector<AirState> levels;
+    for (const double altitude_m : altitudes) {
+        const AirState outside = background.at(altitude_m);
+        if (altitude_m > last_m) {
+            if (last_m < background.top_m())
+                levels.push_back(blended(outside, backgroundAtLast, lower.levels().back(),
+                                         stepDown((altitude_m - last_m) / blending_m)));
+            continue;
+        }
+        AirState inside = lower.at(altitude_m);
+        for (std::size_t gas = 0; gas < gasCount; ++gas)
+            if (!ascent.has(gas))
+                inside.moleFraction[gas] = outside.moleFraction[gas];
+        levels.push_back(inside);
+    }
+    return Profile(std::move(levels), file.filename().string());
+}
+
+} // namespace irsg
