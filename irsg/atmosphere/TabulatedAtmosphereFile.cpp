@@ -1,0 +1,343 @@
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "irsg/atmosphere/TabulatedAtmosphere.h"
+#include "irsg/atmosphere/import/ModtranCsv.h"
+#include "irsg/atmosphere/import/ModtranJson.h"
+#include "irsg/atmosphere/import/Tape7.h"
+
+namespace irsg {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr const char* formatName = "irsg tabulated atmosphere";
+constexpr int formatVersion = 1;
+
+struct SpectrumKey {
+    const char* key;
+    std::vector<double> SpectralRun::*values;
+    double largest;
+};
+const SpectrumKey spectrumKeys[] = {
+    {"transmittance", &SpectralRun::transmittance, 1.0},
+    {"path_radiance [W m-2 sr-1 um-1]", &SpectralRun::pathRadiance_W_m2_sr_um, HUGE_VAL},
+    {"total_radiance [W m-2 sr-1 um-1]", &SpectralRun::totalRadiance_W_m2_sr_um, HUGE_VAL},
+    {"solar_irradiance [W m-2 um-1]", &SpectralRun::solarIrradiance_W_m2_um, HUGE_VAL},
+    {"scattering_depth", &SpectralRun::scatteringDepth, HUGE_VAL},
+};
+
+constexpr const char* pathNames[] = {"", "horizontal", "slant", "to space"};
+
+/// One table file on its way from JSON to runs.
+class TableReader {
+  public:
+    TableReader(const std::string& text, const std::string& file) : file_(file) {
+        try {
+            root_ = json::parse(text);
+        } catch (const json::parse_error& error) {
+            throw InputError(
+                {file, "byte " + std::to_string(error.byte), "no JSON", "a tabulated atmosphere"});
+        }
+        if (!root_.is_object() || root_.value("format", json()) != formatName) {
+            throw InputError({file, "format",
+                              root_.is_object() && root_.contains("format") ? root_["format"].dump()
+                                                                            : "no such key",
+                              "\"" + std::string(formatName) + "\""});
+        }
+        if (root_.value("version", json()) != formatVersion) {
+            throw InputError({file, "version",
+                              root_.contains("version") ? root_["version"].dump() : "no such key",
+                              std::to_string(formatVersion)});
+        }
+    }
+
+    TabulatedAtmosphere read() {
+        const std::vector<double> wavenumbers =
+            numbers(root_, "wavenumbers [cm-1]", "", 0.0, HUGE_VAL);
+        for (std::size_t i = 0; i < wavenumbers.size(); ++i) {
+            if (!(wavenumbers[i] > (i == 0 ? 0.0 : wavenumbers[i - 1]))) {
+                offend("wavenumbers [cm-1][" + std::to_string(i) + "]", numberText(wavenumbers[i]),
+                       "positive and ascending wavenumbers");
+            }
+        }
+        if (wavenumbers.size() < 2) {
+            offend("wavenumbers [cm-1]", std::to_string(wavenumbers.size()) + " values",
+                   "at least two");
+        }
+        std::vector<SpectralRun> runs;
+        const json& list = root_.contains("runs") ? root_["runs"] : json();
+        if (!list.is_array() || list.empty()) {
+            offend("runs", list.is_array() ? "an empty array" : "no array", "at least one run");
+        }
+        for (std::size_t i = 0; list.is_array() && i < list.size(); ++i) {
+            runs.push_back(readRun(list[i], "runs[" + std::to_string(i) + "]", wavenumbers));
+        }
+        if (!offences_.empty()) {
+            throw InputError(std::move(offences_));
+        }
+        return {std::move(runs), text(root_, "name", "")};
+    }
+
+  private:
+    void offend(std::string path, std::string value, std::string expected) {
+        offences_.push_back({file_, std::move(path), std::move(value), std::move(expected)});
+    }
+
+    std::string text(const json& object, const char* key, const std::string& path) {
+        if (object.contains(key) && object[key].is_string()) {
+            return object[key].get<std::string>();
+        }
+        offend(path + key, object.contains(key) ? object[key].dump() : "no such key", "a text");
+        return "";
+    }
+
+    double number(const json& object, const char* key, const std::string& path, double least,
+                  double largest) {
+        const json value = object.value(key, json());
+        if (value.is_number()) {
+            const double found = value.get<double>();
+            if (std::isfinite(found) && found >= least && found <= largest) {
+                return found;
+            }
+        }
+        offend(path + key, object.contains(key) ? value.dump() : "no such key",
+               "a number of " + numberText(least) + " to " + numberText(largest));
+        return 0.0;
+    }
+
+    std::vector<double> numbers(const json& object, const char* key, const std::string& path,
+                                double least, double largest) {
+        std::vector<double> values;
+        const json& list = object.contains(key) ? object[key] : json();
+        if (!list.is_array()) {
+            offend(path + key, "no array", "numbers");
+            return values;
+        }
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const double value = list[i].is_number() ? list[i].get<double>() : std::nan("");
+            if (!(value >= least && value <= largest && std::isfinite(value))) {
+                offend(path + key + "[" + std::to_string(i) + "]", list[i].dump(),
+                       largest == 1.0 ? "0 to 1" : "a finite number of at least 0");
+            }
+            values.push_back(value);
+        }
+        return values;
+    }
+
+    SpectralRun readRun(const json& object, const std::string& where,
+                        const std::vector<double>& wavenumbers) {
+        SpectralRun run;
+        run.wavenumbers_cm = wavenumbers;
+        if (!object.is_object()) {
+            offend(where, object.dump(), "an object");
+            return run;
+        }
+        const std::string path = where + ".";
+        run.source = text(object, "source", path);
+        const std::string kind = text(object, "kind", path);
+        const std::string line = text(object, "path", path);
+        bool known = false;
+        for (int i = 0; i < 4; ++i) {
+            if (kind == name(static_cast<RunKind>(i))) {
+                run.kind = static_cast<RunKind>(i);
+                known = true;
+            }
+        }
+        if (!known) {
+            offend(path + "kind", kind,
+                   "transmittance, thermal radiance, thermal and solar radiance or solar "
+                   "irradiance");
+        }
+        known = false;
+        for (int i = 1; i < 4; ++i) {
+            if (line == pathNames[i]) {
+                run.geometry.path = static_cast<RunPath>(i);
+                known = true;
+            }
+        }
+        if (!known) {
+            offend(path + "path", line, "horizontal, slant or to space");
+        }
+        RunGeometry& geometry = run.geometry;
+        geometry.sensorAltitude_m = number(object, "sensor_altitude [m]", path, 0.0, 1e8);
+        geometry.targetAltitude_m = number(object, "target_altitude [m]", path, -1e8, 1e8);
+        geometry.range_m = number(object, "range [m]", path, 0.0, 1e9);
+        geometry.elevation_rad = number(object, "elevation [rad]", path, -1.6, 1.6);
+        if (object.contains("sun_elevation [rad]")) {
+            geometry.sunElevation_rad = number(object, "sun_elevation [rad]", path, -1.6, 1.6);
+        }
+        if (object.contains("cards") && object["cards"].is_object()) {
+            for (const auto& [card, value] : object["cards"].items()) {
+                run.cards[card] =
+                    number(object["cards"], card.c_str(), path + "cards.", -1e30, 1e30);
+            }
+        }
+        if (object.contains("warnings") && object["warnings"].is_array()) {
+            for (const json& warning : object["warnings"]) {
+                run.warnings.push_back(warning.is_string() ? warning.get<std::string>() : "");
+            }
+        }
+        for (const SpectrumKey& spectrum : spectrumKeys) {
+            if (object.contains(spectrum.key) || spectrum.values == &SpectralRun::transmittance) {
+                run.*spectrum.values = numbers(object, spectrum.key, path, 0.0, spectrum.largest);
+                if ((run.*spectrum.values).size() != wavenumbers.size()) {
+                    offend(path + spectrum.key,
+                           std::to_string((run.*spectrum.values).size()) + " values",
+                           std::to_string(wavenumbers.size()) + ", one for each wavenumber");
+                }
+            }
+        }
+        const bool radiates =
+            run.kind == RunKind::thermalRadiance || run.kind == RunKind::solarRadiance;
+        if (radiates &&
+            (run.pathRadiance_W_m2_sr_um.empty() || run.totalRadiance_W_m2_sr_um.empty())) {
+            offend(where, "no radiances", "path and total radiance in a run of this kind");
+        }
+        if (run.kind == RunKind::sunlight && run.solarIrradiance_W_m2_um.empty()) {
+            offend(where, "no solar irradiance", "it in a run of this kind");
+        }
+        return run;
+    }
+
+    const std::string& file_;
+    json root_;
+    std::vector<Offence> offences_;
+};
+
+/// The first thing in a text that is neither blank nor a byte order mark.
+char firstCharacter(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF")) {
+        text.remove_prefix(3);
+    }
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    return first == text.npos ? '\0' : text[first];
+}
+
+bool looksLikeTape7(std::string_view text) {
+    const std::size_t names = std::min(text.find("\n    FREQ"), text.find("\n  FREQ"));
+    return names != text.npos || text.substr(0, 16384).find("! H2O & O3 COLUMNS") != text.npos;
+}
+
+bool looksLikeModtranCsv(std::string_view text) {
+    for (const std::string& line : TextLines::parse(text.substr(0, 16384), "").lines) {
+        std::size_t known = 0;
+        for (std::size_t begin = 0; begin <= line.size();) {
+            const std::size_t end = std::min(line.find(',', begin), line.size());
+            known += runColumn(std::string_view(line).substr(begin, end - begin)) ? 1u : 0u;
+            begin = end + 1;
+        }
+        if (known >= 2) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<SpectralRun> readRuns(const std::filesystem::path& file) {
+    const std::string text = readTextFile(file);
+    const bool isCsv = file.extension() == ".csv" || file.extension() == ".CSV";
+    if (isCsv) {
+        return readModtranCsv(file);
+    }
+    if (firstCharacter(text) == '{') {
+        return TabulatedAtmosphere::isTable(text)
+                   ? TabulatedAtmosphere::fromText(text, file.string()).runs()
+                   : parseModtranJson(text, file.string());
+    }
+    return parseTape7(TextLines::parse(text, file.string()));
+}
+
+} // namespace
+
+std::string TabulatedAtmosphere::toText() const {
+    ordered_json root = {{"format", formatName}, {"version", formatVersion}, {"name", name_}};
+    root["wavenumbers [cm-1]"] = runs_.front().wavenumbers_cm;
+    for (const SpectralRun& run : runs_) {
+        ordered_json object = {{"source", run.source},
+                               {"kind", irsg::name(run.kind)},
+                               {"path", pathNames[static_cast<int>(run.geometry.path)]},
+                               {"sensor_altitude [m]", run.geometry.sensorAltitude_m},
+                               {"target_altitude [m]", run.geometry.targetAltitude_m},
+                               {"range [m]", run.geometry.range_m},
+                               {"elevation [rad]", run.geometry.elevation_rad}};
+        if (run.geometry.sunElevation_rad) {
+            object["sun_elevation [rad]"] = *run.geometry.sunElevation_rad;
+        }
+        object["cards"] = run.cards;
+        object["warnings"] = run.warnings;
+        for (const SpectrumKey& spectrum : spectrumKeys) {
+            if (!(run.*spectrum.values).empty()) {
+                object[spectrum.key] = run.*spectrum.values;
+            }
+        }
+        root["runs"].push_back(std::move(object));
+    }
+    return root.dump() + "\n";
+}
+
+void TabulatedAtmosphere::write(const std::filesystem::path& file) const {
+    std::ofstream stream(file, std::ios::binary);
+    stream << toText();
+    stream.close();
+    if (!stream) {
+        throw InputError({file.string(), "", "a file that cannot be written", "room for a table"});
+    }
+}
+
+TabulatedAtmosphere TabulatedAtmosphere::read(const std::filesystem::path& file) {
+    return fromText(readTextFile(file), file.string());
+}
+
+TabulatedAtmosphere TabulatedAtmosphere::fromText(const std::string& text,
+                                                  const std::string& file) {
+    return TableReader(text, file).read();
+}
+
+bool TabulatedAtmosphere::isTable(std::string_view text) {
+    return firstCharacter(text) == '{' &&
+           text.substr(0, 200).find(formatName) != std::string_view::npos;
+}
+
+bool TabulatedAtmosphere::canImport(const std::filesystem::path& file) {
+    if (file.extension() == ".smatatm") {
+        return true;
+    }
+    const std::string text = readTextFile(file);
+    if (file.extension() == ".csv" || file.extension() == ".CSV") {
+        return looksLikeModtranCsv(text);
+    }
+    return firstCharacter(text) == '{' ? isTable(text) || isModtranJson(text)
+                                       : looksLikeTape7(text);
+}
+
+TabulatedAtmosphere TabulatedAtmosphere::import(std::span<const std::filesystem::path> files) {
+    std::vector<Offence> offences;
+    std::vector<SpectralRun> runs;
+    for (const std::filesystem::path& file : files) {
+        try {
+            std::vector<SpectralRun> some = readRuns(file);
+            std::ranges::move(some, std::back_inserter(runs));
+        } catch (const InputError& error) {
+            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+        }
+    }
+    if (!offences.empty()) {
+        throw InputError(std::move(offences));
+    }
+    std::string name = "tabulated";
+    if (!files.empty()) {
+        name += " (" + files.front().filename().string() +
+                (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more)" : ")");
+    }
+    return {std::move(runs), std::move(name)};
+}
+
+} // namespace irsg

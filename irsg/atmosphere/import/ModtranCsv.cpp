@@ -1,0 +1,254 @@
+#include "irsg/atmosphere/import/ModtranCsv.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "irsg/atmosphere/import/ModtranJson.h"
+#include "irsg/atmosphere/import/Tape7.h"
+#include "irsg/radiometry/CsvTable.h"
+
+namespace irsg {
+
+namespace {
+
+/// Rows of a file that belong to one run.
+struct Block {
+    std::vector<const CsvRow*> header;
+    std::vector<const CsvRow*> rows;
+};
+
+bool isNumbers(const CsvRow& row) {
+    return !row.cells.empty() && fortranNumber(row.cells.front().text).has_value();
+}
+
+bool isTerminator(const CsvRow& row) {
+    return fortranNumber(row.cells.front().text) == -9999.0;
+}
+
+std::vector<Block> blocksOf(const CsvTable& table) {
+    std::vector<Block> blocks(1);
+    for (const CsvRow& row : table.rows()) {
+        if (!isNumbers(row)) {
+            const CsvCell& first = row.cells.front();
+            const bool holdsText = !first.text.empty() || row.cells.size() > 1;
+            if (!blocks.back().rows.empty() && holdsText) {
+                // A word in the first column of a row as wide as its table is a bad number.
+                const bool looksLikeRow =
+                    row.cells.size() == blocks.back().rows.back()->cells.size() &&
+                    row.cells.size() > 1 && isNumbers({row.line, {row.cells[1]}});
+                if (!looksLikeRow) {
+                    blocks.emplace_back();
+                    blocks.back().header.push_back(&row);
+                    continue;
+                }
+                blocks.back().rows.push_back(&row);
+                continue;
+            }
+            blocks.back().header.push_back(&row);
+        } else if (isTerminator(row)) {
+            if (!blocks.back().rows.empty()) {
+                blocks.emplace_back();
+            }
+        } else {
+            blocks.back().rows.push_back(&row);
+        }
+    }
+    std::erase_if(blocks,
+                  [](const Block& block) { return block.rows.empty() && block.header.empty(); });
+    return blocks;
+}
+
+/// Name of a column: the cell of one header line, or of all of them from the top.
+std::optional<RunColumn> columnOf(const Block& block, std::size_t column) {
+    std::string joined;
+    for (const CsvRow* line : block.header) {
+        if (column >= line->cells.size()) {
+            continue;
+        }
+        const std::string& text = line->cells[column].text;
+        if (const std::optional<RunColumn> known = runColumn(text)) {
+            return known;
+        }
+        joined += (joined.empty() ? "" : " ") + text;
+        if (const std::optional<RunColumn> known = runColumn(joined)) {
+            return known;
+        }
+    }
+    return std::nullopt;
+}
+
+/// What the header says about its spectral axis.
+std::optional<SpectralUnit> unitOf(const Block& block) {
+    for (const CsvRow* line : block.header) {
+        std::string text = line->cells.front().text;
+        std::ranges::transform(text, text.begin(), [](char c) {
+            return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+        });
+        if (text.find("cm-1") != text.npos || text.find("cm^-1") != text.npos) {
+            return SpectralUnit::wavenumber;
+        }
+        if (text.find("micron") != text.npos || text.find("[um]") != text.npos || text == "um") {
+            return SpectralUnit::micrometre;
+        }
+        if (text.find("nanom") != text.npos || text.find("[nm]") != text.npos || text == "nm") {
+            return SpectralUnit::nanometre;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Settings of the blocks of a CSV from the documents beside it.
+std::vector<ModtranCase> casesBeside(const std::filesystem::path& file) {
+    const std::filesystem::path folder =
+        file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    std::vector<std::filesystem::path> documents;
+    const std::filesystem::path twin = std::filesystem::path(file).replace_extension(".json");
+    std::error_code problem;
+    if (std::filesystem::exists(twin, problem)) {
+        documents.push_back(twin);
+    }
+    std::vector<std::filesystem::path> others;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, problem)) {
+        if (entry.path().extension() == ".json" && entry.path() != twin) {
+            others.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(others);
+    documents.insert(documents.end(), others.begin(), others.end());
+    for (const std::filesystem::path& document : documents) {
+        const std::string text = readTextFile(document);
+        if (!isModtranJson(text)) {
+            continue;
+        }
+        std::vector<ModtranCase> cases = parseModtranCases(text, document.string());
+        const auto isOther = [&](const ModtranCase& one) {
+            return std::filesystem::path(one.csvName).filename() != file.filename();
+        };
+        if (document == twin && std::ranges::all_of(cases, isOther)) {
+            return cases;
+        }
+        std::erase_if(cases, isOther);
+        if (!cases.empty()) {
+            return cases;
+        }
+    }
+    return {};
+}
+
+SpectralRun readBlock(const CsvTable& csv, const Block& block, const ModtranCase* documented,
+                      std::vector<Offence>& offences) {
+    ModtranCase settings = documented ? *documented : ModtranCase();
+    SpectralRun run;
+    const std::size_t before = offences.size();
+    const int line = block.header.empty() ? 1 : block.header.front()->line;
+    for (const CsvComment& comment : csv.comments()) {
+        if (const std::optional<double> value = parseNumber(comment.value)) {
+            settings.cards[comment.key] = *value;
+        }
+    }
+    const auto kind = settings.cards.find("IEMSCT");
+    if (kind == settings.cards.end() || !settings.cards.contains("ITYPE")) {
+        offences.push_back(csv.offence(
+            "no word about the line of sight",
+            "the input document beside the CSV (CSVPRNT names it), or comments # ITYPE, # IEMSCT, "
+            "# H1, # H2, # ANGLE, # RANGE"));
+        return run;
+    }
+    if (kind->second != 0.0 && kind->second != 1.0 && kind->second != 2.0 && kind->second != 3.0) {
+        offences.push_back(csv.offence("IEMSCT " + numberText(kind->second), "0, 1, 2 or 3"));
+        return run;
+    }
+    run.kind = static_cast<RunKind>(static_cast<int>(kind->second));
+    run.cards = settings.cards;
+    placeRun(run, csv.file(), "", offences);
+
+    RunTable table{.file = csv.file(),
+                   .positions = {},
+                   .columns = {},
+                   .unit = settings.unit,
+                   .transmittanceRounding = 0.0,
+                   .sumsIncluded = true};
+    const std::optional<SpectralUnit> stated = unitOf(block);
+    if (stated && documented && *stated != settings.unit) {
+        offences.push_back(csv.offence(line, "a spectral unit in the header",
+                                       "the one of SPECTRAL.XFLAG of the input document"));
+    }
+    table.unit = stated.value_or(settings.unit);
+    if (block.header.empty() || block.rows.empty()) {
+        offences.push_back(csv.offence(line, "no header or no rows",
+                                       "names of columns and rows of numbers below them"));
+        return run;
+    }
+    std::vector<std::pair<RunColumn, std::size_t>> places;
+    for (std::size_t i = 0; i < block.rows.front()->cells.size(); ++i) {
+        const std::optional<RunColumn> column = columnOf(block, i);
+        if (column && !table.columns.contains(*column)) {
+            table.columns[*column] = {};
+            places.emplace_back(*column, i);
+        }
+        for (const CsvRow* header : block.header) {
+            if (i < header->cells.size() &&
+                (runColumn(header->cells[i].text) == std::optional(RunColumn::thermal))) {
+                table.sumsIncluded = header->cells[i].text.find("pth") != std::string::npos ||
+                                     header->cells[i].text.find("PTH") != std::string::npos;
+            }
+        }
+    }
+    for (const CsvRow* row : block.rows) {
+        if (row->cells.size() != block.rows.front()->cells.size()) {
+            offences.push_back(csv.offence(row->line, std::to_string(row->cells.size()) + " cells",
+                                           std::to_string(block.rows.front()->cells.size()) +
+                                               " as in the first row"));
+            continue;
+        }
+        table.positions.push_back("line " + std::to_string(row->line));
+        for (const auto& [column, place] : places) {
+            const CsvCell& cell = row->cells[place];
+            double value = std::numeric_limits<double>::quiet_NaN();
+            if (const std::optional<double> number = fortranNumber(cell.text)) {
+                value = *number;
+            } else if (!cell.text.empty()) {
+                offences.push_back(csv.offence(cell, "a finite number"));
+            }
+            table.columns[column].push_back(value);
+        }
+    }
+    if (offences.size() == before) {
+        fillRun(run, table, offences);
+    }
+    return run;
+}
+
+} // namespace
+
+std::vector<SpectralRun> readModtranCsv(const std::filesystem::path& file) {
+    const CsvTable csv = CsvTable::read(file);
+    if (csv.rows().empty()) {
+        throw InputError({file.string(), "", "an empty table", "results of a MODTRAN run"});
+    }
+    const std::vector<ModtranCase> cases = casesBeside(file);
+    const std::vector<Block> blocks = blocksOf(csv);
+    std::vector<Offence> offences;
+    if (!cases.empty() && cases.size() != blocks.size()) {
+        throw InputError(csv.offence(std::to_string(blocks.size()) + " tables of numbers",
+                                     "one for each of the " + std::to_string(cases.size()) +
+                                         " cases that the input document has for this file"));
+    }
+    std::vector<SpectralRun> runs;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        runs.push_back(readBlock(csv, blocks[i], cases.empty() ? nullptr : &cases[i], offences));
+        const std::string which =
+            cases.empty() || cases[i].name.empty() ? std::to_string(i + 1) : cases[i].name;
+        runs.back().source =
+            file.filename().string() + (blocks.size() > 1 ? ", case " + which : "");
+    }
+    if (!offences.empty()) {
+        throw InputError(std::move(offences));
+    }
+    return runs;
+}
+
+} // namespace irsg

@@ -1,0 +1,87 @@
+#include "irsg/atmosphere/import/TextLines.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "irsg/radiometry/CsvTable.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr std::uintmax_t largestFile_B = 512u << 20;
+
+} // namespace
+
+std::string readTextFile(const std::filesystem::path& file) {
+    std::error_code problem;
+    const std::uintmax_t size_B = std::filesystem::file_size(file, problem);
+    if (problem || std::filesystem::is_directory(file)) {
+        throw InputError({file.string(), "", "no file that can be read", "a text file"});
+    }
+    if (size_B > largestFile_B) {
+        throw InputError({file.string(), "", std::to_string(size_B) + " bytes", "at most 512 MiB"});
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (stream.bad() || text.size() != size_B) {
+        throw InputError(
+            {file.string(), "", "a file that cannot be read to its end", "a text file"});
+    }
+    if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+        throw InputError(
+            {file.string(), "byte " + std::to_string(zero), "a NUL byte", "text, not binary data"});
+    }
+    return text;
+}
+
+TextLines TextLines::read(const std::filesystem::path& file) {
+    return parse(readTextFile(file), file.string());
+}
+
+TextLines TextLines::parse(std::string_view text, std::string file) {
+    if (const std::size_t zero = text.find('\0'); zero != text.npos) {
+        throw InputError(
+            {file, "byte " + std::to_string(zero), "a NUL byte", "text, not binary data"});
+    }
+    TextLines result{std::move(file), {}};
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
+        result.lines.emplace_back(line);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    if (std::ranges::all_of(result.lines, [](const std::string& line) { return line.empty(); })) {
+        throw InputError({result.file, "", "an empty file", "results of a run"});
+    }
+    return result;
+}
+
+Offence TextLines::offence(std::size_t index, std::string value, std::string expected) const {
+    return {file, "line " + std::to_string(index + 1), std::move(value), std::move(expected)};
+}
+
+std::string_view field(std::string_view line, std::size_t first, std::size_t columns) {
+    return first < line.size() ? trimmed(line.substr(first, columns)) : std::string_view();
+}
+
+std::optional<double> fortranNumber(std::string_view text) {
+    text = trimmed(text);
+    if (const std::optional<double> plain = parseNumber(text)) {
+        return plain;
+    }
+    std::string repaired(text);
+    if (const std::size_t letter = repaired.find_first_of("dD"); letter != std::string::npos) {
+        repaired[letter] = 'e';
+    } else if (const std::size_t sign = repaired.find_last_of("+-");
+               sign != std::string::npos && sign > 0 &&
+               repaired.find_first_of("eE") == std::string::npos) {
+        repaired.insert(sign, "e");
+    }
+    return parseNumber(repaired);
+}
+
+} // namespace irsg
