@@ -1,110 +1,13 @@
 #include "apps/atmosphere-tables/Command.h"
+#include "apps/atmosphere-tables/DataTable.h"
 
 #include <algorithm>
-#include <charconv>
-#include <fstream>
-#include <iostream>
 #include <string>
 #include <vector>
-
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace smat::tables {
 
 namespace {
-
-using irsg::InputError;
-using irsg::Offence;
-
-/// Seven digits: more than any of the sources has, without the noise of a change of unit.
-std::string digits(double value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 7);
-    return {text, end.ptr};
-}
-
-constexpr const char* lowtran =
-    "# source: LOWTRAN 7, AFGL-TR-88-0177 (F. X. Kneizys, E. P. Shettle, L. W. Abreu, J. H. "
-    "Chetwynd, G. P. Anderson, W. O. Gallery, J. E. A. Selby, S. A. Clough, 1988, US Air Force "
-    "Geophysics Laboratory, public domain)\n";
-
-/// A table of numbers with named columns, as the public data come.
-struct Table {
-    std::string file;
-    std::vector<std::string> names;
-    std::vector<std::vector<double>> columns;
-
-    const std::vector<double>& column(const std::string& name) const {
-        const auto found = std::ranges::find(names, name);
-        if (found == names.end())
-            throw InputError(Offence{file, "header", "no column " + name, name});
-        return columns[static_cast<std::size_t>(found - names.begin())];
-    }
-};
-
-Table readTable(const std::filesystem::path& file) {
-    const irsg::CsvTable csv = irsg::CsvTable::read(file);
-    Table table;
-    table.file = file.string();
-    std::vector<Offence> offences;
-    for (const irsg::CsvRow& row : csv.rows()) {
-        if (table.names.empty()) {
-            for (const irsg::CsvCell& cell : row.cells)
-                table.names.push_back(cell.text);
-            table.columns.resize(table.names.size());
-            continue;
-        }
-        if (row.cells.size() != table.names.size()) {
-            offences.push_back(csv.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                                           std::to_string(table.names.size()) + " cells"));
-            continue;
-        }
-        for (std::size_t i = 0; i < row.cells.size(); ++i)
-            if (const auto value = csv.number(row.cells[i], offences))
-                table.columns[i].push_back(*value);
-    }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
-    return table;
-}
-
-/// Columns on their way into one of our tables.
-class Writer {
-  public:
-    void add(std::string name, std::vector<double> values) {
-        names_.push_back(std::move(name));
-        columns_.push_back(std::move(values));
-    }
-    /// Rows whose first column lies in the limits.
-    void write(const std::filesystem::path& file, const std::string& header, double lowest,
-               double highest) const {
-        std::filesystem::create_directories(file.parent_path());
-        std::ofstream stream(file);
-        stream << header << lowtran;
-        for (std::size_t i = 0; i < names_.size(); ++i)
-            stream << (i ? "," : "") << names_[i];
-        stream << "\n";
-        std::size_t rows = 0;
-        for (std::size_t row = 0; row < columns_.front().size(); ++row) {
-            if (columns_.front()[row] < lowest || columns_.front()[row] > highest)
-                continue;
-            for (std::size_t i = 0; i < columns_.size(); ++i)
-                stream << (i ? "," : "") << digits(columns_[i].at(row));
-            stream << "\n";
-            ++rows;
-        }
-        stream.close();
-        if (!stream)
-            throw InputError(Offence{file.string(), "", "cannot be written", "a writable folder"});
-        std::cout << file.string() << ": " << rows << " rows of " << names_.size()
-                  << " columns from LOWTRAN 7\n";
-    }
-
-  private:
-    std::vector<std::string> names_;
-    std::vector<std::vector<double>> columns_;
-};
 
 std::vector<double> times(std::vector<double> values, double factor) {
     for (double& value : values)
