@@ -4,6 +4,7 @@
 
 #include "irsg/atmosphere/Atmosphere.h"
 #include "irsg/atmosphere/engine/Profile.h"
+#include "irsg/atmosphere/engine/RayLayers.h"
 
 namespace irsg {
 
@@ -25,33 +26,42 @@ struct RayPath {
 
     std::vector<RaySegment> segments;
     End end = End::target;
-    double length_m = 0.0;          ///< along the ray, inside the atmosphere
+    double length_m = 0.0;          ///< along the ray, inside the atmosphere: of all segments
     double endElevation_rad = 0.0;  ///< elevation of the outgoing direction at the far end
     double tangentAltitude_m = 0.0; ///< the lowest point of the ray
 };
 
-/// Paths over a spherical earth through a refracting profile. `gridAltitudes_m`, ascending from 0,
-/// are where a ray is cut, so that every segment lies in one layer; a segment that holds the
-/// tangent point is cut there.
+/// Paths over a spherical earth through a refracting profile. `gridAltitudes_m`, ascending from 0
+/// to at most the profile's top, are where a ray is cut, so that every segment lies in one layer; a
+/// segment that holds the tangent point is cut there.
 ///
-/// The refractive index falls with altitude as in the profile at a wavelength of the infrared
-/// (Edlen/Ciddor dry air without dispersion to first order, and water vapour); rays follow the
-/// spherical Snell invariant n r cos(elevation) = const. A finite path joins its two ends: the
-/// apparent elevation is searched until the ray arrives at the target's altitude after `range_m`.
-/// Where a finite path would dip below the ground (both ends low, the scene is flat), the part
-/// below runs along altitude 0.
+/// Rays follow the spherical Snell invariant n r cos(elevation) = const. The refractivity n - 1 at
+/// the grid altitudes is that of dry air and of water vapour at 4 um (Ciddor 1996, Appl. Opt. 35,
+/// 1566, dispersion left out: 2.7272e-4 at 288.15 K and 1013.25 hPa, 3.019e-6 at 293.15 K and 13.33
+/// hPa, both as density; the dispersion of dry air is below 0.5 % beyond 2 um) and falls
+/// exponentially between them. Layers whose refractivity changes so fast that rays would bend by
+/// more than 0.8 of the earth's curvature, up or down, are given that limit: a surface inversion
+/// then bends strongly but traps no ray. Above the top the index is that of the top and rays are
+/// straight.
+///
+/// A finite path joins its two ends: the elevation at the lower end is searched until the ray has
+/// `range_m` between the two altitudes; both directions of a path are the same ray. Where it would
+/// dip below the ground (both ends low, the scene is flat), it goes down to the ground, runs along
+/// altitude 0 for what remains of the range and goes up again. Lengths hold to about 1e-10, from
+/// 1 cm on. All members may be called from several threads.
 class RayTracer {
   public:
+    /// LogicError for a grid that breaks the rule above or has fewer than two altitudes.
     RayTracer(const Profile& profile, std::vector<double> gridAltitudes_m,
               double earthRadius_m = 6371.23e3);
 
     const std::vector<double>& gridAltitudes_m() const { return altitudes_m_; }
     double earthRadius_m() const { return earthRadius_m_; }
 
-    /// A finite path, 0 to 2000 km long. Its parts above the top of the atmosphere are left out.
-    /// Throws InputError for altitudes below ground, for a range shorter than the difference of the
-    /// altitudes by more than a millionth of it, and for ends that the earth hides by more than
-    /// refraction explains.
+    /// A finite path. Its parts above the top of the atmosphere are left out. A range shorter than
+    /// the difference of the altitudes by at most a millionth is vertical. Throws InputError for
+    /// altitudes below ground, for a range still shorter, and for ends that the earth hides: their
+    /// straight line in space lies more than 500 m below ground at its lowest point.
     RayPath between(const AirPath& path) const;
     /// To space or to the ground. A sensor above the atmosphere enters it where the line meets the
     /// top, or sees nothing (no segments, end space).
@@ -60,13 +70,20 @@ class RayTracer {
     /// searched); no segments and end `ground` where the earth hides it.
     RayPath towardsSun(double altitude_m, double trueElevation_rad) const;
 
-    /// Refractive index of the profile.
+    /// The index that rays see at an altitude of 0 or more.
     double refractiveIndex(double altitude_m) const;
 
   private:
+    struct Chord;
+    double elevationOver(const Chord& chord, double range_m, double& length_m) const;
+    double lengthOf(const Chord& chord, double elevation_rad) const;
+    double trueElevation(double altitude_m, double apparent_rad) const;
+    /// Elevation below which a ray from there meets the ground.
+    double groundElevation(const RayLayers::Place& place) const;
+
     std::vector<double> altitudes_m_;
-    std::vector<double> refractivity_; ///< n - 1 at the grid altitudes
     double earthRadius_m_;
+    RayLayers layers_;
 };
 
 } // namespace irsg
