@@ -52,8 +52,9 @@ class TabulatedAtmosphere : public Atmosphere {
     /// The text of that file.
     std::string toText() const;
     static TabulatedAtmosphere fromText(const std::string& text, const std::string& file);
-    /// Whether a text is such a file.
+    /// Whether a text is such a file; the name `.smatatm` makes a file one.
     static bool isTable(std::string_view text);
+    static bool isTableFile(const std::filesystem::path& file);
     /// Whether `import` knows what to do with the file, by its content and name.
     static bool canImport(const std::filesystem::path& file);
 

@@ -226,21 +226,6 @@ bool looksLikeTape7(std::string_view text) {
     return names != text.npos || text.substr(0, 16384).find("! H2O & O3 COLUMNS") != text.npos;
 }
 
-bool looksLikeModtranCsv(std::string_view text) {
-    for (const std::string& line : TextLines::parse(text.substr(0, 16384), "").lines) {
-        std::size_t known = 0;
-        for (std::size_t begin = 0; begin <= line.size();) {
-            const std::size_t end = std::min(line.find(',', begin), line.size());
-            known += runColumn(std::string_view(line).substr(begin, end - begin)) ? 1u : 0u;
-            begin = end + 1;
-        }
-        if (known >= 2) {
-            return true;
-        }
-    }
-    return false;
-}
-
 std::vector<SpectralRun> readRuns(const std::filesystem::path& file) {
     const std::string text = readTextFile(file);
     const bool isCsv = file.extension() == ".csv" || file.extension() == ".CSV";
@@ -248,7 +233,7 @@ std::vector<SpectralRun> readRuns(const std::filesystem::path& file) {
         return readModtranCsv(file);
     }
     if (firstCharacter(text) == '{') {
-        return TabulatedAtmosphere::isTable(text)
+        return TabulatedAtmosphere::isTable(text) || file.extension() == ".smatatm"
                    ? TabulatedAtmosphere::fromText(text, file.string()).runs()
                    : parseModtranJson(text, file.string());
     }
@@ -306,13 +291,17 @@ bool TabulatedAtmosphere::isTable(std::string_view text) {
            text.substr(0, 200).find(formatName) != std::string_view::npos;
 }
 
+bool TabulatedAtmosphere::isTableFile(const std::filesystem::path& file) {
+    return file.extension() == ".smatatm" || isTable(readTextFile(file));
+}
+
 bool TabulatedAtmosphere::canImport(const std::filesystem::path& file) {
     if (file.extension() == ".smatatm") {
         return true;
     }
     const std::string text = readTextFile(file);
     if (file.extension() == ".csv" || file.extension() == ".CSV") {
-        return looksLikeModtranCsv(text);
+        return isModtranCsv(text);
     }
     return firstCharacter(text) == '{' ? isTable(text) || isModtranJson(text)
                                        : looksLikeTape7(text);

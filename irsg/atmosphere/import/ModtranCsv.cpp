@@ -251,4 +251,30 @@ std::vector<SpectralRun> readModtranCsv(const std::filesystem::path& file) {
     return runs;
 }
 
+bool isModtranCsv(std::string_view text) {
+    const std::size_t line = text.find('\n', std::min<std::size_t>(16384, text.size()));
+    std::optional<CsvTable> table;
+    try {
+        table = CsvTable::parse(text.substr(0, line), "");
+    } catch (const InputError&) {
+        return false;
+    }
+    const std::vector<Block> blocks = blocksOf(*table);
+    if (blocks.empty() || blocks.front().header.empty()) {
+        return false;
+    }
+    std::size_t known = 0;
+    bool transmits = false;
+    std::size_t columns = 0;
+    for (const CsvRow* header : blocks.front().header) {
+        columns = std::max(columns, header->cells.size());
+    }
+    for (std::size_t i = 0; i < columns; ++i) {
+        const std::optional<RunColumn> column = columnOf(blocks.front(), i);
+        known += column ? 1u : 0u;
+        transmits = transmits || column == RunColumn::transmittance;
+    }
+    return transmits && known >= 2;
+}
+
 } // namespace irsg

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "irsg/atmosphere/import/SpectralRun.h"
@@ -24,5 +25,8 @@ namespace irsg {
 /// header that says otherwise is an offence. Written from public descriptions of the format and
 /// not yet checked against a file of MODTRAN itself. Throws InputError naming every offence.
 std::vector<SpectralRun> readModtranCsv(const std::filesystem::path& file);
+
+/// True for a text whose header has a column of transmittance among at least two that are known.
+bool isModtranCsv(std::string_view text);
 
 } // namespace irsg

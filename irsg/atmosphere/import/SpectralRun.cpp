@@ -346,8 +346,13 @@ std::optional<double> chord_m(double fromAltitude_m, double toAltitude_m, double
     }
     const double root = std::sqrt(square);
     const double near = -along - root;
-    const double length = near > 0.0 && !beyondTangent ? near : -along + root;
-    return length > 0.0 ? std::optional(length) : std::nullopt;
+    if (near > 0.0 && !beyondTangent) {
+        return near;
+    }
+    // A ray that goes down first must pass its lowest point above the ground.
+    const bool hitsGround = along < 0.0 && from * std::cos(elevation_rad) < earthRadius_m;
+    const double length = -along + root;
+    return length > 0.0 && !hitsGround ? std::optional(length) : std::nullopt;
 }
 
 } // namespace irsg

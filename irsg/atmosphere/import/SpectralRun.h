@@ -102,7 +102,8 @@ struct RunTable {
 void fillRun(SpectralRun& run, const RunTable& table, std::vector<Offence>& offences);
 
 /// Length in m of the straight chord of a spherical earth from one altitude to another, leaving at
-/// an elevation; no value where the ray does not reach that altitude. `beyondTangent` takes the
+/// an elevation; no value where the ray does not reach that altitude
+/// before the ground. `beyondTangent` takes the
 /// farther crossing of a downward ray.
 std::optional<double> chord_m(double fromAltitude_m, double toAltitude_m, double elevation_rad,
                               double earthRadius_m, bool beyondTangent = false);

@@ -1,0 +1,26 @@
+#include "irsg/atmosphere/AtmosphereFile.h"
+
+#include <span>
+
+#include "irsg/atmosphere/BeerLambert.h"
+#include "irsg/atmosphere/TabulatedAtmosphere.h"
+
+namespace irsg {
+
+std::shared_ptr<const Atmosphere> loadAtmosphere(const std::filesystem::path& file) {
+    if (TabulatedAtmosphere::isTableFile(file)) {
+        return std::make_shared<TabulatedAtmosphere>(TabulatedAtmosphere::read(file));
+    }
+    if (TabulatedAtmosphere::canImport(file)) {
+        return std::make_shared<TabulatedAtmosphere>(
+            TabulatedAtmosphere::import(std::span(&file, 1)));
+    }
+    if (file.extension() == ".csv") {
+        return std::make_shared<BeerLambert>(BeerLambert::fromCsv(file));
+    }
+    throw InputError({file.string(), "", "no atmosphere of a kind that is known",
+                      "a .csv of a homogeneous atmosphere, a .smatatm, or MODTRAN's tape7, CSV or "
+                      "JSON"});
+}
+
+} // namespace irsg

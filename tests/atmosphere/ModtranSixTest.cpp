@@ -1,0 +1,277 @@
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "irsg/atmosphere/TabulatedAtmosphere.h"
+#include "irsg/atmosphere/import/ModtranCsv.h"
+#include "irsg/atmosphere/import/ModtranJson.h"
+#include "irsg/radiometry/Units.h"
+
+using namespace irsg;
+using testing::HasSubstr;
+
+namespace {
+
+const std::string input = R"("MODTRANINPUT": {
+    "NAME": "slant", "CASE": 0,
+    "RTOPTIONS": {"IEMSCT": "RT_SOLAR_AND_THERMAL", "IMULT": "RT_DISORT"},
+    "ATMOSPHERE": {"MODEL": "ATM_MIDLAT_SUMMER", "CO2MX": 400.0},
+    "AEROSOLS": {"IHAZE": "AER_RURAL", "VIS": 23.0, "ICLD": "CLOUD_NONE"},
+    "GEOMETRY": {"ITYPE": 2, "H1ALT": 0.5, "H2ALT": 2.5, "OBSZEN": 60.0, "IPARM": 12,
+                 "PARM1": 90.0, "PARM2": 35.0},
+    "SURFACE": {"SURFTYPE": "REFL_CONSTANT", "SURREF": 0.1, "GNDALT": 0.25},
+    "SPECTRAL": {"V1": 2000.0, "V2": 2020.0, "DV": 10.0, "FWHM": 20.0, "XFLAG": "W"},
+    "FILEOPTIONS": {"CSVPRNT": "slant.csv", "JSONPRNT": "slant.json"}})";
+const std::string axis = R"("FREQ": [2000, 2010, 2020],)";
+const std::string output = R"("MODTRANOUTPUT": {"SPECTRA": {"RADIANCE": {)" + axis + R"(
+    "TOT_TRANS": [0.5, 0.25, 0.0], "THRML_EM": [3e-7, 3e-7, 3e-7], "THRML_SCT": [1e-8, 1e-8, 1e-8],
+    "SURF_EMIS": [1e-7, 1e-7, 0], "MULT_SCAT": [2e-9, 2e-9, 2e-9], "SING_SCAT": [3e-9, 3e-9, 3e-9],
+    "GRND_RFLT": [0, 0, 0], "TOTAL_RAD": [4.15e-7, 4.15e-7, 3.15e-7],
+    "SOL_AT_OBS": [9e-7, 8e-7, 0], "DEPTH": [0.693147, 1.386294, 12.345], "BBODY_TK": [1, 1, 1]
+  }}})";
+const std::string document = "{\"MODTRAN\": [{" + input + ",\n" + output + "}]}";
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, text.npos) << what;
+    return text.replace(at, what.size(), with);
+}
+
+std::string refusal(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "nothing was refused";
+}
+
+/// A folder of its own for one test.
+class Folder {
+  public:
+    explicit Folder(const char* name)
+        : path_(std::filesystem::path(testing::TempDir()) / ("modtran6-" + std::string(name))) {
+        std::filesystem::remove_all(path_);
+        std::filesystem::create_directories(path_);
+    }
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(path_ / name, std::ios::binary) << text;
+        return path_ / name;
+    }
+
+  private:
+    std::filesystem::path path_;
+};
+
+const std::string rows = "2000,0.5,3e-7,1e-8,1e-7,2e-9,3e-9,0,0,4.15e-7,0,9e-7,0.693,1,1e-6,290\n"
+                         "2010,0.25,3e-7,1e-8,1e-7,2e-9,3e-9,0,0,4.15e-7,0,8e-7,1.386,1,1e-6,290\n"
+                         "2020,0,3e-7,1e-8,0,2e-9,3e-9,0,0,3.15e-7,0,0,12.345,1,1e-6,290\n";
+const std::string names = "freq,tot_trans,pth_thrml,thrml_sct,surf_emis,sol_scat,sing_scat,"
+                          "grnd_rflt,drct_rflt,total_rad,ref_sol,sol@obs,depth,dir_em,toa_sun,"
+                          "bbody_t\n";
+const std::string longNames =
+    "case 0: slant,,,,,,,,,,,,,,,\n"
+    "freq,total,path,path thermal,surface,path multiple,path single,ground,direct,total,reference,"
+    "irradiance,- nat log,directional,top-of-atmosphere,brightness\n"
+    "[cm-1],transmittance,emission,scat,emission,scat,scat,reflect,reflect,radiance,irradiance,"
+    "at observer,path trans,emissivity,irradiance,temp\n";
+
+} // namespace
+
+TEST(ModtranJson, readsADocumentWithItsResults) {
+    const std::vector<SpectralRun> runs = parseModtranJson(document, "slant.json");
+    ASSERT_EQ(runs.size(), 1u);
+    const SpectralRun& run = runs.front();
+    EXPECT_EQ(run.source, "slant.json, case slant");
+    EXPECT_EQ(run.kind, RunKind::solarRadiance);
+    EXPECT_DOUBLE_EQ(run.geometry.sensorAltitude_m, 250.0);
+    EXPECT_DOUBLE_EQ(run.geometry.targetAltitude_m, 2250.0);
+    EXPECT_NEAR(run.geometry.range_m, 4000.0, 5.0);
+    EXPECT_NEAR(*run.geometry.sunElevation_rad, radians(55.0), 1e-12);
+    EXPECT_EQ(run.cards.at("MODEL"), 2.0);
+    EXPECT_EQ(run.cards.at("CO2MX"), 400.0);
+    EXPECT_EQ(run.wavenumbers_cm, (std::vector<double>{2000.0, 2010.0, 2020.0}));
+    EXPECT_EQ(run.transmittance[1], 0.25);
+    // The scattered parts stand beside the emitted: that closes with TOTAL_RAD.
+    EXPECT_NEAR(run.pathRadiance_W_m2_sr_um[0], 3.15e-7 * 4e6, 1e-9);
+    EXPECT_NEAR(run.totalRadiance_W_m2_sr_um[0], 4.15e-7 * 4e6, 1e-9);
+    EXPECT_NEAR(run.solarIrradiance_W_m2_um[0], 9e-7 * 4e6, 1e-9);
+    ASSERT_EQ(run.warnings.size(), 1u);
+    EXPECT_THAT(run.warnings.front(), HasSubstr("chord"));
+    EXPECT_TRUE(isModtranJson(document));
+    EXPECT_FALSE(isModtranJson("[\"MODTRAN\"]"));
+    EXPECT_FALSE(isModtranJson(""));
+}
+
+TEST(ModtranJson, aMissingAxisIsThatOfTheInput) {
+    EXPECT_EQ(parseModtranJson(replaced(document, axis, ""), "x").front().wavenumbers_cm,
+              (std::vector<double>{2000.0, 2010.0, 2020.0}));
+}
+
+TEST(ModtranJson, aRangeAndAZenithAngleLeadToTheTarget) {
+    const std::string text = replaced(document, "\"H2ALT\": 2.5", "\"HRANGE\": 4.0");
+    const RunGeometry geometry = parseModtranJson(text, "x").front().geometry;
+    EXPECT_NEAR(geometry.targetAltitude_m, 250.0 + 2000.0, 2.0);
+    EXPECT_DOUBLE_EQ(geometry.range_m, 4000.0);
+}
+
+TEST(ModtranJson, numbersOfModtran5AndWordsAreTheSame) {
+    EXPECT_EQ(parseModtranJson(replaced(document, "\"RT_SOLAR_AND_THERMAL\"", "2"), "x"),
+              parseModtranJson(document, "x"));
+}
+
+TEST(ModtranJson, badDocumentsAreRefusedByName) {
+    const auto with = [&](const std::string& what, const std::string& by) {
+        return replaced(document, what, by);
+    };
+    const struct {
+        const char* name;
+        std::string text;
+        const char* says;
+    } table[] = {
+        {"no JSON", "{\"MODTRAN\": [", "found no JSON"},
+        {"foreign", "{}", "no array MODTRAN"},
+        {"no cases", "{\"MODTRAN\": []}", "no array MODTRAN"},
+        {"no results", "{\"MODTRAN\": [{" + input + "}]}", "results of the case"},
+        {"no input", "{\"MODTRAN\": [{" + output + "}]}", "MODTRAN[0].MODTRANINPUT: found no such"},
+        {"unknown kind", with("RT_SOLAR_AND_THERMAL", "RT_LUNAR_IRRADIANCE"),
+         "RT_LUNAR_IRRADIANCE"},
+        {"kind 7", with("\"RT_SOLAR_AND_THERMAL\"", "7"), "IEMSCT: found 7"},
+        {"no ITYPE", with("\"ITYPE\": 2,", ""), "no ITYPE"},
+        {"no H1ALT", with("\"H1ALT\": 0.5,", ""), "no H1ALT"},
+        {"ITYPE 4", with("\"ITYPE\": 2", "\"ITYPE\": 4"), "found ITYPE 4"},
+        {"a text for a number", with("\"H1ALT\": 0.5", "\"H1ALT\": \"low\""),
+         "H1ALT: found \"low\""},
+        {"several lines of sight", with("\"ITYPE\": 2,", "\"ITYPE\": 2, \"MLOS\": [{}],"),
+         "several lines of sight"},
+        {"a target that is not reached", with("60.0", "120.0"), "found RANGE 0"},
+        {"unknown unit", with("\"XFLAG\": \"W\"", "\"XFLAG\": \"Q\""), "XFLAG: found Q"},
+        {"no transmittance", with("TOT_TRANS", "XX_TRANS"), "no column TOT_TRANS"},
+        {"no total", with("TOTAL_RAD", "XX_RAD"), "no column TOTAL_RAD"},
+        {"arrays of two lengths", with("[0.5, 0.25, 0.0]", "[0.5, 0.25]"), "2 values, expected 3"},
+        {"null", with("[0.5, 0.25, 0.0]", "[0.5, null, 0.0]"), "TOT_TRANS[1]: found null"},
+        {"transmittance of 2", with("[0.5, 0.25, 0.0]", "[0.5, 2, 0.0]"), "found transmittance 2"},
+        {"axis falls", with("[2000, 2010, 2020]", "[2000, 1990, 2020]"), "found wavenumber 1990"},
+        {"an axis of another length",
+         replaced(replaced(document, axis, ""), "\"V2\": 2020.0", "\"V2\": 3000.0"),
+         "no array FREQ"},
+    };
+    for (const auto& row : table) {
+        EXPECT_THAT(refusal([&] { parseModtranJson(row.text, "x.json"); }), HasSubstr(row.says))
+            << row.name;
+    }
+}
+
+TEST(ModtranCsv, takesItsGeometryFromTheDocumentBesideIt) {
+    for (const std::string& header : {names, longNames}) {
+        const Folder folder("beside");
+        folder.write("anything.json", "{\"MODTRAN\": [{" + input + "}]}");
+        folder.write("other.json", "{\"x\": 1}");
+        const std::filesystem::path file =
+            folder.write("slant.csv", header + rows + "-9999.,,,,,,,,,,,,,,,\n");
+        ASSERT_TRUE(TabulatedAtmosphere::canImport(file));
+        const std::vector<SpectralRun> runs = readModtranCsv(file);
+        ASSERT_EQ(runs.size(), 1u) << header;
+        const SpectralRun expected = parseModtranJson(document, "x").front();
+        EXPECT_EQ(runs.front().geometry, expected.geometry);
+        EXPECT_EQ(runs.front().wavenumbers_cm, expected.wavenumbers_cm);
+        EXPECT_EQ(runs.front().transmittance[1], 0.25);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_NEAR(runs.front().pathRadiance_W_m2_sr_um[i],
+                        expected.pathRadiance_W_m2_sr_um[i], 1e-12);
+        }
+        EXPECT_EQ(runs.front().solarIrradiance_W_m2_um, expected.solarIrradiance_W_m2_um);
+    }
+}
+
+TEST(ModtranCsv, takesItsGeometryFromItsComments) {
+    const Folder folder("comments");
+    const std::filesystem::path file =
+        folder.write("run.csv", "# ITYPE: 1\n# IEMSCT: 1\n# H1: 2\n# RANGE: 3\n" + names + rows);
+    const SpectralRun run = readModtranCsv(file).front();
+    EXPECT_EQ(run.kind, RunKind::thermalRadiance);
+    EXPECT_DOUBLE_EQ(run.geometry.sensorAltitude_m, 2000.0);
+    EXPECT_DOUBLE_EQ(run.geometry.targetAltitude_m, 2000.0);
+    EXPECT_DOUBLE_EQ(run.geometry.range_m, 3000.0);
+}
+
+TEST(ModtranCsv, wavelengthsAndTheirDensitiesAreTheSameAir) {
+    const Folder folder("units");
+    const std::string place = "# ITYPE: 1\n# IEMSCT: 1\n# H1: 0\n# RANGE: 3\n";
+    const double perCm = 4e-7;
+    char text[200];
+    std::snprintf(text, sizeof text, "5,0.5,%.12g,%.12g\n6,0.5,1e-6,1e-6\n",
+                  perCm * 2000.0 * 2000.0 * 1e-4, perCm * 2000.0 * 2000.0 * 1e-4);
+    const SpectralRun microns =
+        readModtranCsv(
+            folder.write("um.csv",
+                         place + "wavelength,tot_trans,pth_thrml,total_rad\nmicrons,,,\n" + text))
+            .front();
+    EXPECT_NEAR(microns.wavenumbers_cm.back(), 2000.0, 1e-9);
+    EXPECT_NEAR(microns.pathRadiance_W_m2_sr_um.back(), perCm * 4e6, 1e-9);
+    std::snprintf(text, sizeof text, "5000,0.5,%.12g,%.12g\n6000,0.5,1,1\n",
+                  perCm * 2000.0 * 2000.0 * 1e-1, perCm * 2000.0 * 2000.0 * 1e-1);
+    const SpectralRun nanometres =
+        readModtranCsv(
+            folder.write("nm.csv",
+                         place + "wavelength,tot_trans,pth_thrml,total_rad\n[nm],,,\n" + text))
+            .front();
+    EXPECT_NEAR(nanometres.wavenumbers_cm.back(), 2000.0, 1e-9);
+    EXPECT_NEAR(nanometres.pathRadiance_W_m2_sr_um.back(), perCm * 4e6, 1e-9);
+}
+
+TEST(ModtranCsv, severalCasesOfOneFileAreSeveralRuns) {
+    const Folder folder("several");
+    const std::string second = replaced(input, "\"H2ALT\": 2.5", "\"H2ALT\": 3.5");
+    folder.write("slant.json", "{\"MODTRAN\": [{" + input + "}, {" + second + "}]}");
+    const std::vector<SpectralRun> runs =
+        readModtranCsv(folder.write("slant.csv", longNames + rows + longNames + rows));
+    ASSERT_EQ(runs.size(), 2u);
+    EXPECT_DOUBLE_EQ(runs[0].geometry.targetAltitude_m, 2250.0);
+    EXPECT_DOUBLE_EQ(runs[1].geometry.targetAltitude_m, 3250.0);
+}
+
+TEST(ModtranCsv, badFilesAreRefusedByName) {
+    const std::string place = "# ITYPE: 1\n# IEMSCT: 1\n# H1: 0\n# RANGE: 3\n";
+    const struct {
+        const char* name;
+        std::string text;
+        const char* says;
+    } table[] = {
+        {"empty", "", "an empty table"},
+        {"nothing but comments", place, "an empty table"},
+        {"binary", std::string("a,b\n1\0,2\n", 9), "NUL"},
+        {"no word about the line of sight", names + rows, "no word about the line of sight"},
+        {"an unknown kind", "# ITYPE: 1\n# IEMSCT: 9\n" + names + rows, "IEMSCT 9"},
+        {"no range", "# ITYPE: 1\n# IEMSCT: 1\n" + names + rows, "found RANGE 0"},
+        {"no names", place + rows, "no header or no rows"},
+        {"names alone", place + names, "no header or no rows"},
+        {"no transmittance", place + replaced(names, "tot_trans", "x") + rows,
+         "no column TOT_TRANS"},
+        {"a word", place + names + replaced(rows, "0.25", "zero"),
+         "line 7, column 2: found 'zero'"},
+        {"a word on the axis", place + names + replaced(rows, "2010", "x2010"),
+         "line 7, column 1: found 'x2010'"},
+        {"nan", place + names + replaced(rows, "0.25", "nan"), "found 'nan'"},
+        {"a blank", place + names + replaced(rows, "0.25", ""), "line 7: found a blank TOT_TRANS"},
+        {"a short row", place + names + replaced(rows, ",1,1e-6,290\n2010", "\n2010"), "cells"},
+        {"the axis falls", place + names + replaced(rows, "2010", "1910"), "wavenumber 1910"},
+    };
+    const Folder folder("bad");
+    for (const auto& row : table) {
+        const std::filesystem::path file = folder.write("bad.csv", row.text);
+        EXPECT_THAT(refusal([&] { readModtranCsv(file); }), HasSubstr(row.says)) << row.name;
+    }
+    folder.write("bad.json", "{\"MODTRAN\": [{" + input + "}, {" + input + "}]}");
+    EXPECT_THAT(refusal([&] { readModtranCsv(folder.write("bad.csv", names + rows)); }),
+                HasSubstr("1 tables of numbers"));
+    folder.write("bad.json", "{\"MODTRAN\": [{" + replaced(input, "\"W\"", "\"M\"") + "}]}");
+    EXPECT_THAT(refusal([&] { readModtranCsv(folder.write("bad.csv", longNames + rows)); }),
+                HasSubstr("SPECTRAL.XFLAG"));
+}
