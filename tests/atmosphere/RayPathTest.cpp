@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -478,6 +479,41 @@ TEST(RayPath, survivesInversionsThatWouldTrapIt) {
     expectSound(tracer, tracer.along({1.0, 0.0, 0.0}));
     EXPECT_EQ(tracer.along({1.0, 0.0, 0.0}).end, RayPath::End::space);
     EXPECT_GT(tracer.refractiveIndex(0.0), tracer.refractiveIndex(1000.0));
+}
+
+TEST(RayPath, hasTheRangeAskedBetweenAnyTwoEnds) {
+    std::mt19937 generator(1);
+    const auto uniform = [&] { return std::uniform_real_distribution<double>(0, 1)(generator); };
+    const auto altitude = [&] {
+        return uniform() < 0.15 ? 0.0 : std::pow(10.0, -2.0 + 7.0 * uniform());
+    };
+    double worst = 0.0;
+    int count = 0;
+    for (const bool isMeasured : {false, true}) {
+        Profile profile = Profile::model(ModelAtmosphere::midlatitudeWinter);
+        if (isMeasured)
+            profile = profile.withMeteo({3.0, 275.0, 1000.0, 0.5, 266.0});
+        const RayTracer tracer(profile, gridOf(profile));
+        for (int i = 0; i < 6000; ++i) {
+            const double sensor = altitude();
+            const double target = uniform() < 0.1 ? sensor : altitude();
+            const double rise = std::abs(target - sensor);
+            const double range = uniform() < 0.3
+                                     ? rise * (1.0 + std::pow(10.0, -15.0 * uniform()))
+                                     : std::hypot(rise, std::pow(10.0, -2.0 + 8.3 * uniform()));
+            try {
+                const RayPath path = tracer.between({sensor, target, range});
+                expectSound(tracer, path);
+                worst = std::max(worst, range > 0.0 ? std::abs(path.length_m / range - 1.0) : 0.0);
+                ++count;
+            } catch (const InputError& error) {
+                EXPECT_THAT(error.what(), HasSubstr("below ground"));
+            }
+        }
+    }
+    std::printf("length of %d random paths: wrong by at most %.1e\n", count, worst);
+    EXPECT_GT(count, 10000);
+    EXPECT_LT(worst, 1e-12);
 }
 
 TEST(RayPath, reachesTargetsAtAndAboveTheTop) {
