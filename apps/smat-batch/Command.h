@@ -27,6 +27,7 @@ void addAnalysisCommands(CLI::App& app, Context& context);
 void addDatabaseCommand(CLI::App& app, Context& context);
 void addConvertCommand(CLI::App& app, Context& context);
 void addModelCommand(CLI::App& app, Context& context);
+void addAtmosphereCommand(CLI::App& app, Context& context);
 void addSettingsCommand(CLI::App& app, Context& context);
 
 } // namespace smat::batch

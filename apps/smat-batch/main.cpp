@@ -58,6 +58,7 @@ int main(int argc, char** argv) {
     addDatabaseCommand(app, context);
     addConvertCommand(app, context);
     addModelCommand(app, context);
+    addAtmosphereCommand(app, context);
     addSettingsCommand(app, context);
     try {
         app.parse(argc, argv);

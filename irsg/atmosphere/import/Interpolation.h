@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace irsg {
 
@@ -55,6 +55,9 @@ struct Bracket {
 /// Where `value` lies on an ascending axis; no value where it is outside by more than `tolerance`,
 /// else it is clamped.
 std::optional<Bracket> bracketOf(std::span<const double> axis, double value, double tolerance);
+
+/// A length to the millimetre, without exponent: "100000", "9235.9".
+std::string metresText(double length_m);
 
 /// Piecewise cubic interpolation through (x, y) that is monotone where the data are (Fritsch and
 /// Butland 1984, SIAM J. Sci. Stat. Comput. 5, 300), linear for two nodes, exact at the nodes and

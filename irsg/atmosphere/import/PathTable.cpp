@@ -22,8 +22,8 @@ double emissivity(double depth, double range_m) {
 }
 
 std::string lengths(double lower, double upper) {
-    return lower == upper ? numberText(lower) + " m"
-                          : numberText(lower) + " to " + numberText(upper) + " m";
+    return lower == upper ? metresText(lower) + " m"
+                          : metresText(lower) + " to " + metresText(upper) + " m";
 }
 
 /// Ascending values of one coordinate of pairs, each once.
@@ -42,22 +42,6 @@ std::vector<double> axisOf(const Pairs& pairs, Member member, const auto* withou
 }
 
 } // namespace
-
-std::optional<Bracket> bracketOf(std::span<const double> axis, double value, double tolerance) {
-    if (axis.empty() || value < axis.front() - tolerance || value > axis.back() + tolerance) {
-        return std::nullopt;
-    }
-    if (value <= axis.front()) {
-        return Bracket{0, 0, 0.0};
-    }
-    if (value >= axis.back()) {
-        return Bracket{axis.size() - 1, axis.size() - 1, 0.0};
-    }
-    const std::size_t upper =
-        static_cast<std::size_t>(std::ranges::upper_bound(axis, value) - axis.begin());
-    const double weight = (value - axis[upper - 1]) / (axis[upper] - axis[upper - 1]);
-    return weight > 0.0 ? Bracket{upper - 1, upper, weight} : Bracket{upper - 1, upper - 1, 0.0};
-}
 
 void PathTable::add(const AirPath& path, std::vector<double> depth, std::vector<double> radiance) {
     if (!(path.range_m > 0.0) || holds(path) ||
@@ -231,9 +215,9 @@ PathTable::Answer PathTable::at(const AirPath& path, std::size_t first, std::siz
     const std::vector<Corner> ends = corners(path.sensorAltitude_m, path.targetAltitude_m, nullptr);
     if (!reaches(ends, path.range_m)) {
         throw InputError({owner, "path",
-                          "sensor at " + numberText(path.sensorAltitude_m) + " m, target at " +
-                              numberText(path.targetAltitude_m) + " m, range " +
-                              numberText(path.range_m) + " m",
+                          "sensor at " + metresText(path.sensorAltitude_m) + " m, target at " +
+                              metresText(path.targetAltitude_m) + " m, range " +
+                              metresText(path.range_m) + " m",
                           "a path between those of its runs: " + span()});
     }
     return blend(ends, path.range_m, first, last);

@@ -13,9 +13,10 @@ namespace {
 constexpr double sameAltitude_m = 0.1;
 constexpr double sameElevation_rad = 1e-6;
 
+/// Both ends of an axis of metres or degrees.
 std::string extent(double lower, double upper, const char* unit) {
-    return lower == upper ? numberText(lower) + unit
-                          : numberText(lower) + " to " + numberText(upper) + unit;
+    return lower == upper ? metresText(lower) + unit
+                          : metresText(lower) + " to " + metresText(upper) + unit;
 }
 
 double rounded_deg(double elevation_rad) {
@@ -98,7 +99,7 @@ std::vector<double> SightTable::at(double altitude_m, double elevation_rad, std:
     std::vector<double> values;
     if (!blend(altitude_m, elevation_rad, nullptr, first, last, values)) {
         throw InputError({owner, what,
-                          "altitude " + numberText(altitude_m) + " m, elevation " +
+                          "altitude " + metresText(altitude_m) + " m, elevation " +
                               numberText(rounded_deg(elevation_rad)) + " deg",
                           "a direction between those of its runs: " + span()});
     }
