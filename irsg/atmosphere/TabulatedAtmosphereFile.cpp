@@ -313,6 +313,14 @@ TabulatedAtmosphere TabulatedAtmosphere::import(std::span<const std::filesystem:
     for (const std::filesystem::path& file : files) {
         try {
             std::vector<SpectralRun> some = readRuns(file);
+            const auto isNamesake = [&](const std::filesystem::path& other) {
+                return &other != &file && other.filename() == file.filename();
+            };
+            if (std::ranges::any_of(files, isNamesake)) {
+                for (SpectralRun& run : some) {
+                    run.source = (file.parent_path().filename() / run.source).string();
+                }
+            }
             std::ranges::move(some, std::back_inserter(runs));
         } catch (const InputError& error) {
             offences.insert(offences.end(), error.offences().begin(), error.offences().end());

@@ -106,20 +106,43 @@ TEST(TabulatedAtmosphere, theSquareRootLawIsMetWithinTheStatedError) {
     const auto depth = [](double range_m, double nu) {
         return (nu - 1990.0) / 50.0 * std::sqrt(range_m / 1000.0);
     };
-    for (const double range : {100.0, 300.0, 1000.0, 2000.0, 4000.0, 8000.0}) {
+    for (const double range : {500.0, 1000.0, 2000.0, 4000.0, 8000.0}) {
         SyntheticRun run = runOver({0.0, 0.0, range});
         run.depth = [&, range](double nu) { return depth(range, nu); };
         made.push_back(run);
     }
     const TabulatedAtmosphere air = family(made);
     const double stated = errorOf(air.interpolationErrors(), "transmittance", "range").worst;
-    EXPECT_LT(stated, 0.2);
+    EXPECT_LT(stated, 0.02);
     double before = 1.0;
     for (double range = 20.0; range <= 8000.0; range *= 1.1) {
         const double tau = air.transmittance({0.0, 0.0, range}, air.base()).at(1e4 / 2030.0);
         EXPECT_LE(tau, before) << range;
         EXPECT_NEAR(tau, std::exp(-depth(range, 2030.0)), stated) << range;
         before = tau;
+    }
+}
+
+TEST(TabulatedAtmosphere, aBandThatTurnsFromWeakToStrongIsMetWithinTheStatedError) {
+    // Goody's random band: W = S u / sqrt(1 + S u / a), linear near and a square root far away.
+    const auto depth = [](double range_m, double nu) {
+        const double weak = range_m / 1000.0 * (nu - 1990.0) / 10.0;
+        return weak / std::sqrt(1.0 + weak);
+    };
+    std::vector<SyntheticRun> made;
+    for (const double range : {200.0, 500.0, 1000.0, 2000.0, 5000.0, 10000.0}) {
+        SyntheticRun run = runOver({0.0, 0.0, range});
+        run.depth = [&, range](double nu) { return depth(range, nu); };
+        made.push_back(run);
+    }
+    const TabulatedAtmosphere air = family(made);
+    const double stated = errorOf(air.interpolationErrors(), "transmittance", "range").worst;
+    EXPECT_LT(stated, 0.05);
+    for (double range = 1.0; range <= 10000.0; range *= 1.1) {
+        const Spectrum tau = air.transmittance({0.0, 0.0, range}, air.base());
+        for (const double nu : nodes_cm) {
+            EXPECT_NEAR(tau.at(1e4 / nu), std::exp(-depth(range, nu)), stated) << range;
+        }
     }
 }
 
@@ -360,6 +383,36 @@ TEST(TabulatedAtmosphere, opaqueAndTransparentPathsKeepTheirDigits) {
                 90.0 * 0.01 / 5000.0, 1e-7);
     EXPECT_NEAR(air.pathRadiance({0, 0, 0.01}, {}, air.base()).at(5.0) / planck,
                 90.0 * 0.01 / 5000.0, 1e-7);
+}
+
+TEST(TabulatedAtmosphere, anOpaqueRunContinuesTheOneBefore) {
+    // A transmittance of 0 tells no depth; half way to it the air is still that of the near run.
+    const auto run = [](double range_m, double tau) {
+        SpectralRun made;
+        made.source = numberText(range_m);
+        made.geometry.range_m = range_m;
+        made.wavenumbers_cm = {2000.0, 2010.0};
+        made.transmittance = {tau, tau};
+        return made;
+    };
+    const TabulatedAtmosphere dense({run(1000.0, std::exp(-8.0)), run(10000.0, 0.0)}, "dense");
+    EXPECT_NEAR(-std::log(dense.transmittance({0, 0, 2000}, dense.base()).at(5.0)), 16.0, 1e-9);
+    const TabulatedAtmosphere alone({run(1000.0, 0.0)}, "alone");
+    EXPECT_LT(alone.transmittance({0, 0, 1000}, alone.base()).at(5.0), 1e-15);
+}
+
+TEST(TabulatedAtmosphere, runsOfFilesOfOneNameAreToldApartByTheirFolders) {
+    std::vector<std::filesystem::path> files;
+    for (const double range : {1000.0, 2000.0}) {
+        const std::filesystem::path folder =
+            std::filesystem::path(testing::TempDir()) / ("range" + std::to_string(files.size()));
+        std::filesystem::create_directories(folder);
+        files.push_back(folder / "tape7");
+        std::ofstream(files.back(), std::ios::binary) << tape7(runOver({0.0, 0.0, range}));
+    }
+    const TabulatedAtmosphere air = TabulatedAtmosphere::import(files);
+    EXPECT_EQ(air.name(), "tabulated (tape7 and 1 more)");
+    EXPECT_EQ(air.runs()[1].source, "range1/tape7");
 }
 
 TEST(TabulatedAtmosphere, aTableFileReadsBackEqual) {

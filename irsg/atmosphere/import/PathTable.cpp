@@ -21,6 +21,21 @@ double emissivity(double depth, double range_m) {
     return -std::expm1(-depth) + transparentWeight_per_m * range_m;
 }
 
+/// Depth at a range below the first node x[1]: a R / sqrt(1 + b R) through the first two nodes.
+double belowFirst(const std::vector<double>& x, const std::vector<double>& y, double range_m) {
+    const double part = range_m / x[1];
+    if (x.size() < 3 || !(y[1] > 0.0) || !(y[2] > 0.0)) {
+        return y[1] * part;
+    }
+    const double meanRatio = (y[1] / x[1]) / (y[2] / x[2]);
+    const double q = meanRatio * meanRatio;
+    if (q >= x[2] / x[1]) {
+        return y[1] * std::sqrt(part);
+    }
+    const double b = std::max(0.0, q - 1.0) / (x[2] - q * x[1]);
+    return y[1] * part * std::sqrt((1.0 + b * x[1]) / (1.0 + b * range_m));
+}
+
 std::string lengths(double lower, double upper) {
     return lower == upper ? metresText(lower) + " m"
                           : metresText(lower) + " to " + metresText(upper) + " m";
@@ -162,6 +177,9 @@ double PathTable::depthAt(const Pair& pair, double range_m, std::size_t index, s
                         ? std::max(opaqueDepth, x.size() > 1 ? y.back() * range / x.back() : 0.0)
                         : depth);
         x.push_back(range);
+    }
+    if (range_m < x[1]) {
+        return belowFirst(x, y, range_m);
     }
     return std::max(0.0,
                     monotoneCubic(
