@@ -1,6 +1,8 @@
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -142,6 +144,46 @@ TEST(TabulatedAtmosphere, aBandThatTurnsFromWeakToStrongIsMetWithinTheStatedErro
         const Spectrum tau = air.transmittance({0.0, 0.0, range}, air.base());
         for (const double nu : nodes_cm) {
             EXPECT_NEAR(tau.at(1e4 / nu), std::exp(-depth(range, nu)), stated) << range;
+        }
+    }
+}
+
+TEST(TabulatedAtmosphere, theStatedErrorOverRangeIsTheLargerOne) {
+    const struct {
+        const char* name;
+        std::function<double(double, double)> depth; ///< of range in km and strength
+    } laws[] = {
+        {"Beer", [](double range, double strength) { return 0.1 * strength * range; }},
+        {"square root", [](double range, double s) { return 0.2 * s * std::sqrt(range); }},
+        {"Goody's band", [](double u, double s) { return s * u / std::sqrt(1.0 + s * u); }},
+    };
+    for (const auto& law : laws) {
+        for (const std::vector<double>& ranges_km :
+             {std::vector<double>{1.0, 2.0, 4.0, 8.0}, {0.1, 0.3, 1.0, 2.0, 4.0, 8.0}}) {
+            std::vector<SyntheticRun> made;
+            const auto depth = [&](double range_m, double nu) {
+                return law.depth(range_m / 1000.0, (nu - 1990.0) / 10.0);
+            };
+            for (const double range_km : ranges_km) {
+                made.push_back(runOver({0.0, 0.0, 1000.0 * range_km}));
+                made.back().depth = [&, range_km](double nu) {
+                    return depth(1000.0 * range_km, nu);
+                };
+            }
+            const TabulatedAtmosphere air = family(made);
+            const double stated =
+                errorOf(air.interpolationErrors(), "transmittance", "range").worst;
+            double worst = 0.0;
+            for (double range = 1.0; range <= 8000.0; range *= 1.02) {
+                const Spectrum tau = air.transmittance({0.0, 0.0, range}, air.base());
+                for (const double nu : nodes_cm) {
+                    worst =
+                        std::max(worst, std::abs(tau.at(1e4 / nu) - std::exp(-depth(range, nu))));
+                }
+            }
+            std::printf("%s, %zu runs from %g km: stated %.2g, true %.2g\n", law.name,
+                        ranges_km.size(), ranges_km.front(), stated, worst);
+            EXPECT_LE(worst, stated + 1e-7) << law.name;
         }
     }
 }
