@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cmath>
+
+#include "irsg/atmosphere/engine/ContinuumParts.h"
+#include "irsg/atmosphere/engine/EvenTable.h"
+#include "irsg/atmosphere/engine/ResourceFile.h"
+
+namespace irsg::continuum {
+
+namespace {
+
+struct Tables {
+    EvenTable nitrogenRotation, nitrogenFundamental, oxygenFundamental, oxygenNearInfrared,
+        oxygenVisible;
+};
+
+const Tables& tables() {
+    static const Tables shipped = [] {
+        auto read = [](const char* name, const std::vector<std::string>& columns) {
+            return EvenTable::read(atmosphereResource(name), columns);
+        };
+        const std::vector<std::string> nitrogen = {"k273 [cm-1 amagat-2]", "slope [K]"};
+        const std::vector<std::string> oxygen = {"k [cm-1 amagat-2]"};
+        return Tables{read("continuum-nitrogen-rotation.csv", nitrogen),
+                      read("continuum-nitrogen-fundamental.csv", nitrogen),
+                      read("continuum-oxygen.csv", {"S0 [atm-1 cm-1 atm-1]", "A [K-1]", "B [K-2]"}),
+                      read("continuum-oxygen-near-infrared.csv", oxygen),
+                      read("continuum-oxygen-visible.csv", oxygen)};
+    }();
+    return shipped;
+}
+
+/// The fundamental at 6.4 um (LOWTRAN 7): O2 amount (atm-cm) times pressure (atm).
+double oxygenFundamental_per_m(const AirState& air, double wavenumber_cm) {
+    const EvenTable& table = tables().oxygenFundamental;
+    const EvenTable::Place place = table.place(wavenumber_cm);
+    if (!place.inside)
+        return 0.0;
+    const double dT = heldTemperature_K(air) - 220.0;
+    const double A = table.at(1, place), B = table.at(2, place);
+    const double strength =
+        table.at(0, place) / 0.20946 * (1.0 + A * dT + (0.5 * A * A + B) * dT * dT);
+    return 100.0 * std::max(strength, 0.0) * air.fraction(Gas::O2) * amagats(air) *
+           air.pressure_hPa / 1013.25;
+}
+
+/// The Herzberg continuum (Yoshino et al. 1988, Planet. Space Sci. 36, 1469), taken to 0 at 36000
+/// cm-1 by a straight line between there and 40000 cm-1; collisions make it stronger (Shardanand
+/// and Prasad Rao 1977, J. Quant. Spectrosc. Radiat. Transfer 17, 433).
+double herzberg_per_m(const AirState& air, double wavenumber_cm) {
+    constexpr double lower_cm = 36000.0, full_cm = 40000.0, upper_cm = 50000.0;
+    if (!(wavenumber_cm > lower_cm && wavenumber_cm <= upper_cm))
+        return 0.0;
+    auto cross_cm2 = [](double nu) {
+        const double y = nu / 48811.0, logarithm = std::log(y);
+        return 6.884e-24 * y * std::exp(-69.738 * logarithm * logarithm);
+    };
+    static const double atLower_cm2 = cross_cm2(lower_cm);
+    const double taper = std::max(0.0, (full_cm - wavenumber_cm) / (full_cm - lower_cm));
+    return 100.0 * (cross_cm2(wavenumber_cm) - taper * atLower_cm2) * air.fraction(Gas::O2) *
+           numberPer_cm3(air) * (1.0 + 0.83 * amagats(air));
+}
+
+} // namespace
+
+double nitrogen_per_m(const AirState& air, double wavenumber_cm) {
+    // Of dry air; as collision partners oxygen differs (Lafferty et al. 1996, Appl. Opt. 35, 5911)
+    // and water counts as nitrogen.
+    constexpr double nitrogenInDryAir = 0.78084;
+    const double temperature_K = heldTemperature_K(air);
+    double perAmagat2_cm = 0.0;
+    for (const EvenTable* table : {&tables().nitrogenRotation, &tables().nitrogenFundamental})
+        if (const EvenTable::Place place = table->place(wavenumber_cm); place.inside)
+            perAmagat2_cm += table->at(0, place) *
+                             std::exp(table->at(1, place) * (1.0 / temperature_K - 1.0 / 273.15));
+    const double nitrogen = nitrogenInDryAir * (1.0 - air.fraction(Gas::H2O));
+    const double oxygenEfficiency = 1.294 - 0.4545 * temperature_K / 296.0;
+    const double partners =
+        nitrogen + oxygenEfficiency * air.fraction(Gas::O2) + air.fraction(Gas::H2O);
+    const double density = amagats(air);
+    return 100.0 * perAmagat2_cm * density * density * nitrogen * partners;
+}
+
+double oxygen_per_m(const AirState& air, double wavenumber_cm) {
+    const Tables& all = tables();
+    const double oxygen = air.fraction(Gas::O2) * amagats(air);
+    double perMetre = oxygenFundamental_per_m(air, wavenumber_cm);
+    perMetre += herzberg_per_m(air, wavenumber_cm);
+    if (const auto place = all.oxygenNearInfrared.place(wavenumber_cm); place.inside)
+        perMetre += 100.0 * all.oxygenNearInfrared.at(0, place) * oxygen * amagats(air);
+    if (const auto place = all.oxygenVisible.place(wavenumber_cm); place.inside)
+        perMetre += 100.0 * all.oxygenVisible.at(0, place) * oxygen * oxygen;
+    return perMetre;
+}
+
+} // namespace irsg::continuum
