@@ -39,6 +39,12 @@ struct NodeSet {
 /// plus, in two-stream mode, the diffuse field of a plane-parallel two-stream solution (Toon et al.
 /// 1989, J. Geophys. Res. 94, 16287) as source (as the MODTRAN family does).
 ///
+/// In single mode heat that is scattered out of a path is lost, and none is scattered in. Fluxes,
+/// and the light that the ground reflects, are those of the two-stream solution in both modes. The
+/// sun has the same elevation all along a path, and a path without an azimuth sees the mean of its
+/// scattered light over all azimuths. Above 35000 cm-1 or so there is no heat to speak of: Planck's
+/// function is held at exp(-600) of its factor.
+///
 /// Extinction at a node and level is computed when first asked and kept, so a path costs what it
 /// touches. Const members may be called from several threads.
 class RadiativeTransfer {
@@ -50,10 +56,12 @@ class RadiativeTransfer {
     const GasTable& gases() const;
     const RayTracer& tracer() const;
 
-    /// Nodes of the resolution's bins that touch a range.
+    /// Nodes of the resolution's bins that touch a range, and of one more at an end whose bin has
+    /// its centre inside the range. LogicError where the table has no bin in the range.
     NodeSet nodesOf(const SpectralRange& range) const;
 
-    /// Values per node, in the order of the set. Radiances per um at the node's wavenumber.
+    /// Values per node, in the order of the set. Radiances per um at the node's wavenumber. They
+    /// throw what RayTracer throws for geometry that cannot be.
     std::vector<double> transmittance(const NodeSet& set, const AirPath& path) const;
     std::vector<double> pathRadiance(const NodeSet& set, const AirPath& path,
                                      const SunPosition& sun) const;
@@ -72,8 +80,9 @@ class RadiativeTransfer {
     std::vector<double> componentTransmittance(const NodeSet& set, const AirPath& path,
                                                const std::string& component) const;
 
-    /// Means over the resolution's bins as a spectrum over wavelength, nodes at the bins' centres
-    /// and the range's ends inside.
+    /// Means over the resolution's bins as a spectrum over wavelength that covers the range, with a
+    /// node at each bin's centre; `nodeValues` are in the order of nodesOf(range), LogicError
+    /// otherwise. At the ends of the table the last mean is held to the end of the range.
     Spectrum spectrum(const SpectralRange& range, std::span<const double> nodeValues) const;
 
   private:

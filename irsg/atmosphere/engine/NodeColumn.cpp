@@ -1,0 +1,234 @@
+#include "irsg/atmosphere/engine/NodeColumn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "irsg/atmosphere/engine/Continuum.h"
+#include "irsg/atmosphere/engine/SolarSpectrum.h"
+#include "irsg/atmosphere/engine/VectorExp.h"
+#include "irsg/radiometry/Planck.h"
+
+namespace irsg {
+
+namespace {
+
+/// Where slowly varying quantities are computed: a grid over the wavenumbers, or these themselves.
+std::vector<double> smoothPoints(const std::vector<double>& wavenumbers_cm) {
+    std::vector<double> own = wavenumbers_cm;
+    std::ranges::sort(own);
+    own.erase(std::ranges::unique(own).begin(), own.end());
+
+    const auto step_cm = [](double wavenumber_cm) { return wavenumber_cm < 1e4 ? 10.0 : 50.0; };
+    const double first_step_cm = step_cm(own.front());
+    std::vector<double> grid{std::floor(own.front() / first_step_cm) * first_step_cm};
+    while (grid.back() < own.back() && grid.size() < own.size())
+        grid.push_back(grid.back() + step_cm(grid.back()));
+    return grid.back() < own.back() ? own : grid;
+}
+
+double henyeyGreenstein(double asymmetry, double cosine) {
+    const double g2 = asymmetry * asymmetry;
+    const double spread = std::max(1.0 + g2 - 2.0 * asymmetry * cosine, 1e-12);
+    return (1.0 - g2) / (spread * std::sqrt(spread));
+}
+
+/// Cosines of scattering angles over which phase functions are averaged. Light of the sun travels
+/// away from the sun and on towards the sensor, so it is turned by the angle between the directions
+/// to the sun and outward along the line of sight.
+std::vector<double> scatteringCosines(const SunAngle& angle) {
+    const double up = std::sin(angle.sunElevation_rad) * std::sin(angle.sightElevation_rad);
+    const double across = std::cos(angle.sunElevation_rad) * std::cos(angle.sightElevation_rad);
+    if (angle.relativeAzimuth_rad)
+        return {std::clamp(up + across * std::cos(*angle.relativeAzimuth_rad), -1.0, 1.0)};
+    constexpr int azimuths = 32;
+    std::vector<double> cosines;
+    for (int i = 0; i < azimuths; ++i)
+        cosines.push_back(up + across * std::cos(std::numbers::pi * (i + 0.5) / azimuths));
+    return cosines;
+}
+
+} // namespace
+
+NodeColumn::NodeColumn(const AirColumn& air, std::vector<std::uint32_t> nodes,
+                       std::vector<double> wavenumbers_cm, double sunWidth_cm)
+    : air_(air),
+      nodes_(std::move(nodes)),
+      wavenumbers_cm_(std::move(wavenumbers_cm)),
+      sunWidth_cm_(sunWidth_cm),
+      smoothPoints_cm_(smoothPoints(wavenumbers_cm_)),
+      levels_(air.levelCount()) {
+    for (const double wavenumber_cm : wavenumbers_cm_) {
+        const double perLength = wavenumber_cm * 1e-4;
+        planckFactor_.push_back(firstRadiationConstant_W_um4_m2_sr * std::pow(perLength, 5));
+        planckLine_.push_back(secondRadiationConstant_um_K * perLength);
+
+        const auto above = std::ranges::upper_bound(smoothPoints_cm_, wavenumber_cm);
+        const auto below = std::max<std::ptrdiff_t>(above - smoothPoints_cm_.begin() - 1, 0);
+        const auto i = static_cast<std::size_t>(below);
+        const bool isLast = i + 1 >= smoothPoints_cm_.size();
+        smoothBelow_.push_back(static_cast<std::uint32_t>(i));
+        smoothPart_.push_back(isLast ? 0.0
+                                     : (wavenumber_cm - smoothPoints_cm_[i]) /
+                                           (smoothPoints_cm_[i + 1] - smoothPoints_cm_[i]));
+    }
+    for (const ParticleLayer& kind : air_.particles()) {
+        Optics optics;
+        for (const double wavenumber_cm : smoothPoints_cm_) {
+            const ParticleOptics here = kind.opticsAt(1e4 / wavenumber_cm);
+            optics.extinction.push_back(here.extinction);
+            optics.scattering.push_back(std::max(here.extinction - here.absorption, 0.0));
+            optics.asymmetry.push_back(here.asymmetry);
+        }
+        optics_.push_back(std::move(optics));
+    }
+}
+
+NodeColumn::Smooth NodeColumn::smoothAt(std::size_t level) const {
+    const AirState& air = air_.level(level);
+    const std::size_t points = smoothPoints_cm_.size();
+    Smooth smooth;
+    smooth.extinction.resize(points);
+    smooth.rayleigh.resize(points);
+    for (std::size_t i = 0; i < points; ++i) {
+        smooth.rayleigh[i] = rayleighScattering_per_m(air, smoothPoints_cm_[i]);
+        smooth.extinction[i] =
+            continuumAbsorption_per_m(air, smoothPoints_cm_[i]) + smooth.rayleigh[i];
+    }
+    smooth.scattering = smooth.rayleigh;
+    smooth.moment.assign(points, 0.0);
+    smooth.forward.assign(points, 0.0);
+    for (std::size_t kind = 0; kind < optics_.size(); ++kind) {
+        const double density_per_m = air_.particleExtinction550_per_m(kind, level);
+        if (density_per_m <= 0.0)
+            continue;
+        const Optics& optics = optics_[kind];
+        for (std::size_t i = 0; i < points; ++i) {
+            const double scattering = density_per_m * optics.scattering[i];
+            const double g = optics.asymmetry[i];
+            smooth.extinction[i] += density_per_m * optics.extinction[i];
+            smooth.scattering[i] += scattering;
+            smooth.moment[i] += scattering * g;
+            smooth.forward[i] += scattering * g * g;
+        }
+    }
+    return smooth;
+}
+
+template <typename Number>
+void NodeColumn::spread(const std::vector<double>& smooth, std::span<Number> out) const {
+    const std::size_t last = smooth.size() - 1;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const std::size_t below = smoothBelow_[i];
+        const double low = smooth[below];
+        const double high = smooth[std::min(below + 1, last)];
+        out[i] = static_cast<Number>(low + smoothPart_[i] * (high - low));
+    }
+}
+
+NodeColumn::Level& NodeColumn::withExtinction(std::size_t index) const {
+    Level& level = levels_.at(index);
+    std::call_once(level.extinctionOnce, [&] {
+        level.smooth = smoothAt(index);
+        std::vector<float> smooth(size());
+        spread<float>(level.smooth.extinction, smooth);
+        std::vector<float> extinction(size());
+        air_.gases().absorption_per_m(air_.level(index), nodes_, extinction);
+        for (std::size_t i = 0; i < extinction.size(); ++i)
+            extinction[i] += smooth[i];
+        level.extinction = std::move(extinction);
+        level.scattering.resize(size());
+        spread<float>(level.smooth.scattering, level.scattering);
+    });
+    return level;
+}
+
+NodeColumn::Level& NodeColumn::withMoments(std::size_t index) const {
+    Level& level = withExtinction(index);
+    std::call_once(level.momentsOnce, [&] {
+        level.moment.resize(size());
+        level.forward.resize(size());
+        spread<float>(level.smooth.moment, level.moment);
+        spread<float>(level.smooth.forward, level.forward);
+    });
+    return level;
+}
+
+std::span<const float> NodeColumn::extinction(std::size_t level) const {
+    return withExtinction(level).extinction;
+}
+
+std::span<const float> NodeColumn::scattering(std::size_t level) const {
+    return withExtinction(level).scattering;
+}
+
+std::span<const float> NodeColumn::moment(std::size_t level) const {
+    return withMoments(level).moment;
+}
+
+std::span<const float> NodeColumn::forward(std::size_t level) const {
+    return withMoments(level).forward;
+}
+
+void NodeColumn::planckAt(double temperature_K, std::span<double> radiance) const {
+    const double perTemperature = 1.0 / temperature_K;
+    for (std::size_t i = 0; i < radiance.size(); ++i)
+        radiance[i] = planckFactor_[i] / vectorExpm1(planckLine_[i] * perTemperature);
+}
+
+std::span<const double> NodeColumn::planck(std::size_t index) const {
+    Level& level = levels_.at(index);
+    std::call_once(level.planckOnce, [&] {
+        level.planck.resize(size());
+        planckAt(air_.level(index).temperature_K, level.planck);
+    });
+    return level.planck;
+}
+
+std::span<const double> NodeColumn::sun() const {
+    std::call_once(sunOnce_, [&] {
+        std::vector<double> sun;
+        for (const double wavenumber_cm : wavenumbers_cm_)
+            sun.push_back(solarIrradiance_W_m2_per_cm(wavenumber_cm - 0.5 * sunWidth_cm_,
+                                                      wavenumber_cm + 0.5 * sunWidth_cm_) *
+                          wavenumber_cm * wavenumber_cm * 1e-4);
+        sun_ = std::move(sun);
+    });
+    return sun_;
+}
+
+NodeColumn::Phases NodeColumn::phases(const SunAngle& angle) const {
+    const std::vector<double> cosines = scatteringCosines(angle);
+    const double share = 1.0 / static_cast<double>(cosines.size());
+    Phases phases;
+    phases.rayleigh = 0.0;
+    for (const double cosine : cosines)
+        phases.rayleigh += share * 0.75 * (1.0 + cosine * cosine);
+    for (const Optics& optics : optics_)
+        for (const double asymmetry : optics.asymmetry) {
+            double mean = 0.0;
+            for (const double cosine : cosines)
+                mean += share * henyeyGreenstein(asymmetry, cosine);
+            phases.particles.push_back(mean);
+        }
+    return phases;
+}
+
+void NodeColumn::scatteringTowards(std::size_t index, const Phases& phases,
+                                   std::span<double> out) const {
+    const Level& level = withExtinction(index);
+    const std::size_t points = smoothPoints_cm_.size();
+    std::vector<double> towards(points);
+    for (std::size_t i = 0; i < points; ++i)
+        towards[i] = phases.rayleigh * level.smooth.rayleigh[i];
+    for (std::size_t kind = 0; kind < optics_.size(); ++kind) {
+        const double density_per_m = air_.particleExtinction550_per_m(kind, index);
+        if (density_per_m > 0.0)
+            for (std::size_t i = 0; i < points; ++i)
+                towards[i] += density_per_m * optics_[kind].scattering[i] *
+                              phases.particles[kind * points + i];
+    }
+    spread<double>(towards, out);
+}
+
+} // namespace irsg

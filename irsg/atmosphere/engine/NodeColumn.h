@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "irsg/atmosphere/engine/AirColumn.h"
+
+namespace irsg {
+
+/// Where light of the sun comes from, as seen along a line of sight.
+struct SunAngle {
+    double sunElevation_rad = 0.0;
+    double sightElevation_rad = 0.0; ///< of the direction from the sensor outward
+    /// Azimuth of the line of sight from that of the sun; none: the mean over all azimuths.
+    std::optional<double> relativeAzimuth_rad;
+};
+
+/// Extinction, scattering and emission of the air at every level and at some nodes of the spectrum.
+/// A level is computed when it is first asked for and kept; rows run over the nodes. What varies
+/// slowly with wavenumber (continua, Rayleigh scattering, particles) is computed every 10 cm-1
+/// (50 cm-1 above 10000) and taken linearly between, or at the nodes themselves where they are
+/// fewer. Const members may be called from several threads.
+class NodeColumn {
+  public:
+    /// `sunWidth_cm`: over how much of the spectrum the sun is averaged around a node.
+    NodeColumn(const AirColumn& air, std::vector<std::uint32_t> nodes,
+               std::vector<double> wavenumbers_cm, double sunWidth_cm);
+
+    const AirColumn& air() const { return air_; }
+    std::size_t size() const { return nodes_.size(); }
+    const std::vector<std::uint32_t>& nodes() const { return nodes_; }
+    const std::vector<double>& wavenumbers_cm() const { return wavenumbers_cm_; }
+
+    /// m-1: gases, continua, Rayleigh scattering, particles.
+    std::span<const float> extinction(std::size_t level) const;
+    /// m-1: the part of the extinction that is scattered.
+    std::span<const float> scattering(std::size_t level) const;
+    /// m-1: scattering times its asymmetry, and the part of the scattering that delta scaling
+    /// counts as not scattered (asymmetry squared, of each kind of particles by itself).
+    std::span<const float> moment(std::size_t level) const;
+    std::span<const float> forward(std::size_t level) const;
+    /// Radiance of a black body of the level's temperature, W m-2 sr-1 um-1.
+    std::span<const double> planck(std::size_t level) const;
+    void planckAt(double temperature_K, std::span<double> radiance) const;
+    /// The sun above the atmosphere, W m-2 um-1.
+    std::span<const double> sun() const;
+
+    /// Phase functions, mean 1 over the sphere, for one angle: Rayleigh's, and Henyey and
+    /// Greenstein's for every kind of particles.
+    struct Phases {
+        double rayleigh = 1.0;
+        std::vector<double> particles; ///< [kind][smooth point]
+    };
+    Phases phases(const SunAngle& angle) const;
+    /// Scattering times phase function, m-1.
+    void scatteringTowards(std::size_t level, const Phases& phases, std::span<double> out) const;
+
+  private:
+    /// Slowly varying parts at the smooth points of one level, m-1.
+    struct Smooth {
+        std::vector<double> extinction, scattering, moment, forward, rayleigh;
+    };
+    struct Level {
+        std::once_flag extinctionOnce, momentsOnce, planckOnce;
+        Smooth smooth;
+        std::vector<float> extinction, scattering, moment, forward;
+        std::vector<double> planck;
+    };
+    /// Optical properties of one kind of particles at the smooth points, per extinction at 0.55 um.
+    struct Optics {
+        std::vector<double> extinction, scattering, asymmetry;
+    };
+    Level& withExtinction(std::size_t level) const;
+    Level& withMoments(std::size_t level) const;
+    Smooth smoothAt(std::size_t level) const;
+    template <typename Number>
+    void spread(const std::vector<double>& smooth, std::span<Number> out) const;
+
+    const AirColumn& air_;
+    std::vector<std::uint32_t> nodes_;
+    std::vector<double> wavenumbers_cm_;
+    double sunWidth_cm_;
+    std::vector<double> planckFactor_; ///< 2 h c^2 / lambda^5
+    std::vector<double> planckLine_;   ///< h c / (k lambda), K
+    std::vector<double> smoothPoints_cm_;
+    std::vector<std::uint32_t> smoothBelow_; ///< smooth point at or below each node
+    std::vector<double> smoothPart_;         ///< and how far to the next
+    std::vector<Optics> optics_;
+    mutable std::vector<Level> levels_;
+    mutable std::once_flag sunOnce_;
+    mutable std::vector<double> sun_;
+};
+
+} // namespace irsg

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "irsg/atmosphere/engine/NodeColumn.h"
+#include "irsg/atmosphere/engine/RayPath.h"
+
+namespace irsg {
+
+/// How much every level's value counts, in m, in the integral along a ray of a quantity that is
+/// linear in altitude between levels: each segment gives length (1 - f) to its lower level and
+/// length f to its upper. The same from either end.
+std::vector<double> levelWeights(const RayPath& path, std::size_t levels);
+
+/// Integrals of extinction or scattering along a ray, per node.
+enum class Depth { extinction, scattering };
+void opticalDepth(const NodeColumn& column, std::span<const double> weights, Depth which,
+                  std::span<double> depth);
+
+/// Writes what a level scatters, per node, into light that travels at an angle to the vertical:
+/// `mean` + cosine * `slope`, W m-3 sr-1 um-1, with the cosine of the angle from upwards, -1 to 1;
+/// |slope| <= mean.
+using ScatteredEmission =
+    std::function<void(std::size_t level, std::span<double> mean, std::span<double> slope)>;
+
+/// Light from along a ray and the share that passes all of it, per node.
+struct PathLight {
+    std::vector<double> transmittance;
+    std::vector<double> radiance; ///< W m-2 sr-1 um-1 at the sensor
+};
+
+/// Integrates the equation of transfer along a ray, from the sensor outward: in every segment the
+/// source function ((extinction - scattering) B + scattered) / extinction is linear in optical
+/// depth between its values at the segment's ends, where B is that of the air's temperature there.
+/// Exact for isothermal air, for optically thin and thick segments. Without `scattered` what is
+/// scattered out of the ray is lost and nothing is scattered into it.
+PathLight lightAlong(const NodeColumn& column, const RayPath& path,
+                     const ScatteredEmission& scattered);
+
+} // namespace irsg
