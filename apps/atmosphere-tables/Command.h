@@ -17,5 +17,10 @@ void makeParticles(const Folders& folders);
 void makeSolarSpectrum(const Folders& folders);
 void makeContinuum(const Folders& folders);
 void makeGases(const Folders& folders);
+/// What tests hold the spectral mode to (tests/data/atmosphere): takes a quarter of an hour.
+void makeTruth(const Folders& folders);
+/// Prints speed and error of a band model, of k-distributions and of spectral nodes; writes
+/// nothing.
+void makeStudy(const Folders& folders);
 
 } // namespace smat::tables

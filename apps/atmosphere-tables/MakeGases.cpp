@@ -1,11 +1,182 @@
-#include "apps/atmosphere-tables/Command.h"
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <mutex>
+#include <sstream>
+#include <thread>
 
+#include "apps/atmosphere-tables/Command.h"
+#include "apps/atmosphere-tables/FineSpectrum.h"
+#include "irsg/atmosphere/engine/GasTable.h"
+#include "irsg/atmosphere/lbl/CompleteLines.h"
+#include "irsg/atmosphere/lbl/NodeTraining.h"
+#include "irsg/atmosphere/lbl/PartitionSums.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::tables {
 
-void makeGases(const Folders&) {
-    throw irsg::LogicError("Gases cannot be made yet");
+namespace {
+
+using namespace irsg;
+using namespace irsg::lbl;
+
+/// Where there are line lists, bins of 1 cm-1 have a meaning; where lines were made from bands of
+/// 20 cm-1, they are of 5; where no line gas absorbs, of 15.
+std::vector<Piece> pieces() {
+    constexpr double first_cm = 240.0, lines_cm = 480.0, bands_cm = 6420.0, smooth_cm = 18000.0;
+    std::vector<Piece> all;
+    for (double lower = first_cm; lower < smooth_cm; lower += 60.0) {
+        Piece piece{lower, lower + 60.0, 1, lower < 2400.0 ? 0.001 : 0.002};
+        if (lower < lines_cm || lower >= bands_cm) {
+            piece.width_cm = 5;
+            piece.step_cm = lower < lines_cm ? 0.002 : 0.004;
+        }
+        all.push_back(piece);
+    }
+    return all;
+}
+
+/// The whole table, put together from its pieces in order of wavenumber.
+class Assembly {
+  public:
+    void add(TrainedNodes piece) {
+        const auto shift = static_cast<std::uint32_t>(wavenumbers_cm.size());
+        wavenumbers_cm.insert(wavenumbers_cm.end(), piece.wavenumbers_cm.begin(),
+                              piece.wavenumbers_cm.end());
+        for (GasTable::Block& block : piece.blocks) {
+            block.node += shift;
+            blocks.push_back(std::move(block));
+        }
+        for (std::size_t r = 0; r < bins.size(); ++r) {
+            bins[r].resolution_cm = piece.bins[r].resolution_cm;
+            const auto first = static_cast<std::uint32_t>(bins[r].nodes.size());
+            for (SpectralBin bin : piece.bins[r].bins) {
+                bin.first += first;
+                bins[r].bins.push_back(bin);
+            }
+            for (const std::uint32_t node : piece.bins[r].nodes)
+                bins[r].nodes.push_back(node + shift);
+            bins[r].weights.insert(bins[r].weights.end(), piece.bins[r].weights.begin(),
+                                   piece.bins[r].weights.end());
+        }
+    }
+    /// Bins of 15 cm-1 with one node at which no line gas absorbs.
+    void addSmooth(double lower_cm, double upper_cm) {
+        for (double lower = lower_cm; lower < upper_cm - 1.0; lower += 15.0) {
+            TrainedNodes piece;
+            piece.wavenumbers_cm = {lower + 7.5};
+            for (std::size_t r = 0; r < bins.size(); ++r) {
+                piece.bins[r].resolution_cm = GasTable::resolutions_cm[r];
+                piece.bins[r].bins = {{lower, lower + 15.0, 0, 1}};
+                piece.bins[r].nodes = {0};
+                piece.bins[r].weights = {1.0f};
+            }
+            add(std::move(piece));
+        }
+    }
+
+    std::vector<double> wavenumbers_cm;
+    std::vector<GasTable::Block> blocks;
+    std::array<BinSet, 3> bins;
+};
+
+/// RMS and largest error of training over ranges that users know.
+std::string errorTable(const std::vector<Piece>& work, const std::vector<TrainedNodes>& trained) {
+    struct Range {
+        double lower_cm, upper_cm;
+    };
+    constexpr std::array<Range, 8> ranges = {{{240, 480},
+                                              {480, 840},
+                                              {840, 1260},
+                                              {1260, 1980},
+                                              {1980, 3360},
+                                              {3360, 4020},
+                                              {4020, 6420},
+                                              {6420, 18000}}};
+    std::ostringstream text;
+    text << "transmittance against line by line on the training paths, RMS / largest, bins of 1, "
+            "5, 15 "
+            "cm-1; nodes a bin\n";
+    for (const Range& range : ranges) {
+        text << range.lower_cm << "-" << range.upper_cm << " cm-1:";
+        for (std::size_t r = 0; r < 3; ++r) {
+            double squares = 0.0, largest = 0.0;
+            std::size_t cases = 0, nodes = 0, bins = 0;
+            for (std::size_t i = 0; i < work.size(); ++i)
+                if (work[i].lower_cm >= range.lower_cm && work[i].upper_cm <= range.upper_cm) {
+                    squares += trained[i].squaredError[r];
+                    largest = std::max(largest, trained[i].largestError[r]);
+                    cases += trained[i].cases[r];
+                    nodes += trained[i].bins[r].nodes.size();
+                    bins += trained[i].bins[r].bins.size();
+                }
+            if (cases == 0)
+                continue;
+            text << std::fixed << std::setprecision(4) << (r ? "; " : " ")
+                 << std::sqrt(squares / static_cast<double>(cases)) << " / " << std::setprecision(3)
+                 << largest << std::setprecision(1) << " ("
+                 << static_cast<double>(nodes) / static_cast<double>(bins) << ")";
+            text.unsetf(std::ios::fixed);
+        }
+        text << "\n";
+    }
+    return text.str();
+}
+
+} // namespace
+
+void makeGases(const Folders& folders) {
+    const PartitionSums partition = PartitionSums::read(folders.data / "lines" / "partition");
+    const std::vector<LineList> gases = completeLineLists(folders.data);
+    const CrossSectionGrid grid = crossSectionGrid();
+
+    const TrainingPaths training = trainingPaths(modelAtmospheres());
+    const std::array<NodeGoals, 3> goals = nodeGoals();
+
+    const std::vector<Piece> work = pieces();
+    std::vector<TrainedNodes> trained(work.size());
+    std::atomic<std::size_t> next = 0;
+    std::mutex output;
+    auto run = [&] {
+        for (std::size_t i = next++; i < work.size(); i = next++) {
+            const Piece& piece = work[i];
+            const FineCrossSections fine = fineCrossSections(gases, partition, grid, piece);
+            trained[i] = trainNodes(fine, grid, training, piece.lower_cm, piece.upper_cm,
+                                    piece.width_cm, goals);
+            const std::lock_guard lock(output);
+            std::cout << piece.lower_cm << "-" << piece.upper_cm
+                      << " cm-1: " << trained[i].wavenumbers_cm.size() << " nodes" << std::endl;
+        }
+    };
+    std::vector<std::jthread> workers;
+    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
+        workers.emplace_back(run);
+    workers.clear();
+
+    std::ostringstream header;
+    header
+        << "Absorption cross sections of the line gases at spectral nodes, computed line by line "
+           "by "
+           "`atmosphere-tables gases`.\nVoigt lines, 25 cm-1 cut (water with its pedestal removed, "
+           "carbon dioxide with sub-Lorentzian wings to 300 cm-1), TIPS-2017 partition sums; nodes "
+           "and "
+           "weights by optimal spectral sampling (Moncet et al. 2008).\n";
+    for (const LineList& gas : gases)
+        for (const std::string& origin : gas.origins)
+            header << gasNames[static_cast<std::size_t>(gas.gas)] << ": " << origin << "\n";
+    header << errorTable(work, trained);
+
+    Assembly table;
+    for (TrainedNodes& piece : trained)
+        table.add(std::move(piece));
+    table.addSmooth(work.back().upper_cm, 50010.0);
+    const GasTable result(grid, std::move(table.wavenumbers_cm), std::move(table.blocks),
+                          std::move(table.bins), header.str());
+    std::cout << result.header() << result.nodeCount() << " nodes" << std::endl;
+    result.write(folders.out / "gases.gastable");
 }
 
 } // namespace smat::tables

@@ -14,16 +14,16 @@
 int main(int argc, char** argv) {
     using namespace smat::tables;
     const std::vector<std::pair<std::string, void (*)(const Folders&)>> kinds = {
-        {"profiles", makeProfiles},
-        {"particles", makeParticles},
-        {"solar", makeSolarSpectrum},
-        {"continuum", makeContinuum},
-        {"gases", makeGases}};
+        {"profiles", makeProfiles},   {"particles", makeParticles}, {"solar", makeSolarSpectrum},
+        {"continuum", makeContinuum}, {"gases", makeGases},         {"truth", makeTruth},
+        {"study", makeStudy}};
 
     CLI::App app{"Computes the atmosphere's tables from public data."};
     Folders folders;
     std::vector<std::string> wanted;
-    app.add_option("kinds", wanted, "profiles, particles, solar, continuum, gases; none: all");
+    app.add_option(
+        "kinds", wanted,
+        "profiles, particles, solar, continuum, gases, truth, study; none: all but the last two");
     app.add_option("--data", folders.data,
                    "folder with lines/, lowtran/, continuum/, profiles/, solar/")
         ->required();
@@ -33,10 +33,12 @@ int main(int argc, char** argv) {
     try {
         for (const std::string& name : wanted)
             if (std::ranges::none_of(kinds, [&](const auto& kind) { return kind.first == name; }))
-                throw irsg::InputError(irsg::Offence{
-                    "command line", "", name, "profiles, particles, solar, continuum or gases"});
+                throw irsg::InputError(
+                    irsg::Offence{"command line", "", name,
+                                  "profiles, particles, solar, continuum, gases, truth or study"});
         for (const auto& [name, make] : kinds)
-            if (wanted.empty() || std::ranges::find(wanted, name) != wanted.end())
+            if ((wanted.empty() && name != "truth" && name != "study") ||
+                std::ranges::find(wanted, name) != wanted.end())
                 make(folders);
     } catch (const irsg::InputError& error) {
         std::cerr << error.what() << "\n";

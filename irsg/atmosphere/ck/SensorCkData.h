@@ -19,7 +19,7 @@ struct CkRequest {
     /// radiances): each is trained as it is, so that lines of a hot gas that sit on the air's lines
     /// keep their correlation. Not owned; need to live during the preparation only.
     std::vector<const Spectrum*> spectra;
-    double largestError = 0.002; ///< of in-band quantities on the training cases, relative
+    double largestError = 0.0015; ///< of in-band quantities on the training cases, relative
     std::size_t mostTerms = 250;
 };
 
@@ -47,6 +47,7 @@ class SensorCkData {
     double largestError() const { return largestError_; }
     double rmsError() const { return rmsError_; }
 
+    /// A spectrum's mean over the bin of every term.
     std::vector<double> sampled(const Spectrum& spectrum) const;
     /// Planck radiance at every term, W m-2 sr-1 um-1.
     std::vector<double> planck(double temperature_K) const;
@@ -59,6 +60,7 @@ class SensorCkData {
     Band band_;
     NodeSet nodes_;
     std::vector<double> wavelengths_um_, weights_um_;
+    std::vector<Spectrum> hats_; ///< over the bin of every term
     double largestError_ = 0.0, rmsError_ = 0.0;
 };
 

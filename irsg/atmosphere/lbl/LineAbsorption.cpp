@@ -1,6 +1,7 @@
 #include "irsg/atmosphere/lbl/LineAbsorption.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "irsg/atmosphere/lbl/Voigt.h"
@@ -172,6 +173,13 @@ LineShape defaultLineShape(Gas gas) {
     if (gas == Gas::CO2)
         return {300.0, false, true};
     return {25.0, false, false};
+}
+
+double negligible_cm2(Gas gas) {
+    // 1e-5 / (largest number density, cm-3, times 2e7 cm).
+    constexpr std::array<double, lineGasCount> limits = {7e-31, 5e-29, 3e-26, 6e-26,
+                                                         1e-25, 1e-26, 1e-31};
+    return limits[static_cast<std::size_t>(gas)];
 }
 
 double carbonDioxideChi(double distance_cm, double temperature_K) {

@@ -38,6 +38,10 @@ std::vector<double> crossSection_cm2(const LineList& lines, const PartitionSums&
                                      double pressure_hPa, double moleFraction,
                                      const LineShape& shape, double weakest_cm2 = 0.0);
 
+/// A line whose peak is below this, cm2 per molecule, changes no optical depth by more than 1e-5
+/// over 200 km of the air that holds most of the gas.
+double negligible_cm2(Gas gas);
+
 /// chi(|distance|, T): how much weaker the wing of a CO2 line in air is than a Lorentzian.
 double carbonDioxideChi(double distance_cm, double temperature_K);
 

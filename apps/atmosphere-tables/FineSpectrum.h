@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "irsg/atmosphere/lbl/NodeTraining.h"
+#include "irsg/atmosphere/lbl/PartitionSums.h"
+
+namespace smat::tables {
+
+/// An interval of the spectrum that is worked on at once.
+struct Piece {
+    double lower_cm = 0.0, upper_cm = 0.0;
+    int width_cm = 1;       ///< of the narrowest bins
+    double step_cm = 0.001; ///< of the line-by-line grid
+};
+
+/// The grid of pressures and temperatures of gases.gastable.
+irsg::CrossSectionGrid crossSectionGrid();
+/// How closely the nodes of bins of 1, 5 and 15 cm-1 must follow line by line.
+std::array<irsg::lbl::NodeGoals, 3> nodeGoals();
+/// The six model atmospheres, in which nodes are trained.
+std::vector<irsg::Profile> modelAtmospheres();
+/// Every gas's cross sections line by line on a fine grid over a piece of the spectrum.
+irsg::lbl::FineCrossSections fineCrossSections(const std::vector<irsg::lbl::LineList>& gases,
+                                               const irsg::lbl::PartitionSums& partition,
+                                               const irsg::CrossSectionGrid& grid,
+                                               const Piece& piece);
+
+} // namespace smat::tables

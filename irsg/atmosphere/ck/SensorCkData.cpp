@@ -1,0 +1,329 @@
+#include "irsg/atmosphere/ck/SensorCkData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "irsg/atmosphere/ck/SparseWeights.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/GaussLegendre.h"
+#include "irsg/radiometry/Planck.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr double opaque = 1e-3; ///< in-band transmittances below this need not be right relatively
+
+/// Paths between altitudes and over ranges that scenes have.
+std::vector<AirPath> spreadOfPaths(double top_m) {
+    struct Ends {
+        double sensor_m, target_m;
+    };
+    std::vector<AirPath> paths;
+    for (const Ends& ends :
+         {Ends{5, 5}, Ends{5, 500}, Ends{5, 3000}, Ends{1500, 0}, Ends{1500, 1500},
+          Ends{3000, 3000}, Ends{6000, 1000}, Ends{3000, 10000}, Ends{6000, 6000},
+          Ends{10000, 10000}, Ends{12000, 0}, Ends{15000, 8000}, Ends{20000, 12000}})
+        for (const double range_m :
+             {30.0, 150.0, 600.0, 2000.0, 5000.0, 10e3, 20e3, 40e3, 80e3, 150e3}) {
+            const double climb_m = std::abs(ends.sensor_m - ends.target_m);
+            const bool low = ends.sensor_m < 1000.0 && ends.target_m < 1000.0;
+            if (range_m < 1.05 * climb_m || (low && range_m > 30e3) ||
+                std::max(ends.sensor_m, ends.target_m) > top_m)
+                continue;
+            paths.push_back({ends.sensor_m, ends.target_m, range_m});
+        }
+    return paths;
+}
+
+/// The spectral mode over a band: its nodes, and what each weighs in an integral with the response.
+/// A spectrum of that mode is linear between the means at the centres of bins, so a bin's share of
+/// an integral is that of the hat function over its centre and its neighbours' centres.
+class BandNodes {
+  public:
+    BandNodes(const RadiativeTransfer& transfer, const Band& band)
+        : set(transfer.nodesOf(band.range())), band_(band) {
+        const BinSet& bins = transfer.gases().bins(transfer.air().resolution_cm);
+        std::size_t bin = 0; // nodesOf gives the nodes of whole bins in order
+        while (bins.nodes[bins.bins[bin].first] != set.nodes.front())
+            ++bin;
+        while (weight_.size() < set.nodes.size()) {
+            const SpectralBin& own = bins.bins[bin++];
+            binOf_.insert(binOf_.end(), own.count, centres_um_.size());
+            for (std::uint32_t i = own.first; i < own.first + own.count; ++i)
+                weight_.push_back(static_cast<double>(bins.weights[i]));
+            centres_um_.push_back(1e4 / own.centre_cm());
+        }
+        ones_ = factor([](double) { return 1.0; });
+    }
+    std::size_t size() const { return set.nodes.size(); }
+
+    /// Per node the integral over its bin's hat of R times a function of wavelength, times the
+    /// node's weight.
+    template <typename Function>
+    std::vector<double> factor(Function f) const {
+        std::vector<double> perBin(centres_um_.size());
+        integrate([&](double at_um) { return f(at_um) * band_.responseAt(at_um); }, perBin);
+        std::vector<double> perNode(size());
+        for (std::size_t i = 0; i < size(); ++i)
+            perNode[i] = weight_[i] * perBin[binOf_[i]];
+        return perNode;
+    }
+    /// Per node the mean of a function over its bin's hat, as SensorCkData::sampled gives it.
+    template <typename Function>
+    std::vector<double> mean(Function f) const {
+        std::vector<double> sums(centres_um_.size()), weights(centres_um_.size());
+        integrate(f, sums);
+        integrate([](double) { return 1.0; }, weights);
+        std::vector<double> perNode(size());
+        for (std::size_t i = 0; i < size(); ++i)
+            perNode[i] = weights[binOf_[i]] > 0.0 ? sums[binOf_[i]] / weights[binOf_[i]] : 0.0;
+        return perNode;
+    }
+    /// The hat over a node's bin, cut to the band: linear to 0 at the neighbours' centres.
+    Spectrum hat(std::size_t node) const {
+        const std::size_t b = binOf_[node];
+        std::vector<double> axis, values;
+        if (b + 1 < centres_um_.size()) {
+            axis.push_back(centres_um_[b + 1]);
+            values.push_back(0.0);
+        }
+        axis.push_back(centres_um_[b]);
+        values.push_back(1.0);
+        if (b > 0) {
+            axis.push_back(centres_um_[b - 1]);
+            values.push_back(0.0);
+        }
+        return Spectrum(axis, values, Spectrum::Outside::zero, "hat");
+    }
+    const std::vector<double>& ones() const { return ones_; }
+    double wavelength_um(std::size_t i) const { return 1e4 / set.wavenumbers_cm[i]; }
+
+    NodeSet set;
+
+  private:
+    /// Adds the integral of f times every bin's hat over the band.
+    template <typename Function>
+    void integrate(Function f, std::vector<double>& perBin) const {
+        const GaussRule& rule = gaussLegendre(12);
+        for (std::size_t b = 0; b + 1 < centres_um_.size(); ++b) { // wavelengths fall
+            const double lower_um = std::max(centres_um_[b + 1], band_.range().min_um);
+            const double upper_um = std::min(centres_um_[b], band_.range().max_um);
+            if (!(lower_um < upper_um))
+                continue;
+            for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+                const double at_um = lower_um + (upper_um - lower_um) * rule.nodes[i];
+                const double value = f(at_um) * (upper_um - lower_um) * rule.weights[i];
+                const double part =
+                    (at_um - centres_um_[b + 1]) / (centres_um_[b] - centres_um_[b + 1]);
+                perBin[b] += part * value;
+                perBin[b + 1] += (1.0 - part) * value;
+            }
+        }
+    }
+
+    Band band_;
+    std::vector<std::size_t> binOf_; ///< of every node
+    std::vector<double> centres_um_; ///< of every bin, falling
+    std::vector<double> weight_, ones_;
+};
+
+/// One spectral function in the two forms that training needs: its integral over every node's share
+/// of the band, and its mean over the node's bin.
+struct Source {
+    std::vector<double> integrated, sampled;
+
+    template <typename Function>
+    Source(const BandNodes& nodes, Function f)
+        : integrated(nodes.factor(f)), sampled(nodes.mean(f)) {}
+    double inBand() const { return std::accumulate(integrated.begin(), integrated.end(), 0.0); }
+};
+
+/// Rows of the training problem: in-band quantities, each relative to its own size.
+class Training {
+  public:
+    explicit Training(const BandNodes& nodes) : nodes_(nodes) {}
+
+    /// Integral of source times values, relative to it or to `least`, whichever is more.
+    void add(const Source& source, const std::vector<double>& values, double least = 0.0) {
+        add(source.integrated, source.sampled, values, least);
+    }
+    /// Integral of values alone.
+    void add(const std::vector<double>& values, double least = 0.0) {
+        add(nodes_.ones(), {}, values, least);
+    }
+    SparseProblem problem() const {
+        SparseProblem problem;
+        problem.rows = rows_.size();
+        problem.target = target_;
+        problem.columns.resize(rows_.size() * nodes_.size());
+        for (std::size_t r = 0; r < rows_.size(); ++r)
+            for (std::size_t i = 0; i < nodes_.size(); ++i)
+                problem.columns[i * rows_.size() + r] = rows_[r][i];
+        return problem;
+    }
+
+  private:
+    void add(const std::vector<double>& integrated, const std::vector<double>& sampled,
+             const std::vector<double>& values, double least) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            sum += integrated[i] * values[i];
+        const double scale = std::max(sum, least);
+        if (!(scale > 1e-30))
+            return;
+        std::vector<float> row(values.size());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            row[i] = static_cast<float>((sampled.empty() ? 1.0 : sampled[i]) * values[i] / scale);
+        rows_.push_back(std::move(row));
+        target_.push_back(sum / scale);
+    }
+
+    const BandNodes& nodes_;
+    std::vector<std::vector<float>> rows_;
+    std::vector<double> target_;
+};
+
+/// Surfaces of many temperatures, grey and with structure, and the spectra of the scene.
+std::vector<Source> sources(const BandNodes& nodes, const CkRequest& request) {
+    std::vector<Source> all;
+    auto planck = [](double temperature_K) {
+        return [temperature_K](double wavelength_um) {
+            return planckRadiance_W_m2_sr_um(wavelength_um, temperature_K);
+        };
+    };
+    for (const double temperature_K : {220.0, 260.0, 300.0, 400.0, 600.0, 1000.0, 2200.0})
+        all.emplace_back(nodes, planck(temperature_K));
+
+    // Structure over the band: a surface may emit in any part of it.
+    const SpectralRange& range = request.band.range();
+    auto wave = [range](int waves, double sign) {
+        return [=](double wavelength_um) {
+            const double phase =
+                std::numbers::pi * waves * (wavelength_um - range.min_um) / range.width_um();
+            return 1.0 + sign * std::cos(phase);
+        };
+    };
+    for (const int waves : {1, 2, 3, 5})
+        for (const double sign : {1.0, -1.0})
+            all.emplace_back(nodes, [&, part = wave(waves, sign)](double wavelength_um) {
+                return part(wavelength_um) * planckRadiance_W_m2_sr_um(wavelength_um, 400.0);
+            });
+
+    // A scene's own spectra as they are (a measured radiance), in parts, as their wings are what
+    // long paths let through, and as emissivities.
+    for (const Spectrum* spectrum : request.spectra) {
+        if (spectrum->isConstant() || spectrum->maximum() <= 0.0)
+            continue;
+        auto own = [&](double wavelength_um) { return std::max(spectrum->at(wavelength_um), 0.0); };
+        all.emplace_back(nodes, own);
+        for (const int waves : {3, 7})
+            for (const double sign : {1.0, -1.0})
+                all.emplace_back(nodes, [&, part = wave(waves, sign)](double wavelength_um) {
+                    return own(wavelength_um) * part(wavelength_um);
+                });
+        for (const double temperature_K : {300.0, 800.0})
+            all.emplace_back(nodes, [&](double wavelength_um) {
+                return own(wavelength_um) * planckRadiance_W_m2_sr_um(wavelength_um, temperature_K);
+            });
+    }
+    return all;
+}
+
+Training trainingCases(const RadiativeTransfer& transfer, const BandNodes& nodes,
+                       const CkRequest& request) {
+    Training training(nodes);
+    const std::vector<Source> surfaces = sources(nodes, request);
+    const NodeSet& set = nodes.set;
+    const bool diffuse = transfer.air().scattering == ScatteringMode::twoStream;
+    const double ambient_W_m2_sr =
+        Source(nodes, [&](double wavelength_um) {
+            return planckRadiance_W_m2_sr_um(wavelength_um,
+                                             transfer.air().profile.at(0.0).temperature_K);
+        }).inBand();
+
+    std::vector<AirPath> paths = request.paths;
+    const std::vector<AirPath> spread = spreadOfPaths(transfer.air().profile.top_m());
+    paths.insert(paths.end(), spread.begin(), spread.end());
+    for (const AirPath& path : paths) {
+        const std::vector<double> transmittance = transfer.transmittance(set, path);
+        for (const Source& surface : surfaces)
+            training.add(surface, transmittance, opaque * surface.inBand());
+        training.add(transfer.pathRadiance(set, path, request.sun), opaque * ambient_W_m2_sr);
+
+        // Light that a surface reflects has been through the air twice.
+        auto reflected = [&](std::vector<double> light) {
+            const double all =
+                std::inner_product(light.begin(), light.end(), nodes.ones().begin(), 0.0);
+            for (std::size_t i = 0; i < light.size(); ++i)
+                light[i] *= transmittance[i];
+            training.add(light, opaque * all);
+        };
+        reflected(transfer.solarIrradiance(set, path.targetAltitude_m, request.sun));
+        if (diffuse) {
+            reflected(transfer.downwardFlux(set, path.targetAltitude_m, request.sun));
+            reflected(transfer.upwardFlux(set, path.targetAltitude_m, request.sun));
+        }
+    }
+    for (const double altitude_m : {2.0, 3000.0, 10000.0})
+        for (const double elevation_rad : {-0.5, -0.1, 0.02, 0.1, 0.5, 1.5})
+            training.add(
+                transfer.backgroundRadiance(set, {altitude_m, elevation_rad, 0.0}, request.sun),
+                opaque * opaque * ambient_W_m2_sr);
+    return training;
+}
+
+} // namespace
+
+SensorCkData SensorCkData::prepare(const RadiativeTransfer& transfer, const CkRequest& request) {
+    const BandNodes nodes(transfer, request.band);
+    if (nodes.size() == 0)
+        throw InputError(Offence{"band " + request.band.name(), "", "no spectral node",
+                                 "a band within the atmosphere's table"});
+    const SparseProblem problem = trainingCases(transfer, nodes, request).problem();
+    const SparseWeights chosen = sparseWeights(problem, request.largestError, request.mostTerms);
+
+    // Nodes ascend in wavenumber; terms ascend in wavelength.
+    SensorCkData data(request.band);
+    for (std::size_t i = chosen.columns.size(); i-- > 0;) {
+        const std::size_t node = chosen.columns[i];
+        data.nodes_.nodes.push_back(nodes.set.nodes[node]);
+        data.nodes_.wavenumbers_cm.push_back(nodes.set.wavenumbers_cm[node]);
+        data.wavelengths_um_.push_back(nodes.wavelength_um(node));
+        data.weights_um_.push_back(chosen.weights[i]);
+        data.hats_.push_back(nodes.hat(node));
+    }
+    data.largestError_ = chosen.largestError;
+    data.rmsError_ = chosen.rmsError;
+    return data;
+}
+
+std::vector<double> SensorCkData::sampled(const Spectrum& spectrum) const {
+    std::vector<double> means;
+    for (const Spectrum& hat : hats_) {
+        // The hat is cut to the band.
+        const SpectralRange range{std::max(hat.wavelengths_um().front(), band_.range().min_um),
+                                  std::min(hat.wavelengths_um().back(), band_.range().max_um)};
+        const Spectrum* factors[] = {&hat, &spectrum};
+        means.push_back(integrateProduct(factors, range) /
+                        integrateProduct(std::span(factors, 1), range));
+    }
+    return means;
+}
+
+std::vector<double> SensorCkData::planck(double temperature_K) const {
+    std::vector<double> values;
+    for (const double wavelength_um : wavelengths_um_)
+        values.push_back(planckRadiance_W_m2_sr_um(wavelength_um, temperature_K));
+    return values;
+}
+
+double SensorCkData::integrate(const std::vector<double>& values) const {
+    if (values.size() != weights_um_.size())
+        throw LogicError("a wideband quantity has not as many values as there are terms");
+    return std::inner_product(values.begin(), values.end(), weights_um_.begin(), 0.0);
+}
+
+} // namespace irsg
