@@ -60,6 +60,8 @@ int main(int argc, char** argv) {
     addModelCommand(app, context);
     addAtmosphereCommand(app, context);
     addSettingsCommand(app, context);
+    addRadiativeCommand(app, context);
+    addTemperatureProfileCommand(app, context);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -3,11 +3,15 @@
 #include <span>
 
 #include "irsg/atmosphere/BeerLambert.h"
+#include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
 
 namespace irsg {
 
 std::shared_ptr<const Atmosphere> loadAtmosphere(const std::filesystem::path& file) {
+    if (SpectraAtmosphere::isSpectraCsv(file)) {
+        return std::make_shared<SpectraAtmosphere>(SpectraAtmosphere::fromCsv(file));
+    }
     if (TabulatedAtmosphere::isTableFile(file)) {
         return std::make_shared<TabulatedAtmosphere>(TabulatedAtmosphere::read(file));
     }
@@ -19,8 +23,8 @@ std::shared_ptr<const Atmosphere> loadAtmosphere(const std::filesystem::path& fi
         return std::make_shared<BeerLambert>(BeerLambert::fromCsv(file));
     }
     throw InputError({file.string(), "", "no atmosphere of a kind that is known",
-                      "a .csv of a homogeneous atmosphere, a .smatatm, or MODTRAN's tape7, CSV or "
-                      "JSON"});
+                      "a .csv of a homogeneous atmosphere or of a radiative output, a .smatatm, or "
+                      "MODTRAN's tape7, CSV or JSON"});
 }
 
 } // namespace irsg

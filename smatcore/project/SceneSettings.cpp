@@ -1,9 +1,8 @@
-#include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/project/AtmosphereInput.h"
 #include "smatcore/project/SceneBuilder.h"
-#include "smatcore/support/Log.h"
 
 namespace smat {
 
@@ -15,22 +14,10 @@ irsg::Environment environmentOf(const Project& project, const Settings& settings
 
     std::vector<irsg::Offence> offences;
     for (const std::filesystem::path& listed : settings.paths("environment.atmospheres")) {
-        const std::filesystem::path file = project.resolve(listed);
-        if (listed == "vacuum") {
-            environment.add(std::make_shared<irsg::Vacuum>());
-        } else if (file.extension() != ".csv") {
-            offences.push_back({.file = project.displayName(),
-                                .position = "environment.atmospheres",
-                                .value = listed.string(),
-                                .expected = "vacuum, or a .csv of a homogeneous atmosphere"});
-        } else {
-            try {
-                logInfo("reading atmosphere " + file.string());
-                environment.add(
-                    std::make_shared<irsg::BeerLambert>(irsg::BeerLambert::fromCsv(file)));
-            } catch (const irsg::InputError& error) {
-                offences.insert(offences.end(), error.offences().begin(), error.offences().end());
-            }
+        try {
+            environment.add(openAtmosphere(isNoAir(listed) ? listed : project.resolve(listed)));
+        } catch (const irsg::InputError& error) {
+            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
         }
     }
     if (!offences.empty()) {

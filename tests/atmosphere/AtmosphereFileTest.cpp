@@ -35,6 +35,10 @@ TEST(AtmosphereFile, everyKindIsRecognised) {
     } rows[] = {
         {"haze.csv", "wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n",
          "Beer-Lambert (haze.csv)"},
+        {"spectra.csv",
+         "# analysis: radiative\n# sensor_altitude [m]: 0\n# target_altitude [m]: 0\n# range [m]: "
+         "9\nwavelength [um],transmittance\n3,1\n5,1\n",
+         "spectra of spectra.csv"},
         {"tape7", tape7({}), "tabulated (tape7)"},
         {"run.fl7", tape7({}), "tabulated (run.fl7)"},
         {"tape7.scn", "\n" + tape7({}), "tabulated (tape7.scn)"},

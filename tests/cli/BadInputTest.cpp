@@ -294,7 +294,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"AtmosphereOfUnknownForm",
             file("a.txt", "x"),
             imageWith({"--atmosphere", "a.txt"}),
-            {"environment.atmospheres", "a.txt", ".csv"}},
+            {"a.txt", "no atmosphere", ".csv"}},
         Row{"AtmosphereEmpty", file("a.csv", ""), imageInAir, {"a.csv"}},
         Row{"NegativeExtinction",
             file("a.csv", airHead + "2,0.1\n6,-0.1\n"),
@@ -402,6 +402,101 @@ INSTANTIATE_TEST_SUITE_P(
             nothing,
             {"convert", sample("ship/ship.flt"), "none/b.osgt"},
             {"none: found no such folder"}}),
+    nameOf);
+
+/// A radiative output of a haze from 3.5 to 6 um.
+Row radiativeRow(const char* name, const Words& more, const Words& named) {
+    Words arguments = {"radiative", "a.csv", "--out", "o.csv"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return {name, file("a.csv", airHead + "3.5,0.1\n6,0.1\n"), arguments, named};
+}
+
+Words slantWith(const Words& more) {
+    Words words = {"--quantity", "transmittance", "--band", "4-5"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    RadiativeOutputs, BadInput,
+    testing::Values(
+        radiativeRow("NoQuantity", {"--range", "5"}, {"--quantity", "found nothing", "scattering"}),
+        radiativeRow("UnknownQuantity", {"--quantity", "fog"}, {"--quantity", "fog", "all"}),
+        radiativeRow("NoGeometry", slantWith({}), {"transmittance", "a sensor altitude"}),
+        radiativeRow("NoRange", slantWith({"--sensor-altitude", "9", "--los-elevation", "5"}),
+                     {"transmittance", "with a range"}),
+        radiativeRow("SensorBelowGround",
+                     slantWith({"--sensor-altitude", "-9", "--los-elevation", "5"}),
+                     {"sensor altitude", "-9"}),
+        radiativeRow("WordForANumber", slantWith({"--range", "far"}), {"--range", "far"}),
+        radiativeRow("InfiniteRange", slantWith({"--range", "inf"}), {"--range", "inf"}),
+        radiativeRow("Contradiction",
+                     slantWith({"--sensor-altitude", "9", "--los-elevation", "5", "--altitude", "9",
+                                "--range", "500"}),
+                     {"elevation of the line of sight", "5 deg", "target altitude of 9 m"}),
+        radiativeRow("IntoTheGround",
+                     slantWith({"--sensor-altitude", "9", "--los-elevation=-30", "--range", "50"}),
+                     {"range", "50 m", "at most 18"}),
+        radiativeRow("SpaceWithARange",
+                     slantWith({"--sensor-altitude", "9", "--los-elevation", "5", "--range", "50",
+                                "--to-space"}),
+                     {"range", "path to space"}),
+        radiativeRow("BandOutsideTheAir",
+                     {"--quantity", "transmittance", "--sensor-altitude", "9", "--los-elevation",
+                      "5", "--range", "50"},
+                     {"3-5 um", "3.5-6 um"}),
+        radiativeRow("AllOfABandOutsideTheAir",
+                     {"--quantity", "all", "--band", "8-12", "--altitude", "9"},
+                     {"8-12 um", "no quantity"}),
+        radiativeRow("ReversedBand", {"--quantity", "sun", "--band", "5-3"}, {"5-3"}),
+        radiativeRow("UnknownResolution", slantWith({"--resolution", "2"}),
+                     {"--resolution", "found 2", "1, 5 or 15"}),
+        radiativeRow("ResolutionOfAirWithoutBins",
+                     slantWith({"--sensor-altitude", "9", "--los-elevation", "5", "--range", "50",
+                                "--resolution", "5"}),
+                     {"--resolution", "Beer-Lambert (a.csv)"}),
+        radiativeRow("SunBeyondTheZenith", slantWith({"--sun-elevation", "91"}),
+                     {"--sun-elevation", "91"}),
+        Row{"SeveralAtOnce",
+            nothing,
+            {"radiative", "none", "--quantity", "fog", "--band", "x", "--sun-azimuth", "-1",
+             "--out", "o.csv"},
+            {"fog", "found 'x'", "--sun-azimuth"}},
+        Row{"AtmosphereMissing",
+            nothing,
+            {"radiative", "b.csv", "--quantity", "sun", "--altitude", "0", "--out", "o.csv"},
+            {"b.csv"}},
+        Row{"AtmosphereThatIsNoFile",
+            nothing,
+            {"radiative", "b.txt", "--quantity", "sun", "--altitude", "0", "--out", "o.csv"},
+            {"b.txt", "no such file"}},
+        Row{"NoOutput", nothing, {"radiative", "none", "--quantity", "sun"}, {"--out"}},
+        Row{"OutputOfUnknownForm",
+            nothing,
+            {"radiative", "none", "--quantity", "sun", "--out", "o.exr"},
+            {"o.exr", ".csv, .json"}}),
+    nameOf);
+
+Row profileRow(const char* name, const Words& more, const Words& named) {
+    Words arguments = {"temperature-profile", "a.csv", "--out", "o.csv"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return {name, file("a.csv", airHead + "3.5,0.1\n6,0.1\n"), arguments, named};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    TemperatureProfiles, BadInput,
+    testing::Values(
+        profileRow("Nothing", {}, {"--min", "--max", "--step"}),
+        profileRow("Reversed", {"--min", "9", "--max", "5", "--step", "1"}, {"max", "5 m", "9 m"}),
+        profileRow("BelowGround", {"--min", "-9", "--max", "5", "--step", "1"}, {"min", "-9 m"}),
+        profileRow("NoStep", {"--min", "0", "--max", "5", "--step", "0"}, {"step", "0 m"}),
+        profileRow("TooFine", {"--min", "0", "--max", "1e5", "--step", "1e-3"}, {"step", "0.001"}),
+        profileRow("WordForANumber", {"--min", "low"}, {"--min", "low"}),
+        Row{"OfVacuum",
+            nothing,
+            {"temperature-profile", "none", "--min", "0", "--max", "5", "--step", "1", "--out",
+             "o.csv"},
+            {"vacuum", "ambient temperature"}}),
     nameOf);
 
 } // namespace

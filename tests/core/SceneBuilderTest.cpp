@@ -126,7 +126,7 @@ TEST_F(SceneBuilderTest, RefusesAllThatIsWrongAtOnce) {
     }
     EXPECT_THAT(places, testing::UnorderedElementsAre("missing.flt|", "missing.sigdb|",
                                                       "p.smat|models.2.database", "missing.csv|",
-                                                      "p.smat|environment.atmospheres",
+                                                      "air.xml|",
                                                       testing::HasSubstr("missing-response.csv")));
 }
 

@@ -1,0 +1,91 @@
+#include "apps/smat-batch/NumberOptions.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::batch {
+
+void NumberOptions::add(const std::string& option, const std::string& unit,
+                        const std::string& help) {
+    command_.add_option(option, texts_[option], help)->type_name(unit);
+}
+
+std::optional<double> NumberOptions::value(const std::string& option) const {
+    return irsg::parseNumber(texts_.at(option));
+}
+
+void NumberOptions::check() const {
+    std::vector<irsg::Offence> offences;
+    for (const auto& [option, text] : texts_) {
+        if (!text.empty() && !irsg::parseNumber(text)) {
+            offences.push_back({option, "", text, "a finite number"});
+        }
+    }
+    if (!offences.empty()) {
+        throw irsg::InputError(std::move(offences));
+    }
+}
+
+TableFiles::TableFiles(CLI::App& command) {
+    command.add_option("--out", files_, "Result file, .csv or .json; may be given more than once")
+        ->type_name("FILE")
+        ->expected(1)
+        ->take_all();
+}
+
+void TableFiles::check(const std::string& example) const {
+    if (files_.empty()) {
+        throw irsg::InputError(
+            irsg::Offence{.file = "--out",
+                          .position = "",
+                          .value = "nothing",
+                          .expected = "a result file, such as --out " + example});
+    }
+    for (const std::string& file : files_) {
+        checkResultFile(AnalysisKind::spectrum, file);
+    }
+}
+
+void TableFiles::write(const std::string& kind, const ResultTable& table,
+                       const std::vector<SummaryItem>& summary,
+                       const std::vector<std::string>& warnings, bool json) const {
+    for (const std::string& file : files_) {
+        table.save(file);
+    }
+    if (json) {
+        using Json = nlohmann::ordered_json;
+        Json items = Json::array();
+        for (const SummaryItem& item : summary) {
+            items.push_back({{"label", item.label}, {"value", item.value}, {"unit", item.unit}});
+        }
+        fmt::print("{}\n", Json{{"kind", kind},
+                                {"files", files_},
+                                {"warnings", warnings},
+                                {"summary", items},
+                                {"table", Json::parse(table.toJson())}}
+                               .dump(1));
+        return;
+    }
+    std::size_t widest = 20;
+    for (const SummaryItem& item : summary) {
+        widest = std::max(widest, item.label.size() + 2);
+    }
+    fmt::print("{}: {} rows\n", kind, table.rowCount());
+    for (const SummaryItem& item : summary) {
+        fmt::print("  {:<{}} {:>12.6g} {}\n", item.label, widest, item.value, item.unit);
+    }
+    for (const std::string& warning : warnings) {
+        fmt::print("  note: {}\n", warning);
+    }
+    for (const std::string& file : files_) {
+        fmt::print("  -> {}\n", file);
+    }
+}
+
+} // namespace smat::batch

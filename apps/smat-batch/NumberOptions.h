@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "smatcore/analysis/AnalysisData.h"
+
+namespace smat::batch {
+
+/// Options of a command that hold numbers, read as numbers are read everywhere else, so that a word
+/// in the place of a number is refused with the name of its option.
+class NumberOptions {
+  public:
+    explicit NumberOptions(CLI::App& command) : command_(command) {}
+
+    void add(const std::string& option, const std::string& unit, const std::string& help);
+    /// No value where the option was not given.
+    std::optional<double> value(const std::string& option) const;
+    /// Throws InputError naming every option that holds no finite number.
+    void check() const;
+
+  private:
+    CLI::App& command_;
+    std::map<std::string, std::string> texts_; ///< the parser keeps pointers into it
+};
+
+/// The files a table goes to: `--out`, at least one, each .csv or .json.
+class TableFiles {
+  public:
+    explicit TableFiles(CLI::App& command);
+
+    /// Throws InputError for no file and for an extension that is none of a table.
+    void check(const std::string& example) const;
+    /// Saves, then prints a summary for people, or all numbers as JSON. `kind` is the command.
+    void write(const std::string& kind, const ResultTable& table,
+               const std::vector<SummaryItem>& summary, const std::vector<std::string>& warnings,
+               bool json) const;
+
+  private:
+    std::vector<std::string> files_;
+};
+
+} // namespace smat::batch

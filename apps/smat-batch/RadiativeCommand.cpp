@@ -1,0 +1,171 @@
+#include <algorithm>
+
+#include "apps/smat-batch/Command.h"
+#include "apps/smat-batch/NumberOptions.h"
+#include "irsg/radiometry/Band.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+#include "smatcore/project/AtmosphereInput.h"
+#include "smatcore/tools/RadiativeOutput.h"
+
+namespace smat::batch {
+
+namespace {
+
+/// "all, transmittance, path, ...".
+std::string quantityWords() {
+    std::string text = "all";
+    for (const RadiativeQuantity& known : radiativeQuantities()) {
+        text += ", " + std::string(known.word);
+    }
+    return text;
+}
+
+/// `smat-batch radiative ATMOSPHERE --quantity path --sensor-altitude m --los-elevation deg
+/// --range m --out FILE.csv`.
+class RadiativeCommand {
+  public:
+    explicit RadiativeCommand(CLI::App& command) : numbers_(command), files_(command) {
+        command.add_option("ATMOSPHERE", atmosphere_, "Atmosphere file, or none")
+            ->required()
+            ->type_name("");
+        command
+            .add_option("--quantity", quantities_,
+                        "One of " + quantityWords() + "; may be given more than once")
+            ->type_name("WORD")
+            ->expected(1)
+            ->take_all();
+        command.add_option("--band", band_, "Spectral band MIN-MAX")
+            ->type_name("um")
+            ->capture_default_str();
+        numbers_.add("--sensor-altitude", "m", "Where the line of sight begins");
+        numbers_.add("--los-elevation", "deg", "From the sensor, up positive");
+        numbers_.add("--los-azimuth", "deg", "From the sensor, east of north; 0 when not given");
+        numbers_.add("--altitude", "m", "Of the target");
+        numbers_.add("--range", "m", "From sensor to target");
+        command.add_flag("--to-space", toSpace_, "A path without target, up to 100 km altitude");
+        numbers_.add("--resolution", "cm-1", "Width of the spectral bins: 1, 5 or 15");
+        numbers_.add("--sun-azimuth", "deg", "East of north; 180 when not given");
+        numbers_.add("--sun-elevation", "deg", "Above the horizon; 45 when not given");
+    }
+
+    int run(Context& context) const {
+        files_.check("spectra.csv");
+        const RadiativeRequest request = requestOf(context);
+        irsg::Environment environment;
+        {
+            const StageTimer::Scope scope(&context.timer, "load");
+            environment = environmentOf();
+        }
+        RadiativeOutput output;
+        {
+            const StageTimer::Scope scope(&context.timer, "compute");
+            output = radiativeOutput(environment, request);
+        }
+        const StageTimer::Scope scope(&context.timer, "save");
+        files_.write("radiative", output.table, output.summary, output.warnings, context.json);
+        return done;
+    }
+
+  private:
+    /// Every offence of the options at once.
+    RadiativeRequest requestOf(const Context& context) const {
+        std::vector<irsg::Offence> offences;
+        const auto collect = [&](const auto& work) {
+            try {
+                work();
+            } catch (const irsg::InputError& error) {
+                offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            }
+        };
+        RadiativeRequest request;
+        request.commandLine = context.commandLine;
+        collect([&] { request.band = irsg::Band::fromText(band_).range(); });
+        collect([&] { numbers_.check(); });
+        addQuantities(request, offences);
+        checkLimits("--sun-azimuth", 0.0, 360.0, offences);
+        checkLimits("--sun-elevation", -90.0, 90.0, offences);
+        const auto resolution = numbers_.value("--resolution");
+        if (resolution && *resolution != 1.0 && *resolution != 5.0 && *resolution != 15.0) {
+            offences.push_back({"--resolution", "", irsg::numberText(*resolution), "1, 5 or 15"});
+        }
+        request.geometry = {.sensorAltitude_m = numbers_.value("--sensor-altitude"),
+                            .losElevation_deg = numbers_.value("--los-elevation"),
+                            .losAzimuth_deg = numbers_.value("--los-azimuth").value_or(0.0),
+                            .targetAltitude_m = numbers_.value("--altitude"),
+                            .range_m = numbers_.value("--range"),
+                            .toSpace = toSpace_};
+        collect([&] { solveGeometry(request.geometry); });
+        if (!offences.empty()) {
+            throw irsg::InputError(std::move(offences));
+        }
+        return request;
+    }
+
+    void addQuantities(RadiativeRequest& request, std::vector<irsg::Offence>& offences) const {
+        for (const std::string& word : quantities_) {
+            bool isKnown = word == "all";
+            request.leaveOutMissing = request.leaveOutMissing || isKnown;
+            for (const RadiativeQuantity& known : radiativeQuantities()) {
+                if ((word == "all" || word == known.word) &&
+                    std::ranges::find(request.quantities, known.property) ==
+                        request.quantities.end()) {
+                    request.quantities.push_back(known.property);
+                }
+                isKnown = isKnown || word == known.word;
+            }
+            if (!isKnown) {
+                offences.push_back({"--quantity", "", word, "one of " + quantityWords()});
+            }
+        }
+        if (quantities_.empty()) {
+            offences.push_back({"--quantity", "", "nothing", "one of " + quantityWords()});
+        }
+    }
+
+    void checkLimits(const char* option, double least, double most,
+                     std::vector<irsg::Offence>& offences) const {
+        const auto value = numbers_.value(option);
+        if (value && !(*value >= least && *value <= most)) {
+            offences.push_back({option, "", irsg::numberText(*value),
+                                "a number from " + irsg::numberText(least) + " to " +
+                                    irsg::numberText(most) + " deg"});
+        }
+    }
+
+    irsg::Environment environmentOf() const {
+        irsg::Environment environment;
+        environment.sun = {
+            .azimuth_rad = irsg::radians(numbers_.value("--sun-azimuth").value_or(180.0)),
+            .elevation_rad = irsg::radians(numbers_.value("--sun-elevation").value_or(45.0))};
+        environment.add(openAtmosphere(atmosphere_));
+        if (const auto resolution = numbers_.value("--resolution")) {
+            throw irsg::InputError(irsg::Offence{
+                .file = "--resolution",
+                .position = "",
+                .value = irsg::numberText(*resolution) + " with " +
+                         environment.atmospheres().front()->name(),
+                .expected = "no resolution: these spectra have nodes of their own, not bins"});
+        }
+        return environment;
+    }
+
+    std::string atmosphere_;
+    std::vector<std::string> quantities_;
+    std::string band_ = "3-5";
+    bool toSpace_ = false;
+    NumberOptions numbers_;
+    TableFiles files_;
+};
+
+} // namespace
+
+void addRadiativeCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand(
+        "radiative", "Spectra of the air: transmittance, radiances, sun and fluxes");
+    auto shared = std::make_shared<RadiativeCommand>(*command);
+    command->callback(
+        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+}
+
+} // namespace smat::batch

@@ -1,0 +1,63 @@
+#include "apps/smat-batch/Command.h"
+#include "apps/smat-batch/NumberOptions.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/project/AtmosphereInput.h"
+#include "smatcore/tools/TemperatureProfile.h"
+
+namespace smat::batch {
+
+namespace {
+
+/// `smat-batch temperature-profile ATMOSPHERE --min m --max m --step m --out FILE.csv`.
+class TemperatureProfileCommand {
+  public:
+    explicit TemperatureProfileCommand(CLI::App& command) : numbers_(command), files_(command) {
+        command.add_option("ATMOSPHERE", atmosphere_, "Atmosphere file")->required()->type_name("");
+        numbers_.add("--min", "m", "The least altitude");
+        numbers_.add("--max", "m", "The largest altitude");
+        numbers_.add("--step", "m", "From one altitude to the next");
+    }
+
+    int run(Context& context) const {
+        files_.check("profile.csv");
+        numbers_.check();
+        std::vector<irsg::Offence> offences;
+        for (const char* option : {"--min", "--max", "--step"}) {
+            if (!numbers_.value(option)) {
+                offences.push_back({option, "", "nothing", "a number of metres"});
+            }
+        }
+        if (!offences.empty()) {
+            throw irsg::InputError(std::move(offences));
+        }
+        irsg::Environment environment;
+        {
+            const StageTimer::Scope scope(&context.timer, "load");
+            environment.add(openAtmosphere(atmosphere_));
+        }
+        const ResultTable table =
+            temperatureProfile(environment, {.min_m = *numbers_.value("--min"),
+                                             .max_m = *numbers_.value("--max"),
+                                             .step_m = *numbers_.value("--step"),
+                                             .commandLine = context.commandLine});
+        const StageTimer::Scope scope(&context.timer, "save");
+        files_.write("temperature-profile", table, {}, {}, context.json);
+        return done;
+    }
+
+  private:
+    std::string atmosphere_;
+    NumberOptions numbers_;
+    TableFiles files_;
+};
+
+} // namespace
+
+void addTemperatureProfileCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("temperature-profile", "Air temperature over altitude");
+    auto shared = std::make_shared<TemperatureProfileCommand>(*command);
+    command->callback(
+        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+}
+
+} // namespace smat::batch

@@ -1,0 +1,262 @@
+#include "irsg/atmosphere/SpectraAtmosphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+#include <utility>
+
+#include "irsg/atmosphere/Vacuum.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr double earthRadius_m = 6371.23e3;
+
+/// What a quantity was computed for and cannot do without.
+void checkGeometry(const SpectraAtmosphereParameters& air, AtmosphereProperty property,
+                   std::vector<Offence>& offences) {
+    const auto need = [&](bool given, const char* what) {
+        if (!given) {
+            offences.push_back({air.name, name(property), "no " + std::string(what),
+                                "the " + std::string(what) + " it was computed for"});
+        }
+    };
+    switch (property) {
+    case AtmosphereProperty::transmittance:
+    case AtmosphereProperty::scatteringOpticalDepth:
+        return need(air.path.has_value(), "path");
+    case AtmosphereProperty::pathRadiance:
+        need(air.path.has_value(), "path");
+        return need(air.sun.has_value(), "sun");
+    case AtmosphereProperty::backgroundRadiance:
+        need(air.sight.has_value(), "line of sight");
+        return need(air.sun.has_value(), "sun");
+    case AtmosphereProperty::solarIrradiance:
+    case AtmosphereProperty::upwardFlux:
+    case AtmosphereProperty::downwardFlux:
+        need(air.targetAltitude_m.has_value(), "target altitude");
+        return need(air.sun.has_value(), "sun");
+    case AtmosphereProperty::ambientTemperature:
+        offences.push_back({air.name, name(property), "a spectrum", "a temperature in K"});
+        return;
+    }
+}
+
+/// Within this much above 1 a transmittance is one that was rounded.
+constexpr double roundedTransmittance = 1.0 + 1e-9;
+
+void check(const SpectraAtmosphereParameters& air) {
+    std::vector<Offence> offences;
+    if (air.spectra.empty()) {
+        offences.push_back({air.name, "", "no spectrum", "the spectrum of at least one quantity"});
+    }
+    for (const auto& [property, spectrum] : air.spectra) {
+        checkGeometry(air, property, offences);
+        if (spectrum.minimum() < 0.0) {
+            offences.push_back({air.name, name(property), numberText(spectrum.minimum()),
+                                "at least 0 everywhere"});
+        }
+        if (property == AtmosphereProperty::transmittance &&
+            spectrum.maximum() > roundedTransmittance) {
+            offences.push_back(
+                {air.name, name(property), numberText(spectrum.maximum()), "at most 1 everywhere"});
+        }
+    }
+    if (air.ambientTemperature_K) {
+        if (!(*air.ambientTemperature_K > 0.0 && std::isfinite(*air.ambientTemperature_K))) {
+            offences.push_back({air.name, "ambient temperature",
+                                numberText(*air.ambientTemperature_K) + " K",
+                                "a finite temperature above 0 K"});
+        }
+        if (!air.targetAltitude_m) {
+            offences.push_back({air.name, "ambient temperature", "no target altitude",
+                                "the target altitude it is the temperature of"});
+        }
+    }
+    if (!offences.empty()) {
+        throw InputError(std::move(offences));
+    }
+}
+
+SpectralRange commonRange(const SpectraAtmosphereParameters& air) {
+    SpectralRange common = Vacuum().base();
+    for (const auto& [property, spectrum] : air.spectra) {
+        if (spectrum.isConstant()) {
+            continue;
+        }
+        common = {std::max(common.min_um, spectrum.wavelengths_um().front()),
+                  std::min(common.max_um, spectrum.wavelengths_um().back())};
+        if (!(common.min_um < common.max_um)) {
+            throw InputError({air.name, name(property),
+                              numberText(spectrum.wavelengths_um().front()) + " to " +
+                                  numberText(spectrum.wavelengths_um().back()) + " um",
+                              "wavelengths in common with the other spectra within 0.2 to 40 um"});
+        }
+    }
+    return common;
+}
+
+/// An angle in (-pi, pi].
+double turned(double angle_rad) {
+    return std::remainder(angle_rad, 2.0 * pi);
+}
+
+/// False where an azimuth means nothing: straight up or down.
+bool hasAzimuth(double elevation_rad) {
+    return std::cos(elevation_rad) > 1e-4;
+}
+
+} // namespace
+
+SpectraAtmosphere::SpectraAtmosphere(SpectraAtmosphereParameters parameters)
+    : parameters_(std::move(parameters)) {
+    check(parameters_);
+    base_ = commonRange(parameters_);
+}
+
+bool SpectraAtmosphere::supports(AtmosphereProperty property) const {
+    return property == AtmosphereProperty::ambientTemperature
+               ? parameters_.ambientTemperature_K.has_value()
+               : parameters_.spectra.contains(property);
+}
+
+const Spectrum& SpectraAtmosphere::spectrum(AtmosphereProperty property,
+                                            const SpectralRange& range) const {
+    if (!supports(property)) {
+        throw LogicError("the atmosphere " + name() + " was asked for " + irsg::name(property) +
+                         ", which it does not support");
+    }
+    checkRange(range);
+    return parameters_.spectra.at(property);
+}
+
+double SpectraAtmosphere::altitudeSlack_m() const {
+    const double range_m = parameters_.path ? parameters_.path->range_m : 0.0;
+    return altitudeTolerance_m + range_m * range_m / (2.0 * earthRadius_m);
+}
+
+double SpectraAtmosphere::elevationSlack_rad() const {
+    const double range_m = parameters_.path ? parameters_.path->range_m : 0.0;
+    return angleTolerance_rad + range_m / (2.0 * earthRadius_m);
+}
+
+void SpectraAtmosphere::requireNear(const char* what, double found, double held, double slack,
+                                    double perUnit, const char* unit) const {
+    if (!(std::abs(found - held) <= slack)) {
+        const auto text = [&](double value, int digits) {
+            std::ostringstream out;
+            out.imbue(std::locale::classic());
+            out << std::setprecision(digits) << value * perUnit << " " << unit;
+            return out.str();
+        };
+        throw InputError({name(), what, text(found, 12),
+                          text(held, 12) + " to within " + text(slack, 3) +
+                              ", the one geometry that these spectra hold"});
+    }
+}
+
+void SpectraAtmosphere::requirePath(const AirPath& path) const {
+    checkPath(path);
+    const AirPath& held = *parameters_.path;
+    requireNear("sensor altitude", path.sensorAltitude_m, held.sensorAltitude_m, altitudeSlack_m(),
+                1.0, "m");
+    requireNear("target altitude", path.targetAltitude_m, held.targetAltitude_m, altitudeSlack_m(),
+                1.0, "m");
+    requireNear("range", path.range_m, held.range_m, rangeTolerance * held.range_m, 1.0, "m");
+}
+
+void SpectraAtmosphere::requireTargetAltitude(double altitude_m) const {
+    checkAltitude(altitude_m);
+    requireNear("target altitude", altitude_m, *parameters_.targetAltitude_m, altitudeSlack_m(),
+                1.0, "m");
+}
+
+void SpectraAtmosphere::requireSunElevation(const SunPosition& sun) const {
+    if (sun.isUp() || parameters_.sun->isUp()) {
+        requireNear("sun elevation", sun.elevation_rad, parameters_.sun->elevation_rad,
+                    angleTolerance_rad, degrees(1.0), "deg");
+    }
+}
+
+Spectrum SpectraAtmosphere::transmittance(const AirPath& path, const SpectralRange& range) const {
+    const Spectrum& result = spectrum(AtmosphereProperty::transmittance, range);
+    requirePath(path);
+    return result;
+}
+
+Spectrum SpectraAtmosphere::pathRadiance(const AirPath& path, const SunPosition& sun,
+                                         const SpectralRange& range) const {
+    const Spectrum& result = spectrum(AtmosphereProperty::pathRadiance, range);
+    requirePath(path);
+    requireSunElevation(sun);
+    return result;
+}
+
+Spectrum SpectraAtmosphere::backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
+                                               const SpectralRange& range) const {
+    const Spectrum& result = spectrum(AtmosphereProperty::backgroundRadiance, range);
+    checkSight(sight);
+    const LineOfSight& held = *parameters_.sight;
+    requireNear("sensor altitude", sight.sensorAltitude_m, held.sensorAltitude_m, altitudeSlack_m(),
+                1.0, "m");
+    requireNear("elevation of the line of sight", sight.elevation_rad, held.elevation_rad,
+                elevationSlack_rad(), degrees(1.0), "deg");
+
+    // The air is the same all around: only the sun tells one azimuth from another.
+    requireSunElevation(sun);
+    const SunPosition& heldSun = *parameters_.sun;
+    if (heldSun.isUp() && hasAzimuth(heldSun.elevation_rad) && hasAzimuth(held.elevation_rad)) {
+        const double heldAway_rad = turned(heldSun.azimuth_rad - held.azimuth_rad);
+        const double away_rad = turned(sun.azimuth_rad - sight.azimuth_rad);
+        // Left and right of the sun are alike.
+        requireNear("azimuth of the sun from the line of sight", std::abs(away_rad),
+                    std::abs(heldAway_rad), angleTolerance_rad, degrees(1.0), "deg");
+    }
+    return result;
+}
+
+Spectrum SpectraAtmosphere::solarIrradiance(double altitude_m, const SunPosition& sun,
+                                            const SpectralRange& range) const {
+    const Spectrum& result = spectrum(AtmosphereProperty::solarIrradiance, range);
+    requireTargetAltitude(altitude_m);
+    requireSunElevation(sun);
+    return result;
+}
+
+Spectrum SpectraAtmosphere::upwardFlux(double altitude_m, const SunPosition& sun,
+                                       const SpectralRange& range) const {
+    const Spectrum& result = spectrum(AtmosphereProperty::upwardFlux, range);
+    requireTargetAltitude(altitude_m);
+    requireSunElevation(sun);
+    return result;
+}
+
+Spectrum SpectraAtmosphere::downwardFlux(double altitude_m, const SunPosition& sun,
+                                         const SpectralRange& range) const {
+    const Spectrum& result = spectrum(AtmosphereProperty::downwardFlux, range);
+    requireTargetAltitude(altitude_m);
+    requireSunElevation(sun);
+    return result;
+}
+
+double SpectraAtmosphere::ambientTemperature_K(double altitude_m) const {
+    if (!parameters_.ambientTemperature_K) {
+        throw LogicError("the atmosphere " + name() +
+                         " was asked for ambient temperature, which it does not support");
+    }
+    requireTargetAltitude(altitude_m);
+    return *parameters_.ambientTemperature_K;
+}
+
+Spectrum SpectraAtmosphere::scatteringOpticalDepth(const AirPath& path,
+                                                   const SpectralRange& range) const {
+    const Spectrum& result = spectrum(AtmosphereProperty::scatteringOpticalDepth, range);
+    requirePath(path);
+    return result;
+}
+
+} // namespace irsg

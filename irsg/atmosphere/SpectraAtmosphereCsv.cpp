@@ -1,0 +1,223 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "irsg/atmosphere/SpectraAtmosphere.h"
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Quantity.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr std::pair<AtmosphereProperty, Quantity> columnsOfProperties[] = {
+    {AtmosphereProperty::transmittance, Quantity::transmittance},
+    {AtmosphereProperty::pathRadiance, Quantity::pathRadiance},
+    {AtmosphereProperty::backgroundRadiance, Quantity::backgroundRadiance},
+    {AtmosphereProperty::solarIrradiance, Quantity::solarIrradiance},
+    {AtmosphereProperty::upwardFlux, Quantity::upwardFlux},
+    {AtmosphereProperty::downwardFlux, Quantity::downwardFlux},
+    {AtmosphereProperty::scatteringOpticalDepth, Quantity::scatteringOpticalDepth}};
+
+std::string knownHeaders() {
+    std::string text =
+        "'" + columnHeader(Quantity::wavenumber) + "', '" + columnHeader(Quantity::wavelength);
+    for (const auto& [property, quantity] : columnsOfProperties) {
+        text += "', '" + columnHeader(quantity);
+    }
+    return text + "'";
+}
+
+/// One file on its way from cells to parameters; gathers the offences as it goes.
+class Reader {
+  public:
+    explicit Reader(const std::filesystem::path& file) : table_(CsvTable::read(file)) {
+        const CsvComment* atmosphere = table_.comment("atmosphere");
+        name_ =
+            (atmosphere ? atmosphere->value + ", " : "") + "spectra of " + file.filename().string();
+    }
+
+    SpectraAtmosphereParameters read() {
+        readColumns();
+        SpectraAtmosphereParameters result = parameters();
+        if (!offences_.empty()) {
+            throw InputError(std::move(offences_));
+        }
+        return result;
+    }
+
+  private:
+    void readColumns() {
+        if (table_.rows().size() < 3) {
+            offences_.push_back(
+                table_.offence(table_.rows().empty()
+                                   ? "no rows"
+                                   : std::to_string(table_.rows().size() - 1) + " rows of numbers",
+                               "a header and at least two rows of numbers"));
+            throw InputError(std::move(offences_));
+        }
+        const CsvRow& header = table_.rows().front();
+        for (const CsvCell& cell : header.cells) {
+            const bool isKnown = cell.text == columnHeader(Quantity::wavenumber) ||
+                                 cell.text == columnHeader(Quantity::wavelength) ||
+                                 std::ranges::any_of(columnsOfProperties, [&](const auto& entry) {
+                                     return cell.text == columnHeader(entry.second);
+                                 });
+            if (!isKnown) {
+                offences_.push_back(table_.offence(cell, "one of " + knownHeaders()));
+            } else if (columns_.contains(cell.text)) {
+                offences_.push_back(table_.offence(cell, "each column once"));
+            }
+            columns_[cell.text];
+        }
+        if (!columns_.contains(columnHeader(Quantity::wavelength))) {
+            offences_.push_back(
+                table_.offence(header.line, header.cells.front().text,
+                               "a column '" + columnHeader(Quantity::wavelength) + "'"));
+        }
+        for (std::size_t i = 1; i < table_.rows().size(); ++i) {
+            readRow(table_.rows()[i], header);
+        }
+        if (offences_.empty()) {
+            checkAxis();
+        }
+    }
+
+    void readRow(const CsvRow& row, const CsvRow& header) {
+        if (row.cells.size() != header.cells.size()) {
+            offences_.push_back(
+                table_.offence(row.line, std::to_string(row.cells.size()) + " cells",
+                               std::to_string(header.cells.size()) + " cells as in the header"));
+            return;
+        }
+        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+            const std::string& title = header.cells[k].text;
+            const bool isAxis = title == columnHeader(Quantity::wavelength) ||
+                                title == columnHeader(Quantity::wavenumber);
+            const bool isShare = title == columnHeader(Quantity::transmittance);
+            const std::string expected = isAxis    ? "a number above 0"
+                                         : isShare ? "a number from 0 to 1"
+                                                   : "a number of at least 0";
+            const auto value = table_.number(row.cells[k], offences_, expected);
+            if (value &&
+                (*value < 0.0 || (isAxis && *value == 0.0) || (isShare && *value > 1.0 + 1e-9))) {
+                offences_.push_back(table_.offence(row.cells[k], expected));
+            }
+            columns_[title].push_back(value.value_or(0.0));
+        }
+    }
+
+    /// Wavelengths go one way, and wavenumbers say the same.
+    void checkAxis() {
+        const std::vector<double>& axis = columns_.at(columnHeader(Quantity::wavelength));
+        isDescending_ = axis.front() > axis.back();
+        const auto wavenumbers = columns_.find(columnHeader(Quantity::wavenumber));
+        for (std::size_t i = 0; i < axis.size(); ++i) {
+            const int line = table_.rows()[i + 1].line;
+            if (i > 0 && !(isDescending_ ? axis[i] < axis[i - 1] : axis[i] > axis[i - 1])) {
+                offences_.push_back(table_.offence(line, numberText(axis[i]) + " um",
+                                                   std::string(isDescending_ ? "less" : "more") +
+                                                       " than " + numberText(axis[i - 1]) +
+                                                       " um: wavelengths go one way"));
+            }
+            if (wavenumbers != columns_.end() &&
+                !(std::abs(wavenumbers->second[i] * axis[i] - 1e4) <= 1e-2)) {
+                offences_.push_back(
+                    table_.offence(line, numberText(wavenumbers->second[i]) + " cm-1",
+                                   "the wavenumber of " + numberText(axis[i]) + " um"));
+            }
+        }
+    }
+
+    std::vector<double> ascending(const std::string& header) const {
+        std::vector<double> values = columns_.at(header);
+        if (isDescending_) {
+            std::ranges::reverse(values);
+        }
+        return values;
+    }
+
+    std::optional<double> setting(const char* key, double least, double most) {
+        const CsvComment* comment = table_.comment(key);
+        if (!comment) {
+            return std::nullopt;
+        }
+        const std::string expected =
+            std::isfinite(most) ? "a number from " + numberText(least) + " to " + numberText(most)
+                                : "a number of at least " + numberText(least);
+        const auto value = table_.number(*comment, offences_, expected);
+        if (value && !(*value >= least && *value <= most)) {
+            offences_.push_back(table_.offence(comment->line, comment->value, expected));
+        }
+        return value;
+    }
+
+    SpectraAtmosphereParameters parameters() {
+        SpectraAtmosphereParameters result;
+        result.name = name_;
+        const auto sensor_m = setting("sensor_altitude [m]", 0.0, HUGE_VAL);
+        const auto range_m = setting("range [m]", 0.0, HUGE_VAL);
+        const auto elevation_deg = setting("los_elevation [deg]", -90.0, 90.0);
+        const auto azimuth_deg = setting("los_azimuth [deg]", -360.0, 360.0);
+        const auto sunAzimuth_deg = setting("sun_azimuth [deg]", -360.0, 360.0);
+        const auto sunElevation_deg = setting("sun_elevation [deg]", -90.0, 90.0);
+        result.targetAltitude_m = setting("target_altitude [m]", 0.0, HUGE_VAL);
+        result.ambientTemperature_K = setting("ambient_temperature [K]", 0.0, HUGE_VAL);
+        if (sensor_m && range_m && result.targetAltitude_m) {
+            result.path = AirPath{*sensor_m, *result.targetAltitude_m, *range_m};
+        }
+        if (sensor_m && elevation_deg) {
+            result.sight =
+                LineOfSight{*sensor_m, radians(*elevation_deg), radians(azimuth_deg.value_or(0.0))};
+        }
+        if (sunElevation_deg) {
+            result.sun =
+                SunPosition{radians(sunAzimuth_deg.value_or(0.0)), radians(*sunElevation_deg)};
+        }
+        if (!offences_.empty()) {
+            return result;
+        }
+        for (const auto& [property, quantity] : columnsOfProperties) {
+            if (columns_.contains(columnHeader(quantity))) {
+                result.spectra.emplace(property,
+                                       Spectrum(ascending(columnHeader(Quantity::wavelength)),
+                                                ascending(columnHeader(quantity)),
+                                                Spectrum::Outside::hold, table_.file()));
+            }
+        }
+        return result;
+    }
+
+    CsvTable table_;
+    std::string name_;
+    std::vector<Offence> offences_;
+    std::map<std::string, std::vector<double>> columns_;
+    bool isDescending_ = false;
+};
+
+} // namespace
+
+SpectraAtmosphere SpectraAtmosphere::fromCsv(const std::filesystem::path& file) {
+    return SpectraAtmosphere(Reader(file).read());
+}
+
+bool SpectraAtmosphere::isSpectraCsv(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    std::string line;
+    while (std::getline(in, line) && line.starts_with('#')) {
+        const std::string_view text = trimmed(std::string_view(line).substr(1));
+        if (text.starts_with("analysis:") &&
+            trimmed(text.substr(std::string_view("analysis:").size())).starts_with("radiative")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace irsg

@@ -1,0 +1,31 @@
+#include "smatcore/project/AtmosphereInput.h"
+
+#include <system_error>
+
+#include "irsg/atmosphere/AtmosphereFile.h"
+#include "irsg/atmosphere/Vacuum.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/support/Log.h"
+
+namespace smat {
+
+bool isNoAir(const std::filesystem::path& input) {
+    return input == "none" || input == "vacuum";
+}
+
+std::shared_ptr<const irsg::Atmosphere> openAtmosphere(const std::filesystem::path& input) {
+    if (isNoAir(input)) {
+        return std::make_shared<irsg::Vacuum>();
+    }
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(input, failure)) {
+        throw irsg::InputError(irsg::Offence{.file = input.string(),
+                                             .position = "",
+                                             .value = "no such file",
+                                             .expected = "none, vacuum or an atmosphere file"});
+    }
+    logInfo("reading atmosphere " + input.string());
+    return irsg::loadAtmosphere(input);
+}
+
+} // namespace smat

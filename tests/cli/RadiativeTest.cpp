@@ -1,0 +1,128 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "irsg/image/ExrFile.h"
+#include "smatcore/data/ResultTable.h"
+#include "tests/cli/Program.h"
+#include "tests/support/TemporaryFolder.h"
+
+namespace smat::test {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string haze = "# name: haze\n# air_temperature [K]: 290\n# ground_temperature [K]: 300\n"
+                         "# sky_temperature [K]: 230\nwavelength [um],extinction [km-1]\n"
+                         "2.5,1\n4,3\n6,2\n13,4\n";
+
+class SmatBatchRadiative : public testing::Test {
+  protected:
+    void SetUp() override { write(folder / "haze.csv", haze); }
+
+    ResultTable made(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "radiative");
+        arguments.insert(arguments.end(), {"--out", "s.csv"});
+        const Ran ran = smatBatch(arguments, folder.path());
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ResultTable::load(folder / "s.csv");
+    }
+
+    /// The sphere from above and ahead, with everything that takes part of the air.
+    irsg::RadianceImage imageIn(const std::string& atmosphere, const std::string& out) {
+        const Ran ran =
+            smatBatch({"image", sample("sphere/sphere.smat"), "--atmosphere", atmosphere,
+                       "--elevation", "30", "--altitude", "1000", "--sun", "smart", "--fluxes",
+                       "smart", "--width", "64", "--height", "64", "--out", out},
+                      folder.path());
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return irsg::readExr(folder / out);
+    }
+
+    const TemporaryFolder folder;
+};
+
+TEST_F(SmatBatchRadiative, WritesTheTransmittanceOfBeersLaw) {
+    const ResultTable table = made({"haze.csv", "--quantity", "transmittance", "--sensor-altitude",
+                                    "10", "--altitude", "10", "--range", "2000"});
+    ASSERT_EQ(table.columns().size(), 3u);
+    EXPECT_EQ(table.columns()[0].header(), "wavenumber [cm-1]");
+    EXPECT_EQ(table.columns()[1].header(), "wavelength [um]");
+    EXPECT_EQ(table.columns()[2].header(), "transmittance");
+    EXPECT_NEAR(table.columns()[2].values.front(), std::exp(-5.0), 1e-6); // 5 um: 2.5 km-1
+    EXPECT_EQ(table.provenance.value("atmosphere"), "haze");
+    EXPECT_EQ(table.provenance.value("target_altitude [m]"), "10");
+    EXPECT_NE(table.provenance.value("band_mean_transmittance"), "");
+    EXPECT_THAT(table.provenance.value("command"), HasSubstr("--quantity transmittance"));
+}
+
+TEST_F(SmatBatchRadiative, TakesSeveralQuantitiesAndAPathToSpace) {
+    const ResultTable table =
+        made({"none", "--quantity", "transmittance", "--quantity", "path", "--sensor-altitude", "0",
+              "--los-elevation", "90", "--to-space", "--band", "8-12"});
+    EXPECT_EQ(table.columns().size(), 4u);
+    EXPECT_EQ(table.provenance.value("range [m]"), "1e+05");
+    EXPECT_EQ(table.provenance.value("in_band_path_radiance [W m-2 sr-1]"), "0");
+}
+
+TEST_F(SmatBatchRadiative, WritesJsonToAFileAndToItsOutput) {
+    const Ran ran = smatBatch({"radiative", "haze.csv", "--quantity", "sun", "--altitude", "500",
+                               "--out", "s.json", "--json"},
+                              folder.path());
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const auto json = nlohmann::json::parse(ran.out);
+    EXPECT_EQ(json["kind"], "radiative");
+    EXPECT_EQ(json["files"][0], "s.json");
+    EXPECT_EQ(json["summary"][0]["label"], "in_band_solar_irradiance");
+    EXPECT_EQ(json["summary"][0]["unit"], "W m-2");
+    EXPECT_EQ(json["table"], nlohmann::json::parse(contentOf(folder / "s.json")));
+}
+
+TEST_F(SmatBatchRadiative, AnImageInExportedAirIsTheImageInTheAirItself) {
+    // A camera in front of the nose looks south.
+    made({"haze.csv", "--quantity", "all", "--sensor-altitude", "1050", "--altitude", "1000",
+          "--range", "100", "--los-azimuth", "180"});
+    const irsg::RadianceImage original = imageIn("haze.csv", "a.exr");
+    const irsg::RadianceImage again = imageIn("s.csv", "b.exr");
+    ASSERT_EQ(original.primary().values.size(), again.primary().values.size());
+    double largest = 0.0;
+    for (std::size_t i = 0; i < original.primary().values.size(); ++i) {
+        const double expected = original.primary().values[i];
+        EXPECT_NEAR(again.primary().values[i], expected, 1e-6 * expected) << i;
+        largest = std::max(largest, expected);
+    }
+    EXPECT_GT(largest, 0.0);
+    EXPECT_THAT(again.attributes.at("answered by"), HasSubstr("haze, spectra of s.csv"));
+
+    // The air is seen in these images: without it they differ.
+    const irsg::RadianceImage clear = imageIn("none", "c.exr");
+    EXPECT_GT(std::abs(clear.at(32, 32) - original.at(32, 32)), 0.01 * original.at(32, 32));
+}
+
+TEST_F(SmatBatchRadiative, AnImageOfAnotherGeometryIsRefusedByName) {
+    made({"haze.csv", "--quantity", "all", "--sensor-altitude", "1050", "--altitude", "1000",
+          "--range", "100", "--los-azimuth", "180"});
+    const Ran ran =
+        smatBatch({"image", sample("sphere/sphere.smat"), "--atmosphere", "s.csv", "--elevation",
+                   "30", "--altitude", "1000", "--range", "200", "--out", "a.exr"},
+                  folder.path());
+    EXPECT_EQ(ran.exitCode, 2);
+    EXPECT_THAT(ran.err, HasSubstr("haze, spectra of s.csv: sensor altitude: found 1100 m, "
+                                   "expected 1050 m"));
+}
+
+TEST_F(SmatBatchRadiative, ATemperatureProfileListsAltitudes) {
+    const Ran ran = smatBatch({"temperature-profile", "haze.csv", "--min", "0", "--max", "1000",
+                               "--step", "250", "--out", "t.csv", "--json"},
+                              folder.path());
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_EQ(nlohmann::json::parse(ran.out)["kind"], "temperature-profile");
+    const ResultTable table = ResultTable::load(folder / "t.csv");
+    EXPECT_THAT(table.find("altitude")->values, testing::ElementsAre(0, 250, 500, 750, 1000));
+    EXPECT_THAT(table.find("temperature")->values, testing::Each(290.0));
+}
+
+} // namespace
+} // namespace smat::test
