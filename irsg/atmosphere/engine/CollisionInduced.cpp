@@ -30,7 +30,9 @@ const Tables& tables() {
     return shipped;
 }
 
-/// The fundamental at 6.4 um (LOWTRAN 7): O2 amount (atm-cm) times pressure (atm).
+/// The fundamental at 6.4 um: O2 amount (atm-cm) times pressure (atm) times S0 exp(A t + B t^2), t
+/// from 220 K. LOWTRAN 7 itself expands the exponential to second order, which it states to be
+/// wrong by up to 20 % at 300 K.
 double oxygenFundamental_per_m(const AirState& air, double wavenumber_cm) {
     const EvenTable& table = tables().oxygenFundamental;
     const EvenTable::Place place = table.place(wavenumber_cm);
@@ -38,15 +40,13 @@ double oxygenFundamental_per_m(const AirState& air, double wavenumber_cm) {
         return 0.0;
     const double dT = heldTemperature_K(air) - 220.0;
     const double A = table.at(1, place), B = table.at(2, place);
-    const double strength =
-        table.at(0, place) / 0.20946 * (1.0 + A * dT + (0.5 * A * A + B) * dT * dT);
-    return 100.0 * std::max(strength, 0.0) * air.fraction(Gas::O2) * amagats(air) *
-           air.pressure_hPa / 1013.25;
+    const double strength = table.at(0, place) / 0.20946 * std::exp((A + B * dT) * dT);
+    return 100.0 * strength * air.fraction(Gas::O2) * amagats(air) * air.pressure_hPa / 1013.25;
 }
 
-/// The Herzberg continuum (Yoshino et al. 1988, Planet. Space Sci. 36, 1469), taken to 0 at 36000
-/// cm-1 by a straight line between there and 40000 cm-1; collisions make it stronger (Shardanand
-/// and Prasad Rao 1977, J. Quant. Spectrosc. Radiat. Transfer 17, 433).
+/// The Herzberg continuum as in LOWTRAN 7, after Johnston et al. 1984 (J. Geophys. Res. 89, 11661)
+/// and Yoshino et al. 1988: taken to 0 at 36000 cm-1 by a straight line between there and 40000
+/// cm-1, and stronger in collisions (Shardanand 1977).
 double herzberg_per_m(const AirState& air, double wavenumber_cm) {
     constexpr double lower_cm = 36000.0, full_cm = 40000.0, upper_cm = 50000.0;
     if (!(wavenumber_cm > lower_cm && wavenumber_cm <= upper_cm))
