@@ -1,0 +1,181 @@
+#include "irsg/atmosphere/tables/PathTables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace irsg {
+
+namespace {
+
+constexpr double farthest_m = 2.0e6;
+constexpr double opaqueDepth = 80.0;
+
+/// The shortest range between two altitudes that can be asked for.
+double shortest_m(double a_m, double b_m) {
+    return std::abs(a_m - b_m);
+}
+
+/// Transmittances as optical depths, and back.
+std::vector<double> depths(std::vector<double> transmittance) {
+    for (double& value : transmittance)
+        value = value > 0.0 ? std::min(-std::log(value), opaqueDepth) : opaqueDepth;
+    return transmittance;
+}
+
+std::vector<double> transmittances(std::vector<double> depth) {
+    for (double& value : depth)
+        value = value >= opaqueDepth ? 0.0 : std::exp(-value);
+    return depth;
+}
+
+double transmittanceDifference(const std::vector<double>& a, const std::vector<double>& b) {
+    return largestDifference(transmittances(a), transmittances(b));
+}
+
+/// Ranges from the shortest up, in cells that grow with the range: tables run over whole powers of
+/// four of the distance beyond the shortest, so that near paths do not refine far ones.
+struct RangeCell {
+    double low_m, high_m;
+};
+RangeCell cellOf(double range_m, double least_m) {
+    constexpr double first_m = 100.0;
+    const double beyond = range_m - least_m;
+    if (beyond <= first_m)
+        return {least_m, least_m + first_m};
+    const double power = std::floor(std::log(beyond / first_m) / std::log(4.0));
+    const double low = first_m * std::pow(4.0, power);
+    return beyond > 4.0 * low ? RangeCell{least_m + 4.0 * low, least_m + 16.0 * low}
+                              : RangeCell{least_m + low, least_m + 4.0 * low};
+}
+
+} // namespace
+
+PathTables::PathTables(const RadiativeTransfer& transfer, NodeSet nodes, double tolerance)
+    : transfer_(transfer), nodes_(std::move(nodes)), tolerance_(tolerance) {}
+
+const AdaptiveTable& PathTables::table(const Key& key, double low, double high,
+                                       const AdaptiveTable::Function& function,
+                                       const AdaptiveTable::Distance& distance) const {
+    const std::lock_guard lock(mutex_);
+    auto& own = tables_[key];
+    if (!own)
+        own = std::make_unique<AdaptiveTable>(low, high, tolerance_, function, distance);
+    return *own;
+}
+
+std::vector<double> PathTables::transmittance(const AirPath& path) const {
+    const double least_m = shortest_m(path.sensorAltitude_m, path.targetAltitude_m);
+    if (!(path.range_m > least_m && path.range_m <= farthest_m))
+        return transfer_.transmittance(nodes_, path);
+    const RangeCell cell = cellOf(path.range_m, least_m);
+    auto function = [this, path](double range_m) {
+        AirPath at = path;
+        at.range_m = range_m;
+        return depths(transfer_.transmittance(nodes_, at));
+    };
+    // The path between two altitudes is the same in both directions.
+    const auto [low_m, high_m] = std::minmax(path.sensorAltitude_m, path.targetAltitude_m);
+    const Key key{Kind::transmittance, low_m, high_m, cell.low_m, 0.0};
+    return transmittances(
+        table(key, cell.low_m, cell.high_m, function, transmittanceDifference).at(path.range_m));
+}
+
+std::vector<double> PathTables::pathRadiance(const AirPath& path, const SunPosition& sun) const {
+    const double least_m = shortest_m(path.sensorAltitude_m, path.targetAltitude_m);
+    if (!(path.range_m > least_m && path.range_m <= farthest_m))
+        return transfer_.pathRadiance(nodes_, path, sun);
+    const RangeCell cell = cellOf(path.range_m, least_m);
+    auto function = [this, path, sun](double range_m) {
+        AirPath at = path;
+        at.range_m = range_m;
+        return transfer_.pathRadiance(nodes_, at, sun);
+    };
+    const Key key{Kind::pathRadiance, path.sensorAltitude_m, path.targetAltitude_m, cell.low_m,
+                  sun.isUp() ? sun.elevation_rad : -1.0};
+    return table(key, cell.low_m, cell.high_m, function, relativeDifference).at(path.range_m);
+}
+
+PathTables::Horizon PathTables::horizonOf(double altitude_m) const {
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto found = horizons_.find(altitude_m); found != horizons_.end())
+            return found->second;
+    }
+    // By halving between straight down and straight up.
+    Horizon horizon{-0.5 * std::numbers::pi, 0.5 * std::numbers::pi};
+    while (horizon.above_rad - horizon.below_rad > 1e-12) {
+        const double middle_rad = 0.5 * (horizon.below_rad + horizon.above_rad);
+        const bool ground =
+            transfer_.tracer().along({altitude_m, middle_rad, 0.0}).end == RayPath::End::ground;
+        (ground ? horizon.below_rad : horizon.above_rad) = middle_rad;
+    }
+    const std::lock_guard lock(mutex_);
+    return horizons_.emplace(altitude_m, horizon).first->second;
+}
+
+std::vector<double> PathTables::backgroundRadiance(const LineOfSight& sight,
+                                                   const SunPosition& sun) const {
+    // The ground and the sky are two tables: what is seen jumps at the horizon.
+    const double azimuth_rad =
+        std::remainder(sight.azimuth_rad - sun.azimuth_rad, 2.0 * std::numbers::pi);
+    const bool ground = transfer_.tracer().along(sight).end == RayPath::End::ground;
+    auto function = [this, sight, sun](double elevation_rad) {
+        LineOfSight at = sight;
+        at.elevation_rad = elevation_rad;
+        return transfer_.backgroundRadiance(nodes_, at, sun);
+    };
+    const Horizon horizon = horizonOf(sight.sensorAltitude_m);
+    const Key key{ground ? Kind::ground : Kind::sky, sight.sensorAltitude_m, azimuth_rad,
+                  sun.elevation_rad, 0.0};
+    const double low = ground ? -0.5 * std::numbers::pi : horizon.above_rad;
+    const double high = ground ? horizon.below_rad : 0.5 * std::numbers::pi;
+    if (!(sight.elevation_rad >= low && sight.elevation_rad <= high && low < high))
+        return function(sight.elevation_rad);
+    return table(key, low, high, function, relativeDifference).at(sight.elevation_rad);
+}
+
+std::vector<double> PathTables::overAltitude(Kind kind, double altitude_m, const SunPosition& sun,
+                                             const AdaptiveTable::Function& function) const {
+    const double top_m = transfer_.air().profile.top_m();
+    if (!(altitude_m >= 0.0 && altitude_m <= top_m))
+        return function(altitude_m);
+    return table({kind, sun.elevation_rad, 0.0, 0.0, 0.0}, 0.0, top_m, function, relativeDifference)
+        .at(altitude_m);
+}
+
+std::vector<double> PathTables::solarIrradiance(double altitude_m, const SunPosition& sun) const {
+    return overAltitude(Kind::sun, altitude_m, sun, [this, sun](double at_m) {
+        return transfer_.solarIrradiance(nodes_, at_m, sun);
+    });
+}
+
+std::vector<double> PathTables::upwardFlux(double altitude_m, const SunPosition& sun) const {
+    return overAltitude(Kind::up, altitude_m, sun, [this, sun](double at_m) {
+        return transfer_.upwardFlux(nodes_, at_m, sun);
+    });
+}
+
+std::vector<double> PathTables::downwardFlux(double altitude_m, const SunPosition& sun) const {
+    return overAltitude(Kind::down, altitude_m, sun, [this, sun](double at_m) {
+        return transfer_.downwardFlux(nodes_, at_m, sun);
+    });
+}
+
+std::size_t PathTables::evaluations() const {
+    const std::lock_guard lock(mutex_);
+    std::size_t sum = 0;
+    for (const auto& [key, own] : tables_)
+        sum += own->evaluations();
+    return sum;
+}
+
+double PathTables::largestError() const {
+    const std::lock_guard lock(mutex_);
+    double largest = 0.0;
+    for (const auto& [key, own] : tables_)
+        largest = std::max(largest, own->largestError());
+    return largest;
+}
+
+} // namespace irsg

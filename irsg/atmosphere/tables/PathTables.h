@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <tuple>
+#include <vector>
+
+#include "irsg/atmosphere/engine/RadiativeTransfer.h"
+#include "irsg/atmosphere/tables/AdaptiveTable.h"
+
+namespace irsg {
+
+/// What a scene asks of the air at the nodes of one spectral range or of one sensor's wideband
+/// terms, kept in tables that refine themselves (the report's IrradianceMode 1): over range for
+/// every pair of altitudes, over elevation for every altitude of the sensor, over altitude for the
+/// sun and the diffuse fluxes. What is asked for once costs a few evaluations more than it would on
+/// the fly; what is asked for along a sweep or again and again costs an interpolation.
+///
+/// Optical depths are linear in range where the air is uniform, so transmittances are interpolated
+/// through them, and path radiances as they are. Errors: `tolerance` in transmittance, and relative
+/// to the sum over nodes for radiances, irradiances and fluxes.
+class PathTables {
+  public:
+    /// `transfer` must live as long.
+    PathTables(const RadiativeTransfer& transfer, NodeSet nodes, double tolerance = 1e-3);
+
+    const NodeSet& nodes() const { return nodes_; }
+
+    std::vector<double> transmittance(const AirPath& path) const;
+    std::vector<double> pathRadiance(const AirPath& path, const SunPosition& sun) const;
+    std::vector<double> backgroundRadiance(const LineOfSight& sight, const SunPosition& sun) const;
+    std::vector<double> solarIrradiance(double altitude_m, const SunPosition& sun) const;
+    std::vector<double> upwardFlux(double altitude_m, const SunPosition& sun) const;
+    std::vector<double> downwardFlux(double altitude_m, const SunPosition& sun) const;
+
+    std::size_t evaluations() const; ///< of the radiative transfer, until now
+    double largestError() const;     ///< of any table, in the unit of the tolerance
+
+  private:
+    enum class Kind { transmittance, pathRadiance, sky, ground, sun, up, down };
+    /// Kind, two altitudes or an azimuth, and the sun.
+    using Key = std::tuple<Kind, double, double, double, double>;
+    /// Apparent elevations between which the horizon of an altitude lies.
+    struct Horizon {
+        double below_rad, above_rad;
+    };
+    Horizon horizonOf(double altitude_m) const;
+    const AdaptiveTable& table(const Key& key, double low, double high,
+                               const AdaptiveTable::Function& function,
+                               const AdaptiveTable::Distance& distance) const;
+    std::vector<double> overAltitude(Kind kind, double altitude_m, const SunPosition& sun,
+                                     const AdaptiveTable::Function& function) const;
+
+    const RadiativeTransfer& transfer_;
+    NodeSet nodes_;
+    double tolerance_;
+    mutable std::mutex mutex_;
+    mutable std::map<Key, std::unique_ptr<AdaptiveTable>> tables_;
+    mutable std::map<double, Horizon> horizons_;
+};
+
+} // namespace irsg
