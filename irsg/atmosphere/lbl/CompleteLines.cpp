@@ -1,16 +1,123 @@
 #include "irsg/atmosphere/lbl/CompleteLines.h"
 
+#include <algorithm>
 #include <string>
 
+#include "irsg/atmosphere/lbl/CarbonDioxideLines.h"
 #include "irsg/atmosphere/lbl/LineListFile.h"
+#include "irsg/atmosphere/lbl/PseudoLines.h"
+#include "irsg/radiometry/Errors.h"
 
 namespace irsg::lbl {
 
+namespace {
+
+constexpr double lowest_cm = 250.0;
+constexpr double weakestMethane = 2e-26;
+
+/// A range of wavenumbers for which a list has no line.
+struct Gap {
+    double from_cm, to_cm;
+};
+
+std::vector<Gap> gapsOf(Gas gas) {
+    switch (gas) {
+    case Gas::H2O:
+        return {{250.0, 500.0}, {5405.4, 6000.0}, {6400.0, 17860.0}};
+    case Gas::O3:
+        return {
+            {250.0, 650.0}, {750.0, 800.0}, {983.0, 1275.0}, {1630.0, 2295.0}, {2670.0, 3260.0}};
+    case Gas::CH4:
+        return {{1200.0, 1775.0}, {4100.0, 4690.0}, {5865.0, 6135.0}};
+    default:
+        return {};
+    }
+}
+
+void addPseudoLines(LineList& list, const std::filesystem::path& dataFolder) {
+    const std::vector<Gap> gaps = gapsOf(list.gas);
+    if (gaps.empty())
+        return;
+    const LowtranBands bands = LowtranBands::read(dataFolder / "lowtran");
+    std::string ranges;
+    for (const Gap& gap : gaps) {
+        const std::vector<Line> lines =
+            pseudoLines(bands.points(list.gas, gap.from_cm - LowtranBands::step_cm,
+                                     gap.to_cm + LowtranBands::step_cm),
+                        pseudoGas(list.gas), gap.from_cm, gap.to_cm);
+        list.lines.insert(list.lines.end(), lines.begin(), lines.end());
+        ranges +=
+            (ranges.empty() ? "" : ", ") + numberText(gap.from_cm) + "-" + numberText(gap.to_cm);
+    }
+    list.origins.push_back(
+        std::string(gasNames[static_cast<std::size_t>(list.gas)]) + " at " + ranges +
+        " cm-1: pseudo-lines whose transmittance over 20 cm-1 is that of LOWTRAN 7 (Kneizys et al. "
+        "1988, AFGL-TR-88-0177); to 0.06 in transmittance, no detail finer than 20 cm-1");
+}
+
+/// Methane at 2000 to 2833 and 3246 to 3333 cm-1: known positions and strengths, assumed widths.
+void addBareMethane(LineList& list, const std::filesystem::path& folder) {
+    Line mean;
+    const PseudoGas methane = pseudoGas(Gas::CH4);
+    mean.lowerEnergy_cm = 300.0;
+    mean.airWidth_cm_atm = methane.airWidth_cm_atm;
+    mean.selfWidth_cm_atm = methane.selfWidth_cm_atm;
+    mean.widthExponent = methane.widthExponent;
+    for (const BareLine& bare : readBareLines(folder / "extra" / "CH4_nu_S_2000-3333.txt.gz")) {
+        if (bare.intensity < weakestMethane ||
+            (bare.wavenumber_cm > 2832.8 && bare.wavenumber_cm < 3246.31))
+            continue;
+        list.lines.push_back(mean);
+        list.lines.back().wavenumber_cm = bare.wavenumber_cm;
+        list.lines.back().intensity = bare.intensity;
+    }
+    list.origins.push_back(
+        "CH4 at 2000-2833 and 3246-3333 cm-1: positions and strengths of HITRAN, "
+        "with a lower energy of 300 cm-1 and widths of 0.055 cm-1 assumed for "
+        "all lines; a few percent at 270 to 320 K, more beyond");
+}
+
+std::string hitranOrigin(Gas gas) {
+    const std::string name = gasNames[static_cast<std::size_t>(gas)];
+    switch (gas) {
+    case Gas::CO:
+    case Gas::O2:
+        return name + ": HITRAN2012 (Rothman et al. 2013, J. Quant. Spectrosc. Radiat. Transfer "
+                      "130, 4); strengths to a few percent";
+    case Gas::N2O:
+        return name + " up to 7797 cm-1: HITRAN2008 to HITRAN2016 (Rothman et al. 2009, J. Quant. "
+                      "Spectrosc. Radiat. Transfer 110, 533; Gordon et al. 2017, 203, 3); "
+                      "strengths to a few percent";
+    default:
+        return name + " elsewhere: HITRAN2016 and HITRAN2020 (Gordon et al. 2017, J. Quant. "
+                      "Spectrosc. Radiat. Transfer 203, 3; Gordon et al. 2022, 277, 107949); "
+                      "strengths to a few percent";
+    }
+}
+
+} // namespace
+
+LineList completeLineList(Gas gas, const std::filesystem::path& dataFolder) {
+    const std::filesystem::path folder = dataFolder / "lines";
+    if (static_cast<std::size_t>(gas) >= lineGasCount)
+        throw LogicError("this gas does not absorb in lines");
+    if (gas == Gas::CO2)
+        return completeCarbonDioxide(folder);
+    LineList list = readLineList(
+        gas, folder / (std::string(gasNames[static_cast<std::size_t>(gas)]) + ".par.gz"));
+    list.origins.push_back(hitranOrigin(gas));
+    if (gas == Gas::CH4)
+        addBareMethane(list, folder);
+    addPseudoLines(list, dataFolder);
+    std::erase_if(list.lines, [](const Line& line) { return line.wavenumber_cm < lowest_cm; });
+    std::ranges::stable_sort(list.lines, {}, &Line::wavenumber_cm);
+    return list;
+}
+
 std::vector<LineList> completeLineLists(const std::filesystem::path& dataFolder) {
     std::vector<LineList> lists;
-    for (std::size_t gas = 0; gas < lineGasCount; ++gas)
-        lists.push_back(readLineList(static_cast<Gas>(gas),
-                                     dataFolder / "lines" / (std::string(gasNames[gas]) + ".par.gz")));
+    for (std::size_t g = 0; g < lineGasCount; ++g)
+        lists.push_back(completeLineList(static_cast<Gas>(g), dataFolder));
     return lists;
 }
 

@@ -7,7 +7,13 @@
 
 namespace irsg::lbl {
 
-/// The lines of every line gas from a folder of public data (`lines/GAS.par.gz` below it).
+/// The lines of one gas from 250 to 18000 cm-1, as far as it absorbs, ascending, nothing missing:
+/// HITRAN where `dataFolder`/lines has it, bands generated for CO2, pseudo-lines after LOWTRAN 7
+/// (`dataFolder`/lowtran) for the gaps of H2O, O3 and CH4. `origins` says which is which. Throws
+/// InputError for files that are missing or damaged, LogicError for a gas without lines.
+LineList completeLineList(Gas gas, const std::filesystem::path& dataFolder);
+
+/// Those of all line gases, in their order.
 std::vector<LineList> completeLineLists(const std::filesystem::path& dataFolder);
 
 } // namespace irsg::lbl

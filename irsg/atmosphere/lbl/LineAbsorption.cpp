@@ -186,13 +186,13 @@ double carbonDioxideChi(double distance_cm, double temperature_K) {
     const double x = std::abs(distance_cm);
     if (x <= 3.0)
         return 1.0;
-    const double b1 = 0.0888 - 0.160 * std::exp(-0.00410 * temperature_K);
-    if (x <= 30.0)
+    const double b1 = 0.416 - 0.354 * std::exp(-0.00386 * temperature_K);
+    if (x <= 10.0)
         return std::exp(-b1 * (x - 3.0));
-    const double b2 = 0.0526 * std::exp(-0.00152 * temperature_K);
-    if (x <= 120.0)
-        return std::exp(-27.0 * b1 - b2 * (x - 30.0));
-    return std::exp(-27.0 * b1 - 90.0 * b2 - 0.0232 * (x - 120.0));
+    const double b2 = 0.00167 + 0.0421 * std::exp(-0.00248 * temperature_K);
+    if (x <= 70.0)
+        return std::exp(-7.0 * b1 - b2 * (x - 10.0));
+    return std::exp(-7.0 * b1 - 60.0 * b2 - 0.0200 * (x - 70.0));
 }
 
 std::vector<double> crossSection_cm2(const LineList& lines, const PartitionSums& partition,
