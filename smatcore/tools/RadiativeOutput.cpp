@@ -90,13 +90,24 @@ class Output {
             throw irsg::InputError(std::move(offences));
         }
         if (asked.empty()) {
-            throw irsg::InputError(irsg::Offence{
-                .file = "radiative output",
-                .position = "",
-                .value = "no quantity that this air has for this geometry and band " + bandText(),
-                .expected = "at least one"});
+            sayWhyNothing();
         }
         return asked;
+    }
+
+    /// Nothing is left of all quantities: the air says why for the first that the geometry would
+    /// have allowed.
+    void sayWhyNothing() {
+        for (const AtmosphereProperty property : request_.quantities) {
+            if (missingFor(property, geometry_).empty()) {
+                ask(property);
+            }
+        }
+        throw irsg::InputError(
+            irsg::Offence{.file = "geometry",
+                          .position = "",
+                          .value = "too little for any quantity",
+                          .expected = missingFor(AtmosphereProperty::transmittance, geometry_)});
     }
 
     std::string bandText() const {

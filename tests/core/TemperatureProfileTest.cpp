@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat {
@@ -42,6 +43,32 @@ TEST(TemperatureProfile, FollowsTheStandardAtmosphere) {
     EXPECT_NEAR(table.columns()[1].values[11], 216.65, 1e-12);
     EXPECT_EQ(table.columns()[0].values.back(), 20e3);
     EXPECT_EQ(table.provenance.value("answered by"), "ambient temperature: standard");
+}
+
+/// One of the model atmospheres that ship with the program.
+class Model : public Standard {
+  public:
+    double ambientTemperature_K(double altitude_m) const override {
+        return profile_.at(altitude_m).temperature_K;
+    }
+
+  private:
+    irsg::Profile profile_ = irsg::Profile::model(irsg::ModelAtmosphere::usStandard1976);
+};
+
+TEST(TemperatureProfile, OfTheModelAtmosphereIsTheStandardWithinItsTable) {
+    // The table of Anderson et al. (1986) gives tenths of a kelvin, and 216.8 K at 11 km.
+    irsg::Environment model;
+    model.add(std::make_shared<Model>());
+    const TemperatureProfileRequest request = {.min_m = 0.0, .max_m = 20e3, .step_m = 500.0};
+    const ResultTable table = temperatureProfile(model, request);
+    const ResultTable expected = temperatureProfile(standard(), request);
+    const auto& temperatures = table.find("temperature")->values;
+    EXPECT_NEAR(temperatures.at(0), 288.15, 0.051);
+    EXPECT_NEAR(temperatures.at(22), 216.65, 0.151);
+    for (std::size_t i = 0; i < temperatures.size(); ++i) {
+        EXPECT_NEAR(temperatures[i], expected.find("temperature")->values[i], 0.2) << i;
+    }
 }
 
 TEST(TemperatureProfile, HasEachAltitudeOnceWithoutRoundingAway) {
