@@ -15,6 +15,30 @@ constexpr double secondRadiationConstant_cm_K = 1.438776877;
 constexpr double referenceTemperature_K = 296.0;
 constexpr double pressureOfOneAtmosphere_hPa = 1013.25;
 
+/// Perrin and Hartmann's chi of CO2 in N2 at one temperature: exponentials that follow one another.
+class WingFactor {
+  public:
+    struct Segment {
+        double start_cm, value, rate; ///< value exp(-rate (x - start))
+        double at(double x_cm) const { return value * std::exp(-rate * (x_cm - start_cm)); }
+    };
+
+    explicit WingFactor(double temperature_K) {
+        const double b1 = 0.416 - 0.354 * std::exp(-0.00386 * temperature_K);
+        const double b2 = 0.00167 + 0.0421 * std::exp(-0.00248 * temperature_K);
+        segments_[0] = {0.0, 1.0, 0.0};
+        segments_[1] = {3.0, 1.0, b1};
+        segments_[2] = {10.0, segments_[1].at(10.0), b2};
+        segments_[3] = {70.0, segments_[2].at(70.0), 0.0200};
+    }
+    const Segment& segment(double x_cm) const {
+        return segments_[(x_cm > 3.0) + (x_cm > 10.0) + (x_cm > 70.0)];
+    }
+
+  private:
+    std::array<Segment, 4> segments_;
+};
+
 /// A line as it is at one temperature and pressure.
 struct LineNow {
     double centre_cm, intensity;
@@ -22,30 +46,34 @@ struct LineNow {
     double pedestal;
 };
 
-/// Its shape: Voigt, sub-Lorentzian or on a pedestal, nothing beyond the cut.
-double shapeAt(const LineNow& line, double distance_cm, const LineShape& shape,
-               double temperature_K) {
-    const double away_cm = std::abs(distance_cm);
-    if (away_cm > shape.cut_cm)
-        return 0.0;
-    double value = line.profile.at(away_cm);
-    if (shape.carbonDioxideWings)
-        value *= carbonDioxideChi(away_cm, temperature_K);
-    return value - line.pedestal;
-}
-
-/// An even polynomial a + b x^2 + c x^4 that takes over from the shape inside a radius, with the
-/// shape's value, slope and curvature there.
+/// A smooth even function that takes over from the shape inside a radius r: the polynomial in
+/// u = (x / r)^2 through the shape at five places about the seam, u = 0.9 to 1.1. A wing of 1 / u
+/// leaves it by less than 1e-6 there, so that value and derivatives go on across the seam.
 struct Cap {
-    double a = 0.0, b = 0.0, c = 0.0;
+    double perSquare = 0.0; ///< 1 / r^2
+    double a = 0.0, b = 0.0, c = 0.0, d = 0.0, e = 0.0;
 
-    Cap(double radius, double value, double slope, double curvature) {
-        const double perRadius = slope / radius; // 2 b + 4 c r^2
-        c = (curvature - perRadius) / (8.0 * radius * radius);
-        b = 0.5 * perRadius - 2.0 * c * radius * radius;
-        a = value - b * radius * radius - c * radius * radius * radius * radius;
+    /// x / r where the polynomial goes through the shape: the roots of u = 0.9, 0.95, ... 1.1.
+    static constexpr std::array<double, 5> places = {0.94868329805051381, 0.97467943448089633, 1.0,
+                                                     1.0246950765959599, 1.0488088481701516};
+    Cap(double radius, const std::array<double, 5>& v) : perSquare(1.0 / (radius * radius)) {
+        // Stirling's formula about the middle place, in powers of u - 1.
+        constexpr double h = 0.05;
+        const double first = (8.0 * (v[3] - v[1]) - (v[4] - v[0])) / (12.0 * h);
+        const double second = (16.0 * (v[3] + v[1]) - (v[4] + v[0]) - 30.0 * v[2]) / (24.0 * h * h);
+        const double third = (v[4] - v[0] - 2.0 * (v[3] - v[1])) / (12.0 * h * h * h);
+        const double fourth =
+            (v[4] + v[0] - 4.0 * (v[3] + v[1]) + 6.0 * v[2]) / (24.0 * h * h * h * h);
+        a = v[2];
+        b = first;
+        c = second;
+        d = third;
+        e = fourth;
     }
-    double at(double x) const { return a + x * x * (b + x * x * c); }
+    double at(double x) const {
+        const double t = x * x * perSquare - 1.0;
+        return a + t * (b + t * (c + t * (d + t * e)));
+    }
 };
 
 /// Grids of the spectrum, each four times as coarse as the one before. A line is a sum of smooth
@@ -53,7 +81,8 @@ struct Cap {
 /// smooth cap is taken away. So a line costs about a hundred points a level, not one a fine point.
 class Pyramid {
   public:
-    Pyramid(const WavenumberGrid& grid, double reach_cm) : grid_(grid) {
+    Pyramid(const WavenumberGrid& grid, const LineShape& shape, double temperature_K)
+        : grid_(grid), shape_(shape), wings_(temperature_K) {
         double step = grid.step_cm;
         for (;;) {
             Level level;
@@ -63,16 +92,16 @@ class Pyramid {
             level.count = static_cast<std::size_t>(std::ceil(span / step)) + 2 * margin + 2;
             level.sum.assign(level.count, 0.0);
             levels_.push_back(std::move(level));
-            if (levels_.back().radius_cm >= reach_cm)
+            if (2.5 * levels_.back().radius_cm >= shape.cut_cm)
                 break;
             step *= 4.0;
         }
-        levels_.back().radius_cm = reach_cm;
+        levels_.back().radius_cm = shape.cut_cm;
     }
 
-    void add(const LineNow& line, const LineShape& shape, double temperature_K) {
+    void add(const LineNow& line) {
         for (std::size_t j = 0; j < levels_.size(); ++j) {
-            Level& level = levels_[j];
+            const Level& level = levels_[j];
             const double first_cm = grid_.first_cm - margin * level.step_cm;
             const double low = (line.centre_cm - level.radius_cm - first_cm) / level.step_cm;
             const double high = (line.centre_cm + level.radius_cm - first_cm) / level.step_cm;
@@ -81,29 +110,32 @@ class Pyramid {
             const auto begin = static_cast<std::size_t>(std::max(0.0, std::ceil(low)));
             const auto end = static_cast<std::size_t>(
                 std::min(static_cast<double>(level.count - 1), std::floor(high)) + 1.0);
-            if (begin >= end)
-                continue;
-            const double from_cm =
-                first_cm + level.step_cm * static_cast<double>(begin) - line.centre_cm;
-            addLevel(j, line, shape, temperature_K, from_cm, begin, end);
+            if (begin < end)
+                addLevel(j, line, begin, end);
         }
     }
 
     /// Everything on the fine grid.
     std::vector<double> sum() {
+        // Lagrange's weights for 1/4, 1/2 and 3/4 of the way between the third and the fourth of
+        // six points.
+        constexpr std::array<std::array<double, 6>, 4> weights = {
+            {{0.0, 0.0, 1.0, 0.0, 0.0, 0.0},
+             {77.0 / 8192.0, -693.0 / 8192.0, 6930.0 / 8192.0, 2310.0 / 8192.0, -495.0 / 8192.0,
+              63.0 / 8192.0},
+             {3.0 / 256.0, -25.0 / 256.0, 150.0 / 256.0, 150.0 / 256.0, -25.0 / 256.0, 3.0 / 256.0},
+             {63.0 / 8192.0, -495.0 / 8192.0, 2310.0 / 8192.0, 6930.0 / 8192.0, -693.0 / 8192.0,
+              77.0 / 8192.0}}};
         for (std::size_t j = levels_.size() - 1; j > 0; --j) {
             const std::vector<double>& coarse = levels_[j].sum;
             std::vector<double>& fine = levels_[j - 1].sum;
-            // Point i of a level lies (i - margin) steps from the grid's first point.
+            // Point i of a level lies (i - margin) steps from the grid's first point; the margin of
+            // four steps is one of the coarser level's, so that i / 4 + 3 is the place there.
             for (std::size_t i = 0; i < fine.size(); ++i) {
-                const double place = margin + (static_cast<double>(i) - margin) / 4.0;
-                const auto k =
-                    std::clamp<std::size_t>(static_cast<std::size_t>(place), 1, coarse.size() - 3);
-                const double t = place - static_cast<double>(k);
-                fine[i] += coarse[k - 1] * (-t * (t - 1.0) * (t - 2.0) / 6.0) +
-                           coarse[k] * ((t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0) +
-                           coarse[k + 1] * (-(t + 1.0) * t * (t - 2.0) / 2.0) +
-                           coarse[k + 2] * ((t + 1.0) * t * (t - 1.0) / 6.0);
+                const double* const from = coarse.data() + i / 4 + margin - 1 - 2;
+                const std::array<double, 6>& weight = weights[i % 4];
+                fine[i] += weight[0] * from[0] + weight[1] * from[1] + weight[2] * from[2] +
+                           weight[3] * from[3] + weight[4] * from[4] + weight[5] * from[5];
             }
         }
         const auto begin = levels_[0].sum.begin() + margin;
@@ -111,7 +143,7 @@ class Pyramid {
     }
 
   private:
-    static constexpr int margin = 3;
+    static constexpr std::size_t margin = 4;
     static constexpr double capRatio = 12.0;
 
     struct Level {
@@ -120,47 +152,73 @@ class Pyramid {
         std::vector<double> sum;
     };
 
-    Cap capOf(std::size_t level, const LineNow& line, const LineShape& shape,
-              double temperature_K) const {
-        const double radius = levels_[level].radius_cm, d = 0.02 * radius;
-        const double below = shapeAt(line, radius - d, shape, temperature_K);
-        const double here = shapeAt(line, radius, shape, temperature_K);
-        const double above = shapeAt(line, radius + d, shape, temperature_K);
-        return {radius, here, (above - below) / (2.0 * d), (above - 2.0 * here + below) / (d * d)};
+    Cap capOf(std::size_t level, const LineNow& line) const {
+        const double radius = levels_[level].radius_cm;
+        const WingFactor::Segment& segment = wings_.segment(radius);
+        std::array<double, 5> values;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double x = radius * Cap::places[i];
+            values[i] = line.profile.at(x);
+            // A corner of chi close to the seam must not bend the polynomial.
+            if (shape_.carbonDioxideWings)
+                values[i] *= segment.at(x);
+            values[i] -= line.pedestal;
+        }
+        return {radius, values};
     }
 
     /// On level j: the shape outside the radius of the finer level, its cap inside, less the cap of
     /// this level (there is none on the coarsest).
-    void addLevel(std::size_t j, const LineNow& line, const LineShape& shape, double temperature_K,
-                  double from_cm, std::size_t begin, std::size_t end) {
+    void addLevel(std::size_t j, const LineNow& line, std::size_t begin, std::size_t end) {
         Level& level = levels_[j];
+        const double step_cm = level.step_cm;
         const std::size_t count = end - begin;
-        double* sum = level.sum.data() + begin;
+        const double from_cm = grid_.first_cm - line.centre_cm +
+                               step_cm * (static_cast<double>(begin) - static_cast<double>(margin));
+        auto place = [&](std::size_t i) { return from_cm + step_cm * static_cast<double>(i); };
         values_.assign(count, -line.pedestal);
-        line.profile.add(from_cm, level.step_cm, count, 1.0, values_.data());
-        if (shape.carbonDioxideWings)
-            for (std::size_t i = 0; i < count; ++i)
-                values_[i] *= carbonDioxideChi(
-                    std::abs(from_cm + level.step_cm * static_cast<double>(i)), temperature_K);
+
+        // The finer level's share, i in [innerBegin, innerEnd), is its cap here.
+        std::size_t innerBegin = count, innerEnd = count;
         if (j > 0) {
-            const Cap inner = capOf(j - 1, line, shape, temperature_K);
-            const double radius = levels_[j - 1].radius_cm;
-            for (std::size_t i = 0; i < count; ++i) {
-                const double x = from_cm + level.step_cm * static_cast<double>(i);
-                if (std::abs(x) < radius)
-                    values_[i] = inner.at(x);
+            const double radius = levels_[j - 1].radius_cm, most = static_cast<double>(count);
+            innerBegin = static_cast<std::size_t>(
+                std::clamp(std::ceil((-radius - from_cm) / step_cm), 0.0, most));
+            innerEnd = static_cast<std::size_t>(
+                std::clamp(std::floor((radius - from_cm) / step_cm) + 1.0, 0.0, most));
+            innerEnd = std::max(innerBegin, innerEnd);
+            const Cap inner = capOf(j - 1, line);
+            for (std::size_t i = innerBegin; i < innerEnd; ++i)
+                values_[i] = inner.at(place(i));
+        }
+        auto shapeOn = [&](std::size_t first, std::size_t last) {
+            if (first == last)
+                return;
+            line.profile.add(place(first), step_cm, last - first, 1.0, values_.data() + first);
+            if (!shape_.carbonDioxideWings)
+                return;
+            for (std::size_t i = first; i < last; ++i) {
+                const double x = std::abs(place(i));
+                values_[i] = (values_[i] + line.pedestal) * wings_.segment(x).at(x) - line.pedestal;
             }
-        }
+        };
+        shapeOn(0, innerBegin);
+        shapeOn(innerEnd, count);
+
+        double* sum = level.sum.data() + begin;
         if (j + 1 < levels_.size()) {
-            const Cap outer = capOf(j, line, shape, temperature_K);
+            const Cap outer = capOf(j, line);
             for (std::size_t i = 0; i < count; ++i)
-                values_[i] -= outer.at(from_cm + level.step_cm * static_cast<double>(i));
+                sum[i] += line.intensity * (values_[i] - outer.at(place(i)));
+        } else {
+            for (std::size_t i = 0; i < count; ++i)
+                sum[i] += line.intensity * values_[i];
         }
-        for (std::size_t i = 0; i < count; ++i)
-            sum[i] += line.intensity * values_[i];
     }
 
     WavenumberGrid grid_;
+    LineShape shape_;
+    WingFactor wings_;
     std::vector<Level> levels_;
     std::vector<double> values_;
 };
@@ -184,15 +242,7 @@ double negligible_cm2(Gas gas) {
 
 double carbonDioxideChi(double distance_cm, double temperature_K) {
     const double x = std::abs(distance_cm);
-    if (x <= 3.0)
-        return 1.0;
-    const double b1 = 0.416 - 0.354 * std::exp(-0.00386 * temperature_K);
-    if (x <= 10.0)
-        return std::exp(-b1 * (x - 3.0));
-    const double b2 = 0.00167 + 0.0421 * std::exp(-0.00248 * temperature_K);
-    if (x <= 70.0)
-        return std::exp(-7.0 * b1 - b2 * (x - 10.0));
-    return std::exp(-7.0 * b1 - 60.0 * b2 - 0.0200 * (x - 70.0));
+    return WingFactor(temperature_K).segment(x).at(x);
 }
 
 std::vector<double> crossSection_cm2(const LineList& lines, const PartitionSums& partition,
@@ -201,7 +251,7 @@ std::vector<double> crossSection_cm2(const LineList& lines, const PartitionSums&
                                      const LineShape& shape, double weakest_cm2) {
     if (grid.count == 0 || !(grid.step_cm > 0.0) || !(temperature_K > 0.0) || !(pressure_hPa > 0.0))
         throw LogicError("absorption was asked for without a grid, a temperature or a pressure");
-    Pyramid pyramid(grid, shape.cut_cm);
+    Pyramid pyramid(grid, shape, temperature_K);
     const double pressure_atm = pressure_hPa / pressureOfOneAtmosphere_hPa;
     const double cooler = 1.0 / temperature_K - 1.0 / referenceTemperature_K;
 
@@ -228,7 +278,7 @@ std::vector<double> crossSection_cm2(const LineList& lines, const PartitionSums&
             continue;
         if (shape.removePedestal)
             now.pedestal = now.profile.at(shape.cut_cm);
-        pyramid.add(now, shape, temperature_K);
+        pyramid.add(now);
     }
     std::vector<double> cross_cm2 = pyramid.sum();
     for (double& value : cross_cm2)
