@@ -51,7 +51,15 @@ TEST(PartitionSums, nameWhatIsWrongWithATable) {
         {"nothing", "", "temperatures and partition sums"},
         {"no gas", "temperature_K,H2O_1\n200,1\n300,2\n", "CO2_1"},
         {"short row", columns + "\n200,1,1,1,1,1,1,1,1\n300,1,1\n", "9 cells"},
-        {"no number", columns + "\n200,1,1,1,1,1,1,1,1\n300,1,1,x,1,1,1,1,1\n", "a finite number"},
+        {"no number", columns + "\n200,1,1,1,1,1,1,1,1\n300,1,1,x,1,1,1,1,1\n", "a number above 0"},
+        {"zero", columns + "\n200,1,1,1,1,1,1,1,1\n300,1,1,0,1,1,1,1,1\n", "a number above 0"},
+        {"not ascending", columns + "\n300,1,1,1,1,1,1,1,1\n200,1,1,1,1,1,1,1,1\n",
+         "temperatures that ascend"},
+        {"no temperature",
+         "T" + columns.substr(11) + "\n200,1,1,1,1,1,1,1,1\n300,1,1,1,1,1,1,1,1\n",
+         "temperature_K"},
+        {"only a rare isotopologue", "temperature_K,CO_2,CO_0,CO_99\n200,1,1,1\n300,1,1,1\n",
+         "CO_1"},
     };
     for (const Case& bad : cases)
         try {

@@ -60,7 +60,7 @@ std::optional<Line> lineOf(const std::string& record, Gas gas) {
 } // namespace
 
 std::vector<std::string> readTextLines(const std::filesystem::path& file) {
-    const std::unique_ptr<gzFile_s, decltype(&gzclose)> in(gzopen(file.c_str(), "rb"), &gzclose);
+    std::unique_ptr<gzFile_s, decltype(&gzclose)> in(gzopen(file.c_str(), "rb"), &gzclose);
     if (!in)
         throw InputError(Offence{file.string(), "", "no file that can be read", "a text file"});
     std::string text;
@@ -68,7 +68,8 @@ std::vector<std::string> readTextLines(const std::filesystem::path& file) {
     int count = 0;
     while ((count = gzread(in.get(), buffer.data(), static_cast<unsigned>(buffer.size()))) > 0)
         text.append(buffer.data(), static_cast<std::size_t>(count));
-    if (count < 0)
+    // Only closing tells of a file that stops within its compressed stream.
+    if (gzclose(in.release()) != Z_OK || count < 0)
         throw InputError(Offence{file.string(), "byte " + std::to_string(text.size()),
                                  "damaged compression", "a gzip file that is whole"});
     std::vector<std::string> lines;

@@ -17,6 +17,7 @@ PartitionSums PartitionSums::read(const std::filesystem::path& folder) {
 
     PartitionSums sums;
     std::vector<std::vector<double>*> columns(header.size(), nullptr);
+    bool temperatures = false;
     for (std::size_t g = 0; g < lineGasCount; ++g)
         for (int isotopologue = 1; isotopologue <= 20; ++isotopologue) {
             const std::string wanted =
@@ -25,15 +26,17 @@ PartitionSums PartitionSums::read(const std::filesystem::path& folder) {
                 sums.sums_[g].resize(static_cast<std::size_t>(isotopologue));
         }
     for (std::size_t c = 0; c < header.size(); ++c) {
-        const std::string& name = header[c].text;
-        const auto bar = name.find('_');
-        if (name == "temperature_K")
+        if (header[c].text == "temperature_K" && !temperatures) {
             columns[c] = &sums.temperatures_K_;
-        for (std::size_t g = 0; g < lineGasCount && bar != std::string::npos; ++g)
-            if (name.substr(0, bar) == gasNames[g])
-                if (const auto number = parseNumber(name.substr(bar + 1)))
-                    columns[c] = &sums.sums_[g][static_cast<std::size_t>(*number) - 1];
+            temperatures = true;
+        }
+        for (std::size_t g = 0; g < lineGasCount; ++g)
+            for (std::size_t i = 0; i < sums.sums_[g].size(); ++i)
+                if (header[c].text == std::string(gasNames[g]) + "_" + std::to_string(i + 1))
+                    columns[c] = &sums.sums_[g][i];
     }
+    if (!temperatures)
+        offences.push_back(table.offence("no column", "temperature_K"));
     for (std::size_t r = 1; r < table.rows().size(); ++r) {
         const CsvRow& row = table.rows()[r];
         if (row.cells.size() != header.size()) {
@@ -43,11 +46,18 @@ PartitionSums PartitionSums::read(const std::filesystem::path& folder) {
         }
         for (std::size_t c = 0; c < header.size(); ++c)
             if (columns[c])
-                if (const auto value = table.number(row.cells[c], offences))
+                if (const auto value = table.number(row.cells[c], offences, "a number above 0")) {
+                    if (!(*value > 0.0))
+                        offences.push_back(table.offence(row.cells[c], "a number above 0"));
                     columns[c]->push_back(*value);
+                }
+        const auto& ascending = sums.temperatures_K_;
+        if (ascending.size() > 1 && !(ascending.back() > ascending[ascending.size() - 2]))
+            offences.push_back(table.offence(row.line, numberText(ascending.back()) + " K",
+                                             "temperatures that ascend"));
     }
     for (std::size_t g = 0; g < lineGasCount; ++g)
-        if (sums.sums_[g].empty())
+        if (sums.sums_[g].empty() || sums.sums_[g].front().empty())
             offences.push_back(table.offence("no column", std::string(gasNames[g]) + "_1"));
     if (!offences.empty())
         throw InputError(std::move(offences));
