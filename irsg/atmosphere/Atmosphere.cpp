@@ -11,7 +11,8 @@ namespace {
 
 [[noreturn]] void refuse(const Atmosphere& atmosphere, AtmosphereProperty property) {
     throw LogicError("the atmosphere " + atmosphere.name() + " was asked for its " +
-                     name(property) + ", which it does not support");
+                     name(property) + ", which it does not support: it " +
+                     atmosphere.refusal(property));
 }
 
 } // namespace
@@ -36,6 +37,10 @@ const char* name(AtmosphereProperty property) {
         return "scattering optical depth";
     }
     throw LogicError("unknown atmosphere property");
+}
+
+std::string Atmosphere::refusal(AtmosphereProperty property) const {
+    return std::string("has no ") + irsg::name(property);
 }
 
 Spectrum Atmosphere::transmittance(const AirPath&, const SpectralRange&) const {

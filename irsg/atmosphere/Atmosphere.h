@@ -65,6 +65,10 @@ class Atmosphere {
     /// The spectral base: what this atmosphere has data for.
     virtual SpectralRange base() const = 0;
     virtual bool supports(AtmosphereProperty property) const = 0;
+    /// Why a property is not supported, in words that follow the name: "has no upward flux".
+    virtual std::string refusal(AtmosphereProperty property) const;
+    /// What a user should know about the settings and data it was made of.
+    virtual std::vector<std::string> remarks() const { return {}; }
     /// False if the property is not supported; else true only if the base holds the whole range.
     bool accept(const SpectralRange& range, AtmosphereProperty property) const {
         return supports(property) && base().contains(range);

@@ -2,13 +2,32 @@
 
 #include <span>
 
+#include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
 
 namespace irsg {
 
+namespace {
+
+std::shared_ptr<const Atmosphere> fromKarmaXml(const std::filesystem::path& file) {
+    const KarmaXml document = KarmaXml::read(file);
+    if (document.typeName() == "AtmosphereSmart")
+        return AtmosphereSmart::fromXml(file);
+    throw InputError(document.offence(
+        "type", document.type().empty() ? "no type" : "'" + document.type() + "'",
+        document.typeName() == "Environment"
+            ? "one atmosphere: an Environment holds several, and can stand in a project's list"
+            : "a type that ends in /AtmosphereSmart"));
+}
+
+} // namespace
+
 std::shared_ptr<const Atmosphere> loadAtmosphere(const std::filesystem::path& file) {
+    if (isXml(file)) {
+        return fromKarmaXml(file);
+    }
     if (SpectraAtmosphere::isSpectraCsv(file)) {
         return std::make_shared<SpectraAtmosphere>(SpectraAtmosphere::fromCsv(file));
     }
@@ -23,7 +42,8 @@ std::shared_ptr<const Atmosphere> loadAtmosphere(const std::filesystem::path& fi
         return std::make_shared<BeerLambert>(BeerLambert::fromCsv(file));
     }
     throw InputError({file.string(), "", "no atmosphere of a kind that is known",
-                      "a .csv of a homogeneous atmosphere or of a radiative output, a .smatatm, or "
+                      "an .xml of AtmosphereSmart, a .csv of a homogeneous atmosphere or of a "
+                      "radiative output, a .smatatm, or "
                       "MODTRAN's tape7, CSV or JSON"});
 }
 

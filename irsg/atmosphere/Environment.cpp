@@ -19,7 +19,7 @@ std::string textOf(const SpectralRange& range) {
 std::string refusalOf(const Atmosphere& atmosphere, AtmosphereProperty property) {
     return atmosphere.supports(property)
                ? atmosphere.name() + " (holds only " + textOf(atmosphere.base()) + ")"
-               : atmosphere.name() + " (has no " + name(property) + ")";
+               : atmosphere.name() + " (" + atmosphere.refusal(property) + ")";
 }
 
 } // namespace

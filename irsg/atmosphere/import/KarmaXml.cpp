@@ -269,4 +269,13 @@ Offence KarmaXml::offence(std::string position, std::string value, std::string e
     return {file_, std::move(position), std::move(value), std::move(expected)};
 }
 
+bool isXml(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    for (const char expected : std::string_view("\xEF\xBB\xBF"))
+        if (stream.peek() == static_cast<unsigned char>(expected))
+            stream.get();
+    char first = '\0';
+    return (stream >> first) && first == '<';
+}
+
 } // namespace irsg

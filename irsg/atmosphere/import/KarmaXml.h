@@ -108,6 +108,9 @@ class KarmaXml {
     std::vector<KarmaComposite> composites_;
 };
 
+/// True where the first character of a file that is no blank is `<`; false where it cannot be read.
+bool isXml(const std::filesystem::path& file);
+
 /// The file that a path in a KARMA file means. Backslashes separate folders; `$(KARMA_ROOT)` and
 /// `%KARMA_ROOT%` stand for the environment variable KARMA_ROOT or, where it is not set or empty,
 /// for the folder of `file`; other paths are relative to that folder. Where there is no such file,

@@ -1,0 +1,146 @@
+#include "irsg/atmosphere/AtmosphereSmart.h"
+
+#include <utility>
+
+#include "irsg/atmosphere/SmartAdapter.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+/// Values at the nodes of a range, and the spectrum that they stand for.
+template <typename Compute>
+Spectrum spectrumOf(const RadiativeTransfer& transfer, const SpectralRange& range,
+                    Compute compute) {
+    const NodeSet nodes = transfer.nodesOf(range);
+    return transfer.spectrum(range, compute(nodes));
+}
+
+bool isFlux(AtmosphereProperty property) {
+    return property == AtmosphereProperty::upwardFlux ||
+           property == AtmosphereProperty::downwardFlux;
+}
+
+} // namespace
+
+AtmosphereSmart::AtmosphereSmart(AtmosphereSmartParameters parameters, std::string name,
+                                 const std::filesystem::path& file,
+                                 std::shared_ptr<const GasTable> gases)
+    : parameters_(std::move(parameters)),
+      name_(std::move(name)),
+      remarks_(remarksOn(parameters_)),
+      air_(SmartAdapter::airModel(parameters_, file)),
+      gases_(std::move(gases)) {}
+
+std::shared_ptr<AtmosphereSmart> AtmosphereSmart::fromXml(const std::filesystem::path& file,
+                                                          std::shared_ptr<const GasTable> gases) {
+    SmartReading reading = fromKarma(KarmaXml::read(file));
+    auto atmosphere = std::make_shared<AtmosphereSmart>(
+        std::move(reading.parameters), "AtmosphereSmart (" + file.filename().string() + ")", file,
+        std::move(gases));
+    atmosphere->remarks_ = std::move(reading.remarks);
+    return atmosphere;
+}
+
+const RadiativeTransfer& AtmosphereSmart::transfer() const {
+    std::call_once(once_, [this] { makeTransfer(); });
+    return *transfer_;
+}
+
+void AtmosphereSmart::makeTransfer() const {
+    if (!gases_)
+        gases_ = GasTable::shipped();
+    const SpectralRange held{wavelengthFromWavenumber_um(gases_->upper_cm()),
+                             wavelengthFromWavenumber_um(gases_->lower_cm())};
+    // The last digit of 1e4 / x is nobody's fault.
+    constexpr double slack = 1e-9;
+    if (base().min_um < held.min_um * (1.0 - slack) || base().max_um > held.max_um * (1.0 + slack))
+        throw InputError({name_, "BaseWavelengthMin, BaseWavelengthMax",
+                          numberText(base().min_um) + " to " + numberText(base().max_um) + " um",
+                          "a band that the gas table holds, " + numberText(held.min_um) + " to " +
+                              numberText(held.max_um) + " um"});
+    transfer_ = std::make_unique<const RadiativeTransfer>(air_, gases_);
+}
+
+bool AtmosphereSmart::supports(AtmosphereProperty property) const {
+    return !isFlux(property) || air_.scattering == ScatteringMode::twoStream;
+}
+
+std::string AtmosphereSmart::refusal(AtmosphereProperty property) const {
+    return Atmosphere::refusal(property) +
+           " in ScatteringMode 1 (single scattering): fluxes need ScatteringMode 2";
+}
+
+Spectrum AtmosphereSmart::transmittance(const AirPath& path, const SpectralRange& range) const {
+    checkRange(range);
+    checkPath(path);
+    return spectrumOf(transfer(), range,
+                      [&](const NodeSet& nodes) { return transfer_->transmittance(nodes, path); });
+}
+
+Spectrum AtmosphereSmart::pathRadiance(const AirPath& path, const SunPosition& sun,
+                                       const SpectralRange& range) const {
+    checkRange(range);
+    checkPath(path);
+    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
+        return transfer_->pathRadiance(nodes, path, sun);
+    });
+}
+
+Spectrum AtmosphereSmart::backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
+                                             const SpectralRange& range) const {
+    checkRange(range);
+    checkSight(sight);
+    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
+        return transfer_->backgroundRadiance(nodes, sight, sun);
+    });
+}
+
+Spectrum AtmosphereSmart::solarIrradiance(double altitude_m, const SunPosition& sun,
+                                          const SpectralRange& range) const {
+    checkRange(range);
+    checkAltitude(altitude_m);
+    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
+        return transfer_->solarIrradiance(nodes, altitude_m, sun);
+    });
+}
+
+Spectrum AtmosphereSmart::upwardFlux(double altitude_m, const SunPosition& sun,
+                                     const SpectralRange& range) const {
+    if (!supports(AtmosphereProperty::upwardFlux))
+        return Atmosphere::upwardFlux(altitude_m, sun, range);
+    checkRange(range);
+    checkAltitude(altitude_m);
+    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
+        return transfer_->upwardFlux(nodes, altitude_m, sun);
+    });
+}
+
+Spectrum AtmosphereSmart::downwardFlux(double altitude_m, const SunPosition& sun,
+                                       const SpectralRange& range) const {
+    if (!supports(AtmosphereProperty::downwardFlux))
+        return Atmosphere::downwardFlux(altitude_m, sun, range);
+    checkRange(range);
+    checkAltitude(altitude_m);
+    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
+        return transfer_->downwardFlux(nodes, altitude_m, sun);
+    });
+}
+
+double AtmosphereSmart::ambientTemperature_K(double altitude_m) const {
+    checkAltitude(altitude_m);
+    return air_.profile.at(altitude_m).temperature_K;
+}
+
+Spectrum AtmosphereSmart::scatteringOpticalDepth(const AirPath& path,
+                                                 const SpectralRange& range) const {
+    checkRange(range);
+    checkPath(path);
+    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
+        return transfer_->scatteringOpticalDepth(nodes, path);
+    });
+}
+
+} // namespace irsg

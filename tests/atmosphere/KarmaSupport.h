@@ -1,0 +1,86 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+/// A folder of the running test alone, empty at its beginning.
+inline std::filesystem::path ownFolder() {
+    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string("karma_") + test->test_suite_name() + "_" + test->name();
+    for (char& c : name)
+        c = c == '/' ? '_' : c;
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / name;
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
+inline std::filesystem::path writtenFile(const std::filesystem::path& file,
+                                         const std::string& text) {
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
+}
+
+inline std::string contentOf(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// XML without what makes no difference: line ends and indentation between elements, the blank
+/// before the end of an empty element and of the declaration.
+inline std::string significant(const std::string& xml) {
+    std::string text;
+    for (std::size_t i = 0; i < xml.size(); ++i) {
+        const bool isBlank = std::string(" \t\r\n").find(xml[i]) != std::string::npos;
+        const auto next = xml.find_first_not_of(" \t\r\n", i);
+        const bool isBetween =
+            !text.empty() && text.back() == '>' && next != std::string::npos && xml[next] == '<';
+        const bool isBeforeEnd = next != std::string::npos && (xml.compare(next, 2, "/>") == 0 ||
+                                                               xml.compare(next, 2, "?>") == 0);
+        if (!isBlank || !(isBetween || isBeforeEnd || next == std::string::npos))
+            text += xml[i];
+    }
+    return text;
+}
+
+/// What an InputError says; "accepted" where none was thrown.
+template <typename Act>
+std::string refusalOf(Act&& act) {
+    try {
+        act();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+/// A parameter file of AtmosphereSmart that holds `inside` beside what every file needs.
+inline std::string smartXml(const std::string& inside) {
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<data>\n<fileType>Parameters</fileType>\n"
+           "<type>/AtmosphereSmart/Root/Atmosphere/AtmosphereSmart</type>\n" +
+           inside + "\n</data>\n";
+}
+/// <parameter> with a <double>.
+inline std::string numberXml(const std::string& name, const std::string& value) {
+    return "<parameter name=\"" + name + "\"><double>" + value + "</double></parameter>\n";
+}
+inline std::string vectorXml(const std::string& name, const std::string& values) {
+    std::string text = "<parameter name=\"" + name + "\"><vector>";
+    for (std::size_t at = 0; at < values.size();) {
+        const std::size_t end = std::min(values.find(' ', at), values.size());
+        text += "<double>" + values.substr(at, end - at) + "</double>";
+        at = end + 1;
+    }
+    return text + "</vector></parameter>\n";
+}
+
+} // namespace irsg
