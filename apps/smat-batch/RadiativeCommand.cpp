@@ -138,15 +138,9 @@ class RadiativeCommand {
         environment.sun = {
             .azimuth_rad = irsg::radians(numbers_.value("--sun-azimuth").value_or(180.0)),
             .elevation_rad = irsg::radians(numbers_.value("--sun-elevation").value_or(45.0))};
-        environment.add(openAtmosphere(atmosphere_));
-        if (const auto resolution = numbers_.value("--resolution")) {
-            throw irsg::InputError(irsg::Offence{
-                .file = "--resolution",
-                .position = "",
-                .value = irsg::numberText(*resolution) + " with " +
-                         environment.atmospheres().front()->name(),
-                .expected = "no resolution: these spectra have nodes of their own, not bins"});
-        }
+        const auto resolution = numbers_.value("--resolution");
+        environment.add(openAtmosphere(
+            atmosphere_, resolution ? std::optional(static_cast<int>(*resolution)) : std::nullopt));
         return environment;
     }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "irsg/atmosphere/Atmosphere.h"
 
@@ -13,6 +14,10 @@ bool isNoAir(const std::filesystem::path& input);
 /// What a project or a command names as its air: those words, or a file of any kind that
 /// irsg::loadAtmosphere knows. Throws InputError for a file that is missing, is no atmosphere or
 /// is damaged.
-std::shared_ptr<const irsg::Atmosphere> openAtmosphere(const std::filesystem::path& input);
+///
+/// `resolution_cm`, 1, 5 or 15, takes the place of an AtmosphereSmart's own; other air has no bins
+/// and is an InputError with it.
+std::shared_ptr<const irsg::Atmosphere> openAtmosphere(const std::filesystem::path& input,
+                                                       std::optional<int> resolution_cm = {});
 
 } // namespace smat

@@ -456,7 +456,7 @@ INSTANTIATE_TEST_SUITE_P(
         radiativeRow("ResolutionOfAirWithoutBins",
                      slantWith({"--sensor-altitude", "9", "--los-elevation", "5", "--range", "50",
                                 "--resolution", "5"}),
-                     {"--resolution", "Beer-Lambert (a.csv)"}),
+                     {"Beer-Lambert (a.csv): resolution: found 5", "AtmosphereSmart"}),
         radiativeRow("SunBeyondTheZenith", slantWith({"--sun-elevation", "91"}),
                      {"--sun-elevation", "91"}),
         Row{"SeveralAtOnce",
