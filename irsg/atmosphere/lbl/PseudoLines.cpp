@@ -39,7 +39,8 @@ double coefficientBetween(const std::vector<BandPoint>& points, std::size_t i, d
     return own * std::pow(other / own, part);
 }
 
-/// E'' for which S(T) follows T^(0 - m) once the widths have followed T^-x: W ~ S p^n T^(-x n).
+/// E'' for which, at 273 K, absorption follows T^-m as the model's W does: the widths, ~ T^-x,
+/// bring T^(-x n), the partition sum T^-1.5 and the Boltzmann factor T^(c2 E'' / T).
 double lowerEnergy_cm(const BandPoint& point, const PseudoGas& gas) {
     const double slope = static_cast<double>(gas.widthExponent) * point.pressureExponent + 1.5 -
                          point.temperatureExponent;
