@@ -42,8 +42,7 @@ struct NodeSet {
 /// In single mode heat that is scattered out of a path is lost, and none is scattered in. Fluxes,
 /// and the light that the ground reflects, are those of the two-stream solution in both modes. The
 /// sun has the same elevation all along a path, and a path without an azimuth sees the mean of its
-/// scattered light over all azimuths. Above 35000 cm-1 or so there is no heat to speak of: Planck's
-/// function is held at exp(-600) of its factor.
+/// scattered light over all azimuths.
 ///
 /// Extinction at a node and level is computed when first asked and kept, so a path costs what it
 /// touches. Const members may be called from several threads.
