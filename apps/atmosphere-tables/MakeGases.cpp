@@ -101,7 +101,8 @@ std::string errorTable(const std::vector<Piece>& work, const std::vector<Trained
             "5, 15 "
             "cm-1; nodes a bin\n";
     for (const Range& range : ranges) {
-        text << range.lower_cm << "-" << range.upper_cm << " cm-1:";
+        text << std::defaultfloat << std::setprecision(6) << range.lower_cm << "-" << range.upper_cm
+             << " cm-1:";
         for (std::size_t r = 0; r < 3; ++r) {
             double squares = 0.0, largest = 0.0;
             std::size_t cases = 0, nodes = 0, bins = 0;
@@ -119,7 +120,6 @@ std::string errorTable(const std::vector<Piece>& work, const std::vector<Trained
                  << std::sqrt(squares / static_cast<double>(cases)) << " / " << std::setprecision(3)
                  << largest << std::setprecision(1) << " ("
                  << static_cast<double>(nodes) / static_cast<double>(bins) << ")";
-            text.unsetf(std::ios::fixed);
         }
         text << "\n";
     }
@@ -166,7 +166,7 @@ void makeGases(const Folders& folders) {
            "weights by optimal spectral sampling (Moncet et al. 2008).\n";
     for (const LineList& gas : gases)
         for (const std::string& origin : gas.origins)
-            header << gasNames[static_cast<std::size_t>(gas.gas)] << ": " << origin << "\n";
+            header << origin << "\n";
     header << errorTable(work, trained);
 
     Assembly table;

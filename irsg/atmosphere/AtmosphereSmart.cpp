@@ -3,20 +3,13 @@
 #include <utility>
 
 #include "irsg/atmosphere/SmartAdapter.h"
+#include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
 
 namespace {
-
-/// Values at the nodes of a range, and the spectrum that they stand for.
-template <typename Compute>
-Spectrum spectrumOf(const RadiativeTransfer& transfer, const SpectralRange& range,
-                    Compute compute) {
-    const NodeSet nodes = transfer.nodesOf(range);
-    return transfer.spectrum(range, compute(nodes));
-}
 
 bool isFlux(AtmosphereProperty property) {
     return property == AtmosphereProperty::upwardFlux ||
@@ -64,6 +57,21 @@ void AtmosphereSmart::makeTransfer() const {
     transfer_ = std::make_unique<const RadiativeTransfer>(air_, gases_);
 }
 
+const PathTables& AtmosphereSmart::tables(const NodeSet& nodes) const {
+    const RadiativeTransfer& air = transfer();
+    const std::lock_guard lock(tablesMutex_);
+    auto& own = tables_[nodes.nodes];
+    if (!own)
+        own = std::make_unique<PathTables>(air, nodes,
+                                           parameters_.irradianceMode == 1 ? tableTolerance : 0.0);
+    return *own;
+}
+
+template <typename Compute>
+Spectrum AtmosphereSmart::spectrumOf(const SpectralRange& range, Compute compute) const {
+    return transfer().spectrum(range, compute(tables(transfer().nodesOf(range))));
+}
+
 bool AtmosphereSmart::supports(AtmosphereProperty property) const {
     return !isFlux(property) || air_.scattering == ScatteringMode::twoStream;
 }
@@ -76,35 +84,30 @@ std::string AtmosphereSmart::refusal(AtmosphereProperty property) const {
 Spectrum AtmosphereSmart::transmittance(const AirPath& path, const SpectralRange& range) const {
     checkRange(range);
     checkPath(path);
-    return spectrumOf(transfer(), range,
-                      [&](const NodeSet& nodes) { return transfer_->transmittance(nodes, path); });
+    return spectrumOf(range, [&](const PathTables& air) { return air.transmittance(path); });
 }
 
 Spectrum AtmosphereSmart::pathRadiance(const AirPath& path, const SunPosition& sun,
                                        const SpectralRange& range) const {
     checkRange(range);
     checkPath(path);
-    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
-        return transfer_->pathRadiance(nodes, path, sun);
-    });
+    return spectrumOf(range, [&](const PathTables& air) { return air.pathRadiance(path, sun); });
 }
 
 Spectrum AtmosphereSmart::backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
                                              const SpectralRange& range) const {
     checkRange(range);
     checkSight(sight);
-    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
-        return transfer_->backgroundRadiance(nodes, sight, sun);
-    });
+    return spectrumOf(range,
+                      [&](const PathTables& air) { return air.backgroundRadiance(sight, sun); });
 }
 
 Spectrum AtmosphereSmart::solarIrradiance(double altitude_m, const SunPosition& sun,
                                           const SpectralRange& range) const {
     checkRange(range);
     checkAltitude(altitude_m);
-    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
-        return transfer_->solarIrradiance(nodes, altitude_m, sun);
-    });
+    return spectrumOf(range,
+                      [&](const PathTables& air) { return air.solarIrradiance(altitude_m, sun); });
 }
 
 Spectrum AtmosphereSmart::upwardFlux(double altitude_m, const SunPosition& sun,
@@ -113,9 +116,8 @@ Spectrum AtmosphereSmart::upwardFlux(double altitude_m, const SunPosition& sun,
         return Atmosphere::upwardFlux(altitude_m, sun, range);
     checkRange(range);
     checkAltitude(altitude_m);
-    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
-        return transfer_->upwardFlux(nodes, altitude_m, sun);
-    });
+    return spectrumOf(range,
+                      [&](const PathTables& air) { return air.upwardFlux(altitude_m, sun); });
 }
 
 Spectrum AtmosphereSmart::downwardFlux(double altitude_m, const SunPosition& sun,
@@ -124,9 +126,8 @@ Spectrum AtmosphereSmart::downwardFlux(double altitude_m, const SunPosition& sun
         return Atmosphere::downwardFlux(altitude_m, sun, range);
     checkRange(range);
     checkAltitude(altitude_m);
-    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
-        return transfer_->downwardFlux(nodes, altitude_m, sun);
-    });
+    return spectrumOf(range,
+                      [&](const PathTables& air) { return air.downwardFlux(altitude_m, sun); });
 }
 
 double AtmosphereSmart::ambientTemperature_K(double altitude_m) const {
@@ -138,9 +139,55 @@ Spectrum AtmosphereSmart::scatteringOpticalDepth(const AirPath& path,
                                                  const SpectralRange& range) const {
     checkRange(range);
     checkPath(path);
-    return spectrumOf(transfer(), range, [&](const NodeSet& nodes) {
-        return transfer_->scatteringOpticalDepth(nodes, path);
+    return spectrumOf(range, [&](const PathTables& air) {
+        return transfer_->scatteringOpticalDepth(air.nodes(), path);
     });
+}
+
+std::shared_ptr<const SensorCkData> AtmosphereSmart::prepareCk(const CkRequest& request) const {
+    checkRange(request.band.range());
+    return std::make_shared<const SensorCkData>(SensorCkData::prepare(transfer(), request));
+}
+
+std::vector<double> AtmosphereSmart::ckTransmittance(const AirPath& path,
+                                                     const SensorCkData& ck) const {
+    checkPath(path);
+    return tables(ck.nodes()).transmittance(path);
+}
+
+std::vector<double> AtmosphereSmart::ckPathRadiance(const AirPath& path, const SunPosition& sun,
+                                                    const SensorCkData& ck) const {
+    checkPath(path);
+    return tables(ck.nodes()).pathRadiance(path, sun);
+}
+
+std::vector<double> AtmosphereSmart::ckBackgroundRadiance(const LineOfSight& sight,
+                                                          const SunPosition& sun,
+                                                          const SensorCkData& ck) const {
+    checkSight(sight);
+    return tables(ck.nodes()).backgroundRadiance(sight, sun);
+}
+
+std::vector<double> AtmosphereSmart::ckSolarIrradiance(double altitude_m, const SunPosition& sun,
+                                                       const SensorCkData& ck) const {
+    checkAltitude(altitude_m);
+    return tables(ck.nodes()).solarIrradiance(altitude_m, sun);
+}
+
+std::vector<double> AtmosphereSmart::ckUpwardFlux(double altitude_m, const SunPosition& sun,
+                                                  const SensorCkData& ck) const {
+    if (!supports(AtmosphereProperty::upwardFlux))
+        return Atmosphere::ckUpwardFlux(altitude_m, sun, ck);
+    checkAltitude(altitude_m);
+    return tables(ck.nodes()).upwardFlux(altitude_m, sun);
+}
+
+std::vector<double> AtmosphereSmart::ckDownwardFlux(double altitude_m, const SunPosition& sun,
+                                                    const SensorCkData& ck) const {
+    if (!supports(AtmosphereProperty::downwardFlux))
+        return Atmosphere::ckDownwardFlux(altitude_m, sun, ck);
+    checkAltitude(altitude_m);
+    return tables(ck.nodes()).downwardFlux(altitude_m, sun);
 }
 
 } // namespace irsg

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -9,6 +10,7 @@
 #include "irsg/atmosphere/Atmosphere.h"
 #include "irsg/atmosphere/AtmosphereSmartParameters.h"
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
+#include "irsg/atmosphere/tables/PathTables.h"
 
 namespace irsg {
 
@@ -18,9 +20,14 @@ namespace irsg {
 /// A).
 ///
 /// The gas table is read and the air's levels are made with the first spectral query, so that
-/// looking into a file costs little. Const members may be called from several threads.
+/// looking into a file costs little. In IrradianceMode 1 quantities are kept in tables over range,
+/// altitude and elevation that refine themselves to `tableTolerance`, in mode 2 everything is
+/// computed on the fly. Const members may be called from several threads.
 class AtmosphereSmart : public Atmosphere {
   public:
+    /// Of the tables: in transmittance, and relative for everything else.
+    static constexpr double tableTolerance = 1e-3;
+
     /// Parameters that came from `file`, relative to which a radiosonde ascent is looked for;
     /// `gases` is the shipped table where it is null. Throws InputError as SmartAdapter::airModel.
     explicit AtmosphereSmart(AtmosphereSmartParameters parameters,
@@ -60,8 +67,26 @@ class AtmosphereSmart : public Atmosphere {
     double ambientTemperature_K(double altitude_m) const override;
     Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const override;
 
+    bool isWidebandModeAvailable() const override { return true; }
+    std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const override;
+    std::vector<double> ckTransmittance(const AirPath& path, const SensorCkData& ck) const override;
+    std::vector<double> ckPathRadiance(const AirPath& path, const SunPosition& sun,
+                                       const SensorCkData& ck) const override;
+    std::vector<double> ckBackgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
+                                             const SensorCkData& ck) const override;
+    std::vector<double> ckSolarIrradiance(double altitude_m, const SunPosition& sun,
+                                          const SensorCkData& ck) const override;
+    std::vector<double> ckUpwardFlux(double altitude_m, const SunPosition& sun,
+                                     const SensorCkData& ck) const override;
+    std::vector<double> ckDownwardFlux(double altitude_m, const SunPosition& sun,
+                                       const SensorCkData& ck) const override;
+
   private:
     void makeTransfer() const;
+    const PathTables& tables(const NodeSet& nodes) const;
+    /// Of a spectral quantity: values at the nodes of a range, and the spectrum they stand for.
+    template <typename Compute>
+    Spectrum spectrumOf(const SpectralRange& range, Compute compute) const;
 
     AtmosphereSmartParameters parameters_;
     std::string name_;
@@ -70,6 +95,8 @@ class AtmosphereSmart : public Atmosphere {
     mutable std::shared_ptr<const GasTable> gases_;
     mutable std::once_flag once_;
     mutable std::unique_ptr<const RadiativeTransfer> transfer_;
+    mutable std::mutex tablesMutex_;
+    mutable std::map<std::vector<std::uint32_t>, std::unique_ptr<PathTables>> tables_;
 };
 
 } // namespace irsg

@@ -42,7 +42,14 @@ AdaptiveTable::Values AdaptiveTable::at(double x) const {
     if (!(x >= low_ && x <= high_))
         throw LogicError("a table was asked beyond its ends");
     const std::lock_guard lock(mutex_);
-    constexpr int deepest = 30;
+    // What was computed is given as it is; a table for a few questions is not worth its cells.
+    if (const auto known = values_.find(x); known != values_.end())
+        return known->second;
+    constexpr int fewQuestions = 3, deepest = 30;
+    if (questions_ < fewQuestions) {
+        ++questions_;
+        return value(x);
+    }
     double a = low_, b = high_;
     for (int depth = 0; depth < deepest; ++depth) {
         const double middle = 0.5 * (a + b);

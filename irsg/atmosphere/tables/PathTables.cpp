@@ -66,7 +66,7 @@ const AdaptiveTable& PathTables::table(const Key& key, double low, double high,
 
 std::vector<double> PathTables::transmittance(const AirPath& path) const {
     const double least_m = shortest_m(path.sensorAltitude_m, path.targetAltitude_m);
-    if (!(path.range_m > least_m && path.range_m <= farthest_m))
+    if (onTheFly() || !(path.range_m > least_m && path.range_m <= farthest_m))
         return transfer_.transmittance(nodes_, path);
     const RangeCell cell = cellOf(path.range_m, least_m);
     auto function = [this, path](double range_m) {
@@ -83,7 +83,7 @@ std::vector<double> PathTables::transmittance(const AirPath& path) const {
 
 std::vector<double> PathTables::pathRadiance(const AirPath& path, const SunPosition& sun) const {
     const double least_m = shortest_m(path.sensorAltitude_m, path.targetAltitude_m);
-    if (!(path.range_m > least_m && path.range_m <= farthest_m))
+    if (onTheFly() || !(path.range_m > least_m && path.range_m <= farthest_m))
         return transfer_.pathRadiance(nodes_, path, sun);
     const RangeCell cell = cellOf(path.range_m, least_m);
     auto function = [this, path, sun](double range_m) {
@@ -116,6 +116,8 @@ PathTables::Horizon PathTables::horizonOf(double altitude_m) const {
 
 std::vector<double> PathTables::backgroundRadiance(const LineOfSight& sight,
                                                    const SunPosition& sun) const {
+    if (onTheFly())
+        return transfer_.backgroundRadiance(nodes_, sight, sun);
     // The ground and the sky are two tables: what is seen jumps at the horizon.
     const double azimuth_rad =
         std::remainder(sight.azimuth_rad - sun.azimuth_rad, 2.0 * std::numbers::pi);
@@ -138,7 +140,7 @@ std::vector<double> PathTables::backgroundRadiance(const LineOfSight& sight,
 std::vector<double> PathTables::overAltitude(Kind kind, double altitude_m, const SunPosition& sun,
                                              const AdaptiveTable::Function& function) const {
     const double top_m = transfer_.air().profile.top_m();
-    if (!(altitude_m >= 0.0 && altitude_m <= top_m))
+    if (onTheFly() || !(altitude_m >= 0.0 && altitude_m <= top_m))
         return function(altitude_m);
     return table({kind, sun.elevation_rad, 0.0, 0.0, 0.0}, 0.0, top_m, function, relativeDifference)
         .at(altitude_m);

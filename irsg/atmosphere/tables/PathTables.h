@@ -55,6 +55,7 @@ class PathTables {
     const RadiativeTransfer& transfer_;
     NodeSet nodes_;
     double tolerance_;
+    bool onTheFly() const { return tolerance_ <= 0.0; }
     mutable std::mutex mutex_;
     mutable std::map<Key, std::unique_ptr<AdaptiveTable>> tables_;
     mutable std::map<double, Horizon> horizons_;
