@@ -108,7 +108,7 @@ TEST_F(PathTablesOfAir, keepTransmittanceOneAtRangeZeroAndFalling) {
     for (double range_m = 1.0; range_m < 1e5; range_m *= 1.4) {
         const auto values = tables.transmittance({1000.0, 1000.0, range_m});
         for (std::size_t i = 0; i < values.size(); ++i)
-            EXPECT_LE(values[i], last[i] + 1e-12) << range_m;
+            EXPECT_LE(values[i], last[i] + tolerance) << range_m;
         last = values;
     }
 }

@@ -27,7 +27,7 @@ std::vector<AirPath> spreadOfPaths(double top_m) {
           Ends{3000, 3000}, Ends{6000, 1000}, Ends{3000, 10000}, Ends{6000, 6000},
           Ends{10000, 10000}, Ends{12000, 0}, Ends{15000, 8000}, Ends{20000, 12000}})
         for (const double range_m :
-             {30.0, 150.0, 600.0, 2000.0, 5000.0, 10e3, 20e3, 40e3, 80e3, 150e3}) {
+             {30.0, 150.0, 600.0, 2e3, 3.5e3, 6e3, 9e3, 13e3, 20e3, 30e3, 45e3, 70e3, 150e3}) {
             const double climb_m = std::abs(ends.sensor_m - ends.target_m);
             const bool low = ends.sensor_m < 1000.0 && ends.target_m < 1000.0;
             if (range_m < 1.05 * climb_m || (low && range_m > 30e3) ||
@@ -107,7 +107,7 @@ class BandNodes {
     /// Adds the integral of f times every bin's hat over the band.
     template <typename Function>
     void integrate(Function f, std::vector<double>& perBin) const {
-        const GaussRule& rule = gaussLegendre(12);
+        const GaussRule& rule = gaussLegendre(32);
         for (std::size_t b = 0; b + 1 < centres_um_.size(); ++b) { // wavelengths fall
             const double lower_um = std::max(centres_um_[b + 1], band_.range().min_um);
             const double upper_um = std::min(centres_um_[b], band_.range().max_um);
@@ -194,7 +194,7 @@ std::vector<Source> sources(const BandNodes& nodes, const CkRequest& request) {
             return planckRadiance_W_m2_sr_um(wavelength_um, temperature_K);
         };
     };
-    for (const double temperature_K : {220.0, 260.0, 300.0, 400.0, 600.0, 1000.0, 2200.0})
+    for (const double temperature_K : {220.0, 260.0, 300.0, 450.0, 900.0, 2200.0})
         all.emplace_back(nodes, planck(temperature_K));
 
     // Structure over the band: a surface may emit in any part of it.

@@ -1,0 +1,158 @@
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "irsg/atmosphere/ck/SensorCkData.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Planck.h"
+#include "irsg/radiometry/Quadrature.h"
+
+namespace irsg {
+namespace {
+
+RadiativeTransfer airOf(ModelAtmosphere model) {
+    AirModel air{Profile::model(model), {}};
+    ParticleSettings particles;
+    particles.visibility_m = 23e3;
+    air.particles = particleLayers(particles, air.profile);
+    return RadiativeTransfer(air, GasTable::shipped());
+}
+
+/// Hot carbon dioxide: a band of lines 1.6 cm-1 apart, as the air's own are.
+Spectrum plume() {
+    std::vector<double> wavelengths_um, radiance;
+    for (double nu = 2420.0; nu >= 2080.0; nu -= 0.4) {
+        const double envelope = std::exp(-std::pow((nu - 2290.0) / 70.0, 2.0));
+        const double lines = 1.0 + 0.9 * std::cos(2.0 * 3.14159265 * nu / 1.6);
+        wavelengths_um.push_back(1e4 / nu);
+        radiance.push_back((1.0 - std::exp(-2.0 * envelope * lines)) *
+                           planckRadiance_W_m2_sr_um(1e4 / nu, 1200.0));
+    }
+    return Spectrum(wavelengths_um, radiance, Spectrum::Outside::zero, "plume");
+}
+
+/// Twenty paths that are none of those trained on.
+std::vector<AirPath> paths() {
+    std::vector<AirPath> all;
+    for (const double range_m : {70.0, 800.0, 3500.0, 11e3, 47e3})
+        for (const auto& [sensor_m, target_m] :
+             {std::pair{20.0, 40.0}, std::pair{2200.0, 2500.0}, std::pair{8000.0, 7700.0},
+              std::pair{5000.0, 2000.0}})
+            if (range_m > 1.1 * std::abs(sensor_m - target_m) &&
+                !(sensor_m < 100.0 && range_m > 4e4))
+                all.push_back({sensor_m, target_m, range_m});
+    all.push_back({10.0, 10e3, 22e3});
+    all.push_back({11e3, 300.0, 18e3});
+    all.push_back({15e3, 9e3, 130e3});
+    all.push_back({50.0, 4000.0, 9e3});
+    return all;
+}
+
+struct BandCase {
+    const char* name;
+    double min_um, max_um;
+};
+
+class Wideband : public testing::TestWithParam<BandCase> {};
+
+TEST_P(Wideband, givesApparentRadianceWithinHalfAPercent) {
+    const BandCase& test = GetParam();
+    const Band band = Band::topHat(test.min_um, test.max_um);
+    const SunPosition sun{0.0, 0.7};
+    const Spectrum hot = plume();
+    const bool hasPlume = test.min_um < 4.3 && test.max_um > 4.3;
+    double worst = 0.0, trained = 0.0;
+    std::size_t terms = 0, nodes = 0;
+    for (int model = 1; model <= 6; ++model) {
+        const RadiativeTransfer transfer = airOf(static_cast<ModelAtmosphere>(model));
+        CkRequest request;
+        request.band = band;
+        request.sun = sun;
+        if (hasPlume)
+            request.spectra = {&hot};
+        const SensorCkData ck = SensorCkData::prepare(transfer, request);
+        terms = std::max(terms, ck.size());
+        trained = std::max(trained, ck.largestError());
+        const NodeSet spectral = transfer.nodesOf(band.range());
+        nodes = spectral.nodes.size();
+        const std::vector<double> hotTerms = ck.sampled(hot);
+        for (const AirPath& path : paths()) {
+            const Spectrum transmittance =
+                transfer.spectrum(band.range(), transfer.transmittance(spectral, path));
+            const Spectrum radiance =
+                transfer.spectrum(band.range(), transfer.pathRadiance(spectral, path, sun));
+            std::vector<const Spectrum*> axes = {&transmittance, &radiance};
+            if (hasPlume)
+                axes.push_back(&hot);
+            const SpectralQuadrature quadrature(band, axes);
+            const std::vector<double> tau = quadrature.sample(transmittance);
+            const double pathInBand = quadrature.integrate(quadrature.sample(radiance));
+
+            const std::vector<double> ckTau = transfer.transmittance(ck.nodes(), path);
+            const double ckPath = ck.integrate(transfer.pathRadiance(ck.nodes(), path, sun));
+            auto compare = [&](const std::vector<double>& source,
+                               const std::vector<double>& ckSource, const char* what) {
+                std::vector<double> product = ckSource;
+                for (std::size_t i = 0; i < product.size(); ++i)
+                    product[i] *= ckTau[i];
+                const double expected = quadrature.integrate(source, tau) + pathInBand;
+                const double found = ck.integrate(product) + ckPath;
+                worst = std::max(worst, std::abs(found / expected - 1.0));
+                EXPECT_NEAR(found / expected, 1.0, 0.005)
+                    << what << ", atmosphere " << model << ", " << path.sensorAltitude_m << " to "
+                    << path.targetAltitude_m << " m over " << path.range_m << " m";
+            };
+            for (const double temperature_K : {250.0, 275.0, 350.0, 500.0, 900.0, 1500.0, 2200.0})
+                compare(quadrature.planck(temperature_K), ck.planck(temperature_K), "grey");
+            if (hasPlume)
+                compare(quadrature.sample(hot), hotTerms, "plume");
+        }
+    }
+    std::cout << test.name << ": largest error " << 100.0 * worst << " %, at most " << terms
+              << " terms for " << nodes << " nodes, trained to " << 100.0 * trained << " %\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Bands, Wideband,
+                         testing::Values(BandCase{"ThreeToFive", 3.0, 5.0},
+                                         BandCase{"EightToTwelve", 8.0, 12.0},
+                                         BandCase{"OneAndAHalfToTwoAndAHalf", 1.5, 2.5},
+                                         BandCase{"FourPointOneToFourPointFive", 4.1, 4.5}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(SensorCkData, holdsWhatASensorNeeds) {
+    const RadiativeTransfer transfer = airOf(ModelAtmosphere::midlatitudeSummer);
+    const Band band = Band::fromResponse(Spectrum({3.4, 3.9, 4.4}, {0.0, 1.0, 0.0}));
+    CkRequest request;
+    request.band = band;
+    const SensorCkData ck = SensorCkData::prepare(transfer, request);
+    EXPECT_LT(ck.largestError(), 0.01);
+    EXPECT_LE(ck.rmsError(), ck.largestError());
+    ASSERT_EQ(ck.weights_um().size(), ck.size());
+    for (std::size_t i = 0; i < ck.size(); ++i) {
+        EXPECT_GT(ck.weights_um()[i], 0.0);
+        EXPECT_GE(ck.wavelengths_um()[i], 3.39);
+        EXPECT_LE(ck.wavelengths_um()[i], 4.41);
+        if (i > 0) {
+            EXPECT_GT(ck.wavelengths_um()[i], ck.wavelengths_um()[i - 1]);
+        }
+    }
+    // The table of black bodies by terms: report section on wideband, 200 to 2200 K.
+    for (double temperature_K = 220.0; temperature_K <= 2200.0; temperature_K += 110.0)
+        EXPECT_NEAR(ck.integrate(ck.planck(temperature_K)) /
+                        bandRadiance_W_m2_sr(band, temperature_K),
+                    1.0, 0.005);
+    EXPECT_THROW((void)ck.integrate({1.0}), LogicError);
+}
+
+TEST(SensorCkData, worksWithOneTerm) {
+    CkRequest request;
+    request.band = Band::topHat(10.0, 10.2);
+    request.mostTerms = 1;
+    const SensorCkData ck = SensorCkData::prepare(airOf(ModelAtmosphere::usStandard1976), request);
+    EXPECT_EQ(ck.size(), 1u);
+    EXPECT_NEAR(ck.weights_um()[0], 0.2, 0.05);
+}
+
+} // namespace
+} // namespace irsg
