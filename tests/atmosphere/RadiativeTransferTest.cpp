@@ -185,6 +185,21 @@ TEST(RadiativeTransfer, radiatesAtTheNearTemperatureWhereTheAirIsOpaque) {
                 1.0, 1e-6);
 }
 
+TEST(RadiativeTransfer, radiatesWithAllOfItsExtinctionWhereLightIsScatteredOnce) {
+    // As MODTRAN without multiple scattering: (1 - transmittance) Planck along a level path.
+    AirModel air = model(profile(288.0, 6.5), ScatteringMode::single);
+    air.particles = {particles({0.0, 3000.0}, {2e-4, 2e-4}, 0.7, 0.8)};
+    const RadiativeTransfer transfer(air, table());
+    const AirPath path{1000.0, 1000.0, 4000.0};
+    for (const std::uint32_t node : {thin, medium}) {
+        const double transmittance = one(transfer.transmittance(nodes({node}), path));
+        EXPECT_LT(transmittance, 0.5);
+        EXPECT_NEAR(one(transfer.pathRadiance(nodes({node}), path, night)) /
+                        ((1.0 - transmittance) * planck(node, 281.5)),
+                    1.0, 1e-4);
+    }
+}
+
 TEST(RadiativeTransfer, radiatesUpAsDownThroughIsothermalAir) {
     const RadiativeTransfer transfer(model(profile(), ScatteringMode::single), table());
     const NodeSet set = nodes({thin, medium});

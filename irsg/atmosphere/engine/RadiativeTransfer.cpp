@@ -143,11 +143,8 @@ struct RadiativeTransfer::State {
     ScatteredEmission scattered(const Block& block,
                                 const std::shared_ptr<const DiffuseLight::Sunlight>& light,
                                 const SunAngle& angle) const {
-        const bool isTwoStream = air.scattering == ScatteringMode::twoStream;
-        if (!isTwoStream && !light)
-            return {};
         std::shared_ptr<const TwoStreamFluxes> thermal;
-        if (isTwoStream)
+        if (air.scattering == ScatteringMode::twoStream)
             thermal = block.light.thermal();
         NodeColumn::Phases phases;
         if (light)
@@ -157,7 +154,11 @@ struct RadiativeTransfer::State {
             if (thermal) {
                 block.light.scattered(level, *thermal, light.get(), mean, slope);
             } else {
-                std::ranges::fill(mean, 0.0);
+                // What surrounds the air is as warm as the air.
+                std::ranges::transform(block.column.scattering(level), block.column.planck(level),
+                                       mean.begin(), [](float scattering, double planck) {
+                                           return static_cast<double>(scattering) * planck;
+                                       });
                 std::ranges::fill(slope, 0.0);
             }
             if (!light)

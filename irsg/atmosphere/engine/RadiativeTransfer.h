@@ -39,10 +39,11 @@ struct NodeSet {
 /// plus, in two-stream mode, the diffuse field of a plane-parallel two-stream solution (Toon et al.
 /// 1989, J. Geophys. Res. 94, 16287) as source (as the MODTRAN family does).
 ///
-/// In single mode heat that is scattered out of a path is lost, and none is scattered in. Fluxes,
-/// and the light that the ground reflects, are those of the two-stream solution in both modes. The
-/// sun has the same elevation all along a path, and a path without an azimuth sees the mean of its
-/// scattered light over all azimuths.
+/// In single mode what is scattered into a path of heat is as if all around were as warm as the air
+/// there: air then radiates with all of its extinction (as MODTRAN without multiple scattering).
+/// Fluxes, and the light that the ground reflects, are those of the two-stream solution in both
+/// modes. The sun has the same elevation all along a path, and a path without an azimuth sees the
+/// mean of its scattered light over all azimuths.
 ///
 /// Extinction at a node and level is computed when first asked and kept, so a path costs what it
 /// touches. Const members may be called from several threads.
