@@ -75,7 +75,8 @@ constexpr Air airs[] = {{"us76", ModelAtmosphere::usStandard1976},
                         {"tropical", ModelAtmosphere::tropical},
                         {"mlw", ModelAtmosphere::midlatitudeWinter}};
 
-RadiativeTransfer transferOf(const Air& air, const std::string& aerosol) {
+RadiativeTransfer transferOf(const Air& air, const std::string& aerosol,
+                             ScatteringMode mode = ScatteringMode::single) {
     Profile profile = Profile::model(air.model, 330.0);
     std::vector<ParticleLayer> particles;
     if (aerosol != "noaer") {
@@ -87,7 +88,7 @@ RadiativeTransfer transferOf(const Air& air, const std::string& aerosol) {
     }
     AirModel model{std::move(profile), std::move(particles)};
     model.groundTemperature_K = model.profile.at(0.0).temperature_K;
-    model.scattering = ScatteringMode::single;
+    model.scattering = mode;
     return RadiativeTransfer(std::move(model), GasTable::shipped());
 }
 
@@ -119,12 +120,42 @@ struct Score {
 const std::vector<std::string> scoreColumns = {"cases",      "mean Δτ", "RMS Δτ",
                                                "largest Δτ", "RMS ΔL",  "largest ΔL"};
 
+/// Skies seen from the ground, without and with the sun.
+void skyTable(const std::filesystem::path& folder) {
+    const std::vector<BandLimits> skyBands = {bands[0], bands[1], bands[2], bands[3]};
+    Table table(
+        "Sky radiance from the ground against LOWTRAN 7, in-band, W m⁻² sr⁻¹ µm⁻¹, US 1976, "
+        "rural 23 km: heat alone without multiple scattering; with sun at 45° (90° off in "
+        "azimuth), albedo 0.2 and multiple scattering",
+        {"elevation", "µm", "heat, ours", "LOWTRAN", "with sun, ours", "LOWTRAN"});
+    const auto night_sky = Columns::read(folder / "sky_us76__rural23.csv.gz");
+    const auto day_sky = Columns::read(folder / "sky_us76__rural23__sun45.csv.gz");
+    const RadiativeTransfer once = transferOf(airs[0], "rural23");
+    const RadiativeTransfer often = transferOf(airs[0], "rural23", ScatteringMode::twoStream);
+    const auto& nu = night_sky["wavenumber_cm-1"];
+    const auto& dayNu = day_sky["wavenumber_cm-1"];
+    const Slit slit(once, nu, slit_cm), daySlit(often, dayNu, slit_cm);
+    for (const double elevation_deg : {1.0, 5.0, 15.0, 45.0, 90.0}) {
+        const std::string name = "el" + text("%g", elevation_deg);
+        const LineOfSight sight{0.0, elevation_deg * std::numbers::pi / 180.0, 0.0};
+        const auto heat = slit.at(once.backgroundRadiance(slit.nodes(), sight, night));
+        const auto all = daySlit.at(often.backgroundRadiance(
+            daySlit.nodes(), sight, {0.5 * std::numbers::pi, 0.25 * std::numbers::pi}));
+        for (const BandLimits& band : skyBands)
+            table.add({text("%g°", elevation_deg), band.name,
+                       text("%.4g", bandMean(nu, heat, band)),
+                       text("%.4g", bandMean(nu, night_sky["L_" + name], band)),
+                       text("%.4g", bandMean(dayNu, all, band)),
+                       text("%.4g", bandMean(dayNu, day_sky["Ltot_" + name], band))});
+    }
+    table.print();
+}
+
 } // namespace
 
 void lowtranTables(const Output& output) {
     const auto folder = output.data() / "lowtran_results";
     std::map<std::pair<std::string, std::string>, Score> scores;
-    std::vector<std::string> rows;
     for (const Air& air : airs)
         for (const std::string aerosol : {"noaer", "rural23", "rural5", "marit23"}) {
             const RadiativeTransfer transfer = transferOf(air, aerosol);
@@ -168,6 +199,7 @@ void lowtranTables(const Output& output) {
             table.add(cells);
         }
     table.print();
+    skyTable(folder);
 }
 
 } // namespace irsg::accuracy
