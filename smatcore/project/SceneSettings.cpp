@@ -2,6 +2,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/AtmosphereInput.h"
+#include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat {
@@ -13,15 +14,25 @@ irsg::Environment environmentOf(const Project& project, const Settings& settings
     environment.defaultAmbient_K = settings.real("environment.ambientTemperature");
 
     std::vector<irsg::Offence> offences;
+    std::optional<irsg::SunPosition> sun;
     for (const std::filesystem::path& listed : settings.paths("environment.atmospheres")) {
         try {
-            environment.add(openAtmosphere(isNoAir(listed) ? listed : project.resolve(listed)));
+            const auto found =
+                addAir(environment, isNoAir(listed) ? listed : project.resolve(listed));
+            sun = sun ? sun : found;
         } catch (const irsg::InputError& error) {
             offences.insert(offences.end(), error.offences().begin(), error.offences().end());
         }
     }
     if (!offences.empty()) {
         throw irsg::InputError(offences);
+    }
+    // What the project sets itself goes before the sun of an Environment file.
+    if (sun && !settings.isSet("environment.sunAzimuth")) {
+        environment.sun.azimuth_rad = sun->azimuth_rad;
+    }
+    if (sun && !settings.isSet("environment.sunElevation")) {
+        environment.sun.elevation_rad = sun->elevation_rad;
     }
     if (environment.atmospheres().empty()) {
         environment.add(std::make_shared<irsg::Vacuum>());

@@ -122,12 +122,18 @@ void addEnvironment(std::vector<SettingInfo>& table) {
     table.push_back(text(
         "environment.atmospheres", "--atmosphere", "Atmospheres", "", SettingKind::pathList, "none",
         "Atmosphere files in order, separated by semicolons; the first that has the "
-        "asked quantity in the band answers. With none there is no air."));
+        "asked quantity in the band answers: .xml of AtmosphereSmart or of an Environment, .csv of "
+        "homogeneous air or of a radiative output, .smatatm and results of MODTRAN. With none "
+        "there "
+        "is no air."));
     table.push_back(number("environment.sunAzimuth", "--sun-azimuth", "Sun azimuth", "deg", 0, 360,
-                           "180", "Azimuth of the sun, east of north."));
-    table.push_back(
-        number("environment.sunElevation", "--sun-elevation", "Sun elevation", "deg", -90, 90, "45",
-               "Elevation of the sun above the horizon; below it no sun is reflected."));
+                           "180",
+                           "Azimuth of the sun, east of north; where it is not set, that of an "
+                           "Environment file among the atmospheres."));
+    table.push_back(number(
+        "environment.sunElevation", "--sun-elevation", "Sun elevation", "deg", -90, 90, "45",
+        "Elevation of the sun above the horizon; below it no sun is reflected. Where it is not "
+        "set, that of an Environment file among the atmospheres."));
     table.push_back(number("environment.ambientTemperature", "--ambient-temperature",
                            "Ambient temperature", "K", 1, 5000, "288.15",
                            "Air temperature that surfaces take part of, where no atmosphere gives "

@@ -153,6 +153,19 @@ TEST(AtmosphereSmartParameters, whatIsWrittenIsReadBackEqual) {
     }
 }
 
+TEST(AtmosphereSmartParameters, theManualListsThemAsTheyAre) {
+    const std::string manual =
+        contentOf(std::filesystem::path(SMAT_SOURCE_DIR) / "docs" / "atmosphere-parameters.md");
+    for (const auto table : {smartParameters(), ownSmartParameters()})
+        for (const SmartParameter& parameter : table) {
+            std::string row = "| `";
+            row.append(parameter.name).append("` | ").append(parameter.unit).append(" | ");
+            row.append(valueText(parameter, {})).append(" | ").append(parameter.range);
+            row.append(" | ").append(parameter.help).append(" |\n");
+            EXPECT_THAT(manual, HasSubstr(row));
+        }
+}
+
 TEST(AtmosphereSmartParameters, areSaidAsText) {
     std::set<std::string> texts;
     for (const SmartParameter& parameter : smartParameters())

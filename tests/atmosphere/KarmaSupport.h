@@ -6,21 +6,40 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 
-/// A folder of the running test alone, empty at its beginning.
+/// The folder of this process, removed at its end.
+class ProcessFolder {
+  public:
+    ProcessFolder()
+        : path_(std::filesystem::path(testing::TempDir()) / ("karma_" + std::to_string(getpid()))) {
+    }
+    ~ProcessFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    ProcessFolder(const ProcessFolder&) = delete;
+    ProcessFolder& operator=(const ProcessFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+/// A folder of the running test alone, empty when it is first asked for.
 inline std::filesystem::path ownFolder() {
+    static const ProcessFolder process;
     const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string("karma_") + test->test_suite_name() + "_" + test->name();
+    std::string name = std::string(test->test_suite_name()) + "_" + test->name();
     for (char& c : name)
         c = c == '/' ? '_' : c;
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / name;
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    return folder;
+    std::filesystem::create_directories(process.path() / name);
+    return process.path() / name;
 }
 
 inline std::filesystem::path writtenFile(const std::filesystem::path& file,

@@ -285,6 +285,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 const Words imageInAir = imageWith({"--atmosphere", "a.csv"});
 const Words imageWithResponse = imageWith({"--response", "a.csv"});
+const std::string smartHead = "<data>\n<fileType>Parameters</fileType>\n"
+                              "<type>/AtmosphereSmart/Root/Atmosphere/AtmosphereSmart</type>\n";
 const std::string airHead = "wavelength [um],extinction [km-1]\n";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -296,6 +298,15 @@ INSTANTIATE_TEST_SUITE_P(
             imageWith({"--atmosphere", "a.txt"}),
             {"a.txt", "no atmosphere", ".csv"}},
         Row{"AtmosphereEmpty", file("a.csv", ""), imageInAir, {"a.csv"}},
+        Row{"AtmosphereParameterOutOfRange",
+            file("a.xml", smartHead + "<parameter name=\"AirMass\"><double>0</double></parameter>\n"
+                                      "</data>\n"),
+            imageWith({"--atmosphere", "a.xml"}),
+            {"a.xml", "line 4", "AirMass", "found 0", "1 to 10"}},
+        Row{"AtmosphereXmlCutShort",
+            file("a.xml", smartHead),
+            imageWith({"--atmosphere", "a.xml"}),
+            {"a.xml", "well-formed"}},
         Row{"NegativeExtinction",
             file("a.csv", airHead + "2,0.1\n6,-0.1\n"),
             imageInAir,

@@ -130,6 +130,44 @@ TEST_F(SceneBuilderTest, RefusesAllThatIsWrongAtOnce) {
                                                       testing::HasSubstr("missing-response.csv")));
 }
 
+TEST_F(SceneBuilderTest, AnEnvironmentFileBringsItsAtmospheresSunAndBackground) {
+    const std::string head = "<data><fileType>Parameters</fileType><type>/";
+    writeTextFile(folder / "summer.xml", head + "AtmosphereSmart</type></data>");
+    writeTextFile(folder / "haze.csv", "wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n");
+    writeTextFile(folder / "world.xml",
+                  head +
+                      "Environment</type>"
+                      "<parameter name=\"SunAzimuth\"><double>1.5</double></parameter>"
+                      "<parameter name=\"SunElevation\"><double>0.25</double></parameter>"
+                      "<parameter name=\"BackgroundRadianceWavelengths\"><vector><double>3</double>"
+                      "<double>5</double></vector></parameter>"
+                      "<parameter name=\"BackgroundRadianceValues\"><vector><double>1</double>"
+                      "<double>2</double></vector></parameter>"
+                      "<composition><composite name=\"A\"><component>AtmosphereSmart</component>"
+                      "<parameters>.\\summer.xml</parameters></composite></composition></data>");
+    project.settings.set("environment.atmospheres", "world.xml;haze.csv");
+    const auto environment = environmentOf(project, project.settings);
+    ASSERT_EQ(environment.atmospheres().size(), 2u);
+    EXPECT_EQ(environment.atmospheres()[0]->name(), "AtmosphereSmart (summer.xml)");
+    EXPECT_EQ(environment.atmospheres()[1]->name(), "Beer-Lambert (haze.csv)");
+    EXPECT_EQ(environment.sun.azimuth_rad, 1.5);
+    EXPECT_EQ(environment.sun.elevation_rad, 0.25);
+    EXPECT_EQ(environment.defaultBackground->at(4.0), 1.5);
+    EXPECT_EQ(environment.defaultAmbient_K, 288.15);
+
+    // What the project sets itself goes before the file's.
+    project.settings.set("environment.sunElevation", "45");
+    const auto other = environmentOf(project, project.settings);
+    EXPECT_EQ(other.sun.azimuth_rad, 1.5);
+    EXPECT_NEAR(other.sun.elevation_rad, irsg::pi / 4, 1e-15);
+
+    project.settings.set("environment.atmospheres", "summer.xml");
+    const auto smart = environmentOf(project, project.settings);
+    ASSERT_EQ(smart.atmospheres().size(), 1u);
+    EXPECT_NEAR(smart.sun.azimuth_rad, irsg::pi, 1e-15);
+    EXPECT_FALSE(smart.defaultBackground);
+}
+
 TEST_F(SceneBuilderTest, AProjectWithoutModelsIsRefused) {
     project.models.clear();
     ASSERT_EQ(refused().size(), 1u);
