@@ -17,6 +17,11 @@
 
 namespace irsg {
 
+/// How a band is integrated (F19, the report's CalculationMode).
+enum class CalculationMode {
+    spectral = 1, ///< at every wavelength of the spectra that meet
+    wideband = 2  ///< at the terms of the atmosphere's correlated-k, see SensorCkData
+};
 /// How the sun and the diffuse fluxes are reflected (report section 4, F12).
 enum class ReflectionMode {
     off,
@@ -35,6 +40,7 @@ enum class BackgroundMode {
 };
 
 struct RenderSettings {
+    CalculationMode mode = CalculationMode::spectral;
     int samplesPerAxis = 4; ///< supersampling: 1, 2 or 4 for modes 0 to 2; any 1 to 16
     ReflectionMode sun = ReflectionMode::smart;
     ReflectionMode fluxes = ReflectionMode::smart;

@@ -87,14 +87,41 @@ SurfaceModes Irsg::Parts::modes(const CameraFrame& camera) const {
     return result;
 }
 
+std::shared_ptr<const SensorCkData>
+Irsg::Parts::widebandTerms(const std::vector<ObjectGeometry>& objects) {
+    CkRequest request;
+    request.band = sensor.band;
+    request.sun = environment.sun;
+    request.spectra = spectraOf(entities);
+    for (const ObjectGeometry& object : objects)
+        request.paths.push_back(object.path);
+
+    WidebandKey key{environment.findWideband(sensor.band.range()),
+                    sensor.band,
+                    environment.sun.azimuth_rad,
+                    environment.sun.elevation_rad,
+                    {}};
+    for (const Spectrum* spectrum : request.spectra)
+        key.spectra.push_back(*spectrum);
+    if (!wideband || !key.atmosphere || widebandKey != key) {
+        wideband = timed("wideband terms", [&] { return environment.prepareCk(request).value; });
+        widebandKey = std::move(key);
+    }
+    return wideband;
+}
+
 Irsg::Parts::Frame Irsg::Parts::frame() {
     const std::vector<ObjectGeometry> objects = geometry();
     checkScene(entities, objects, environment, sensor, settings);
+    const bool spectral = settings.mode == CalculationMode::spectral;
+    const auto terms = spectral ? nullptr : widebandTerms(objects);
     return timed("radiometry", [&] {
         Frame result{
             CameraFrame(sensor, viewpoint),
             objects,
-            SceneRadiometry(environment, entities, objects, settings, centre(), sensor.band),
+            spectral
+                ? SceneRadiometry(environment, entities, objects, settings, centre(), sensor.band)
+                : SceneRadiometry(environment, entities, objects, settings, centre(), terms),
             {},
             {}};
         fillRows(result);

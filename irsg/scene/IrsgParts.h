@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -42,6 +43,18 @@ struct Irsg::Parts {
     std::array<double, 3> frameRaster{};
     double frameProjectedSolidAngle_sr = 0.0;
 
+    // The wideband terms of the sensor, kept while nothing they were trained on changes.
+    struct WidebandKey {
+        const Atmosphere* atmosphere = nullptr;
+        Band band = Band::topHat(3.0, 5.0);
+        double sunAzimuth_rad = 0.0, sunElevation_rad = 0.0;
+        std::vector<Spectrum> spectra;
+
+        bool operator==(const WidebandKey&) const = default;
+    };
+    std::optional<WidebandKey> widebandKey;
+    std::shared_ptr<const SensorCkData> wideband;
+
     /// Everything one drawing needs, made anew for each.
     struct Frame {
         CameraFrame camera;
@@ -78,6 +91,10 @@ struct Irsg::Parts {
     void prepareEntity(std::size_t e);
 
     std::vector<ObjectGeometry> geometry() const;
+
+    /// The wideband terms for the scene as it stands. Throws InputError where no atmosphere has
+    /// them.
+    std::shared_ptr<const SensorCkData> widebandTerms(const std::vector<ObjectGeometry>& objects);
 
     /// The unbounded line of sight through the middle of the field.
     LineOfSight centre() const;

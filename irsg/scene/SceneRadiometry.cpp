@@ -34,6 +34,11 @@ double scaleOf(const std::map<int, double>& scales, int index) {
     return found == scales.end() ? 1.0 : found->second;
 }
 
+/// Values at wideband terms as a spectrum whose nodes are the terms.
+Spectrum overTerms(const SensorCkData& ck, std::vector<double> values) {
+    return ck.size() == 1 ? Spectrum::constant(values.front())
+                          : Spectrum(ck.wavelengths_um(), std::move(values));
+}
 SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
                           const ObjectGeometry& geometry, double ambient_K) {
     SurfaceInput input;
@@ -97,6 +102,21 @@ SceneRadiometry::SceneRadiometry(const Environment& environment,
                                  const std::vector<Entity>& entities,
                                  const std::vector<ObjectGeometry>& geometry,
                                  const RenderSettings& settings, const LineOfSight& centre,
+                                 std::shared_ptr<const SensorCkData> ck)
+    : ck_(std::move(ck)),
+      wavelengths_um_(ck_->wavelengths_um()),
+      weights_um_(ck_->weights_um()),
+      keys_(surfaceKeys(entities)) {
+    note("wideband-ck", std::to_string(ck_->size()) + " terms, trained to " +
+                            std::to_string(100.0 * ck_->largestError()) + " %");
+    ask(environment, entities, geometry, settings, centre, ck_->band().range());
+    sample(entities, geometry, settings, ck_->band().area_um());
+}
+
+SceneRadiometry::SceneRadiometry(const Environment& environment,
+                                 const std::vector<Entity>& entities,
+                                 const std::vector<ObjectGeometry>& geometry,
+                                 const RenderSettings& settings, const LineOfSight& centre,
                                  std::vector<double> wavelengths_um)
     : wavelengths_um_(std::move(wavelengths_um)),
       weights_um_(wavelengths_um_.size(), 1.0),
@@ -108,6 +128,16 @@ SceneRadiometry::SceneRadiometry(const Environment& environment,
                               wavelengths_um_.back() * (1.0 + 1e-9)};
     ask(environment, entities, geometry, settings, centre, range);
     sample(entities, geometry, settings, range.width_um());
+}
+
+const UserSpectrum* SceneRadiometry::inMode(const UserSpectrum* spectrum) {
+    if (!ck_ || !spectrum)
+        return spectrum;
+    const auto [place, isNew] = converted_.emplace(spectrum, *spectrum);
+    if (isNew)
+        for (SpectrumComponent& component : place->second.components)
+            component.radiance = overTerms(*ck_, ck_->sampled(component.radiance));
+    return &place->second;
 }
 
 void SceneRadiometry::note(const std::string& quantity, const std::string& who) {
@@ -124,20 +154,36 @@ void SceneRadiometry::ask(const Environment& environment, const std::vector<Enti
         note(quantity, answer.answeredBy);
         return answer.value;
     };
+    // A quantity of the air: spectral, or its values at the wideband terms.
+    auto asked = [&](const char* quantity, auto spectral, auto wideband) {
+        return ck_ ? overTerms(*ck_, take(quantity, wideband())) : take(quantity, spectral());
+    };
     std::set<std::string> said;
     for (std::size_t e = 0; e < entities.size(); ++e) {
         const AirPath& path = geometry[e].path;
         Air air;
-        air.transmittance = take("transmittance", environment.transmittance(path, range));
-        air.pathRadiance = take("path radiance", environment.pathRadiance(path, range));
+        auto transmittance = [&](const AirPath& through) {
+            return asked(
+                "transmittance", [&] { return environment.transmittance(through, range); },
+                [&] { return environment.ckTransmittance(through, *ck_); });
+        };
+        air.transmittance = transmittance(path);
+        air.pathRadiance = asked(
+            "path radiance", [&] { return environment.pathRadiance(path, range); },
+            [&] { return environment.ckPathRadiance(path, *ck_); });
         if (settings.sun != ReflectionMode::off)
-            air.solarIrradiance =
-                take("solar irradiance", environment.solarIrradiance(path.targetAltitude_m, range));
+            air.solarIrradiance = asked(
+                "solar irradiance",
+                [&] { return environment.solarIrradiance(path.targetAltitude_m, range); },
+                [&] { return environment.ckSolarIrradiance(path.targetAltitude_m, *ck_); });
         if (settings.fluxes != ReflectionMode::off) {
-            air.upwardFlux =
-                take("upward flux", environment.upwardFlux(path.targetAltitude_m, range));
-            air.downwardFlux =
-                take("downward flux", environment.downwardFlux(path.targetAltitude_m, range));
+            air.upwardFlux = asked(
+                "upward flux", [&] { return environment.upwardFlux(path.targetAltitude_m, range); },
+                [&] { return environment.ckUpwardFlux(path.targetAltitude_m, *ck_); });
+            air.downwardFlux = asked(
+                "downward flux",
+                [&] { return environment.downwardFlux(path.targetAltitude_m, range); },
+                [&] { return environment.ckDownwardFlux(path.targetAltitude_m, *ck_); });
         }
         air.ambient_K =
             take("ambient temperature", environment.ambientTemperature_K(path.targetAltitude_m));
@@ -161,12 +207,14 @@ void SceneRadiometry::ask(const Environment& environment, const std::vector<Enti
             reference.sensorAltitude_m =
                 path.targetAltitude_m +
                 (path.sensorAltitude_m - path.targetAltitude_m) * inside_m / path.range_m;
-            air.toReference.emplace(name, environment.transmittance(reference, range).value);
+            air.toReference.emplace(name, transmittance(reference));
         }
         air_.push_back(std::move(air));
     }
     if (settings.background == BackgroundMode::environment)
-        backgroundSpectrum_ = take("background", environment.backgroundRadiance(centre, range));
+        backgroundSpectrum_ = asked(
+            "background", [&] { return environment.backgroundRadiance(centre, range); },
+            [&] { return environment.ckBackgroundRadiance(centre, *ck_); });
 }
 
 std::vector<const Spectrum*>
@@ -213,6 +261,7 @@ void SceneRadiometry::sample(const std::vector<Entity>& entities,
         const auto index = static_cast<std::size_t>(e);
         SurfaceInput input =
             surfaceInput(entities[index], codes, geometry[index], air_[index].ambient_K);
+        input.userSpectrum = inMode(input.userSpectrum);
         if (input.userSpectrum) {
             const std::string& name = input.temperature->userSpectrum;
             const auto reference = air_[index].toReference.find(name);
@@ -282,6 +331,23 @@ double SceneRadiometry::transmissivityResidue() const {
         }
     }
     return worst;
+}
+
+std::vector<const Spectrum*> spectraOf(const std::vector<Entity>& entities) {
+    std::vector<const Spectrum*> spectra;
+    for (const Entity& entity : entities)
+        for (const auto& [codes, use] : entity.model->codes()) {
+            if (const Material* material = materialEntry(entity, codes.material))
+                spectra.insert(spectra.end(), {&material->emissivity, &material->transmissivity});
+            if (const TemperatureEntry* entry = temperatureEntry(entity, codes.temperature))
+                if (const UserSpectrum* user = userSpectrumOf(entity, *entry))
+                    for (const SpectrumComponent& component : user->components)
+                        spectra.push_back(&component.radiance);
+        }
+    std::erase_if(spectra, [](const Spectrum* spectrum) { return spectrum->isConstant(); });
+    std::ranges::sort(spectra);
+    spectra.erase(std::ranges::unique(spectra).begin(), spectra.end());
+    return spectra;
 }
 
 } // namespace irsg

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/scene/ApparentRadiance.h"
 #include "irsg/scene/Irsg.h"
 
@@ -24,6 +26,11 @@ class SceneRadiometry {
     SceneRadiometry(const Environment& environment, const std::vector<Entity>& entities,
                     const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
                     const LineOfSight& centre, const Band& band);
+    /// For in-band quantities in wideband mode: nodes and weights are the terms of the data, which
+    /// the environment prepared.
+    SceneRadiometry(const Environment& environment, const std::vector<Entity>& entities,
+                    const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
+                    const LineOfSight& centre, std::shared_ptr<const SensorCkData> ck);
     /// For spectra at given wavelengths, ascending; weights are 1.
     SceneRadiometry(const Environment& environment, const std::vector<Entity>& entities,
                     const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
@@ -72,6 +79,11 @@ class SceneRadiometry {
         std::set<std::string> insideReference; ///< names of spectra measured from farther away
     };
     std::vector<const Spectrum*> allSpectra(const std::vector<Entity>& entities) const;
+    /// A user-defined spectrum in the mode's own form.
+    const UserSpectrum* inMode(const UserSpectrum* spectrum);
+
+    std::shared_ptr<const SensorCkData> ck_; ///< null in spectral mode
+    std::map<const UserSpectrum*, UserSpectrum> converted_;
 
     std::vector<Air> air_;
     Spectrum backgroundSpectrum_;
@@ -81,6 +93,9 @@ class SceneRadiometry {
     std::map<std::pair<int, int>, std::vector<double>> transmissivities_;
     std::vector<std::string> answeredBy_, warnings_;
 };
+
+/// The spectra of a scene's materials and user-defined spectra: what wideband terms are trained on.
+std::vector<const Spectrum*> spectraOf(const std::vector<Entity>& entities);
 
 /// The entry or material behind a code, with the entity's fallback; null where there is none.
 const TemperatureEntry* temperatureEntry(const Entity& entity, int index);

@@ -63,6 +63,8 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
     render.samplesPerAxis = 1 << settings.integer("render.antialiasing");
     render.sun = reflection("render.sun");
     render.fluxes = reflection("render.fluxes");
+    render.mode = settings.text("sensor.mode") == "ck" ? irsg::CalculationMode::wideband
+                                                       : irsg::CalculationMode::spectral;
     render.fluxWeights = settings.text("render.fluxWeights") == "report"
                              ? irsg::FluxWeights::report
                              : irsg::FluxWeights::viewFactor;

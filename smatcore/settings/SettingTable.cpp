@@ -81,9 +81,10 @@ void addSensor(std::vector<SettingInfo>& table) {
                          "CSV of wavelength and response; where it is given it stands in for the "
                          "band."));
     table.push_back(
-        choice("sensor.mode", "--mode", "Calculation mode", {"spectral"}, "spectral",
+        choice("sensor.mode", "--mode", "Calculation mode", {"spectral", "ck"}, "spectral",
                "How the band is integrated. Spectral multiplies at every wavelength and "
-               "integrates last.",
+               "integrates last; ck does so at a few terms that an AtmosphereSmart is asked for, "
+               "trained to a few thousandths. Spectra are always computed spectrally.",
                SettingAudience::expert));
 }
 

@@ -175,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"ModeNobodyAnswers",
             project(good()),
             imageWith({"--mode", "ck"}),
-            {"sensor.mode", "ck", "spectral"}},
+            {"wideband-ck", "has no wideband mode"}},
         Row{"AntialiasingNotThere",
             project(good()),
             imageWith({"--antialiasing", "3"}),

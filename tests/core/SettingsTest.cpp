@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
                     TextRow{"Infinity", "camera.range", "inf", nullptr},
                     TextRow{"Nothing", "sensor.fov", "", nullptr},
                     TextRow{"UnknownChoice", "render.sun", "bright", nullptr},
-                    TextRow{"ModeWithoutAnAtmosphereForIt", "sensor.mode", "ck", nullptr},
+                    TextRow{"UnknownMode", "sensor.mode", "fast", nullptr},
                     TextRow{"AntialiasingModeThatIsNotThere", "render.antialiasing", "3", nullptr},
                     TextRow{"NegativeBackground", "render.background", "-1", nullptr},
                     TextRow{"ReversedBand", "sensor.band", "5-3", nullptr},

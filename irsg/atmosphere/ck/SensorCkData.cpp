@@ -186,7 +186,16 @@ class Training {
     std::vector<double> target_;
 };
 
-/// Surfaces of many temperatures, grey and with structure, and the spectra of the scene.
+/// 1 plus or minus a cosine of some half waves over a range.
+auto waveOver(SpectralRange range, int waves, double sign) {
+    return [=](double wavelength_um) {
+        const double phase =
+            std::numbers::pi * waves * (wavelength_um - range.min_um) / range.width_um();
+        return 1.0 + sign * std::cos(phase);
+    };
+}
+
+/// Surfaces of many temperatures, grey and with structure.
 std::vector<Source> sources(const BandNodes& nodes, const CkRequest& request) {
     std::vector<Source> all;
     auto planck = [](double temperature_K) {
@@ -199,35 +208,37 @@ std::vector<Source> sources(const BandNodes& nodes, const CkRequest& request) {
 
     // Structure over the band: a surface may emit in any part of it.
     const SpectralRange& range = request.band.range();
-    auto wave = [range](int waves, double sign) {
-        return [=](double wavelength_um) {
-            const double phase =
-                std::numbers::pi * waves * (wavelength_um - range.min_um) / range.width_um();
-            return 1.0 + sign * std::cos(phase);
-        };
-    };
     for (const int waves : {1, 2, 3, 5})
         for (const double sign : {1.0, -1.0})
-            all.emplace_back(nodes, [&, part = wave(waves, sign)](double wavelength_um) {
+            all.emplace_back(nodes, [&, part = waveOver(range, waves, sign)](double wavelength_um) {
                 return part(wavelength_um) * planckRadiance_W_m2_sr_um(wavelength_um, 400.0);
             });
 
-    // A scene's own spectra as they are (a measured radiance), in parts, as their wings are what
-    // long paths let through, and as emissivities.
+    return all;
+}
+
+/// The spectra of the scene. Radiances of gas are taken as they are and in parts, as their wings
+/// are what long paths let through; what is nowhere above 1 is an emissivity or a transmissivity.
+std::vector<Source> ownSources(const BandNodes& nodes, const CkRequest& request) {
+    std::vector<Source> all;
+    const SpectralRange& range = request.band.range();
     for (const Spectrum* spectrum : request.spectra) {
         if (spectrum->isConstant() || spectrum->maximum() <= 0.0)
             continue;
         auto own = [&](double wavelength_um) { return std::max(spectrum->at(wavelength_um), 0.0); };
+        if (spectrum->maximum() <= 1.0) {
+            all.emplace_back(nodes, [&](double wavelength_um) {
+                return own(wavelength_um) * planckRadiance_W_m2_sr_um(wavelength_um, 400.0);
+            });
+            continue;
+        }
         all.emplace_back(nodes, own);
         for (const int waves : {3, 7})
             for (const double sign : {1.0, -1.0})
-                all.emplace_back(nodes, [&, part = wave(waves, sign)](double wavelength_um) {
-                    return own(wavelength_um) * part(wavelength_um);
-                });
-        for (const double temperature_K : {300.0, 800.0})
-            all.emplace_back(nodes, [&](double wavelength_um) {
-                return own(wavelength_um) * planckRadiance_W_m2_sr_um(wavelength_um, temperature_K);
-            });
+                all.emplace_back(nodes,
+                                 [&, part = waveOver(range, waves, sign)](double wavelength_um) {
+                                     return own(wavelength_um) * part(wavelength_um);
+                                 });
     }
     return all;
 }
@@ -236,6 +247,7 @@ Training trainingCases(const RadiativeTransfer& transfer, const BandNodes& nodes
                        const CkRequest& request) {
     Training training(nodes);
     const std::vector<Source> surfaces = sources(nodes, request);
+    const std::vector<Source> own = ownSources(nodes, request);
     const NodeSet& set = nodes.set;
     const bool diffuse = transfer.air().scattering == ScatteringMode::twoStream;
     const double ambient_W_m2_sr =
@@ -251,6 +263,11 @@ Training trainingCases(const RadiativeTransfer& transfer, const BandNodes& nodes
         const std::vector<double> transmittance = transfer.transmittance(set, path);
         for (const Source& surface : surfaces)
             training.add(surface, transmittance, opaque * surface.inBand());
+        // Where there are many spectra, their rows on every fourth path of the spread are enough.
+        const std::size_t number = static_cast<std::size_t>(&path - paths.data());
+        if (own.size() <= 8 || number < request.paths.size() || number % 4 == 0)
+            for (const Source& surface : own)
+                training.add(surface, transmittance, opaque * surface.inBand());
         training.add(transfer.pathRadiance(set, path, request.sun), opaque * ambient_W_m2_sr);
 
         // Light that a surface reflects has been through the air twice.
