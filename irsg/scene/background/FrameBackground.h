@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace irsg {
+
+/// In-band radiance behind the objects, W m-2 sr-1: the same everywhere, or one value per pixel.
+class FrameBackground {
+  public:
+    /// The same behind every pixel.
+    explicit FrameBackground(double radiance_W_m2_sr = 0.0) : uniform_W_m2_sr_(radiance_W_m2_sr) {}
+    /// One mean per pixel, top row first, width x height of them; `centre_W_m2_sr` at the middle of
+    /// the field.
+    FrameBackground(int width_px, std::vector<double> radiance_W_m2_sr, double centre_W_m2_sr)
+        : width_px_(static_cast<std::size_t>(width_px)),
+          uniform_W_m2_sr_(centre_W_m2_sr),
+          pixels_W_m2_sr_(std::move(radiance_W_m2_sr)) {}
+
+    bool isUniform() const { return pixels_W_m2_sr_.empty(); }
+    double at(int x, int y) const {
+        return isUniform() ? uniform_W_m2_sr_
+                           : pixels_W_m2_sr_[static_cast<std::size_t>(y) * width_px_ +
+                                             static_cast<std::size_t>(x)];
+    }
+    /// In the middle of the field.
+    double centre_W_m2_sr() const { return uniform_W_m2_sr_; }
+
+  private:
+    std::size_t width_px_ = 0;
+    double uniform_W_m2_sr_;
+    std::vector<double> pixels_W_m2_sr_;
+};
+
+} // namespace irsg
