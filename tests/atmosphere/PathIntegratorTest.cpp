@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/atmosphere/engine/AltitudeGrid.h"
 #include "irsg/atmosphere/engine/DiffuseLight.h"
 #include "irsg/atmosphere/engine/PathIntegrator.h"
 #include "irsg/radiometry/Planck.h"
@@ -85,26 +84,6 @@ TEST_F(PathIntegrator, addsWhatIsScatteredIntoThePath) {
         EXPECT_NEAR((with.radiance[0] - without.radiance[0]) / (1.0 - with.transmittance[0]),
                     isUp ? 1.0 : 3.0, 1e-6);
     }
-}
-
-TEST(TransferAltitudes, keepTheEdgesOfACloudApart) {
-    const auto altitudes_m = transferAltitudes_m(
-        profile(), {particles({1000.0, 1330.0}, {0.1, 0.1}, 0.9, 0.8),
-                    particles({0.0, 2000.0, 2000.4, 10e3}, {1e-4, 1e-4, 1e-5, 0.0}, 0.9, 0.7)});
-    EXPECT_THAT(altitudes_m,
-                testing::IsSupersetOf({0.0, 999.0, 1000.0, 1330.0, 1331.0, 10e3, 100e3}));
-    EXPECT_LE(altitudes_m.size(), mostTransferAltitudes);
-    for (std::size_t i = 1; i < altitudes_m.size(); ++i)
-        EXPECT_GE(altitudes_m[i] - altitudes_m[i - 1], 0.5);
-}
-
-TEST(TransferAltitudes, endWhereTheProfileEnds) {
-    std::vector<AirState> levels(2);
-    levels[1].altitude_m = 7.3e3;
-    levels[1].pressure_hPa = 400.0;
-    const auto altitudes_m = transferAltitudes_m(Profile(levels), {});
-    EXPECT_EQ(altitudes_m.front(), 0.0);
-    EXPECT_EQ(altitudes_m.back(), 7.3e3);
 }
 
 TEST_F(PathIntegrator, interpolatesLevelsSmoothlyAndWithoutOvershoot) {
