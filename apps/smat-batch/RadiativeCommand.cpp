@@ -5,7 +5,7 @@
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "smatcore/project/AtmosphereInput.h"
+#include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/tools/RadiativeOutput.h"
 
 namespace smat::batch {
@@ -26,7 +26,7 @@ std::string quantityWords() {
 class RadiativeCommand {
   public:
     explicit RadiativeCommand(CLI::App& command) : numbers_(command), files_(command) {
-        command.add_option("ATMOSPHERE", atmosphere_, "Atmosphere file, or none")
+        command.add_option("ATMOSPHERE", atmosphere_, "Atmosphere or Environment file, or none")
             ->required()
             ->type_name("");
         command
@@ -45,8 +45,10 @@ class RadiativeCommand {
         numbers_.add("--range", "m", "From sensor to target");
         command.add_flag("--to-space", toSpace_, "A path without target, up to 100 km altitude");
         numbers_.add("--resolution", "cm-1", "Width of the spectral bins: 1, 5 or 15");
-        numbers_.add("--sun-azimuth", "deg", "East of north; 180 when not given");
-        numbers_.add("--sun-elevation", "deg", "Above the horizon; 45 when not given");
+        numbers_.add("--sun-azimuth", "deg",
+                     "East of north; when not given that of an Environment file, or 180");
+        numbers_.add("--sun-elevation", "deg",
+                     "Above the horizon; when not given that of an Environment file, or 45");
     }
 
     int run(Context& context) const {
@@ -133,14 +135,18 @@ class RadiativeCommand {
         }
     }
 
+    /// The sun of the command line goes before that of an Environment file.
     irsg::Environment environmentOf() const {
         irsg::Environment environment;
-        environment.sun = {
-            .azimuth_rad = irsg::radians(numbers_.value("--sun-azimuth").value_or(180.0)),
-            .elevation_rad = irsg::radians(numbers_.value("--sun-elevation").value_or(45.0))};
         const auto resolution = numbers_.value("--resolution");
-        environment.add(openAtmosphere(
-            atmosphere_, resolution ? std::optional(static_cast<int>(*resolution)) : std::nullopt));
+        const irsg::SunPosition sun =
+            addAir(environment, atmosphere_,
+                   resolution ? std::optional(static_cast<int>(*resolution)) : std::nullopt)
+                .value_or(irsg::SunPosition{irsg::radians(180.0), irsg::radians(45.0)});
+        const auto azimuth_deg = numbers_.value("--sun-azimuth");
+        const auto elevation_deg = numbers_.value("--sun-elevation");
+        environment.sun = {azimuth_deg ? irsg::radians(*azimuth_deg) : sun.azimuth_rad,
+                           elevation_deg ? irsg::radians(*elevation_deg) : sun.elevation_rad};
         return environment;
     }
 

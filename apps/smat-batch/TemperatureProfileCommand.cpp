@@ -1,7 +1,7 @@
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "irsg/radiometry/Errors.h"
-#include "smatcore/project/AtmosphereInput.h"
+#include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/tools/TemperatureProfile.h"
 
 namespace smat::batch {
@@ -12,7 +12,7 @@ namespace {
 class TemperatureProfileCommand {
   public:
     explicit TemperatureProfileCommand(CLI::App& command) : numbers_(command), files_(command) {
-        command.add_option("ATMOSPHERE", atmosphere_, "Atmosphere file")->required()->type_name("");
+        command.add_option("ATMOSPHERE", atmosphere_, "Atmosphere or Environment file")->required()->type_name("");
         numbers_.add("--min", "m", "The least altitude");
         numbers_.add("--max", "m", "The largest altitude");
         numbers_.add("--step", "m", "From one altitude to the next");
@@ -33,7 +33,7 @@ class TemperatureProfileCommand {
         irsg::Environment environment;
         {
             const StageTimer::Scope scope(&context.timer, "load");
-            environment.add(openAtmosphere(atmosphere_));
+            addAir(environment, atmosphere_);
         }
         const ResultTable table =
             temperatureProfile(environment, {.min_m = *numbers_.value("--min"),

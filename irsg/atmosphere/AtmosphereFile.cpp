@@ -17,9 +17,8 @@ std::shared_ptr<const Atmosphere> fromKarmaXml(const std::filesystem::path& file
         return AtmosphereSmart::fromXml(file);
     throw InputError(document.offence(
         "type", document.type().empty() ? "no type" : "'" + document.type() + "'",
-        document.typeName() == "Environment"
-            ? "one atmosphere: an Environment holds several, and can stand in a project's list"
-            : "a type that ends in /AtmosphereSmart"));
+        document.typeName() == "Environment" ? "one atmosphere: an Environment holds several"
+                                             : "a type that ends in /AtmosphereSmart"));
 }
 
 } // namespace

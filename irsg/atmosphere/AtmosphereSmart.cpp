@@ -23,6 +23,7 @@ AtmosphereSmart::AtmosphereSmart(AtmosphereSmartParameters parameters, std::stri
                                  std::shared_ptr<const GasTable> gases)
     : parameters_(std::move(parameters)),
       name_(std::move(name)),
+      file_(file),
       remarks_(remarksOn(parameters_)),
       air_(SmartAdapter::airModel(parameters_, file)),
       gases_(std::move(gases)) {}
@@ -35,6 +36,14 @@ std::shared_ptr<AtmosphereSmart> AtmosphereSmart::fromXml(const std::filesystem:
         std::move(gases));
     atmosphere->remarks_ = std::move(reading.remarks);
     return atmosphere;
+}
+
+std::shared_ptr<AtmosphereSmart> AtmosphereSmart::withResolution(int resolution_cm) const {
+    AtmosphereSmartParameters parameters = parameters_;
+    parameters.resolution_cm = resolution_cm;
+    auto other = std::make_shared<AtmosphereSmart>(std::move(parameters), name_, file_, gases_);
+    other->remarks_ = remarks_;
+    return other;
 }
 
 const RadiativeTransfer& AtmosphereSmart::transfer() const {

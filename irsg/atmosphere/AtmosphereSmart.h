@@ -39,6 +39,9 @@ class AtmosphereSmart : public Atmosphere {
     static std::shared_ptr<AtmosphereSmart>
     fromXml(const std::filesystem::path& file, std::shared_ptr<const GasTable> gases = nullptr);
 
+    /// The same air with other bins: 1, 5 or 15 cm-1, InputError otherwise.
+    std::shared_ptr<AtmosphereSmart> withResolution(int resolution_cm) const;
+
     const AtmosphereSmartParameters& parameters() const { return parameters_; }
     const AirModel& air() const { return air_; }
     /// Throws InputError where the gas table cannot be read or does not hold the base.
@@ -90,6 +93,7 @@ class AtmosphereSmart : public Atmosphere {
 
     AtmosphereSmartParameters parameters_;
     std::string name_;
+    std::filesystem::path file_;
     std::vector<std::string> remarks_;
     AirModel air_;
     mutable std::shared_ptr<const GasTable> gases_;

@@ -1,10 +1,8 @@
 #include "smatcore/project/AtmosphereInput.h"
 
 #include <system_error>
-#include <utility>
 
 #include "irsg/atmosphere/AtmosphereFile.h"
-#include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/support/Log.h"
@@ -15,9 +13,7 @@ bool isNoAir(const std::filesystem::path& input) {
     return input == "none" || input == "vacuum";
 }
 
-namespace {
-
-std::shared_ptr<const irsg::Atmosphere> opened(const std::filesystem::path& input) {
+std::shared_ptr<const irsg::Atmosphere> openAtmosphere(const std::filesystem::path& input) {
     if (isNoAir(input)) {
         return std::make_shared<irsg::Vacuum>();
     }
@@ -30,28 +26,6 @@ std::shared_ptr<const irsg::Atmosphere> opened(const std::filesystem::path& inpu
     }
     logInfo("reading atmosphere " + input.string());
     return irsg::loadAtmosphere(input);
-}
-
-} // namespace
-
-std::shared_ptr<const irsg::Atmosphere> openAtmosphere(const std::filesystem::path& input,
-                                                       std::optional<int> resolution_cm) {
-    const std::shared_ptr<const irsg::Atmosphere> air = opened(input);
-    if (!resolution_cm) {
-        return air;
-    }
-    const auto* smart = dynamic_cast<const irsg::AtmosphereSmart*>(air.get());
-    if (smart == nullptr) {
-        throw irsg::InputError(irsg::Offence{
-            .file = air->name(),
-            .position = "resolution",
-            .value = irsg::numberText(*resolution_cm) + " cm-1",
-            .expected = "none: these spectra have nodes of their own, not bins as those of an "
-                        "AtmosphereSmart"});
-    }
-    irsg::AtmosphereSmartParameters parameters = smart->parameters();
-    parameters.resolution_cm = *resolution_cm;
-    return std::make_shared<irsg::AtmosphereSmart>(std::move(parameters), smart->name(), input);
 }
 
 } // namespace smat

@@ -1,9 +1,13 @@
 #include "smatcore/project/EnvironmentInput.h"
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/import/EnvironmentXml.h"
+#include "irsg/radiometry/Errors.h"
 #include "smatcore/project/AtmosphereInput.h"
 #include "smatcore/support/Log.h"
 
@@ -11,35 +15,75 @@ namespace smat {
 
 namespace {
 
+/// The atmospheres and default background of one file, and its sun where it has one.
+struct LoadedAir {
+    irsg::Environment environment;
+    std::optional<irsg::SunPosition> sun;
+};
+
 void logRemarks(const std::string& whose, const std::vector<std::string>& remarks) {
     for (const std::string& remark : remarks) {
         logInfo(whose + ": " + remark);
     }
 }
 
-void add(irsg::Environment& environment, std::shared_ptr<const irsg::Atmosphere> atmosphere) {
-    logRemarks(atmosphere->name(), atmosphere->remarks());
-    environment.add(std::move(atmosphere));
+/// What one file or word adds.
+LoadedAir loadedFrom(const std::filesystem::path& input) {
+    LoadedAir loaded;
+    if (!irsg::isEnvironmentXml(input)) {
+        loaded.environment.add(openAtmosphere(input));
+        return loaded;
+    }
+    logInfo("reading environment " + input.string());
+    irsg::LoadedEnvironment file = irsg::loadEnvironment(input);
+    logRemarks(input.filename().string(), file.remarks);
+    loaded.environment = std::move(file.environment);
+    loaded.sun = loaded.environment.sun;
+    return loaded;
+}
+
+/// The atmospheres with other bins where they have any. InputError where none has.
+std::vector<std::shared_ptr<const irsg::Atmosphere>>
+withResolution(const std::vector<std::shared_ptr<const irsg::Atmosphere>>& atmospheres,
+               int resolution_cm) {
+    std::vector<std::shared_ptr<const irsg::Atmosphere>> result;
+    std::string others;
+    for (const auto& atmosphere : atmospheres) {
+        const auto* smart = dynamic_cast<const irsg::AtmosphereSmart*>(atmosphere.get());
+        result.push_back(smart ? smart->withResolution(resolution_cm) : atmosphere);
+        if (smart == nullptr) {
+            others += (others.empty() ? "" : ", ") + atmosphere->name();
+        }
+    }
+    if (result == atmospheres) {
+        throw irsg::InputError(irsg::Offence{
+            .file = others.empty() ? "environment" : others,
+            .position = "resolution",
+            .value = irsg::numberText(resolution_cm) + " cm-1",
+            .expected = "none: these spectra have nodes of their own, not bins as those of an "
+                        "AtmosphereSmart"});
+    }
+    if (!others.empty()) {
+        logInfo("the resolution has no effect on " + others);
+    }
+    return result;
 }
 
 } // namespace
 
 std::optional<irsg::SunPosition> addAir(irsg::Environment& environment,
-                                        const std::filesystem::path& input) {
-    if (!irsg::isEnvironmentXml(input)) {
-        add(environment, openAtmosphere(input));
-        return std::nullopt;
-    }
-    logInfo("reading environment " + input.string());
-    const irsg::LoadedEnvironment loaded = irsg::loadEnvironment(input);
-    logRemarks(input.filename().string(), loaded.remarks);
-    for (const auto& atmosphere : loaded.environment.atmospheres()) {
-        add(environment, atmosphere);
+                                        const std::filesystem::path& input,
+                                        std::optional<int> resolution_cm) {
+    const LoadedAir loaded = loadedFrom(input);
+    const auto& own = loaded.environment.atmospheres();
+    for (const auto& atmosphere : resolution_cm ? withResolution(own, *resolution_cm) : own) {
+        logRemarks(atmosphere->name(), atmosphere->remarks());
+        environment.add(atmosphere);
     }
     if (!environment.defaultBackground) {
         environment.defaultBackground = loaded.environment.defaultBackground;
     }
-    return loaded.environment.sun;
+    return loaded.sun;
 }
 
 } // namespace smat

@@ -7,12 +7,16 @@
 
 namespace smat {
 
-/// Adds to `environment` what a project names as its air: what openAtmosphere opens, or a KARMA
-/// Environment file with its atmospheres by priority; its default background is taken where the
-/// environment has none yet. Returns the sun of an Environment file, which is not set here. What
-/// the files leave open or have no use for is logged. Throws InputError with the offences of all
-/// files of the composition.
+/// Adds to `environment` what a project or a command names as its air: what openAtmosphere opens,
+/// or a KARMA Environment file with its atmospheres by priority; its default background is taken
+/// where the environment has none yet. Returns the sun of an Environment file, which is not set
+/// here. What the files leave open or have no use for is logged. Throws InputError with the
+/// offences of all files of the composition.
+///
+/// `resolution_cm`, 1, 5 or 15, takes the place of that of every AtmosphereSmart among them; air
+/// without one has no bins and is an InputError with it.
 std::optional<irsg::SunPosition> addAir(irsg::Environment& environment,
-                                        const std::filesystem::path& input);
+                                        const std::filesystem::path& input,
+                                        std::optional<int> resolution_cm = {});
 
 } // namespace smat

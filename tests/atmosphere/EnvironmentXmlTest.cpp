@@ -19,19 +19,6 @@ using testing::HasSubstr;
 
 const char* const haze = "wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n";
 
-std::string environmentXml(const std::string& inside) {
-    std::string text = smartXml(inside);
-    const std::string type = "/AtmosphereSmart/Root/Atmosphere/AtmosphereSmart";
-    return text.replace(text.find(type), type.size(), "/Environment/Root/Environment");
-}
-
-std::string compositeXml(const std::string& name, const std::string& file, int priority,
-                         const std::string& composition = "none") {
-    return "<composite name=\"" + name + "\"><component>Air</component><parameters>" + file +
-           "</parameters><composition>" + composition + "</composition><priority>" +
-           std::to_string(priority) + "</priority></composite>\n";
-}
-
 EnvironmentReading readOf(const std::string& inside) {
     return environmentFromKarma(KarmaXml::parse(environmentXml(inside), "world.xml"));
 }

@@ -88,6 +88,20 @@ inline std::string smartXml(const std::string& inside) {
            "<type>/AtmosphereSmart/Root/Atmosphere/AtmosphereSmart</type>\n" +
            inside + "\n</data>\n";
 }
+/// The same of an Environment.
+inline std::string environmentXml(const std::string& inside) {
+    std::string text = smartXml(inside);
+    const std::string type = "/AtmosphereSmart/Root/Atmosphere/AtmosphereSmart";
+    return text.replace(text.find(type), type.size(), "/Environment/Root/Environment");
+}
+
+/// An entry of a composition.
+inline std::string compositeXml(const std::string& name, const std::string& file, int priority,
+                                const std::string& composition = "none") {
+    return "<composite name=\"" + name + "\"><component>Air</component><parameters>" + file +
+           "</parameters><composition>" + composition + "</composition><priority>" +
+           std::to_string(priority) + "</priority></composite>\n";
+}
 /// <parameter> with a <double>.
 inline std::string numberXml(const std::string& name, const std::string& value) {
     return "<parameter name=\"" + name + "\"><double>" + value + "</double></parameter>\n";

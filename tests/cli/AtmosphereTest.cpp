@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/atmosphere/KarmaSupport.h"
 #include "tests/atmosphere/SyntheticTape7.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
@@ -51,6 +52,71 @@ TEST(SmatBatchAtmosphere, InfoOfAHomogeneousAtmosphereTellsItsTemperatures) {
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("base 3 to 5 um"));
     EXPECT_THAT(ran.out, HasSubstr("homogeneous air of 280 K"));
+}
+
+TEST(SmatBatchAtmosphere, InfoOfAnAtmosphereSmartMarksWhatDiffersFromTheDefault) {
+    const TemporaryFolder folder;
+    write(folder.path() / "air.xml",
+          irsg::smartXml(irsg::numberXml("Visibility", "23000") +
+                         irsg::numberXml("Co2_ppmv", "380") + irsg::numberXml("AirMass", "3")));
+    const std::string file = (folder.path() / "air.xml").string();
+    const Ran ran = smatBatch({"atmosphere", "info", file});
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("base 3 to 5 um"));
+    EXPECT_THAT(ran.out, HasSubstr("spectral and wideband-ck"));
+    EXPECT_THAT(ran.out, HasSubstr("29 parameters, 2 not as by default (*)"));
+    EXPECT_THAT(ran.out, HasSubstr("* Visibility                  23000 m  (default 0)"));
+    EXPECT_THAT(ran.out, HasSubstr("* Co2_ppmv                    380 ppmv  (default 400)"));
+    EXPECT_THAT(ran.out, HasSubstr("  AirMass                     3\n"));
+    EXPECT_THAT(ran.out, HasSubstr("at the ground 294.20 K, 1013.0 hPa, relative humidity 76 %, "
+                                   "CO2 380 ppmv"));
+    EXPECT_THAT(ran.out, HasSubstr("remark: no AerosolModel"));
+
+    const auto json = nlohmann::json::parse(smatBatch({"atmosphere", "info", file, "--json"}).out);
+    const auto& parameters = json["smart"]["parameters"];
+    ASSERT_EQ(parameters.size(), 29u);
+    for (const auto& parameter : parameters) {
+        const bool differs = parameter["name"] == "Visibility" || parameter["name"] == "Co2_ppmv";
+        EXPECT_EQ(parameter["differs"], differs) << parameter;
+    }
+    EXPECT_EQ(json["smart"]["ground_air"]["temperature_K"], 294.2);
+}
+
+TEST(SmatBatchAtmosphere, InfoOfAnEnvironmentListsItsAtmospheresInTheOrderTheyAreAsked) {
+    const TemporaryFolder folder;
+    write(folder.path() / "air.xml", irsg::smartXml(""));
+    write(folder.path() / "haze.csv", "wavelength [um],extinction [km-1]\n2,0.1\n12,0.1\n");
+    write(folder.path() / "world.xml",
+          irsg::environmentXml(irsg::numberXml("SunAzimuth", "0") +
+                               irsg::numberXml("SunElevation", "0.5235987755982988") +
+                               irsg::vectorXml("BackgroundRadianceWavelengths", "3 5") +
+                               irsg::vectorXml("BackgroundRadianceValues", "1 3") +
+                               "<composition>\n" + irsg::compositeXml("rest", "haze.csv", 5) +
+                               irsg::compositeXml("SMARTI", "air.xml", 1) + "</composition>"));
+    const std::string file = (folder.path() / "world.xml").string();
+    const Ran ran = smatBatch({"atmosphere", "info", file});
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("sun at azimuth 0 deg, elevation 30 deg"));
+    EXPECT_THAT(ran.out, HasSubstr("default background from 3 to 5 um, 2 nodes"));
+    EXPECT_THAT(ran.out, HasSubstr("2 atmospheres; the first that has a quantity"));
+    EXPECT_THAT(ran.out, HasSubstr("1. SMARTI (priority 1): AtmosphereSmart (air.xml)\n"
+                                   "       base 3 to 5 um"));
+    EXPECT_THAT(ran.out, HasSubstr("2. rest (priority 5): Beer-Lambert (haze.csv)\n"
+                                   "       base 2 to 12 um"));
+
+    const auto json = nlohmann::json::parse(smatBatch({"atmosphere", "info", file, "--json"}).out);
+    EXPECT_EQ(json["kind"], "environment");
+    ASSERT_EQ(json["atmospheres"].size(), 2u);
+    EXPECT_EQ(json["atmospheres"][0]["entry"], "SMARTI");
+    EXPECT_EQ(json["atmospheres"][0]["smart"]["parameters"].size(), 29u);
+    EXPECT_EQ(json["atmospheres"][1]["air_temperature_K"], 288.15);
+    EXPECT_EQ(json["default_background"]["wavelengths_um"][1], 5.0);
+}
+
+TEST(SmatBatchAtmosphere, InfoKnowsTheWordsForNoAir) {
+    const Ran ran = smatBatch({"atmosphere", "info", "none"});
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("none: vacuum"));
 }
 
 TEST(SmatBatchAtmosphere, WhatDoesNotBelongTogetherIsRefused) {

@@ -6,7 +6,9 @@
 
 #include "irsg/image/ExrFile.h"
 #include "smatcore/data/ResultTable.h"
+#include "tests/atmosphere/KarmaSupport.h"
 #include "tests/cli/Program.h"
+#include "tests/support/BinComparison.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat::test {
@@ -21,6 +23,17 @@ const std::string haze = "# name: haze\n# air_temperature [K]: 290\n# ground_tem
 class SmatBatchRadiative : public testing::Test {
   protected:
     void SetUp() override { write(folder / "haze.csv", haze); }
+
+    /// An Environment of `haze.csv` behind `near.csv`, which knows 3 to 5 um alone.
+    void writeWorld() {
+        write(folder / "near.csv", "# name: near\n# air_temperature [K]: 270\n"
+                                   "wavelength [um],extinction [km-1]\n3,0\n5,0\n");
+        write(folder / "world.xml",
+              irsg::environmentXml(irsg::numberXml("SunAzimuth", "0.5235987755982988") +
+                                   irsg::numberXml("SunElevation", "1.0471975511965976") +
+                                   "<composition>\n" + irsg::compositeXml("far", "haze.csv", 2) +
+                                   irsg::compositeXml("near", "near.csv", 1) + "</composition>"));
+    }
 
     ResultTable made(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "radiative");
@@ -122,6 +135,93 @@ TEST_F(SmatBatchRadiative, ATemperatureProfileListsAltitudes) {
     const ResultTable table = ResultTable::load(folder / "t.csv");
     EXPECT_THAT(table.find("altitude")->values, testing::ElementsAre(0, 250, 500, 750, 1000));
     EXPECT_THAT(table.find("temperature")->values, testing::Each(290.0));
+}
+
+TEST_F(SmatBatchRadiative, TheFirstAtmosphereOfAnEnvironmentThatHoldsTheBandAnswers) {
+    writeWorld();
+    const std::vector<std::string> asked = {
+        "world.xml", "--quantity", "transmittance", "--sensor-altitude", "10", "--altitude",
+        "10",        "--range",    "2000",          "--los-elevation",   "0"};
+    const auto madeIn = [&](const std::string& band) {
+        auto arguments = asked;
+        arguments.insert(arguments.end(), {"--band", band});
+        return made(arguments);
+    };
+    const ResultTable inner = madeIn("3-5");
+    EXPECT_THAT(inner.find("transmittance")->values, testing::Each(1.0));
+    EXPECT_EQ(inner.provenance.value("answered by"), "transmittance: near");
+    EXPECT_EQ(inner.provenance.value("ambient_temperature [K]"), "270");
+    // A nanometre more is too much for the first.
+    const ResultTable outer = madeIn("2.999-5");
+    EXPECT_NEAR(outer.find("transmittance")->values.front(), std::exp(-5.0), 1e-6);
+    EXPECT_EQ(outer.provenance.value("answered by"), "transmittance: haze");
+}
+
+TEST_F(SmatBatchRadiative, TheSunOfAnEnvironmentHoldsWhereTheCommandSetsNone) {
+    writeWorld();
+    const std::vector<std::string> asked = {"world.xml", "--quantity", "sun", "--altitude", "0"};
+    const ResultTable own = made(asked);
+    EXPECT_EQ(own.provenance.value("sun_azimuth [deg]"), "30");
+    EXPECT_EQ(own.provenance.value("sun_elevation [deg]"), "60");
+    auto lower = asked;
+    lower.insert(lower.end(), {"--sun-elevation", "20"});
+    const ResultTable set = made(lower);
+    EXPECT_EQ(set.provenance.value("sun_azimuth [deg]"), "30");
+    EXPECT_EQ(set.provenance.value("sun_elevation [deg]"), "20");
+}
+
+TEST_F(SmatBatchRadiative, ATemperatureProfileOfAnEnvironmentIsThatOfItsFirst) {
+    writeWorld();
+    const Ran ran = smatBatch({"temperature-profile", "world.xml", "--min", "0", "--max", "1000",
+                               "--step", "500", "--out", "t.csv"},
+                              folder.path());
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable table = ResultTable::load(folder / "t.csv");
+    EXPECT_THAT(table.find("temperature")->values, testing::Each(270.0));
+    EXPECT_EQ(table.provenance.value("answered by"), "ambient temperature: near");
+}
+
+TEST_F(SmatBatchRadiative, WithoutAtmospheresTheDefaultBackgroundAnswers) {
+    write(folder / "world.xml",
+          irsg::environmentXml(irsg::vectorXml("BackgroundRadianceWavelengths", "3 5") +
+                               irsg::vectorXml("BackgroundRadianceValues", "2 2")));
+    const ResultTable table = made({"world.xml", "--quantity", "background", "--sensor-altitude",
+                                    "0", "--los-elevation", "10"});
+    EXPECT_EQ(table.provenance.value("in_band_background_radiance [W m-2 sr-1]"), "4");
+    EXPECT_EQ(table.provenance.value("answered by"), "background radiance: default");
+}
+
+TEST_F(SmatBatchRadiative, InfoTellsWhatAnOutputWasMadeFor) {
+    made({"haze.csv", "--quantity", "all", "--sensor-altitude", "1050", "--altitude", "1000",
+          "--range", "100", "--sun-elevation", "20"});
+    const Ran ran = smatBatch({"atmosphere", "info", "s.csv"}, folder.path());
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    for (const char* line : {"sensor altitude 1050 m", "target altitude 1000 m", "range 100 m",
+                             "los elevation -30", "sun elevation 20 deg"}) {
+        EXPECT_THAT(ran.out, HasSubstr(line));
+    }
+}
+
+TEST_F(SmatBatchRadiative, BinsOfAnyWidthTellTheSameOfRealAir) {
+    const auto madeWith = [&](const char* resolution) {
+        return made({sample("../resources/atmospheres/midlatitude-summer-rural-23km.xml").string(),
+                     "--quantity", "transmittance", "--quantity", "path", "--band", "8-12",
+                     "--sensor-altitude", "200", "--altitude", "3000", "--range", "6000",
+                     "--resolution", resolution});
+    };
+    const ResultTable narrow = madeWith("1");
+    const ResultTable wide = madeWith("15");
+    EXPECT_GT(narrow.rowCount(), 14 * wide.rowCount());
+    for (const char* column : {"transmittance", "path_radiance"}) {
+        const BinComparison found = compareBins(narrow, 1.0, wide, 15.0, column);
+        EXPECT_GE(found.bins, 26u);
+        EXPECT_LE(found.rms, 0.006 * found.largest) << column;
+        EXPECT_LE(found.worst, 0.03 * found.largest) << column;
+    }
+    for (const char* number : {"band_mean_transmittance", "in_band_path_radiance [W m-2 sr-1]"}) {
+        const double expected = std::stod(narrow.provenance.value(number));
+        EXPECT_NEAR(std::stod(wide.provenance.value(number)) / expected, 1.0, 0.005) << number;
+    }
 }
 
 } // namespace

@@ -1,0 +1,127 @@
+#include "smatcore/project/EnvironmentInput.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "irsg/atmosphere/AtmosphereSmart.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/tools/RadiativeOutput.h"
+#include "tests/atmosphere/KarmaSupport.h"
+#include "tests/support/BinComparison.h"
+#include "tests/support/TemporaryFolder.h"
+
+namespace smat {
+namespace {
+
+using testing::HasSubstr;
+
+const irsg::AtmosphereSmart& smartOf(const irsg::Environment& environment, std::size_t place) {
+    return dynamic_cast<const irsg::AtmosphereSmart&>(*environment.atmospheres().at(place));
+}
+
+class EnvironmentInput : public testing::Test {
+  protected:
+    std::filesystem::path written(const std::string& name, const std::string& text) const {
+        return irsg::writtenFile(folder_ / name, text);
+    }
+    irsg::Environment environmentOf(const std::filesystem::path& file,
+                                    std::optional<int> resolution_cm = {}) const {
+        irsg::Environment environment;
+        addAir(environment, file, resolution_cm);
+        return environment;
+    }
+    std::filesystem::path haze() const {
+        return written("haze.csv", "wavelength [um],extinction [km-1]\n2,0.1\n12,0.1\n");
+    }
+
+  private:
+    const test::TemporaryFolder folder_;
+};
+
+TEST_F(EnvironmentInput, AResolutionTakesThePlaceOfTheFilesOwn) {
+    const auto file = written("air.xml", irsg::smartXml(irsg::numberXml("Resolution", "15") +
+                                                        irsg::numberXml("Visibility", "9000")));
+    EXPECT_EQ(smartOf(environmentOf(file), 0).parameters().resolution_cm, 15);
+    const irsg::Environment fine = environmentOf(file, 1);
+    const irsg::AtmosphereSmart& air = smartOf(fine, 0);
+    EXPECT_EQ(air.parameters().resolution_cm, 1);
+    EXPECT_EQ(air.parameters().visibility_m, 9000.0);
+    EXPECT_EQ(air.name(), "AtmosphereSmart (air.xml)");
+    EXPECT_THAT(air.remarks(), testing::Contains(HasSubstr("no AerosolModel")));
+}
+
+TEST_F(EnvironmentInput, AResolutionReachesEveryAtmosphereOfAnEnvironmentThatHasBins) {
+    haze();
+    written("air.xml", irsg::smartXml(""));
+    const auto world = written(
+        "sub/world.xml",
+        irsg::environmentXml("<composition>\n" + irsg::compositeXml("one", "../air.xml", 1) +
+                             irsg::compositeXml("two", "../haze.csv", 2) +
+                             irsg::compositeXml("three", "../air.xml", 3) + "</composition>"));
+    const irsg::Environment environment = environmentOf(world, 15);
+    ASSERT_EQ(environment.atmospheres().size(), 3u);
+    EXPECT_EQ(smartOf(environment, 0).parameters().resolution_cm, 15);
+    EXPECT_EQ(environment.atmospheres()[1]->name(), "Beer-Lambert (haze.csv)");
+    EXPECT_EQ(smartOf(environment, 2).parameters().resolution_cm, 15);
+}
+
+TEST_F(EnvironmentInput, AResolutionOfAirWithoutBinsIsRefused) {
+    EXPECT_THAT(irsg::refusalOf([&] { environmentOf(haze(), 5); }),
+                HasSubstr("Beer-Lambert (haze.csv): resolution: found 5 cm-1"));
+    EXPECT_THAT(
+        irsg::refusalOf([&] { environmentOf(written("world.xml", irsg::environmentXml("")), 5); }),
+        HasSubstr("environment: resolution"));
+}
+
+TEST_F(EnvironmentInput, ARadiosondeIsLookedForBesideTheFileAtEveryResolution) {
+    written("sub/ascent.csv", "altitude [m],pressure [hPa],temperature [K],relative_humidity [%]\n"
+                              "0,1010,290,60\n1000,896,283,50\n");
+    written("sub/air.xml",
+            irsg::smartXml("<parameter name=\"Radiosonde\"><string>ascent.csv</string>"
+                           "</parameter>\n"));
+    const auto world =
+        written("world.xml", irsg::environmentXml("<composition>\n" +
+                                                  irsg::compositeXml("one", "sub/air.xml", 1) +
+                                                  "</composition>"));
+    EXPECT_EQ(environmentOf(world, 15).ambientTemperature_K(500.0).value, 286.5);
+}
+
+TEST_F(EnvironmentInput, TheFirstSunAndDefaultBackgroundAreGivenBack) {
+    const auto world = written(
+        "world.xml", irsg::environmentXml(irsg::numberXml("SunElevation", "0.25") +
+                                          irsg::vectorXml("BackgroundRadianceWavelengths", "3 5") +
+                                          irsg::vectorXml("BackgroundRadianceValues", "2 2")));
+    irsg::Environment environment;
+    EXPECT_FALSE(addAir(environment, haze()).has_value());
+    EXPECT_EQ(addAir(environment, world)->elevation_rad, 0.25);
+    EXPECT_EQ(environment.defaultBackground->at(4.0), 2.0);
+}
+
+TEST_F(EnvironmentInput, WideBinsAreTheMeansOfTheNarrowOnesInside) {
+    const auto file = written("air.xml", irsg::smartXml(irsg::numberXml("IrradianceMode", "2")));
+    RadiativeRequest request;
+    for (const RadiativeQuantity& known : radiativeQuantities()) {
+        request.quantities.push_back(known.property);
+    }
+    request.geometry = {.sensorAltitude_m = 200.0, .targetAltitude_m = 3000.0, .range_m = 6000.0};
+    request.band = {3.0, 5.0};
+    const ResultTable narrow = radiativeOutput(environmentOf(file, 1), request).table;
+    // Each width has nodes of its own, so that they agree to the error of the nodes: RMS, and the
+    // worst bin, of the largest value.
+    for (const double width_cm : {5.0, 15.0}) {
+        const ResultTable wide =
+            radiativeOutput(environmentOf(file, static_cast<int>(width_cm)), request).table;
+        for (const char* column :
+             {"transmittance", "path_radiance", "background_radiance", "solar_irradiance",
+              "up_flux", "down_flux", "scattering_optical_depth"}) {
+            const test::BinComparison found =
+                test::compareBins(narrow, 1.0, wide, width_cm, column);
+            EXPECT_GE(found.bins, width_cm == 5.0 ? 265u : 87u) << column;
+            EXPECT_LE(found.rms, 0.006 * found.largest) << column << ", " << width_cm;
+            EXPECT_LE(found.worst, 0.03 * found.largest) << column << ", " << width_cm;
+        }
+    }
+}
+
+} // namespace
+} // namespace smat
