@@ -2,8 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Units.h"
+#include "smatcore/project/JsonWriting.h"
 #include "smatcore/project/ProjectReader.h"
 #include "smatcore/support/TextFile.h"
 
@@ -12,63 +11,6 @@ namespace smat {
 namespace {
 
 using Json = nlohmann::json;
-
-/// A path as the file says it: relative to the file's folder where it lies in it or one step beside
-/// it, absolute where it is farther away.
-std::string pathText(const Project& project, const std::filesystem::path& path,
-                     const std::filesystem::path& folder) {
-    if (path.empty()) {
-        return "";
-    }
-    const std::filesystem::path absolute =
-        std::filesystem::absolute(project.resolve(path)).lexically_normal();
-    const std::filesystem::path relative = absolute.lexically_relative(folder);
-    const bool isFar = relative.empty() || relative.string().starts_with("../..");
-    return (isFar && !path.is_relative() ? absolute : relative).generic_string();
-}
-
-Json settingJson(const Project& project, const std::filesystem::path& folder,
-                 const SettingInfo& setting, const Settings& settings) {
-    const std::string& text = settings.text(setting.key);
-    switch (setting.kind) {
-    case SettingKind::integer:
-        return settings.integer(setting.key);
-    case SettingKind::real:
-        return settings.real(setting.key);
-    case SettingKind::boolean:
-        return settings.boolean(setting.key);
-    case SettingKind::choiceOrReal: {
-        const std::optional<double> number = settings.optionalReal(setting.key);
-        return number ? Json(*number) : Json(text);
-    }
-    case SettingKind::path:
-        return pathText(project, text, folder);
-    case SettingKind::pathList: {
-        Json list = Json::array();
-        for (const std::filesystem::path& path : settings.paths(setting.key)) {
-            list.push_back(pathText(project, path, folder));
-        }
-        return list;
-    }
-    case SettingKind::choice:
-    case SettingKind::band:
-        return text;
-    }
-    throw irsg::LogicError("unknown kind of setting");
-}
-
-/// Adds what is set, section by section. Values that equal what would be in effect without them,
-/// the default or the project's own, are left out.
-void writeSettings(Json& json, const Project& project, const std::filesystem::path& folder,
-                   const Settings& settings, const Settings& under) {
-    for (const SettingInfo& setting : settingTable()) {
-        if (settings.isSet(setting.key) && settings.text(setting.key) != under.text(setting.key)) {
-            const std::string section = setting.section();
-            json[section][setting.key.substr(section.size() + 1)] =
-                settingJson(project, folder, setting, settings);
-        }
-    }
-}
 
 /// Puts kept keys back, without touching what this version has written.
 void mergeUnknown(Json& json, const Json& unknown) {
@@ -87,27 +29,14 @@ void mergeUnknown(Json& json, const std::string& unknown) {
     }
 }
 
-Json pointJson(const irsg::Vec3& point) {
-    return {point.x, point.y, point.z};
-}
-
-void writeAngle(Json& json, const char* key, double angle_rad) {
-    // Degrees come back from radians with an error of rounding, which nobody meant to write.
-    const double angle_deg = std::round(irsg::degrees(angle_rad) * 1e10) / 1e10;
-    if (angle_deg != 0.0) {
-        json[key] = angle_deg;
-    }
-}
-
-Json modelJson(const Project& project, const ProjectModel& model,
-               const std::filesystem::path& folder) {
+Json modelJson(const ProjectModel& model, const JsonPaths& paths) {
     Json json = Json::object();
     if (!model.name.empty()) {
         json["name"] = model.name;
     }
-    json["file"] = pathText(project, model.file, folder);
+    json["file"] = paths.text(model.file);
     if (!model.database.empty()) {
-        json["database"] = pathText(project, model.database, folder);
+        json["database"] = paths.text(model.database);
     }
     if (model.noseAxis != irsg::NoseAxis::plusY) {
         json["noseAxis"] = noseAxisNames()[static_cast<std::size_t>(model.noseAxis)];
@@ -118,9 +47,7 @@ Json modelJson(const Project& project, const ProjectModel& model,
     if (model.pose.position_m != irsg::Vec3{}) {
         json["position_m"] = pointJson(model.pose.position_m);
     }
-    writeAngle(json, "yaw_deg", model.pose.attitude.yaw_rad);
-    writeAngle(json, "pitch_deg", model.pose.attitude.pitch_rad);
-    writeAngle(json, "roll_deg", model.pose.attitude.roll_rad);
+    writeAttitude(json, model.pose.attitude);
     if (model.referencePoint_m) {
         json["referencePoint_m"] = pointJson(*model.referencePoint_m);
     }
@@ -166,8 +93,8 @@ Project projectFromJson(const std::string& text, const std::filesystem::path& fi
 }
 
 std::string projectToJson(const Project& project, const std::filesystem::path& file) {
-    const std::filesystem::path folder =
-        std::filesystem::absolute(file).lexically_normal().parent_path();
+    const JsonPaths paths(project.file.parent_path(),
+                          std::filesystem::absolute(file).lexically_normal().parent_path());
     Json json = Json::object();
     json["version"] = projectFileVersion;
     if (!project.title.empty()) {
@@ -177,15 +104,15 @@ std::string projectToJson(const Project& project, const std::filesystem::path& f
         json["notes"] = project.notes;
     }
     for (const ProjectModel& model : project.models) {
-        json["models"].push_back(modelJson(project, model, folder));
+        json["models"].push_back(modelJson(model, paths));
     }
-    writeSettings(json, project, folder, project.settings, Settings());
+    writeSettings(json, paths, project.settings, Settings());
     for (const NamedAnalysis& analysis : project.analyses) {
         Json one = {{"kind", name(analysis.kind)}};
         if (!analysis.notes.empty()) {
             one["notes"] = analysis.notes;
         }
-        writeSettings(one, project, folder, analysis.settings, project.settings);
+        writeSettings(one, paths, analysis.settings, project.settings);
         mergeUnknown(one, analysis.unknownKeys);
         json["analyses"][analysis.name] = std::move(one);
     }

@@ -1,0 +1,261 @@
+#include "smatcore/project/JsonFields.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "irsg/radiometry/Units.h"
+#include "smatcore/support/JsonText.h"
+
+namespace smat {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double farthest_m = 1e9;
+
+} // namespace
+
+std::string shownJson(const Json& value) {
+    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (text.size() > 80) {
+        text = text.substr(0, 77) + "...";
+    }
+    return text;
+}
+
+bool isFileName(const std::string& name) {
+    return !name.empty() && name.front() != '.' && name.find_first_of("/\\\n\r\t") == name.npos;
+}
+
+const std::vector<std::string>& noseAxisNames() {
+    static const std::vector<std::string> names = {"+x", "-x", "+y", "-y"};
+    return names;
+}
+
+JsonFields::JsonFields(std::string fileName, const std::string& text, const std::string& kind)
+    : fileName_(std::move(fileName)),
+      json_(parseJsonText<Json>(text, fileName_, kind)),
+      lines_(text) {}
+
+void JsonFields::takeVersion(int newest, const std::string& parts) {
+    if (!json_.is_object()) {
+        refuse("", json_, "an object with " + parts);
+        throwRefused();
+    }
+    const auto found = json_.find("version");
+    const std::string expected = fmt::format("version {}", newest);
+    if (found == json_.end()) {
+        refuse("version", std::string("nothing"), expected);
+    } else if (!found->is_number_integer() || found->get<double>() < 1) {
+        refuse("version", *found, expected);
+    } else if (found->get<double>() > newest) {
+        refuse("version", *found, expected + " or older: the file was written by a newer program");
+    }
+    throwRefused();
+    json_.erase("version");
+    for (const auto& [path, line] : lines_.duplicates()) {
+        offences_.push_back({.file = fileName_,
+                             .position = fmt::format("{}, line {}", path, line),
+                             .value = "a key that occurs twice",
+                             .expected = "every key once"});
+    }
+}
+
+void JsonFields::throwRefused() const {
+    if (!offences_.empty()) {
+        throw irsg::InputError(offences_);
+    }
+}
+
+Settings JsonFields::takeSettings(Json& json, const std::string& path) {
+    Settings settings;
+    for (const SettingInfo& setting : settingTable()) {
+        const std::string section = setting.section();
+        const auto found = json.find(section);
+        if (found == json.end()) {
+            continue;
+        }
+        if (!found->is_object()) {
+            refuse(joinedKeyPath(path, section), *found, "an object of settings");
+            json.erase(section);
+            continue;
+        }
+        const std::string name = setting.key.substr(section.size() + 1);
+        if (found->contains(name)) {
+            takeSetting(settings, setting.key, (*found)[name], joinedKeyPath(path, setting.key));
+            found->erase(name);
+        }
+        if (found->empty()) {
+            json.erase(section);
+        }
+    }
+    return settings;
+}
+
+void JsonFields::takeSetting(Settings& settings, const std::string& key, const Json& value,
+                             const std::string& path) {
+    const SettingInfo& setting = settingInfo(key);
+    const bool takesNumber = setting.kind == SettingKind::real ||
+                             setting.kind == SettingKind::integer ||
+                             setting.kind == SettingKind::choiceOrReal;
+    const bool takesText =
+        setting.kind != SettingKind::real && setting.kind != SettingKind::integer &&
+        setting.kind != SettingKind::boolean && setting.kind != SettingKind::pathList;
+
+    // Each kind has one JSON type; its text is then judged like that of the command line.
+    std::optional<std::string> text;
+    if ((takesNumber && value.is_number()) ||
+        (setting.kind == SettingKind::boolean && value.is_boolean())) {
+        text = value.dump();
+    } else if (takesText && value.is_string()) {
+        text = value.get<std::string>();
+        if (setting.kind == SettingKind::choiceOrReal &&
+            std::find(setting.choices.begin(), setting.choices.end(), *text) ==
+                setting.choices.end()) {
+            text.reset(); // a number in quotes
+        }
+    } else if (setting.kind == SettingKind::pathList && value.is_array()) {
+        text = "";
+        for (const Json& item : value) {
+            const bool isName = item.is_string() && !item.get<std::string>().empty() &&
+                                item.get<std::string>().find(';') == std::string::npos;
+            if (!isName) {
+                text.reset();
+                break;
+            }
+            *text += (text->empty() ? "" : ";") + item.get<std::string>();
+        }
+    }
+    if (!text || !canonicalText(setting, *text)) {
+        refuse(path, value,
+               setting.kind == SettingKind::pathList ? "a list of file names" : setting.expected());
+        return;
+    }
+    settings.set(key, *text);
+}
+
+std::string JsonFields::takeText(Json& json, const char* key, const std::string& path) {
+    const auto found = json.find(key);
+    if (found == json.end()) {
+        return "";
+    }
+    std::string text;
+    if (found->is_string()) {
+        text = found->get<std::string>();
+    } else {
+        refuse(joinedKeyPath(path, key), *found, "a text");
+    }
+    json.erase(key);
+    return text;
+}
+
+bool JsonFields::takeBoolean(Json& json, const char* key, const std::string& path) {
+    const auto found = json.find(key);
+    if (found == json.end()) {
+        return false;
+    }
+    bool value = false;
+    if (found->is_boolean()) {
+        value = found->get<bool>();
+    } else {
+        refuse(joinedKeyPath(path, key), *found, "true or false");
+    }
+    json.erase(key);
+    return value;
+}
+
+double JsonFields::takeNumber(Json& json, const char* key, const std::string& path, double minimum,
+                              double maximum) {
+    const auto found = json.find(key);
+    if (found == json.end()) {
+        return 0.0;
+    }
+    double value = 0.0;
+    if (found->is_number() && found->get<double>() >= minimum && found->get<double>() <= maximum) {
+        value = found->get<double>();
+    } else {
+        refuse(joinedKeyPath(path, key), *found,
+               fmt::format("a number from {} to {}", minimum, maximum));
+    }
+    json.erase(key);
+    return value;
+}
+
+std::optional<irsg::Vec3> JsonFields::takePoint(Json& json, const char* key,
+                                                const std::string& path) {
+    const auto found = json.find(key);
+    if (found == json.end()) {
+        return std::nullopt;
+    }
+    std::optional<irsg::Vec3> point;
+    const bool isPoint =
+        found->is_array() && found->size() == 3 &&
+        std::all_of(found->begin(), found->end(), [](const Json& value) {
+            return value.is_number() && std::abs(value.get<double>()) <= farthest_m;
+        });
+    if (isPoint) {
+        point = irsg::Vec3{(*found)[0].get<double>(), (*found)[1].get<double>(),
+                           (*found)[2].get<double>()};
+    } else {
+        refuse(joinedKeyPath(path, key), *found, "three numbers [x, y, z] in m, each up to 1e9");
+    }
+    json.erase(key);
+    return point;
+}
+
+irsg::Attitude JsonFields::takeAttitude(Json& json, const std::string& path) {
+    return {irsg::radians(takeNumber(json, "yaw_deg", path, -360, 360)),
+            irsg::radians(takeNumber(json, "pitch_deg", path, -90, 90)),
+            irsg::radians(takeNumber(json, "roll_deg", path, -180, 180))};
+}
+
+std::optional<int> JsonFields::takeIndex(Json& json, const char* key, const std::string& path) {
+    const auto found = json.find(key);
+    if (found == json.end()) {
+        return std::nullopt;
+    }
+    std::optional<int> index;
+    if (found->is_number_integer() && std::abs(found->get<double>()) <= 2147483647.0) {
+        index = found->get<int>();
+    } else {
+        refuse(joinedKeyPath(path, key), *found, "the index of an entry, a whole number");
+    }
+    json.erase(key);
+    return index;
+}
+
+irsg::NoseAxis JsonFields::takeNoseAxis(Json& json, const std::string& path) {
+    const auto found = json.find("noseAxis");
+    if (found == json.end()) {
+        return irsg::NoseAxis::plusY;
+    }
+    const Json value = *found;
+    json.erase("noseAxis");
+    const auto& names = noseAxisNames();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (value == names[i]) {
+            return static_cast<irsg::NoseAxis>(i);
+        }
+    }
+    refuse(joinedKeyPath(path, "noseAxis"), value, "+x, -x, +y or -y");
+    return irsg::NoseAxis::plusY;
+}
+
+void JsonFields::refuse(const std::string& path, const std::string& value,
+                        const std::string& expected) {
+    const int line = lines_.line(path);
+    offences_.push_back(
+        {.file = fileName_,
+         .position = line > 0 && !path.empty() ? fmt::format("{}, line {}", path, line) : path,
+         .value = value,
+         .expected = expected});
+}
+
+void JsonFields::refuse(const std::string& path, const Json& value, const std::string& expected) {
+    refuse(path, shownJson(value), expected);
+}
+
+} // namespace smat

@@ -1,0 +1,224 @@
+#include "smatcore/simulate/Trajectory.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+
+namespace smat {
+
+namespace {
+
+constexpr double sameTime_s = 1e-6;
+
+/// A column that a trajectory may have.
+struct Column {
+    std::string_view name, unit;
+    double minimum, maximum;
+    bool isRequired;
+};
+enum ColumnIndex { time, x, y, z, yaw, pitch, roll, power, mach, columnCount };
+constexpr std::array<Column, columnCount> columns = {{{"t", "s", -1e9, 1e9, true},
+                                                      {"x", "m", -1e9, 1e9, true},
+                                                      {"y", "m", -1e9, 1e9, true},
+                                                      {"z", "m", -1e9, 1e9, true},
+                                                      {"yaw", "deg", -360, 360, true},
+                                                      {"pitch", "deg", -90, 90, true},
+                                                      {"roll", "deg", -360, 360, true},
+                                                      {"power", "", 0, 1e6, false},
+                                                      {"mach", "", 0, 30, false}}};
+
+std::string headerOf(const Column& column) {
+    return column.unit.empty() ? std::string(column.name)
+                               : fmt::format("{} [{}]", column.name, column.unit);
+}
+
+std::string allHeaders() {
+    std::string text;
+    for (const Column& column : columns) {
+        text += (text.empty() ? "" : ", ") + headerOf(column);
+    }
+    return text;
+}
+
+double mixed(double a, double b, double share) {
+    return a + (b - a) * share;
+}
+
+/// From a towards b the shorter way round.
+double mixedAngle_rad(double a_rad, double b_rad, double share) {
+    return a_rad + std::remainder(b_rad - a_rad, 2.0 * irsg::pi) * share;
+}
+
+/// Reads the rows of one table and collects what is wrong with them.
+class Reader {
+  public:
+    explicit Reader(const irsg::CsvTable& csv) : csv_(csv) {}
+
+    Trajectory read() {
+        if (csv_.rows().empty()) {
+            throw irsg::InputError(csv_.offence("no rows", "a header row " + allHeaders()));
+        }
+        readHeader(csv_.rows().front());
+        throwRefused();
+        for (std::size_t row = 1; row < csv_.rows().size(); ++row) {
+            readRow(csv_.rows()[row]);
+        }
+        if (csv_.rows().size() < 2) {
+            offences_.push_back(csv_.offence("no points", "at least one row of numbers"));
+        }
+        throwRefused();
+        return Trajectory(std::move(points_), places_[power].has_value(),
+                          places_[mach].has_value());
+    }
+
+  private:
+    void readHeader(const irsg::CsvRow& header) {
+        width_ = header.cells.size();
+        for (std::size_t place = 0; place < width_; ++place) {
+            const irsg::CsvCell& cell = header.cells[place];
+            const std::size_t open = cell.text.find('[');
+            const std::string_view name =
+                irsg::trimmed(std::string_view(cell.text).substr(0, open));
+            const auto column = std::find_if(columns.begin(), columns.end(),
+                                             [&](const Column& one) { return one.name == name; });
+            if (column == columns.end()) {
+                offences_.push_back(csv_.offence(cell, "one of " + allHeaders()));
+                continue;
+            }
+            if (open != std::string::npos &&
+                cell.text.substr(open) != fmt::format("[{}]", column->unit)) {
+                offences_.push_back(csv_.offence(cell, headerOf(*column)));
+            }
+            std::optional<std::size_t>& known =
+                places_[static_cast<std::size_t>(column - columns.begin())];
+            if (known) {
+                offences_.push_back(csv_.offence(cell, "each column once"));
+            }
+            known = place;
+        }
+        for (std::size_t i = 0; i < columnCount; ++i) {
+            if (!places_[i] && columns[i].isRequired) {
+                offences_.push_back(csv_.offence(header.line,
+                                                 fmt::format("no column {}", columns[i].name),
+                                                 "the columns " + allHeaders()));
+            }
+        }
+    }
+
+    void readRow(const irsg::CsvRow& row) {
+        if (row.cells.size() != width_) {
+            offences_.push_back(csv_.offence(row.line, fmt::format("{} cells", row.cells.size()),
+                                             fmt::format("{} cells", width_)));
+            return;
+        }
+        const std::size_t before = offences_.size();
+        std::array<double, columnCount> numbers{};
+        for (std::size_t i = 0; i < columnCount; ++i) {
+            if (places_[i]) {
+                numbers[i] = number(row.cells[*places_[i]], columns[i]);
+            }
+        }
+        if (offences_.size() > before) {
+            return;
+        }
+        if (!points_.empty() && !(numbers[time] > points_.back().time_s)) {
+            offences_.push_back(csv_.offence(
+                row.cells[*places_[time]],
+                fmt::format("a time after {} s: times ascend", points_.back().time_s)));
+            return;
+        }
+        points_.push_back({.time_s = numbers[time],
+                           .pose = {{numbers[x], numbers[y], numbers[z]},
+                                    {irsg::radians(numbers[yaw]), irsg::radians(numbers[pitch]),
+                                     irsg::radians(numbers[roll])}},
+                           .power = numbers[power],
+                           .mach = numbers[mach]});
+    }
+
+    double number(const irsg::CsvCell& cell, const Column& column) {
+        const std::string unit = column.unit.empty() ? "" : fmt::format(" {}", column.unit);
+        const std::string expected =
+            fmt::format("a number from {} to {}{}", column.minimum, column.maximum, unit);
+        const std::optional<double> value = csv_.number(cell, offences_, expected);
+        if (value && (*value < column.minimum || *value > column.maximum)) {
+            offences_.push_back(csv_.offence(cell, expected));
+        }
+        return value.value_or(0.0);
+    }
+
+    void throwRefused() const {
+        if (!offences_.empty()) {
+            throw irsg::InputError(offences_);
+        }
+    }
+
+    const irsg::CsvTable& csv_;
+    std::array<std::optional<std::size_t>, columnCount> places_;
+    std::size_t width_ = 0;
+    std::vector<TrajectoryPoint> points_;
+    std::vector<irsg::Offence> offences_;
+};
+
+} // namespace
+
+Trajectory::Trajectory(const irsg::Pose& pose, double power, double mach)
+    : points_({{.time_s = 0.0, .pose = pose, .power = power, .mach = mach}}), standsStill_(true) {}
+
+Trajectory::Trajectory(std::vector<TrajectoryPoint> points, bool hasPower, bool hasMach)
+    : points_(std::move(points)), hasPower_(hasPower), hasMach_(hasMach) {
+    const bool ascends = std::adjacent_find(points_.begin(), points_.end(),
+                                            [](const TrajectoryPoint& a, const TrajectoryPoint& b) {
+                                                return !(a.time_s < b.time_s);
+                                            }) == points_.end();
+    if (points_.empty() || !ascends) {
+        throw irsg::LogicError("a trajectory needs points whose times ascend");
+    }
+}
+
+Trajectory Trajectory::read(const std::filesystem::path& file) {
+    return Reader(irsg::CsvTable::read(file)).read();
+}
+
+Trajectory Trajectory::parse(std::string_view text, const std::string& name) {
+    return Reader(irsg::CsvTable::parse(text, name)).read();
+}
+
+std::optional<TrajectoryPoint> Trajectory::at(double time_s, bool hold) const {
+    TrajectoryPoint point = points_.front();
+    const TrajectoryPoint& last = points_.back();
+    const bool isBefore = time_s<point.time_s, isAfter = time_s> last.time_s;
+    if (standsStill_ || isBefore || isAfter) {
+        const double outside_s = isBefore ? point.time_s - time_s : time_s - last.time_s;
+        if (!standsStill_ && !hold && outside_s > sameTime_s) {
+            return std::nullopt;
+        }
+        point = isAfter ? last : point;
+        point.time_s = time_s;
+        return point;
+    }
+    const auto after = std::upper_bound(
+        points_.begin(), points_.end(), time_s,
+        [](double value, const TrajectoryPoint& one) { return value < one.time_s; });
+    if (after == points_.end()) {
+        return last;
+    }
+    const TrajectoryPoint &a = *(after - 1), &b = *after;
+    const double share = (time_s - a.time_s) / (b.time_s - a.time_s);
+    const irsg::Attitude &from = a.pose.attitude, &to = b.pose.attitude;
+    point.time_s = time_s;
+    point.pose.position_m = a.pose.position_m + (b.pose.position_m - a.pose.position_m) * share;
+    point.pose.attitude = {mixedAngle_rad(from.yaw_rad, to.yaw_rad, share),
+                           mixed(from.pitch_rad, to.pitch_rad, share),
+                           mixedAngle_rad(from.roll_rad, to.roll_rad, share)};
+    point.power = mixed(a.power, b.power, share);
+    point.mach = mixed(a.mach, b.mach, share);
+    return point;
+}
+
+} // namespace smat
