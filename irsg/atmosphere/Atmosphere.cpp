@@ -1,5 +1,6 @@
 #include "irsg/atmosphere/Atmosphere.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "irsg/radiometry/Errors.h"
@@ -41,6 +42,13 @@ const char* name(AtmosphereProperty property) {
 
 std::string Atmosphere::refusal(AtmosphereProperty property) const {
     return std::string("has no ") + irsg::name(property);
+}
+
+double Atmosphere::horizonElevation_rad(double altitude_m) const {
+    // cos(dip) = R / (R + h); by the tangent, which keeps its digits near the ground.
+    constexpr double earthRadius_m = 6371.23e3;
+    const double h_m = std::max(altitude_m, 0.0);
+    return -std::atan(std::sqrt(h_m * (2.0 * earthRadius_m + h_m)) / earthRadius_m);
 }
 
 Spectrum Atmosphere::transmittance(const AirPath&, const SpectralRange&) const {

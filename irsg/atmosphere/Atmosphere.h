@@ -74,6 +74,11 @@ class Atmosphere {
         return supports(property) && base().contains(range);
     }
 
+    /// Apparent elevation of the horizon for a sensor at an altitude: lines of sight below it end
+    /// on the ground. The dip of a sphere of 6371.23 km without refraction, unless an atmosphere
+    /// has a geometry of its own.
+    virtual double horizonElevation_rad(double altitude_m) const;
+
     /// 0 to 1; 1 at range 0.
     virtual Spectrum transmittance(const AirPath& path, const SpectralRange& range) const;
     /// Emitted and scattered into the path, W m-2 sr-1 um-1; 0 at range 0.

@@ -90,6 +90,24 @@ std::string AtmosphereSmart::refusal(AtmosphereProperty property) const {
            " in ScatteringMode 1 (single scattering): fluxes need ScatteringMode 2";
 }
 
+double AtmosphereSmart::horizonElevation_rad(double altitude_m) const {
+    checkAltitude(altitude_m);
+    const RayTracer& tracer = transfer().tracer();
+    const std::lock_guard lock(tablesMutex_);
+    const auto [place, isNew] = horizons_rad_.emplace(altitude_m, 0.0);
+    if (!isNew)
+        return place->second;
+
+    // By halving between straight down and straight up.
+    double below_rad = -0.5 * pi, above_rad = 0.5 * pi;
+    while (above_rad - below_rad > 1e-12) {
+        const double middle_rad = 0.5 * (below_rad + above_rad);
+        const bool ground = tracer.along({altitude_m, middle_rad, 0.0}).end == RayPath::End::ground;
+        (ground ? below_rad : above_rad) = middle_rad;
+    }
+    return place->second = 0.5 * (below_rad + above_rad);
+}
+
 Spectrum AtmosphereSmart::transmittance(const AirPath& path, const SpectralRange& range) const {
     checkRange(range);
     checkPath(path);

@@ -55,6 +55,8 @@ class AtmosphereSmart : public Atmosphere {
     bool supports(AtmosphereProperty property) const override;
     std::string refusal(AtmosphereProperty property) const override;
 
+    /// Of the bent ray that touches the ground.
+    double horizonElevation_rad(double altitude_m) const override;
     Spectrum transmittance(const AirPath& path, const SpectralRange& range) const override;
     Spectrum pathRadiance(const AirPath& path, const SunPosition& sun,
                           const SpectralRange& range) const override;
@@ -100,6 +102,7 @@ class AtmosphereSmart : public Atmosphere {
     mutable std::once_flag once_;
     mutable std::unique_ptr<const RadiativeTransfer> transfer_;
     mutable std::mutex tablesMutex_;
+    mutable std::map<double, double> horizons_rad_; ///< by altitude
     mutable std::map<std::vector<std::uint32_t>, std::unique_ptr<PathTables>> tables_;
 };
 

@@ -60,6 +60,8 @@ class BeerLambert : public Atmosphere {
     std::string name() const override { return parameters_.name; }
     SpectralRange base() const override { return base_; }
     bool supports(AtmosphereProperty) const override { return true; }
+    /// Flat ground without an end.
+    double horizonElevation_rad(double) const override { return 0.0; }
     Spectrum transmittance(const AirPath& path, const SpectralRange& range) const override;
     Spectrum pathRadiance(const AirPath& path, const SunPosition& sun,
                           const SpectralRange& range) const override;

@@ -60,6 +60,13 @@ const Atmosphere& Environment::require(const SpectralRange& range,
                       "an atmosphere that supports this quantity and holds the whole range"});
 }
 
+double Environment::horizonElevation_rad(double altitude_m, const SpectralRange& range) const {
+    if (const Atmosphere* air = find(range, AtmosphereProperty::backgroundRadiance)) {
+        return air->horizonElevation_rad(altitude_m);
+    }
+    return Vacuum().horizonElevation_rad(altitude_m);
+}
+
 Answer<Spectrum> Environment::transmittance(const AirPath& path, const SpectralRange& range) const {
     const Atmosphere& air = require(range, AtmosphereProperty::transmittance);
     return {air.transmittance(path, range), air.name()};

@@ -38,6 +38,9 @@ class Environment {
     /// The first that accepts, or null.
     const Atmosphere* find(const SpectralRange& range, AtmosphereProperty property) const;
 
+    /// Of the atmosphere that answers for the background; see Atmosphere::horizonElevation_rad.
+    double horizonElevation_rad(double altitude_m, const SpectralRange& range) const;
+
     Answer<Spectrum> transmittance(const AirPath& path, const SpectralRange& range) const;
     Answer<Spectrum> pathRadiance(const AirPath& path, const SpectralRange& range) const;
     Answer<Spectrum> backgroundRadiance(const LineOfSight& sight, const SpectralRange& range) const;
