@@ -1,7 +1,6 @@
 #include "irsg/scene/ModelLoader.h"
 
 #include <algorithm>
-#include <mutex>
 #include <sstream>
 
 #include <osg/Group>
@@ -23,12 +22,6 @@ namespace fs = std::filesystem;
 /// Blank-separated, or the plug-in finds none of them. Without preserveFace it merges faces of
 /// different codes; without the last one it drops the codes.
 constexpr const char* flightOptions = "preserveFace preserveObject preserveNonOsgAttrsAsUserData";
-
-/// The registry of plug-ins and their caches belong to the whole process.
-std::mutex& registryMutex() {
-    static std::mutex mutex;
-    return mutex;
-}
 
 osg::ref_ptr<osgDB::Options> privateOptions(const fs::path& folder) {
     osg::ref_ptr<osgDB::Options> options = new osgDB::Options(flightOptions);
@@ -135,11 +128,10 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
         for (const auto& remark : scanned.remarks)
             loaded.remarks.push_back(scanned.path.filename().string() + ": " + remark);
     if (loaded.faces.empty())
-        throw InputError({file.string(),
-                          "byte " + std::to_string(scan.files.front().bytes.size()),
+        throw InputError({file.string(), "byte " + std::to_string(scan.files.front().bytes.size()),
                           "the end of a model without faces", "at least one face"});
 
-    const std::scoped_lock lock(registryMutex());
+    const std::scoped_lock lock(osgRegistryMutex());
     OsgNotices notices;
     loaded.node = FlightReader(scan, purpose).read(scan.files.front().path, nullptr);
     removeProxies(*loaded.node);
@@ -163,7 +155,7 @@ LoadedGraph loadOther(const fs::path& file) {
         throw InputError({file.string(), "", "no such file", "a model file"});
     const auto extension = osgDB::getLowerCaseFileExtension(file.string());
 
-    const std::scoped_lock lock(registryMutex());
+    const std::scoped_lock lock(osgRegistryMutex());
     OsgNotices notices;
     LoadedGraph loaded;
     std::string complaint;
@@ -207,6 +199,11 @@ LoadedGraph loadOther(const fs::path& file) {
 }
 
 } // namespace
+
+std::mutex& osgRegistryMutex() {
+    static std::mutex mutex;
+    return mutex;
+}
 
 LoadedGraph loadGraph(const fs::path& file, LoadPurpose purpose) {
     return osgDB::getLowerCaseFileExtension(file.string()) == "flt" ? loadFlight(file, purpose)

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct LoadedGraph {
 /// What the graph is for: the infrared picture needs geometry, normals and codes; the visible
 /// display needs textures and materials, too.
 enum class LoadPurpose { infrared, visible };
+
+/// To be held while a plug-in of OpenSceneGraph reads: the registry of plug-ins and their caches
+/// belong to the whole process.
+std::mutex& osgRegistryMutex();
 
 /// Reads .flt after validating it, with its external references, each file once; and whatever else
 /// OpenSceneGraph reads. Codes are on drawables or nodes as codesOf() finds them. What

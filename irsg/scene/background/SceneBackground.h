@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "irsg/scene/Pose.h"
+#include "irsg/scene/Sensor.h"
+#include "irsg/scene/background/BandSky.h"
+#include "irsg/scene/background/FieldRays.h"
+#include "irsg/scene/background/FrameBackground.h"
+#include "irsg/scene/background/Horizon.h"
+#include "irsg/scene/background/Skybox.h"
+
+namespace irsg {
+
+/// What the background consists of.
+struct BackgroundSettings {
+    bool asksEnvironment = true;  ///< else `uniform_W_m2_sr` everywhere
+    double uniform_W_m2_sr = 0.0; ///< of the line of sight at the field's centre, or a constant
+    int rows = 1, columns = 1;    ///< of the grid; 1 x 1 is uniform
+    bool sunDisc = false;
+    TextureScale skybox;
+};
+
+/// The background's parts before they are added up, each one value per pixel, W m-2 sr-1, top row
+/// first; empty where there is no such part.
+struct BackgroundLayers {
+    std::vector<double> sky;         ///< skybox, with the disc of the sun upon it
+    std::vector<double> environment; ///< the grid
+};
+
+struct BackgroundReport {
+    long flooredPixels = 0; ///< whose sum was below 0
+    std::vector<std::string> answeredBy, warnings;
+};
+
+/// Draws what is behind the objects (F27 to F33): the skybox, the disc of the sun in its place,
+/// then the environment's background added. All of it follows the eye.
+class SceneBackground {
+  public:
+    /// Null for none.
+    void setSkybox(std::shared_ptr<const Skybox> skybox) { skybox_ = std::move(skybox); }
+
+    /// Throws InputError where no atmosphere answers.
+    FrameBackground draw(const Sensor& sensor, const Viewpoint& viewpoint, const BandSky& sky,
+                         const BackgroundSettings& settings, BackgroundReport& report);
+    /// Of the last drawing.
+    const BackgroundLayers& layers() const { return layers_; }
+
+  private:
+    void drawSun(const FieldRays& rays, const Horizon& horizon, const BandSky& sky,
+                 double altitude_m);
+
+    std::shared_ptr<const Skybox> skybox_;
+    BackgroundLayers layers_;
+};
+
+} // namespace irsg

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/background/Skybox.h"
+
+namespace irsg {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lowerCase(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+bool isPicture(const fs::path& file) {
+    static const std::array<std::string, 7> kinds{".png",  ".jpg", ".jpeg", ".tif",
+                                                  ".tiff", ".exr", ".hdr"};
+    return std::ranges::find(kinds, lowerCase(file.extension().string())) != kinds.end();
+}
+
+} // namespace
+
+std::shared_ptr<const Skybox> Skybox::load(const fs::path& folder) {
+    std::error_code failed;
+    std::vector<fs::path> pictures;
+    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
+         entry.increment(failed))
+        if (isPicture(entry->path()))
+            pictures.push_back(entry->path());
+    if (failed)
+        throw InputError({folder.string(), "", failed.message(),
+                          "a folder with six pictures north, south, east, west, up and down"});
+
+    std::array<fs::path, 6> files;
+    std::vector<Offence> offences;
+    for (std::size_t face = 0; face < 6; ++face) {
+        const std::string name = faceNames[face];
+        std::vector<fs::path> found;
+        for (const fs::path& picture : pictures) {
+            const std::string stem = lowerCase(picture.stem().string());
+            if (stem == name || stem == name.substr(0, 1))
+                found.push_back(picture);
+        }
+        std::ranges::sort(found);
+        if (found.empty())
+            offences.push_back({folder.string(), "skybox face " + name, "no picture",
+                                name + ".png or another picture of that name"});
+        else if (found.size() > 1)
+            offences.push_back(
+                {folder.string(), "skybox face " + name,
+                 found[0].filename().string() + " and " + found[1].filename().string(),
+                 "one picture"});
+        else
+            files[face] = found[0];
+    }
+    if (!offences.empty())
+        throw InputError(std::move(offences));
+    return load(files);
+}
+
+std::shared_ptr<const Skybox> Skybox::load(const std::array<fs::path, 6>& files) {
+    std::array<TextureImage, 6> faces;
+    std::array<std::string, 6> names;
+    std::vector<Offence> offences;
+    for (std::size_t face = 0; face < 6; ++face) {
+        names[face] = files[face].string();
+        if (files[face].empty()) {
+            offences.push_back({"skybox", "face " + std::string(faceNames[face]), "no file",
+                                "the file of its picture"});
+            continue;
+        }
+        try {
+            faces[face] = readTexture(files[face]);
+        } catch (const InputError& error) {
+            for (Offence offence : error.offences()) {
+                offence.position = "skybox face " + std::string(faceNames[face]) +
+                                   (offence.position.empty() ? "" : ", " + offence.position);
+                offences.push_back(std::move(offence));
+            }
+        }
+    }
+    if (!offences.empty())
+        throw InputError(std::move(offences));
+    return std::make_shared<const Skybox>(std::move(faces), names);
+}
+
+} // namespace irsg

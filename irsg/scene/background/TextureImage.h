@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace osg {
+class Image;
+}
+
+namespace irsg {
+
+/// The red (or only) channel of a picture as linear numbers: integers divided by their largest, 0
+/// to 1; floats as they are. No gamma is applied, whatever the file says.
+struct TextureImage {
+    int width_px = 0, height_px = 0;
+    std::vector<float> values; ///< top row first
+};
+
+/// Reads PNG of up to 16 bits, OpenEXR, and what OpenSceneGraph reads: JPEG, TIFF of 8, 16 or 32
+/// bits, Radiance HDR and others. Throws InputError for a file that is missing, unreadable, of a
+/// kind nothing reads, or holds a value that is not finite.
+TextureImage readTexture(const std::filesystem::path& file);
+
+/// The same of a picture in memory; `name` is used in messages.
+TextureImage textureOf(const osg::Image& image, const std::string& name);
+
+} // namespace irsg
