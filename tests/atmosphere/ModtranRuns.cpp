@@ -69,6 +69,16 @@ SunPosition sunOf(const SpectralRun& run) {
             std::asin(std::clamp(sine, -1.0, 1.0))};
 }
 
+/// The air as sunlight meets it: with IPH 0 all particles scatter by Henyey and Greenstein's
+/// function with the asymmetry G of card 3A2 (0: alike into all directions) in place of their own.
+AirModel airOfSunlight(AirModel air, const SpectralRun& run) {
+    if (card(run, "IPH", 2.0) == 0.0)
+        for (ParticleLayer& layer : air.particles)
+            for (ParticleOptics& optics : layer.optics)
+                optics.asymmetry = card(run, "G");
+    return air;
+}
+
 /// The true elevation of a sun that is seen at an apparent one: the ray is as long.
 double trueElevation(const RayTracer& tracer, double altitude_m, double apparent_rad) {
     const double length_m = tracer.along({altitude_m, apparent_rad, 0.0}).length_m;
@@ -94,6 +104,16 @@ AirPath pathOf(const SpectralRun& run, const RadiativeTransfer& transfer) {
     return {
         geometry.sensorAltitude_m, transfer.air().profile.top_m(),
         transfer.tracer().along({geometry.sensorAltitude_m, geometry.elevation_rad, 0.0}).length_m};
+}
+
+/// What the air sends along the path of a run, per node: emitted and scattered.
+std::vector<double> radianceOf(const SpectralRun& run, const RadiativeTransfer& transfer,
+                               const NodeSet& nodes, const SunPosition& sun) {
+    const RunGeometry& geometry = run.geometry;
+    if (geometry.path == RunPath::toSpace)
+        return transfer.backgroundRadiance(
+            nodes, {geometry.sensorAltitude_m, geometry.elevation_rad, 0.0}, sun);
+    return transfer.pathRadiance(nodes, pathOf(run, transfer), sun);
 }
 
 /// Bins much finer than the slit.
@@ -229,7 +249,6 @@ ModtranComparison compare(const std::filesystem::path& folder, const PublishedFi
     const Slit slit(transfer, run.wavenumbers_cm, card(run, "FWHM"));
     const double sensor_m = run.geometry.sensorAltitude_m;
     constexpr SunPosition night{0.0, -0.5 * std::numbers::pi};
-    const SunPosition sun = run.kind == RunKind::solarRadiance ? sunOf(run) : night;
 
     ModtranComparison result{.wavenumbers_cm = run.wavenumbers_cm};
     result.theirTransmittance = run.transmittance;
@@ -245,11 +264,17 @@ ModtranComparison compare(const std::filesystem::path& folder, const PublishedFi
         result.reference = slit.at(transfer.solarIrradiance(
             slit.nodes(), transfer.air().profile.top_m(), {0.0, 0.5 * std::numbers::pi}));
     } else if (run.kind != RunKind::transmittance) {
-        result.radiance =
-            slit.at(run.geometry.path == RunPath::toSpace
-                        ? transfer.backgroundRadiance(
-                              slit.nodes(), {sensor_m, run.geometry.elevation_rad, 0.0}, sun)
-                        : transfer.pathRadiance(slit.nodes(), path, sun));
+        result.radiance = slit.at(radianceOf(run, transfer, slit.nodes(), night));
+        if (run.kind == RunKind::solarRadiance) {
+            const RadiativeTransfer sunlit(airOfSunlight(transfer.air(), run), GasTable::shipped());
+            const SunPosition sun = sunOf(run);
+            const auto day = slit.at(radianceOf(run, sunlit, slit.nodes(), sun));
+            const auto dark = slit.at(radianceOf(run, sunlit, slit.nodes(), night));
+            for (std::size_t i = 0; i < day.size(); ++i) {
+                result.scatteredSun.push_back(day[i] - dark[i]);
+                result.radiance[i] += result.scatteredSun[i];
+            }
+        }
         const double air_K = transfer.air().profile.at(sensor_m).temperature_K;
         for (const double nu : run.wavenumbers_cm)
             result.reference.push_back(planckRadiance_W_m2_sr_um(1e4 / nu, air_K));

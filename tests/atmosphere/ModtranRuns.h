@@ -56,6 +56,7 @@ struct ModtranComparison {
     std::vector<double> wavenumbers_cm;
     std::vector<double> transmittance = {}, theirTransmittance = {};
     std::vector<double> radiance = {}, theirRadiance = {}; ///< of the path, W m-2 sr-1 um-1
+    std::vector<double> scatteredSun = {};                 ///< ours, a part of the radiance
     std::vector<double> sunlight = {}, theirSunlight = {}; ///< normal to the beam, W m-2 um-1
     std::vector<double> reference = {}; ///< black body of the air at the sensor, or sun
 };

@@ -84,6 +84,14 @@ TEST(Tape7, readsARunAndConvertsItsUnits) {
     EXPECT_TRUE(run.warnings.empty());
 }
 
+TEST(Tape7, readsTheAsymmetryOfScatteringWhereItsLineGoesOnToIt) {
+    const std::string text = tape7({});
+    const std::string six = lineAt(text, 8);
+    EXPECT_FALSE(parsed(text).front().cards.contains("G"));
+    const std::string eight = replaced(text, six, six + "   0.00000   0.65000");
+    EXPECT_EQ(parsed(eight).front().cards.at("G"), 0.65);
+}
+
 TEST(Tape7, readsSeveralRunsOfOneFile) {
     SyntheticRun near;
     SyntheticRun far;

@@ -61,6 +61,8 @@ std::map<std::string, double> tape7Cards(const TextLines& text, std::size_t firs
     read(names - 4, card3a1);
     read(names - 3, card3a2);
     read(names - 2, card4);
+    if (const std::optional<double> asymmetry = fortranNumber(field(text.lines[names - 3], 70, 10)))
+        cards["G"] = *asymmetry;
     return cards;
 }
 
