@@ -4,13 +4,16 @@
 
 #include "apps/atmosphere-tables/ContinuumTables.h"
 #include "apps/atmosphere-tables/DataTable.h"
-#include "apps/atmosphere-tables/PublishedRun.h"
 #include "irsg/atmosphere/lbl/LineAbsorption.h"
 #include "irsg/atmosphere/lbl/LineListFile.h"
+#include "irsg/atmosphere/lbl/PublishedRun.h"
 
 namespace smat::tables {
 
 namespace {
+
+using irsg::lbl::PublishedRun;
+using irsg::lbl::publishedRunSource;
 
 constexpr double loschmidt_per_cm3 = 2.686780111e19;
 

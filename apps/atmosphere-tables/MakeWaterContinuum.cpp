@@ -6,13 +6,16 @@
 #include "apps/atmosphere-tables/ContinuumTables.h"
 #include "apps/atmosphere-tables/DataTable.h"
 #include "apps/atmosphere-tables/NodeCurve.h"
-#include "apps/atmosphere-tables/PublishedRun.h"
+#include "irsg/atmosphere/lbl/PublishedRun.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::tables {
 
 namespace {
+
+using irsg::lbl::PublishedRun;
+using irsg::lbl::publishedRunSource;
 
 /// LOWTRAN's continuum, 1e-20 cm3 per molecule. Its self part has the dip at 1050 cm-1 that
 /// LOWTRAN itself gives it. Its foreign part carries a far wing on top of the tabulated values;

@@ -6,6 +6,8 @@
 #include "irsg/atmosphere/lbl/CarbonDioxideLines.h"
 #include "irsg/atmosphere/lbl/LineListFile.h"
 #include "irsg/atmosphere/lbl/PseudoLines.h"
+#include "irsg/atmosphere/lbl/PublishedRun.h"
+#include "irsg/atmosphere/lbl/StrengthScaling.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg::lbl {
@@ -53,6 +55,30 @@ void addPseudoLines(LineList& list, const std::filesystem::path& dataFolder) {
         std::string(gasNames[static_cast<std::size_t>(list.gas)]) + " at " + ranges +
         " cm-1: pseudo-lines whose transmittance over 20 cm-1 is that of LOWTRAN 7 (Kneizys et al. "
         "1988, AFGL-TR-88-0177); to 0.06 in transmittance, no detail finer than 20 cm-1");
+}
+
+/// Pseudo-lines whose LOWTRAN parameters are farther from MODTRAN than 0.06, brought nearer.
+void scalePseudoLines(LineList& list, const std::filesystem::path& dataFolder) {
+    const bool isWater = list.gas == Gas::H2O;
+    if (!isWater && list.gas != Gas::CH4)
+        return;
+    const PublishedRun run = PublishedRun::read(dataFolder);
+    // The windows of methane begin where their lines do not reach into the 8 to 12 um band.
+    const ScalingWindows windows =
+        isWater ? ScalingWindows{8000.0, 11000.0, 100.0} : ScalingWindows{1275.0, 1400.0, 25.0};
+    scaleStrengths(list,
+                   {PublishedRun::air(), PublishedRun::length_cm, run.wavenumber_cm,
+                    isWater ? run.water : run.methane},
+                   windows);
+    list.origins.push_back(
+        std::string(gasNames[static_cast<std::size_t>(list.gas)]) + " at " +
+        numberText(windows.lower_cm) + "-" + numberText(windows.upper_cm) +
+        " cm-1: pseudo-lines fitted to LOWTRAN 7, then scaled in windows of " +
+        numberText(windows.width_cm) +
+        " cm-1 to the column of this gas in a published MODTRAN run of 5 km of tropical air "
+        "(horizon5kmtropical.fl7 of pyradi, C. J. Willers et al., MIT licence), from which LOWTRAN "
+        "7 itself is " +
+        (isWater ? "0.08" : "0.06") + " RMS away; to 0.06 in transmittance");
 }
 
 /// Methane at 2000 to 2833 and 3246 to 3333 cm-1: known positions and strengths, assumed widths.
@@ -109,6 +135,7 @@ LineList completeLineList(Gas gas, const std::filesystem::path& dataFolder) {
     if (gas == Gas::CH4)
         addBareMethane(list, folder);
     addPseudoLines(list, dataFolder);
+    scalePseudoLines(list, dataFolder);
     std::erase_if(list.lines, [](const Line& line) { return line.wavenumber_cm < lowest_cm; });
     std::ranges::stable_sort(list.lines, {}, &Line::wavenumber_cm);
     return list;

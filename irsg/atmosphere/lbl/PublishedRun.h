@@ -5,7 +5,7 @@
 
 #include "irsg/atmosphere/engine/AirState.h"
 
-namespace smat::tables {
+namespace irsg::lbl {
 
 /// What every table fitted to the published run says of it.
 inline constexpr const char* publishedRunSource =
@@ -18,12 +18,12 @@ struct PublishedRun {
     static constexpr double length_cm = 5e5;
     static constexpr double rounding = 5e-5; ///< of a transmittance
 
-    std::vector<double> wavenumber_cm, waterContinuum, oxygen;
+    std::vector<double> wavenumber_cm, water, waterContinuum, methane, oxygen;
 
     /// Throws InputError naming the file and each line that is not a row of the run.
     static PublishedRun read(const std::filesystem::path& data);
     /// Tropical air at the ground.
-    static irsg::AirState air();
+    static AirState air();
 };
 
-} // namespace smat::tables
+} // namespace irsg::lbl
