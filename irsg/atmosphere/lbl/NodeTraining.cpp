@@ -51,12 +51,13 @@ class OpticalDepths {
                     for (std::size_t i = 0; i < count; ++i)
                         lnCross[i] += weight * values[i];
                 }
-                // Exponents are kept below 0 by taking the column out.
+                // Exponents are kept below 0 by a factor that is larger than any depth that matters
+                // and leaves depths down to e^-67.
                 const double lnColumn = std::log(density_per_m3 * 1e-4 * layer.thickness_m);
-                const auto shift = static_cast<float>(lnColumn - 80.0);
-                constexpr float unshift = 5.5406224e34f; // e^80
+                constexpr float largest = 4.851652e8f, lnLargest = 20.0f;
+                const auto shift = static_cast<float>(lnColumn) - lnLargest;
                 for (std::size_t i = 0; i < count; ++i)
-                    depth[i] += fastExp(lnCross[i] + shift) * unshift;
+                    depth[i] += fastExp(std::min(lnCross[i] + shift, 0.0f)) * largest;
             }
         }
     }
