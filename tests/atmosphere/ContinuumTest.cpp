@@ -187,6 +187,22 @@ TEST(Continuum, isNeverNegativeWhateverTheAir) {
             EXPECT_GE(continuumAbsorption_per_m(air(500.0, temperature_K, 0.01), nu), 0.0) << nu;
 }
 
+TEST(ContinuumSpectrum, isTheSumOfTheContinuaAtEveryWavenumber) {
+    std::vector<double> wavenumbers_cm;
+    for (double nu = 150.0; nu < 52000.0; nu *= 1.0091)
+        wavenumbers_cm.push_back(nu);
+    const ContinuumSpectrum spectrum(wavenumbers_cm);
+    for (const AirState& state : {air(1000.0, 300.0, 0.03), air(200.0, 215.0, 1e-5),
+                                  air(0.1, 100.0, 0.0), air(1100.0, 400.0, 0.1)}) {
+        std::vector<double> found(wavenumbers_cm.size(), -1.0);
+        spectrum.absorption_per_m(state, found);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const double expected = continuumAbsorption_per_m(state, wavenumbers_cm[i]);
+            EXPECT_NEAR(found[i], expected, 1e-13 * expected) << wavenumbers_cm[i];
+        }
+    }
+}
+
 TEST(Rayleigh, agreesWithThePublishedCrossSection) {
     // Bodhaine et al. 1999, equation 29, 1e-28 cm2, air of 360 ppm CO2.
     const AirState state = air(1013.25, 288.15, 0.0);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/engine/GasTable.h"
+#include "irsg/atmosphere/engine/NodeAbsorption.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
@@ -86,6 +87,30 @@ TEST(GasTable, addsTheGasesOfANode) {
                 table().crossSection_cm2(nodes[i], gas, state) * 1e-4 * state.density_per_m3(gas);
         EXPECT_NEAR(absorption[i] / expected, 1.0, 1e-5) << i;
     }
+}
+
+TEST(NodeAbsorption, isThatOfTheTableForEveryStateInAnyOrder) {
+    const GasTable gases = table();
+    // More nodes than are summed at a time, and each of them often.
+    std::vector<std::uint32_t> nodes;
+    for (std::uint32_t i = 0; i < 1100; ++i)
+        nodes.push_back((i * i + i / 3) % 3);
+    const NodeAbsorption absorption(gases, nodes);
+    const AirState states[] = {air(700.0, 290.0, 0.02, 4e-4), air(20.0, 200.0, 0.0, 4e-4),
+                               air(700.0, 290.0, 0.02, 4e-4), air(1e-3, 350.0, 1e-6, 0.0)};
+    std::vector<std::vector<float>> found;
+    for (const AirState& state : states) {
+        found.emplace_back(nodes.size(), -1.0f);
+        absorption.at(state, found.back());
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            double expected = 0.0;
+            for (const Gas gas : {Gas::H2O, Gas::CO2})
+                expected +=
+                    gases.crossSection_cm2(nodes[i], gas, state) * 1e-4 * state.density_per_m3(gas);
+            ASSERT_NEAR(found.back()[i], expected, 1e-5 * expected) << i;
+        }
+    }
+    EXPECT_EQ(found[0], found[2]);
 }
 
 TEST(GasTable, clampsWhatLiesBeyondItsGrid) {

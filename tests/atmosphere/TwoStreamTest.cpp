@@ -278,6 +278,16 @@ TEST(VectorExp, agreesWithTheLibraryToItsLastDigits) {
             EXPECT_NEAR(vectorExpm1(signedX) / std::expm1(signedX), 1.0, 1e-15) << signedX;
     EXPECT_EQ(vectorExpm1(0.0), 0.0);
     EXPECT_EQ(vectorAbsorbed(1e9), 1.0);
+    for (double x = -600.0; x < 600.0; x += 1.37)
+        EXPECT_NEAR(vectorExp(x) / std::exp(x), 1.0, 1e-15) << x;
+}
+
+TEST(VectorExp, agreesWithTheLibraryInSinglePrecision) {
+    for (float x = -86.9f; x < 87.9f; x += 0.0137f)
+        EXPECT_NEAR(static_cast<double>(vectorExp(x)) / std::exp(static_cast<double>(x)), 1.0, 2e-7)
+            << x;
+    EXPECT_EQ(vectorExp(0.0f), 1.0f);
+    EXPECT_EQ(vectorExp(-1000.0f), vectorExp(-87.0f));
 }
 
 } // namespace

@@ -63,22 +63,25 @@ double herzberg_per_m(const AirState& air, double wavenumber_cm) {
 
 } // namespace
 
-double nitrogen_per_m(const AirState& air, double wavenumber_cm) {
+NitrogenSpectral nitrogenAt(double wavenumber_cm) {
+    for (const EvenTable* table : {&tables().nitrogenRotation, &tables().nitrogenFundamental})
+        if (const EvenTable::Place place = table->place(wavenumber_cm); place.inside)
+            return {table->at(0, place), table->at(1, place)};
+    return {};
+}
+
+NitrogenAir::NitrogenAir(const AirState& air) {
     // Of dry air; as collision partners oxygen differs (Lafferty et al. 1996, Appl. Opt. 35, 5911)
     // and water counts as nitrogen.
     constexpr double nitrogenInDryAir = 0.78084;
     const double temperature_K = heldTemperature_K(air);
-    double perAmagat2_cm = 0.0;
-    for (const EvenTable* table : {&tables().nitrogenRotation, &tables().nitrogenFundamental})
-        if (const EvenTable::Place place = table->place(wavenumber_cm); place.inside)
-            perAmagat2_cm += table->at(0, place) *
-                             std::exp(table->at(1, place) * (1.0 / temperature_K - 1.0 / 273.15));
     const double nitrogen = nitrogenInDryAir * (1.0 - air.fraction(Gas::H2O));
     const double oxygenEfficiency = 1.294 - 0.4545 * temperature_K / 296.0;
     const double partners =
         nitrogen + oxygenEfficiency * air.fraction(Gas::O2) + air.fraction(Gas::H2O);
     const double density = amagats(air);
-    return 100.0 * perAmagat2_cm * density * density * nitrogen * partners;
+    beyond273_per_K = 1.0 / temperature_K - 1.0 / 273.15;
+    pairs = 100.0 * density * density * nitrogen * partners;
 }
 
 double oxygen_per_m(const AirState& air, double wavenumber_cm) {

@@ -7,11 +7,11 @@ namespace irsg {
 double continuumAbsorption_per_m(Continuum which, const AirState& air, double wavenumber_cm) {
     switch (which) {
     case Continuum::waterSelf:
-        return continuum::waterSelf_per_m(air, wavenumber_cm);
+        return continuum::WaterAir(air).self_per_m(continuum::waterAt(wavenumber_cm));
     case Continuum::waterForeign:
-        return continuum::waterForeign_per_m(air, wavenumber_cm);
+        return continuum::WaterAir(air).foreign_per_m(continuum::waterAt(wavenumber_cm));
     case Continuum::nitrogen:
-        return continuum::nitrogen_per_m(air, wavenumber_cm);
+        return continuum::NitrogenAir(air).absorption_per_m(continuum::nitrogenAt(wavenumber_cm));
     case Continuum::oxygen:
         return continuum::oxygen_per_m(air, wavenumber_cm);
     case Continuum::ozone:
@@ -27,6 +27,51 @@ double continuumAbsorption_per_m(const AirState& air, double wavenumber_cm) {
     for (std::size_t i = 0; i < continuumCount; ++i)
         sum += continuumAbsorption_per_m(static_cast<Continuum>(i), air, wavenumber_cm);
     return sum;
+}
+
+namespace {
+
+/// Oxygen, ozone and nitric acid.
+double others_per_m(const AirState& air, double wavenumber_cm) {
+    return continuum::oxygen_per_m(air, wavenumber_cm) +
+           continuum::ozone_per_m(air, wavenumber_cm) +
+           continuum::nitricAcid_per_m(air, wavenumber_cm);
+}
+
+/// Warm, dense air with all gases in it.
+AirState everything() {
+    AirState air;
+    air.moleFraction.fill(0.1);
+    return air;
+}
+
+} // namespace
+
+ContinuumSpectrum::ContinuumSpectrum(std::vector<double> wavenumbers_cm)
+    : wavenumbers_cm_(std::move(wavenumbers_cm)) {
+    const AirState absorbing = everything();
+    for (const double wavenumber_cm : wavenumbers_cm_) {
+        const continuum::WaterSpectral water = continuum::waterAt(wavenumber_cm);
+        waterSelf_.push_back(water.self296);
+        waterCooling_.push_back(water.lnCooling_per_K);
+        waterForeign_.push_back(water.foreign296);
+        const continuum::NitrogenSpectral nitrogen = continuum::nitrogenAt(wavenumber_cm);
+        nitrogen_.push_back(nitrogen.at273);
+        nitrogenSlope_.push_back(nitrogen.slope_K);
+        if (others_per_m(absorbing, wavenumber_cm) > 0.0)
+            others_.push_back(waterSelf_.size() - 1);
+    }
+}
+
+void ContinuumSpectrum::absorption_per_m(const AirState& air, std::span<double> out) const {
+    const continuum::WaterAir water(air);
+    const continuum::NitrogenAir nitrogen(air);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = water.both_per_m(
+                     {wavenumbers_cm_[i], waterSelf_[i], waterCooling_[i], waterForeign_[i]}) +
+                 nitrogen.absorption_per_m({nitrogen_[i], nitrogenSlope_[i]});
+    for (const std::size_t i : others_)
+        out[i] += others_per_m(air, wavenumbers_cm_[i]);
 }
 
 double rayleighScattering_per_m(const AirState& air, double wavenumber_cm) {

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <array>
-#include <string>
+#include <span>
+#include <vector>
 
 #include "irsg/atmosphere/engine/AirState.h"
 
@@ -27,6 +28,20 @@ inline constexpr std::array<const char*, continuumCount> continuumNames = {
 double continuumAbsorption_per_m(Continuum which, const AirState& air, double wavenumber_cm);
 /// All of them.
 double continuumAbsorption_per_m(const AirState& air, double wavenumber_cm);
+
+/// All of them at a few wavenumbers, for many states of the air: what the tables say at the
+/// wavenumbers is looked up once.
+class ContinuumSpectrum {
+  public:
+    explicit ContinuumSpectrum(std::vector<double> wavenumbers_cm);
+    /// m-1, as many as wavenumbers.
+    void absorption_per_m(const AirState& air, std::span<double> out) const;
+
+  private:
+    std::vector<double> wavenumbers_cm_;
+    std::vector<double> waterSelf_, waterCooling_, waterForeign_, nitrogen_, nitrogenSlope_;
+    std::vector<std::size_t> others_; ///< where gases besides water and nitrogen absorb
+};
 
 /// Molecular (Rayleigh) scattering, m-1, by the formula of LOWTRAN 7. Against Bodhaine et al. 1999
 /// (J. Atmos. Ocean. Technol. 16, 1854) within 0.6 % from 0.3 to 1 um, 1.2 % less at 0.25 um and

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "irsg/atmosphere/engine/PathIntegrator.h"
+#include "irsg/atmosphere/engine/VectorClones.h"
 #include "irsg/atmosphere/engine/VectorExp.h"
 
 namespace irsg {
@@ -21,6 +22,64 @@ void put(const std::vector<double>& part, std::size_t count, std::size_t first, 
         std::copy_n(part.data() + level * count, count, whole.data() + level * all + first);
 }
 
+/// The air at a level, per node.
+struct LevelRows {
+    const float *extinction, *scattering, *moment, *forward;
+    const double* planck;
+
+    LevelRows(const NodeColumn& column, std::size_t level)
+        : extinction(column.extinction(level).data()),
+          scattering(column.scattering(level).data()),
+          moment(column.moment(level).data()),
+          forward(column.forward(level).data()),
+          planck(column.planck(level).data()) {}
+};
+
+std::vector<LevelRows> levelRows(const NodeColumn& column) {
+    std::vector<LevelRows> rows;
+    for (std::size_t level = 0; level < column.air().levelCount(); ++level)
+        rows.emplace_back(column, level);
+    return rows;
+}
+
+/// `count` columns of a layer between two levels from `first` on, delta scaled.
+IRSG_VECTOR_CLONES void scaledLayer(const LevelRows& below, const LevelRows& above, double half_m,
+                                    std::size_t first, std::size_t count, double* __restrict depth,
+                                    double* __restrict albedo, double* __restrict asymmetry) {
+    const float *lowE = below.extinction + first, *highE = above.extinction + first;
+    const float *lowS = below.scattering + first, *highS = above.scattering + first;
+    const float *lowM = below.moment + first, *highM = above.moment + first;
+    const float *lowF = below.forward + first, *highF = above.forward + first;
+    const auto sum = [](float low, float high) {
+        return static_cast<double>(low) + static_cast<double>(high);
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const double forward = sum(lowF[i], highF[i]);
+        const double e = std::max(sum(lowE[i], highE[i]) - forward, 0.0);
+        const double s = std::max(sum(lowS[i], highS[i]) - forward, 0.0);
+        const double ratio = s / (e > 0.0 ? e : 1.0);
+        const double g = (sum(lowM[i], highM[i]) - forward) / (s > 0.0 ? s : 1.0);
+        depth[i] = half_m * e;
+        albedo[i] = ratio < 1.0 ? ratio : 1.0;
+        asymmetry[i] = s > 0.0 ? std::min(std::max(g, -0.5), 0.5) : 0.0;
+    }
+}
+
+/// The layers of the columns `first` to `first + count`.
+TwoStreamLayers layersOf(const std::vector<double>& altitudes_m,
+                         const std::vector<LevelRows>& levels,
+                         const std::vector<double>& surfaceAlbedo, std::size_t first,
+                         std::size_t count) {
+    TwoStreamLayers layers(levels.size() - 1, count);
+    for (std::size_t layer = 0; layer < layers.layers; ++layer)
+        scaledLayer(levels[layer], levels[layer + 1],
+                    0.5 * (altitudes_m[layer + 1] - altitudes_m[layer]), first, count,
+                    &layers.opticalDepth[layer * count], &layers.albedo[layer * count],
+                    &layers.asymmetry[layer * count]);
+    std::copy_n(surfaceAlbedo.data() + first, count, layers.surfaceAlbedo.begin());
+    return layers;
+}
+
 } // namespace
 
 DiffuseLight::DiffuseLight(const NodeColumn& column, Ground ground)
@@ -29,43 +88,11 @@ DiffuseLight::DiffuseLight(const NodeColumn& column, Ground ground)
         albedo_.push_back(std::clamp(ground_.albedo.at(1e4 / wavenumber_cm), 0.0, 1.0));
 }
 
-TwoStreamLayers DiffuseLight::layers(std::size_t first, std::size_t count) const {
-    const std::vector<double>& altitudes_m = column_.air().altitudes_m();
-    TwoStreamLayers layers(altitudes_m.size() - 1, count);
-    for (std::size_t layer = 0; layer < layers.layers; ++layer) {
-        const double half_m = 0.5 * (altitudes_m[layer + 1] - altitudes_m[layer]);
-        // Sums over the two levels of the layer.
-        const auto both = [&](auto row) {
-            const float* below = (column_.*row)(layer).data() + first;
-            const float* above = (column_.*row)(layer + 1).data() + first;
-            return [below, above](std::size_t i) {
-                return static_cast<double>(below[i]) + static_cast<double>(above[i]);
-            };
-        };
-        const auto extinction = both(&NodeColumn::extinction);
-        const auto scattering = both(&NodeColumn::scattering);
-        const auto moment = both(&NodeColumn::moment);
-        const auto forward = both(&NodeColumn::forward);
-        double* depth = &layers.opticalDepth[layer * count];
-        double* albedo = &layers.albedo[layer * count];
-        double* asymmetry = &layers.asymmetry[layer * count];
-        for (std::size_t i = 0; i < count; ++i) {
-            const double e = std::max(extinction(i) - forward(i), 0.0);
-            const double s = std::max(scattering(i) - forward(i), 0.0);
-            depth[i] = half_m * e;
-            albedo[i] = e > 0.0 ? std::min(s / e, 1.0) : 0.0;
-            asymmetry[i] = s > 0.0 ? std::clamp((moment(i) - forward(i)) / s, -0.5, 0.5) : 0.0;
-        }
-    }
-    std::copy_n(albedo_.begin() + static_cast<std::ptrdiff_t>(first), count,
-                layers.surfaceAlbedo.begin());
-    return layers;
-}
-
 TwoStreamFluxes DiffuseLight::solveThermal() const {
     const std::size_t all = column_.size();
     const std::size_t levels = column_.air().levelCount();
     TwoStreamFluxes fluxes{std::vector<double>(levels * all), std::vector<double>(levels * all)};
+    const std::vector<LevelRows> rows = levelRows(column_);
     std::vector<double> ground(all);
     column_.planckAt(ground_.temperature_K, ground);
     for (std::size_t first = 0; first < all; first += columnsAtOnce) {
@@ -73,10 +100,10 @@ TwoStreamFluxes DiffuseLight::solveThermal() const {
         ThermalSource source;
         source.planck.resize(levels * count);
         for (std::size_t level = 0; level < levels; ++level)
-            std::copy_n(column_.planck(level).data() + first, count,
-                        source.planck.data() + level * count);
+            std::copy_n(rows[level].planck + first, count, source.planck.data() + level * count);
         source.surfacePlanck.assign(ground.data() + first, ground.data() + first + count);
-        const TwoStreamFluxes part = thermalFluxes(layers(first, count), source);
+        const TwoStreamFluxes part = thermalFluxes(
+            layersOf(column_.air().altitudes_m(), rows, albedo_, first, count), source);
         put(part.up, count, first, all, fluxes.up);
         put(part.down, count, first, all, fluxes.down);
     }
@@ -118,9 +145,11 @@ DiffuseLight::Sunlight DiffuseLight::solveSunlight(const SunPaths& sun) const {
         }
     }
 
+    const std::vector<LevelRows> rows = levelRows(column_);
     for (std::size_t first = 0; first < all; first += columnsAtOnce) {
         const std::size_t count = std::min(columnsAtOnce, all - first);
-        const TwoStreamLayers air = layers(first, count);
+        const TwoStreamLayers air =
+            layersOf(column_.air().altitudes_m(), rows, albedo_, first, count);
         SolarBeam beam;
         beam.sinElevation = sun.sinElevation();
         beam.irradiance.resize(levels * count);

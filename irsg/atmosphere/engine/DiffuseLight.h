@@ -48,8 +48,6 @@ class DiffuseLight {
   private:
     TwoStreamFluxes solveThermal() const;
     Sunlight solveSunlight(const SunPaths& sun) const;
-    /// The layers of the columns `first` to `first + count`.
-    TwoStreamLayers layers(std::size_t first, std::size_t count) const;
 
     const NodeColumn& column_;
     Ground ground_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "irsg/atmosphere/engine/NodeAbsorption.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -11,11 +12,8 @@ namespace irsg {
 
 namespace {
 
-constexpr double lnLowest = -75.98530778; // ln 1e-33
-constexpr double lnStep = 1.0 / 1450.0;
-
 std::uint16_t encoded(double lnCrossSection) {
-    const double steps = (lnCrossSection - lnLowest) / lnStep;
+    const double steps = (lnCrossSection - GasTable::lnLowest) / GasTable::lnStep;
     return static_cast<std::uint16_t>(std::clamp(std::round(steps), 0.0, 65535.0));
 }
 
@@ -106,39 +104,23 @@ double GasTable::upper_cm() const {
 
 void GasTable::absorption_per_m(const AirState& air, std::span<const std::uint32_t> nodes,
                                 std::span<float> out) const {
-    std::ranges::fill(out, 0.0f);
-    constexpr std::size_t block = 256;
-    std::array<std::uint32_t, block> places;
-    std::array<std::int32_t, block> positions;
-    std::array<float, block> lnCross;
+    NodeAbsorption(*this, nodes).at(air, out);
+}
 
-    for (std::size_t gas = 0; gas < lineGasCount; ++gas) {
-        const GasNodes& own = gases_[gas];
-        const double density_per_m3 = air.density_per_m3(static_cast<Gas>(gas));
-        if (own.nodes.empty() || density_per_m3 <= 0.0)
-            continue;
-        const GridStencil around = grid_.stencil(static_cast<Gas>(gas), air);
-        const auto offset = static_cast<float>(std::log(density_per_m3 * 1e-4) + lnLowest);
-        std::size_t next = 0;
-        while (next < nodes.size()) {
-            std::size_t count = 0;
-            for (; next < nodes.size() && count < block; ++next)
-                if (const std::int32_t position = own.position[nodes[next]]; position >= 0) {
-                    places[count] = static_cast<std::uint32_t>(next);
-                    positions[count++] = position;
-                }
-            std::fill_n(lnCross.begin(), count, 0.0f);
-            for (std::size_t k = 0; k < around.count; ++k) {
-                const std::uint16_t* row = own.values.data() + around.points[k] * own.nodes.size();
-                const float weight = around.weights[k];
-                for (std::size_t i = 0; i < count; ++i)
-                    lnCross[i] += weight * static_cast<float>(row[positions[i]]);
-            }
-            for (std::size_t i = 0; i < count; ++i)
-                if (lnCross[i] > 0.0f)
-                    out[places[i]] += std::exp(lnCross[i] * static_cast<float>(lnStep) + offset);
-        }
-    }
+std::vector<std::int32_t> GasTable::columns(Gas gas, std::span<const std::uint32_t> nodes) const {
+    std::vector<std::int32_t> columns;
+    columns.reserve(nodes.size());
+    for (const std::uint32_t node : nodes)
+        columns.push_back(gases_[static_cast<std::size_t>(gas)].position[node]);
+    return columns;
+}
+
+void GasTable::steps(Gas gas, std::size_t point, std::span<const std::int32_t> columns,
+                     std::span<float> out) const {
+    const GasNodes& own = gases_[static_cast<std::size_t>(gas)];
+    const std::uint16_t* row = own.values.data() + point * own.nodes.size();
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        out[i] = columns[i] >= 0 ? static_cast<float>(row[columns[i]]) : 0.0f;
 }
 
 double GasTable::crossSection_cm2(std::uint32_t node, Gas gas, const AirState& air) const {

@@ -46,7 +46,7 @@ class GasTable {
 
     using Grid = CrossSectionGrid;
     /// One node and one gas: ln of the cross section (cm2) on the grid, temperature running
-    /// fastest, the dry set first and for water the moist set after it. Kept in steps of 1/1600
+    /// fastest, the dry set first and for water the moist set after it. Kept in steps of 1/1450
     /// between ln 1e-33 and ln 4e-14 cm2; less counts as nothing.
     struct Block {
         std::uint32_t node = 0;
@@ -81,6 +81,16 @@ class GasTable {
                           std::span<float> out) const;
     /// Cross section of one gas at one node, cm2 per molecule; 0 where the table holds none.
     double crossSection_cm2(std::uint32_t node, Gas gas, const AirState& air) const;
+
+    /// Steps of `lnStep` above `lnLowest` in which logarithms of cross sections in cm2 are kept; 0
+    /// steps count as nothing.
+    static constexpr double lnLowest = -75.98530778; // ln 1e-33
+    static constexpr double lnStep = 1.0 / 1450.0;
+    /// The columns that nodes have in the table of a gas; negative where it does not absorb.
+    std::vector<std::int32_t> columns(Gas gas, std::span<const std::uint32_t> nodes) const;
+    /// The steps of a gas at a grid point in some columns, 0 for negative ones.
+    void steps(Gas gas, std::size_t point, std::span<const std::int32_t> columns,
+               std::span<float> out) const;
 
   private:
     GasTable() = default;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "irsg/atmosphere/engine/Continuum.h"
 #include "irsg/atmosphere/engine/SolarSpectrum.h"
+#include "irsg/atmosphere/engine/VectorClones.h"
 #include "irsg/atmosphere/engine/VectorExp.h"
 #include "irsg/radiometry/Planck.h"
 
@@ -48,6 +48,12 @@ std::vector<double> scatteringCosines(const SunAngle& angle) {
     return cosines;
 }
 
+IRSG_VECTOR_CLONES void blackBodies(const double* factor, const double* line, double perTemperature,
+                                    std::size_t n, double* radiance) {
+    for (std::size_t i = 0; i < n; ++i)
+        radiance[i] = factor[i] / vectorExpm1(line[i] * perTemperature);
+}
+
 } // namespace
 
 NodeColumn::NodeColumn(const AirColumn& air, std::vector<std::uint32_t> nodes,
@@ -56,7 +62,9 @@ NodeColumn::NodeColumn(const AirColumn& air, std::vector<std::uint32_t> nodes,
       nodes_(std::move(nodes)),
       wavenumbers_cm_(std::move(wavenumbers_cm)),
       sunWidth_cm_(sunWidth_cm),
+      absorption_(air.gases(), nodes_),
       smoothPoints_cm_(smoothPoints(wavenumbers_cm_)),
+      continua_(smoothPoints_cm_),
       levels_(air.levelCount()) {
     for (const double wavenumber_cm : wavenumbers_cm_) {
         const double perLength = wavenumber_cm * 1e-4;
@@ -90,10 +98,10 @@ NodeColumn::Smooth NodeColumn::smoothAt(std::size_t level) const {
     Smooth smooth;
     smooth.extinction.resize(points);
     smooth.rayleigh.resize(points);
+    continua_.absorption_per_m(air, smooth.extinction);
     for (std::size_t i = 0; i < points; ++i) {
         smooth.rayleigh[i] = rayleighScattering_per_m(air, smoothPoints_cm_[i]);
-        smooth.extinction[i] =
-            continuumAbsorption_per_m(air, smoothPoints_cm_[i]) + smooth.rayleigh[i];
+        smooth.extinction[i] += smooth.rayleigh[i];
     }
     smooth.scattering = smooth.rayleigh;
     smooth.moment.assign(points, 0.0);
@@ -128,12 +136,12 @@ void NodeColumn::spread(const std::vector<double>& smooth, std::span<Number> out
 
 NodeColumn::Level& NodeColumn::withExtinction(std::size_t index) const {
     Level& level = levels_.at(index);
-    std::call_once(level.extinctionOnce, [&] {
+    level.extinctionOnce.call([&] {
         level.smooth = smoothAt(index);
         std::vector<float> smooth(size());
         spread<float>(level.smooth.extinction, smooth);
         std::vector<float> extinction(size());
-        air_.gases().absorption_per_m(air_.level(index), nodes_, extinction);
+        absorption_.at(air_.level(index), extinction);
         for (std::size_t i = 0; i < extinction.size(); ++i)
             extinction[i] += smooth[i];
         level.extinction = std::move(extinction);
@@ -145,9 +153,12 @@ NodeColumn::Level& NodeColumn::withExtinction(std::size_t index) const {
 
 NodeColumn::Level& NodeColumn::withMoments(std::size_t index) const {
     Level& level = withExtinction(index);
-    std::call_once(level.momentsOnce, [&] {
+    level.momentsOnce.call([&] {
         level.moment.resize(size());
         level.forward.resize(size());
+        if (std::ranges::all_of(level.smooth.moment, [](double v) { return v == 0.0; }) &&
+            std::ranges::all_of(level.smooth.forward, [](double v) { return v == 0.0; }))
+            return; // no particles
         spread<float>(level.smooth.moment, level.moment);
         spread<float>(level.smooth.forward, level.forward);
     });
@@ -171,14 +182,13 @@ std::span<const float> NodeColumn::forward(std::size_t level) const {
 }
 
 void NodeColumn::planckAt(double temperature_K, std::span<double> radiance) const {
-    const double perTemperature = 1.0 / temperature_K;
-    for (std::size_t i = 0; i < radiance.size(); ++i)
-        radiance[i] = planckFactor_[i] / vectorExpm1(planckLine_[i] * perTemperature);
+    blackBodies(planckFactor_.data(), planckLine_.data(), 1.0 / temperature_K, radiance.size(),
+                radiance.data());
 }
 
 std::span<const double> NodeColumn::planck(std::size_t index) const {
     Level& level = levels_.at(index);
-    std::call_once(level.planckOnce, [&] {
+    level.planckOnce.call([&] {
         level.planck.resize(size());
         planckAt(air_.level(index).temperature_K, level.planck);
     });
@@ -186,7 +196,7 @@ std::span<const double> NodeColumn::planck(std::size_t index) const {
 }
 
 std::span<const double> NodeColumn::sun() const {
-    std::call_once(sunOnce_, [&] {
+    sunOnce_.call([&] {
         std::vector<double> sun;
         for (const double wavenumber_cm : wavenumbers_cm_)
             sun.push_back(solarIrradiance_W_m2_per_cm(wavenumber_cm - 0.5 * sunWidth_cm_,

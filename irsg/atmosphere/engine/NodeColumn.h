@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "irsg/atmosphere/engine/AirColumn.h"
+#include "irsg/atmosphere/engine/Continuum.h"
+#include "irsg/atmosphere/engine/NodeAbsorption.h"
+#include "irsg/atmosphere/engine/Once.h"
 
 namespace irsg {
 
@@ -64,7 +66,7 @@ class NodeColumn {
         std::vector<double> extinction, scattering, moment, forward, rayleigh;
     };
     struct Level {
-        std::once_flag extinctionOnce, momentsOnce, planckOnce;
+        Once extinctionOnce, momentsOnce, planckOnce;
         Smooth smooth;
         std::vector<float> extinction, scattering, moment, forward;
         std::vector<double> planck;
@@ -83,14 +85,16 @@ class NodeColumn {
     std::vector<std::uint32_t> nodes_;
     std::vector<double> wavenumbers_cm_;
     double sunWidth_cm_;
+    NodeAbsorption absorption_;
     std::vector<double> planckFactor_; ///< 2 h c^2 / lambda^5
     std::vector<double> planckLine_;   ///< h c / (k lambda), K
     std::vector<double> smoothPoints_cm_;
+    ContinuumSpectrum continua_;             ///< at the smooth points
     std::vector<std::uint32_t> smoothBelow_; ///< smooth point at or below each node
     std::vector<double> smoothPart_;         ///< and how far to the next
     std::vector<Optics> optics_;
     mutable std::vector<Level> levels_;
-    mutable std::once_flag sunOnce_;
+    mutable Once sunOnce_;
     mutable std::vector<double> sun_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/atmosphere/engine/VectorClones.h"
 #include "irsg/atmosphere/engine/VectorExp.h"
 
 namespace irsg {
@@ -17,6 +18,22 @@ std::vector<double> levelWeights(const RayPath& path, std::size_t levels) {
     return weights;
 }
 
+namespace {
+
+IRSG_VECTOR_CLONES void addWeighted(double weight, const float* row, std::size_t n, double* sum) {
+    for (std::size_t i = 0; i < n; ++i)
+        sum[i] += weight * static_cast<double>(row[i]);
+}
+
+IRSG_VECTOR_CLONES void turnToTransmittance(double* depth, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const double transmittance = vectorExp(-depth[i]);
+        depth[i] = depth[i] < 600.0 ? transmittance : 0.0;
+    }
+}
+
+} // namespace
+
 void opticalDepth(const NodeColumn& column, std::span<const double> weights, Depth which,
                   std::span<double> depth) {
     std::ranges::fill(depth, 0.0);
@@ -26,33 +43,73 @@ void opticalDepth(const NodeColumn& column, std::span<const double> weights, Dep
             continue;
         const std::span<const float> row =
             which == Depth::extinction ? column.extinction(level) : column.scattering(level);
-        for (std::size_t i = 0; i < depth.size(); ++i)
-            depth[i] += weight * static_cast<double>(row[i]);
+        addWeighted(weight, row.data(), depth.size(), depth.data());
     }
+}
+
+void turnToTransmittance(std::span<double> depth) {
+    turnToTransmittance(depth.data(), depth.size());
 }
 
 namespace {
 
-/// The source function at a point of a ray: `mean` + cosine * `slope`, per node. The slope is empty
-/// where nothing scatters.
+/// The air at one level, per node.
+struct LevelRows {
+    const float *extinction, *scattering;
+
+    LevelRows(const NodeColumn& column, std::size_t level)
+        : extinction(column.extinction(level).data()),
+          scattering(column.scattering(level).data()) {}
+};
+
+/// From light that is scattered into the ray to the source function, at a level.
+IRSG_VECTOR_CLONES void sourceAt(const LevelRows& level, const double* planck, std::size_t n,
+                                 double* mean, double* slope) {
+    const float *extinction = level.extinction, *scattering = level.scattering;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double e = static_cast<double>(extinction[i]);
+        const double perExtinction = e > 0.0 ? 1.0 / e : 0.0;
+        const float absorbed = std::max(extinction[i] - scattering[i], 0.0f);
+        mean[i] = (static_cast<double>(absorbed) * planck[i] + mean[i]) * perExtinction;
+        slope[i] *= perExtinction;
+    }
+}
+
+/// The same in a layer, at its part `f`: extinction and absorption are linear in altitude.
+IRSG_VECTOR_CLONES void sourceBetween(const LevelRows& lower, const LevelRows& upper, double f,
+                                      const double* planck, std::size_t n, double* mean,
+                                      double* slope) {
+    const double g = 1.0 - f;
+    const float *lowE = lower.extinction, *lowS = lower.scattering;
+    const float *highE = upper.extinction, *highS = upper.scattering;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double e = g * static_cast<double>(lowE[i]) + f * static_cast<double>(highE[i]);
+        const double perExtinction = e > 0.0 ? 1.0 / e : 0.0;
+        const double below = static_cast<double>(std::max(lowE[i] - lowS[i], 0.0f));
+        const double above = static_cast<double>(std::max(highE[i] - highS[i], 0.0f));
+        mean[i] = ((g * below + f * above) * planck[i] + mean[i]) * perExtinction;
+        slope[i] *= perExtinction;
+    }
+}
+
+/// a = (1 - f) a + f b
+IRSG_VECTOR_CLONES void mix(double f, const double* b, std::size_t n, double* a) {
+    for (std::size_t i = 0; i < n; ++i)
+        a[i] = (1.0 - f) * a[i] + f * b[i];
+}
+
+/// The source function at a point of a ray: `mean` + cosine * `slope`, per node.
 struct PointSource {
     std::vector<double> mean, slope;
+
+    explicit PointSource(std::size_t nodes) : mean(nodes), slope(nodes) {}
 };
 
 /// Computes the source function at points, with what it needs to work on.
 class SourceFunction {
   public:
     SourceFunction(const NodeColumn& column, const ScatteredEmission& scattered)
-        : column_(column),
-          scattered_(scattered),
-          planck_(column.size()),
-          above_(made()),
-          perExtinction_(column.size()) {}
-
-    PointSource made() const {
-        return {std::vector<double>(column_.size()),
-                std::vector<double>(scattered_ ? column_.size() : 0)};
-    }
+        : column_(column), scattered_(scattered), planck_(column.size()), above_(column.size()) {}
 
     void at(std::size_t layer, double altitude_m, PointSource& source) {
         const std::vector<double>& altitudes_m = column_.air().altitudes_m();
@@ -67,72 +124,36 @@ class SourceFunction {
     }
 
   private:
-    void atLevel(std::size_t level, PointSource& source) {
-        if (scattered_)
-            scattered_(level, source.mean, source.slope);
-        else
-            std::ranges::fill(source.mean, 0.0);
-        const float* extinction = column_.extinction(level).data();
-        const float* scattering = column_.scattering(level).data();
-        const double* planck = column_.planck(level).data();
-        double* mean = source.mean.data();
-        for (std::size_t i = 0; i < perExtinction_.size(); ++i) {
-            const double e = static_cast<double>(extinction[i]);
-            perExtinction_[i] = e > 0.0 ? 1.0 / e : 0.0;
-            const float absorbed = std::max(extinction[i] - scattering[i], 0.0f);
-            mean[i] = (static_cast<double>(absorbed) * planck[i] + mean[i]) * perExtinction_[i];
-        }
-        for (std::size_t i = 0; i < source.slope.size(); ++i)
-            source.slope[i] *= perExtinction_[i];
-    }
-
-    /// Extinction, absorption and what is scattered are linear in altitude, and so is the
-    /// temperature that the air emits with.
-    void between(std::size_t layer, double f, double altitude_m, PointSource& source) {
-        const double g = 1.0 - f;
+    void scatteredAt(std::size_t level, PointSource& source) const {
         if (scattered_) {
-            scattered_(layer, source.mean, source.slope);
-            scattered_(layer + 1, above_.mean, above_.slope);
-            for (std::size_t i = 0; i < source.mean.size(); ++i) {
-                source.mean[i] = g * source.mean[i] + f * above_.mean[i];
-                source.slope[i] = g * source.slope[i] + f * above_.slope[i];
-            }
+            scattered_(level, source.mean, source.slope);
         } else {
             std::ranges::fill(source.mean, 0.0);
+            std::ranges::fill(source.slope, 0.0);
         }
-        const float* lower = column_.extinction(layer).data();
-        const float* upper = column_.extinction(layer + 1).data();
-        const float* lowerScattering = column_.scattering(layer).data();
-        const float* upperScattering = column_.scattering(layer + 1).data();
+    }
+    void atLevel(std::size_t level, PointSource& source) const {
+        scatteredAt(level, source);
+        sourceAt(LevelRows(column_, level), column_.planck(level).data(), column_.size(),
+                 source.mean.data(), source.slope.data());
+    }
+    /// What is scattered is linear in altitude, and so is the temperature that the air emits with.
+    void between(std::size_t layer, double f, double altitude_m, PointSource& source) {
+        const std::size_t n = column_.size();
+        scatteredAt(layer, source);
+        scatteredAt(layer + 1, above_);
+        mix(f, above_.mean.data(), n, source.mean.data());
+        mix(f, above_.slope.data(), n, source.slope.data());
         column_.planckAt(column_.air().profile().at(altitude_m).temperature_K, planck_);
-        for (std::size_t i = 0; i < perExtinction_.size(); ++i) {
-            const double e = g * static_cast<double>(lower[i]) + f * static_cast<double>(upper[i]);
-            perExtinction_[i] = e > 0.0 ? 1.0 / e : 0.0;
-            const double below = static_cast<double>(std::max(lower[i] - lowerScattering[i], 0.0f));
-            const double above = static_cast<double>(std::max(upper[i] - upperScattering[i], 0.0f));
-            source.mean[i] =
-                ((g * below + f * above) * planck_[i] + source.mean[i]) * perExtinction_[i];
-        }
-        for (std::size_t i = 0; i < source.slope.size(); ++i)
-            source.slope[i] *= perExtinction_[i];
+        sourceBetween(LevelRows(column_, layer), LevelRows(column_, layer + 1), f, planck_.data(),
+                      n, source.mean.data(), source.slope.data());
     }
 
     const NodeColumn& column_;
     const ScatteredEmission& scattered_;
     std::vector<double> planck_;
     PointSource above_;
-    std::vector<double> perExtinction_;
 };
-
-/// The source function towards the sensor along a segment.
-const double* towardsSensor(const PointSource& source, double sinElevation,
-                            std::vector<double>& room) {
-    if (source.slope.empty())
-        return source.mean.data();
-    for (std::size_t i = 0; i < room.size(); ++i)
-        room[i] = source.mean[i] - sinElevation * source.slope[i];
-    return room.data();
-}
 
 /// What the slope of a source that is linear in optical depth adds, per difference of its ends:
 /// (1 - exp(-t)) / t - exp(-t), by its series where that would cancel.
@@ -145,6 +166,34 @@ inline double slopeShare(double t, double absorbed) {
     return t < 0.03 ? series : closed;
 }
 
+/// A piece of a ray between two levels, and what is seen through it.
+struct Crossing {
+    double lowerWeight_m, upperWeight_m, sinElevation;
+    const float *lower, *upper; ///< extinction at the levels
+};
+
+/// Adds what a piece of a ray sends through everything before it.
+IRSG_VECTOR_CLONES void cross(const Crossing& piece, const PointSource& near,
+                              const PointSource& far, PathLight& light) {
+    const std::size_t n = light.radiance.size();
+    const double lowerWeight = piece.lowerWeight_m, upperWeight = piece.upperWeight_m;
+    const double sine = piece.sinElevation;
+    const float *lower = piece.lower, *upper = piece.upper;
+    const double *nearMean = near.mean.data(), *nearSlope = near.slope.data();
+    const double *farMean = far.mean.data(), *farSlope = far.slope.data();
+    double *transmittance = light.transmittance.data(), *radiance = light.radiance.data();
+    for (std::size_t i = 0; i < n; ++i) {
+        const double t = lowerWeight * static_cast<double>(lower[i]) +
+                         upperWeight * static_cast<double>(upper[i]);
+        const double absorbed = vectorAbsorbed(t);
+        const double nearSource = nearMean[i] - sine * nearSlope[i];
+        const double step = farMean[i] - sine * farSlope[i] - nearSource;
+        radiance[i] += transmittance[i] * (nearSource * absorbed + step * slopeShare(t, absorbed));
+        const double left = transmittance[i] * (1.0 - absorbed);
+        transmittance[i] = left < 1e-150 ? 0.0 : left; // before numbers become slow
+    }
+}
+
 } // namespace
 
 PathLight lightAlong(const NodeColumn& column, const RayPath& path,
@@ -155,31 +204,16 @@ PathLight lightAlong(const NodeColumn& column, const RayPath& path,
         return light;
 
     SourceFunction source(column, scattered);
-    PointSource near = source.made(), far = source.made();
-    std::vector<double> nearRoom(n), farRoom(n);
+    PointSource near(n), far(n);
     const RaySegment& first = path.segments.front();
     source.at(static_cast<std::size_t>(first.layer), first.startAltitude_m, near);
     for (const RaySegment& segment : path.segments) {
         const auto layer = static_cast<std::size_t>(segment.layer);
         source.at(layer, segment.endAltitude_m, far);
-        const double* nearSource = towardsSensor(near, segment.sinElevation, nearRoom);
-        const double* farSource = towardsSensor(far, segment.sinElevation, farRoom);
-        const double lowerWeight = segment.length_m * (1.0 - segment.meanFraction);
-        const double upperWeight = segment.length_m * segment.meanFraction;
-        const float* lower = column.extinction(layer).data();
-        const float* upper = column.extinction(layer + 1).data();
-        double* transmittance = light.transmittance.data();
-        double* radiance = light.radiance.data();
-        for (std::size_t i = 0; i < n; ++i) {
-            const double t = lowerWeight * static_cast<double>(lower[i]) +
-                             upperWeight * static_cast<double>(upper[i]);
-            const double absorbed = vectorAbsorbed(t);
-            const double step = farSource[i] - nearSource[i];
-            radiance[i] +=
-                transmittance[i] * (nearSource[i] * absorbed + step * slopeShare(t, absorbed));
-            const double left = transmittance[i] * (1.0 - absorbed);
-            transmittance[i] = left < 1e-150 ? 0.0 : left; // before numbers become slow
-        }
+        cross({segment.length_m * (1.0 - segment.meanFraction),
+               segment.length_m * segment.meanFraction, segment.sinElevation,
+               column.extinction(layer).data(), column.extinction(layer + 1).data()},
+              near, far, light);
         std::swap(near, far);
     }
     return light;

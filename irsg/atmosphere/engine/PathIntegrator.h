@@ -18,6 +18,8 @@ std::vector<double> levelWeights(const RayPath& path, std::size_t levels);
 enum class Depth { extinction, scattering };
 void opticalDepth(const NodeColumn& column, std::span<const double> weights, Depth which,
                   std::span<double> depth);
+/// Puts exp(-depth) in place of every optical depth; 0 beyond 600.
+void turnToTransmittance(std::span<double> depth);
 
 /// Writes what a level scatters, per node, into light that travels at an angle to the vertical:
 /// `mean` + cosine * `slope`, W m-3 sr-1 um-1, with the cosine of the angle from upwards, -1 to 1;

@@ -22,6 +22,14 @@ namespace {
 constexpr std::size_t nodesAtOnce = 2048; ///< nodes that are computed and kept together
 constexpr std::size_t blocksKept = 24;    ///< of up to 15 MB each, with sun and diffuse light
 constexpr std::size_t sunsKept = 8;
+constexpr std::size_t raysKept = 16;
+
+/// The ray of a path, and what every level counts along it.
+struct PathRay {
+    AirPath path;
+    RayPath ray;
+    std::vector<double> weights;
+};
 
 /// Nodes that belong together and what is known of the air at them.
 struct Block {
@@ -87,6 +95,7 @@ struct RadiativeTransfer::State {
     std::mutex mutex;
     std::list<std::shared_ptr<const Block>> blocks; ///< the latest first
     std::list<std::shared_ptr<const SunPaths>> suns;
+    std::list<std::shared_ptr<const PathRay>> rays;
 
     std::shared_ptr<const Block> block(std::span<const std::uint32_t> nodes,
                                        std::span<const double> wavenumbers_cm) {
@@ -121,6 +130,27 @@ struct RadiativeTransfer::State {
                 suns.pop_back();
         }
         return suns.front();
+    }
+
+    /// Transmittance, radiance and scattering of a path are usually asked for together.
+    std::shared_ptr<const PathRay> ray(const AirPath& path) {
+        const std::lock_guard lock(mutex);
+        const auto known = std::ranges::find_if(rays, [&](const auto& kept) {
+            return kept->path.sensorAltitude_m == path.sensorAltitude_m &&
+                   kept->path.targetAltitude_m == path.targetAltitude_m &&
+                   kept->path.range_m == path.range_m;
+        });
+        if (known != rays.end()) {
+            rays.splice(rays.begin(), rays, known);
+        } else {
+            RayPath traced = tracer.between(path);
+            std::vector<double> weights = levelWeights(traced, column.levelCount());
+            rays.push_front(std::make_shared<const PathRay>(
+                PathRay{path, std::move(traced), std::move(weights)}));
+            if (rays.size() > raysKept)
+                rays.pop_back();
+        }
+        return rays.front();
     }
 
     /// Calls `compute(block, values of the block)` for all nodes of a set.
@@ -199,18 +229,18 @@ const RayTracer& RadiativeTransfer::tracer() const {
 
 std::vector<double> RadiativeTransfer::transmittance(const NodeSet& set,
                                                      const AirPath& path) const {
-    const std::vector<double> weights =
-        levelWeights(state_->tracer.between(path), state_->column.levelCount());
+    const auto own = state_->ray(path);
+    const std::vector<double>& weights = own->weights;
     return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
         opticalDepth(block.column, weights, Depth::extinction, values);
-        std::ranges::transform(values, values.begin(), [](double t) { return std::exp(-t); });
+        turnToTransmittance(values);
     });
 }
 
 std::vector<double> RadiativeTransfer::scatteringOpticalDepth(const NodeSet& set,
                                                               const AirPath& path) const {
-    const std::vector<double> weights =
-        levelWeights(state_->tracer.between(path), state_->column.levelCount());
+    const auto own = state_->ray(path);
+    const std::vector<double>& weights = own->weights;
     return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
         opticalDepth(block.column, weights, Depth::scattering, values);
     });
@@ -220,8 +250,8 @@ std::vector<double> RadiativeTransfer::componentTransmittance(const NodeSet& set
                                                               const AirPath& path,
                                                               const std::string& component) const {
     const Component absorption_per_m = componentCalled(component);
-    const std::vector<double> weights =
-        levelWeights(state_->tracer.between(path), state_->column.levelCount());
+    const auto own = state_->ray(path);
+    const std::vector<double>& weights = own->weights;
     return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
         for (std::size_t node = 0; node < values.size(); ++node) {
             double depth = 0.0;
@@ -235,7 +265,8 @@ std::vector<double> RadiativeTransfer::componentTransmittance(const NodeSet& set
 
 std::vector<double> RadiativeTransfer::pathRadiance(const NodeSet& set, const AirPath& path,
                                                     const SunPosition& sun) const {
-    const RayPath ray = state_->tracer.between(path);
+    const auto own = state_->ray(path);
+    const RayPath& ray = own->ray;
     if (ray.segments.empty())
         return std::vector<double>(set.nodes.size(), 0.0);
     const auto paths = state_->sunPaths(sun.elevation_rad);
@@ -281,8 +312,8 @@ std::vector<double> RadiativeTransfer::solarIrradiance(const NodeSet& set, doubl
     const std::vector<double> weights = levelWeights(ray, state_->column.levelCount());
     return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
         opticalDepth(block.column, weights, Depth::extinction, values);
-        std::ranges::transform(values, block.column.sun(), values.begin(),
-                               [](double t, double above) { return above * std::exp(-t); });
+        turnToTransmittance(values);
+        std::ranges::transform(values, block.column.sun(), values.begin(), std::multiplies());
     });
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "irsg/atmosphere/engine/VectorClones.h"
 #include "irsg/atmosphere/engine/VectorExp.h"
 
 namespace irsg {
@@ -49,6 +50,41 @@ struct Response {
     double transmittance() const { return decay * perDenominator; }
 };
 
+/// A layer between what is below and above it, [column]; `factor` counts the light that goes to and
+/// fro between the layer and the albedo below, 1 / (1 - R albedo).
+struct Join {
+    const double *reflectance, *transmittance, *upSource, *downSource;
+    const double *albedoBelow, *sourceBelow;
+};
+
+/// The albedo and the upward light of everything below the layer's upper face.
+IRSG_VECTOR_CLONES void joinUpwards(const Join& layer, std::size_t n, double* __restrict factor,
+                                    double* __restrict albedoAbove,
+                                    double* __restrict sourceAbove) {
+    const double *R = layer.reflectance, *T = layer.transmittance;
+    const double *upSource = layer.upSource, *downSource = layer.downSource;
+    const double *albedo = layer.albedoBelow, *source = layer.sourceBelow;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double toAndFro = 1.0 / (1.0 - R[i] * albedo[i]);
+        factor[i] = toAndFro;
+        albedoAbove[i] = R[i] + T[i] * T[i] * albedo[i] * toAndFro;
+        sourceAbove[i] = upSource[i] + T[i] * (source[i] + albedo[i] * downSource[i]) * toAndFro;
+    }
+}
+
+/// The fluxes at the layer's lower face from the flux that falls on its upper one.
+IRSG_VECTOR_CLONES void joinDownwards(const Join& layer, const double* factor, const double* above,
+                                      std::size_t n, double* __restrict down,
+                                      double* __restrict up) {
+    const double *R = layer.reflectance, *T = layer.transmittance, *downSource = layer.downSource;
+    const double *albedo = layer.albedoBelow, *source = layer.sourceBelow;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double falling = (T[i] * above[i] + R[i] * source[i] + downSource[i]) * factor[i];
+        down[i] = falling;
+        up[i] = albedo[i] * falling + source[i];
+    }
+}
+
 /// Joins the layers: first the albedo and the upward light of everything below each level, from the
 /// ground up, then the fluxes from the top down.
 TwoStreamFluxes join(const TwoStreamLayers& layers, const LayerRow& rows,
@@ -58,48 +94,26 @@ TwoStreamFluxes join(const TwoStreamLayers& layers, const LayerRow& rows,
     TwoStreamFluxes fluxes{std::vector<double>(levels * n), std::vector<double>(levels * n)};
     std::vector<double> albedoBelow(levels * n);
     std::vector<double> sourceBelow(levels * n);
-    std::vector<double> between(layers.layers * n); // 1 / (1 - R albedo): light to and fro
+    std::vector<double> between(layers.layers * n);
     std::ranges::copy(layers.surfaceAlbedo, albedoBelow.begin());
     std::ranges::copy(surfaceSource, sourceBelow.begin());
 
-    for (std::size_t layer = 0; layer < layers.layers; ++layer) {
-        const double* R = &rows.reflectance[layer * n];
-        const double* T = &rows.transmittance[layer * n];
-        const double* upSource = &rows.upSource[layer * n];
-        const double* downSource = &rows.downSource[layer * n];
-        const double* albedo = &albedoBelow[layer * n];
-        const double* source = &sourceBelow[layer * n];
-        double* albedoAbove = &albedoBelow[(layer + 1) * n];
-        double* sourceAbove = &sourceBelow[(layer + 1) * n];
-        double* factor = &between[layer * n];
-        for (std::size_t i = 0; i < n; ++i) {
-            factor[i] = 1.0 / (1.0 - R[i] * albedo[i]);
-            albedoAbove[i] = R[i] + T[i] * T[i] * albedo[i] * factor[i];
-            sourceAbove[i] =
-                upSource[i] + T[i] * (source[i] + albedo[i] * downSource[i]) * factor[i];
-        }
-    }
-
+    const auto rowsOf = [&](std::size_t layer) {
+        const std::size_t at = layer * n;
+        return Join{&rows.reflectance[at], &rows.transmittance[at], &rows.upSource[at],
+                    &rows.downSource[at],  &albedoBelow[at],        &sourceBelow[at]};
+    };
+    for (std::size_t layer = 0; layer < layers.layers; ++layer)
+        joinUpwards(rowsOf(layer), n, &between[layer * n], &albedoBelow[(layer + 1) * n],
+                    &sourceBelow[(layer + 1) * n]);
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t at = layers.layers * n + i;
         fluxes.down[at] = top ? pi * (*top)[i] : 0.0;
         fluxes.up[at] = albedoBelow[at] * fluxes.down[at] + sourceBelow[at];
     }
-    for (std::size_t layer = layers.layers; layer-- > 0;) {
-        const double* R = &rows.reflectance[layer * n];
-        const double* T = &rows.transmittance[layer * n];
-        const double* downSource = &rows.downSource[layer * n];
-        const double* albedo = &albedoBelow[layer * n];
-        const double* source = &sourceBelow[layer * n];
-        const double* factor = &between[layer * n];
-        const double* above = &fluxes.down[(layer + 1) * n];
-        double* down = &fluxes.down[layer * n];
-        double* up = &fluxes.up[layer * n];
-        for (std::size_t i = 0; i < n; ++i) {
-            down[i] = (T[i] * above[i] + R[i] * source[i] + downSource[i]) * factor[i];
-            up[i] = albedo[i] * down[i] + source[i];
-        }
-    }
+    for (std::size_t layer = layers.layers; layer-- > 0;)
+        joinDownwards(rowsOf(layer), &between[layer * n], &fluxes.down[(layer + 1) * n], n,
+                      &fluxes.down[layer * n], &fluxes.up[layer * n]);
     return fluxes;
 }
 
@@ -113,38 +127,95 @@ TwoStreamLayers::TwoStreamLayers(std::size_t layerCount, std::size_t columnCount
       asymmetry(layerCount * columnCount),
       surfaceAlbedo(columnCount) {}
 
+namespace {
+
+/// One layer of many columns, and what it emits or scatters out of the beam.
+struct LayerInput {
+    const double *depth, *albedo, *asymmetry;
+
+    LayerInput(const TwoStreamLayers& layers, std::size_t layer)
+        : depth(&layers.opticalDepth[layer * layers.columns]),
+          albedo(&layers.albedo[layer * layers.columns]),
+          asymmetry(&layers.asymmetry[layer * layers.columns]) {}
+};
+
+IRSG_VECTOR_CLONES void thermalLayer(const LayerInput& layer, const double* below,
+                                     const double* above, std::size_t n, double* __restrict R,
+                                     double* __restrict T, double* __restrict up,
+                                     double* __restrict down) {
+    const double *depth = layer.depth, *albedo = layer.albedo, *asymmetry = layer.asymmetry;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Response layerOf(thermalDiffusivity, depth[i], albedo[i], asymmetry[i]);
+        R[i] = layerOf.reflectance();
+        T[i] = layerOf.transmittance();
+
+        // Emissivity 1 - R - T, and what the slope of B adds to the upper face and takes from
+        // the lower: both as sums of positive terms.
+        const double absorption = thermalDiffusivity * (1.0 - albedo[i]);
+        const double over = layerOf.decayedOver;
+        const double emissivity =
+            (0.5 * layerOf.decayed * layerOf.decayed + absorption * layerOf.a) *
+            layerOf.perDenominator;
+        const double slope = (0.5 * absorption * depth[i] * over * over +
+                              0.5 * over * (1.0 + layerOf.decay) - layerOf.decay) *
+                             layerOf.perDenominator;
+        const double step = below[i] - above[i];
+        up[i] = pi * (above[i] * emissivity + step * slope);
+        down[i] = pi * (below[i] * emissivity - step * slope);
+    }
+}
+
+IRSG_VECTOR_CLONES void solarLayer(const LayerInput& layer, const double* slant,
+                                   const double* entering, double mu0, std::size_t n,
+                                   double* __restrict R, double* __restrict T,
+                                   double* __restrict up, double* __restrict down) {
+    const double *depth = layer.depth, *albedo = layer.albedo, *asymmetry = layer.asymmetry;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double w = std::min(albedo[i], 1.0 - 1e-12);
+        const double t = depth[i];
+        const Response layerOf(solarDiffusivity, t, w, asymmetry[i]);
+        R[i] = layerOf.reflectance();
+        T[i] = layerOf.transmittance();
+
+        // Light scattered out of the beam at depth s leaves a face with the flux that unit flux
+        // through that face would have at s (reciprocity), so both sources are integrals over
+        // products of exponentials: `same` of exp(-(k + m) s), `across` of
+        // exp(-k (t - s) - m s), which is finite where k and the slant m agree.
+        const double k = layerOf.k;
+        const double m = slant[i];
+        const double e = layerOf.decay;
+        const double beamTaken = vectorAbsorbed(m * t);
+        const double beamLeft = 1.0 - beamTaken;
+        const double same = (layerOf.decayed + e * beamTaken) / (k + m);
+        const double y = (k - m) * t;
+        const double y2 = y * y;
+        const double across =
+            y2 < 4e-4 ? std::sqrt(e * beamLeft) * t * (1.0 + y2 * (1.0 / 24.0 + y2 / 1920.0))
+                      : (beamLeft - e) / (k - m);
+
+        const double backward = 0.5 * (1.0 - solarDiffusivity * asymmetry[i] * mu0);
+        const double forward = 1.0 - backward;
+        const double scattered = w * entering[i] * layerOf.perDenominator;
+        const double perK = 0.5 / k;
+        up[i] = scattered * (0.5 * backward * (same + e * across) +
+                             (backward * layerOf.gamma1 + forward * layerOf.gamma2) *
+                                 (same - e * across) * perK);
+        down[i] = scattered * (0.5 * forward * (across + e * same) +
+                               (forward * layerOf.gamma1 + backward * layerOf.gamma2) *
+                                   (across - e * same) * perK);
+    }
+}
+
+} // namespace
+
 TwoStreamFluxes thermalFluxes(const TwoStreamLayers& layers, const ThermalSource& source) {
     const std::size_t n = layers.columns;
     LayerRow rows(layers.layers * n);
     for (std::size_t layer = 0; layer < layers.layers; ++layer) {
-        const double* depth = &layers.opticalDepth[layer * n];
-        const double* albedo = &layers.albedo[layer * n];
-        const double* asymmetry = &layers.asymmetry[layer * n];
-        const double* below = &source.planck[layer * n];
-        const double* above = &source.planck[(layer + 1) * n];
-        double* R = &rows.reflectance[layer * n];
-        double* T = &rows.transmittance[layer * n];
-        double* up = &rows.upSource[layer * n];
-        double* down = &rows.downSource[layer * n];
-        for (std::size_t i = 0; i < n; ++i) {
-            const Response layerOf(thermalDiffusivity, depth[i], albedo[i], asymmetry[i]);
-            R[i] = layerOf.reflectance();
-            T[i] = layerOf.transmittance();
-
-            // Emissivity 1 - R - T, and what the slope of B adds to the upper face and takes from
-            // the lower: both as sums of positive terms.
-            const double absorption = thermalDiffusivity * (1.0 - albedo[i]);
-            const double over = layerOf.decayedOver;
-            const double emissivity =
-                (0.5 * layerOf.decayed * layerOf.decayed + absorption * layerOf.a) *
-                layerOf.perDenominator;
-            const double slope = (0.5 * absorption * depth[i] * over * over +
-                                  0.5 * over * (1.0 + layerOf.decay) - layerOf.decay) *
-                                 layerOf.perDenominator;
-            const double step = below[i] - above[i];
-            up[i] = pi * (above[i] * emissivity + step * slope);
-            down[i] = pi * (below[i] * emissivity - step * slope);
-        }
+        const std::size_t at = layer * n;
+        thermalLayer(LayerInput(layers, layer), &source.planck[at], &source.planck[at + n], n,
+                     &rows.reflectance[at], &rows.transmittance[at], &rows.upSource[at],
+                     &rows.downSource[at]);
     }
     std::vector<double> surface(n);
     for (std::size_t i = 0; i < n; ++i)
@@ -157,49 +228,10 @@ TwoStreamFluxes solarFluxes(const TwoStreamLayers& layers, const SolarBeam& beam
     const double mu0 = beam.sinElevation;
     LayerRow rows(layers.layers * n);
     for (std::size_t layer = 0; layer < layers.layers; ++layer) {
-        const double* depth = &layers.opticalDepth[layer * n];
-        const double* albedo = &layers.albedo[layer * n];
-        const double* asymmetry = &layers.asymmetry[layer * n];
-        const double* slant = &beam.slant[layer * n];
-        const double* entering = &beam.irradiance[(layer + 1) * n];
-        double* R = &rows.reflectance[layer * n];
-        double* T = &rows.transmittance[layer * n];
-        double* up = &rows.upSource[layer * n];
-        double* down = &rows.downSource[layer * n];
-        for (std::size_t i = 0; i < n; ++i) {
-            const double w = std::min(albedo[i], 1.0 - 1e-12);
-            const double t = depth[i];
-            const Response layerOf(solarDiffusivity, t, w, asymmetry[i]);
-            R[i] = layerOf.reflectance();
-            T[i] = layerOf.transmittance();
-
-            // Light scattered out of the beam at depth s leaves a face with the flux that unit flux
-            // through that face would have at s (reciprocity), so both sources are integrals over
-            // products of exponentials: `same` of exp(-(k + m) s), `across` of
-            // exp(-k (t - s) - m s), which is finite where k and the slant m agree.
-            const double k = layerOf.k;
-            const double m = slant[i];
-            const double e = layerOf.decay;
-            const double beamTaken = vectorAbsorbed(m * t);
-            const double beamLeft = 1.0 - beamTaken;
-            const double same = (layerOf.decayed + e * beamTaken) / (k + m);
-            const double y = (k - m) * t;
-            const double y2 = y * y;
-            const double across =
-                y2 < 4e-4 ? std::sqrt(e * beamLeft) * t * (1.0 + y2 * (1.0 / 24.0 + y2 / 1920.0))
-                          : (beamLeft - e) / (k - m);
-
-            const double backward = 0.5 * (1.0 - solarDiffusivity * asymmetry[i] * mu0);
-            const double forward = 1.0 - backward;
-            const double scattered = w * entering[i] * layerOf.perDenominator;
-            const double perK = 0.5 / k;
-            up[i] = scattered * (0.5 * backward * (same + e * across) +
-                                 (backward * layerOf.gamma1 + forward * layerOf.gamma2) *
-                                     (same - e * across) * perK);
-            down[i] = scattered * (0.5 * forward * (across + e * same) +
-                                   (forward * layerOf.gamma1 + backward * layerOf.gamma2) *
-                                       (across - e * same) * perK);
-        }
+        const std::size_t at = layer * n;
+        solarLayer(LayerInput(layers, layer), &beam.slant[at], &beam.irradiance[at + n], mu0, n,
+                   &rows.reflectance[at], &rows.transmittance[at], &rows.upSource[at],
+                   &rows.downSource[at]);
     }
     std::vector<double> surface(n);
     for (std::size_t i = 0; i < n; ++i)

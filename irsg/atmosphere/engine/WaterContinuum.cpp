@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "irsg/atmosphere/engine/ContinuumParts.h"
@@ -18,38 +19,29 @@ const EvenTable& table() {
     return shipped;
 }
 
-/// m-1 of a coefficient in 1e-20 cm3 molecule-1 between water and partners of a density.
-double absorption_per_m(double coefficient, double water_per_cm3, double partner_per_cm3,
-                        double wavenumber_cm, double temperature_K) {
-    return 1e-18 * coefficient * radiationTerm_cm(wavenumber_cm, temperature_K) * water_per_cm3 *
-           partner_per_cm3 / reference_per_cm3;
-}
-
 } // namespace
 
-double waterSelf_per_m(const AirState& air, double wavenumber_cm) {
+WaterSpectral waterAt(double wavenumber_cm) {
     const EvenTable::Place place = table().place(wavenumber_cm);
-    const double water_per_cm3 = air.fraction(Gas::H2O) * numberPer_cm3(air);
-    if (!place.inside || water_per_cm3 <= 0.0)
-        return 0.0;
+    WaterSpectral water;
+    water.wavenumber_cm = wavenumber_cm;
+    water.foreign296 = table().at(foreign296, place);
     const double warm = table().at(self296, place), cool = table().at(self260, place);
-    if (warm <= 0.0 || cool <= 0.0)
-        return 0.0;
-    // The logarithm of the self continuum is linear in temperature (LOWTRAN 7).
-    const double temperature_K = heldTemperature_K(air);
-    const double coefficient = warm * std::pow(cool / warm, (296.0 - temperature_K) / 36.0);
-    return absorption_per_m(coefficient, water_per_cm3, water_per_cm3, wavenumber_cm,
-                            temperature_K);
+    if (warm > 0.0 && cool > 0.0) {
+        water.self296 = warm;
+        water.lnCooling_per_K = std::log(cool / warm) / 36.0;
+    }
+    return water;
 }
 
-double waterForeign_per_m(const AirState& air, double wavenumber_cm) {
-    const EvenTable::Place place = table().place(wavenumber_cm);
+WaterAir::WaterAir(const AirState& air) {
     const double all_per_cm3 = numberPer_cm3(air);
-    const double water_per_cm3 = air.fraction(Gas::H2O) * all_per_cm3;
-    if (!place.inside || water_per_cm3 <= 0.0)
-        return 0.0;
-    return absorption_per_m(table().at(foreign296, place), water_per_cm3,
-                            all_per_cm3 - water_per_cm3, wavenumber_cm, heldTemperature_K(air));
+    const double water_per_cm3 = std::max(air.fraction(Gas::H2O) * all_per_cm3, 0.0);
+    const double perCoefficient = 1e-18 * water_per_cm3 / reference_per_cm3;
+    cooling_K = 296.0 - heldTemperature_K(air);
+    perTemperature_per_K = 1.0 / heldTemperature_K(air);
+    self = perCoefficient * water_per_cm3;
+    foreign = perCoefficient * (all_per_cm3 - water_per_cm3);
 }
 
 } // namespace irsg::continuum
