@@ -14,6 +14,7 @@
 #include "irsg/scene/FloatTarget.h"
 #include "irsg/scene/FragmentList.h"
 #include "irsg/scene/LayerSort.h"
+#include "irsg/scene/ReversedDepth.h"
 #include "irsg/scene/ShaderProgram.h"
 #include "irsg/scene/Stopwatch.h"
 
@@ -22,17 +23,6 @@ namespace irsg {
 namespace {
 
 enum Product { radianceProduct = 0, factorProduct = 1, factorProductWithDistance = 2 };
-
-/// Depth from 1 near to 0 far, for as long as it lives.
-class ReversedDepth {
-  public:
-    ReversedDepth() { glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); }
-    ~ReversedDepth() {
-        glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-        glDepthFunc(GL_LESS);
-        glClearDepth(1.0);
-    }
-};
 
 /// The shader's variant for N.
 int angleMode(float nAngleFactor) {

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <osg/GLObjects>
+#include <osg/RenderInfo>
+
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/CameraFrame.h"
+#include "irsg/scene/OffscreenContext.h"
 #include "irsg/scene/background/BackgroundGrid.h"
 #include "irsg/scene/background/Horizon.h"
 #include "irsg/scene/background/SunDisc.h"
@@ -25,6 +30,13 @@ double middleOf(const std::vector<double>& pixels, const Sensor& sensor) {
 
 } // namespace
 
+SceneBackground::SceneBackground() = default;
+
+SceneBackground::~SceneBackground() {
+    if (pass_)
+        OffscreenContext::shared().run([&](osg::RenderInfo&) { pass_.reset(); });
+}
+
 FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& viewpoint,
                                       const BandSky& sky, const BackgroundSettings& settings,
                                       BackgroundReport& report) {
@@ -32,7 +44,7 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
     const FieldRays rays(sensor, viewpoint);
     const double altitude_m = std::max(viewpoint.position_m.z, 0.0);
     const bool grid = settings.asksEnvironment && settings.rows * settings.columns > 1;
-    if (!grid && !settings.sunDisc && !skybox_)
+    if (!grid && !settings.sunDisc && !skybox_ && !terrain_)
         return FrameBackground(settings.uniform_W_m2_sr);
 
     if (skybox_)
@@ -52,15 +64,20 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
         layers_.environment = nodes.pixels();
     }
     report.answeredBy = sky.answeredBy();
-    if (layers_.sky.empty() && !grid)
+    if (terrain_)
+        drawTerrain(sensor, viewpoint, settings.terrain);
+    if (layers_.sky.empty() && layers_.terrain.empty() && !grid)
         return FrameBackground(settings.uniform_W_m2_sr);
 
-    // The environment is added upon what is in the sky, and nothing radiates less than nothing.
+    // Terrain hides the sky, the environment is added upon both, and nothing radiates less than
+    // nothing.
     std::vector<double> pixels = layers_.sky;
     pixels.resize(static_cast<std::size_t>(sensor.width_px) *
                       static_cast<std::size_t>(sensor.height_px),
                   0.0);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!layers_.terrain.empty())
+            pixels[i] = layers_.terrain[i] + (1.0 - layers_.coverage[i]) * pixels[i];
         pixels[i] += grid ? layers_.environment[i] : settings.uniform_W_m2_sr;
         if (pixels[i] < 0.0) {
             pixels[i] = 0.0;
@@ -69,6 +86,21 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
     }
     const double centre_W_m2_sr = middleOf(pixels, sensor);
     return FrameBackground(sensor.width_px, std::move(pixels), centre_W_m2_sr);
+}
+
+void SceneBackground::drawTerrain(const Sensor& sensor, const Viewpoint& viewpoint,
+                                  const TextureScale& scale) {
+    TerrainImage image;
+    OffscreenContext::shared().run([&](osg::RenderInfo& info) {
+        osg::flushAllDeletedGLObjects(info.getContextID());
+        if (!pass_)
+            pass_ = std::make_unique<TerrainPass>();
+        image = pass_->draw(info, terrain_, CameraFrame(sensor, viewpoint), scale.offset);
+    });
+    layers_.coverage = std::move(image.coverage);
+    layers_.terrain = std::move(image.texel);
+    for (double& value : layers_.terrain)
+        value *= scale.slope_W_m2_sr;
 }
 
 void SceneBackground::drawSun(const FieldRays& rays, const Horizon& horizon, const BandSky& sky,

@@ -11,6 +11,8 @@
 #include "irsg/scene/background/FrameBackground.h"
 #include "irsg/scene/background/Horizon.h"
 #include "irsg/scene/background/Skybox.h"
+#include "irsg/scene/background/Terrain.h"
+#include "irsg/scene/background/TerrainPass.h"
 
 namespace irsg {
 
@@ -20,7 +22,7 @@ struct BackgroundSettings {
     double uniform_W_m2_sr = 0.0; ///< of the line of sight at the field's centre, or a constant
     int rows = 1, columns = 1;    ///< of the grid; 1 x 1 is uniform
     bool sunDisc = false;
-    TextureScale skybox;
+    TextureScale skybox, terrain;
 };
 
 /// The background's parts before they are added up, each one value per pixel, W m-2 sr-1, top row
@@ -28,6 +30,8 @@ struct BackgroundSettings {
 struct BackgroundLayers {
     std::vector<double> sky;         ///< skybox, with the disc of the sun upon it
     std::vector<double> environment; ///< the grid
+    std::vector<double> terrain;     ///< times its coverage
+    std::vector<double> coverage;    ///< of the terrain, 0 to 1
 };
 
 struct BackgroundReport {
@@ -35,14 +39,20 @@ struct BackgroundReport {
     std::vector<std::string> answeredBy, warnings;
 };
 
-/// Draws what is behind the objects (F27 to F33): the skybox, the disc of the sun in its place,
-/// then the environment's background added. All of it follows the eye.
+/// Draws what is behind the objects (F27 to F33): the skybox, the disc of the sun in its place, the
+/// terrain before both, then the environment's background added, which holds the air on the way to
+/// the terrain. All but the terrain follows the eye.
 class SceneBackground {
   public:
+    SceneBackground();
+    ~SceneBackground();
+
     /// Null for none.
     void setSkybox(std::shared_ptr<const Skybox> skybox) { skybox_ = std::move(skybox); }
+    void setTerrain(std::shared_ptr<const Terrain> terrain) { terrain_ = std::move(terrain); }
+    const std::shared_ptr<const Terrain>& terrain() const { return terrain_; }
 
-    /// Throws InputError where no atmosphere answers.
+    /// Throws InputError where no atmosphere answers, and where there is a terrain and no OpenGL.
     FrameBackground draw(const Sensor& sensor, const Viewpoint& viewpoint, const BandSky& sky,
                          const BackgroundSettings& settings, BackgroundReport& report);
     /// Of the last drawing.
@@ -52,7 +62,11 @@ class SceneBackground {
     void drawSun(const FieldRays& rays, const Horizon& horizon, const BandSky& sky,
                  double altitude_m);
 
+    void drawTerrain(const Sensor& sensor, const Viewpoint& viewpoint, const TextureScale& scale);
+
     std::shared_ptr<const Skybox> skybox_;
+    std::shared_ptr<const Terrain> terrain_;
+    std::unique_ptr<TerrainPass> pass_; ///< made and destroyed on the context's thread
     BackgroundLayers layers_;
 };
 

@@ -1,0 +1,45 @@
+#include "irsg/scene/background/Terrain.h"
+
+#include <osg/Node>
+
+#include "irsg/scene/ModelLoader.h"
+#include "irsg/scene/background/TerrainCollector.h"
+#include "irsg/scene/background/TerrainParts.h"
+
+namespace irsg {
+
+Terrain::Terrain(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Terrain::~Terrain() = default;
+
+std::shared_ptr<const Terrain> Terrain::load(const std::filesystem::path& file,
+                                             const Vec3& position_m) {
+    const LoadedGraph loaded = loadGraph(file, LoadPurpose::visible);
+    auto parts = std::make_unique<Parts>();
+    parts->name = file.filename().string();
+    parts->remarks = loaded.remarks;
+    TerrainCollector(file.parent_path(), file.string()).collect(*loaded.node, position_m, *parts);
+    return std::shared_ptr<const Terrain>(new Terrain(std::move(parts)));
+}
+
+std::shared_ptr<const Terrain> Terrain::fromGraph(osg::Node& graph, const std::string& name,
+                                                  const Vec3& position_m) {
+    auto parts = std::make_unique<Parts>();
+    parts->name = name;
+    TerrainCollector({}, name).collect(graph, position_m, *parts);
+    return std::shared_ptr<const Terrain>(new Terrain(std::move(parts)));
+}
+
+const std::string& Terrain::name() const {
+    return parts_->name;
+}
+const Pose& Terrain::pose() const {
+    return parts_->pose;
+}
+const BoundingBox& Terrain::bounds() const {
+    return parts_->bounds;
+}
+const std::vector<std::string>& Terrain::remarks() const {
+    return parts_->remarks;
+}
+
+} // namespace irsg
