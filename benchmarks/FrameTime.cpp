@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
             entity.pose.position_m.z = 1000.0;
             Irsg irsg;
             RenderSettings settings;
+            settings.zoomWindow = 0;
             settings.samplesPerAxis = 1;
             irsg.setSettings(settings);
             irsg.setSensor(sensor);

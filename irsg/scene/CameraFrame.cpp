@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "irsg/radiometry/Units.h"
+
 namespace irsg {
 
 namespace {
@@ -23,25 +25,6 @@ constexpr double nearestFraction = 1e-5;
 
 } // namespace
 
-PixelWindow PixelWindow::unitedWith(const PixelWindow& other) const {
-    if (empty())
-        return other;
-    if (other.empty())
-        return *this;
-    const int left = std::min(x, other.x), top = std::min(y, other.y);
-    const int right = std::max(x + width, other.x + other.width);
-    const int bottom = std::max(y + height, other.y + other.height);
-    return {left, top, right - left, bottom - top};
-}
-
-PixelWindow PixelWindow::intersectedWith(const PixelWindow& other) const {
-    const int left = std::max(x, other.x), top = std::max(y, other.y);
-    const int right = std::min(x + width, other.x + other.width);
-    const int bottom = std::min(y + height, other.y + other.height);
-    return left < right && top < bottom ? PixelWindow{left, top, right - left, bottom - top}
-                                        : PixelWindow{};
-}
-
 CameraFrame::CameraFrame(const Sensor& sensor, const Viewpoint& viewpoint)
     : sensor_(sensor), viewpoint_(viewpoint) {}
 
@@ -59,12 +42,20 @@ osg::Matrixd CameraFrame::eyeFromModel(const Pose& pose) const {
     return osg::Matrixd(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, t.x, t.y, t.z, 1);
 }
 
-osg::Matrixd CameraFrame::clipFromEye(const PixelWindow& window, const DepthRange& depth) const {
+double CameraFrame::column(double rightPerDepth) const {
+    return 0.5 * sensor_.width_px + rightPerDepth / sensor_.pixelPitch();
+}
+
+double CameraFrame::row(double upPerDepth) const {
+    return 0.5 * sensor_.height_px - upPerDepth / sensor_.pixelPitch();
+}
+
+osg::Matrixd CameraFrame::clipFromEye(const ImageRectangle& window, const DepthRange& depth) const {
     const double pitch = sensor_.pixelPitch();
-    const double left = (window.x - 0.5 * sensor_.width_px) * pitch;
-    const double right = left + window.width * pitch;
-    const double top = (0.5 * sensor_.height_px - window.y) * pitch;
-    const double bottom = top - window.height * pitch;
+    const double left = (window.left - 0.5 * sensor_.width_px) * pitch;
+    const double right = left + window.width() * pitch;
+    const double top = (0.5 * sensor_.height_px - window.top) * pitch;
+    const double bottom = top - window.height() * pitch;
     const double n = depth.near_m, f = depth.far_m;
     return osg::Matrixd(2.0 / (right - left), 0, 0, 0,                                    //
                         0, 2.0 / (top - bottom), 0, 0,                                    //
@@ -88,35 +79,42 @@ std::optional<DepthRange> CameraFrame::depthOf(const BoundingBox& box, const Pos
     return DepthRange{std::max(nearest - margin, nearestFraction * farthest), farthest};
 }
 
-PixelWindow CameraFrame::windowOf(const BoundingBox& box, const Pose& pose) const {
-    const PixelWindow frame{0, 0, sensor_.width_px, sensor_.height_px};
-    const double pitch = sensor_.pixelPitch();
-    double left = std::numeric_limits<double>::infinity(), top = left, right = -left,
-           bottom = -left;
-    double nearest = left, farthest = -left;
+std::optional<ImageRectangle> CameraFrame::extentOf(const BoundingBox& box,
+                                                    const Pose& pose) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    ImageRectangle extent{infinity, infinity, -infinity, -infinity};
+    double nearest = infinity, farthest = -infinity;
     for (const Vec3& corner : corners(box)) {
         const Vec3 eye = toEye(pose.toWorld(corner) - viewpoint_.position_m);
         nearest = std::min(nearest, -eye.z);
         farthest = std::max(farthest, -eye.z);
-        const double x = 0.5 * sensor_.width_px + eye.x / -eye.z / pitch;
-        const double y = 0.5 * sensor_.height_px - eye.y / -eye.z / pitch;
-        left = std::min(left, x), right = std::max(right, x);
-        top = std::min(top, y), bottom = std::max(bottom, y);
+        const double x = column(eye.x / -eye.z), y = row(eye.y / -eye.z);
+        extent.left = std::min(extent.left, x), extent.right = std::max(extent.right, x);
+        extent.top = std::min(extent.top, y), extent.bottom = std::max(extent.bottom, y);
     }
-    if (farthest <= 0.0)
-        return {};
     if (nearest <= nearestFraction * farthest)
-        return frame;
+        return std::nullopt;
+    return extent;
+}
 
-    auto clampTo = [](double value, int limit) {
-        return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(limit)));
+std::optional<ImageRectangle> CameraFrame::extentOfBall(const Vec3& centre_m,
+                                                        double radius_m) const {
+    const Vec3 eye = toEye(centre_m - viewpoint_.position_m);
+    // Seen from above and from the side, the ball is a circle between two tangents.
+    const auto tangents = [&](double sideways, double& low, double& high) {
+        const double distance = std::hypot(sideways, eye.z);
+        if (distance <= radius_m)
+            return false;
+        const double middle = std::atan2(sideways, -eye.z);
+        const double half = std::asin(radius_m / distance);
+        low = std::tan(middle - half);
+        high = std::tan(middle + half);
+        return std::abs(middle) + half < 0.5 * pi;
     };
-    PixelWindow window;
-    window.x = clampTo(std::floor(left) - 1.0, frame.width);
-    window.y = clampTo(std::floor(top) - 1.0, frame.height);
-    window.width = clampTo(std::ceil(right) + 1.0, frame.width) - window.x;
-    window.height = clampTo(std::ceil(bottom) + 1.0, frame.height) - window.y;
-    return window.empty() ? PixelWindow{} : window;
+    double left = 0.0, right = 0.0, down = 0.0, up = 0.0;
+    if (!tangents(eye.x, left, right) || !tangents(eye.y, down, up))
+        return std::nullopt;
+    return ImageRectangle{column(left), row(up), column(right), row(down)};
 }
 
 } // namespace irsg

@@ -7,18 +7,9 @@
 #include "irsg/scene/Model.h"
 #include "irsg/scene/Pose.h"
 #include "irsg/scene/Sensor.h"
+#include "irsg/scene/antialiasing/SampleWindow.h"
 
 namespace irsg {
-
-/// A rectangle of pixels of the sensor, top left pixel first.
-struct PixelWindow {
-    int x = 0, y = 0, width = 0, height = 0;
-
-    bool empty() const { return width <= 0 || height <= 0; }
-    PixelWindow unitedWith(const PixelWindow& other) const;
-    PixelWindow intersectedWith(const PixelWindow& other) const;
-    bool operator==(const PixelWindow&) const = default;
-};
 
 /// Distances along the view direction between which geometry is drawn, m.
 struct DepthRange {
@@ -34,15 +25,17 @@ class CameraFrame {
     /// World directions and model coordinates to eye space (x right, y up, z backward).
     osg::Matrixd eyeFromModel(const Pose& pose) const;
     Vec3 toEye(const Vec3& worldDirection) const;
-    /// Eye space to the clip space of a window of the sensor: an off-axis frustum on the pixel
-    /// grid. Depth runs from 1 at the near to 0 at the far distance (zero-to-one clip control),
+    /// Eye space to the clip space of a rectangle of the image plane: an off-axis frustum. Depth
+    /// runs from 1 at the near to 0 at the far distance (zero-to-one clip control),
     /// where a float has its digits: a camera inside an object still tells surfaces 1e-6 of their
     /// distance apart.
-    osg::Matrixd clipFromEye(const PixelWindow& window, const DepthRange& depth) const;
+    osg::Matrixd clipFromEye(const ImageRectangle& window, const DepthRange& depth) const;
 
-    /// Pixels that can see any of a box standing at `pose`, with a margin of one pixel; the whole
-    /// frame when the box reaches behind the camera; empty when it lies outside the frame.
-    PixelWindow windowOf(const BoundingBox& box, const Pose& pose) const;
+    /// The part of the image plane in which a box standing at `pose` is seen, inside the frame or
+    /// not; nothing when the box reaches behind the camera.
+    std::optional<ImageRectangle> extentOf(const BoundingBox& box, const Pose& pose) const;
+    /// The same of a ball in the world.
+    std::optional<ImageRectangle> extentOfBall(const Vec3& centre_m, double radius_m) const;
     /// Depths the box spans, or nothing when all of it is behind the camera.
     std::optional<DepthRange> depthOf(const BoundingBox& box, const Pose& pose) const;
 
@@ -50,6 +43,10 @@ class CameraFrame {
     const Viewpoint& viewpoint() const { return viewpoint_; }
 
   private:
+    /// Pixels right of and below the frame's corner of a direction in eye space, per unit depth.
+    double column(double rightPerDepth) const;
+    double row(double upPerDepth) const;
+
     Sensor sensor_;
     Viewpoint viewpoint_;
 };

@@ -1,5 +1,6 @@
 #include "irsg/scene/DrawList.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <osg/CullFace>
@@ -66,6 +67,23 @@ std::vector<DrawItem> collectDrawItems(const Model& model) {
     Collector collector;
     model.graph()->accept(collector);
     return std::move(collector.items);
+}
+
+BoundingBall boundingBall(const std::vector<DrawItem>& items, const BoundingBox& bounds) {
+    const Vec3 centre = bounds.centre();
+    double square_m2 = 0.0;
+    for (const DrawItem& item : items) {
+        const auto* vertices = dynamic_cast<const osg::Vec3Array*>(item.geometry->getVertexArray());
+        // Of what keeps its vertices otherwise, the box is known alone.
+        if (!vertices)
+            return {centre, 0.5 * bounds.diagonal_m()};
+        for (const osg::Vec3& vertex : *vertices) {
+            const osg::Vec3d place = osg::Vec3d(vertex) * item.modelFromLocal;
+            const Vec3 arm = Vec3{place.x(), place.y(), place.z()} - centre;
+            square_m2 = std::max(square_m2, dot(arm, arm));
+        }
+    }
+    return {centre, std::sqrt(square_m2) * (1.0 + 1e-9)};
 }
 
 } // namespace irsg

@@ -23,4 +23,11 @@ struct DrawItem {
 /// detailed child at every range, switches their active ones.
 std::vector<DrawItem> collectDrawItems(const Model& model);
 
+/// A ball about the centre of a model's bounding box that holds all its vertices.
+struct BoundingBall {
+    Vec3 centre_m; ///< model axes
+    double radius_m = 0.0;
+};
+BoundingBall boundingBall(const std::vector<DrawItem>& items, const BoundingBox& bounds);
+
 } // namespace irsg

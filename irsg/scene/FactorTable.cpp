@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/PixelGrid.h"
 
 namespace irsg {
 
@@ -31,9 +30,13 @@ void addSample(FactorSums& sums, const FactorLayer& layer, double omega_sr, doub
 
 } // namespace
 
-FactorAccumulator::FactorAccumulator(std::vector<SceneRadiometry::SurfaceKey> keys,
+FactorAccumulator::FactorAccumulator(const Sensor& sensor, const FrameBackground& background,
+                                     std::vector<SceneRadiometry::SurfaceKey> keys,
                                      std::vector<bool> transparent)
-    : keys_(std::move(keys)), transparent_(std::move(transparent)) {}
+    : grid_(sensor),
+      background_(background),
+      keys_(std::move(keys)),
+      transparent_(std::move(transparent)) {}
 
 int FactorAccumulator::extended(int prefix, int row) {
     const auto [place, isNew] = extensions_.try_emplace({prefix, row}, prefix);
@@ -51,31 +54,33 @@ int FactorAccumulator::extended(int prefix, int row) {
     return place->second = id->second;
 }
 
-void FactorAccumulator::add(const Sensor& sensor, const PixelWindow& window, int samplesPerAxis,
-                            const FactorSamples& samples) {
-    const PixelGrid grid(sensor);
-    const int n = samplesPerAxis;
-    const double share = 1.0 / (n * n);
+void FactorAccumulator::add(const SampleWindow& window, const FactorSamples& samples) {
+    const double share = window.share();
+    const bool backgroundVaries = !background_.isUniform();
     layersLeftOver_ += samples.layersLeftOver;
 
-    std::size_t i = 0;
-    for (int glRow = 0; glRow < samples.height; ++glRow)
-        for (int column = 0; column < samples.width; ++column, ++i) {
-            const std::uint32_t begin = samples.first[i], end = samples.first[i + 1];
-            if (begin == end)
-                continue;
-            // GL's rows run from the bottom up.
-            const PixelGrid::Pixel pixel =
-                grid.at(window.x + column / n, window.y + window.height - 1 - glRow / n);
-            const double omega_sr = pixel.solidAngle_sr * share;
+    window.forEachRun([&](std::size_t first, int count, int x, int y) {
+        const std::size_t last = first + static_cast<std::size_t>(count);
+        if (samples.first[first] == samples.first[last])
+            return;
+        const PixelGrid::Pixel pixel = grid_.at(x, y);
+        const double omega_sr = pixel.solidAngle_sr * share;
+        const double behind_W_m2 = backgroundVaries ? omega_sr * background_.at(x, y) : 0.0;
+        for (std::size_t i = first; i < last; ++i) {
             int prefix = 0;
-            for (std::uint32_t k = begin; k < end; ++k) {
+            for (std::uint32_t k = samples.first[i]; k < samples.first[i + 1]; ++k) {
                 const FactorLayer& layer = samples.layers[k];
-                addSample(sumsOf(prefix, layer.row), layer, omega_sr, pixel.cosOffAxis, share);
+                FactorSums& sums = sumsOf(prefix, layer.row);
+                addSample(sums, layer, omega_sr, pixel.cosOffAxis, share);
+                if (backgroundVaries) {
+                    sums.background_W_m2 += behind_W_m2;
+                    sums.backgroundCos_W_m2 += behind_W_m2 * pixel.cosOffAxis;
+                }
                 if (transparent_[static_cast<std::size_t>(layer.row)])
                     prefix = extended(prefix, layer.row);
             }
         }
+    });
 }
 
 FactorSums& FactorAccumulator::sumsOf(int prefix, int row) {
@@ -125,6 +130,7 @@ double through(const SceneRadiometry& radiometry, const std::vector<double>& fro
 } // namespace
 
 void evaluateFactors(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
+                     const FrameBackground& frameBackground,
                      const std::vector<ObjectGeometry>& geometry,
                      const std::vector<Entity>& entities, RenderReport& report) {
     report.objects.resize(entities.size());
@@ -148,26 +154,32 @@ void evaluateFactors(const ProjectedFactors& factors, const SceneRadiometry& rad
         const double sun = through(radiometry, front, surface.sun);
         const double path = through(radiometry, front, surface.path);
 
-        // The background that this surface hides, as seen through what is in front of it.
-        std::vector<double> hidden(radiometry.background());
-        for (std::size_t i = 0; i < hidden.size(); ++i)
-            hidden[i] *= 1.0 - surface.transmissivity[i];
-        const double background = through(radiometry, front, hidden);
-
         double opacity = 1.0 - radiometry.scalarTransmissivity(row);
         for (const auto& [entity, material] : key.inFront)
             opacity *= radiometry.scalarTransmissivityOf(entity, material);
+
+        // The background that this surface hides, as seen through what is in front of it.
+        double hidden_W_m2 = opacity * sums.background_W_m2;
+        double hiddenCos_W_m2 = opacity * sums.backgroundCos_W_m2;
+        if (frameBackground.isUniform()) {
+            std::vector<double> hidden(radiometry.background());
+            for (std::size_t i = 0; i < hidden.size(); ++i)
+                hidden[i] *= 1.0 - surface.transmissivity[i];
+            const double background = through(radiometry, front, hidden);
+            hidden_W_m2 = background * sums.coverage_sr;
+            hiddenCos_W_m2 = background * sums.coverageCos_sr;
+        }
 
         const double radiance = thermal * sums.thermal_sr + up * sums.up_sr + down * sums.down_sr +
                                 sun * sums.sun_sr + path * sums.coverage_sr;
         const double onDetector = thermal * sums.thermalCos_sr + up * sums.upCos_sr +
                                   down * sums.downCos_sr + sun * sums.sunCos_sr +
-                                  (path - background) * sums.coverageCos_sr;
+                                  path * sums.coverageCos_sr - hiddenCos_W_m2;
 
         auto add = [&](ObjectRadiometry& object) {
             const double square_m2 = object.range_m * object.range_m;
             object.intensity_W_sr += radiance * square_m2;
-            object.contrastIntensity_W_sr += (radiance - background * sums.coverage_sr) * square_m2;
+            object.contrastIntensity_W_sr += (radiance - hidden_W_m2) * square_m2;
             object.irradiance_W_m2 += onDetector;
             object.coveredPixels += opacity * sums.pixels;
             object.solidAngle_sr += opacity * sums.coverage_sr;

@@ -4,10 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/Irsg.h"
+#include "irsg/scene/PixelGrid.h"
 #include "irsg/scene/SceneRadiometry.h"
 #include "irsg/scene/SurfacePass.h"
+#include "irsg/scene/background/FrameBackground.h"
 
 namespace irsg {
 
@@ -15,10 +16,10 @@ namespace irsg {
 class FactorAccumulator {
   public:
     /// `keys` are the rows of the drawing; `transparent` says which of them let light through.
-    FactorAccumulator(std::vector<SceneRadiometry::SurfaceKey> keys, std::vector<bool> transparent);
+    FactorAccumulator(const Sensor& sensor, const FrameBackground& background,
+                      std::vector<SceneRadiometry::SurfaceKey> keys, std::vector<bool> transparent);
 
-    void add(const Sensor& sensor, const PixelWindow& window, int samplesPerAxis,
-             const FactorSamples& samples);
+    void add(const SampleWindow& window, const FactorSamples& samples);
 
     ProjectedFactors take() const;
 
@@ -26,6 +27,8 @@ class FactorAccumulator {
     FactorSums& sumsOf(int prefix, int row);
     int extended(int prefix, int row);
 
+    PixelGrid grid_;
+    const FrameBackground& background_;
     std::vector<SceneRadiometry::SurfaceKey> keys_;
     std::vector<bool> transparent_;
 
@@ -38,9 +41,10 @@ class FactorAccumulator {
 };
 
 /// Radiometry of every object, and of all together, from projected factors: exact in the products
-/// of spectral transmissivities. Ranges are filled in from `geometry`.
+/// of spectral transmissivities. Ranges are filled in from `geometry`. What objects hide of a
+/// background that varies over the frame is the sum over their own pixels.
 void evaluateFactors(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
-                     const std::vector<ObjectGeometry>& geometry,
+                     const FrameBackground& background, const std::vector<ObjectGeometry>& geometry,
                      const std::vector<Entity>& entities, RenderReport& report);
 
 /// The same per wavelength, all objects together.

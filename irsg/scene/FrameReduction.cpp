@@ -2,76 +2,101 @@
 
 #include <algorithm>
 
+#include "irsg/radiometry/Errors.h"
 #include "irsg/scene/PixelGrid.h"
 
 namespace irsg {
 
-FrameReduction::FrameReduction(const Sensor& sensor, const PixelWindow& window,
-                               double background_W_m2_sr)
-    : sensor_(sensor),
-      window_(window),
-      background_W_m2_sr_(background_W_m2_sr),
-      radiance_(static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height)),
-      opacity_(radiance_.size()) {}
-
-void FrameReduction::add(const PixelWindow& tile, int samplesPerAxis,
-                         const RadianceSamples& samples) {
-    const auto n = static_cast<std::size_t>(samplesPerAxis);
-    const auto width = static_cast<std::size_t>(tile.width),
-               height = static_cast<std::size_t>(tile.height);
-    const double scale = 1.0 / static_cast<double>(n * n);
-    for (std::size_t y = 0; y < height; ++y) {
-        const std::size_t first = (static_cast<std::size_t>(tile.y - window_.y) + y) *
-                                      static_cast<std::size_t>(window_.width) +
-                                  static_cast<std::size_t>(tile.x - window_.x);
-        // GL's rows run from the bottom up.
-        for (std::size_t sy = 0; sy < n; ++sy) {
-            const float* sample = &samples.planes[((height - 1 - y) * n + sy) * width * n * 2];
-            for (std::size_t x = 0; x < width; ++x)
-                for (std::size_t sx = 0; sx < n; ++sx, sample += 2) {
-                    radiance_[first + x] += static_cast<double>(sample[0]);
-                    opacity_[first + x] += static_cast<double>(sample[1]);
-                }
+FrameReduction::FrameReduction(const Sensor& sensor, const std::vector<SampleWindow>& windows)
+    : sensor_(sensor) {
+    // Windows that share pixels share a patch; a grown patch may reach others.
+    for (const SampleWindow& window : windows) {
+        Patch patch{window.pixels(), {}, {}};
+        for (auto other = patches_.begin(); other != patches_.end();) {
+            if (!other->pixels.intersects(patch.pixels)) {
+                ++other;
+                continue;
+            }
+            patch.pixels = patch.pixels.unitedWith(other->pixels);
+            patches_.erase(other);
+            other = patches_.begin();
         }
-        for (std::size_t x = 0; x < width; ++x) {
-            radiance_[first + x] *= scale;
-            opacity_[first + x] *= scale;
-        }
+        patches_.push_back(std::move(patch));
+    }
+    for (Patch& patch : patches_) {
+        const auto count = static_cast<std::size_t>(patch.pixels.width) *
+                           static_cast<std::size_t>(patch.pixels.height);
+        patch.radiance.resize(count);
+        patch.opacity.resize(count);
     }
 }
 
-ObjectRadiometry FrameReduction::objects(double range_m) const {
+FrameReduction::Patch& FrameReduction::patchOf(const PixelWindow& pixels) {
+    const auto found = std::ranges::find_if(
+        patches_, [&](const Patch& patch) { return patch.pixels.intersects(pixels); });
+    if (found == patches_.end())
+        throw LogicError("a window was drawn that the frame was not told of");
+    return *found;
+}
+
+void FrameReduction::add(const SampleWindow& window, const RadianceSamples& samples) {
+    Patch& patch = patchOf(window.pixels());
+    const double share = window.share();
+    window.forEachRun([&](std::size_t first, int count, int x, int y) {
+        const float* sample = &samples.planes[2 * first];
+        double radiance = 0.0, opacity = 0.0;
+        for (int s = 0; s < count; ++s, sample += 2) {
+            radiance += static_cast<double>(sample[0]);
+            opacity += static_cast<double>(sample[1]);
+        }
+        const std::size_t pixel = patch.offset(x, y);
+        patch.radiance[pixel] += radiance * share;
+        patch.opacity[pixel] += opacity * share;
+    });
+}
+
+ObjectRadiometry FrameReduction::objects(const FrameBackground& background, double range_m) const {
     ObjectRadiometry sum;
     sum.name = "all";
     sum.range_m = range_m;
     const PixelGrid grid(sensor_);
-    std::size_t i = 0;
-    for (int y = 0; y < window_.height; ++y)
-        for (int x = 0; x < window_.width; ++x, ++i) {
-            if (opacity_[i] == 0.0 && radiance_[i] == 0.0)
-                continue;
-            const auto [omega_sr, cosOffAxis] = grid.at(window_.x + x, window_.y + y);
-            const double contrast = radiance_[i] - opacity_[i] * background_W_m2_sr_;
-            sum.intensity_W_sr += radiance_[i] * omega_sr;
-            sum.contrastIntensity_W_sr += contrast * omega_sr;
-            sum.irradiance_W_m2 += contrast * omega_sr * cosOffAxis;
-            sum.coveredPixels += opacity_[i];
-            sum.solidAngle_sr += opacity_[i] * omega_sr;
-        }
+    for (const Patch& patch : patches_)
+        for (int y = patch.pixels.y; y < patch.pixels.y + patch.pixels.height; ++y)
+            for (int x = patch.pixels.x; x < patch.pixels.x + patch.pixels.width; ++x) {
+                const std::size_t i = patch.offset(x, y);
+                const double radiance = patch.radiance[i], opacity = patch.opacity[i];
+                if (opacity == 0.0 && radiance == 0.0)
+                    continue;
+                const auto [omega_sr, cosOffAxis] = grid.at(x, y);
+                const double contrast = radiance - opacity * background.at(x, y);
+                sum.intensity_W_sr += radiance * omega_sr;
+                sum.contrastIntensity_W_sr += contrast * omega_sr;
+                sum.irradiance_W_m2 += contrast * omega_sr * cosOffAxis;
+                sum.coveredPixels += opacity;
+                sum.solidAngle_sr += opacity * omega_sr;
+            }
     sum.intensity_W_sr *= range_m * range_m;
     sum.contrastIntensity_W_sr *= range_m * range_m;
     return sum;
 }
 
-RadianceImage FrameReduction::compose() const {
+RadianceImage FrameReduction::compose(const FrameBackground& background) const {
     RadianceImage image(sensor_.width_px, sensor_.height_px);
     std::vector<float>& pixels = image.primary().values;
-    std::ranges::fill(pixels, static_cast<float>(background_W_m2_sr_));
-    std::size_t i = 0;
-    for (int y = 0; y < window_.height; ++y)
-        for (int x = 0; x < window_.width; ++x, ++i)
-            pixels[image.offset(window_.x + x, window_.y + y)] =
-                static_cast<float>(radiance_[i] + (1.0 - opacity_[i]) * background_W_m2_sr_);
+    if (background.isUniform())
+        std::ranges::fill(pixels, static_cast<float>(background.centre_W_m2_sr()));
+    else
+        for (int y = 0; y < sensor_.height_px; ++y)
+            for (int x = 0; x < sensor_.width_px; ++x)
+                pixels[image.offset(x, y)] = static_cast<float>(background.at(x, y));
+
+    for (const Patch& patch : patches_)
+        for (int y = patch.pixels.y; y < patch.pixels.y + patch.pixels.height; ++y)
+            for (int x = patch.pixels.x; x < patch.pixels.x + patch.pixels.width; ++x) {
+                const std::size_t i = patch.offset(x, y);
+                pixels[image.offset(x, y)] = static_cast<float>(
+                    patch.radiance[i] + (1.0 - patch.opacity[i]) * background.at(x, y));
+            }
     return image;
 }
 

@@ -6,28 +6,39 @@
 #include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/Irsg.h"
 #include "irsg/scene/SurfacePass.h"
+#include "irsg/scene/background/FrameBackground.h"
 
 namespace irsg {
 
 /// Reduces samples to pixels by exact averaging of premultiplied radiance and opacity, in double,
-/// and sums the radiometry of the objects on their own window before anything is rounded to float.
+/// and sums the radiometry of the objects on their own windows before anything is rounded to float.
 class FrameReduction {
   public:
-    /// `window`: the pixels that will be added; `background`: uniform, W m-2 sr-1.
-    FrameReduction(const Sensor& sensor, const PixelWindow& window, double background_W_m2_sr);
+    /// `windows`: what will be added, whole or in pieces.
+    FrameReduction(const Sensor& sensor, const std::vector<SampleWindow>& windows);
 
-    void add(const PixelWindow& tile, int samplesPerAxis, const RadianceSamples& samples);
+    void add(const SampleWindow& window, const RadianceSamples& samples);
 
     /// Sums over all pixels added, for objects at a range.
-    ObjectRadiometry objects(double range_m) const;
+    ObjectRadiometry objects(const FrameBackground& background, double range_m) const;
     /// A_pre + (1 - alpha) L_bg of every pixel of the frame.
-    RadianceImage compose() const;
+    RadianceImage compose(const FrameBackground& background) const;
 
   private:
+    /// Pixels that windows touch together.
+    struct Patch {
+        PixelWindow pixels;
+        std::vector<double> radiance, opacity; // top row first
+
+        std::size_t offset(int x, int y) const {
+            return static_cast<std::size_t>(y - pixels.y) * static_cast<std::size_t>(pixels.width) +
+                   static_cast<std::size_t>(x - pixels.x);
+        }
+    };
+    Patch& patchOf(const PixelWindow& pixels);
+
     Sensor sensor_;
-    PixelWindow window_;
-    double background_W_m2_sr_;
-    std::vector<double> radiance_, opacity_; // of the window's pixels, top row first
+    std::vector<Patch> patches_; // no two share a pixel
 };
 
 } // namespace irsg

@@ -52,9 +52,12 @@ void Irsg::setEntities(std::vector<Entity> entities) {
             throw LogicError("an entity needs a model and a database");
     parts_->entities = std::move(entities);
     parts_->drawItems.clear();
+    parts_->balls.clear();
     parts_->referencePoints.resize(parts_->entities.size());
     for (std::size_t e = 0; e < parts_->entities.size(); ++e) {
-        parts_->drawItems.push_back(collectDrawItems(*parts_->entities[e].model));
+        const Model& model = *parts_->entities[e].model;
+        parts_->drawItems.push_back(collectDrawItems(model));
+        parts_->balls.push_back(boundingBall(parts_->drawItems.back(), model.bounds()));
         parts_->prepareEntity(e);
     }
 }
@@ -86,39 +89,36 @@ void Irsg::checkConfiguration() const {
 RenderedImage Irsg::render() {
     Parts& p = *parts_;
     const Parts::Frame frame = p.frame();
-    FrameReduction reduction(p.sensor, frame.window,
-                             static_cast<double>(frame.radiometry.backgroundInBand_W_m2_sr()));
+    FrameReduction reduction(p.sensor, frame.windows);
     RenderedImage result;
 
-    // Draw the pixels that can see an object; everything else is background.
+    // Draw the windows that can see an object; everything else is background.
     double reducing_s = 0.0;
-    if (!frame.window.empty())
+    if (!frame.windows.empty())
         p.onContext([&](osg::RenderInfo& info) {
-            SurfaceScene scene = frame.scene;
-            scene.camera = &frame.camera;
             RadianceSamples samples;
-            for (const PixelWindow& tile : Parts::tiles(frame.window, p.tileSide())) {
-                p.pass->drawRadiance(info, scene, tile, p.settings.samplesPerAxis, samples);
+            for (const SampleWindow& window : frame.windows) {
+                p.pass->drawRadiance(info, Parts::sceneOf(frame, window), window, samples);
                 result.report.layersLeftOver += samples.layersLeftOver;
                 Stopwatch watch(reducing_s);
-                reduction.add(tile, p.settings.samplesPerAxis, samples);
+                reduction.add(window, samples);
             }
         });
     p.addTime("reduction", reducing_s);
 
-    // Sums in double on the objects' own window, then the picture.
+    // Sums in double on the objects' own windows, then the picture.
     p.timed("composition", [&] {
-        result.image = reduction.compose();
+        result.image = reduction.compose(frame.background);
         p.fillReport(frame, result.report);
         p.describe(frame, result.image);
     });
     if (p.entities.size() > 1) {
-        evaluateFactors(p.factorsOf(frame), frame.radiometry, frame.geometry, p.entities,
-                        result.report);
+        evaluateFactors(p.factorsOf(frame), frame.radiometry, frame.background, frame.geometry,
+                        p.entities, result.report);
     }
     const double range_m = frame.geometry.empty() ? 0.0 : frame.geometry.front().path.range_m;
-    result.report.all = reduction.objects(range_m);
-    result.report.totalIrradiance_W_m2 = p.totalIrradiance_W_m2(result.report);
+    result.report.all = reduction.objects(frame.background, range_m);
+    result.report.totalIrradiance_W_m2 = p.totalIrradiance_W_m2(frame, result.report);
     if (p.entities.size() == 1) {
         result.report.objects = {result.report.all};
         result.report.objects.front().name = p.entities.front().name;
@@ -135,9 +135,10 @@ RenderReport Irsg::measure() {
     RenderReport report;
     const ProjectedFactors& factors = p.factorsOf(frame);
     p.timed("evaluation", [&] {
-        evaluateFactors(factors, frame.radiometry, frame.geometry, p.entities, report);
+        evaluateFactors(factors, frame.radiometry, frame.background, frame.geometry, p.entities,
+                        report);
         p.fillReport(frame, report);
-        report.totalIrradiance_W_m2 = p.totalIrradiance_W_m2(report);
+        report.totalIrradiance_W_m2 = p.totalIrradiance_W_m2(frame, report);
     });
     return report;
 }

@@ -41,7 +41,13 @@ enum class BackgroundMode {
 
 struct RenderSettings {
     CalculationMode mode = CalculationMode::spectral;
-    int samplesPerAxis = 4; ///< supersampling: 1, 2 or 4 for modes 0 to 2; any 1 to 16
+    /// Zoom antialiasing: side of the windows that objects are drawn into, samples; 128, 256 or 512
+    /// for modes 3 to 5 of the report, any from 8 to 2048. 0: every pixel is sampled alike.
+    int zoomWindow = 256;
+    /// Supersampling, where there is no zoom window: 1, 2 or 4 for modes 0 to 2; any 1 to 16.
+    int samplesPerAxis = 4;
+    /// `samplesPerAxis` is meant in all, not per axis: 4 is 2 x 2, and 2 is two side by side.
+    bool samplesInAll = false;
     ReflectionMode sun = ReflectionMode::smart;
     ReflectionMode fluxes = ReflectionMode::smart;
     FluxWeights fluxWeights = FluxWeights::viewFactor;

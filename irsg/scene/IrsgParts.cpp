@@ -122,10 +122,14 @@ Irsg::Parts::Frame Irsg::Parts::frame() {
             spectral
                 ? SceneRadiometry(environment, entities, objects, settings, centre(), sensor.band)
                 : SceneRadiometry(environment, entities, objects, settings, centre(), terms),
+            FrameBackground{},
+            {},
             {},
             {}};
+        result.background = FrameBackground(result.radiometry.backgroundInBand_W_m2_sr());
         fillRows(result);
         fillItems(result);
+        planWindows(result);
         return result;
     });
 }
@@ -150,16 +154,11 @@ void Irsg::Parts::fillItems(Frame& frame) const {
     frame.scene.modes = modes(frame.camera);
     for (std::size_t e = 0; e < entities.size(); ++e) {
         const Entity& entity = entities[e];
-        const auto depth = frame.camera.depthOf(entity.model->bounds(), entity.pose);
-        const PixelWindow window = frame.camera.windowOf(entity.model->bounds(), entity.pose);
-        if (!depth || window.empty())
+        const auto seen = zoomEntityInfo(static_cast<int>(e), frame.camera, entity.model->bounds(),
+                                         balls[e], entity.pose);
+        if (!seen)
             continue;
-        DepthRange& all = frame.scene.depth;
-        if (frame.window.empty())
-            all = *depth;
-        all.near_m = std::min(all.near_m, depth->near_m);
-        all.far_m = std::max(all.far_m, depth->far_m);
-        frame.window = frame.window.unitedWith(window);
+        frame.seen.push_back(*seen);
 
         const osg::Matrixd eyeFromModel = frame.camera.eyeFromModel(entity.pose);
         for (const DrawItem& item : drawItems[e]) {
@@ -167,14 +166,41 @@ void Irsg::Parts::fillItems(Frame& frame) const {
             const bool transparent =
                 isTransparent(frame.radiometry.surfaces()[static_cast<std::size_t>(row)]);
             frame.scene.items.push_back({item.geometry.get(), item.modelFromLocal * eyeFromModel,
-                                         row, transparent, item.cullsBackFaces, item.layer});
+                                         static_cast<int>(e), row, transparent, item.cullsBackFaces,
+                                         item.layer});
         }
     }
 }
 
-int Irsg::Parts::tileSide() const {
-    return std::max(1, std::min(largestDrawing, context.maximumTargetSize()) /
-                           settings.samplesPerAxis);
+void Irsg::Parts::planWindows(Frame& frame) {
+    const int side = std::min(largestDrawing, context.maximumTargetSize());
+    for (const SampleWindow& window : antialiasing.strategyFor(settings).windows(frame.seen))
+        for (SampleWindow& piece : window.pieces(side))
+            frame.windows.push_back(std::move(piece));
+}
+
+SurfaceScene Irsg::Parts::sceneOf(const Frame& frame, const SampleWindow& window) {
+    const auto stands = [&](int entity) {
+        return std::ranges::binary_search(window.entities, entity);
+    };
+    SurfaceScene scene;
+    scene.camera = &frame.camera;
+    scene.modes = frame.scene.modes;
+    scene.rows = frame.scene.rows;
+    scene.maximumLayers = frame.scene.maximumLayers;
+    std::ranges::copy_if(frame.scene.items, std::back_inserter(scene.items), stands,
+                         &SurfaceItem::entity);
+
+    bool isFirst = true;
+    for (const ZoomEntityInfo& object : frame.seen) {
+        if (!stands(object.entity))
+            continue;
+        DepthRange& all = scene.depth;
+        all.near_m = isFirst ? object.depth.near_m : std::min(all.near_m, object.depth.near_m);
+        all.far_m = isFirst ? object.depth.far_m : std::max(all.far_m, object.depth.far_m);
+        isFirst = false;
+    }
+    return scene;
 }
 
 void Irsg::Parts::onContext(const std::function<void(osg::RenderInfo&)>& work) {
@@ -193,7 +219,9 @@ std::vector<double> Irsg::Parts::fingerprint(const Frame& frame) const {
     std::vector<double> numbers{static_cast<double>(sensor.width_px),
                                 static_cast<double>(sensor.height_px),
                                 sensor.horizontalFieldOfView_rad,
+                                static_cast<double>(settings.zoomWindow),
                                 static_cast<double>(settings.samplesPerAxis),
+                                settings.samplesInAll ? 1.0 : 0.0,
                                 static_cast<double>(settings.maximumLayers),
                                 static_cast<double>(frame.scene.modes.sun),
                                 static_cast<double>(frame.scene.modes.flux)};
@@ -219,40 +247,52 @@ const ProjectedFactors& Irsg::Parts::factorsOf(const Frame& frame) {
     std::vector<std::shared_ptr<const Model>> models;
     for (const Entity& entity : entities)
         models.push_back(entity.model);
-    if (numbers == factorFingerprint && models == factorModels)
+    if (numbers == factorFingerprint && models == factorModels &&
+        frame.background.variesLike(factorBackground))
         return factors;
 
     std::vector<bool> transparent;
     for (const SurfaceSpectra& surface : frame.radiometry.surfaces())
         transparent.push_back(isTransparent(surface));
-    FactorAccumulator accumulator(frame.radiometry.keys(), transparent);
-    drawFactorTiles(frame, false, "factor sums",
-                    [&](const PixelWindow& tile, const FactorSamples& samples) {
-                        accumulator.add(sensor, tile, settings.samplesPerAxis, samples);
-                    });
+    FactorAccumulator accumulator(sensor, frame.background, frame.radiometry.keys(), transparent);
+    drawFactorWindows(frame, false, "factor sums",
+                      [&](const SampleWindow& window, const FactorSamples& samples) {
+                          accumulator.add(window, samples);
+                      });
     factors = accumulator.take();
     factorFingerprint = std::move(numbers);
     factorModels = std::move(models);
+    factorBackground = frame.background;
     return factors;
 }
 
-double Irsg::Parts::totalIrradiance_W_m2(const RenderReport& report) {
+double Irsg::Parts::totalIrradiance_W_m2(const Frame& frame, const RenderReport& report) {
+    const PixelGrid grid(sensor);
+    if (!frame.background.isUniform()) {
+        double behind_W_m2 = 0.0;
+        for (int y = 0; y < sensor.height_px; ++y)
+            for (int x = 0; x < sensor.width_px; ++x) {
+                const PixelGrid::Pixel pixel = grid.at(x, y);
+                behind_W_m2 += frame.background.at(x, y) * pixel.solidAngle_sr * pixel.cosOffAxis;
+            }
+        return report.all.irradiance_W_m2 + behind_W_m2;
+    }
     const std::array<double, 3> raster{static_cast<double>(sensor.width_px),
                                        static_cast<double>(sensor.height_px),
                                        sensor.horizontalFieldOfView_rad};
     if (raster != frameRaster) {
         frameRaster = raster;
-        frameProjectedSolidAngle_sr = PixelGrid(sensor).projectedSolidAngle_sr();
+        frameProjectedSolidAngle_sr = grid.projectedSolidAngle_sr();
     }
     return report.all.irradiance_W_m2 + report.background_W_m2_sr * frameProjectedSolidAngle_sr;
 }
 
 void Irsg::Parts::addTruthLayers(const Frame& frame, RadianceImage& image) {
-    TruthLayers truth(frame.radiometry, image);
-    drawFactorTiles(frame, true, "truth layers",
-                    [&](const PixelWindow& tile, const FactorSamples& samples) {
-                        truth.add(tile, settings.samplesPerAxis, samples);
-                    });
+    TruthLayers truth(frame.radiometry, frame.background, image);
+    drawFactorWindows(frame, true, "truth layers",
+                      [&](const SampleWindow& window, const FactorSamples& samples) {
+                          truth.add(window, samples);
+                      });
 }
 
 void Irsg::Parts::fillReport(const Frame& frame, RenderReport& report) const {
@@ -270,20 +310,14 @@ void Irsg::Parts::describe(const Frame& frame, RadianceImage& image) const {
     image.attributes["band.max_um"] = text(range.max_um);
     image.attributes["sensor.horizontal_field_of_view_deg"] =
         text(degrees(sensor.horizontalFieldOfView_rad));
-    image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
+    if (settings.zoomWindow > 0)
+        image.attributes["zoom_window"] = std::to_string(settings.zoomWindow);
+    else
+        image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
     image.attributes["background_W_m2_sr"] = text(frame.radiometry.backgroundInBand_W_m2_sr());
     image.attributes["renderer"] = context.rendererDescription();
     if (!frame.geometry.empty())
         image.attributes["range_m"] = text(frame.geometry.front().path.range_m);
-}
-
-std::vector<PixelWindow> Irsg::Parts::tiles(const PixelWindow& window, int side) {
-    std::vector<PixelWindow> result;
-    for (int y = 0; y < window.height; y += side)
-        for (int x = 0; x < window.width; x += side)
-            result.push_back({window.x + x, window.y + y, std::min(side, window.width - x),
-                              std::min(side, window.height - y)});
-    return result;
 }
 
 } // namespace irsg

@@ -16,6 +16,8 @@
 #include "irsg/scene/SceneRadiometry.h"
 #include "irsg/scene/Stopwatch.h"
 #include "irsg/scene/SurfacePass.h"
+#include "irsg/scene/antialiasing/ZoomAntialiasingManager.h"
+#include "irsg/scene/background/FrameBackground.h"
 
 namespace irsg {
 
@@ -31,12 +33,15 @@ struct Irsg::Parts {
     Viewpoint viewpoint;
 
     std::vector<std::vector<DrawItem>> drawItems; // by entity
+    std::vector<BoundingBall> balls;              // by entity
     std::vector<Vec3> referencePoints;            // in model axes, by entity
+    ZoomAntialiasingManager antialiasing;
     std::vector<StageTimes::Stage> stages;
 
     // The factors of the last view, kept while nothing they depend on changes.
     std::vector<double> factorFingerprint;
     std::vector<std::shared_ptr<const Model>> factorModels;
+    FrameBackground factorBackground;
     ProjectedFactors factors;
 
     // Sum of omega cos(theta) over the frame, kept for one raster.
@@ -60,8 +65,10 @@ struct Irsg::Parts {
         CameraFrame camera;
         std::vector<ObjectGeometry> geometry;
         SceneRadiometry radiometry;
-        SurfaceScene scene;
-        PixelWindow window; // of all objects
+        FrameBackground background;
+        SurfaceScene scene; // of all objects
+        std::vector<ZoomEntityInfo> seen;
+        std::vector<SampleWindow> windows; // in pieces that fit a drawing
     };
 
     template <typename Work>
@@ -107,27 +114,25 @@ struct Irsg::Parts {
 
     void fillItems(Frame& frame) const;
 
-    int tileSide() const;
-    /// Cuts a window into pieces of at most `side` pixels.
-    static std::vector<PixelWindow> tiles(const PixelWindow& window, int side);
+    void planWindows(Frame& frame);
+
+    /// What of the scene stands in a window, between the depths it spans.
+    static SurfaceScene sceneOf(const Frame& frame, const SampleWindow& window);
 
     void onContext(const std::function<void(osg::RenderInfo&)>& work);
 
-    /// Draws the factors of the objects' window, tile by tile, and times what `sink` makes of them.
+    /// Draws the factors of the objects' windows and times what `sink` makes of them.
     template <typename Sink>
-    void drawFactorTiles(const Frame& frame, bool withDistance, const char* stage, Sink sink) {
-        if (frame.window.empty())
+    void drawFactorWindows(const Frame& frame, bool withDistance, const char* stage, Sink sink) {
+        if (frame.windows.empty())
             return;
         double sinking_s = 0.0;
         onContext([&](osg::RenderInfo& info) {
-            SurfaceScene scene = frame.scene;
-            scene.camera = &frame.camera;
             FactorSamples samples;
-            for (const PixelWindow& tile : tiles(frame.window, tileSide())) {
-                pass->drawFactors(info, scene, tile, settings.samplesPerAxis, withDistance,
-                                  samples);
+            for (const SampleWindow& window : frame.windows) {
+                pass->drawFactors(info, sceneOf(frame, window), window, withDistance, samples);
                 Stopwatch watch(sinking_s);
-                sink(tile, samples);
+                sink(window, samples);
             }
         });
         addTime(stage, sinking_s);
@@ -139,7 +144,7 @@ struct Irsg::Parts {
     const ProjectedFactors& factorsOf(const Frame& frame);
 
     /// Of the whole frame on the detector: the objects' contrast upon the background.
-    double totalIrradiance_W_m2(const RenderReport& report);
+    double totalIrradiance_W_m2(const Frame& frame, const RenderReport& report);
 
     void addTruthLayers(const Frame& frame, RadianceImage& image);
 

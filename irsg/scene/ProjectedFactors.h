@@ -33,6 +33,9 @@ struct FactorSums {
     double coverageCos_sr = 0.0, thermalCos_sr = 0.0, upCos_sr = 0.0, downCos_sr = 0.0,
            sunCos_sr = 0.0;
     double pixels = 0.0; ///< coverage as a number of pixels
+    /// Coverage times the in-band radiance of a background that varies over the frame, without and
+    /// with cos(off-axis); 0 where the background is uniform.
+    double background_W_m2 = 0.0, backgroundCos_W_m2 = 0.0;
 };
 
 /// Geometry once, physics many times: given this table, another band, wavelength, temperature, time

@@ -132,6 +132,9 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
     } catch (const InputError& error) {
         offences.insert(offences.end(), error.offences().begin(), error.offences().end());
     }
+    if (settings.zoomWindow != 0 && (settings.zoomWindow < 8 || settings.zoomWindow > 2048))
+        offences.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
+                            "0, or 8 to 2048 samples"});
     if (settings.samplesPerAxis < 1 || settings.samplesPerAxis > 16)
         offences.push_back(
             {"settings", "samples per axis", std::to_string(settings.samplesPerAxis), "1 to 16"});

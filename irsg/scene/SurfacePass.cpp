@@ -34,9 +34,18 @@ struct Raster {
     osg::Matrixd clipFromEye;
 };
 
-Raster rasterOf(const SurfaceScene& scene, const PixelWindow& window, int samplesPerAxis) {
-    return {window.width * samplesPerAxis, window.height * samplesPerAxis,
-            scene.camera->clipFromEye(window, scene.depth)};
+Raster rasterOf(const SurfaceScene& scene, const SampleWindow& window) {
+    Raster raster{window.width(), window.height(),
+                  scene.camera->clipFromEye(window.drawnRectangle(), scene.depth)};
+    if (window.shearRows) {
+        // x_clip + a w - b y moves the sample's row r, counted from the top, by r / shearRows.
+        const double perClip = 1.0 / (static_cast<double>(window.shearRows) * raster.width);
+        osg::Matrixd shear;
+        shear(1, 0) = -raster.height * perClip;
+        shear(3, 0) = (raster.height - 1) * perClip;
+        raster.clipFromEye = raster.clipFromEye * shear;
+    }
+    return raster;
 }
 
 } // namespace
@@ -173,10 +182,9 @@ SurfacePass::SurfacePass() : parts_(std::make_unique<Parts>()) {}
 SurfacePass::~SurfacePass() = default;
 
 void SurfacePass::drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene,
-                               const PixelWindow& window, int samplesPerAxis,
-                               RadianceSamples& samples) {
+                               const SampleWindow& window, RadianceSamples& samples) {
     Parts& p = *parts_;
-    const Raster raster = rasterOf(scene, window, samplesPerAxis);
+    const Raster raster = rasterOf(scene, window);
     std::uint32_t listed = 0;
     {
         Stopwatch watch(p.drawSeconds);
@@ -194,10 +202,10 @@ void SurfacePass::drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene,
 }
 
 void SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
-                              const PixelWindow& window, int samplesPerAxis, bool withDistance,
+                              const SampleWindow& window, bool withDistance,
                               FactorSamples& samples) {
     Parts& p = *parts_;
-    const Raster raster = rasterOf(scene, window, samplesPerAxis);
+    const Raster raster = rasterOf(scene, window);
     FloatTarget& target = withDistance ? p.factorsWithDistance : p.factors;
     std::uint32_t listed = 0;
     {

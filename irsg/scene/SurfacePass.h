@@ -26,6 +26,7 @@ struct SurfaceRow {
 struct SurfaceItem {
     osg::Geometry* geometry = nullptr;
     osg::Matrixd eyeFromLocal;
+    int entity = 0;
     int row = 0; ///< index into the rows
     bool transparent = false;
     bool cullsBackFaces = false;
@@ -80,10 +81,10 @@ class SurfacePass {
     SurfacePass();
     ~SurfacePass();
 
-    void drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene, const PixelWindow& window,
-                      int samplesPerAxis, RadianceSamples& samples);
-    void drawFactors(osg::RenderInfo& info, const SurfaceScene& scene, const PixelWindow& window,
-                     int samplesPerAxis, bool withDistance, FactorSamples& samples);
+    void drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene, const SampleWindow& window,
+                      RadianceSamples& samples);
+    void drawFactors(osg::RenderInfo& info, const SurfaceScene& scene, const SampleWindow& window,
+                     bool withDistance, FactorSamples& samples);
 
     /// Seconds spent drawing, reading back and sorting since the last call.
     double takeDrawSeconds();

@@ -3,26 +3,27 @@
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
-#include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/SceneRadiometry.h"
 #include "irsg/scene/SurfacePass.h"
+#include "irsg/scene/background/FrameBackground.h"
 
 namespace irsg {
 
 /// Adds what is known of every pixel to its image, as channels:
-///   temperature_index, material_index, range [m]  of the nearest surface at the pixel's middle
-///   sample,
-///                                                 NaN where there is none;
+///   temperature_index, material_index, range [m]  of the nearest surface at the sample closest to
+///                                                 the pixel's middle among those that hit one,
+///                                                 NaN where none does;
 ///   thermal, sun, up, down, path, background      terms of the pixel's radiance [W m-2 sr-1],
-///   averaged
-///                                                 over its samples; their sum is the pixel.
+///                                                 averaged over its samples; their sum is the
+///                                                 pixel.
 class TruthLayers {
   public:
     /// `image` must outlive this and have the size of the sensor.
-    TruthLayers(const SceneRadiometry& radiometry, RadianceImage& image);
+    TruthLayers(const SceneRadiometry& radiometry, const FrameBackground& background,
+                RadianceImage& image);
 
     /// Samples with the distances of their opaque surfaces.
-    void add(const PixelWindow& window, int samplesPerAxis, const FactorSamples& samples);
+    void add(const SampleWindow& window, const FactorSamples& samples);
 
   private:
     struct Terms {
@@ -31,8 +32,9 @@ class TruthLayers {
 
     std::vector<Terms> rows_;
     std::vector<IrCodes> codes_;
-    double background_W_m2_sr_;
+    const FrameBackground& background_;
     RadianceImage& image_;
+    std::vector<float> offMiddle_px_; // of the sample whose surface is named, by pixel
 };
 
 } // namespace irsg

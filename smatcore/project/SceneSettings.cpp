@@ -60,7 +60,10 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
                                   : irsg::ReflectionMode::smart;
     };
     irsg::RenderSettings render;
-    render.samplesPerAxis = 1 << settings.integer("render.antialiasing");
+    const int antialiasing = settings.integer("render.antialiasing");
+    render.zoomWindow = antialiasing > 2 ? 128 << (antialiasing - 3) : 0;
+    render.samplesPerAxis = antialiasing > 2 ? 1 : 1 << antialiasing;
+    render.samplesInAll = settings.text("render.supersampling") == "inAll";
     render.sun = reflection("render.sun");
     render.fluxes = reflection("render.fluxes");
     render.mode = settings.text("sensor.mode") == "ck" ? irsg::CalculationMode::wideband

@@ -142,9 +142,16 @@ void addEnvironment(std::vector<SettingInfo>& table) {
 }
 
 void addRendering(std::vector<SettingInfo>& table) {
-    table.push_back(integer("render.antialiasing", "--antialiasing", "Antialiasing", "", 0, 2, "2",
-                            "Mode 0: one sample a pixel. Mode 1: 2 samples per axis. Mode 2: 4 "
-                            "samples per axis."));
+    table.push_back(integer(
+        "render.antialiasing", "--antialiasing", "Antialiasing", "", 0, 5, "4",
+        "Mode 0: one sample a pixel. Modes 1 and 2: 2 and 4 samples per axis in every pixel. Modes "
+        "3, 4 and 5: every object is drawn into a window of 128, 256 or 512 samples a side, "
+        "however small it is."));
+    table.push_back(choice("render.supersampling", "--supersampling", "Supersampling counts",
+                           {"perAxis", "inAll"}, "perAxis",
+                           "Whether the 2 and 4 samples of modes 1 and 2 are meant per axis of a "
+                           "pixel or in all.",
+                           SettingAudience::expert));
     const std::vector<std::string> reflections = {"off", "approx", "smart"};
     table.push_back(choice("render.sun", "--sun", "Sun reflection", reflections, "smart",
                            "Reflected sun: off, approx (independent of geometry: a quarter "

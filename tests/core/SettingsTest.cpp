@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
                     TextRow{"Nothing", "sensor.fov", "", nullptr},
                     TextRow{"UnknownChoice", "render.sun", "bright", nullptr},
                     TextRow{"UnknownMode", "sensor.mode", "fast", nullptr},
-                    TextRow{"AntialiasingModeThatIsNotThere", "render.antialiasing", "3", nullptr},
+                    TextRow{"AntialiasingModeThatIsNotThere", "render.antialiasing", "6", nullptr},
                     TextRow{"NegativeBackground", "render.background", "-1", nullptr},
                     TextRow{"ReversedBand", "sensor.band", "5-3", nullptr},
                     TextRow{"BandOfOneNumber", "sensor.band", "4", nullptr},

@@ -127,6 +127,7 @@ TEST(Drawing, KeepsItsDigitsAtTenThousandKilometres) {
     Stage stage;
     for (double range_m : {1e3, 1e5, 1e7}) {
         RenderSettings settings;
+        settings.zoomWindow = 0;
         settings.samplesPerAxis = 4;
         stage.irsg.setSettings(settings);
         look(stage.irsg, {.range_m = range_m, .fieldOfView_rad = 2.4 / range_m});
@@ -165,6 +166,7 @@ TEST(Drawing, GivesTheSamePictureInOneTileAndInMany) {
     Stage stage;
     RenderSettings settings;
     auto intensityWith = [&](int samples) {
+        settings.zoomWindow = 0;
         settings.samplesPerAxis = samples;
         stage.irsg.setSettings(settings);
         look(stage.irsg, {.width_px = 300, .height_px = 300, .fieldOfView_rad = 0.022});
@@ -242,6 +244,7 @@ TEST(Layers, BeyondTheLimitAreCountedAndReported) {
     Irsg irsg;
     irsg.setEnvironment(darkness());
     RenderSettings settings;
+    settings.zoomWindow = 0;
     settings.samplesPerAxis = 1;
     irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.3, 320.0, 0.0, 0.7))});
     const double one_W_m2_sr = 0.3 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);

@@ -208,6 +208,7 @@ TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
     irsg.setEnvironment(environmentOf(air));
     RenderSettings settings;
     settings.truthLayers = true;
+    settings.zoomWindow = 0;
     settings.samplesPerAxis = 3;
     irsg.setSettings(settings);
     irsg.setEntities({entityOf(modelOf(mesh), database)});
@@ -242,7 +243,8 @@ TEST(StageTimesOfAnImage, NameEveryStageThatTookTime) {
         EXPECT_GE(stage.seconds, 0.0);
         EXPECT_EQ(stage.calls, 1) << stage.name;
     }
-    for (const char* expected : {"radiometry", "drawing", "read back", "layer sorting", "reduction", "composition"})
+    for (const char* expected :
+         {"radiometry", "drawing", "read back", "layer sorting", "reduction", "composition"})
         EXPECT_TRUE(std::ranges::find(names, expected) != names.end()) << expected;
     irsg.resetStageTimes();
     EXPECT_TRUE(irsg.stageTimes().stages.empty());

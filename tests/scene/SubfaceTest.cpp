@@ -63,6 +63,7 @@ TEST(Subfaces, HideTheFaceTheyLieOnFromAnyDirectionAndRange) {
     Irsg irsg;
     irsg.setEnvironment(environmentOf(ConstantAir{}));
     RenderSettings settings;
+    settings.zoomWindow = 0;
     settings.samplesPerAxis = 4;
     irsg.setSettings(settings);
     irsg.setEntities({entityOf(model, database)});

@@ -18,6 +18,10 @@ class FrameBackground {
           uniform_W_m2_sr_(centre_W_m2_sr),
           pixels_W_m2_sr_(std::move(radiance_W_m2_sr)) {}
 
+    /// Both are uniform, of whatever level, or equal pixel by pixel.
+    bool variesLike(const FrameBackground& other) const {
+        return pixels_W_m2_sr_ == other.pixels_W_m2_sr_;
+    }
     bool isUniform() const { return pixels_W_m2_sr_.empty(); }
     double at(int x, int y) const {
         return isUniform() ? uniform_W_m2_sr_

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace irsg {
+
+/// A rectangle of pixels of the sensor, top left pixel first.
+struct PixelWindow {
+    int x = 0, y = 0, width = 0, height = 0;
+
+    bool empty() const { return width <= 0 || height <= 0; }
+    PixelWindow unitedWith(const PixelWindow& other) const;
+    bool intersects(const PixelWindow& other) const;
+    bool operator==(const PixelWindow&) const = default;
+};
+
+/// A rectangle of the image plane in pixels, from the top left corner of the frame to the right and
+/// down; not bound to whole pixels.
+struct ImageRectangle {
+    double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
+
+    bool empty() const { return !(left < right && top < bottom); }
+    double width() const { return right - left; }
+    double height() const { return bottom - top; }
+    /// The longer side.
+    double extent() const { return std::max(width(), height()); }
+    bool intersects(const ImageRectangle& other) const;
+    ImageRectangle unitedWith(const ImageRectangle& other) const;
+    ImageRectangle intersectedWith(const ImageRectangle& other) const;
+};
+
+/// A piece of the image plane that is drawn in one go. It lies on a grid of square tiles whose side
+/// is 2^-level pixels and whose corner is the frame's: a tile belongs to exactly one pixel, so that
+/// samples are added to pixels and never resampled, also below the size of a pixel
+/// (docs/physics.md, Antialiasing).
+struct SampleWindow {
+    int level = 0;                     ///< 0 (tiles are pixels) to deepestLevel
+    std::int64_t tileX = 0, tileY = 0; ///< first tile
+    int tilesWide = 0, tilesHigh = 0;
+    int samplesAcross = 1, samplesDown = 1; ///< of each tile
+    /// Every row of samples is moved to the right of the one above it by 1 / shearRows of a sample,
+    /// so that an upright edge does not meet whole columns; 0: none is. Each row still has exactly
+    /// `samplesAcross` samples in each tile.
+    int shearRows = 0;
+    std::vector<int> entities; ///< what is drawn into it
+    /// Parts that finer windows draw; they begin and end at samples of this window.
+    std::vector<ImageRectangle> leftOut;
+
+    static constexpr int deepestLevel = 40;
+
+    double tileSide_px() const;
+    ImageRectangle rectangle() const;
+    /// The pixels that its tiles belong to.
+    PixelWindow pixels() const;
+    /// Of its drawing, samples.
+    int width() const { return tilesWide * samplesAcross + columnsOfShear(); }
+    int height() const { return tilesHigh * samplesDown; }
+    /// Rectangle of its drawing, which a shear makes wider.
+    ImageRectangle drawnRectangle() const;
+    /// How far the samples of a row, counted from the top, are moved, samples.
+    double shift(int row) const { return shearRows ? static_cast<double>(row) / shearRows : 0.0; }
+    /// What one sample is of a pixel's area.
+    double share() const;
+    /// Samples per pixel and axis, the coarser of the two axes.
+    double density() const;
+    /// Whole tiles of at most `side` samples each way.
+    std::vector<SampleWindow> pieces(int side) const;
+
+    /// Calls visit(first, count, x, y) for every run of samples of one row that fall to pixel (x,
+    /// y): `count` samples from index `first` on, in the order of a drawing, bottom row first.
+    template <typename Visit>
+    void forEachRun(Visit visit) const;
+
+  private:
+    /// 1 for the samples of a row, counted from the top, that finer windows draw; empty when there
+    /// are none.
+    std::vector<char> skippedOf(int row) const;
+    int columnsOfShear() const { return shearRows ? (height() - 1) / shearRows + 1 : 0; }
+};
+
+template <typename Visit>
+void SampleWindow::forEachRun(Visit visit) const {
+    for (int row = 0; row < height(); ++row) {
+        const std::vector<char> skipped = leftOut.empty() ? std::vector<char>{} : skippedOf(row);
+        const int y = static_cast<int>((tileY + row / samplesDown) >> level);
+        std::size_t first =
+            static_cast<std::size_t>(height() - 1 - row) * static_cast<std::size_t>(width()) +
+            static_cast<std::size_t>(std::ceil(shift(row) - 0.5));
+        for (int tile = 0; tile < tilesWide;
+             ++tile, first += static_cast<std::size_t>(samplesAcross)) {
+            const int x = static_cast<int>((tileX + tile) >> level);
+            if (skipped.empty()) {
+                visit(first, samplesAcross, x, y);
+                continue;
+            }
+            for (int s = 0; s < samplesAcross; ++s)
+                if (!skipped[static_cast<std::size_t>(tile * samplesAcross + s)])
+                    visit(first + static_cast<std::size_t>(s), 1, x, y);
+        }
+    }
+}
+
+} // namespace irsg

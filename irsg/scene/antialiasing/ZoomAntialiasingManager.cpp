@@ -1,0 +1,38 @@
+#include "irsg/scene/antialiasing/ZoomAntialiasingManager.h"
+
+#include "irsg/scene/antialiasing/PixelAlignedStrategy.h"
+#include "irsg/scene/antialiasing/SupersamplingStrategy.h"
+
+namespace irsg {
+
+namespace {
+
+/// The most nearly square grid of so many samples, wider than high.
+SupersamplingStrategy samplesInAll(int samples) {
+    int down = 1;
+    for (int n = 1; n * n <= samples; ++n)
+        if (samples % n == 0)
+            down = n;
+    return {samples / down, down};
+}
+
+std::unique_ptr<AbstractZoomAntialiasingStrategy> make(const RenderSettings& settings) {
+    if (settings.zoomWindow > 0)
+        return std::make_unique<PixelAlignedStrategy>(settings.zoomWindow);
+    const int n = settings.samplesPerAxis;
+    return std::make_unique<SupersamplingStrategy>(
+        settings.samplesInAll ? samplesInAll(n) : SupersamplingStrategy(n, n));
+}
+
+} // namespace
+
+const AbstractZoomAntialiasingStrategy&
+ZoomAntialiasingManager::strategyFor(const RenderSettings& settings) {
+    if (!strategy_ || settings != settings_) {
+        strategy_ = make(settings);
+        settings_ = settings;
+    }
+    return *strategy_;
+}
+
+} // namespace irsg

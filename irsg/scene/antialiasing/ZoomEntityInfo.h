@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "irsg/scene/CameraFrame.h"
+#include "irsg/scene/DrawList.h"
+
+namespace irsg {
+
+/// Where an object is seen: what a strategy plans its windows from.
+struct ZoomEntityInfo {
+    int entity = 0;
+    /// Holds every pixel the object can touch; the part inside the frame.
+    ImageRectangle extent;
+    DepthRange depth;
+};
+
+/// The extent of a model at `pose` is the intersection of those of its box and its ball. Nothing
+/// where it lies behind the camera or outside the frame; the whole frame where it reaches behind
+/// the camera.
+std::optional<ZoomEntityInfo> zoomEntityInfo(int entity, const CameraFrame& camera,
+                                             const BoundingBox& box, const BoundingBall& ball,
+                                             const Pose& pose);
+
+} // namespace irsg

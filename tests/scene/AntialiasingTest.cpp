@@ -1,0 +1,305 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "irsg/radiometry/Planck.h"
+#include "irsg/radiometry/Units.h"
+#include "tests/support/SceneFixtures.h"
+
+using namespace irsg;
+using namespace irsg::test;
+
+namespace {
+
+const IrCodes one{1, 1};
+constexpr double pixel_rad = 1e-4;
+constexpr double emissivity = 0.9, temperature_K = 320.0;
+
+Irsg& generator(double background_W_m2_sr = 0.0) {
+    static Irsg irsg;
+    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    RenderSettings settings;
+    settings.background = BackgroundMode::constant;
+    settings.background_W_m2_sr = background_W_m2_sr;
+    irsg.setSettings(settings);
+    return irsg;
+}
+
+void useZoom(Irsg& irsg, int size) {
+    RenderSettings settings = irsg.settings();
+    settings.zoomWindow = size;
+    irsg.setSettings(settings);
+}
+
+/// Looks at the first object, `size_m` wide, so that it is `size_px` pixels wide.
+View viewOf(double size_m, double size_px) {
+    const int frame_px = static_cast<int>(std::ceil(1.5 * size_px)) + 6;
+    return {.range_m = size_m / (size_px * pixel_rad),
+            .width_px = frame_px,
+            .height_px = frame_px,
+            .fieldOfView_rad = 2.0 * std::atan(0.5 * frame_px * pixel_rad)};
+}
+
+Entity grey(const Mesh& mesh) {
+    return entityOf(modelOf(mesh), greyDatabase(emissivity, temperature_K));
+}
+
+double greyRadiance_W_m2_sr() {
+    return emissivity * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), temperature_K);
+}
+
+/// Moves the first object by fractions of a pixel right and up.
+void shift(Irsg& irsg, double right_px, double up_px, Attitude attitude = {}) {
+    const Viewpoint& camera = irsg.viewpoint();
+    const double step_m = pixel_rad * length(camera.position_m - Vec3{0, 0, standingAltitude_m});
+    Pose pose{{0, 0, standingAltitude_m}, attitude};
+    pose.position_m =
+        pose.position_m + camera.right * (right_px * step_m) + camera.up * (up_px * step_m);
+    irsg.setPose(0, pose);
+}
+
+struct Errors {
+    double rms = 0.0, worst = 0.0;
+};
+
+/// Contrast intensity against the solid angle of the mesh, over 16 x 16 phases that are irrational
+/// to every lattice of samples.
+Errors errorsOverPhases(Irsg& irsg, const Mesh& mesh, double size_m, double size_px,
+                        double roll_rad) {
+    irsg.setEntities({grey(mesh)});
+    look(irsg, viewOf(size_m, size_px));
+    const Attitude attitude{0, 0, roll_rad};
+    Errors errors;
+    for (int i = 0; i < 16; ++i)
+        for (int j = 0; j < 16; ++j) {
+            shift(irsg, std::fmod(i * 0.61803398875 + 0.1, 1.0),
+                  std::fmod(j * 0.41421356237 + 0.3, 1.0), attitude);
+            const Vec3 away = irsg.viewpoint().position_m - irsg.entities()[0].pose.position_m;
+            const Vec3 from = attitude.rotation().transposed() * away;
+            const double truth =
+                greyRadiance_W_m2_sr() * convexSolidAngle_sr(mesh, from) * dot(away, away);
+            const double error = irsg.measure().all.contrastIntensity_W_sr / truth - 1.0;
+            errors.rms += error * error / 256.0;
+            errors.worst = std::max(errors.worst, std::abs(error));
+        }
+    errors.rms = std::sqrt(errors.rms);
+    return errors;
+}
+
+/// An L of two plates 2 m high that face the camera.
+Mesh lShape() {
+    return joined(plateMesh({-0.7, 0, 0}, {0, 0, 1}, {0.3, 0, 0}, one),
+                  plateMesh({0.3, 0, -0.8}, {0, 0, 0.2}, {0.7, 0, 0}, one));
+}
+
+const double sizes_px[] = {100.0, 30.0, 3.0, 1.0, 0.6, 0.1, 0.01};
+
+} // namespace
+
+TEST(AlignedZoom, KeepsTheIntensityOfASphereAtEveryPhaseFromAHundredPixelsToAHundredth) {
+    const Mesh mesh = sphereMesh(1.0, 48, 96, one);
+    Irsg& irsg = generator();
+    for (double size_px : sizes_px) {
+        const Errors errors = errorsOverPhases(irsg, mesh, 2.0, size_px, 0.0);
+        EXPECT_LE(errors.rms, 1e-3) << size_px << " px";
+        EXPECT_LE(errors.worst, 1e-2) << size_px << " px";
+        std::printf("sphere %6.2f px: RMS %.1e, largest %.1e\n", size_px, errors.rms, errors.worst);
+    }
+}
+
+TEST(AlignedZoom, KeepsTheIntensityOfALopsidedBodyThatIsTurned) {
+    Irsg& irsg = generator();
+    for (double angle_deg : {5.0, 30.0, 45.0, 85.0})
+        for (double size_px : sizes_px) {
+            const Errors errors =
+                errorsOverPhases(irsg, lShape(), 2.0, size_px, radians(angle_deg));
+            EXPECT_LE(errors.rms, 1e-3) << size_px << " px at " << angle_deg << " deg";
+            EXPECT_LE(errors.worst, 1e-2) << size_px << " px at " << angle_deg << " deg";
+            std::printf("L at %.0f deg, %6.2f px: RMS %.1e, largest %.1e\n", angle_deg, size_px,
+                        errors.rms, errors.worst);
+        }
+}
+
+TEST(AlignedZoom, KeepsTheIntensityOfEdgesAlongThePixels) {
+    Irsg& irsg = generator();
+    for (double size_px : sizes_px) {
+        const Errors errors = errorsOverPhases(irsg, lShape(), 2.0, size_px, 0.0);
+        EXPECT_LE(errors.rms, 5e-3) << size_px << " px";
+        std::printf("L, upright %6.2f px: RMS %.1e, largest %.1e\n", size_px, errors.rms,
+                    errors.worst);
+    }
+}
+
+TEST(AlignedZoom, SharesASmallObjectAmongThePixelsItTouches) {
+    // A sphere 0.2 pixels wide on a corner, an edge and in the middle of pixels.
+    Irsg& irsg = generator();
+    irsg.setEntities({grey(sphereMesh(1.0, 64, 128, one))});
+    look(irsg, viewOf(2.0, 0.2)); // an odd number of pixels: it looks at the middle of one
+    const double whole = greyRadiance_W_m2_sr() * pi * 0.01;
+    const int middle = irsg.sensor().width_px / 2;
+    ASSERT_EQ(irsg.sensor().width_px % 2, 1);
+    const auto pixel = [&](const RadianceImage& image, int right, int down) {
+        return static_cast<double>(image.at(middle + right, middle + down));
+    };
+    const RadianceImage centred = irsg.render().image;
+    EXPECT_NEAR(pixel(centred, 0, 0) / whole, 1.0, 2e-3);
+    EXPECT_EQ(pixel(centred, 1, 0), 0.0);
+
+    shift(irsg, 0.5, 0.0);
+    const RadianceImage onEdge = irsg.render().image;
+    EXPECT_NEAR(pixel(onEdge, 0, 0) / whole, 0.5, 2e-3);
+    EXPECT_NEAR(pixel(onEdge, 1, 0) / whole, 0.5, 2e-3);
+
+    shift(irsg, 0.5, 0.5);
+    const RadianceImage onCorner = irsg.render().image;
+    for (const auto& [right, down] : {std::pair{0, 0}, {1, 0}, {0, -1}, {1, -1}})
+        EXPECT_NEAR(pixel(onCorner, right, down) / whole, 0.25, 2e-3);
+}
+
+TEST(AlignedZoom, CrossesItsThresholdsWithoutAJump) {
+    // The object becomes less than a pixel, and less than a tile: intensity stays.
+    const Mesh mesh = sphereMesh(1.0, 48, 96, one);
+    Irsg& irsg = generator();
+    irsg.setEntities({grey(mesh)});
+    for (double threshold_px : {128.0, 85.0, 64.0, 2.0, 1.0, 0.5, 0.25, 0.125}) {
+        const auto relative = [&](double size_px) {
+            const View view = viewOf(2.0, size_px);
+            look(irsg, view);
+            shift(irsg, 0.37, 0.21);
+            const Vec3 away = irsg.viewpoint().position_m - irsg.entities()[0].pose.position_m;
+            return irsg.measure().all.intensity_W_sr /
+                   (greyRadiance_W_m2_sr() * convexSolidAngle_sr(mesh, away) * dot(away, away));
+        };
+        EXPECT_NEAR(relative(threshold_px * 1.001), relative(threshold_px * 0.999), 3e-3)
+            << threshold_px << " px";
+    }
+}
+
+TEST(AlignedZoom, HidesAndShowsASmallObjectBeforeALargeOne) {
+    // A hot point 0.1 pixels wide, before and behind a cold plate of 40 pixels.
+    Irsg& irsg = generator();
+    Entity plate = grey(plateMesh({}, {0, 0, 4}, {4, 0, 0}, one));
+    Entity point = entityOf(modelOf(sphereMesh(0.01, 64, 128, one)), greyDatabase(1.0, 900.0));
+    plate.name = "plate";
+    point.name = "point";
+    irsg.setEntities({plate, point});
+    look(irsg, viewOf(8.0, 40.0));
+    shift(irsg, 0.37, 0.21);
+    const double range_m = length(irsg.viewpoint().position_m - Vec3{0, 0, standingAltitude_m});
+
+    irsg.setPose(1, {{1.01, -1.0, standingAltitude_m + 0.7}, {}});
+    const double behind_W_sr = irsg.render().report.all.intensity_W_sr;
+    EXPECT_EQ(irsg.measure().objects[1].coveredPixels, 0.0);
+
+    irsg.setPose(1, {{1.01, 1.0, standingAltitude_m + 0.7}, {}});
+    const RenderReport before = irsg.render().report;
+    const double hot = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 900.0);
+    const double seenArea_m2 = pi * 0.01 * 0.01 * std::pow(range_m / (range_m - 1.0), 2);
+    EXPECT_NEAR((before.all.intensity_W_sr - behind_W_sr) /
+                    ((hot - greyRadiance_W_m2_sr()) * seenArea_m2),
+                1.0, 5e-3);
+    EXPECT_NEAR(before.objects[1].coveredPixels / (pi * 0.05 * 0.05), 1.0, 5e-3);
+}
+
+TEST(AlignedZoom, KeepsTheTargetInABackgroundOfAnyLevel) {
+    // The background is the target's own radiance but for 1e-6, and a million times as bright.
+    Irsg& irsg = generator();
+    const Mesh mesh = sphereMesh(1.0, 48, 96, one);
+    irsg.setEntities({grey(mesh)});
+    look(irsg, viewOf(2.0, 0.3));
+    shift(irsg, 0.37, 0.21);
+    const double dark = irsg.render().report.all.contrastIntensity_W_sr;
+    for (double ratio : {1.0 + 1e-6, 1e6}) {
+        Irsg& bright = generator(ratio * greyRadiance_W_m2_sr());
+        const ObjectRadiometry all = bright.render().report.all;
+        EXPECT_NEAR(all.contrastIntensity_W_sr / ((1.0 - ratio) * dark), 1.0,
+                    ratio < 2.0 ? 0.2 : 1e-6);
+        EXPECT_NEAR(bright.measure().all.contrastIntensity_W_sr / ((1.0 - ratio) * dark), 1.0,
+                    ratio < 2.0 ? 0.2 : 1e-6);
+    }
+}
+
+TEST(AlignedZoom, DrawsTheSameImageTwiceAndInAnyOrderOfObjects) {
+    Irsg& irsg = generator(0.3);
+    Entity ball = grey(sphereMesh(1.0, 64, 128, one));
+    Entity box = entityOf(modelOf(boxMesh({0.5, 2, 0.4}, std::vector<IrCodes>(6, one))),
+                          greyDatabase(0.5, 400.0));
+    Entity far = entityOf(modelOf(lShape()), greyDatabase(0.7, 500.0));
+    box.pose = {{0.4, 0.3, standingAltitude_m + 0.2}, {0.3, 0.2, 0.1}};
+    far.pose = {{9.0, 0.3, standingAltitude_m + 0.2}, {0.3, 0.2, 0.1}};
+    ball.pose = {{0, 0, standingAltitude_m}, {}};
+    View view = viewOf(2.0, 12.0);
+    view.width_px = view.height_px = 160;
+    view.fieldOfView_rad = 2.0 * std::atan(80 * pixel_rad);
+
+    irsg.setEntities({ball, box, far});
+    look(irsg, view);
+    const Viewpoint camera = irsg.viewpoint();
+    const RadianceImage first = irsg.render().image, again = irsg.render().image;
+    EXPECT_EQ(first.primary().values, again.primary().values);
+    irsg.setEntities({far, box, ball});
+    irsg.setViewpoint(camera);
+    const RadianceImage other = irsg.render().image;
+    for (std::size_t i = 0; i < other.primary().values.size(); ++i)
+        EXPECT_NEAR(other.primary().values[i], first.primary().values[i],
+                    1e-6f * first.primary().values[i]);
+}
+
+TEST(AlignedZoom, ShowsWhatLeavesTheFrameStraddlesItOrStandsAroundTheCamera) {
+    Irsg& irsg = generator();
+    const Mesh mesh = sphereMesh(1.0, 48, 96, one);
+    irsg.setEntities({grey(mesh)});
+    look(irsg, viewOf(2.0, 10.0)); // 21 pixels
+    // Half of it beyond the right edge, 10.5 pixels from the middle.
+    shift(irsg, 10.5, 0.0);
+    const double half = irsg.render().report.all.coveredPixels;
+    EXPECT_NEAR(half / (0.5 * pi * 25.0), 1.0, 5e-3);
+    shift(irsg, 15.7, 0.0);
+    EXPECT_EQ(irsg.render().report.all.coveredPixels, 0.0);
+
+    // Behind the camera; around the camera, whose walls then fill the frame.
+    Viewpoint camera = irsg.viewpoint();
+    irsg.setPose(0, {camera.position_m + camera.backward * 50.0, {}});
+    EXPECT_EQ(irsg.render().report.all.coveredPixels, 0.0);
+    irsg.setPose(0, {camera.position_m + camera.backward * 0.3, {}});
+    const RenderedImage inside = irsg.render();
+    EXPECT_NEAR(inside.report.all.coveredPixels, 441.0, 1e-6);
+    EXPECT_NEAR(inside.image.at(3, 4) / greyRadiance_W_m2_sr(), 1.0, 1e-5);
+}
+
+TEST(AlignedZoom, NamesTheSurfaceOfAnObjectSmallerThanAPixel) {
+    Irsg& irsg = generator();
+    irsg.setEntities({grey(sphereMesh(1.0, 64, 128, one))});
+    look(irsg, viewOf(2.0, 0.1));
+    shift(irsg, 0.3, 0.2);
+    RenderSettings settings = irsg.settings();
+    settings.truthLayers = true;
+    irsg.setSettings(settings);
+    const RadianceImage image = irsg.render().image;
+    const std::size_t middle = image.offset(3, 3);
+    EXPECT_EQ(image.find("temperature_index")->values[middle], 1.0f);
+    float sum = 0.0f;
+    for (const char* term : {"thermal", "sun", "up", "down", "path", "background"})
+        sum += image.find(term)->values[middle];
+    // The terms are a drawing of their own, in which a sample on the outline may fall differently.
+    EXPECT_NEAR(sum / image.primary().values[middle], 1.0, 1e-4);
+}
+
+TEST(SupersamplingInAll, CountsItsSamplesInAll) {
+    // Two in all lie side by side: a plate over the lower half of a pixel is seen whole or not.
+    Irsg& irsg = generator();
+    RenderSettings settings = irsg.settings();
+    settings.zoomWindow = 0;
+    settings.samplesPerAxis = 4;
+    irsg.setEntities({grey(sphereMesh(1.0, 64, 128, one))});
+    look(irsg, viewOf(2.0, 5.0));
+    settings.samplesInAll = true;
+    irsg.setSettings(settings);
+    const RadianceImage fourInAll = irsg.render().image;
+    settings.samplesInAll = false;
+    settings.samplesPerAxis = 2;
+    irsg.setSettings(settings);
+    EXPECT_EQ(irsg.render().image.primary().values, fourInAll.primary().values);
+    useZoom(irsg, 128);
+    EXPECT_NE(irsg.render().image.primary().values, fourInAll.primary().values);
+}

@@ -1,0 +1,176 @@
+#include "irsg/scene/antialiasing/SampleWindow.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <set>
+
+#include "irsg/scene/antialiasing/PixelAlignedStrategy.h"
+#include "irsg/scene/antialiasing/SupersamplingStrategy.h"
+
+using namespace irsg;
+
+namespace {
+
+ZoomEntityInfo object(int entity, double left, double top, double width, double height) {
+    return {entity, {left, top, left + width, top + height}, {1.0, 2.0}};
+}
+
+/// Area that the samples of windows add to each pixel, px.
+std::map<std::pair<int, int>, double> areas(const std::vector<SampleWindow>& windows) {
+    std::map<std::pair<int, int>, double> area;
+    for (const SampleWindow& window : windows)
+        window.forEachRun([&](std::size_t, int count, int x, int y) {
+            area[{x, y}] += count * window.share();
+        });
+    return area;
+}
+
+/// The windows that draw a point of the image plane.
+int drawnTimes(const std::vector<SampleWindow>& windows, double x, double y) {
+    int times = 0;
+    for (const SampleWindow& window : windows) {
+        const auto holds = [&](const ImageRectangle& r) {
+            return x >= r.left && x < r.right && y >= r.top && y < r.bottom;
+        };
+        if (holds(window.rectangle()) && std::ranges::none_of(window.leftOut, holds))
+            ++times;
+    }
+    return times;
+}
+
+} // namespace
+
+TEST(SampleWindow, GivesEverySampleToThePixelOfItsTile) {
+    SampleWindow window;
+    window.level = 2;
+    window.tileX = 4 * 10 + 3; // the last quarter of pixel 10
+    window.tileY = 4 * 7;
+    window.tilesWide = 2;
+    window.tilesHigh = 1;
+    window.samplesAcross = 3;
+    window.samplesDown = 2;
+    EXPECT_EQ(window.pixels(), (PixelWindow{10, 7, 2, 1}));
+    EXPECT_DOUBLE_EQ(window.rectangle().left, 10.75);
+    EXPECT_DOUBLE_EQ(window.rectangle().bottom, 7.25);
+
+    std::set<std::size_t> seen;
+    window.forEachRun([&](std::size_t first, int count, int x, int y) {
+        EXPECT_EQ(y, 7);
+        for (int s = 0; s < count; ++s) {
+            const std::size_t index = first + static_cast<std::size_t>(s);
+            EXPECT_TRUE(seen.insert(index).second);
+            EXPECT_EQ(x, index % 6 < 3 ? 10 : 11);
+        }
+    });
+    EXPECT_EQ(seen.size(), 12u);
+    const auto area = areas({window});
+    EXPECT_DOUBLE_EQ(area.at({10, 7}), 1.0 / 16.0);
+}
+
+TEST(SampleWindow, ShearsItsRowsAndKeepsTheirSamplesInEveryTile) {
+    SampleWindow window;
+    window.tileX = 5;
+    window.tileY = 3;
+    window.tilesWide = 3;
+    window.tilesHigh = 4;
+    window.samplesAcross = window.samplesDown = 5;
+    window.shearRows = 4;
+    EXPECT_EQ(window.width(), 15 + 5);
+    for (const auto& [pixel, area] : areas({window}))
+        EXPECT_DOUBLE_EQ(area, 1.0);
+    // The sample of column c stands at (c + 1/2 - shift) fifths of a pixel, inside its pixel.
+    window.forEachRun([&](std::size_t first, int count, int x, int y) {
+        const int row = window.height() - 1 - static_cast<int>(first) / window.width();
+        for (int s = 0; s < count; ++s) {
+            const int column = static_cast<int>(first) % window.width() + s;
+            const double place = 5.0 + (column + 0.5 - window.shift(row)) / 5.0;
+            EXPECT_GE(place, x - 1e-12);
+            EXPECT_LT(place, x + 1.0);
+        }
+        EXPECT_EQ(y, 3 + row / 5);
+    });
+}
+
+TEST(SampleWindow, IsTheSameInPieces) {
+    SampleWindow window;
+    window.tileX = 5;
+    window.tileY = 3;
+    window.tilesWide = 7;
+    window.tilesHigh = 5;
+    window.samplesAcross = window.samplesDown = 3;
+    window.leftOut = {{6.0, 4.0, 8.0, 5.0}};
+    const std::vector<SampleWindow> pieces = window.pieces(7);
+    EXPECT_EQ(pieces.size(), 12u);
+    const auto whole = areas({window}), cut = areas(pieces);
+    ASSERT_EQ(whole.size(), 33u);
+    EXPECT_EQ(whole.count({6, 4}), 0u);
+    for (const auto& [pixel, area] : whole)
+        EXPECT_DOUBLE_EQ(cut.at(pixel), area);
+}
+
+TEST(PixelAlignedStrategy, SpendsItsSamplesOnTheObjectHoweverSmall) {
+    const PixelAlignedStrategy strategy(256);
+    for (double size_px : {60.0, 3.0, 1.0, 0.7, 0.3, 0.01, 1e-3, 1e-6}) {
+        const auto windows = strategy.windows({object(0, 100.3, 50.9, size_px, 0.5 * size_px)});
+        ASSERT_EQ(windows.size(), 1u);
+        const SampleWindow& window = windows.front();
+        const double across = size_px * window.density();
+        EXPECT_GE(across, 180.0) << size_px << " px";
+        EXPECT_LE(window.width(), 256) << size_px << " px";
+    }
+}
+
+TEST(PixelAlignedStrategy, KeepsTwoSamplesAnAxisAboveItsSize) {
+    const auto windows = PixelAlignedStrategy(128).windows({object(0, 0, 0, 640, 512)});
+    ASSERT_EQ(windows.size(), 1u);
+    EXPECT_EQ(windows.front().samplesAcross, 2);
+    EXPECT_EQ(windows.front().pixels(), (PixelWindow{0, 0, 640, 512}));
+}
+
+TEST(PixelAlignedStrategy, DrawsObjectsThatDoNotOverlapApart) {
+    const auto windows =
+        PixelAlignedStrategy(256).windows({object(0, 10, 10, 5, 5), object(1, 15.5, 10, 5, 5)});
+    ASSERT_EQ(windows.size(), 2u);
+    EXPECT_EQ(windows[0].entities, std::vector<int>{0});
+    EXPECT_EQ(windows[1].entities, std::vector<int>{1});
+}
+
+TEST(PixelAlignedStrategy, DrawsAPointNearALargeObjectFinelyAndEveryPointOnce) {
+    const std::vector<ZoomEntityInfo> objects{
+        object(0, 100.2, 80.7, 90, 40), object(1, 150.37, 99.61, 0.01, 0.02),
+        object(2, 150.1, 99.2, 0.6, 0.6), object(3, 120.6, 90.4, 4.0, 3.0)};
+    for (int size : {128, 256, 512}) {
+        const auto windows = PixelAlignedStrategy(size).windows(objects);
+        EXPECT_GT(windows.size(), 3u);
+        for (const SampleWindow& window : windows)
+            EXPECT_EQ(window.entities, (std::vector<int>{0, 1, 2, 3}));
+
+        // Over the point object the samples are dense; every point is drawn exactly once.
+        double densest = 0.0;
+        for (const SampleWindow& window : windows)
+            if (window.rectangle().intersects(objects[1].extent))
+                densest = std::max(densest, window.density());
+        EXPECT_GE(densest * 0.02, size / 6.0);
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> u(0.0, 1.0);
+        for (const ZoomEntityInfo& part : objects)
+            for (int i = 0; i < 4000; ++i)
+                EXPECT_EQ(drawnTimes(windows, part.extent.left + u(random) * part.extent.width(),
+                                     part.extent.top + u(random) * part.extent.height()),
+                          1);
+        // Samples fill the pixels as their areas do: no sample lies across a border.
+        for (const auto& [pixel, area] : areas(windows))
+            EXPECT_NEAR(area, 1.0, 1e-12) << pixel.first << ", " << pixel.second;
+    }
+}
+
+TEST(SupersamplingStrategy, SamplesEveryPixelAlike) {
+    const auto windows =
+        SupersamplingStrategy(2, 1).windows({object(0, 10.2, 5.1, 3, 2), object(1, 11, 6, 9, 2)});
+    ASSERT_EQ(windows.size(), 1u);
+    EXPECT_EQ(windows.front().pixels(), (PixelWindow{10, 5, 10, 3}));
+    EXPECT_EQ(windows.front().width(), 20);
+    EXPECT_EQ(windows.front().height(), 3);
+}
