@@ -215,7 +215,8 @@ INSTANTIATE_TEST_SUITE_P(Views, SmatBatchEmptyView,
                          testing::Values(EmptyViewRow{"CameraAtTheReferencePoint",
                                                       {"--range", "0"}},
                                          EmptyViewRow{"CameraInsideTheTarget", {"--range", "0.5"}},
-                                         EmptyViewRow{"TargetFarBelowASample", {"--range", "1e7"}}),
+                                         EmptyViewRow{"TargetFarBelowASampleOfMode2",
+                                                      {"--range", "1e7", "--antialiasing", "2"}}),
                          [](const auto& row) { return row.param.name; });
 
 TEST(SmatBatchProject, WarnsOfKeysItDoesNotKnow) {

@@ -8,16 +8,6 @@
 
 namespace irsg {
 
-/// A rectangle of pixels of the sensor, top left pixel first.
-struct PixelWindow {
-    int x = 0, y = 0, width = 0, height = 0;
-
-    bool empty() const { return width <= 0 || height <= 0; }
-    PixelWindow unitedWith(const PixelWindow& other) const;
-    bool intersects(const PixelWindow& other) const;
-    bool operator==(const PixelWindow&) const = default;
-};
-
 /// A rectangle of the image plane in pixels, from the top left corner of the frame to the right and
 /// down; not bound to whole pixels.
 struct ImageRectangle {
@@ -31,6 +21,20 @@ struct ImageRectangle {
     bool intersects(const ImageRectangle& other) const;
     ImageRectangle unitedWith(const ImageRectangle& other) const;
     ImageRectangle intersectedWith(const ImageRectangle& other) const;
+};
+
+/// A rectangle of pixels of the sensor, top left pixel first.
+struct PixelWindow {
+    int x = 0, y = 0, width = 0, height = 0;
+
+    ImageRectangle rectangle() const {
+        return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(x + width),
+                static_cast<double>(y + height)};
+    }
+    bool empty() const { return width <= 0 || height <= 0; }
+    PixelWindow unitedWith(const PixelWindow& other) const;
+    bool intersects(const PixelWindow& other) const;
+    bool operator==(const PixelWindow&) const = default;
 };
 
 /// A piece of the image plane that is drawn in one go. It lies on a grid of square tiles whose side

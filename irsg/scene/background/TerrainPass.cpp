@@ -89,7 +89,7 @@ struct TerrainPass::Parts {
         glDisable(GL_CULL_FACE);
         program.use();
         const osg::Matrixd clipFromLocal =
-            camera.eyeFromModel(terrain->pose()) * camera.clipFromEye(piece, depth);
+            camera.eyeFromModel(terrain->pose()) * camera.clipFromEye(piece.rectangle(), depth);
         program.set("clipFromModel", clipFromLocal);
         program.set("texels", 0);
         glActiveTexture(GL_TEXTURE0);
