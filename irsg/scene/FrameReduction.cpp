@@ -55,6 +55,13 @@ void FrameReduction::add(const SampleWindow& window, const RadianceSamples& samp
     });
 }
 
+void FrameReduction::cover(int x, int y, double radiance_W_m2_sr, double opacity) {
+    Patch& patch = patchOf({x, y, 1, 1});
+    const std::size_t pixel = patch.offset(x, y);
+    patch.radiance[pixel] = radiance_W_m2_sr + (1.0 - opacity) * patch.radiance[pixel];
+    patch.opacity[pixel] = opacity + (1.0 - opacity) * patch.opacity[pixel];
+}
+
 ObjectRadiometry FrameReduction::objects(const FrameBackground& background, double range_m) const {
     ObjectRadiometry sum;
     sum.name = "all";

@@ -18,6 +18,8 @@ class FrameReduction {
     FrameReduction(const Sensor& sensor, const std::vector<SampleWindow>& windows);
 
     void add(const SampleWindow& window, const RadianceSamples& samples);
+    /// Lays a premultiplied radiance over what a pixel holds.
+    void cover(int x, int y, double radiance_W_m2_sr, double opacity);
 
     /// Sums over all pixels added, for objects at a range.
     ObjectRadiometry objects(const FrameBackground& background, double range_m) const;

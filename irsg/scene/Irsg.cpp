@@ -89,22 +89,8 @@ void Irsg::checkConfiguration() const {
 RenderedImage Irsg::render() {
     Parts& p = *parts_;
     const Parts::Frame frame = p.frame();
-    FrameReduction reduction(p.sensor, frame.windows);
     RenderedImage result;
-
-    // Draw the windows that can see an object; everything else is background.
-    double reducing_s = 0.0;
-    if (!frame.windows.empty())
-        p.onContext([&](osg::RenderInfo& info) {
-            RadianceSamples samples;
-            for (const SampleWindow& window : frame.windows) {
-                p.pass->drawRadiance(info, Parts::sceneOf(frame, window), window, samples);
-                result.report.layersLeftOver += samples.layersLeftOver;
-                Stopwatch watch(reducing_s);
-                reduction.add(window, samples);
-            }
-        });
-    p.addTime("reduction", reducing_s);
+    const FrameReduction reduction = p.drawObjects(frame, result.report);
 
     // Sums in double on the objects' own windows, then the picture.
     p.timed("composition", [&] {

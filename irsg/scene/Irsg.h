@@ -39,11 +39,18 @@ enum class BackgroundMode {
     environment ///< uniform: the environment's along the line of sight at the field's centre
 };
 
+/// How zoom antialiasing samples.
+enum class ZoomStrategy {
+    aligned, ///< windows on the sensor's pixel grid, see PixelAlignedStrategy
+    sills    ///< as published, see SillsBasedStrategy
+};
+
 struct RenderSettings {
     CalculationMode mode = CalculationMode::spectral;
     /// Zoom antialiasing: side of the windows that objects are drawn into, samples; 128, 256 or 512
     /// for modes 3 to 5 of the report, any from 8 to 2048. 0: every pixel is sampled alike.
     int zoomWindow = 256;
+    ZoomStrategy zoomStrategy = ZoomStrategy::aligned;
     /// Supersampling, where there is no zoom window: 1, 2 or 4 for modes 0 to 2; any 1 to 16.
     int samplesPerAxis = 4;
     /// `samplesPerAxis` is meant in all, not per axis: 4 is 2 x 2, and 2 is two side by side.

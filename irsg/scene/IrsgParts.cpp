@@ -18,7 +18,7 @@ namespace irsg {
 namespace {
 
 /// Largest side of one drawing, samples: bounds the memory of the targets.
-constexpr int largestDrawing = 2048;
+constexpr int largestSide = 2048;
 
 bool isTransparent(const SurfaceSpectra& surface) {
     return std::ranges::any_of(surface.transmissivity, [](double t) { return t > 0.0; });
@@ -124,12 +124,10 @@ Irsg::Parts::Frame Irsg::Parts::frame() {
                 : SceneRadiometry(environment, entities, objects, settings, centre(), terms),
             FrameBackground{},
             {},
-            {},
             {}};
         result.background = FrameBackground(result.radiometry.backgroundInBand_W_m2_sr());
         fillRows(result);
         fillItems(result);
-        planWindows(result);
         return result;
     });
 }
@@ -160,47 +158,92 @@ void Irsg::Parts::fillItems(Frame& frame) const {
             continue;
         frame.seen.push_back(*seen);
 
-        const osg::Matrixd eyeFromModel = frame.camera.eyeFromModel(entity.pose);
         for (const DrawItem& item : drawItems[e]) {
             const int row = frame.radiometry.row(static_cast<int>(e), item.codes);
             const bool transparent =
                 isTransparent(frame.radiometry.surfaces()[static_cast<std::size_t>(row)]);
-            frame.scene.items.push_back({item.geometry.get(), item.modelFromLocal * eyeFromModel,
+            frame.scene.items.push_back({item.geometry.get(), item.modelFromLocal,
                                          static_cast<int>(e), row, transparent, item.cullsBackFaces,
                                          item.layer});
         }
     }
 }
 
-void Irsg::Parts::planWindows(Frame& frame) {
-    const int side = std::min(largestDrawing, context.maximumTargetSize());
-    for (const SampleWindow& window : antialiasing.strategyFor(settings).windows(frame.seen))
-        for (SampleWindow& piece : window.pieces(side))
-            frame.windows.push_back(std::move(piece));
+int Irsg::Parts::largestDrawing() const {
+    return std::min(largestSide, context.maximumTargetSize());
 }
 
-SurfaceScene Irsg::Parts::sceneOf(const Frame& frame, const SampleWindow& window) {
+SurfaceScene Irsg::Parts::sceneOf(const Frame& frame, const CameraFrame& camera,
+                                  const SampleWindow& window) const {
     const auto stands = [&](int entity) {
         return std::ranges::binary_search(window.entities, entity);
     };
     SurfaceScene scene;
-    scene.camera = &frame.camera;
-    scene.modes = frame.scene.modes;
+    scene.camera = &camera;
+    scene.modes = modes(camera);
     scene.rows = frame.scene.rows;
     scene.maximumLayers = frame.scene.maximumLayers;
-    std::ranges::copy_if(frame.scene.items, std::back_inserter(scene.items), stands,
-                         &SurfaceItem::entity);
+    for (const SurfaceItem& item : frame.scene.items)
+        if (stands(item.entity)) {
+            scene.items.push_back(item);
+            const Pose& pose = entities[static_cast<std::size_t>(item.entity)].pose;
+            scene.items.back().eyeFromLocal = item.eyeFromLocal * camera.eyeFromModel(pose);
+        }
 
     bool isFirst = true;
-    for (const ZoomEntityInfo& object : frame.seen) {
-        if (!stands(object.entity))
+    for (int e : window.entities) {
+        const Entity& entity = entities[static_cast<std::size_t>(e)];
+        const auto depth = camera.depthOf(entity.model->bounds(), entity.pose);
+        if (!depth)
             continue;
         DepthRange& all = scene.depth;
-        all.near_m = isFirst ? object.depth.near_m : std::min(all.near_m, object.depth.near_m);
-        all.far_m = isFirst ? object.depth.far_m : std::max(all.far_m, object.depth.far_m);
+        all.near_m = isFirst ? depth->near_m : std::min(all.near_m, depth->near_m);
+        all.far_m = isFirst ? depth->far_m : std::max(all.far_m, depth->far_m);
         isFirst = false;
     }
     return scene;
+}
+
+FrameReduction Irsg::Parts::drawObjects(const Frame& frame, RenderReport& report) {
+    AbstractZoomAntialiasingStrategy& strategy = antialiasing.strategyFor(settings);
+    if (frame.seen.empty())
+        return {sensor, {}};
+
+    /// Draws with the surface pass and minds the time that takes.
+    class SurfaceRttPass : public RttPass {
+      public:
+        SurfaceRttPass(Parts& parts, const Frame& frame, RenderReport& report,
+                       osg::RenderInfo& info)
+            : parts_(parts), frame_(frame), report_(report), info_(info) {}
+        int largestSide() const override { return parts_.largestDrawing(); }
+        void draw(const CameraFrame& camera, const SampleWindow& window,
+                  RadianceSamples& samples) override {
+            Stopwatch watch(seconds);
+            parts_.pass->drawRadiance(info_, parts_.sceneOf(frame_, camera, window), window,
+                                      samples);
+            report_.layersLeftOver += samples.layersLeftOver;
+        }
+        double seconds = 0.0;
+
+      private:
+        Parts& parts_;
+        const Frame& frame_;
+        RenderReport& report_;
+        osg::RenderInfo& info_;
+    };
+
+    double all_s = 0.0, drawing_s = 0.0;
+    std::optional<FrameReduction> reduction;
+    onContext([&](osg::RenderInfo& info) {
+        Stopwatch watch(all_s);
+        SurfaceRttPass rtt(*this, frame, report, info);
+        reduction = strategy.draw(frame.camera, frame.seen, rtt);
+        drawing_s = rtt.seconds;
+    });
+    addTime("reduction", all_s - drawing_s);
+    for (std::string& message : strategy.takeMessages())
+        report.warnings.push_back(std::move(message));
+    return std::move(*reduction);
 }
 
 void Irsg::Parts::onContext(const std::function<void(osg::RenderInfo&)>& work) {
@@ -298,7 +341,7 @@ void Irsg::Parts::addTruthLayers(const Frame& frame, RadianceImage& image) {
 void Irsg::Parts::fillReport(const Frame& frame, RenderReport& report) const {
     report.background_W_m2_sr = frame.radiometry.backgroundInBand_W_m2_sr();
     report.answeredBy = frame.radiometry.answeredBy();
-    report.warnings = frame.radiometry.warnings();
+    std::ranges::copy(frame.radiometry.warnings(), std::back_inserter(report.warnings));
     report.transmissivityResidue = frame.radiometry.transmissivityResidue();
     report.renderer = context.rendererDescription();
 }

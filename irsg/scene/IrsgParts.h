@@ -10,6 +10,7 @@
 
 #include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/DrawList.h"
+#include "irsg/scene/FrameReduction.h"
 #include "irsg/scene/Irsg.h"
 #include "irsg/scene/OffscreenContext.h"
 #include "irsg/scene/SceneCheck.h"
@@ -66,9 +67,8 @@ struct Irsg::Parts {
         std::vector<ObjectGeometry> geometry;
         SceneRadiometry radiometry;
         FrameBackground background;
-        SurfaceScene scene; // of all objects
+        SurfaceScene scene; // of all objects, in their model axes until sceneOf
         std::vector<ZoomEntityInfo> seen;
-        std::vector<SampleWindow> windows; // in pieces that fit a drawing
     };
 
     template <typename Work>
@@ -114,23 +114,31 @@ struct Irsg::Parts {
 
     void fillItems(Frame& frame) const;
 
-    void planWindows(Frame& frame);
+    /// Largest side of one drawing, samples.
+    int largestDrawing() const;
 
-    /// What of the scene stands in a window, between the depths it spans.
-    static SurfaceScene sceneOf(const Frame& frame, const SampleWindow& window);
+    /// What of the scene stands in a window as a camera sees it, between the depths it spans.
+    SurfaceScene sceneOf(const Frame& frame, const CameraFrame& camera,
+                         const SampleWindow& window) const;
+
+    /// Draws the objects with the strategy that the settings ask for.
+    FrameReduction drawObjects(const Frame& frame, RenderReport& report);
 
     void onContext(const std::function<void(osg::RenderInfo&)>& work);
 
     /// Draws the factors of the objects' windows and times what `sink` makes of them.
     template <typename Sink>
     void drawFactorWindows(const Frame& frame, bool withDistance, const char* stage, Sink sink) {
-        if (frame.windows.empty())
+        if (frame.seen.empty())
             return;
+        const std::vector<SampleWindow> windows =
+            piecesOf(antialiasing.strategyFor(settings).windows(frame.seen), largestDrawing());
         double sinking_s = 0.0;
         onContext([&](osg::RenderInfo& info) {
             FactorSamples samples;
-            for (const SampleWindow& window : frame.windows) {
-                pass->drawFactors(info, sceneOf(frame, window), window, withDistance, samples);
+            for (const SampleWindow& window : windows) {
+                pass->drawFactors(info, sceneOf(frame, frame.camera, window), window, withDistance,
+                                  samples);
                 Stopwatch watch(sinking_s);
                 sink(window, samples);
             }

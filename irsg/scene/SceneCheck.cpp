@@ -1,6 +1,7 @@
 #include "irsg/scene/SceneCheck.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -135,6 +136,10 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
     if (settings.zoomWindow != 0 && (settings.zoomWindow < 8 || settings.zoomWindow > 2048))
         offences.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
                             "0, or 8 to 2048 samples"});
+    if (settings.zoomStrategy == ZoomStrategy::sills && settings.zoomWindow > 0 &&
+        !std::has_single_bit(static_cast<unsigned>(settings.zoomWindow)))
+        offences.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
+                            "a power of two for the published zoom"});
     if (settings.samplesPerAxis < 1 || settings.samplesPerAxis > 16)
         offences.push_back(
             {"settings", "samples per axis", std::to_string(settings.samplesPerAxis), "1 to 16"});

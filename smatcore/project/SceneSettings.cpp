@@ -62,6 +62,8 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
     irsg::RenderSettings render;
     const int antialiasing = settings.integer("render.antialiasing");
     render.zoomWindow = antialiasing > 2 ? 128 << (antialiasing - 3) : 0;
+    render.zoomStrategy = settings.text("render.zoom") == "sills" ? irsg::ZoomStrategy::sills
+                                                                  : irsg::ZoomStrategy::aligned;
     render.samplesPerAxis = antialiasing > 2 ? 1 : 1 << antialiasing;
     render.samplesInAll = settings.text("render.supersampling") == "inAll";
     render.sun = reflection("render.sun");

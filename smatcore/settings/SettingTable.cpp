@@ -147,6 +147,12 @@ void addRendering(std::vector<SettingInfo>& table) {
         "Mode 0: one sample a pixel. Modes 1 and 2: 2 and 4 samples per axis in every pixel. Modes "
         "3, 4 and 5: every object is drawn into a window of 128, 256 or 512 samples a side, "
         "however small it is."));
+    table.push_back(
+        choice("render.zoom", "--zoom", "Zoom strategy", {"aligned", "sills"}, "aligned",
+               "How modes 3 to 5 sample: aligned on the sensor's pixel grid, or sills, "
+               "as published, to compare with: it loses and gains energy with the place "
+               "of an object among the pixels.",
+               SettingAudience::expert));
     table.push_back(choice("render.supersampling", "--supersampling", "Supersampling counts",
                            {"perAxis", "inAll"}, "perAxis",
                            "Whether the 2 and 4 samples of modes 1 and 2 are meant per axis of a "

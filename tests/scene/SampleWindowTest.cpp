@@ -14,7 +14,7 @@ using namespace irsg;
 namespace {
 
 ZoomEntityInfo object(int entity, double left, double top, double width, double height) {
-    return {entity, {left, top, left + width, top + height}, {1.0, 2.0}};
+    return {entity, {left, top, left + width, top + height}, {}, 1.0};
 }
 
 /// Area that the samples of windows add to each pixel, px.

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "irsg/scene/FrameReduction.h"
 #include "irsg/scene/antialiasing/SampleWindow.h"
 #include "irsg/scene/antialiasing/ZoomEntityInfo.h"
+#include "irsg/scene/multipass/RttPass.h"
 
 namespace irsg {
 
-/// How the image plane is cut into windows and how finely each is sampled.
+/// How the objects of a frame are sampled.
 class AbstractZoomAntialiasingStrategy {
   public:
     virtual ~AbstractZoomAntialiasingStrategy() = default;
@@ -15,6 +18,17 @@ class AbstractZoomAntialiasingStrategy {
     /// Windows that hold every object. Objects whose extents overlap share windows; the parts that
     /// windows leave out to finer ones make every point of an object's extent drawn exactly once.
     virtual std::vector<SampleWindow> windows(const std::vector<ZoomEntityInfo>& objects) const = 0;
+
+    /// Draws the objects into the pixels of a frame: those windows, unless the strategy has a way
+    /// of its own.
+    virtual FrameReduction draw(const CameraFrame& camera,
+                                const std::vector<ZoomEntityInfo>& objects, RttPass& pass);
+
+    /// What the user should know of the drawings since the last call.
+    virtual std::vector<std::string> takeMessages() { return {}; }
 };
+
+/// The windows in pieces that fit a drawing.
+std::vector<SampleWindow> piecesOf(const std::vector<SampleWindow>& windows, int largestSide);
 
 } // namespace irsg

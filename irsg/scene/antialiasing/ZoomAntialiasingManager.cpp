@@ -1,6 +1,9 @@
 #include "irsg/scene/antialiasing/ZoomAntialiasingManager.h"
 
+#include <tuple>
+
 #include "irsg/scene/antialiasing/PixelAlignedStrategy.h"
+#include "irsg/scene/antialiasing/SillsBasedStrategy.h"
 #include "irsg/scene/antialiasing/SupersamplingStrategy.h"
 
 namespace irsg {
@@ -17,6 +20,8 @@ SupersamplingStrategy samplesInAll(int samples) {
 }
 
 std::unique_ptr<AbstractZoomAntialiasingStrategy> make(const RenderSettings& settings) {
+    if (settings.zoomWindow > 0 && settings.zoomStrategy == ZoomStrategy::sills)
+        return std::make_unique<SillsBasedStrategy>(settings.zoomWindow);
     if (settings.zoomWindow > 0)
         return std::make_unique<PixelAlignedStrategy>(settings.zoomWindow);
     const int n = settings.samplesPerAxis;
@@ -26,9 +31,12 @@ std::unique_ptr<AbstractZoomAntialiasingStrategy> make(const RenderSettings& set
 
 } // namespace
 
-const AbstractZoomAntialiasingStrategy&
+AbstractZoomAntialiasingStrategy&
 ZoomAntialiasingManager::strategyFor(const RenderSettings& settings) {
-    if (!strategy_ || settings != settings_) {
+    const auto asks = [](const RenderSettings& s) {
+        return std::tuple(s.zoomWindow, s.zoomStrategy, s.samplesPerAxis, s.samplesInAll);
+    };
+    if (!strategy_ || asks(settings) != asks(settings_)) {
         strategy_ = make(settings);
         settings_ = settings;
     }

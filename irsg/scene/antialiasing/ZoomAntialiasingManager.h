@@ -10,7 +10,7 @@ namespace irsg {
 /// Keeps the strategy that the settings ask for; it may change from frame to frame.
 class ZoomAntialiasingManager {
   public:
-    const AbstractZoomAntialiasingStrategy& strategyFor(const RenderSettings& settings);
+    AbstractZoomAntialiasingStrategy& strategyFor(const RenderSettings& settings);
 
   private:
     RenderSettings settings_;

@@ -12,7 +12,9 @@ struct ZoomEntityInfo {
     int entity = 0;
     /// Holds every pixel the object can touch; the part inside the frame.
     ImageRectangle extent;
-    DepthRange depth;
+    /// A ball around it in the world.
+    Vec3 centre_m;
+    double radius_m = 0.0;
 };
 
 /// The extent of a model at `pose` is the intersection of those of its box and its ball. Nothing
