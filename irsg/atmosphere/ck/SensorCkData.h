@@ -19,7 +19,7 @@ struct CkRequest {
     /// radiances): each is trained as it is, so that lines of a hot gas that sit on the air's lines
     /// keep their correlation. Not owned; need to live during the preparation only.
     std::vector<const Spectrum*> spectra;
-    double largestError = 0.003; ///< of in-band quantities on the training cases, relative
+    double largestError = 0.004; ///< of in-band quantities on the training cases, relative
     std::size_t mostTerms = 250;
 };
 

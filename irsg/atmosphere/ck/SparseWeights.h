@@ -21,9 +21,12 @@ struct SparseWeights {
     double rmsError = 0.0;
 };
 
-/// Non-negative least squares (Lawson and Hanson 1974, chapter 23): terms are added one at a time
-/// where the residual falls fastest. Stops when no row's error is above `largestError`, when `most`
-/// terms are in use or when nothing improves.
+/// Few terms for a largest error. Non-negative least squares (Lawson and Hanson 1974, chapter 23):
+/// terms are added one at a time where the residual falls fastest, while rows with large errors are
+/// given more and more importance, which leads to the least largest error (Lawson's iteration, Rice
+/// and Usow 1968, Math. Comp. 22, 118). Stops when no row's error is above `largestError`, when
+/// `most` terms are in use or when nothing improves. Then terms that matter least are taken out
+/// again as long as the error stays within the bound.
 SparseWeights sparseWeights(const SparseProblem& problem, double largestError, std::size_t most);
 
 } // namespace irsg

@@ -98,62 +98,65 @@ IRSG_VECTOR_CLONES void mix(double f, const double* b, std::size_t n, double* a)
         a[i] = (1.0 - f) * a[i] + f * b[i];
 }
 
-/// The source function at a point of a ray: `mean` + cosine * `slope`, per node.
-struct PointSource {
-    std::vector<double> mean, slope;
+} // namespace
 
-    explicit PointSource(std::size_t nodes) : mean(nodes), slope(nodes) {}
-};
+LevelSources::LevelSources(const NodeColumn& column, ScatteredEmission scattered)
+    : column_(column), scattered_(std::move(scattered)), levels_(column.air().levelCount()) {}
 
-/// Computes the source function at points, with what it needs to work on.
-class SourceFunction {
-  public:
-    SourceFunction(const NodeColumn& column, const ScatteredEmission& scattered)
-        : column_(column), scattered_(scattered), planck_(column.size()), above_(column.size()) {}
-
-    void at(std::size_t layer, double altitude_m, PointSource& source) {
-        const std::vector<double>& altitudes_m = column_.air().altitudes_m();
-        const double f = std::clamp((altitude_m - altitudes_m[layer]) /
-                                        (altitudes_m[layer + 1] - altitudes_m[layer]),
-                                    0.0, 1.0);
-        constexpr double same = 1e-9;
-        if (f < same || f > 1.0 - same)
-            atLevel(f < same ? layer : layer + 1, source);
-        else
-            between(layer, f, altitude_m, source);
+void LevelSources::scatteredAt(std::size_t level, Rows& rows) const {
+    if (scattered_) {
+        scattered_(level, rows.mean, rows.slope);
+    } else {
+        std::ranges::fill(rows.mean, 0.0);
+        std::ranges::fill(rows.slope, 0.0);
     }
+}
 
-  private:
-    void scatteredAt(std::size_t level, PointSource& source) const {
-        if (scattered_) {
-            scattered_(level, source.mean, source.slope);
-        } else {
-            std::ranges::fill(source.mean, 0.0);
-            std::ranges::fill(source.slope, 0.0);
-        }
-    }
-    void atLevel(std::size_t level, PointSource& source) const {
-        scatteredAt(level, source);
-        sourceAt(LevelRows(column_, level), column_.planck(level).data(), column_.size(),
-                 source.mean.data(), source.slope.data());
-    }
-    /// What is scattered is linear in altitude, and so is the temperature that the air emits with.
-    void between(std::size_t layer, double f, double altitude_m, PointSource& source) {
-        const std::size_t n = column_.size();
-        scatteredAt(layer, source);
-        scatteredAt(layer + 1, above_);
-        mix(f, above_.mean.data(), n, source.mean.data());
-        mix(f, above_.slope.data(), n, source.slope.data());
-        column_.planckAt(column_.air().profile().at(altitude_m).temperature_K, planck_);
-        sourceBetween(LevelRows(column_, layer), LevelRows(column_, layer + 1), f, planck_.data(),
-                      n, source.mean.data(), source.slope.data());
-    }
+const LevelSources::Rows& LevelSources::at(std::size_t index) const {
+    Level& level = levels_.at(index);
+    level.once.call([&] {
+        Rows rows(column_.size());
+        scatteredAt(index, rows);
+        sourceAt(LevelRows(column_, index), column_.planck(index).data(), column_.size(),
+                 rows.mean.data(), rows.slope.data());
+        level.rows = std::move(rows);
+    });
+    return level.rows;
+}
 
-    const NodeColumn& column_;
-    const ScatteredEmission& scattered_;
-    std::vector<double> planck_;
-    PointSource above_;
-};
+void LevelSources::between(std::size_t layer, double f, Rows& rows) const {
+    const std::size_t n = column_.size();
+    Rows above(n);
+    scatteredAt(layer, rows);
+    scatteredAt(layer + 1, above);
+    mix(f, above.mean.data(), n, rows.mean.data());
+    mix(f, above.slope.data(), n, rows.slope.data());
+    const std::vector<double>& altitudes_m = column_.air().altitudes_m();
+    const double altitude_m =
+        altitudes_m[layer] + f * (altitudes_m[layer + 1] - altitudes_m[layer]);
+    std::vector<double> planck(n);
+    column_.planckAt(column_.air().profile().at(altitude_m).temperature_K, planck);
+    sourceBetween(LevelRows(column_, layer), LevelRows(column_, layer + 1), f, planck.data(), n,
+                  rows.mean.data(), rows.slope.data());
+}
+
+namespace {
+
+/// The source function where a ray enters or leaves a piece: that of a level, or in `room`.
+const LevelSources::Rows& sourceAtEnd(const LevelSources& sources, std::size_t layer,
+                                      double altitude_m, LevelSources::Rows& room) {
+    const std::vector<double>& altitudes_m = sources.column().air().altitudes_m();
+    const double f = std::clamp((altitude_m - altitudes_m[layer]) /
+                                    (altitudes_m[layer + 1] - altitudes_m[layer]),
+                                0.0, 1.0);
+    constexpr double same = 1e-9;
+    if (f < same || f > 1.0 - same)
+        return sources.at(f < same ? layer : layer + 1);
+    if (room.mean.empty())
+        room = LevelSources::Rows(sources.column().size());
+    sources.between(layer, f, room);
+    return room;
+}
 
 /// What the slope of a source that is linear in optical depth adds, per difference of its ends:
 /// (1 - exp(-t)) / t - exp(-t), by its series where that would cancel.
@@ -173,8 +176,8 @@ struct Crossing {
 };
 
 /// Adds what a piece of a ray sends through everything before it.
-IRSG_VECTOR_CLONES void cross(const Crossing& piece, const PointSource& near,
-                              const PointSource& far, PathLight& light) {
+IRSG_VECTOR_CLONES void cross(const Crossing& piece, const LevelSources::Rows& near,
+                              const LevelSources::Rows& far, PathLight& light) {
     const std::size_t n = light.radiance.size();
     const double lowerWeight = piece.lowerWeight_m, upperWeight = piece.upperWeight_m;
     const double sine = piece.sinElevation;
@@ -196,27 +199,32 @@ IRSG_VECTOR_CLONES void cross(const Crossing& piece, const PointSource& near,
 
 } // namespace
 
-PathLight lightAlong(const NodeColumn& column, const RayPath& path,
-                     const ScatteredEmission& scattered) {
+PathLight lightAlong(const LevelSources& sources, const RayPath& path) {
+    const NodeColumn& column = sources.column();
     const std::size_t n = column.size();
     PathLight light{std::vector<double>(n, 1.0), std::vector<double>(n, 0.0)};
     if (path.segments.empty())
         return light;
 
-    SourceFunction source(column, scattered);
-    PointSource near(n), far(n);
+    LevelSources::Rows rooms[2]; // for the ends of a path, between levels, in turn
     const RaySegment& first = path.segments.front();
-    source.at(static_cast<std::size_t>(first.layer), first.startAltitude_m, near);
+    const LevelSources::Rows* near = &sourceAtEnd(sources, static_cast<std::size_t>(first.layer),
+                                                  first.startAltitude_m, rooms[0]);
     for (const RaySegment& segment : path.segments) {
         const auto layer = static_cast<std::size_t>(segment.layer);
-        source.at(layer, segment.endAltitude_m, far);
+        LevelSources::Rows& room = near == &rooms[0] ? rooms[1] : rooms[0];
+        const LevelSources::Rows& far = sourceAtEnd(sources, layer, segment.endAltitude_m, room);
         cross({segment.length_m * (1.0 - segment.meanFraction),
                segment.length_m * segment.meanFraction, segment.sinElevation,
                column.extinction(layer).data(), column.extinction(layer + 1).data()},
-              near, far, light);
-        std::swap(near, far);
+              *near, far, light);
+        near = &far;
     }
     return light;
+}
+
+PathLight lightAlong(const NodeColumn& column, const RayPath& path, ScatteredEmission scattered) {
+    return lightAlong(LevelSources(column, std::move(scattered)), path);
 }
 
 } // namespace irsg

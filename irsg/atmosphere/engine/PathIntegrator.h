@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/engine/NodeColumn.h"
+#include "irsg/atmosphere/engine/Once.h"
 #include "irsg/atmosphere/engine/RayPath.h"
 
 namespace irsg {
@@ -27,6 +28,39 @@ void turnToTransmittance(std::span<double> depth);
 using ScatteredEmission =
     std::function<void(std::size_t level, std::span<double> mean, std::span<double> slope)>;
 
+/// The source function ((extinction - scattering) B + scattered) / extinction at the levels of a
+/// column: computed when first asked for, and kept. Const members may be called from several
+/// threads.
+class LevelSources {
+  public:
+    /// What is referred to must live as long. Without `scattered` what is scattered out of a ray is
+    /// lost and nothing is scattered into it.
+    LevelSources(const NodeColumn& column, ScatteredEmission scattered);
+
+    /// `mean` + cosine * `slope`, per node.
+    struct Rows {
+        std::vector<double> mean, slope;
+
+        explicit Rows(std::size_t nodes = 0) : mean(nodes), slope(nodes) {}
+    };
+    const NodeColumn& column() const { return column_; }
+    const Rows& at(std::size_t level) const;
+    /// In a layer at its part `f`: extinction, absorption and what is scattered are linear in
+    /// altitude, and so is the temperature that the air emits with.
+    void between(std::size_t layer, double f, Rows& rows) const;
+
+  private:
+    struct Level {
+        Once once;
+        Rows rows;
+    };
+    void scatteredAt(std::size_t level, Rows& rows) const;
+
+    const NodeColumn& column_;
+    ScatteredEmission scattered_;
+    mutable std::vector<Level> levels_;
+};
+
 /// Light from along a ray and the share that passes all of it, per node.
 struct PathLight {
     std::vector<double> transmittance;
@@ -34,11 +68,9 @@ struct PathLight {
 };
 
 /// Integrates the equation of transfer along a ray, from the sensor outward: in every segment the
-/// source function ((extinction - scattering) B + scattered) / extinction is linear in optical
-/// depth between its values at the segment's ends, where B is that of the air's temperature there.
-/// Exact for isothermal air, for optically thin and thick segments. Without `scattered` what is
-/// scattered out of the ray is lost and nothing is scattered into it.
-PathLight lightAlong(const NodeColumn& column, const RayPath& path,
-                     const ScatteredEmission& scattered);
+/// source function is linear in optical depth between its values at the segment's ends. Exact for
+/// isothermal air, for optically thin and thick segments.
+PathLight lightAlong(const LevelSources& sources, const RayPath& path);
+PathLight lightAlong(const NodeColumn& column, const RayPath& path, ScatteredEmission scattered);
 
 } // namespace irsg

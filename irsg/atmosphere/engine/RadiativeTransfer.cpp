@@ -6,6 +6,7 @@
 #include <list>
 #include <mutex>
 #include <numbers>
+#include <optional>
 
 #include "irsg/atmosphere/engine/AirColumn.h"
 #include "irsg/atmosphere/engine/Continuum.h"
@@ -20,7 +21,7 @@ namespace irsg {
 namespace {
 
 constexpr std::size_t nodesAtOnce = 2048; ///< nodes that are computed and kept together
-constexpr std::size_t blocksKept = 24;    ///< of up to 15 MB each, with sun and diffuse light
+constexpr std::size_t blocksKept = 24;    ///< of up to 18 MB each, with sun and diffuse light
 constexpr std::size_t sunsKept = 8;
 constexpr std::size_t raysKept = 16;
 
@@ -40,6 +41,9 @@ struct Block {
 
     NodeColumn column;
     DiffuseLight light;
+    /// Source functions without the sun, see State::lightAlong.
+    mutable Once darkOnce;
+    mutable std::optional<LevelSources> dark;
 };
 
 /// One of the parts that extinction is made of, m-1 at a node of a level of air.
@@ -204,6 +208,16 @@ struct RadiativeTransfer::State {
         };
     }
 
+    /// In the dark sources depend on the level alone, and are kept.
+    PathLight lightAlong(const Block& block, const RayPath& ray,
+                         const std::shared_ptr<const DiffuseLight::Sunlight>& light,
+                         const SunAngle& angle) const {
+        if (light)
+            return irsg::lightAlong(block.column, ray, scattered(block, light, angle));
+        block.darkOnce.call([&] { block.dark.emplace(block.column, scattered(block, {}, {})); });
+        return irsg::lightAlong(*block.dark, ray);
+    }
+
     std::shared_ptr<const DiffuseLight::Sunlight> sunlight(const Block& block,
                                                            const SunPaths& paths) const {
         return paths.isAnyLit() ? block.light.sunlight(paths) : nullptr;
@@ -273,8 +287,7 @@ std::vector<double> RadiativeTransfer::pathRadiance(const NodeSet& set, const Ai
     const SunAngle angle{sun.elevation_rad, std::asin(ray.segments.front().sinElevation), {}};
     return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
         const auto light = state_->sunlight(block, *paths);
-        const PathLight along =
-            lightAlong(block.column, ray, state_->scattered(block, light, angle));
+        const PathLight along = state_->lightAlong(block, ray, light, angle);
         std::ranges::copy(along.radiance, values.begin());
     });
 }
@@ -290,8 +303,7 @@ std::vector<double> RadiativeTransfer::backgroundRadiance(const NodeSet& set,
                          sight.azimuth_rad - sun.azimuth_rad};
     return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
         const auto light = state_->sunlight(block, *paths);
-        const PathLight along =
-            lightAlong(block.column, ray, state_->scattered(block, light, angle));
+        const PathLight along = state_->lightAlong(block, ray, light, angle);
         std::ranges::copy(along.radiance, values.begin());
         if (ray.end != RayPath::End::ground)
             return;
