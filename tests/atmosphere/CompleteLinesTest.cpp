@@ -6,9 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "irsg/atmosphere/engine/Continuum.h"
 #include "irsg/atmosphere/lbl/CompleteLines.h"
 #include "irsg/atmosphere/lbl/LineAbsorption.h"
 #include "irsg/atmosphere/lbl/LineListFile.h"
+#include "irsg/atmosphere/lbl/PublishedRun.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/atmosphere/SharedMaterial.h"
@@ -75,8 +77,7 @@ std::vector<Case> cases() {
           {2833, 4100, 0.025},
           {4100, 4690, 0.06},
           {5865, 6135, 0.06}}},
-        // At 1.27 um the run counts oxygen's collision-induced absorption with its lines.
-        {Gas::O2, 17, 0.20916, {{7700, 8100, 0.035}, {12900, 13250, 0.03}}},
+        {Gas::O2, 17, 0.20916, {{7700, 8100, 0.025}, {12900, 13250, 0.025}}},
     };
 }
 
@@ -120,6 +121,15 @@ class SlitMean {
     std::vector<double> sums_;
 };
 
+/// What the run counts with the lines of a gas: oxygen's collision-induced absorption, whose band
+/// at 1.27 um was fitted to this very column.
+double besideLines(Gas gas, double wavenumber_cm) {
+    if (gas != Gas::O2)
+        return 1.0;
+    return std::exp(
+        -5e3 * continuumAbsorption_per_m(Continuum::oxygen, PublishedRun::air(), wavenumber_cm));
+}
+
 TEST(CompleteLines, transmitAsAPublishedRunOfMODTRANGasByGas) {
     const auto data = sharedMaterial("data/atmosphere");
     if (data.empty())
@@ -144,7 +154,7 @@ TEST(CompleteLines, transmitAsAPublishedRunOfMODTRANGasByGas) {
             for (const auto& row : rows) {
                 if (row[0] < range.from_cm || row[0] > range.to_cm)
                     continue;
-                const double value = slit.at(row[0]);
+                const double value = slit.at(row[0]) * besideLines(gas.gas, row[0]);
                 squares += (value - row[gas.column]) * (value - row[gas.column]);
                 ours += value;
                 theirs += row[gas.column];
