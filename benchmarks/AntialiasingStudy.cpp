@@ -1,0 +1,53 @@
+// antialiasing-study [SECTION...] --out FOLDER measures what every antialiasing mode does to the
+// contrast intensity of objects of 0.01 to 100 pixels, and how long a frame takes. Results go to
+// the folder as CSV; scripts/antialiasing-report makes tables and figures of them.
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "benchmarks/antialiasing/Study.h"
+#include "irsg/radiometry/Errors.h"
+
+int main(int argc, char** argv) {
+    using namespace irsg::study;
+    const std::vector<std::pair<std::string, void (*)(const Options&)>> sections = {
+        {"errors", measureErrors},
+        {"times", measureTimes},
+        {"ranges", measureRanges},
+        {"profile", profile}};
+
+    CLI::App app{"Measures how true and how fast every antialiasing mode is."};
+    Options options;
+    std::vector<std::string> wanted, names;
+    for (const auto& [name, run] : sections)
+        names.push_back(name);
+    app.add_option("sections", wanted, "errors, times, ranges, profile; none: all")
+        ->check(CLI::IsMember(names));
+    app.add_option("--out", options.folder, "folder for the results as CSV")
+        ->required()
+        ->check(CLI::ExistingDirectory);
+    app.add_option("--phases", options.phases, "pixel phases along either axis (16)")
+        ->check(CLI::Range(1, 1000));
+    app.add_option("--rounds", options.rounds, "frames that a median time is taken of (9)")
+        ->check(CLI::Range(1, 10000));
+    app.add_option("--body", options.bodies, "only this body; may be repeated");
+    CLI11_PARSE(app, argc, argv);
+
+    try {
+        for (const auto& [name, run] : sections)
+            if (wanted.empty() || std::ranges::find(wanted, name) != wanted.end())
+                run(options);
+    } catch (const irsg::InputError& error) {
+        std::cerr << error.what() << "\n";
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << "\n";
+        return 3;
+    }
+    return 0;
+}

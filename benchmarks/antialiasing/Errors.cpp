@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "benchmarks/antialiasing/Bodies.h"
+#include "benchmarks/antialiasing/Study.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg::study {
+
+namespace {
+
+struct Phase {
+    Pose pose;
+    double intensity_W_sr; ///< of the closed form
+};
+
+/// Irrational to every lattice of samples.
+double phase_px(int i, double step, double first) {
+    return std::fmod(i * step + first, 1.0);
+}
+
+std::vector<Phase> phasesOf(const Body& body, const Viewpoint& camera, int count) {
+    const Vec3 origin_m{0, 0, test::standingAltitude_m};
+    const double pixel_m = pixel_rad * length(camera.position_m - origin_m);
+    std::vector<Phase> result;
+    for (int i = 0; i < count; ++i)
+        for (int j = 0; j < count; ++j) {
+            Pose pose{origin_m, body.attitude};
+            pose.position_m = origin_m +
+                              camera.right * (phase_px(i, 0.61803398875, 0.1) * pixel_m) +
+                              camera.up * (phase_px(j, 0.41421356237, 0.3) * pixel_m);
+            const Vec3 away = camera.position_m - pose.position_m;
+            result.push_back({pose, greyRadiance_W_m2_sr() * solidAngle_sr(body, camera, pose) *
+                                        dot(away, away)});
+        }
+    return result;
+}
+
+/// Looks at a body so that it is `size_px` wide, in a frame that holds it at every phase.
+void lookAt(Irsg& irsg, const Body& body, double size_px) {
+    const int frame_px = static_cast<int>(std::ceil(1.5 * size_px)) + 6;
+    test::look(irsg, {.range_m = body.size_m / (size_px * pixel_rad),
+                      .azimuth_rad = body.azimuth_rad,
+                      .elevation_rad = body.elevation_rad,
+                      .width_px = frame_px,
+                      .height_px = frame_px,
+                      .fieldOfView_rad = 2.0 * std::atan(0.5 * frame_px * pixel_rad)});
+}
+
+/// The two ways to the truth must agree where both are exact.
+void checkTruth(const Body& body, const Viewpoint& camera, const Phase& phase) {
+    if (!body.facesAdd)
+        return;
+    const double ratio = solidAngleByLines_sr(body.mesh, camera, phase.pose) /
+                         solidAngle_sr(body, camera, phase.pose);
+    if (std::abs(ratio - 1.0) > 1e-6)
+        throw LogicError("the two truths of " + body.name + " differ by a factor of 1 + " +
+                         std::to_string(ratio - 1.0));
+}
+
+} // namespace
+
+void measureErrors(const Options& options) {
+    std::ofstream file(options.folder / "errors.csv");
+    file << "body,size [px],strategy,mode,rms_error [%],largest_error [%]\n";
+    Irsg irsg;
+    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
+    for (const Body& body : bodies()) {
+        if (!options.bodies.empty() &&
+            std::ranges::find(options.bodies, body.name) == options.bodies.end())
+            continue;
+        irsg.setEntities({greyEntity(body.mesh)});
+        for (double size_px : sizes_px()) {
+            irsg.setPose(0, {{0, 0, test::standingAltitude_m}, {}});
+            lookAt(irsg, body, size_px);
+            const std::vector<Phase> phases = phasesOf(body, irsg.viewpoint(), options.phases);
+            checkTruth(body, irsg.viewpoint(), phases.front());
+            for (const Method& method : methods()) {
+                if (method.wholeFrame) // the same samples as in the object's window
+                    continue;
+                irsg.setSettings(method.settings());
+                double squares = 0.0, largest = 0.0;
+                for (const Phase& phase : phases) {
+                    irsg.setPose(0, phase.pose);
+                    const double error =
+                        irsg.render().report.all.contrastIntensity_W_sr / phase.intensity_W_sr -
+                        1.0;
+                    squares += error * error;
+                    largest = std::max(largest, std::abs(error));
+                }
+                const double rms = std::sqrt(squares / static_cast<double>(phases.size()));
+                char row[160];
+                std::snprintf(row, sizeof row, "%s,%.6g,%s,%d,%.4g,%.4g\n", body.name.c_str(),
+                              size_px, method.strategy.c_str(), method.mode, 100.0 * rms,
+                              100.0 * largest);
+                file << row << std::flush;
+            }
+        }
+    }
+}
+
+} // namespace irsg::study

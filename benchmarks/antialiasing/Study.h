@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "irsg/scene/Irsg.h"
+
+/// The study of antialiasing: errors and times for every mode of the report.
+namespace irsg::study {
+
+/// One way of drawing.
+struct Method {
+    std::string strategy; ///< "supersampling", "aligned", "sills"
+    int mode = 0;         ///< 0 to 5 of the report
+    /// The whole frame is sampled, as the report does it, and not only where an object is.
+    bool wholeFrame = false;
+
+    std::string name() const;
+    RenderSettings settings() const;
+};
+std::vector<Method> methods();
+
+struct Options {
+    std::filesystem::path folder; ///< of the CSV files
+    int phases = 16;              ///< along either axis
+    int rounds = 9;               ///< frames that a median is taken of
+    std::vector<std::string> bodies;
+};
+
+/// Sizes of an object, pixels, from 0.01 to 100 in equal ratios.
+std::vector<double> sizes_px();
+
+/// errors.csv: RMS and largest error of contrast intensity over phases.
+void measureErrors(const Options& options);
+/// times.csv: median time of a frame of 640 x 512 pixels for the same bodies and sizes.
+void measureTimes(const Options& options);
+/// The report's two plots: time of the four-engined aircraft and contrast intensity of the sphere
+/// over range, a CSV for each method.
+void measureRanges(const Options& options);
+/// Stages of a frame with the sphere at some sizes, to the standard output.
+void profile(const Options& options);
+
+} // namespace irsg::study

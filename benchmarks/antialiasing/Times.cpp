@@ -1,0 +1,246 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+
+#include <osg/Group>
+
+#include "benchmarks/antialiasing/Bodies.h"
+#include "benchmarks/antialiasing/Study.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg::study {
+
+namespace {
+
+constexpr int width_px = 640, height_px = 512;
+
+double rangeOf_m(const Body& body, double size_px) {
+    return body.size_m / (size_px * pixel_rad);
+}
+
+struct FrameTime {
+    double wall_ms = 0.0, processor_ms = 0.0;
+};
+
+FrameTime timeOf(Irsg& irsg) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t processor = std::clock();
+    irsg.render();
+    const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
+    return {wall.count(), 1e3 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC};
+}
+
+double median(std::vector<double> values) {
+    std::ranges::nth_element(values, values.begin() + static_cast<long>(values.size() / 2));
+    return values[values.size() / 2];
+}
+
+FrameTime median(const std::vector<FrameTime>& times) {
+    std::vector<double> wall, processor;
+    for (const FrameTime& time : times) {
+        wall.push_back(time.wall_ms);
+        processor.push_back(time.processor_ms);
+    }
+    return {median(wall), median(processor)};
+}
+
+/// A scene in a frame of 640 x 512 pixels, once as it is and once with marks that have the whole
+/// frame drawn.
+class TimedScene {
+  public:
+    TimedScene(Entity entity, double azimuth_rad, double elevation_rad)
+        : entity_(std::move(entity)), azimuth_rad_(azimuth_rad), elevation_rad_(elevation_rad) {
+        for (Irsg* irsg : {&plain_, &marked_})
+            irsg->setEnvironment(test::environmentOf(test::ConstantAir{}));
+        plain_.setEntities({entity_});
+    }
+
+    /// Median time of each method, taken in turns so that a busy moment meets all.
+    std::vector<FrameTime> times(double range_m, int rounds) {
+        const test::View view{.range_m = range_m,
+                              .azimuth_rad = azimuth_rad_,
+                              .elevation_rad = elevation_rad_,
+                              .width_px = width_px,
+                              .height_px = height_px,
+                              .fieldOfView_rad = 2.0 * std::atan(0.5 * width_px * pixel_rad)};
+        plain_.setPose(0, entity_.pose);
+        test::look(plain_, view);
+        const Viewpoint camera = plain_.viewpoint();
+        mark(camera);
+        test::look(marked_, view);
+
+        const std::vector<Method> all = methods();
+        std::vector<std::vector<FrameTime>> taken(all.size());
+        for (int round = 0; round <= rounds; ++round) {
+            Pose pose = entity_.pose;
+            const double pixel_m = pixel_rad * range_m;
+            pose.position_m = pose.position_m +
+                              camera.right * (std::fmod(round * 0.61803398875, 1.0) * pixel_m) +
+                              camera.up * (std::fmod(round * 0.41421356237, 1.0) * pixel_m);
+            for (std::size_t m = 0; m < all.size(); ++m) {
+                if (all[m].wholeFrame && round > (rounds + 1) / 2)
+                    continue;
+                Irsg& irsg = all[m].wholeFrame ? marked_ : plain_;
+                irsg.setSettings(all[m].settings());
+                irsg.setPose(0, pose);
+                const FrameTime time = timeOf(irsg);
+                if (round > 0) // shaders are made and targets grown in the first
+                    taken[m].push_back(time);
+            }
+        }
+        std::vector<FrameTime> result;
+        for (const auto& times : taken)
+            result.push_back(median(times));
+        return result;
+    }
+
+  private:
+    void mark(const Viewpoint& camera) {
+        osg::ref_ptr<osg::Group> graph = new osg::Group;
+        graph->addChild(entity_.model->graph());
+        graph->addChild(
+            test::graphOf(cornerMarks(camera, entity_.pose.position_m, width_px, height_px)));
+        Entity entity = entity_;
+        entity.model = Model::fromGraph(graph.get(), "marked");
+        marked_.setEntities({entity});
+    }
+
+    Irsg plain_, marked_;
+    Entity entity_;
+    double azimuth_rad_, elevation_rad_;
+};
+
+/// Every index of the model has an entry; its plumes let 60 % through.
+Entity aircraft() {
+    const std::shared_ptr<const Model> model =
+        Model::load(std::string(SMAT_SOURCE_DIR) + "/samples/turboprop4/turboprop4.flt");
+    SignatureDatabase database;
+    for (const auto& [codes, use] : model->codes()) {
+        database.temperatures[codes.temperature] = test::fixedTemperature(320.0);
+        database.materials[codes.material] = test::greyMaterial(0.8);
+    }
+    database.temperatures.try_emplace(1, test::fixedTemperature(320.0));
+    database.materials.try_emplace(1, test::greyMaterial(0.8));
+    database.materials[5] = test::greyMaterial(0.4, 0.6);
+    return test::entityOf(model, std::move(database));
+}
+
+std::ofstream curve(const Options& options, const std::string& figure, const Method& method,
+                    const std::string& header) {
+    const std::filesystem::path folder = options.folder / figure;
+    std::filesystem::create_directories(folder);
+    std::ofstream file(folder / (method.name() + ".csv"));
+    file << "# range.log: true\n" << header << "\n";
+    return file;
+}
+
+std::vector<double> ranges_m() {
+    return {1e3, 2e3, 3e3, 5e3, 7e3, 1e4, 1.5e4, 2e4, 3e4, 4.5e4, 6e4, 1e5, 2e5};
+}
+
+} // namespace
+
+void measureTimes(const Options& options) {
+    std::ofstream file(options.folder / "times.csv");
+    file << "body,size [px],strategy,mode,whole_frame,time [ms],processor_time [ms]\n";
+    for (const Body& body : bodies()) {
+        if (!options.bodies.empty() &&
+            std::ranges::find(options.bodies, body.name) == options.bodies.end())
+            continue;
+        Entity entity = greyEntity(body.mesh);
+        entity.pose.attitude = body.attitude;
+        TimedScene scene(entity, body.azimuth_rad, body.elevation_rad);
+        for (double size_px : sizes_px()) {
+            const auto times = scene.times(rangeOf_m(body, size_px), options.rounds);
+            const auto all = methods();
+            for (std::size_t m = 0; m < all.size(); ++m) {
+                char row[200];
+                std::snprintf(row, sizeof row, "%s,%.6g,%s,%d,%d,%.4g,%.4g\n", body.name.c_str(),
+                              size_px, all[m].strategy.c_str(), all[m].mode,
+                              all[m].wholeFrame ? 1 : 0, times[m].wall_ms, times[m].processor_ms);
+                file << row << std::flush;
+            }
+        }
+    }
+}
+
+void measureRanges(const Options& options) {
+    const std::vector<Method> all = methods();
+    std::vector<std::ofstream> time, intensity;
+    for (const Method& method : all) {
+        time.push_back(curve(options, "time", method,
+                             "range [m],time_per_frame [ms],processor_time_per_frame [ms]"));
+        if (!method.wholeFrame)
+            intensity.push_back(
+                curve(options, "intensity", method, "range [m],contrast_intensity [W sr-1]"));
+    }
+
+    TimedScene scene(aircraft(), radians(60.0), radians(15.0));
+    for (double range_m : ranges_m()) {
+        const auto times = scene.times(range_m, options.rounds);
+        for (std::size_t m = 0; m < all.size(); ++m)
+            time[m] << range_m << "," << times[m].wall_ms << "," << times[m].processor_ms << "\n"
+                    << std::flush;
+    }
+
+    // The sphere of 1 m radius moves across the pixels as it recedes; finely stepped, so that what
+    // a mode makes of its phase is seen.
+    Irsg irsg;
+    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
+    irsg.setEntities({greyEntity(bodies().front().mesh)});
+    constexpr int steps = 120;
+    for (int i = 0; i <= steps; ++i) {
+        const double range_m = 1e3 * std::pow(1e3, static_cast<double>(i) / steps);
+        irsg.setPose(0, {{0, 0, test::standingAltitude_m}, {}});
+        test::look(irsg, {.range_m = range_m,
+                          .width_px = 64,
+                          .height_px = 64,
+                          .fieldOfView_rad = 2.0 * std::atan(32.0 * pixel_rad)});
+        const Viewpoint& camera = irsg.viewpoint();
+        const double pixel_m = pixel_rad * range_m;
+        irsg.setPose(0, {Vec3{0, 0, test::standingAltitude_m} +
+                             camera.right * (std::fmod(i * 0.61803398875, 1.0) * pixel_m) +
+                             camera.up * (std::fmod(i * 0.41421356237, 1.0) * pixel_m),
+                         {}});
+        std::size_t file = 0;
+        for (const Method& method : all) {
+            if (method.wholeFrame)
+                continue;
+            irsg.setSettings(method.settings());
+            intensity[file++] << range_m << "," << irsg.render().report.all.contrastIntensity_W_sr
+                              << "\n";
+        }
+    }
+}
+
+void profile(const Options& options) {
+    const Body sphere = bodies().front();
+    Irsg irsg;
+    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
+    irsg.setEntities({greyEntity(sphere.mesh)});
+    for (double size_px : {100.0, 10.0, 1.0, 0.1})
+        for (const Method& method : methods()) {
+            if (method.wholeFrame)
+                continue;
+            irsg.setSettings(method.settings());
+            test::look(irsg, {.range_m = rangeOf_m(sphere, size_px),
+                              .width_px = width_px,
+                              .height_px = height_px,
+                              .fieldOfView_rad = 2.0 * std::atan(0.5 * width_px * pixel_rad)});
+            irsg.render();
+            irsg.resetStageTimes();
+            std::vector<FrameTime> times;
+            for (int i = 0; i < options.rounds; ++i)
+                times.push_back(timeOf(irsg));
+            std::printf("%6.2f px %-18s %7.2f ms:", size_px, method.name().c_str(),
+                        median(times).wall_ms);
+            for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
+                std::printf("  %s %.2f", stage.name.c_str(), 1e3 * stage.seconds / options.rounds);
+            std::printf("\n");
+        }
+}
+
+} // namespace irsg::study
