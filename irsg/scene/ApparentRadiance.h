@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,10 @@ struct SurfaceSpectra {
     std::vector<double> transmissivity;
     double nAngleFactor = 0.0;
     double temperature_K = 0.0; ///< of the surface; 0 for a user-defined spectrum
+
+    bool isTransparent() const {
+        return std::ranges::any_of(transmissivity, [](double t) { return t > 0.0; });
+    }
 };
 
 /// Temperature of the surface, K, with its scaling.

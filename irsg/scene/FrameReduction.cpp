@@ -23,20 +23,28 @@ FrameReduction::FrameReduction(const Sensor& sensor, const std::vector<SampleWin
         }
         patches_.push_back(std::move(patch));
     }
-    for (Patch& patch : patches_) {
-        const auto count = static_cast<std::size_t>(patch.pixels.width) *
-                           static_cast<std::size_t>(patch.pixels.height);
-        patch.radiance.resize(count);
-        patch.opacity.resize(count);
-    }
+    for (Patch& patch : patches_)
+        patch.makeRoom();
+}
+
+void FrameReduction::Patch::makeRoom() {
+    const auto count =
+        static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
+    radiance.resize(count);
+    opacity.resize(count);
+}
+
+FrameReduction::Patch* FrameReduction::find(const PixelWindow& pixels) {
+    const auto found = std::ranges::find_if(
+        patches_, [&](const Patch& patch) { return patch.pixels.intersects(pixels); });
+    return found == patches_.end() ? nullptr : &*found;
 }
 
 FrameReduction::Patch& FrameReduction::patchOf(const PixelWindow& pixels) {
-    const auto found = std::ranges::find_if(
-        patches_, [&](const Patch& patch) { return patch.pixels.intersects(pixels); });
-    if (found == patches_.end())
+    Patch* patch = find(pixels);
+    if (!patch)
         throw LogicError("a window was drawn that the frame was not told of");
-    return *found;
+    return *patch;
 }
 
 void FrameReduction::add(const SampleWindow& window, const RadianceSamples& samples) {
@@ -53,6 +61,17 @@ void FrameReduction::add(const SampleWindow& window, const RadianceSamples& samp
         patch.radiance[pixel] += radiance * share;
         patch.opacity[pixel] += opacity * share;
     });
+}
+
+void FrameReduction::addPoint(int x, int y, double radiance_W_m2_sr, double opacity) {
+    Patch* patch = find({x, y, 1, 1});
+    if (!patch) {
+        patch = &patches_.emplace_back(Patch{{x, y, 1, 1}, {}, {}});
+        patch->makeRoom();
+    }
+    const std::size_t pixel = patch->offset(x, y);
+    patch->radiance[pixel] += radiance_W_m2_sr;
+    patch->opacity[pixel] += opacity;
 }
 
 void FrameReduction::cover(int x, int y, double radiance_W_m2_sr, double opacity) {

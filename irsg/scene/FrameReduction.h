@@ -18,6 +18,8 @@ class FrameReduction {
     FrameReduction(const Sensor& sensor, const std::vector<SampleWindow>& windows);
 
     void add(const SampleWindow& window, const RadianceSamples& samples);
+    /// Adds what a point source adds to one pixel.
+    void addPoint(int x, int y, double radiance_W_m2_sr, double opacity);
     /// Lays a premultiplied radiance over what a pixel holds.
     void cover(int x, int y, double radiance_W_m2_sr, double opacity);
 
@@ -32,11 +34,13 @@ class FrameReduction {
         PixelWindow pixels;
         std::vector<double> radiance, opacity; // top row first
 
+        void makeRoom();
         std::size_t offset(int x, int y) const {
             return static_cast<std::size_t>(y - pixels.y) * static_cast<std::size_t>(pixels.width) +
                    static_cast<std::size_t>(x - pixels.x);
         }
     };
+    Patch* find(const PixelWindow& pixels);
     Patch& patchOf(const PixelWindow& pixels);
 
     Sensor sensor_;

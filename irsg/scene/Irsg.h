@@ -51,6 +51,10 @@ struct RenderSettings {
     /// for modes 3 to 5 of the report, any from 8 to 2048. 0: every pixel is sampled alike.
     int zoomWindow = 256;
     ZoomStrategy zoomStrategy = ZoomStrategy::aligned;
+    /// Objects narrower than this are drawn once per aspect and then stand for any range as points,
+    /// with the aligned zoom, before no terrain and apart from other objects; see PointSources.
+    /// Pixels, 0 (never) to 1.
+    double pointSourceBelow_px = 1.0 / 64.0;
     /// Supersampling, where there is no zoom window: 1, 2 or 4 for modes 0 to 2; any 1 to 16.
     int samplesPerAxis = 4;
     /// `samplesPerAxis` is meant in all, not per axis: 4 is 2 x 2, and 2 is two side by side.

@@ -20,10 +20,6 @@ namespace {
 /// Largest side of one drawing, samples: bounds the memory of the targets.
 constexpr int largestSide = 2048;
 
-bool isTransparent(const SurfaceSpectra& surface) {
-    return std::ranges::any_of(surface.transmissivity, [](double t) { return t > 0.0; });
-}
-
 int shaderMode(ReflectionMode mode) {
     return mode == ReflectionMode::off ? 0 : mode == ReflectionMode::approx ? 1 : 2;
 }
@@ -124,10 +120,13 @@ Irsg::Parts::Frame Irsg::Parts::frame() {
                 : SceneRadiometry(environment, entities, objects, settings, centre(), terms),
             FrameBackground{},
             {},
+            {},
+            {},
             {}};
         result.background = FrameBackground(result.radiometry.backgroundInBand_W_m2_sr());
         fillRows(result);
         fillItems(result);
+        planPoints(result);
         return result;
     });
 }
@@ -161,7 +160,7 @@ void Irsg::Parts::fillItems(Frame& frame) const {
         for (const DrawItem& item : drawItems[e]) {
             const int row = frame.radiometry.row(static_cast<int>(e), item.codes);
             const bool transparent =
-                isTransparent(frame.radiometry.surfaces()[static_cast<std::size_t>(row)]);
+                frame.radiometry.surfaces()[static_cast<std::size_t>(row)].isTransparent();
             frame.scene.items.push_back({item.geometry.get(), item.modelFromLocal,
                                          static_cast<int>(e), row, transparent, item.cullsBackFaces,
                                          item.layer});
@@ -206,8 +205,15 @@ SurfaceScene Irsg::Parts::sceneOf(const Frame& frame, const CameraFrame& camera,
 
 FrameReduction Irsg::Parts::drawObjects(const Frame& frame, RenderReport& report) {
     AbstractZoomAntialiasingStrategy& strategy = antialiasing.strategyFor(settings);
-    if (frame.seen.empty())
-        return {sensor, {}};
+    const auto addPoints = [&](FrameReduction& reduction) {
+        for (const ZoomEntityInfo& object : frame.points)
+            addPoint(frame, object, reduction);
+    };
+    if (frame.drawn.empty()) {
+        FrameReduction reduction(sensor, {});
+        addPoints(reduction);
+        return reduction;
+    }
 
     /// Draws with the surface pass and minds the time that takes.
     class SurfaceRttPass : public RttPass {
@@ -237,12 +243,13 @@ FrameReduction Irsg::Parts::drawObjects(const Frame& frame, RenderReport& report
     onContext([&](osg::RenderInfo& info) {
         Stopwatch watch(all_s);
         SurfaceRttPass rtt(*this, frame, report, info);
-        reduction = strategy.draw(frame.camera, frame.seen, rtt);
+        reduction = strategy.draw(frame.camera, frame.drawn, rtt);
         drawing_s = rtt.seconds;
     });
     addTime("reduction", all_s - drawing_s);
     for (std::string& message : strategy.takeMessages())
         report.warnings.push_back(std::move(message));
+    addPoints(*reduction);
     return std::move(*reduction);
 }
 
@@ -265,6 +272,7 @@ std::vector<double> Irsg::Parts::fingerprint(const Frame& frame) const {
                                 static_cast<double>(settings.zoomWindow),
                                 static_cast<double>(settings.samplesPerAxis),
                                 settings.samplesInAll ? 1.0 : 0.0,
+                                settings.pointSourceBelow_px,
                                 static_cast<double>(settings.maximumLayers),
                                 static_cast<double>(frame.scene.modes.sun),
                                 static_cast<double>(frame.scene.modes.flux)};
@@ -280,7 +288,7 @@ std::vector<double> Irsg::Parts::fingerprint(const Frame& frame) const {
     }
     for (const SurfaceSpectra& surface : frame.radiometry.surfaces()) {
         numbers.push_back(surface.nAngleFactor);
-        numbers.push_back(isTransparent(surface) ? 1.0 : 0.0);
+        numbers.push_back(surface.isTransparent() ? 1.0 : 0.0);
     }
     return numbers;
 }
@@ -296,13 +304,21 @@ const ProjectedFactors& Irsg::Parts::factorsOf(const Frame& frame) {
 
     std::vector<bool> transparent;
     for (const SurfaceSpectra& surface : frame.radiometry.surfaces())
-        transparent.push_back(isTransparent(surface));
+        transparent.push_back(surface.isTransparent());
     FactorAccumulator accumulator(sensor, frame.background, frame.radiometry.keys(), transparent);
-    drawFactorWindows(frame, false, "factor sums",
+    drawFactorWindows(frame, frame.drawn, false, "factor sums",
                       [&](const SampleWindow& window, const FactorSamples& samples) {
                           accumulator.add(window, samples);
                       });
     factors = accumulator.take();
+    for (const ZoomEntityInfo& object : frame.points) {
+        const PointPixel pixel = pixelOf(frame, object);
+        const double behind_W_m2_sr =
+            frame.background.isUniform() ? 0.0 : frame.background.at(pixel.x, pixel.y);
+        for (const auto& [key, sums] : pointFactors(frame, object).sums)
+            factors.sums[key] = atDistance(sums, pixel.distance_m, pixel.solidAngle_sr,
+                                           pixel.cosOffAxis, behind_W_m2_sr);
+    }
     factorFingerprint = std::move(numbers);
     factorModels = std::move(models);
     factorBackground = frame.background;
@@ -332,7 +348,7 @@ double Irsg::Parts::totalIrradiance_W_m2(const Frame& frame, const RenderReport&
 
 void Irsg::Parts::addTruthLayers(const Frame& frame, RadianceImage& image) {
     TruthLayers truth(frame.radiometry, frame.background, image);
-    drawFactorWindows(frame, true, "truth layers",
+    drawFactorWindows(frame, frame.seen, true, "truth layers",
                       [&](const SampleWindow& window, const FactorSamples& samples) {
                           truth.add(window, samples);
                       });

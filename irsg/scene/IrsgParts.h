@@ -17,6 +17,7 @@
 #include "irsg/scene/SceneRadiometry.h"
 #include "irsg/scene/Stopwatch.h"
 #include "irsg/scene/SurfacePass.h"
+#include "irsg/scene/antialiasing/PointSources.h"
 #include "irsg/scene/antialiasing/ZoomAntialiasingManager.h"
 #include "irsg/scene/background/FrameBackground.h"
 
@@ -37,6 +38,7 @@ struct Irsg::Parts {
     std::vector<BoundingBall> balls;              // by entity
     std::vector<Vec3> referencePoints;            // in model axes, by entity
     ZoomAntialiasingManager antialiasing;
+    PointSources pointSources;
     std::vector<StageTimes::Stage> stages;
 
     // The factors of the last view, kept while nothing they depend on changes.
@@ -67,8 +69,10 @@ struct Irsg::Parts {
         std::vector<ObjectGeometry> geometry;
         SceneRadiometry radiometry;
         FrameBackground background;
-        SurfaceScene scene; // of all objects, in their model axes until sceneOf
-        std::vector<ZoomEntityInfo> seen;
+        SurfaceScene scene;                 // of all objects, in their model axes until sceneOf
+        std::vector<ZoomEntityInfo> seen;   // all that the frame can see
+        std::vector<ZoomEntityInfo> drawn;  // into windows
+        std::vector<ZoomEntityInfo> points; // as point sources
     };
 
     template <typename Work>
@@ -121,6 +125,18 @@ struct Irsg::Parts {
     SurfaceScene sceneOf(const Frame& frame, const CameraFrame& camera,
                          const SampleWindow& window) const;
 
+    /// Divides what is seen into windows and points.
+    void planPoints(Frame& frame) const;
+    /// Factors of a point source at unit distance, kept for its aspect.
+    const ProjectedFactors& pointFactors(const Frame& frame, const ZoomEntityInfo& object);
+    void addPoint(const Frame& frame, const ZoomEntityInfo& object, FrameReduction& reduction);
+    /// The pixel of a point source and what it is to it.
+    struct PointPixel {
+        int x, y;
+        double distance_m, solidAngle_sr, cosOffAxis;
+    };
+    PointPixel pixelOf(const Frame& frame, const ZoomEntityInfo& object) const;
+
     /// Draws the objects with the strategy that the settings ask for.
     FrameReduction drawObjects(const Frame& frame, RenderReport& report);
 
@@ -128,11 +144,12 @@ struct Irsg::Parts {
 
     /// Draws the factors of the objects' windows and times what `sink` makes of them.
     template <typename Sink>
-    void drawFactorWindows(const Frame& frame, bool withDistance, const char* stage, Sink sink) {
-        if (frame.seen.empty())
+    void drawFactorWindows(const Frame& frame, const std::vector<ZoomEntityInfo>& objects,
+                           bool withDistance, const char* stage, Sink sink) {
+        if (objects.empty())
             return;
         const std::vector<SampleWindow> windows =
-            piecesOf(antialiasing.strategyFor(settings).windows(frame.seen), largestDrawing());
+            piecesOf(antialiasing.strategyFor(settings).windows(objects), largestDrawing());
         double sinking_s = 0.0;
         onContext([&](osg::RenderInfo& info) {
             FactorSamples samples;

@@ -65,6 +65,7 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
     render.zoomStrategy = settings.text("render.zoom") == "sills" ? irsg::ZoomStrategy::sills
                                                                   : irsg::ZoomStrategy::aligned;
     render.samplesPerAxis = antialiasing > 2 ? 1 : 1 << antialiasing;
+    render.pointSourceBelow_px = settings.real("render.pointSource");
     render.samplesInAll = settings.text("render.supersampling") == "inAll";
     render.sun = reflection("render.sun");
     render.fluxes = reflection("render.fluxes");

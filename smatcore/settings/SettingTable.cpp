@@ -153,6 +153,12 @@ void addRendering(std::vector<SettingInfo>& table) {
                "as published, to compare with: it loses and gains energy with the place "
                "of an object among the pixels.",
                SettingAudience::expert));
+    table.push_back(number(
+        "render.pointSource", "--point-source", "Point sources below", "px", 0, 1, "0.015625",
+        "Objects narrower than this part of a pixel are drawn once per aspect "
+        "and then stand for any range as points (modes 3 to 5, aligned); 0 draws "
+        "them always.",
+        SettingAudience::expert));
     table.push_back(choice("render.supersampling", "--supersampling", "Supersampling counts",
                            {"perAxis", "inAll"}, "perAxis",
                            "Whether the 2 and 4 samples of modes 1 and 2 are meant per axis of a "

@@ -285,6 +285,61 @@ TEST(AlignedZoom, NamesTheSurfaceOfAnObjectSmallerThanAPixel) {
     EXPECT_NEAR(sum / image.primary().values[middle], 1.0, 1e-4);
 }
 
+TEST(PointSource, KeepsTheIntensityOfItsWindowAndIsDrawnOnce) {
+    Irsg& irsg = generator(0.2);
+    Entity body = grey(joined(lShape(), boxMesh({0.3, 0.6, 0.2}, std::vector<IrCodes>(6, one))));
+    body.pose.attitude = {0.3, 0.2, 0.1};
+    irsg.setEntities({body});
+    RenderSettings settings = irsg.settings();
+    irsg.resetStageTimes();
+    for (double size_px : {0.012, 0.008, 0.001, 1e-6}) {
+        look(irsg, viewOf(2.0, size_px));
+        shift(irsg, 0.37, 0.21, body.pose.attitude);
+        const RenderReport point = irsg.render().report;
+        const ObjectRadiometry measured = irsg.measure().all;
+        settings.pointSourceBelow_px = 0.0;
+        irsg.setSettings(settings);
+        const ObjectRadiometry drawn = irsg.measure().all;
+        settings.pointSourceBelow_px = 1.0 / 64.0;
+        irsg.setSettings(settings);
+        EXPECT_NEAR(point.all.contrastIntensity_W_sr / drawn.contrastIntensity_W_sr, 1.0, 2e-3);
+        EXPECT_NEAR(measured.contrastIntensity_W_sr / point.all.contrastIntensity_W_sr, 1.0, 1e-5);
+        EXPECT_NEAR(measured.irradiance_W_m2 / drawn.irradiance_W_m2, 1.0, 2e-3);
+        EXPECT_NEAR(point.all.coveredPixels / drawn.coveredPixels, 1.0, 2e-3);
+    }
+    irsg.resetStageTimes();
+    look(irsg, viewOf(2.0, 0.005));
+    shift(irsg, 0.1, 0.1, body.pose.attitude);
+    const double first = irsg.render().report.all.intensity_W_sr;
+    for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
+        EXPECT_NE(stage.name, "drawing");
+    // Seen from elsewhere, it is drawn anew.
+    View side = viewOf(2.0, 0.005);
+    side.azimuth_rad = 0.5;
+    look(irsg, side);
+    EXPECT_GT(std::abs(irsg.render().report.all.intensity_W_sr / first - 1.0), 0.01);
+}
+
+TEST(PointSource, LetsGasThroughAsItsWindowDoes) {
+    Irsg& irsg = generator(0.2);
+    Entity body = grey(joined(sphereMesh(1.0, 24, 48, IrCodes{2, 2}),
+                              plateMesh({}, {0, 0, 0.6}, {0.6, 0, 0}, one)));
+    body.pose.attitude.roll_rad = 0.2;
+    SignatureDatabase database = *body.database;
+    database.temperatures[2] = fixedTemperature(700.0);
+    database.materials[2] = greyMaterial(0.3, 0.7);
+    body.database = std::make_shared<const SignatureDatabase>(database);
+    irsg.setEntities({body});
+    look(irsg, viewOf(2.0, 0.01));
+    RenderSettings settings = irsg.settings();
+    const ObjectRadiometry point = irsg.render().report.all;
+    settings.pointSourceBelow_px = 0.0;
+    irsg.setSettings(settings);
+    const ObjectRadiometry drawn = irsg.render().report.all;
+    EXPECT_NEAR(point.contrastIntensity_W_sr / drawn.contrastIntensity_W_sr, 1.0, 5e-3);
+    EXPECT_NEAR(point.coveredPixels / drawn.coveredPixels, 1.0, 5e-3);
+}
+
 TEST(SupersamplingInAll, CountsItsSamplesInAll) {
     // Two in all lie side by side: a plate over the lower half of a pixel is seen whole or not.
     Irsg& irsg = generator();

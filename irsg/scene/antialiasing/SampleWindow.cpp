@@ -1,6 +1,7 @@
 #include "irsg/scene/antialiasing/SampleWindow.h"
 
 #include <cmath>
+#include <utility>
 
 namespace irsg {
 
@@ -36,6 +37,13 @@ ImageRectangle ImageRectangle::unitedWith(const ImageRectangle& other) const {
 ImageRectangle ImageRectangle::intersectedWith(const ImageRectangle& other) const {
     return {std::max(left, other.left), std::max(top, other.top), std::min(right, other.right),
             std::min(bottom, other.bottom)};
+}
+
+SampleWindow SampleWindow::ofFrame(int side_px, std::vector<int> entities) {
+    SampleWindow window;
+    window.tilesWide = window.tilesHigh = side_px;
+    window.entities = std::move(entities);
+    return window;
 }
 
 double SampleWindow::tileSide_px() const {

@@ -58,6 +58,8 @@ struct SampleWindow {
 
     double tileSide_px() const;
     ImageRectangle rectangle() const;
+    /// One sample in each pixel of a square frame.
+    static SampleWindow ofFrame(int side_px, std::vector<int> entities);
     /// The pixels that its tiles belong to.
     PixelWindow pixels() const;
     /// Of its drawing, samples.

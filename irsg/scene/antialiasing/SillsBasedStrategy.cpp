@@ -24,14 +24,6 @@ ObjectTexture textureOf(const RadianceSamples& samples) {
     return texture;
 }
 
-/// One sample in each pixel of a frame of `side` pixels.
-SampleWindow wholeFrame(int side, int entity) {
-    SampleWindow window;
-    window.tilesWide = window.tilesHigh = side;
-    window.entities = {entity};
-    return window;
-}
-
 } // namespace
 
 std::pair<double, double> bilinear(const ObjectTexture& texture, double u, double v) {
@@ -84,7 +76,7 @@ void SillsBasedStrategy::drawTexture(const CameraFrame& camera, const ZoomEntity
     const int side_px = std::min(nextPowerOfTwo(diameter_px), size_);
     const CameraFrame zoom = zoomCamera(camera, object.centre_m, side_px, size_);
     RadianceSamples samples;
-    pass.draw(zoom, wholeFrame(size_, object.entity), samples);
+    pass.draw(zoom, SampleWindow::ofFrame(size_, {object.entity}), samples);
     const ObjectTexture texture = MultipassComposer(size_, side_px).apply(textureOf(samples));
 
     // Phase 3: the square in the frame.

@@ -1,0 +1,122 @@
+#include <algorithm>
+
+#include <osg/RenderInfo>
+
+#include "irsg/scene/FactorTable.h"
+#include "irsg/scene/IrsgParts.h"
+#include "irsg/scene/PixelGrid.h"
+#include "irsg/scene/antialiasing/PixelAlignedStrategy.h"
+#include "irsg/scene/antialiasing/ZoomCamera.h"
+
+namespace irsg {
+
+namespace {
+
+/// Side of the window that a point source is drawn into, samples.
+constexpr int pointWindow = 1024;
+
+} // namespace
+
+void Irsg::Parts::planPoints(Frame& frame) const {
+    const bool mayBePoints = settings.zoomWindow > 0 &&
+                             settings.zoomStrategy == ZoomStrategy::aligned &&
+                             settings.pointSourceBelow_px > 0.0;
+    const ImageRectangle field{0.0, 0.0, static_cast<double>(sensor.width_px),
+                               static_cast<double>(sensor.height_px)};
+    for (const ZoomEntityInfo& object : frame.seen) {
+        const ImageRectangle& extent = object.extent;
+        const bool isWhole = extent.left > field.left && extent.right < field.right &&
+                             extent.top > field.top && extent.bottom < field.bottom;
+        const bool standsApart = std::ranges::none_of(frame.seen, [&](const ZoomEntityInfo& other) {
+            return other.entity != object.entity && other.extent.intersects(extent);
+        });
+        const bool isPoint =
+            mayBePoints && isWhole && standsApart && extent.extent() < settings.pointSourceBelow_px;
+        (isPoint ? frame.points : frame.drawn).push_back(object);
+    }
+}
+
+Irsg::Parts::PointPixel Irsg::Parts::pixelOf(const Frame& frame,
+                                             const ZoomEntityInfo& object) const {
+    const ImageRectangle& extent = object.extent;
+    const int x = static_cast<int>(0.5 * (extent.left + extent.right));
+    const int y = static_cast<int>(0.5 * (extent.top + extent.bottom));
+    const PixelGrid::Pixel pixel = PixelGrid(sensor).at(x, y);
+    return {x, y, length(object.centre_m - frame.camera.viewpoint().position_m),
+            pixel.solidAngle_sr, pixel.cosOffAxis};
+}
+
+const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
+                                                  const ZoomEntityInfo& object) {
+    const Entity& entity = entities[static_cast<std::size_t>(object.entity)];
+    const Rotation toModel = entity.pose.attitude.rotation().transposed();
+    const Vec3 away = frame.camera.viewpoint().position_m - object.centre_m;
+    const SunPosition& sun = environment.sun;
+    PointAspect aspect{
+        entity.model,
+        {static_cast<double>(settings.zoomWindow), static_cast<double>(settings.maximumLayers),
+         static_cast<double>(frame.scene.modes.sun), static_cast<double>(frame.scene.modes.flux)},
+        {toModel * normalized(away), toModel * direction(sun.azimuth_rad, sun.elevation_rad),
+         toModel * Vec3{0, 0, 1}}};
+    for (std::size_t row = 0; row < frame.radiometry.keys().size(); ++row)
+        if (frame.radiometry.keys()[row].first == object.entity) {
+            const SurfaceSpectra& surface = frame.radiometry.surfaces()[row];
+            aspect.exact.push_back(surface.nAngleFactor);
+            aspect.exact.push_back(surface.isTransparent() ? 1.0 : 0.0);
+        }
+
+    return pointSources.sums_sr_m2(object.entity, aspect, [&] {
+        // Drawn once, so finely: a few pixels of a camera that looks at it, in the densest window.
+        constexpr int framePixels = 4;
+        const double side_px = ballDiameter_px(frame.camera, object.centre_m, object.radius_m);
+        const CameraFrame zoom = zoomCamera(frame.camera, object.centre_m, side_px, framePixels);
+        const auto seen =
+            zoomEntityInfo(object.entity, zoom, entity.model->bounds(),
+                           balls[static_cast<std::size_t>(object.entity)], entity.pose);
+        std::vector<bool> transparent;
+        for (const SurfaceSpectra& surface : frame.radiometry.surfaces())
+            transparent.push_back(surface.isTransparent());
+        const FrameBackground none;
+        FactorAccumulator accumulator(zoom.sensor(), none, frame.radiometry.keys(), transparent);
+        if (seen)
+            onContext([&](osg::RenderInfo& info) {
+                FactorSamples samples;
+                const PixelAlignedStrategy finest(pointWindow);
+                for (const SampleWindow& window :
+                     piecesOf(finest.windows({*seen}), largestDrawing())) {
+                    pass->drawFactors(info, sceneOf(frame, zoom, window), window, false, samples);
+                    accumulator.add(window, samples);
+                }
+            });
+        ProjectedFactors atUnitDistance = accumulator.take();
+        const double distance_m = length(away);
+        for (auto& [key, sums] : atUnitDistance.sums)
+            sums = atDistance(sums, 1.0 / distance_m, 1.0, 1.0, 0.0);
+        return atUnitDistance;
+    });
+}
+
+void Irsg::Parts::addPoint(const Frame& frame, const ZoomEntityInfo& object,
+                           FrameReduction& reduction) {
+    const PointPixel pixel = pixelOf(frame, object);
+    double radiance_W_m2 = 0.0, opaque_sr = 0.0;
+    for (const auto& [key, kept] : pointFactors(frame, object).sums) {
+        const FactorSums sums =
+            atDistance(kept, pixel.distance_m, pixel.solidAngle_sr, pixel.cosOffAxis, 0.0);
+        const SurfaceRow& row =
+            frame.scene.rows[static_cast<std::size_t>(frame.radiometry.row(key.entity, key.codes))];
+        double passed = 1.0;
+        for (const auto& [entity, material] : key.inFront)
+            passed *= frame.radiometry.scalarTransmissivityOf(entity, material);
+        radiance_W_m2 += passed * (static_cast<double>(row.thermal) * sums.thermal_sr +
+                                   static_cast<double>(row.up) * sums.up_sr +
+                                   static_cast<double>(row.down) * sums.down_sr +
+                                   static_cast<double>(row.sun) * sums.sun_sr +
+                                   static_cast<double>(row.path) * sums.coverage_sr);
+        opaque_sr += passed * static_cast<double>(row.opacity) * sums.coverage_sr;
+    }
+    reduction.addPoint(pixel.x, pixel.y, radiance_W_m2 / pixel.solidAngle_sr,
+                       opaque_sr / pixel.solidAngle_sr);
+}
+
+} // namespace irsg

@@ -1,0 +1,46 @@
+#include "irsg/scene/antialiasing/PointSources.h"
+
+#include <algorithm>
+
+namespace irsg {
+
+namespace {
+
+bool isSeenAlike(const PointAspect& a, const PointAspect& b) {
+    return a.model == b.model && a.exact == b.exact &&
+           std::ranges::equal(a.directions, b.directions, [](const Vec3& u, const Vec3& v) {
+               return length(u - v) <= PointSources::directionTolerance_rad;
+           });
+}
+
+} // namespace
+
+const ProjectedFactors& PointSources::sums_sr_m2(int entity, const PointAspect& aspect,
+                                                 const std::function<ProjectedFactors()>& draw) {
+    const auto found = kept_.find(entity);
+    if (found != kept_.end() && isSeenAlike(found->second.aspect, aspect))
+        return found->second.sums_sr_m2;
+    return kept_.insert_or_assign(entity, Kept{aspect, draw()}).first->second.sums_sr_m2;
+}
+
+FactorSums atDistance(const FactorSums& sums_sr_m2, double distance_m, double pixel_sr,
+                      double cosOffAxis, double background_W_m2_sr) {
+    const double scale = 1.0 / (distance_m * distance_m);
+    FactorSums sums;
+    sums.coverage_sr = scale * sums_sr_m2.coverage_sr;
+    sums.thermal_sr = scale * sums_sr_m2.thermal_sr;
+    sums.up_sr = scale * sums_sr_m2.up_sr;
+    sums.down_sr = scale * sums_sr_m2.down_sr;
+    sums.sun_sr = scale * sums_sr_m2.sun_sr;
+    sums.coverageCos_sr = cosOffAxis * sums.coverage_sr;
+    sums.thermalCos_sr = cosOffAxis * sums.thermal_sr;
+    sums.upCos_sr = cosOffAxis * sums.up_sr;
+    sums.downCos_sr = cosOffAxis * sums.down_sr;
+    sums.sunCos_sr = cosOffAxis * sums.sun_sr;
+    sums.pixels = sums.coverage_sr / pixel_sr;
+    sums.background_W_m2 = sums.coverage_sr * background_W_m2_sr;
+    sums.backgroundCos_W_m2 = cosOffAxis * sums.background_W_m2;
+    return sums;
+}
+
+} // namespace irsg

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "irsg/scene/Model.h"
+#include "irsg/scene/ProjectedFactors.h"
+
+namespace irsg {
+
+/// From where an object is seen and lit: what its factors depend on but for its distance.
+struct PointAspect {
+    std::shared_ptr<const Model> model;
+    std::vector<double> exact;    ///< must be equal: modes, angle factors, transparency
+    std::vector<Vec3> directions; ///< model axes, unit: to the camera, the sun, the zenith
+};
+
+/// Objects so small that drawing them for every frame is waste. Their projected factors are drawn
+/// once and serve at every range and place in the frame while the object is seen and lit from the
+/// same directions. All of an object goes to the pixel that holds its middle.
+///
+/// Errors: as far as an object lies across a border of pixels, its energy is in the pixel next to
+/// the true one, at most half its extent in pixels (RenderSettings::pointSourceBelow_px).
+/// Directions may differ by directionTolerance_rad: a plate seen at the grazing angle g changes by
+/// that over tan g. Other than that the intensity is the one of a drawn window.
+class PointSources {
+  public:
+    static constexpr double directionTolerance_rad = 1e-4;
+
+    /// Sums of an entity times the square of its distance, sr m2. `draw` makes them where those
+    /// that are kept are of another aspect.
+    const ProjectedFactors& sums_sr_m2(int entity, const PointAspect& aspect,
+                                       const std::function<ProjectedFactors()>& draw);
+
+  private:
+    struct Kept {
+        PointAspect aspect;
+        ProjectedFactors sums_sr_m2;
+    };
+    std::map<int, Kept> kept_; // by entity
+};
+
+/// The sums of a point in a pixel: at a distance, on a detector at cos(off-axis), in front of a
+/// background that varies (0 where it does not).
+FactorSums atDistance(const FactorSums& sums_sr_m2, double distance_m, double pixel_sr,
+                      double cosOffAxis, double background_W_m2_sr);
+
+} // namespace irsg
