@@ -219,28 +219,28 @@ Spectrum SpectraAtmosphere::backgroundRadiance(const LineOfSight& sight, const S
     return result;
 }
 
-Spectrum SpectraAtmosphere::solarIrradiance(double altitude_m, const SunPosition& sun,
-                                            const SpectralRange& range) const {
-    const Spectrum& result = spectrum(AtmosphereProperty::solarIrradiance, range);
+const Spectrum& SpectraAtmosphere::spectrumAtTarget(AtmosphereProperty property, double altitude_m,
+                                                    const SunPosition& sun,
+                                                    const SpectralRange& range) const {
+    const Spectrum& result = spectrum(property, range);
     requireTargetAltitude(altitude_m);
     requireSunElevation(sun);
     return result;
+}
+
+Spectrum SpectraAtmosphere::solarIrradiance(double altitude_m, const SunPosition& sun,
+                                            const SpectralRange& range) const {
+    return spectrumAtTarget(AtmosphereProperty::solarIrradiance, altitude_m, sun, range);
 }
 
 Spectrum SpectraAtmosphere::upwardFlux(double altitude_m, const SunPosition& sun,
                                        const SpectralRange& range) const {
-    const Spectrum& result = spectrum(AtmosphereProperty::upwardFlux, range);
-    requireTargetAltitude(altitude_m);
-    requireSunElevation(sun);
-    return result;
+    return spectrumAtTarget(AtmosphereProperty::upwardFlux, altitude_m, sun, range);
 }
 
 Spectrum SpectraAtmosphere::downwardFlux(double altitude_m, const SunPosition& sun,
                                          const SpectralRange& range) const {
-    const Spectrum& result = spectrum(AtmosphereProperty::downwardFlux, range);
-    requireTargetAltitude(altitude_m);
-    requireSunElevation(sun);
-    return result;
+    return spectrumAtTarget(AtmosphereProperty::downwardFlux, altitude_m, sun, range);
 }
 
 double SpectraAtmosphere::ambientTemperature_K(double altitude_m) const {

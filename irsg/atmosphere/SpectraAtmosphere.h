@@ -77,6 +77,9 @@ class SpectraAtmosphere : public Atmosphere {
 
   private:
     const Spectrum& spectrum(AtmosphereProperty property, const SpectralRange& range) const;
+    /// Of what sun or sky send to the target's altitude.
+    const Spectrum& spectrumAtTarget(AtmosphereProperty property, double altitude_m,
+                                     const SunPosition& sun, const SpectralRange& range) const;
     double altitudeSlack_m() const;
     double elevationSlack_rad() const;
     void requireNear(const char* what, double found, double held, double slack, double perUnit,

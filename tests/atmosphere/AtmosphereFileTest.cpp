@@ -9,6 +9,7 @@
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
 #include "irsg/atmosphere/import/Tape7.h"
 #include "tests/atmosphere/SyntheticTape7.h"
+#include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;
 using testing::HasSubstr;
@@ -16,11 +17,7 @@ using testing::HasSubstr;
 namespace {
 
 std::filesystem::path written(const std::string& name, const std::string& text) {
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "atmosphere-files";
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / name, std::ios::binary) << text;
-    return folder / name;
+    return smat::test::writtenFile(smat::test::ownFolder() / name, text);
 }
 
 } // namespace
@@ -75,5 +72,5 @@ TEST(AtmosphereFile, whatIsNoAtmosphereIsRefusedByName) {
         }
     }
     EXPECT_THROW(loadAtmosphere("no/such/file"), InputError);
-    EXPECT_THROW(loadAtmosphere(testing::TempDir()), InputError);
+    EXPECT_THROW(loadAtmosphere(smat::test::ownFolder()), InputError);
 }

@@ -6,7 +6,7 @@
 
 #include "irsg/atmosphere/AtmosphereSmartParameters.h"
 #include "tests/atmosphere/KarmaSupport.h"
-#include "tests/atmosphere/SharedMaterial.h"
+#include "tests/support/SharedMaterial.h"
 
 namespace irsg {
 namespace {
@@ -37,7 +37,7 @@ TEST(AtmosphereSmartParameters, areTheTwentySevenOfTheReport) {
 }
 
 TEST(AtmosphereSmartParameters, theFileOfTheReportHoldsTheValuesOfAnnexA) {
-    const auto file = sharedMaterial("data/karma/AtmosphereSmart.xml");
+    const auto file = smat::test::sharedMaterial("data/karma/AtmosphereSmart.xml");
     if (file.empty())
         GTEST_SKIP() << "the KARMA files of the shared material are not here";
     KarmaXml document = KarmaXml::read(file);

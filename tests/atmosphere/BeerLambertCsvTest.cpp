@@ -12,6 +12,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
+#include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;
 using testing::HasSubstr;
@@ -22,9 +23,7 @@ const SpectralRange mwir{3.0, 5.0};
 const SunPosition noon{0.0, 1.0};
 
 BeerLambert airOf(const std::string& text, const std::string& fileName = "air.csv") {
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / fileName;
-    std::ofstream(path, std::ios::binary) << text;
-    return BeerLambert::fromCsv(path);
+    return BeerLambert::fromCsv(smat::test::writtenFile(smat::test::ownFolder() / fileName, text));
 }
 
 } // namespace
@@ -118,8 +117,7 @@ const std::string good = header + "3,0.1\n5,0.1\n";
 
 TEST_P(BeerLambertCsvRefuses, withFileLineValueAndExpectation) {
     const std::filesystem::path path =
-        std::filesystem::path(testing::TempDir()) / (std::string(GetParam().name) + ".csv");
-    std::ofstream(path, std::ios::binary) << GetParam().text;
+        smat::test::writtenFile(smat::test::ownFolder() / "bad.csv", GetParam().text);
     try {
         BeerLambert::fromCsv(path);
         ADD_FAILURE() << "accepted";
@@ -130,7 +128,6 @@ TEST_P(BeerLambertCsvRefuses, withFileLineValueAndExpectation) {
             EXPECT_FALSE(offence.expected.empty());
         }
     }
-    std::filesystem::remove(path);
 }
 
 INSTANTIATE_TEST_SUITE_P(

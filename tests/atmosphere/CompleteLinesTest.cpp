@@ -13,7 +13,7 @@
 #include "irsg/atmosphere/lbl/PublishedRun.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
-#include "tests/atmosphere/SharedMaterial.h"
+#include "tests/support/SharedMaterial.h"
 
 namespace irsg::lbl {
 namespace {
@@ -131,7 +131,7 @@ double besideLines(Gas gas, double wavenumber_cm) {
 }
 
 TEST(CompleteLines, transmitAsAPublishedRunOfMODTRANGasByGas) {
-    const auto data = sharedMaterial("data/atmosphere");
+    const auto data = smat::test::sharedMaterial("data/atmosphere");
     if (data.empty())
         GTEST_SKIP() << "the shared material is not beside the checkout";
     const auto rows = publishedRun(data / "modtran" / "pyradi" / "horizon5kmtropical.fl7");
@@ -168,7 +168,7 @@ TEST(CompleteLines, transmitAsAPublishedRunOfMODTRANGasByGas) {
 }
 
 TEST(CompleteLines, countEveryLineOfCarbonDioxideOnce) {
-    const auto data = sharedMaterial("data/atmosphere");
+    const auto data = smat::test::sharedMaterial("data/atmosphere");
     if (data.empty())
         GTEST_SKIP() << "the shared material is not beside the checkout";
     const LineList original = readLineList(Gas::CO2, data / "lines" / "CO2.par.gz");

@@ -12,6 +12,7 @@
 #include "irsg/atmosphere/engine/ResourceFile.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace irsg {
 namespace {
@@ -237,9 +238,7 @@ struct BadTable {
 class BadEvenTable : public testing::TestWithParam<BadTable> {};
 
 TEST_P(BadEvenTable, isRefusedByName) {
-    const auto file =
-        std::filesystem::temp_directory_path() / (std::string("even-") + GetParam().name + ".csv");
-    std::ofstream(file) << GetParam().text;
+    const auto file = smat::test::writtenFile(smat::test::ownFolder() / "bad.csv", GetParam().text);
     try {
         (void)EvenTable::read(file, {"k"});
         FAIL() << "it was read";
@@ -248,7 +247,6 @@ TEST_P(BadEvenTable, isRefusedByName) {
             << error.what();
         EXPECT_NE(std::string(error.what()).find(file.filename().string()), std::string::npos);
     }
-    std::filesystem::remove(file);
 }
 
 INSTANTIATE_TEST_SUITE_P(

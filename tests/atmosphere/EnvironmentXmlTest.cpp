@@ -8,7 +8,7 @@
 #include "irsg/atmosphere/AtmosphereFile.h"
 #include "irsg/radiometry/Units.h"
 #include "tests/atmosphere/KarmaSupport.h"
-#include "tests/atmosphere/SharedMaterial.h"
+#include "tests/support/SharedMaterial.h"
 
 namespace irsg {
 namespace {
@@ -24,7 +24,7 @@ EnvironmentReading readOf(const std::string& inside) {
 }
 
 TEST(EnvironmentXml, theFileOfTheReportIsReadAndComesBackEqual) {
-    const auto file = sharedMaterial("data/karma/Environment.xml");
+    const auto file = smat::test::sharedMaterial("data/karma/Environment.xml");
     if (file.empty())
         GTEST_SKIP() << "the KARMA files of the shared material are not here";
     KarmaXml document = KarmaXml::read(file);

@@ -8,6 +8,7 @@
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "irsg/atmosphere/engine/NodeAbsorption.h"
 #include "irsg/radiometry/Errors.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace irsg {
 namespace {
@@ -132,17 +133,10 @@ TEST(GasTable, findsTheBinsThatTouchARange) {
 
 class GasTableFile : public testing::Test {
   protected:
-    void SetUp() override {
-        folder_ = std::filesystem::temp_directory_path() /
-                  ("gastable-" +
-                   std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-        std::filesystem::create_directories(folder_);
-        file_ = folder_ / "small.gastable";
-        table().write(file_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
+    void SetUp() override { table().write(file_); }
 
-    std::filesystem::path folder_, file_;
+    const std::filesystem::path folder_ = smat::test::ownFolder();
+    const std::filesystem::path file_ = folder_ / "small.gastable";
 };
 
 TEST_F(GasTableFile, readsBackWhatWasWritten) {

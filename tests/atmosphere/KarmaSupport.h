@@ -5,49 +5,14 @@
 #include <iterator>
 #include <string>
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include "irsg/radiometry/Errors.h"
+#include "tests/support/Refusal.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace irsg {
 
-/// The folder of this process, removed at its end.
-class ProcessFolder {
-  public:
-    ProcessFolder()
-        : path_(std::filesystem::path(testing::TempDir()) / ("karma_" + std::to_string(getpid()))) {
-    }
-    ~ProcessFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    ProcessFolder(const ProcessFolder&) = delete;
-    ProcessFolder& operator=(const ProcessFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
-
-/// A folder of the running test alone, empty when it is first asked for.
-inline std::filesystem::path ownFolder() {
-    static const ProcessFolder process;
-    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(test->test_suite_name()) + "_" + test->name();
-    for (char& c : name)
-        c = c == '/' ? '_' : c;
-    std::filesystem::create_directories(process.path() / name);
-    return process.path() / name;
-}
-
-inline std::filesystem::path writtenFile(const std::filesystem::path& file,
-                                         const std::string& text) {
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary) << text;
-    return file;
-}
+using smat::test::ownFolder;
+using smat::test::refusalOf;
+using smat::test::writtenFile;
 
 inline std::string contentOf(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -69,17 +34,6 @@ inline std::string significant(const std::string& xml) {
             text += xml[i];
     }
     return text;
-}
-
-/// What an InputError says; "accepted" where none was thrown.
-template <typename Act>
-std::string refusalOf(Act&& act) {
-    try {
-        act();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
 }
 
 /// A parameter file of AtmosphereSmart that holds `inside` beside what every file needs.

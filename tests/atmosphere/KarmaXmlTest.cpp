@@ -6,7 +6,7 @@
 
 #include "irsg/atmosphere/import/KarmaXml.h"
 #include "tests/atmosphere/KarmaSupport.h"
-#include "tests/atmosphere/SharedMaterial.h"
+#include "tests/support/SharedMaterial.h"
 
 namespace irsg {
 namespace {
@@ -139,7 +139,7 @@ TEST(KarmaXml, latinTextBecomesUtf8AndKeepsItsLines) {
 }
 
 TEST(KarmaXml, theFilesOfTheReportComeBackEqual) {
-    const auto folder = sharedMaterial("data/karma");
+    const auto folder = smat::test::sharedMaterial("data/karma");
     if (folder.empty())
         GTEST_SKIP() << "the KARMA files of the shared material are not here";
     int files = 0;

@@ -6,7 +6,7 @@
 
 #include "irsg/atmosphere/lbl/LineAbsorption.h"
 #include "irsg/atmosphere/lbl/LineListFile.h"
-#include "tests/atmosphere/SharedMaterial.h"
+#include "tests/support/SharedMaterial.h"
 
 namespace irsg::lbl {
 namespace {
@@ -23,7 +23,7 @@ struct Stretch {
 /// Root mean square of the difference of 10 cm-1 transmittances (triangular slit, every 5 cm-1).
 double difference(const Stretch& at) {
     constexpr double temperature_K = 299.7, pressure_hPa = 1013.0, slit_cm = 10.0;
-    const auto lines = sharedMaterial("data/atmosphere/lines");
+    const auto lines = smat::test::sharedMaterial("data/atmosphere/lines");
     const LineList list = readLineList(
         at.gas, lines / (std::string(gasNames[static_cast<std::size_t>(at.gas)]) + ".par.gz"));
     const WavenumberGrid grid{
@@ -37,7 +37,8 @@ double difference(const Stretch& at) {
     for (double& value : transmittance)
         value = std::exp(-value * column_per_cm2);
 
-    std::ifstream file(sharedMaterial("data/atmosphere/modtran/pyradi/horizon5kmtropical.fl7"));
+    std::ifstream file(
+        smat::test::sharedMaterial("data/atmosphere/modtran/pyradi/horizon5kmtropical.fl7"));
     double sum = 0.0;
     int count = 0;
     for (std::string line; std::getline(file, line);) {
@@ -62,8 +63,8 @@ double difference(const Stretch& at) {
 }
 
 TEST(LineAbsorption, agreesWithModtranWhereTheListsAreComplete) {
-    if (sharedMaterial("data/atmosphere/lines").empty() ||
-        sharedMaterial("data/atmosphere/modtran").empty())
+    if (smat::test::sharedMaterial("data/atmosphere/lines").empty() ||
+        smat::test::sharedMaterial("data/atmosphere/modtran").empty())
         GTEST_SKIP() << "the line lists and MODTRAN results of the shared material are not here";
     const Stretch stretches[] = {
         {Gas::CO, 0.15e-6, 14, 2050.0, 2200.0, 0.006},

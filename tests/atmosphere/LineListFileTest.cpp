@@ -8,7 +8,8 @@
 
 #include "irsg/atmosphere/lbl/LineListFile.h"
 #include "irsg/radiometry/Errors.h"
-#include "tests/atmosphere/SharedMaterial.h"
+#include "tests/support/SharedMaterial.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace irsg::lbl {
 namespace {
@@ -19,9 +20,7 @@ const std::string first =
 const std::string second = " 2A  640.500000 1.250E-25 1.523E+00.06500.000   -1.00000.690.001000";
 
 std::filesystem::path fileOf(const std::string& text, const std::string& name = "lines.par") {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / name;
-    std::ofstream(file, std::ios::binary) << text;
-    return file;
+    return smat::test::writtenFile(smat::test::ownFolder() / name, text);
 }
 
 TEST(LineListFile, readsTheColumnsInOrderOfWavenumber) {
@@ -45,8 +44,7 @@ TEST(LineListFile, readsTheColumnsInOrderOfWavenumber) {
 }
 
 TEST(LineListFile, readsWhatGzipCompressed) {
-    const std::filesystem::path file =
-        std::filesystem::path(testing::TempDir()) / "compressed.par.gz";
+    const std::filesystem::path file = smat::test::ownFolder() / "compressed.par.gz";
     const gzFile out = gzopen(file.c_str(), "wb");
     std::string text;
     for (int i = 0; i < 20000; ++i)
@@ -103,7 +101,7 @@ TEST(LineListFile, namesTheLineThatIsNoRecord) {
 }
 
 TEST(LineListFile, readsTheSharedLists) {
-    const auto file = sharedMaterial("data/atmosphere/lines/CO.par.gz");
+    const auto file = smat::test::sharedMaterial("data/atmosphere/lines/CO.par.gz");
     if (file.empty())
         GTEST_SKIP() << "the line lists of the shared material are not here";
     const LineList list = readLineList(Gas::CO, file);

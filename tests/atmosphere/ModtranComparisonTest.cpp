@@ -6,7 +6,7 @@
 
 #include "irsg/atmosphere/import/TextLines.h"
 #include "tests/atmosphere/ModtranRuns.h"
-#include "tests/atmosphere/SharedMaterial.h"
+#include "tests/support/SharedMaterial.h"
 
 // Every MODTRAN result of the shared material against ours, in-band; docs/atmosphere-accuracy.md
 // has the figures.
@@ -19,7 +19,7 @@ using namespace modtran;
 class ModtranComparisonTest : public testing::TestWithParam<PublishedFile> {};
 
 TEST_P(ModtranComparisonTest, agreesInBand) {
-    const auto folder = sharedMaterial("data/atmosphere/modtran");
+    const auto folder = smat::test::sharedMaterial("data/atmosphere/modtran");
     if (folder.empty())
         GTEST_SKIP() << "the MODTRAN results of the shared material are not there";
     const PublishedFile& file = GetParam();
@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Files, ModtranComparisonTest, testing::ValuesIn(publish
                          });
 
 TEST(ModtranComparison, sunIsScatteredWithTheAsymmetryOfTheCards) {
-    const auto folder = sharedMaterial("data/atmosphere/modtran");
+    const auto folder = smat::test::sharedMaterial("data/atmosphere/modtran");
     if (folder.empty())
         GTEST_SKIP() << "the MODTRAN results of the shared material are not there";
     // IPH 0 and G 0: isotropic. The aerosol's own phase function would be seven times as bright at

@@ -1,7 +1,5 @@
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,8 +10,13 @@
 #include "irsg/atmosphere/import/ModtranCsv.h"
 #include "irsg/atmosphere/import/ModtranJson.h"
 #include "irsg/radiometry/Units.h"
+#include "tests/atmosphere/SyntheticTape7.h"
+#include "tests/support/Refusal.h"
+#include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;
+using smat::test::refusalOf;
+using smat::test::writtenFile;
 using testing::HasSubstr;
 
 namespace {
@@ -36,38 +39,6 @@ const std::string output = R"("MODTRANOUTPUT": {"SPECTRA": {"RADIANCE": {)" + ax
     "SOL_AT_OBS": [9e-7, 8e-7, 0], "DEPTH": [0.693147, 1.386294, 12.345], "BBODY_TK": [1, 1, 1]
   }}})";
 const std::string document = "{\"MODTRAN\": [{" + input + ",\n" + output + "}]}";
-
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-    const std::size_t at = text.find(what);
-    EXPECT_NE(at, text.npos) << what;
-    return text.replace(at, what.size(), with);
-}
-
-std::string refusal(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "nothing was refused";
-}
-
-/// A folder of its own for one test.
-class Folder {
-  public:
-    explicit Folder(const char* name)
-        : path_(std::filesystem::path(testing::TempDir()) / ("modtran6-" + std::string(name))) {
-        std::filesystem::remove_all(path_);
-        std::filesystem::create_directories(path_);
-    }
-    std::filesystem::path write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return path_ / name;
-    }
-
-  private:
-    std::filesystem::path path_;
-};
 
 const std::string rows = "2000,0.5,3e-7,1e-8,1e-7,2e-9,3e-9,0,0,4.15e-7,0,9e-7,0.693,1,1e-6,290\n"
                          "2010,0.25,3e-7,1e-8,1e-7,2e-9,3e-9,0,0,4.15e-7,0,8e-7,1.386,1,1e-6,290\n"
@@ -163,18 +134,18 @@ TEST(ModtranJson, badDocumentsAreRefusedByName) {
          "no array FREQ"},
     };
     for (const auto& row : table) {
-        EXPECT_THAT(refusal([&] { parseModtranJson(row.text, "x.json"); }), HasSubstr(row.says))
+        EXPECT_THAT(refusalOf([&] { parseModtranJson(row.text, "x.json"); }), HasSubstr(row.says))
             << row.name;
     }
 }
 
 TEST(ModtranCsv, takesItsGeometryFromTheDocumentBesideIt) {
     for (const std::string& header : {names, longNames}) {
-        const Folder folder("beside");
-        folder.write("anything.json", "{\"MODTRAN\": [{" + input + "}]}");
-        folder.write("other.json", "{\"x\": 1}");
+        const auto folder = smat::test::ownFolder();
+        writtenFile(folder / "anything.json", "{\"MODTRAN\": [{" + input + "}]}");
+        writtenFile(folder / "other.json", "{\"x\": 1}");
         const std::filesystem::path file =
-            folder.write("slant.csv", header + rows + "-9999.,,,,,,,,,,,,,,,\n");
+            writtenFile(folder / "slant.csv", header + rows + "-9999.,,,,,,,,,,,,,,,\n");
         ASSERT_TRUE(TabulatedAtmosphere::canImport(file));
         const std::vector<SpectralRun> runs = readModtranCsv(file);
         ASSERT_EQ(runs.size(), 1u) << header;
@@ -191,9 +162,9 @@ TEST(ModtranCsv, takesItsGeometryFromTheDocumentBesideIt) {
 }
 
 TEST(ModtranCsv, takesItsGeometryFromItsComments) {
-    const Folder folder("comments");
-    const std::filesystem::path file =
-        folder.write("run.csv", "# ITYPE: 1\n# IEMSCT: 1\n# H1: 2\n# RANGE: 3\n" + names + rows);
+    const auto folder = smat::test::ownFolder();
+    const std::filesystem::path file = writtenFile(
+        folder / "run.csv", "# ITYPE: 1\n# IEMSCT: 1\n# H1: 2\n# RANGE: 3\n" + names + rows);
     const SpectralRun run = readModtranCsv(file).front();
     EXPECT_EQ(run.kind, RunKind::thermalRadiance);
     EXPECT_DOUBLE_EQ(run.geometry.sensorAltitude_m, 2000.0);
@@ -202,7 +173,7 @@ TEST(ModtranCsv, takesItsGeometryFromItsComments) {
 }
 
 TEST(ModtranCsv, wavelengthsAndTheirDensitiesAreTheSameAir) {
-    const Folder folder("units");
+    const auto folder = smat::test::ownFolder();
     const std::string place = "# ITYPE: 1\n# IEMSCT: 1\n# H1: 0\n# RANGE: 3\n";
     const double perCm = 4e-7;
     char text[200];
@@ -210,8 +181,8 @@ TEST(ModtranCsv, wavelengthsAndTheirDensitiesAreTheSameAir) {
                   perCm * 2000.0 * 2000.0 * 1e-4, perCm * 2000.0 * 2000.0 * 1e-4);
     const SpectralRun microns =
         readModtranCsv(
-            folder.write("um.csv",
-                         place + "wavelength,tot_trans,pth_thrml,total_rad\nmicrons,,,\n" + text))
+            writtenFile(folder / "um.csv",
+                        place + "wavelength,tot_trans,pth_thrml,total_rad\nmicrons,,,\n" + text))
             .front();
     EXPECT_NEAR(microns.wavenumbers_cm.back(), 2000.0, 1e-9);
     EXPECT_NEAR(microns.pathRadiance_W_m2_sr_um.back(), perCm * 4e6, 1e-9);
@@ -219,19 +190,19 @@ TEST(ModtranCsv, wavelengthsAndTheirDensitiesAreTheSameAir) {
                   perCm * 2000.0 * 2000.0 * 1e-1, perCm * 2000.0 * 2000.0 * 1e-1);
     const SpectralRun nanometres =
         readModtranCsv(
-            folder.write("nm.csv",
-                         place + "wavelength,tot_trans,pth_thrml,total_rad\n[nm],,,\n" + text))
+            writtenFile(folder / "nm.csv",
+                        place + "wavelength,tot_trans,pth_thrml,total_rad\n[nm],,,\n" + text))
             .front();
     EXPECT_NEAR(nanometres.wavenumbers_cm.back(), 2000.0, 1e-9);
     EXPECT_NEAR(nanometres.pathRadiance_W_m2_sr_um.back(), perCm * 4e6, 1e-9);
 }
 
 TEST(ModtranCsv, severalCasesOfOneFileAreSeveralRuns) {
-    const Folder folder("several");
+    const auto folder = smat::test::ownFolder();
     const std::string second = replaced(input, "\"H2ALT\": 2.5", "\"H2ALT\": 3.5");
-    folder.write("slant.json", "{\"MODTRAN\": [{" + input + "}, {" + second + "}]}");
+    writtenFile(folder / "slant.json", "{\"MODTRAN\": [{" + input + "}, {" + second + "}]}");
     const std::vector<SpectralRun> runs =
-        readModtranCsv(folder.write("slant.csv", longNames + rows + longNames + rows));
+        readModtranCsv(writtenFile(folder / "slant.csv", longNames + rows + longNames + rows));
     ASSERT_EQ(runs.size(), 2u);
     EXPECT_DOUBLE_EQ(runs[0].geometry.targetAltitude_m, 2250.0);
     EXPECT_DOUBLE_EQ(runs[1].geometry.targetAltitude_m, 3250.0);
@@ -263,15 +234,17 @@ TEST(ModtranCsv, badFilesAreRefusedByName) {
         {"a short row", place + names + replaced(rows, ",1,1e-6,290\n2010", "\n2010"), "cells"},
         {"the axis falls", place + names + replaced(rows, "2010", "1910"), "wavenumber 1910"},
     };
-    const Folder folder("bad");
+    const auto folder = smat::test::ownFolder();
     for (const auto& row : table) {
-        const std::filesystem::path file = folder.write("bad.csv", row.text);
-        EXPECT_THAT(refusal([&] { readModtranCsv(file); }), HasSubstr(row.says)) << row.name;
+        const std::filesystem::path file = writtenFile(folder / "bad.csv", row.text);
+        EXPECT_THAT(refusalOf([&] { readModtranCsv(file); }), HasSubstr(row.says)) << row.name;
     }
-    folder.write("bad.json", "{\"MODTRAN\": [{" + input + "}, {" + input + "}]}");
-    EXPECT_THAT(refusal([&] { readModtranCsv(folder.write("bad.csv", names + rows)); }),
+    writtenFile(folder / "bad.json", "{\"MODTRAN\": [{" + input + "}, {" + input + "}]}");
+    EXPECT_THAT(refusalOf([&] { readModtranCsv(writtenFile(folder / "bad.csv", names + rows)); }),
                 HasSubstr("1 tables of numbers"));
-    folder.write("bad.json", "{\"MODTRAN\": [{" + replaced(input, "\"W\"", "\"M\"") + "}]}");
-    EXPECT_THAT(refusal([&] { readModtranCsv(folder.write("bad.csv", longNames + rows)); }),
-                HasSubstr("SPECTRAL.XFLAG"));
+    writtenFile(folder / "bad.json",
+                "{\"MODTRAN\": [{" + replaced(input, "\"W\"", "\"M\"") + "}]}");
+    EXPECT_THAT(
+        refusalOf([&] { readModtranCsv(writtenFile(folder / "bad.csv", longNames + rows)); }),
+        HasSubstr("SPECTRAL.XFLAG"));
 }

@@ -1,13 +1,12 @@
 #include <filesystem>
-#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "irsg/atmosphere/engine/ParticleTable.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
 #include "irsg/radiometry/Errors.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace irsg {
 namespace {
@@ -16,16 +15,7 @@ using Kind = ParticleTable::Kind;
 
 ParticleTable readText(const std::string& text, Kind kind,
                        const std::vector<std::string>& columns) {
-    const auto file = std::filesystem::temp_directory_path() /
-                      ("smat_particles_" + std::to_string(getpid()) + ".csv");
-    std::ofstream(file, std::ios::binary) << text;
-    struct Remove {
-        std::filesystem::path file;
-        ~Remove() {
-            std::error_code ignored;
-            std::filesystem::remove(file, ignored);
-        }
-    } remove{file};
+    const auto file = smat::test::writtenFile(smat::test::ownFolder() / "particles.csv", text);
     return ParticleTable::read(file, kind, columns);
 }
 
@@ -97,7 +87,7 @@ TEST(ParticleTable, everyDamageIsRefusedByName) {
             readText(damage.text, damage.kind, opticsNames);
             ADD_FAILURE() << damage.name << " was accepted";
         } catch (const InputError& error) {
-            EXPECT_THAT(error.what(), testing::HasSubstr("smat_particles_")) << damage.name;
+            EXPECT_THAT(error.what(), testing::HasSubstr("particles.csv: ")) << damage.name;
             EXPECT_THAT(error.what(), testing::HasSubstr(damage.says)) << damage.name;
         }
     }

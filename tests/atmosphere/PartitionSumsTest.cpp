@@ -6,7 +6,8 @@
 
 #include "irsg/atmosphere/lbl/PartitionSums.h"
 #include "irsg/radiometry/Errors.h"
-#include "tests/atmosphere/SharedMaterial.h"
+#include "tests/support/SharedMaterial.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace irsg::lbl {
 namespace {
@@ -15,11 +16,8 @@ const std::string columns = "temperature_K,H2O_1,H2O_2,CO2_1,O3_1,N2O_1,CO_1,CH4
 
 /// A folder with a table of that text.
 std::filesystem::path folderOf(const std::string& text) {
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "partition-sums";
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "tips_12_molecules.csv") << text;
-    return folder;
+    return smat::test::writtenFile(smat::test::ownFolder() / "tips_12_molecules.csv", text)
+        .parent_path();
 }
 
 TEST(PartitionSums, areInterpolatedBetweenTheirTemperatures) {
@@ -73,7 +71,7 @@ TEST(PartitionSums, nameWhatIsWrongWithATable) {
 }
 
 TEST(PartitionSums, ofTheSharedTableAreThoseOfTips2017) {
-    const auto folder = sharedMaterial("data/atmosphere/lines/partition");
+    const auto folder = smat::test::sharedMaterial("data/atmosphere/lines/partition");
     if (folder.empty())
         GTEST_SKIP() << "the partition sums of the shared material are not here";
     const PartitionSums sums = PartitionSums::read(folder);

@@ -7,6 +7,7 @@
 #include "irsg/atmosphere/lbl/PseudoLines.h"
 #include "irsg/atmosphere/lbl/RandomNumbers.h"
 #include "irsg/radiometry/Errors.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace irsg::lbl {
 namespace {
@@ -139,8 +140,6 @@ TEST(RandomNumbers, areThoseOfTheAlgorithm) {
 class LowtranFolder : public testing::Test {
   protected:
     LowtranFolder() {
-        folder_ = std::filesystem::path(testing::TempDir()) / "lowtran";
-        std::filesystem::create_directories(folder_);
         write("bandmodel_bands.csv", "# bands\n"
                                      "gas,v_low_cm-1,v_high_cm-1,a,n_pressure,m_temperature\n"
                                      "H2O,0,10,0.5,0.9,-2\nO3,5,10,0.8,0.4,1\n");
@@ -149,9 +148,9 @@ class LowtranFolder : public testing::Test {
               "Cprime_O2\n0,-1,,,,,,\n5,0,,-2,,,,\n10,1,,,,,,\n");
     }
     void write(const std::string& name, const std::string& text) {
-        std::ofstream(folder_ / name) << text;
+        smat::test::writtenFile(folder_ / name, text);
     }
-    std::filesystem::path folder_;
+    const std::filesystem::path folder_ = smat::test::ownFolder();
 };
 
 TEST_F(LowtranFolder, givesTheTransmittanceOfTheReport) {

@@ -12,7 +12,7 @@
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
-#include "tests/atmosphere/SharedMaterial.h"
+#include "tests/support/SharedMaterial.h"
 
 namespace irsg {
 namespace {
@@ -49,7 +49,8 @@ enum RunColumn : std::size_t {
 
 std::vector<std::array<double, 18>> publishedRun() {
     std::vector<std::array<double, 18>> rows;
-    const auto file = sharedMaterial("data/atmosphere/modtran/pyradi/horizon5kmtropical.fl7");
+    const auto file =
+        smat::test::sharedMaterial("data/atmosphere/modtran/pyradi/horizon5kmtropical.fl7");
     std::ifstream in(file);
     std::string line;
     for (int number = 1; !file.empty() && std::getline(in, line); ++number) {
@@ -127,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// summer air, rural aerosol of 23 km visibility) took no part in any fit; its aerosol is that of
 /// the tropical run, whose humidity is nearly the same.
 TEST(Continuum, leavesRoomForLinesInARunThatWasNotFitted) {
-    const auto file = sharedMaterial("data/atmosphere/modtran/well-fill/MLS23km/tape7");
+    const auto file = smat::test::sharedMaterial("data/atmosphere/modtran/well-fill/MLS23km/tape7");
     const auto tropical = publishedRun();
     if (file.empty() || tropical.empty())
         GTEST_SKIP() << "the MODTRAN runs are not here";
@@ -187,7 +188,7 @@ class MtCkd {
 };
 
 TEST(Continuum, ofWaterLiesNearMtCkd) {
-    const auto file = sharedMaterial("data/atmosphere/continuum/mt_ckd_4.3_h2o.csv");
+    const auto file = smat::test::sharedMaterial("data/atmosphere/continuum/mt_ckd_4.3_h2o.csv");
     if (file.empty())
         GTEST_SKIP() << "the MT_CKD table is not here";
     const MtCkd published(file);
@@ -242,7 +243,8 @@ TEST(Continuum, ofWaterLiesNearMtCkd) {
 /// The fundamental of oxygen at all temperatures against the fit of Thibault et al. 1997 (Appl.
 /// Opt. 36, 563) to laboratory spectra, as MT_CKD holds it.
 TEST(Continuum, ofOxygenHasTheTemperatureBehaviourOfLaboratorySpectra) {
-    const auto file = sharedMaterial("data/atmosphere/continuum/mt_ckd_o2_fundamental.csv");
+    const auto file =
+        smat::test::sharedMaterial("data/atmosphere/continuum/mt_ckd_o2_fundamental.csv");
     if (file.empty())
         GTEST_SKIP() << "the laboratory fit is not here";
     const CsvTable table = CsvTable::read(file);

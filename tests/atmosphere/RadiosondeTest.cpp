@@ -8,6 +8,7 @@
 
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/radiometry/Errors.h"
+#include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;
 using testing::HasSubstr;
@@ -15,8 +16,7 @@ using testing::HasSubstr;
 namespace {
 
 Profile ascentOf(const std::string& text) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "ascent.csv";
-    std::ofstream(file, std::ios::binary) << text;
+    const auto file = smat::test::writtenFile(smat::test::ownFolder() / "ascent.csv", text);
     return Profile::fromRadiosonde(file, Profile::model(ModelAtmosphere::usStandard1976));
 }
 

@@ -9,6 +9,7 @@
 #include "irsg/atmosphere/engine/SolarSpectrum.h"
 #include "irsg/atmosphere/engine/SolarTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace irsg {
 namespace {
@@ -91,9 +92,7 @@ struct BadSun {
 class BadSolarTable : public testing::TestWithParam<BadSun> {};
 
 TEST_P(BadSolarTable, isRefusedByName) {
-    const auto file =
-        std::filesystem::temp_directory_path() / (std::string("sun-") + GetParam().name + ".csv");
-    std::ofstream(file) << GetParam().rows;
+    const auto file = smat::test::writtenFile(smat::test::ownFolder() / "bad.csv", GetParam().rows);
     try {
         (void)SolarTable::read(file);
         FAIL() << "it was read";
@@ -102,7 +101,6 @@ TEST_P(BadSolarTable, isRefusedByName) {
             << error.what();
         EXPECT_NE(std::string(error.what()).find(file.filename().string()), std::string::npos);
     }
-    std::filesystem::remove(file);
 }
 
 #define SUN_HEADER "lower [cm-1],upper [cm-1],irradiance [W m-2 cm]\n"

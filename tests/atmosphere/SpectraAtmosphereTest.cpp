@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <ostream>
 
 #include <gmock/gmock.h>
@@ -10,9 +9,11 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;
+using smat::test::refusalOf;
 using smat::test::TemporaryFolder;
 using testing::HasSubstr;
 
@@ -35,15 +36,6 @@ SpectraAtmosphereParameters kilometre() {
         }
     }
     return air;
-}
-
-std::string refusalOf(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "nothing was refused";
 }
 
 /// What the file of one row holds, without the row under test.

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 
@@ -96,6 +98,13 @@ inline std::string tape7(const SyntheticRun& run) {
         }
     }
     return text + " -9999.\n";
+}
+
+/// A text with its first `what` exchanged.
+inline std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, text.npos) << what;
+    return at == text.npos ? text : text.replace(at, what.size(), with);
 }
 
 } // namespace irsg

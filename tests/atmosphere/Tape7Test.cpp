@@ -11,6 +11,8 @@
 #include "irsg/atmosphere/import/Tape7.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "tests/atmosphere/SyntheticTape7.h"
+#include "tests/support/Refusal.h"
+#include "tests/support/SharedMaterial.h"
 
 using namespace irsg;
 using testing::HasSubstr;
@@ -18,10 +20,7 @@ using testing::HasSubstr;
 namespace {
 
 std::filesystem::path modtranFolder() {
-    const char* const named = std::getenv("SMAT_SHARED");
-    return (named != nullptr ? std::filesystem::path(named)
-                             : std::filesystem::path(SMAT_SOURCE_DIR) / ".." / "shared") /
-           "data/atmosphere/modtran";
+    return smat::test::sharedMaterial("data/atmosphere/modtran");
 }
 
 /// Skips where the shared folder is absent.
@@ -35,18 +34,7 @@ std::vector<SpectralRun> parsed(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-    try {
-        TabulatedAtmosphere(parsed(text), "tape7");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "nothing was refused";
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-    const std::size_t at = text.find(what);
-    EXPECT_NE(at, text.npos) << what;
-    return text.replace(at, what.size(), with);
+    return smat::test::refusalOf([&] { TabulatedAtmosphere(parsed(text), "tape7"); });
 }
 
 std::string lineAt(const std::string& text, int number) {

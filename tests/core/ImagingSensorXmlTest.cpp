@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/atmosphere/KarmaSupport.h"
-#include "tests/atmosphere/SharedMaterial.h"
+#include "tests/support/SharedMaterial.h"
 
 namespace smat {
 namespace {
@@ -26,7 +26,7 @@ ImagingSensorReading readOf(const std::string& inside) {
 }
 
 TEST(ImagingSensorXml, theFileOfTheReportIsReadAndComesBackEqual) {
-    const auto file = irsg::sharedMaterial("data/karma/ImagingSensor.xml");
+    const auto file = smat::test::sharedMaterial("data/karma/ImagingSensor.xml");
     if (file.empty()) {
         GTEST_SKIP() << "the KARMA files of the shared material are not here";
     }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "gui/Theme.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace smat::gui::test {
 namespace {
@@ -44,17 +45,10 @@ void keepScreenshot(QWidget& widget, const std::string& name) {
 }
 
 std::filesystem::path freshFolder(const std::string& name) {
-    const auto folder = std::filesystem::temp_directory_path() / "smat-gui-tests" / name;
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    return folder;
-}
-
-std::filesystem::path sharedFolder() {
-    const char* stated = std::getenv("SMAT_SHARED");
-    const std::filesystem::path folder =
-        stated != nullptr ? stated : std::filesystem::path(SMAT_SOURCE_DIR) / ".." / "shared";
-    return std::filesystem::is_directory(folder) ? folder : std::filesystem::path();
+    static const smat::test::TemporaryFolder process;
+    std::filesystem::remove_all(process / name);
+    std::filesystem::create_directories(process / name);
+    return process / name;
 }
 
 } // namespace smat::gui::test

@@ -13,7 +13,4 @@ void keepScreenshot(QWidget& widget, const std::string& name);
 /// A folder of its own for each test, emptied first.
 std::filesystem::path freshFolder(const std::string& name);
 
-/// The folder of the sample models and what is made of them; empty where the material is absent.
-std::filesystem::path sharedFolder();
-
 } // namespace smat::gui::test

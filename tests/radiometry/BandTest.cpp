@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <string>
 
@@ -10,38 +9,15 @@
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;
 using testing::HasSubstr;
 
 namespace {
 
-/// A file of its own in the temporary folder, gone with the object.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(const std::string& text)
-        : path_(std::filesystem::path(testing::TempDir()) /
-                ("band_" +
-                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
-                 ".csv")) {
-        std::ofstream(path_, std::ios::binary) << text;
-    }
-    ~TemporaryFile() {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
-
 Band bandOf(const std::string& text) {
-    const TemporaryFile file(text);
-    return Band::fromCsv(file.path());
+    return Band::fromCsv(smat::test::writtenFile(smat::test::ownFolder() / "band.csv", text));
 }
 
 } // namespace
@@ -118,9 +94,8 @@ std::string nameOf(const testing::TestParamInfo<BadBand>& row) {
 } // namespace
 
 TEST_P(BandCsvRefuses, withFilePlaceAndExpectation) {
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
-                                       (std::string("bad_") + GetParam().name + ".csv");
-    std::ofstream(path, std::ios::binary) << GetParam().text;
+    const std::filesystem::path path =
+        smat::test::writtenFile(smat::test::ownFolder() / "bad.csv", GetParam().text);
     try {
         Band::fromCsv(path);
         ADD_FAILURE() << "accepted";
@@ -131,7 +106,6 @@ TEST_P(BandCsvRefuses, withFilePlaceAndExpectation) {
             EXPECT_FALSE(offence.expected.empty());
         }
     }
-    std::filesystem::remove(path);
 }
 
 INSTANTIATE_TEST_SUITE_P(

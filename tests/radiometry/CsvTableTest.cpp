@@ -1,4 +1,6 @@
 #include "irsg/radiometry/CsvTable.h"
+#include "tests/support/Refusal.h"
+#include "tests/support/TemporaryFolder.h"
 
 #include <filesystem>
 #include <fstream>
@@ -103,32 +105,24 @@ TEST(CsvTable, showsLongAndUnprintableTextInOneShortLine) {
 }
 
 TEST(CsvTable, refusesWhatIsNotAReadableTextTable) {
-    const auto messageOf = [](auto&& act) -> std::string {
-        try {
-            act();
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "accepted";
-    };
-    const std::filesystem::path folder = testing::TempDir();
-    EXPECT_THAT(messageOf([&] { CsvTable::read(folder / "absent.csv"); }),
+    const std::filesystem::path folder = smat::test::ownFolder();
+    EXPECT_THAT(smat::test::refusalOf([&] { CsvTable::read(folder / "absent.csv"); }),
                 HasSubstr("absent.csv: found no readable file"));
-    EXPECT_THAT(messageOf([&] { CsvTable::read(folder); }), HasSubstr("found a folder"));
-    EXPECT_THAT(messageOf([] { CsvTable::parse(std::string("ab\0c", 4), "f.csv"); }),
+    EXPECT_THAT(smat::test::refusalOf([&] { CsvTable::read(folder); }),
+                HasSubstr("found a folder"));
+    EXPECT_THAT(smat::test::refusalOf([] { CsvTable::parse(std::string("ab\0c", 4), "f.csv"); }),
                 HasSubstr("f.csv: byte 2: found a NUL byte"));
-    EXPECT_THAT(messageOf([] { CsvTable::parse("a,\"b\n\"c,d\nx,\"y\"\n", "f.csv"); }),
+    EXPECT_THAT(smat::test::refusalOf([] { CsvTable::parse("a,\"b\n\"c,d\nx,\"y\"\n", "f.csv"); }),
                 testing::AllOf(HasSubstr("f.csv: line 1: found 'a,\"b', expected a closing quote"),
                                HasSubstr("f.csv: line 2"), testing::Not(HasSubstr("line 3"))));
 }
 
 TEST(CsvTable, readsAFileAsItReadsText) {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "csvtable.csv";
-    std::ofstream(file, std::ios::binary) << "a,b\r\n1,2\r\n";
+    const std::filesystem::path file =
+        smat::test::writtenFile(smat::test::ownFolder() / "table.csv", "a,b\r\n1,2\r\n");
     const CsvTable table = CsvTable::read(file);
     EXPECT_EQ(table.file(), file.string());
     EXPECT_EQ(texts(table.rows()[1]), (Texts{"1", "2"}));
-    std::filesystem::remove(file);
 }
 
 TEST(ParseNumber, takesFiniteNumbersWhole) {

@@ -2,6 +2,7 @@
 #include "irsg/signature/SpectrumCsv.h"
 
 #include "Support.h"
+#include "tests/support/SharedMaterial.h"
 
 namespace irsg {
 namespace {
@@ -28,10 +29,10 @@ EntityState at(double time_s, double angle_deg) {
 TEST(FactorCsv, SetsTheTablesOfTheComponentsItNames) {
     const TemporaryFolder folder;
     ComponentFactors factors = {{"H2O", 0.25, {}, {}}};
-    readFactorCsv(writeBytes(folder.file("t.csv"), ",CO2(T4),H2O\n0,1,0.5\n2,0,0.7\n"),
+    readFactorCsv(writeBytes(folder / "t.csv", ",CO2(T4),H2O\n0,1,0.5\n2,0,0.7\n"),
                   FactorAxis::time_s, false, report(), factors);
-    readFactorCsv(writeBytes(folder.file("a.csv"), ",H2O\n0,1\n180,0\n"), FactorAxis::angle_deg,
-                  false, report(), factors);
+    readFactorCsv(writeBytes(folder / "a.csv", ",H2O\n0,1\n180,0\n"), FactorAxis::angle_deg, false,
+                  report(), factors);
     ASSERT_EQ(factors.size(), 2U);
     EXPECT_EQ(factors[0].component, "H2O");
     EXPECT_EQ(factors[0].constant, 0.25) << "kept, though the time table stands in for it";
@@ -42,7 +43,7 @@ TEST(FactorCsv, SetsTheTablesOfTheComponentsItNames) {
 }
 
 TEST(FactorCsv, OfTheReportsTablesHasItsNumbers) {
-    const fs::path folder = sharedFolder() / "data" / "karma";
+    const fs::path folder = smat::test::sharedMaterial("data/karma");
     if (!fs::exists(folder / "time_table19.csv") || !fs::exists(folder / "angle_table20.csv")) {
         GTEST_SKIP() << "the report's tables 19 and 20 are not at hand";
     }
@@ -92,7 +93,7 @@ class RefusedFactorCsv : public testing::TestWithParam<BadCsv> {};
 TEST_P(RefusedFactorCsv, NamesFilePlaceValueAndExpectationAndChangesNothing) {
     const TemporaryFolder folder;
     const BadCsv& row = GetParam();
-    const fs::path file = writeBytes(folder.file("bad.csv"), row.text);
+    const fs::path file = writeBytes(folder / "bad.csv", row.text);
     const ComponentFactors before = {{"H2O", 0.25, {}, {}}};
     ComponentFactors factors = before;
     const auto offences =

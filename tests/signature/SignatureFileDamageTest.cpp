@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 std::string goodBytes(const TemporaryFolder& folder) {
-    const fs::path file = folder.file("good.sigdb");
+    const fs::path file = folder / "good.sigdb";
     saveSignatureFile(completeDatabase(), file);
     return readBytes(file);
 }
@@ -49,7 +49,7 @@ TEST(SignatureFileDamage, OfSingleBytesIsDetectedOrHarmless) {
         const std::size_t at = anywhere(random);
         const int bits = anyBits(random);
         bytes[at] = static_cast<char>(bytes[at] ^ bits);
-        const fs::path file = writeBytes(folder.file("flipped.sigdb"), bytes);
+        const fs::path file = writeBytes(folder / "flipped.sigdb", bytes);
         refused += isRefusedOrHarmless(file, "byte " + std::to_string(at) + " xor " +
                                                  std::to_string(bits));
         ASSERT_EQ(readBytes(file), bytes) << "reading changed the file";
@@ -64,7 +64,7 @@ TEST(SignatureFileDamage, OfEveryHeaderByteIsDetectedOrHarmless) {
         for (const int bits : {0x01, 0x80, 0xff}) {
             std::string bytes = good;
             bytes[at] = static_cast<char>(bytes[at] ^ bits);
-            isRefusedOrHarmless(writeBytes(folder.file("header.sigdb"), bytes),
+            isRefusedOrHarmless(writeBytes(folder / "header.sigdb", bytes),
                                 "header byte " + std::to_string(at));
         }
     }
@@ -74,7 +74,7 @@ TEST(SignatureFileDamage, ByTruncationIsAlwaysDetected) {
     const TemporaryFolder folder;
     const std::string good = goodBytes(folder);
     for (std::size_t length = 0; length < good.size(); length += length < 120 ? 1 : 997) {
-        const fs::path file = writeBytes(folder.file("cut.sigdb"), good.substr(0, length));
+        const fs::path file = writeBytes(folder / "cut.sigdb", good.substr(0, length));
         EXPECT_TRUE(isRefusedOrHarmless(file, "length " + std::to_string(length))) << length;
         ASSERT_EQ(fs::file_size(file), length) << "reading changed the file";
     }
@@ -116,7 +116,7 @@ class UnusableFile : public testing::TestWithParam<Unusable> {};
 
 TEST_P(UnusableFile, IsNamedOnLoadAndOnSaveAndLeftAlone) {
     const TemporaryFolder folder;
-    const fs::path file = folder.file("unusable.sigdb");
+    const fs::path file = folder / "unusable.sigdb";
     GetParam().make(file);
     const std::string before = fs::is_directory(file) ? "" : readBytes(file);
     for (const bool saving : {false, true}) {
@@ -140,15 +140,15 @@ INSTANTIATE_TEST_SUITE_P(SignatureFileDamage, UnusableFile, testing::ValuesIn(un
 
 TEST(SignatureFileDamage, AMissingFileIsNamed) {
     const TemporaryFolder folder;
-    const auto offences = refusalOf([&] { loadSignatureFile(folder.file("absent.sigdb")); });
-    EXPECT_EQ(offences[0].file, folder.file("absent.sigdb").string());
+    const auto offences = refusalOf([&] { loadSignatureFile(folder / "absent.sigdb"); });
+    EXPECT_EQ(offences[0].file, (folder / "absent.sigdb").string());
     EXPECT_EQ(offences[0].value, "no such file");
-    EXPECT_FALSE(fs::exists(folder.file("absent.sigdb")));
+    EXPECT_FALSE(fs::exists(folder / "absent.sigdb"));
 }
 
 TEST(SignatureFileDamage, AnEmptyFileIsNoDatabaseButMayBecomeOne) {
     const TemporaryFolder folder;
-    const fs::path file = writeBytes(folder.file("empty.sigdb"), "");
+    const fs::path file = writeBytes(folder / "empty.sigdb", "");
     EXPECT_EQ(refusalOf([&] { loadSignatureFile(file); })[0].value, "an empty file");
     saveSignatureFile(completeDatabase(), file);
     EXPECT_TRUE(loadSignatureFile(file).database == completeDatabase());
@@ -156,7 +156,7 @@ TEST(SignatureFileDamage, AnEmptyFileIsNoDatabaseButMayBecomeOne) {
 
 TEST(SignatureFileDamage, AWriteProtectedFileIsReadButNotSavedTo) {
     const TemporaryFolder folder;
-    const fs::path file = folder.file("protected.sigdb");
+    const fs::path file = folder / "protected.sigdb";
     saveSignatureFile(completeDatabase(), file);
     const std::string before = readBytes(file);
     fs::permissions(file, fs::perms::owner_read);
@@ -169,7 +169,7 @@ TEST(SignatureFileDamage, AWriteProtectedFileIsReadButNotSavedTo) {
 
 TEST(SignatureFileDamage, AFolderThatIsMissingIsNamedOnSave) {
     const TemporaryFolder folder;
-    const fs::path file = folder.file("nowhere") / "a.sigdb";
+    const fs::path file = folder / "nowhere/a.sigdb";
     const auto offences = refusalOf([&] { saveSignatureFile({}, file); });
     EXPECT_EQ(offences[0].file, file.string());
     EXPECT_THAT(offences[0].value, HasSubstr("unable to open"));
@@ -177,7 +177,7 @@ TEST(SignatureFileDamage, AFolderThatIsMissingIsNamedOnSave) {
 
 TEST(SignatureFileDamage, AFileInUseByAnotherProgramIsNamed) {
     const TemporaryFolder folder;
-    const fs::path file = folder.file("busy.sigdb");
+    const fs::path file = folder / "busy.sigdb";
     saveSignatureFile(completeDatabase(), file);
     SQLite::Database other(file.string(), SQLite::OPEN_READWRITE);
     other.exec("BEGIN EXCLUSIVE");
@@ -198,7 +198,7 @@ class BadRows : public testing::TestWithParam<BadRow> {};
 
 TEST_P(BadRows, AreNamedWithTableOrEntry) {
     const TemporaryFolder folder;
-    const fs::path file = folder.file("rows.sigdb");
+    const fs::path file = folder / "rows.sigdb";
     change(file, std::string("PRAGMA foreign_keys = OFF; PRAGMA ignore_check_constraints = ON; ") +
                      GetParam().sql);
     const auto offences = refusalOf([&] { loadSignatureFile(file, OutsideChanges::accept); });

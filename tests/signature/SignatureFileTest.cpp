@@ -16,7 +16,7 @@ using testing::IsEmpty;
 
 TEST(SignatureFile, BringsACompleteDatabaseBackUnchanged) {
     const TemporaryFolder folder;
-    const fs::path file = folder.file("complete.sigdb");
+    const fs::path file = folder / "complete.sigdb";
     saveSignatureFile(completeDatabase(), file);
     const LoadedSignature loaded = loadSignatureFile(file);
     EXPECT_TRUE(loaded.database == completeDatabase());
@@ -25,8 +25,8 @@ TEST(SignatureFile, BringsACompleteDatabaseBackUnchanged) {
 
 TEST(SignatureFile, OfAnEmptyDatabaseComesBack) {
     const TemporaryFolder folder;
-    saveSignatureFile({}, folder.file("empty.sigdb"));
-    EXPECT_TRUE(loadSignatureFile(folder.file("empty.sigdb")).database == SignatureDatabase{});
+    saveSignatureFile({}, folder / "empty.sigdb");
+    EXPECT_TRUE(loadSignatureFile(folder / "empty.sigdb").database == SignatureDatabase{});
 }
 
 TEST(SignatureFile, KeepsEveryBitOfEveryNumber) {
@@ -40,8 +40,8 @@ TEST(SignatureFile, KeepsEveryBitOfEveryNumber) {
             "t", {}, {300.0, 0.0, 0.0, value, {}, {{0.0, 1.0}, {0.0, value / 1e308}}, {}, {}},
             "",  {}, ""};
     }
-    saveSignatureFile(database, folder.file("bits.sigdb"));
-    const auto again = loadSignatureFile(folder.file("bits.sigdb")).database.temperatures;
+    saveSignatureFile(database, folder / "bits.sigdb");
+    const auto again = loadSignatureFile(folder / "bits.sigdb").database.temperatures;
     index = 0;
     for (const double value : values) {
         const TemperatureTerms& terms = again.at(index++).terms;
@@ -55,13 +55,13 @@ TEST(SignatureFile, TakesMinusZeroForTheZeroItEquals) {
     const TemporaryFolder folder;
     SignatureDatabase database = completeDatabase();
     database.temperatures[0].terms.ambientOffset_K = -0.0;
-    saveSignatureFile(database, folder.file("zero.sigdb"));
-    EXPECT_TRUE(loadSignatureFile(folder.file("zero.sigdb")).database == database);
+    saveSignatureFile(database, folder / "zero.sigdb");
+    EXPECT_TRUE(loadSignatureFile(folder / "zero.sigdb").database == database);
 }
 
 TEST(SignatureFile, IsReplacedAsAWholeByTheNextSave) {
     const TemporaryFolder folder;
-    const fs::path file = folder.file("twice.sigdb");
+    const fs::path file = folder / "twice.sigdb";
     saveSignatureFile(completeDatabase(), file);
     SignatureDatabase other;
     other.title = "other";
@@ -74,15 +74,15 @@ TEST(SignatureFile, IsReplacedAsAWholeByTheNextSave) {
 
 TEST(SignatureFile, HoldsAsMuchAsTheJsonForm) {
     const TemporaryFolder folder;
-    saveSignatureFile(completeDatabase(), folder.file("a.sigdb"));
-    const SignatureDatabase loaded = loadSignatureFile(folder.file("a.sigdb")).database;
+    saveSignatureFile(completeDatabase(), folder / "a.sigdb");
+    const SignatureDatabase loaded = loadSignatureFile(folder / "a.sigdb").database;
     EXPECT_EQ(signatureToJson(loaded), signatureToJson(completeDatabase()));
 }
 
 TEST(SignatureFile, IsAnSqliteDatabaseThatOthersRead) {
     const TemporaryFolder folder;
-    saveSignatureFile(completeDatabase(), folder.file("a.sigdb"));
-    SQLite::Database file(folder.file("a.sigdb").string());
+    saveSignatureFile(completeDatabase(), folder / "a.sigdb");
+    SQLite::Database file((folder / "a.sigdb").string());
     EXPECT_EQ(file.execAndGet("PRAGMA application_id").getInt(), 0x534D4154);
     EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), signatureFileVersion);
     EXPECT_EQ(file.execAndGet("SELECT name FROM material WHERE id = 3").getString(), "glass");
@@ -107,7 +107,7 @@ class ChangedOutside : public testing::TestWithParam<OutsideChange> {};
 
 TEST_P(ChangedOutside, IsRefusedOrAcceptedButNeverSilent) {
     const TemporaryFolder folder;
-    const fs::path file = folder.file("changed.sigdb");
+    const fs::path file = folder / "changed.sigdb";
     saveSignatureFile(completeDatabase(), file);
     SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
         .exec(std::string("PRAGMA foreign_keys = ON; ") + GetParam().sql);
@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SignatureFile, WithWrongPhysicsFromOutsideIsRefusedEvenWhenChangesAreAccepted) {
     const TemporaryFolder folder;
-    const fs::path file = folder.file("wrong.sigdb");
+    const fs::path file = folder / "wrong.sigdb";
     saveSignatureFile(completeDatabase(), file);
     SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
         .exec("UPDATE material SET emissivity = 1.5 WHERE id = 0");
@@ -171,7 +171,7 @@ TEST(SignatureFile, WithWrongPhysicsFromOutsideIsRefusedEvenWhenChangesAreAccept
 
 TEST(SignatureFile, RefusesToSaveWhatIsPhysicallyWrongAndLeavesTheFileAlone) {
     const TemporaryFolder folder;
-    const fs::path file = folder.file("kept.sigdb");
+    const fs::path file = folder / "kept.sigdb";
     saveSignatureFile(completeDatabase(), file);
     const std::string before = readBytes(file);
     SignatureDatabase wrong = completeDatabase();
@@ -182,17 +182,17 @@ TEST(SignatureFile, RefusesToSaveWhatIsPhysicallyWrongAndLeavesTheFileAlone) {
     wrong.materials[0].notes = "\xff";
     EXPECT_THROW(saveSignatureFile(wrong, file), InputError);
     EXPECT_EQ(readBytes(file), before);
-    EXPECT_THROW(saveSignatureFile(wrong, folder.file("new.sigdb")), InputError);
-    EXPECT_FALSE(fs::exists(folder.file("new.sigdb")));
+    EXPECT_THROW(saveSignatureFile(wrong, folder / "new.sigdb"), InputError);
+    EXPECT_FALSE(fs::exists(folder / "new.sigdb"));
 }
 
 TEST(SignatureFile, RollsASaveBackThatWasCutOff) {
     // A save that spills to the file before it commits, as after a power cut: both the file and its
     // journal are taken away in the middle.
     const TemporaryFolder folder;
-    const fs::path file = folder.file("cut.sigdb");
+    const fs::path file = folder / "cut.sigdb";
     saveSignatureFile(completeDatabase(), file);
-    const fs::path victim = folder.file("victim.sigdb");
+    const fs::path victim = folder / "victim.sigdb";
     {
         SQLite::Database half(file.string(), SQLite::OPEN_READWRITE);
         half.exec("PRAGMA cache_size = 1; BEGIN IMMEDIATE; DELETE FROM user_spectrum_node;"

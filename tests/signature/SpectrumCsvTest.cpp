@@ -7,6 +7,7 @@
 #include "irsg/radiometry/Units.h"
 
 #include "Support.h"
+#include "tests/support/SharedMaterial.h"
 
 namespace irsg {
 namespace {
@@ -41,8 +42,8 @@ Pair writeAndRead(const TemporaryFolder& folder, double from_cm1, double to_cm1,
                           "\n";
         overWavelength += numberText(lambda_um) + "," + numberText(radiance) + "\n";
     }
-    return {readSpectrumCsv(writeBytes(folder.file("nu.csv"), overWavenumber)),
-            readSpectrumCsv(writeBytes(folder.file("um.csv"), overWavelength))};
+    return {readSpectrumCsv(writeBytes(folder / "nu.csv", overWavenumber)),
+            readSpectrumCsv(writeBytes(folder / "um.csv", overWavelength))};
 }
 
 TEST(SpectrumCsv, GivesOneInBandRadianceOverMicrometresAndOverWavenumbers) {
@@ -76,7 +77,7 @@ TEST(SpectrumCsv, OverWavenumbersKeepsTheIntegralOverWavenumbers) {
     for (int nu = 2000; nu <= 2500; nu += 2) {
         text += std::to_string(nu) + ",1\n";
     }
-    const UserSpectrum spectrum = readSpectrumCsv(writeBytes(folder.file("one.csv"), text));
+    const UserSpectrum spectrum = readSpectrumCsv(writeBytes(folder / "one.csv", text));
     EXPECT_NEAR(inBand(spectrum.components[0].radiance, {4.0, 5.0}), 500.0, 500.0 * 1e-6);
 }
 
@@ -86,7 +87,7 @@ TEST(SpectrumCsv, AppliesTheJacobian) {
     for (const char* const axis :
          {"cm-1,L\n1900,1\n2500,1\n", "um,L\n4,1\n5.2631578947368425,1\n"}) {
         const UserSpectrum spectrum =
-            readSpectrumCsv(writeBytes(folder.file("jacobian.csv"), axis),
+            readSpectrumCsv(writeBytes(folder / "jacobian.csv", axis),
                             SpectralRadianceUnit::parse("W m-2 sr-1 (cm-1)-1"));
         const Spectrum& radiance = spectrum.components[0].radiance;
         ASSERT_EQ(radiance.size(), 2U);
@@ -99,8 +100,8 @@ TEST(SpectrumCsv, AppliesTheJacobian) {
 
 TEST(SpectrumCsv, EmitsNothingOutsideItsAxis) {
     const TemporaryFolder folder;
-    const UserSpectrum spectrum = readSpectrumCsv(
-        writeBytes(folder.file("a.csv"), "um,L\n4,1\n5,3\n"), SpectralRadianceUnit{});
+    const UserSpectrum spectrum =
+        readSpectrumCsv(writeBytes(folder / "a.csv", "um,L\n4,1\n5,3\n"), SpectralRadianceUnit{});
     const Spectrum& radiance = spectrum.components[0].radiance;
     EXPECT_EQ(radiance.at(3.999), 0.0);
     EXPECT_EQ(radiance.at(4.5), 2.0);
@@ -110,7 +111,7 @@ TEST(SpectrumCsv, EmitsNothingOutsideItsAxis) {
 TEST(SpectrumCsv, ReadsDescendingAxesAsAscendingOnes) {
     const TemporaryFolder folder;
     const auto read = [&](const char* text) {
-        return readSpectrumCsv(writeBytes(folder.file("axis.csv"), text), SpectralRadianceUnit{});
+        return readSpectrumCsv(writeBytes(folder / "axis.csv", text), SpectralRadianceUnit{});
     };
     EXPECT_TRUE(read("um,a,b\n5,3,30\n4.5,2,20\n4,1,10\n") ==
                 read("um,a,b\n4,1,10\n4.5,2,20\n5,3,30\n"));
@@ -120,7 +121,7 @@ TEST(SpectrumCsv, ReadsDescendingAxesAsAscendingOnes) {
 TEST(SpectrumCsv, TakesTheUnitFromTheFileUnlessAnotherIsChosen) {
     const TemporaryFolder folder;
     const fs::path file =
-        writeBytes(folder.file("units.csv"),
+        writeBytes(folder / "units.csv",
                    "# unit: uW cm-2 sr-1 um-1\n# reference_distance_m: 2.5\num,L\n4,100\n5,100\n");
     const UserSpectrum stated = readSpectrumCsv(file);
     EXPECT_DOUBLE_EQ(stated.components[0].radiance.at(4.5), 1.0);
@@ -140,8 +141,8 @@ TEST(SpectrumCsv, ReadsEveryUnitToTheSameRadiance) {
     for (const std::string& name : SpectralRadianceUnit::known()) {
         const auto unit = SpectralRadianceUnit::parse(name);
         const double one = 1.0 / unit.toW_m2 / (unit.perWavenumber ? 625.0 : 1.0);
-        const fs::path file = writeBytes(folder.file("unit.csv"), "# unit: " + name + "\num,L\n4," +
-                                                                      numberText(one) + "\n5,0\n");
+        const fs::path file = writeBytes(folder / "unit.csv", "# unit: " + name + "\num,L\n4," +
+                                                                  numberText(one) + "\n5,0\n");
         EXPECT_NEAR(readSpectrumCsv(file).components[0].radiance.at(4.0), 1.0, 1e-14) << name;
     }
 }
@@ -150,26 +151,25 @@ TEST(SpectrumCsv, ComesBackAsItWasWritten) {
     const TemporaryFolder folder;
     UserSpectrum spectrum = completeDatabase().spectra.at("plume core");
     spectrum.components[0].name = "CO2, \"hot\" #4";
-    writeSpectrumCsv(spectrum, folder.file("plume core.csv"));
-    UserSpectrum again = readSpectrumCsv(folder.file("plume core.csv"));
+    writeSpectrumCsv(spectrum, folder / "plume core.csv");
+    UserSpectrum again = readSpectrumCsv(folder / "plume core.csv");
     EXPECT_EQ(again.importedUnit, "W m-2 sr-1 um-1");
     again.importedUnit = spectrum.importedUnit;
     again.notes = spectrum.notes;
     EXPECT_TRUE(again == spectrum);
-    EXPECT_THAT(readBytes(folder.file("plume core.csv")), HasSubstr("# unit: W m-2 sr-1 um-1\n"));
+    EXPECT_THAT(readBytes(folder / "plume core.csv"), HasSubstr("# unit: W m-2 sr-1 um-1\n"));
 }
 
 TEST(SpectrumCsv, ThatCannotBeWrittenIsNamed) {
     const TemporaryFolder folder;
     const auto offences = refusalOf([&] {
-        writeSpectrumCsv(completeDatabase().spectra.at("plume core"),
-                         folder.file("nowhere") / "a.csv");
+        writeSpectrumCsv(completeDatabase().spectra.at("plume core"), folder / "nowhere/a.csv");
     });
-    EXPECT_EQ(offences[0].file, (folder.file("nowhere") / "a.csv").string());
+    EXPECT_EQ(offences[0].file, (folder / "nowhere/a.csv").string());
 }
 
 TEST(SpectrumCsv, OfTheReportsTable18HasItsNumbers) {
-    const fs::path file = sharedFolder() / "data" / "karma" / "spectra_table18.csv";
+    const fs::path file = smat::test::sharedMaterial("data/karma/spectra_table18.csv");
     if (!fs::exists(file)) {
         GTEST_SKIP() << "the report's table 18 is not at hand";
     }
@@ -223,7 +223,7 @@ class RefusedSpectrumCsv : public testing::TestWithParam<BadCsv> {};
 
 TEST_P(RefusedSpectrumCsv, NamesFilePlaceValueAndExpectation) {
     const TemporaryFolder folder;
-    const fs::path file = writeBytes(folder.file("bad.csv"), GetParam().text);
+    const fs::path file = writeBytes(folder / "bad.csv", GetParam().text);
     const auto offences = refusalOf([&] { readSpectrumCsv(file); });
     bool found = false;
     std::string all;
@@ -294,20 +294,20 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SpectrumCsv, ReportsAllOffencesAtOnce) {
     const TemporaryFolder folder;
-    const fs::path file = writeBytes(folder.file("many.csv"), "nm,a,a,\n4,x,1,1\n5,1,y\n");
+    const fs::path file = writeBytes(folder / "many.csv", "nm,a,a,\n4,x,1,1\n5,1,y\n");
     EXPECT_EQ(refusalOf([&] { readSpectrumCsv(file); }).size(), 6U);
 }
 
 TEST(SpectrumCsv, ThatIsMissingOrAFolderIsNamed) {
     const TemporaryFolder folder;
-    EXPECT_EQ(refusalOf([&] { readSpectrumCsv(folder.file("absent.csv")); })[0].file,
-              folder.file("absent.csv").string());
+    EXPECT_EQ(refusalOf([&] { readSpectrumCsv(folder / "absent.csv"); })[0].file,
+              (folder / "absent.csv").string());
     EXPECT_EQ(refusalOf([&] { readSpectrumCsv(folder.path()); })[0].value, "a folder");
 }
 
 TEST(SpectrumCsv, RefusesAReferenceDistanceThatIsNone) {
     const TemporaryFolder folder;
-    const fs::path file = writeBytes(folder.file("a.csv"), "um,L\n4,1\n5,3\n");
+    const fs::path file = writeBytes(folder / "a.csv", "um,L\n4,1\n5,3\n");
     for (const double distance_m : {-1.0, std::nan(""), HUGE_VAL}) {
         const auto offences = refusalOf([&] { readSpectrumCsv(file, perWavenumber, distance_m); });
         EXPECT_EQ(offences[0].position, "reference distance");

@@ -9,39 +9,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SignatureDatabase.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace irsg {
 
-/// A folder of the running test alone, removed behind it.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-        std::string name = "smat_" + std::string(test->test_suite_name()) + "_" + test->name() +
-                           "_" + std::to_string(getpid());
-        for (char& c : name) {
-            c = c == '/' ? '_' : c;
-        }
-        path_ = std::filesystem::temp_directory_path() / name;
-        std::filesystem::create_directories(path_);
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path file(const std::string& name) const { return path_ / name; }
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
+using smat::test::TemporaryFolder;
 
 inline std::string readBytes(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -52,13 +27,6 @@ inline std::filesystem::path writeBytes(const std::filesystem::path& file,
                                         const std::string& bytes) {
     std::ofstream(file, std::ios::binary) << bytes;
     return file;
-}
-
-/// The folder of shared material; it may be absent.
-inline std::filesystem::path sharedFolder() {
-    const char* const named = std::getenv("SMAT_SHARED");
-    return named != nullptr ? std::filesystem::path(named)
-                            : std::filesystem::path(SMAT_SOURCE_DIR) / ".." / "shared";
 }
 
 /// What an action is refused with; a failure and nothing when it is not.

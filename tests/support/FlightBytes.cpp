@@ -1,4 +1,5 @@
 #include "tests/support/FlightBytes.h"
+#include "tests/support/SharedMaterial.h"
 
 #include <array>
 #include <bit>
@@ -135,13 +136,7 @@ std::string readBytes(const std::filesystem::path& file) {
 }
 
 std::filesystem::path sharedModels() {
-    const char* stated = std::getenv("SMAT_SHARED");
-    const std::filesystem::path folder =
-        (stated ? std::filesystem::path(stated)
-                : std::filesystem::path(SMAT_SOURCE_DIR) / ".." / "shared") /
-        "models";
-    std::error_code ignored;
-    return std::filesystem::is_directory(folder, ignored) ? folder : std::filesystem::path{};
+    return smat::test::sharedMaterial("models");
 }
 
 } // namespace irsg::test

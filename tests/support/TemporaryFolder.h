@@ -2,12 +2,16 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
+#include <gtest/gtest.h>
+
 namespace smat::test {
 
-/// A folder of one's own, gone with the object; tests of one program may run side by side.
+/// A folder of one's own, gone with the object; tests of one program may run side by side, and the
+/// same program more than once.
 class TemporaryFolder {
   public:
     TemporaryFolder() {
@@ -32,5 +36,25 @@ class TemporaryFolder {
   private:
     std::filesystem::path path_;
 };
+
+/// A folder of the running test alone, empty when it is first asked for, gone with the process.
+inline std::filesystem::path ownFolder() {
+    static const TemporaryFolder process;
+    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(test->test_suite_name()) + "_" + test->name();
+    for (char& c : name) {
+        c = c == '/' ? '_' : c;
+    }
+    std::filesystem::create_directories(process / name);
+    return process / name;
+}
+
+/// Writes a file, in folders that need not be there yet, and says where it is.
+inline std::filesystem::path writtenFile(const std::filesystem::path& file,
+                                         const std::string& text) {
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
+}
 
 } // namespace smat::test
