@@ -78,7 +78,8 @@ class Reader {
     void take(void* to, std::size_t size) {
         if (size > bytes_.size() - at_)
             refuse("the end of the file", "more of the table");
-        std::memcpy(to, bytes_.data() + at_, size);
+        if (size > 0) // an empty array has no place to copy to
+            std::memcpy(to, bytes_.data() + at_, size);
         at_ += size;
     }
     [[noreturn]] void refuse(std::string value, std::string expected) const {
