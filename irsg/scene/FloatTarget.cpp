@@ -3,6 +3,7 @@
 #include "irsg/scene/FloatTarget.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -87,6 +88,14 @@ void FloatTarget::reserve(int width, int height) {
             Offence{"OpenGL", "float render target",
                     std::to_string(newWidth) + " x " + std::to_string(newHeight),
                     "a driver that renders into float planes with 32-bit float depth"});
+}
+
+std::size_t FloatTarget::bytes() const {
+    constexpr int depthChannels = 1;
+    const auto perSample = static_cast<std::size_t>(
+        std::accumulate(channels_.begin(), channels_.end(), depthChannels));
+    return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * perSample *
+           sizeof(float);
 }
 
 void FloatTarget::bind(int width, int height) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <osg/GL>
@@ -18,6 +19,8 @@ class FloatTarget {
 
     /// Makes the planes at least this large. Throws InputError when the driver refuses the target.
     void reserve(int width, int height);
+    /// Memory of its planes.
+    std::size_t bytes() const;
     /// Binds it for drawing with the viewport at its lower left corner.
     void bind(int width, int height) const;
     /// Colours to 0, depth to 0, which is infinitely far: depth is reversed

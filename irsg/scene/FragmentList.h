@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,8 @@ class FragmentList {
     FragmentList(const FragmentList&) = delete;
     FragmentList& operator=(const FragmentList&) = delete;
 
+    /// Memory of its entries.
+    std::size_t bytes() const { return static_cast<std::size_t>(bytes_); }
     /// Empties the list and binds it for appending; room for `entries` of `vectorsPerEntry` uvec4.
     void begin(std::uint32_t entries, int vectorsPerEntry);
     /// How many fragments were appended, also those that found no room.

@@ -174,6 +174,9 @@ ProjectedFactors Irsg::projectFactors() {
 std::string Irsg::rendererDescription() {
     return parts_->context.rendererDescription();
 }
+std::size_t Irsg::graphicsMemory_bytes() const {
+    return parts_->pass ? parts_->pass->bytes() : 0;
+}
 StageTimes Irsg::stageTimes() const {
     return {parts_->stages};
 }

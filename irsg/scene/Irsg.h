@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -187,6 +188,8 @@ class Irsg {
     /// GL renderer string: "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile)
     /// Mesa 22.3.6".
     std::string rendererDescription();
+    /// Memory that drawing keeps on the graphics card apart from models and textures, bytes.
+    std::size_t graphicsMemory_bytes() const;
     StageTimes stageTimes() const;
     void resetStageTimes();
 

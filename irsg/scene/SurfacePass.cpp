@@ -229,6 +229,11 @@ void SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
                        samples);
 }
 
+std::size_t SurfacePass::bytes() const {
+    return parts_->radiance.bytes() + parts_->factors.bytes() +
+           parts_->factorsWithDistance.bytes() + parts_->list.bytes();
+}
+
 double SurfacePass::takeDrawSeconds() {
     return std::exchange(parts_->drawSeconds, 0.0);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -85,6 +86,9 @@ class SurfacePass {
                       RadianceSamples& samples);
     void drawFactors(osg::RenderInfo& info, const SurfaceScene& scene, const SampleWindow& window,
                      bool withDistance, FactorSamples& samples);
+
+    /// Memory of the targets and the list, which every drawing shares.
+    std::size_t bytes() const;
 
     /// Seconds spent drawing, reading back and sorting since the last call.
     double takeDrawSeconds();

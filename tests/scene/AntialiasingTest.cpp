@@ -340,6 +340,51 @@ TEST(PointSource, LetsGasThroughAsItsWindowDoes) {
     EXPECT_NEAR(point.coveredPixels / drawn.coveredPixels, 1.0, 5e-3);
 }
 
+TEST(AlignedZoom, SharesTheMemoryOfItsWindows) {
+    // Ten windows of 512 samples: of opaque objects, of ones that let light through, and of both
+    // with their truth. They need no more than the frame and 32 MB, and hardly more than one of
+    // them.
+    constexpr std::size_t frame_bytes = 640 * 512 * 3 * sizeof(float);
+    constexpr std::size_t allowance_bytes = 32u << 20;
+    const std::shared_ptr<const Model> ball = modelOf(sphereMesh(1.0, 16, 32, one));
+    const auto memory_bytes = [&](int objects, double transmissivity) {
+        Irsg irsg;
+        irsg.setEnvironment(environmentOf(ConstantAir{}));
+        RenderSettings settings;
+        settings.zoomWindow = 512;
+        settings.background = BackgroundMode::constant;
+        settings.truthLayers = true;
+        irsg.setSettings(settings);
+        std::vector<Entity> entities;
+        for (int i = 0; i < objects; ++i) {
+            Entity& entity = entities.emplace_back(
+                entityOf(ball, greyDatabase(0.4, temperature_K, 0.0, transmissivity)));
+            entity.pose.position_m.x += 3.1 * (i % 5);
+            entity.pose.position_m.z += 3.1 * (i / 5);
+        }
+        irsg.setEntities(entities);
+        View view = viewOf(2.0, 34.0);
+        view.width_px = 640;
+        view.height_px = 512;
+        view.fieldOfView_rad = 2.0 * std::atan(320 * pixel_rad);
+        look(irsg, view);
+        EXPECT_EQ(irsg.graphicsMemory_bytes(), 0u);
+        const RenderReport report = irsg.render().report;
+        for (const ObjectRadiometry& object : report.objects)
+            EXPECT_GT(object.coveredPixels, 100.0);
+        return irsg.graphicsMemory_bytes();
+    };
+    for (double transmissivity : {0.0, 0.5}) {
+        const std::size_t ten = memory_bytes(10, transmissivity);
+        EXPECT_GT(ten, 512u * 480u * 3u * sizeof(float));
+        EXPECT_LE(ten, frame_bytes + allowance_bytes);
+        EXPECT_LE(static_cast<double>(ten),
+                  2.0 * static_cast<double>(memory_bytes(1, transmissivity)));
+        std::printf("ten windows of 512, transmissivity %.1f: %.1f MB\n", transmissivity,
+                    static_cast<double>(ten) / (1 << 20));
+    }
+}
+
 TEST(SupersamplingInAll, CountsItsSamplesInAll) {
     // Two in all lie side by side: a plate over the lower half of a pixel is seen whole or not.
     Irsg& irsg = generator();

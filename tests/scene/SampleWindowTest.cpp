@@ -116,9 +116,9 @@ TEST(PixelAlignedStrategy, SpendsItsSamplesOnTheObjectHoweverSmall) {
         const auto windows = strategy.windows({object(0, 100.3, 50.9, size_px, 0.5 * size_px)});
         ASSERT_EQ(windows.size(), 1u);
         const SampleWindow& window = windows.front();
-        const double across = size_px * window.density();
-        EXPECT_GE(across, 180.0) << size_px << " px";
-        EXPECT_LE(window.width(), 256) << size_px << " px";
+        EXPECT_GE(size_px * size_px / window.share(), 180.0 * 180.0) << size_px << " px";
+        EXPECT_GE(size_px * window.density(), 150.0) << size_px << " px";
+        EXPECT_LE(window.width() * window.height(), 256 * 256 * 1.1) << size_px << " px";
     }
 }
 

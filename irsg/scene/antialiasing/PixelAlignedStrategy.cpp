@@ -38,9 +38,16 @@ SampleWindow sampledWindow(const ImageRectangle& extent, int level, int size) {
     return window;
 }
 
-/// The same with sheared rows.
+/// The same with sheared rows. The shear spares columns of samples: an upright edge meets every
+/// phase of them. A level edge does not, so that the samples go to rows, as many in all.
 SampleWindow shearedWindow(const ImageRectangle& extent, int level, int size) {
-    SampleWindow window = sampledWindow(extent, level, size - size / uprightRows);
+    SampleWindow window = windowOnTiles(extent, level);
+    constexpr double fewerColumns = 0.75;
+    constexpr int fewest = PixelAlignedStrategy::fewestSamplesPerAxis;
+    const double perTile = static_cast<double>(size) / std::max(window.tilesWide, window.tilesHigh);
+    window.samplesAcross = std::max(fewest, static_cast<int>(std::lround(fewerColumns * perTile)));
+    window.samplesDown =
+        std::max(fewest, static_cast<int>(perTile * perTile / window.samplesAcross));
     window.shearRows = uprightRows;
     return window;
 }
