@@ -19,9 +19,9 @@ int levelFor(double extent_px) {
     return std::clamp(level, 0, SampleWindow::deepestLevel);
 }
 
-/// The angle of upright rows of samples, as rows per column: 3.6 degrees, within which edges count
-/// as upright. An edge of any length worth counting then meets every phase of the samples.
-constexpr int uprightRows = 16;
+/// The slope of upright rows of samples: 3.6 degrees, within which edges count as upright. An edge
+/// of any length worth counting then meets every phase of the samples.
+constexpr double uprightSlope = 1.0 / 16.0;
 
 int samplesOfTile(const SampleWindow& window, int size) {
     return std::max(PixelAlignedStrategy::fewestSamplesPerAxis,
@@ -42,13 +42,14 @@ SampleWindow sampledWindow(const ImageRectangle& extent, int level, int size) {
 /// phase of them. A level edge does not, so that the samples go to rows, as many in all.
 SampleWindow shearedWindow(const ImageRectangle& extent, int level, int size) {
     SampleWindow window = windowOnTiles(extent, level);
-    constexpr double fewerColumns = 0.75;
+    constexpr double fewerColumns = 0.8;
     constexpr int fewest = PixelAlignedStrategy::fewestSamplesPerAxis;
     const double perTile = static_cast<double>(size) / std::max(window.tilesWide, window.tilesHigh);
     window.samplesAcross = std::max(fewest, static_cast<int>(std::lround(fewerColumns * perTile)));
     window.samplesDown =
         std::max(fewest, static_cast<int>(perTile * perTile / window.samplesAcross));
-    window.shearRows = uprightRows;
+    window.shearRows =
+        static_cast<int>(std::lround(window.samplesDown / (uprightSlope * window.samplesAcross)));
     return window;
 }
 
