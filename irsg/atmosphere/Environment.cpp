@@ -151,6 +151,17 @@ const Atmosphere& Environment::requireWideband(const SpectralRange& range) const
                       "an atmosphere with a wideband mode that holds the whole range"});
 }
 
+const Atmosphere& Environment::requireWideband(const SpectralRange& range,
+                                               AtmosphereProperty property) const {
+    const Atmosphere& atmosphere = requireWideband(range);
+    if (!atmosphere.supports(property)) {
+        throw InputError(
+            {"environment", std::string("wideband ") + name(property) + " over " + textOf(range),
+             refusalOf(atmosphere, property), "a wideband atmosphere that supports this quantity"});
+    }
+    return atmosphere;
+}
+
 Answer<std::shared_ptr<const SensorCkData>> Environment::prepareCk(const CkRequest& request) const {
     const Atmosphere& air = requireWideband(request.band.range());
     return {air.prepareCk(request), air.name()};
@@ -158,25 +169,26 @@ Answer<std::shared_ptr<const SensorCkData>> Environment::prepareCk(const CkReque
 
 Answer<std::vector<double>> Environment::ckTransmittance(const AirPath& path,
                                                          const SensorCkData& ck) const {
-    const Atmosphere& air = requireWideband(ck.band().range());
+    const Atmosphere& air = requireWideband(ck.band().range(), AtmosphereProperty::transmittance);
     return {air.ckTransmittance(path, ck), air.name()};
 }
 
 Answer<std::vector<double>> Environment::ckPathRadiance(const AirPath& path,
                                                         const SensorCkData& ck) const {
-    const Atmosphere& air = requireWideband(ck.band().range());
+    const Atmosphere& air = requireWideband(ck.band().range(), AtmosphereProperty::pathRadiance);
     return {air.ckPathRadiance(path, sun, ck), air.name()};
 }
 
 Answer<std::vector<double>> Environment::ckBackgroundRadiance(const LineOfSight& sight,
                                                               const SensorCkData& ck) const {
-    const Atmosphere& air = requireWideband(ck.band().range());
+    const Atmosphere& air =
+        requireWideband(ck.band().range(), AtmosphereProperty::backgroundRadiance);
     return {air.ckBackgroundRadiance(sight, sun, ck), air.name()};
 }
 
 Answer<std::vector<double>> Environment::ckSolarIrradiance(double altitude_m,
                                                            const SensorCkData& ck) const {
-    const Atmosphere& air = requireWideband(ck.band().range());
+    const Atmosphere& air = requireWideband(ck.band().range(), AtmosphereProperty::solarIrradiance);
     return {sun.isUp() ? air.ckSolarIrradiance(altitude_m, sun, ck)
                        : std::vector<double>(ck.size(), 0.0),
             air.name()};
@@ -184,13 +196,13 @@ Answer<std::vector<double>> Environment::ckSolarIrradiance(double altitude_m,
 
 Answer<std::vector<double>> Environment::ckUpwardFlux(double altitude_m,
                                                       const SensorCkData& ck) const {
-    const Atmosphere& air = requireWideband(ck.band().range());
+    const Atmosphere& air = requireWideband(ck.band().range(), AtmosphereProperty::upwardFlux);
     return {air.ckUpwardFlux(altitude_m, sun, ck), air.name()};
 }
 
 Answer<std::vector<double>> Environment::ckDownwardFlux(double altitude_m,
                                                         const SensorCkData& ck) const {
-    const Atmosphere& air = requireWideband(ck.band().range());
+    const Atmosphere& air = requireWideband(ck.band().range(), AtmosphereProperty::downwardFlux);
     return {air.ckDownwardFlux(altitude_m, sun, ck), air.name()};
 }
 

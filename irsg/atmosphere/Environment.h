@@ -53,10 +53,11 @@ class Environment {
 
     /// The first atmosphere that has wideband terms for a band; null where there is none.
     const Atmosphere* findWideband(const SpectralRange& range) const;
-    /// InputError listing each atmosphere and why it has no wideband terms for the band: there is
-    /// no default in wideband mode (F29).
+    /// The same; InputError listing each atmosphere and why it has no wideband terms for the band:
+    /// there is no default in wideband mode (F29).
+    const Atmosphere& requireWideband(const SpectralRange& range) const;
     Answer<std::shared_ptr<const SensorCkData>> prepareCk(const CkRequest& request) const;
-    /// Answered by the atmosphere that prepared the terms.
+    /// Answered by the atmosphere that prepared the terms; InputError for what it does not support.
     Answer<std::vector<double>> ckTransmittance(const AirPath& path, const SensorCkData& ck) const;
     Answer<std::vector<double>> ckPathRadiance(const AirPath& path, const SensorCkData& ck) const;
     Answer<std::vector<double>> ckBackgroundRadiance(const LineOfSight& sight,
@@ -67,7 +68,8 @@ class Environment {
     Answer<std::vector<double>> ckDownwardFlux(double altitude_m, const SensorCkData& ck) const;
 
   private:
-    const Atmosphere& requireWideband(const SpectralRange& range) const;
+    const Atmosphere& requireWideband(const SpectralRange& range,
+                                      AtmosphereProperty property) const;
     const Atmosphere& require(const SpectralRange& range, AtmosphereProperty property) const;
 
     std::vector<std::shared_ptr<const Atmosphere>> atmospheres_;

@@ -26,9 +26,9 @@ double beyondReference(const SurfaceInput& surface, double transmittance, std::s
 }
 
 /// Sum of c_j L_j of eq. 6 at the source.
-std::vector<double> userRadiance(const SurfaceInput& surface,
-                                 const std::vector<double>& wavelengths_um) {
-    std::vector<double> sum(wavelengths_um.size(), 0.0);
+std::vector<double> userRadiance(const SurfaceInput& surface, const SpectrumSampler& sample,
+                                 std::size_t count) {
+    std::vector<double> sum(count, 0.0);
     for (const SpectrumComponent& component : surface.userSpectrum->components) {
         double factor = 1.0;
         for (const ComponentFactor& candidate : surface.temperature->factors)
@@ -36,7 +36,7 @@ std::vector<double> userRadiance(const SurfaceInput& surface,
                 factor = candidate.at(surface.state);
         if (factor == 0.0)
             continue;
-        const std::vector<double> samples = component.radiance.sample(wavelengths_um);
+        const std::vector<double> samples = sample(component.radiance);
         for (std::size_t i = 0; i < sum.size(); ++i)
             sum[i] += factor * samples[i];
     }
@@ -51,7 +51,8 @@ double surfaceTemperature_K(const SurfaceInput& surface) {
 }
 
 SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const AirSamples& air,
-                                const std::vector<double>& wavelengths_um) {
+                                const std::vector<double>& wavelengths_um,
+                                const SpectrumSampler& sample) {
     const std::size_t count = wavelengths_um.size();
     const bool usesSpectrum = surface.temperature->mode == EmissionMode::userSpectrum;
     if (usesSpectrum && !surface.userSpectrum)
@@ -59,7 +60,7 @@ SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const AirSamples& a
 
     SurfaceSpectra result;
     result.nAngleFactor = surface.material->nAngleFactor;
-    result.transmissivity = surface.material->transmissivity.sample(wavelengths_um);
+    result.transmissivity = sample(surface.material->transmissivity);
     result.thermal.resize(count);
     result.up.resize(count);
     result.down.resize(count);
@@ -67,7 +68,7 @@ SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const AirSamples& a
     result.path.resize(count);
 
     // A scaled emissivity stays within what transmission leaves; reflectivity takes the rest.
-    std::vector<double> emissivity = surface.material->emissivity.sample(wavelengths_um);
+    std::vector<double> emissivity = sample(surface.material->emissivity);
     std::vector<double> reflectivity(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double absorbedAtMost = 1.0 - result.transmissivity[i];
@@ -77,7 +78,7 @@ SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const AirSamples& a
 
     // Emission: of a body at the temperature of eq. 7, or as measured.
     if (usesSpectrum) {
-        const std::vector<double> source = userRadiance(surface, wavelengths_um);
+        const std::vector<double> source = userRadiance(surface, sample, count);
         for (std::size_t i = 0; i < count; ++i)
             result.thermal[i] = surface.emissivityScale * source[i] *
                                 beyondReference(surface, air.transmittance[i], i);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -56,9 +57,14 @@ struct SurfaceSpectra {
 /// Temperature of the surface, K, with its scaling.
 double surfaceTemperature_K(const SurfaceInput& surface);
 
+/// How a spectrum is brought to the wavelengths of a calculation: its values there, or its means
+/// over what each of them stands for.
+using SpectrumSampler = std::function<std::vector<double>(const Spectrum&)>;
+
 /// All vectors as long as `wavelengths_um`. The temperature must be positive (LogicError: the scene
 /// check names the entry).
 SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const AirSamples& air,
-                                const std::vector<double>& wavelengths_um);
+                                const std::vector<double>& wavelengths_um,
+                                const SpectrumSampler& sample);
 
 } // namespace irsg

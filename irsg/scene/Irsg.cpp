@@ -131,7 +131,7 @@ RenderReport Irsg::measure() {
 
 IntensitySpectrum Irsg::measureSpectrum(const std::vector<double>& wavenumbers_cm1) {
     Parts& p = *parts_;
-    const Parts::Frame frame = p.frame();
+    const Parts::Frame frame = p.frame(CalculationMode::spectral);
     const ProjectedFactors& factors = p.factorsOf(frame);
     return p.timed("evaluation", [&] {
         std::vector<double> wavelengths_um;
@@ -152,6 +152,9 @@ IntensitySpectrum Irsg::measureSpectrum(const std::vector<double>& wavenumbers_c
         IntensitySpectrum result;
         result.coveredPixels = ascending.coveredPixels;
         result.warnings = ascending.warnings;
+        if (p.settings.mode == CalculationMode::wideband)
+            result.warnings.push_back("spectra are computed in the spectral mode: a wideband term "
+                                      "stands for the band, not for its wavelength");
         for (double wavenumber_cm1 : wavenumbers_cm1) {
             const double wavelength_um = wavelengthFromWavenumber_um(wavenumber_cm1);
             const auto i = static_cast<std::size_t>(

@@ -171,7 +171,8 @@ class Irsg {
     const Viewpoint& viewpoint() const;
 
     /// Checks the whole scene: every code has an entry, spectra cover the band, sensor and targets
-    /// are above the ground. Throws InputError with every offence.
+    /// are above the ground, an atmosphere has the calculation mode. Throws InputError with every
+    /// offence.
     void checkConfiguration() const;
 
     /// Radiance image in W m-2 sr-1 with its report.
@@ -180,7 +181,7 @@ class Irsg {
     /// when geometry, viewpoint, sensor raster, transparency or N change; another time, power,
     /// band, temperature or spectrum is a dot product.
     RenderReport measure();
-    /// The same, per wavelength.
+    /// The same, per wavelength; computed in the spectral mode, whichever is set.
     IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1);
     /// The table that gives the intensity of this view in any band (architecture, decision 1).
     ProjectedFactors projectFactors();

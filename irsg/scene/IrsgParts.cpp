@@ -20,6 +20,9 @@ namespace {
 /// Largest side of one drawing, samples: bounds the memory of the targets.
 constexpr int largestSide = 2048;
 
+/// Sets of wideband terms that are kept, so that sensors and samples can take turns.
+constexpr std::size_t mostTermsKept = 4;
+
 int shaderMode(ReflectionMode mode) {
     return mode == ReflectionMode::off ? 0 : mode == ReflectionMode::approx ? 1 : 2;
 }
@@ -83,52 +86,51 @@ SurfaceModes Irsg::Parts::modes(const CameraFrame& camera) const {
     return result;
 }
 
-std::shared_ptr<const SensorCkData>
-Irsg::Parts::widebandTerms(const std::vector<ObjectGeometry>& objects) {
-    CkRequest request;
-    request.band = sensor.band;
-    request.sun = environment.sun;
-    request.spectra = spectraOf(entities);
-    for (const ObjectGeometry& object : objects)
-        request.paths.push_back(object.path);
-
-    WidebandKey key{environment.findWideband(sensor.band.range()),
-                    sensor.band,
-                    environment.sun.azimuth_rad,
-                    environment.sun.elevation_rad,
-                    {}};
-    for (const Spectrum* spectrum : request.spectra)
-        key.spectra.push_back(*spectrum);
-    if (!wideband || !key.atmosphere || widebandKey != key) {
-        wideband = timed("wideband terms", [&] { return environment.prepareCk(request).value; });
-        widebandKey = std::move(key);
-    }
-    return wideband;
-}
-
-Irsg::Parts::Frame Irsg::Parts::frame() {
+Irsg::Parts::Frame Irsg::Parts::frame(CalculationMode mode) {
     const std::vector<ObjectGeometry> objects = geometry();
     checkScene(entities, objects, environment, sensor, settings);
-    const bool spectral = settings.mode == CalculationMode::spectral;
-    const auto terms = spectral ? nullptr : widebandTerms(objects);
+    const WidebandTerms* wideband = mode == CalculationMode::wideband ? &terms() : nullptr;
     return timed("radiometry", [&] {
-        Frame result{
-            CameraFrame(sensor, viewpoint),
-            objects,
-            spectral
-                ? SceneRadiometry(environment, entities, objects, settings, centre(), sensor.band)
-                : SceneRadiometry(environment, entities, objects, settings, centre(), terms),
-            FrameBackground{},
-            {},
-            {},
-            {},
-            {}};
+        Frame result{CameraFrame(sensor, viewpoint),
+                     objects,
+                     radiometry(objects, wideband),
+                     FrameBackground{},
+                     {},
+                     {},
+                     {},
+                     {}};
         result.background = FrameBackground(result.radiometry.backgroundInBand_W_m2_sr());
         fillRows(result);
         fillItems(result);
         planPoints(result);
         return result;
     });
+}
+
+SceneRadiometry Irsg::Parts::radiometry(const std::vector<ObjectGeometry>& objects,
+                                        const WidebandTerms* wideband) const {
+    if (wideband)
+        return {environment, entities, objects, settings, centre(), *wideband};
+    return {environment, entities, objects, settings, centre(), sensor.band};
+}
+
+const WidebandTerms& Irsg::Parts::terms() {
+    WidebandSpectra spectra = widebandSpectraOf(entities);
+    const auto found = std::ranges::find_if(widebandTerms, [&](const auto& kept) {
+        return kept->areOf(environment, sensor.band, spectra);
+    });
+    if (found != widebandTerms.end()) {
+        std::rotate(widebandTerms.begin(), found, found + 1);
+    } else {
+        auto made = timed("wideband terms", [&] {
+            return std::make_unique<const WidebandTerms>(environment, sensor.band,
+                                                         std::move(spectra));
+        });
+        widebandTerms.insert(widebandTerms.begin(), std::move(made));
+        if (widebandTerms.size() > mostTermsKept)
+            widebandTerms.pop_back();
+    }
+    return *widebandTerms.front();
 }
 
 void Irsg::Parts::fillRows(Frame& frame) {

@@ -3,7 +3,6 @@
 #include <array>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "irsg/scene/SceneRadiometry.h"
 #include "irsg/scene/Stopwatch.h"
 #include "irsg/scene/SurfacePass.h"
+#include "irsg/scene/WidebandTerms.h"
 #include "irsg/scene/antialiasing/PointSources.h"
 #include "irsg/scene/antialiasing/ZoomAntialiasingManager.h"
 #include "irsg/scene/background/FrameBackground.h"
@@ -47,21 +47,12 @@ struct Irsg::Parts {
     FrameBackground factorBackground;
     ProjectedFactors factors;
 
+    // Wideband terms, latest first, kept while environment, band and surface spectra stay.
+    std::vector<std::unique_ptr<const WidebandTerms>> widebandTerms;
+
     // Sum of omega cos(theta) over the frame, kept for one raster.
     std::array<double, 3> frameRaster{};
     double frameProjectedSolidAngle_sr = 0.0;
-
-    // The wideband terms of the sensor, kept while nothing they were trained on changes.
-    struct WidebandKey {
-        const Atmosphere* atmosphere = nullptr;
-        Band band = Band::topHat(3.0, 5.0);
-        double sunAzimuth_rad = 0.0, sunElevation_rad = 0.0;
-        std::vector<Spectrum> spectra;
-
-        bool operator==(const WidebandKey&) const = default;
-    };
-    std::optional<WidebandKey> widebandKey;
-    std::shared_ptr<const SensorCkData> wideband;
 
     /// Everything one drawing needs, made anew for each.
     struct Frame {
@@ -103,16 +94,21 @@ struct Irsg::Parts {
 
     std::vector<ObjectGeometry> geometry() const;
 
-    /// The wideband terms for the scene as it stands. Throws InputError where no atmosphere has
-    /// them.
-    std::shared_ptr<const SensorCkData> widebandTerms(const std::vector<ObjectGeometry>& objects);
-
     /// The unbounded line of sight through the middle of the field.
     LineOfSight centre() const;
 
     SurfaceModes modes(const CameraFrame& camera) const;
 
-    Frame frame();
+    /// In the mode of the settings, or in a given one.
+    Frame frame() { return frame(settings.mode); }
+    Frame frame(CalculationMode mode);
+
+    /// On wideband terms, or in the spectral mode where there are none.
+    SceneRadiometry radiometry(const std::vector<ObjectGeometry>& objects,
+                               const WidebandTerms* wideband) const;
+
+    /// The wideband terms of the present scene, trained where it is a new one.
+    const WidebandTerms& terms();
 
     static void fillRows(Frame& frame);
 

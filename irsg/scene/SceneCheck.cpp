@@ -154,6 +154,14 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
         offences.push_back({"settings", "background", text(settings.background_W_m2_sr),
                             "a finite radiance of at least 0 W m-2 sr-1"});
 
+    if (settings.mode == CalculationMode::wideband) {
+        try {
+            environment.requireWideband(sensor.band.range());
+        } catch (const InputError& error) {
+            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+        }
+    }
+
     for (std::size_t e = 0; e < entities.size(); ++e) {
         const double ambient_K =
             environment.ambientTemperature_K(geometry[e].path.targetAltitude_m).value;

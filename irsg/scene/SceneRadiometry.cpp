@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Quadrature.h"
+#include "irsg/scene/WidebandTerms.h"
 
 namespace irsg {
 
@@ -22,23 +25,11 @@ std::vector<SceneRadiometry::SurfaceKey> surfaceKeys(const std::vector<Entity>& 
     return keys;
 }
 
-const UserSpectrum* userSpectrumOf(const Entity& entity, const TemperatureEntry& entry) {
-    if (entry.mode != EmissionMode::userSpectrum)
-        return nullptr;
-    const auto found = entity.database->spectra.find(entry.userSpectrum);
-    return found == entity.database->spectra.end() ? nullptr : &found->second;
-}
-
 double scaleOf(const std::map<int, double>& scales, int index) {
     const auto found = scales.find(index);
     return found == scales.end() ? 1.0 : found->second;
 }
 
-/// Values at wideband terms as a spectrum whose nodes are the terms.
-Spectrum overTerms(const SensorCkData& ck, std::vector<double> values) {
-    return ck.size() == 1 ? Spectrum::constant(values.front())
-                          : Spectrum(ck.wavelengths_um(), std::move(values));
-}
 SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
                           const ObjectGeometry& geometry, double ambient_K) {
     SurfaceInput input;
@@ -54,6 +45,34 @@ SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
     input.temperatureScale = scaleOf(entity.temperatureScale, codes.temperature);
     input.emissivityScale = scaleOf(entity.emissivityScale, codes.material);
     return input;
+}
+
+/// Every spectrum of a scene, for its kinks.
+std::vector<const Spectrum*> allSpectra(const SceneAir<Spectrum>& air,
+                                        const std::vector<SceneRadiometry::SurfaceKey>& keys,
+                                        const std::vector<Entity>& entities) {
+    std::vector<const Spectrum*> spectra{&air.background};
+    for (const ObjectAir<Spectrum>& object : air.objects) {
+        spectra.insert(spectra.end(),
+                       {&object.transmittance, &object.pathRadiance, &object.solarIrradiance,
+                        &object.upwardFlux, &object.downwardFlux});
+        for (const auto& [name, spectrum] : object.toReference)
+            spectra.push_back(&spectrum);
+    }
+    for (const auto& [e, codes] : keys) {
+        const Entity& entity = entities[static_cast<std::size_t>(e)];
+        if (const Material* material = materialEntry(entity, codes.material)) {
+            spectra.push_back(&material->emissivity);
+            spectra.push_back(&material->transmissivity);
+        }
+        if (const TemperatureEntry* entry = temperatureEntry(entity, codes.temperature))
+            if (const UserSpectrum* user = userSpectrumOf(entity, *entry))
+                for (const SpectrumComponent& component : user->components)
+                    spectra.push_back(&component.radiance);
+    }
+    std::ranges::sort(spectra);
+    spectra.erase(std::ranges::unique(spectra).begin(), spectra.end());
+    return spectra;
 }
 
 } // namespace
@@ -74,43 +93,54 @@ const Material* materialEntry(const Entity& entity, int index) {
     return found == entries.end() ? nullptr : &found->second;
 }
 
-SceneRadiometry::SceneRadiometry(const Environment& environment,
-                                 const std::vector<Entity>& entities,
-                                 const std::vector<ObjectGeometry>& geometry,
-                                 const RenderSettings& settings, const LineOfSight& centre,
-                                 const Band& band)
-    : keys_(surfaceKeys(entities)) {
-    ask(environment, entities, geometry, settings, centre, band.range());
-
-    // The coldest surface decides how fine the quadrature must be.
-    double coldest_K = 300.0;
-    for (const auto& [e, codes] : keys_) {
-        const auto index = static_cast<std::size_t>(e);
-        const SurfaceInput input =
-            surfaceInput(entities[index], codes, geometry[index], air_[index].ambient_K);
-        if (input.temperature->mode == EmissionMode::temperature)
-            coldest_K = std::min(coldest_K, surfaceTemperature_K(input));
-    }
-    const std::vector<const Spectrum*> spectra = allSpectra(entities);
-    const SpectralQuadrature quadrature(band, spectra, std::max(coldest_K, coldestThatMatters_K));
-    wavelengths_um_ = quadrature.wavelengths_um();
-    weights_um_ = quadrature.weights_um();
-    sample(entities, geometry, settings, band.area_um());
+const UserSpectrum* userSpectrumOf(const Entity& entity, const TemperatureEntry& entry) {
+    if (entry.mode != EmissionMode::userSpectrum)
+        return nullptr;
+    const auto found = entity.database->spectra.find(entry.userSpectrum);
+    return found == entity.database->spectra.end() ? nullptr : &found->second;
 }
 
 SceneRadiometry::SceneRadiometry(const Environment& environment,
                                  const std::vector<Entity>& entities,
                                  const std::vector<ObjectGeometry>& geometry,
                                  const RenderSettings& settings, const LineOfSight& centre,
-                                 std::shared_ptr<const SensorCkData> ck)
-    : ck_(std::move(ck)),
-      wavelengths_um_(ck_->wavelengths_um()),
-      weights_um_(ck_->weights_um()),
-      keys_(surfaceKeys(entities)) {
-    note("wideband-ck", std::to_string(ck_->size()) + " terms, trained to " +
-                            std::to_string(100.0 * ck_->largestError()) + " %");
-    ask(environment, entities, geometry, settings, centre, ck_->band().range());
-    sample(entities, geometry, settings, ck_->band().area_um());
+                                 const Band& band)
+    : keys_(surfaceKeys(entities)) {
+    const SceneAir<Spectrum> air =
+        spectralAir(environment, entities, geometry, settings, centre, band.range());
+
+    // The coldest surface decides how fine the quadrature must be.
+    double coldest_K = 300.0;
+    for (const auto& [e, codes] : keys_) {
+        const auto index = static_cast<std::size_t>(e);
+        const SurfaceInput input =
+            surfaceInput(entities[index], codes, geometry[index], air.objects[index].ambient_K);
+        if (input.temperature->mode == EmissionMode::temperature)
+            coldest_K = std::min(coldest_K, surfaceTemperature_K(input));
+    }
+    const SpectralQuadrature quadrature(band, allSpectra(air, keys_, entities),
+                                        std::max(coldest_K, coldestThatMatters_K));
+    wavelengths_um_ = quadrature.wavelengths_um();
+    weights_um_ = quadrature.weights_um();
+    fill(
+        entities, geometry, settings, sampledAir(air, wavelengths_um_),
+        [this](const Spectrum& spectrum) { return spectrum.sample(wavelengths_um_); },
+        band.area_um());
+}
+
+SceneRadiometry::SceneRadiometry(const Environment& environment,
+                                 const std::vector<Entity>& entities,
+                                 const std::vector<ObjectGeometry>& geometry,
+                                 const RenderSettings& settings, const LineOfSight& centre,
+                                 const WidebandTerms& terms)
+    : wavelengths_um_(terms.data().wavelengths_um()),
+      weights_um_(terms.data().weights_um()),
+      keys_(surfaceKeys(entities)),
+      answeredBy_{terms.description()} {
+    fill(
+        entities, geometry, settings,
+        widebandAir(environment, entities, geometry, settings, centre, terms.data()),
+        [&terms](const Spectrum& spectrum) { return terms.sampled(spectrum); }, terms.area_um());
 }
 
 SceneRadiometry::SceneRadiometry(const Environment& environment,
@@ -126,150 +156,44 @@ SceneRadiometry::SceneRadiometry(const Environment& environment,
     // An interval of no width is widened by parts in 1e9, so that one wavelength can be asked for.
     const SpectralRange range{wavelengths_um_.front() * (1.0 - 1e-9),
                               wavelengths_um_.back() * (1.0 + 1e-9)};
-    ask(environment, entities, geometry, settings, centre, range);
-    sample(entities, geometry, settings, range.width_um());
+    const SceneAir<Spectrum> air =
+        spectralAir(environment, entities, geometry, settings, centre, range);
+    fill(
+        entities, geometry, settings, sampledAir(air, wavelengths_um_),
+        [this](const Spectrum& spectrum) { return spectrum.sample(wavelengths_um_); },
+        range.width_um());
 }
 
-const UserSpectrum* SceneRadiometry::inMode(const UserSpectrum* spectrum) {
-    if (!ck_ || !spectrum)
-        return spectrum;
-    const auto [place, isNew] = converted_.emplace(spectrum, *spectrum);
-    if (isNew)
-        for (SpectrumComponent& component : place->second.components)
-            component.radiance = overTerms(*ck_, ck_->sampled(component.radiance));
-    return &place->second;
-}
-
-void SceneRadiometry::note(const std::string& quantity, const std::string& who) {
-    const std::string line = quantity + ": " + who;
-    if (std::ranges::find(answeredBy_, line) == answeredBy_.end())
-        answeredBy_.push_back(line);
-}
-
-void SceneRadiometry::ask(const Environment& environment, const std::vector<Entity>& entities,
-                          const std::vector<ObjectGeometry>& geometry,
-                          const RenderSettings& settings, const LineOfSight& centre,
-                          const SpectralRange& range) {
-    auto take = [&](const char* quantity, auto answer) {
-        note(quantity, answer.answeredBy);
-        return answer.value;
-    };
-    // A quantity of the air: spectral, or its values at the wideband terms.
-    auto asked = [&](const char* quantity, auto spectral, auto wideband) {
-        return ck_ ? overTerms(*ck_, take(quantity, wideband())) : take(quantity, spectral());
-    };
-    std::set<std::string> said;
-    for (std::size_t e = 0; e < entities.size(); ++e) {
-        const AirPath& path = geometry[e].path;
-        Air air;
-        auto transmittance = [&](const AirPath& through) {
-            return asked(
-                "transmittance", [&] { return environment.transmittance(through, range); },
-                [&] { return environment.ckTransmittance(through, *ck_); });
-        };
-        air.transmittance = transmittance(path);
-        air.pathRadiance = asked(
-            "path radiance", [&] { return environment.pathRadiance(path, range); },
-            [&] { return environment.ckPathRadiance(path, *ck_); });
-        if (settings.sun != ReflectionMode::off)
-            air.solarIrradiance = asked(
-                "solar irradiance",
-                [&] { return environment.solarIrradiance(path.targetAltitude_m, range); },
-                [&] { return environment.ckSolarIrradiance(path.targetAltitude_m, *ck_); });
-        if (settings.fluxes != ReflectionMode::off) {
-            air.upwardFlux = asked(
-                "upward flux", [&] { return environment.upwardFlux(path.targetAltitude_m, range); },
-                [&] { return environment.ckUpwardFlux(path.targetAltitude_m, *ck_); });
-            air.downwardFlux = asked(
-                "downward flux",
-                [&] { return environment.downwardFlux(path.targetAltitude_m, range); },
-                [&] { return environment.ckDownwardFlux(path.targetAltitude_m, *ck_); });
-        }
-        air.ambient_K =
-            take("ambient temperature", environment.ambientTemperature_K(path.targetAltitude_m));
-
-        // What a measured spectrum already holds of the air is taken out again. The part of the
-        // path next to the target is the one that was inside the measurement.
-        for (const auto& [name, spectrum] : entities[e].database->spectra) {
-            const double inside_m = spectrum.referenceDistance_m;
-            if (inside_m <= 0.0)
-                continue;
-            if (path.range_m <= inside_m) {
-                if (said.insert(name).second)
-                    warnings_.push_back("spectrum '" + name + "' was measured at " +
-                                        std::to_string(inside_m) +
-                                        " m and is seen from nearer: no air is added or removed");
-                air.insideReference.insert(name);
-                continue;
-            }
-            AirPath reference = path;
-            reference.range_m = inside_m;
-            reference.sensorAltitude_m =
-                path.targetAltitude_m +
-                (path.sensorAltitude_m - path.targetAltitude_m) * inside_m / path.range_m;
-            air.toReference.emplace(name, transmittance(reference));
-        }
-        air_.push_back(std::move(air));
-    }
-    if (settings.background == BackgroundMode::environment)
-        backgroundSpectrum_ = asked(
-            "background", [&] { return environment.backgroundRadiance(centre, range); },
-            [&] { return environment.ckBackgroundRadiance(centre, *ck_); });
-}
-
-std::vector<const Spectrum*>
-SceneRadiometry::allSpectra(const std::vector<Entity>& entities) const {
-    std::vector<const Spectrum*> spectra{&backgroundSpectrum_};
-    for (const Air& air : air_) {
-        spectra.insert(spectra.end(), {&air.transmittance, &air.pathRadiance, &air.solarIrradiance,
-                                       &air.upwardFlux, &air.downwardFlux});
-        for (const auto& [name, spectrum] : air.toReference)
-            spectra.push_back(&spectrum);
-    }
-    for (const auto& [e, codes] : keys_) {
-        const Entity& entity = entities[static_cast<std::size_t>(e)];
-        if (const Material* material = materialEntry(entity, codes.material)) {
-            spectra.push_back(&material->emissivity);
-            spectra.push_back(&material->transmissivity);
-        }
-        if (const TemperatureEntry* entry = temperatureEntry(entity, codes.temperature))
-            if (const UserSpectrum* user = userSpectrumOf(entity, *entry))
-                for (const SpectrumComponent& component : user->components)
-                    spectra.push_back(&component.radiance);
-    }
-    std::ranges::sort(spectra);
-    spectra.erase(std::ranges::unique(spectra).begin(), spectra.end());
-    return spectra;
-}
-
-void SceneRadiometry::sample(const std::vector<Entity>& entities,
-                             const std::vector<ObjectGeometry>& geometry,
-                             const RenderSettings& settings, double bandArea_um) {
+void SceneRadiometry::fill(const std::vector<Entity>& entities,
+                           const std::vector<ObjectGeometry>& geometry,
+                           const RenderSettings& settings, SceneAir<std::vector<double>> air,
+                           const SpectrumSampler& sample, double bandArea_um) {
     background_ =
         settings.background == BackgroundMode::constant
             ? std::vector<double>(wavelengths_um_.size(), settings.background_W_m2_sr / bandArea_um)
-            : backgroundSpectrum_.sample(wavelengths_um_);
+            : std::move(air.background);
+    std::ranges::move(air.answeredBy, std::back_inserter(answeredBy_));
+    warnings_ = std::move(air.warnings);
 
     std::vector<AirSamples> samples;
-    for (const Air& air : air_)
-        samples.push_back(
-            {air.transmittance.sample(wavelengths_um_), air.pathRadiance.sample(wavelengths_um_),
-             air.solarIrradiance.sample(wavelengths_um_), air.upwardFlux.sample(wavelengths_um_),
-             air.downwardFlux.sample(wavelengths_um_)});
+    for (ObjectAir<std::vector<double>>& object : air.objects)
+        samples.push_back({std::move(object.transmittance), std::move(object.pathRadiance),
+                           std::move(object.solarIrradiance), std::move(object.upwardFlux),
+                           std::move(object.downwardFlux)});
 
     for (const auto& [e, codes] : keys_) {
         const auto index = static_cast<std::size_t>(e);
+        const ObjectAir<std::vector<double>>& object = air.objects[index];
         SurfaceInput input =
-            surfaceInput(entities[index], codes, geometry[index], air_[index].ambient_K);
-        input.userSpectrum = inMode(input.userSpectrum);
+            surfaceInput(entities[index], codes, geometry[index], object.ambient_K);
         if (input.userSpectrum) {
             const std::string& name = input.temperature->userSpectrum;
-            const auto reference = air_[index].toReference.find(name);
-            if (reference != air_[index].toReference.end())
-                input.referenceTransmittance = reference->second.sample(wavelengths_um_);
-            input.insideReference = air_[index].insideReference.contains(name);
+            const auto reference = object.toReference.find(name);
+            if (reference != object.toReference.end())
+                input.referenceTransmittance = reference->second;
+            input.insideReference = object.insideReference.contains(name);
         }
-        surfaces_.push_back(apparentRadiance(input, samples[index], wavelengths_um_));
+        surfaces_.push_back(apparentRadiance(input, samples[index], wavelengths_um_, sample));
         transmissivities_.emplace(std::pair(e, codes.material), surfaces_.back().transmissivity);
     }
 }
@@ -331,23 +255,6 @@ double SceneRadiometry::transmissivityResidue() const {
         }
     }
     return worst;
-}
-
-std::vector<const Spectrum*> spectraOf(const std::vector<Entity>& entities) {
-    std::vector<const Spectrum*> spectra;
-    for (const Entity& entity : entities)
-        for (const auto& [codes, use] : entity.model->codes()) {
-            if (const Material* material = materialEntry(entity, codes.material))
-                spectra.insert(spectra.end(), {&material->emissivity, &material->transmissivity});
-            if (const TemperatureEntry* entry = temperatureEntry(entity, codes.temperature))
-                if (const UserSpectrum* user = userSpectrumOf(entity, *entry))
-                    for (const SpectrumComponent& component : user->components)
-                        spectra.push_back(&component.radiance);
-        }
-    std::erase_if(spectra, [](const Spectrum* spectrum) { return spectrum->isConstant(); });
-    std::ranges::sort(spectra);
-    spectra.erase(std::ranges::unique(spectra).begin(), spectra.end());
-    return spectra;
 }
 
 } // namespace irsg

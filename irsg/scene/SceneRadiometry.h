@@ -1,36 +1,30 @@
 #pragma once
 
 #include <map>
-#include <memory>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/scene/ApparentRadiance.h"
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/SceneAir.h"
 
 namespace irsg {
 
-/// The geometry that the air is asked for, once per object.
-struct ObjectGeometry {
-    AirPath path;                 ///< sensor to reference point
-    double aspectAngle_rad = 0.0; ///< nose axis to the direction reference point -> sensor
-};
+class WidebandTerms;
 
-/// A scene's spectra, on wavelengths of the caller's choice or on the quadrature of a band.
+/// A scene's spectra, on wavelengths of the caller's choice, on the quadrature of a band or on
+/// wideband terms, which are a quadrature, too.
 class SceneRadiometry {
   public:
     /// For in-band quantities: nodes and weights are those of the sensor's band.
     SceneRadiometry(const Environment& environment, const std::vector<Entity>& entities,
                     const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
                     const LineOfSight& centre, const Band& band);
-    /// For in-band quantities in wideband mode: nodes and weights are the terms of the data, which
-    /// the environment prepared.
+    /// For in-band quantities in the wideband mode: a node is a term, and spectra are means over
+    /// its bin.
     SceneRadiometry(const Environment& environment, const std::vector<Entity>& entities,
                     const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
-                    const LineOfSight& centre, std::shared_ptr<const SensorCkData> ck);
+                    const LineOfSight& centre, const WidebandTerms& terms);
     /// For spectra at given wavelengths, ascending; weights are 1.
     SceneRadiometry(const Environment& environment, const std::vector<Entity>& entities,
                     const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
@@ -63,30 +57,10 @@ class SceneRadiometry {
     const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
-    void ask(const Environment& environment, const std::vector<Entity>& entities,
-             const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
-             const LineOfSight& centre, const SpectralRange& range);
-    void sample(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
-                const RenderSettings& settings, double bandArea_um);
-    void note(const std::string& quantity, const std::string& who);
+    void fill(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
+              const RenderSettings& settings, SceneAir<std::vector<double>> air,
+              const SpectrumSampler& sample, double bandArea_um);
 
-    /// Spectra of one object's air on their own axes.
-    struct Air {
-        Spectrum transmittance, pathRadiance, solarIrradiance, upwardFlux, downwardFlux;
-        double ambient_K = 288.15;
-        /// Transmittance to the reference distance of a user-defined spectrum, by its name.
-        std::map<std::string, Spectrum> toReference;
-        std::set<std::string> insideReference; ///< names of spectra measured from farther away
-    };
-    std::vector<const Spectrum*> allSpectra(const std::vector<Entity>& entities) const;
-    /// A user-defined spectrum in the mode's own form.
-    const UserSpectrum* inMode(const UserSpectrum* spectrum);
-
-    std::shared_ptr<const SensorCkData> ck_; ///< null in spectral mode
-    std::map<const UserSpectrum*, UserSpectrum> converted_;
-
-    std::vector<Air> air_;
-    Spectrum backgroundSpectrum_;
     std::vector<double> wavelengths_um_, weights_um_, background_;
     std::vector<SurfaceKey> keys_;
     std::vector<SurfaceSpectra> surfaces_;
@@ -94,11 +68,10 @@ class SceneRadiometry {
     std::vector<std::string> answeredBy_, warnings_;
 };
 
-/// The spectra of a scene's materials and user-defined spectra: what wideband terms are trained on.
-std::vector<const Spectrum*> spectraOf(const std::vector<Entity>& entities);
-
 /// The entry or material behind a code, with the entity's fallback; null where there is none.
 const TemperatureEntry* temperatureEntry(const Entity& entity, int index);
 const Material* materialEntry(const Entity& entity, int index);
+/// The spectrum of an entry in the second mode; null for one that has a temperature.
+const UserSpectrum* userSpectrumOf(const Entity& entity, const TemperatureEntry& entry);
 
 } // namespace irsg

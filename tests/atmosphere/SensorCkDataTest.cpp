@@ -70,7 +70,7 @@ TEST_P(Wideband, givesApparentRadianceWithinHalfAPercent) {
         request.band = band;
         request.sun = sun;
         if (hasPlume)
-            request.spectra = {&hot};
+            request.radiances = {&hot};
         const SensorCkData ck = SensorCkData::prepare(transfer, request);
         terms = std::max(terms, ck.size());
         trained = std::max(trained, ck.largestError());

@@ -217,21 +217,24 @@ std::vector<Source> sources(const BandNodes& nodes, const CkRequest& request) {
     return all;
 }
 
-/// The spectra of the scene. Radiances of gas are taken as they are and in parts, as their wings
-/// are what long paths let through; what is nowhere above 1 is an emissivity or a transmissivity.
+/// The spectra of the scene: materials as a black body at 400 K has them; radiances of gas as they
+/// are and in parts, as their wings are what long paths let through.
 std::vector<Source> ownSources(const BandNodes& nodes, const CkRequest& request) {
     std::vector<Source> all;
     const SpectralRange& range = request.band.range();
-    for (const Spectrum* spectrum : request.spectra) {
-        if (spectrum->isConstant() || spectrum->maximum() <= 0.0)
-            continue;
-        auto own = [&](double wavelength_um) { return std::max(spectrum->at(wavelength_um), 0.0); };
-        if (spectrum->maximum() <= 1.0) {
+    auto teaches = [](const Spectrum& spectrum) {
+        return !spectrum.isConstant() && spectrum.maximum() > 0.0;
+    };
+    for (const Spectrum* material : request.materials)
+        if (teaches(*material))
             all.emplace_back(nodes, [&](double wavelength_um) {
-                return own(wavelength_um) * planckRadiance_W_m2_sr_um(wavelength_um, 400.0);
+                return std::max(material->at(wavelength_um), 0.0) *
+                       planckRadiance_W_m2_sr_um(wavelength_um, 400.0);
             });
+    for (const Spectrum* radiance : request.radiances) {
+        if (!teaches(*radiance))
             continue;
-        }
+        auto own = [&](double wavelength_um) { return std::max(radiance->at(wavelength_um), 0.0); };
         all.emplace_back(nodes, own);
         for (const int waves : {3, 7})
             for (const double sign : {1.0, -1.0})

@@ -15,10 +15,12 @@ struct CkRequest {
     SunPosition sun;
     /// Paths that the scene will use, where they are known; a spread of paths is always added.
     std::vector<AirPath> paths;
-    /// Spectra of the scene's surfaces and gases (emissivities, transmissivities, user-defined
-    /// radiances): each is trained as it is, so that lines of a hot gas that sit on the air's lines
-    /// keep their correlation. Not owned; need to live during the preparation only.
-    std::vector<const Spectrum*> spectra;
+    /// Emissivities and transmissivities of the scene's surfaces. Not owned, as those that follow;
+    /// need to live during the preparation only.
+    std::vector<const Spectrum*> materials;
+    /// User-defined radiances of the scene's gases, W m-2 sr-1 um-1: each is trained as it is, so
+    /// that lines of a hot gas that sit on the air's lines keep their correlation.
+    std::vector<const Spectrum*> radiances;
     double largestError = 0.004; ///< of in-band quantities on the training cases, relative
     std::size_t mostTerms = 250;
 };
@@ -29,9 +31,9 @@ struct CkRequest {
 /// Terms are spectral nodes of the atmosphere; they and their weights are chosen by non-negative
 /// least squares so that in-band radiances of surfaces of 200 to 2200 K, grey and with structure,
 /// through paths of all kinds, path and sky radiances, sun and fluxes equal those of the spectral
-/// mode (optimal spectral sampling for a whole band, Moncet et al. 2008). A term is a wavelength,
-/// so response, emissivity, reflectivity, transmissivity and black bodies are converted by sampling
-/// them there: `sampled`, `planck`.
+/// mode (optimal spectral sampling for a whole band, Moncet et al. 2008). A term is a wavelength;
+/// emissivity, reflectivity, transmissivity and user-defined radiances are converted to their means
+/// over its bin, `sampled`, black bodies to their value there, `planck`.
 class SensorCkData {
   public:
     /// Trains the terms. Throws InputError where the band has no node in the atmosphere's table.
