@@ -53,7 +53,8 @@ int main(int argc, char** argv) {
     const int resolution_cm = argc > 1 ? std::atoi(argv[1]) : 5;
     std::printf("### Scenes in the wideband mode beside the spectral one, bins of %d cm⁻¹\n\n",
                 resolution_cm);
-    std::printf("| air | scene | reflection | spectral W sr⁻¹ | error %% | background, error %% | "
+    std::printf("| air | scene | reflection | spectral W sr⁻¹ | difference %% | background, "
+                "difference %% | "
                 "spectral ms | wideband ms | ratio |\n|---|---|---|---|---|---|---|---|---|\n");
     for (const WidebandAir& air : widebandAirs()) {
         Irsg irsg;

@@ -14,6 +14,7 @@
 #include "irsg/scene/SceneRadiometry.h"
 #include "irsg/scene/WidebandTerms.h"
 #include "irsg/signature/SignatureFile.h"
+#include "tests/support/Refusal.h"
 #include "tests/support/WidebandScenes.h"
 
 using namespace irsg;
@@ -43,12 +44,7 @@ long trainings(const Irsg& irsg) {
 }
 
 std::string refusal(Irsg& irsg) {
-    try {
-        measured(irsg, CalculationMode::wideband);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return smat::test::refusalOf([&] { measured(irsg, CalculationMode::wideband); });
 }
 
 class WidebandScenes : public testing::TestWithParam<WidebandAir> {};
