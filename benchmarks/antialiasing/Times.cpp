@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <memory>
 
 #include <osg/Group>
 
@@ -47,46 +48,43 @@ FrameTime median(const std::vector<FrameTime>& times) {
     return {median(wall), median(processor)};
 }
 
-/// A scene in a frame of 640 x 512 pixels, once as it is and once with marks that have the whole
-/// frame drawn.
+/// A scene in a frame of 640 x 512 pixels, drawn by each method with a generator of its own: what
+/// one keeps from frame to frame no other disturbs.
 class TimedScene {
   public:
     TimedScene(Entity entity, double azimuth_rad, double elevation_rad)
         : entity_(std::move(entity)), azimuth_rad_(azimuth_rad), elevation_rad_(elevation_rad) {
-        for (Irsg* irsg : {&plain_, &marked_})
-            irsg->setEnvironment(test::environmentOf(test::ConstantAir{}));
-        plain_.setEntities({entity_});
+        for (const Method& method : methods()) {
+            Irsg& irsg = *generators_.emplace_back(std::make_unique<Irsg>());
+            irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
+            irsg.setSettings(method.settings());
+            irsg.setEntities({entity_});
+        }
     }
 
     /// Median time of each method, taken in turns so that a busy moment meets all.
     std::vector<FrameTime> times(double range_m, int rounds) {
-        const test::View view{.range_m = range_m,
-                              .azimuth_rad = azimuth_rad_,
-                              .elevation_rad = elevation_rad_,
-                              .width_px = width_px,
-                              .height_px = height_px,
-                              .fieldOfView_rad = 2.0 * std::atan(0.5 * width_px * pixel_rad)};
-        plain_.setPose(0, entity_.pose);
-        test::look(plain_, view);
-        const Viewpoint camera = plain_.viewpoint();
-        mark(camera);
-        test::look(marked_, view);
-
         const std::vector<Method> all = methods();
+        for (std::size_t m = 0; m < all.size(); ++m) {
+            generators_[m]->setPose(0, entity_.pose);
+            lookAt(*generators_[m], range_m);
+            if (all[m].wholeFrame)
+                mark(*generators_[m]);
+        }
+
+        const Viewpoint camera = generators_.front()->viewpoint();
+        const double pixel_m = pixel_rad * range_m;
         std::vector<std::vector<FrameTime>> taken(all.size());
         for (int round = 0; round <= rounds; ++round) {
             Pose pose = entity_.pose;
-            const double pixel_m = pixel_rad * range_m;
             pose.position_m = pose.position_m +
                               camera.right * (std::fmod(round * 0.61803398875, 1.0) * pixel_m) +
                               camera.up * (std::fmod(round * 0.41421356237, 1.0) * pixel_m);
             for (std::size_t m = 0; m < all.size(); ++m) {
                 if (all[m].wholeFrame && round > (rounds + 1) / 2)
                     continue;
-                Irsg& irsg = all[m].wholeFrame ? marked_ : plain_;
-                irsg.setSettings(all[m].settings());
-                irsg.setPose(0, pose);
-                const FrameTime time = timeOf(irsg);
+                generators_[m]->setPose(0, pose);
+                const FrameTime time = timeOf(*generators_[m]);
                 if (round > 0) // shaders are made and targets grown in the first
                     taken[m].push_back(time);
             }
@@ -98,17 +96,27 @@ class TimedScene {
     }
 
   private:
-    void mark(const Viewpoint& camera) {
-        osg::ref_ptr<osg::Group> graph = new osg::Group;
-        graph->addChild(entity_.model->graph());
-        graph->addChild(
-            test::graphOf(cornerMarks(camera, entity_.pose.position_m, width_px, height_px)));
-        Entity entity = entity_;
-        entity.model = Model::fromGraph(graph.get(), "marked");
-        marked_.setEntities({entity});
+    void lookAt(Irsg& irsg, double range_m) const {
+        test::look(irsg, {.range_m = range_m,
+                          .azimuth_rad = azimuth_rad_,
+                          .elevation_rad = elevation_rad_,
+                          .width_px = width_px,
+                          .height_px = height_px,
+                          .fieldOfView_rad = 2.0 * std::atan(0.5 * width_px * pixel_rad)});
     }
 
-    Irsg plain_, marked_;
+    /// Has the whole frame drawn from where the generator looks.
+    void mark(Irsg& irsg) const {
+        osg::ref_ptr<osg::Group> graph = new osg::Group;
+        graph->addChild(entity_.model->graph());
+        graph->addChild(test::graphOf(
+            cornerMarks(irsg.viewpoint(), entity_.pose.position_m, width_px, height_px)));
+        Entity entity = entity_;
+        entity.model = Model::fromGraph(graph.get(), "marked");
+        irsg.setEntities({entity});
+    }
+
+    std::vector<std::unique_ptr<Irsg>> generators_; // by method
     Entity entity_;
     double azimuth_rad_, elevation_rad_;
 };
@@ -191,9 +199,9 @@ void measureRanges(const Options& options) {
     Irsg irsg;
     irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
     irsg.setEntities({greyEntity(bodies().front().mesh)});
-    constexpr int steps = 120;
+    constexpr int steps = 200;
     for (int i = 0; i <= steps; ++i) {
-        const double range_m = 1e3 * std::pow(1e3, static_cast<double>(i) / steps);
+        const double range_m = 1e3 * std::pow(200.0, static_cast<double>(i) / steps);
         irsg.setPose(0, {{0, 0, test::standingAltitude_m}, {}});
         test::look(irsg, {.range_m = range_m,
                           .width_px = 64,

@@ -10,13 +10,6 @@
 
 namespace irsg {
 
-namespace {
-
-/// Side of the window that a point source is drawn into, samples.
-constexpr int pointWindow = 1024;
-
-} // namespace
-
 void Irsg::Parts::planPoints(Frame& frame) const {
     const bool mayBePoints = settings.zoomWindow > 0 &&
                              settings.zoomStrategy == ZoomStrategy::aligned &&
@@ -66,7 +59,8 @@ const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
         }
 
     return pointSources.sums_sr_m2(object.entity, aspect, [&] {
-        // Drawn once, so finely: a few pixels of a camera that looks at it, in the densest window.
+        // A few pixels of a camera that looks at it, in a window like that of any other object: one
+        // that turns is drawn anew for every frame.
         constexpr int framePixels = 4;
         const double side_px = ballDiameter_px(frame.camera, object.centre_m, object.radius_m);
         const CameraFrame zoom = zoomCamera(frame.camera, object.centre_m, side_px, framePixels);
@@ -81,9 +75,9 @@ const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
         if (seen)
             onContext([&](osg::RenderInfo& info) {
                 FactorSamples samples;
-                const PixelAlignedStrategy finest(pointWindow);
+                const PixelAlignedStrategy strategy(settings.zoomWindow);
                 for (const SampleWindow& window :
-                     piecesOf(finest.windows({*seen}), largestDrawing())) {
+                     piecesOf(strategy.windows({*seen}), largestDrawing())) {
                     pass->drawFactors(info, sceneOf(frame, zoom, window), window, false, samples);
                     accumulator.add(window, samples);
                 }
