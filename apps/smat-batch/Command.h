@@ -30,6 +30,7 @@ void addModelCommand(CLI::App& app, Context& context);
 void addAtmosphereCommand(CLI::App& app, Context& context);
 void addSettingsCommand(CLI::App& app, Context& context);
 void addRadiativeCommand(CLI::App& app, Context& context);
+void addSimulateCommand(CLI::App& app, Context& context);
 void addTemperatureProfileCommand(CLI::App& app, Context& context);
 
 } // namespace smat::batch

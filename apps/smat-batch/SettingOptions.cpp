@@ -33,9 +33,16 @@ std::string placed(const SettingInfo& setting, const std::string& text) {
 
 } // namespace
 
-SettingOptions::SettingOptions(CLI::App& command, std::optional<AnalysisKind> kind) {
+SettingOptions::SettingOptions(CLI::App& command, std::optional<AnalysisKind> kind)
+    : SettingOptions(command, [kind](const SettingInfo& setting) {
+          return !isAnalysisSection(setting.section()) ||
+                 (kind && setting.section() == name(*kind));
+      }) {}
+
+SettingOptions::SettingOptions(CLI::App& command,
+                               const std::function<bool(const SettingInfo&)>& takes) {
     for (const SettingInfo& setting : settingTable()) {
-        if (isAnalysisSection(setting.section()) && (!kind || setting.section() != name(*kind))) {
+        if (!takes(setting)) {
             continue;
         }
         auto given = std::make_unique<Given>();

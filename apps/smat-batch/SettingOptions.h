@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +17,8 @@ namespace smat::batch {
 class SettingOptions {
   public:
     SettingOptions(CLI::App& command, std::optional<AnalysisKind> kind);
+    /// Those of the settings that `takes` is true for. `--set` takes all.
+    SettingOptions(CLI::App& command, const std::function<bool(const SettingInfo&)>& takes);
 
     /// What was given, with paths made absolute because they are relative to where the user stands.
     /// Throws InputError with every offence.

@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
     addModelCommand(app, context);
     addAtmosphereCommand(app, context);
     addSettingsCommand(app, context);
+    addSimulateCommand(app, context);
     addRadiativeCommand(app, context);
     addTemperatureProfileCommand(app, context);
     try {

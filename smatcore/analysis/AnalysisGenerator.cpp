@@ -7,7 +7,7 @@
 
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/CaseChecks.h"
-#include "smatcore/analysis/ImageQuantity.h"
+#include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {
@@ -159,16 +159,9 @@ void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& s
     shortcomings.sayIn(data);
     addCaseRow(data, plan, plan.cases.front(), rendered.report);
     data.image = std::move(rendered.image);
-    const std::string& quantity = data.settings.text("image.quantity");
-    if (quantity == "irradiance") {
-        showIrradiance(data.image, scene.sensor);
-    } else if (quantity == "apparent-temperature") {
-        const std::size_t without = showApparentTemperature(data.image, scene.sensor);
-        if (without > 0) {
-            addNew(data.warnings,
-                   {fmt::format("{} pixels without radiance have no apparent temperature (nan)",
-                                without)});
-        }
+    const std::string sentence = showQuantity(data.image, scene.sensor, data.settings);
+    if (!sentence.empty()) {
+        addNew(data.warnings, {sentence});
     }
 }
 

@@ -25,6 +25,9 @@ class ImageSource {
 
     /// Takes a scene. Throws InputError with every offence where it cannot be drawn.
     virtual void configure(const SceneDescription& scene) = 0;
+    /// Takes the sensor, the environment and the settings of a scene, in which stand the entities
+    /// that it already holds; their poses and states stay undefined until they are set.
+    virtual void setView(const SceneDescription& scene) { configure(scene); }
     /// Reference point of an entity in its own model axes.
     virtual irsg::Vec3 referencePointInModel(std::size_t entity) = 0;
     virtual void setPose(std::size_t entity, const irsg::Pose& pose) = 0;

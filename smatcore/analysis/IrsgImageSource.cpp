@@ -8,10 +8,13 @@ namespace {
 class IrsgImageSource : public ImageSource {
   public:
     void configure(const SceneDescription& scene) override {
+        setView(scene);
+        irsg_.setEntities(scene.entities);
+    }
+    void setView(const SceneDescription& scene) override {
         irsg_.setEnvironment(scene.environment);
         irsg_.setSensor(scene.sensor);
         irsg_.setSettings(scene.render);
-        irsg_.setEntities(scene.entities);
     }
 
     irsg::Vec3 referencePointInModel(std::size_t entity) override {

@@ -48,12 +48,12 @@ std::string ResultColumn::axisTitle() const {
 
 ResultColumn& ResultTable::add(irsg::Quantity quantity) {
     const irsg::QuantityInfo& entry = irsg::info(quantity);
-    addColumn(std::string(entry.key), std::string(entry.unit));
-    return columns_.back();
+    return add(std::string(entry.key), std::string(entry.unit));
 }
 
-void ResultTable::addColumn(std::string key, std::string unit) {
+ResultColumn& ResultTable::add(std::string key, std::string unit) {
     columns_.push_back({std::move(key), std::move(unit), std::vector<double>(rowCount(), 0.0)});
+    return columns_.back();
 }
 
 const ResultColumn* ResultTable::find(std::string_view key) const {
@@ -118,7 +118,7 @@ ResultTable ResultTable::fromCsv(const std::filesystem::path& file) {
             offences.push_back(csv.offence(cell, "a name that no other column has"));
         }
         const auto [key, unit] = splitHeader(cell.text);
-        table.addColumn(key, unit);
+        table.add(key, unit);
     }
     for (std::size_t row = 1; row < csv.rows().size(); ++row) {
         const irsg::CsvRow& line = csv.rows()[row];

@@ -30,6 +30,8 @@ class ResultTable {
     Provenance provenance;
 
     ResultColumn& add(irsg::Quantity quantity);
+    /// A column of another name; in a table with rows its values are 0.
+    ResultColumn& add(std::string key, std::string unit);
     const std::vector<ResultColumn>& columns() const { return columns_; }
     std::size_t rowCount() const { return columns_.empty() ? 0 : columns_.front().values.size(); }
     bool empty() const { return rowCount() == 0; }
@@ -53,7 +55,6 @@ class ResultTable {
   private:
     static ResultTable fromCsv(const std::filesystem::path& file);
     static ResultTable fromJson(const std::filesystem::path& file);
-    void addColumn(std::string key, std::string unit);
 
     std::vector<ResultColumn> columns_;
 };

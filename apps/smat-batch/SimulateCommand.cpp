@@ -1,0 +1,263 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/smat-batch/Command.h"
+#include "apps/smat-batch/NumberOptions.h"
+#include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/SettingOptions.h"
+#include "apps/smat-batch/StopSignal.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/simulate/FrameFiles.h"
+#include "smatcore/simulate/ScenarioFile.h"
+
+namespace smat::batch {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// `smat-batch simulate SCENARIO --out DIR`: the frames of an engagement, one folder a sensor.
+class SimulateCommand {
+  public:
+    explicit SimulateCommand(CLI::App& command)
+        : numbers_(command), settings_(command, isScenarioSetting) {
+        command.add_option("SCENARIO", scenario_, "Scenario file (JSON)")
+            ->required()
+            ->type_name("");
+        command
+            .add_option("--out", folder_,
+                        "Folder for the frames, one in it for each sensor, and the tables; made "
+                        "where it is missing")
+            ->type_name("DIR");
+        command.add_option("--sensor", sensors_, "Only this one; may be given more than once")
+            ->type_name("NAME")
+            ->expected(1)
+            ->take_all();
+        numbers_.add("--from", "s", "Time of the first frame; that of the scenario when not given");
+        numbers_.add("--to", "s", "Time of the last frame; that of the scenario when not given");
+        command
+            .add_option("--format", formats_,
+                        "Form of the frames: exr, csv or png; may be given more than once")
+            ->type_name("FORM")
+            ->expected(1)
+            ->take_all();
+        command.add_flag("--dry-run", dryRun_, "Say what would be drawn, and stop");
+    }
+
+    int run(Context& context) const {
+        if (folder_.empty() && !dryRun_) {
+            throw irsg::InputError(irsg::Offence{.file = "--out",
+                                                 .position = "",
+                                                 .value = "nothing",
+                                                 .expected = "a folder for the frames"});
+        }
+        numbers_.check();
+        SceneBuilder builder;
+        LoadedScenario loaded;
+        SimulationPlan plan;
+        {
+            const StageTimer::Scope scope(&context.timer, "load");
+            const Scenario scenario = loadScenario(scenario_);
+            plan = planSimulation(scenario, {.sensors = sensors_,
+                                             .from_s = numbers_.value("--from"),
+                                             .to_s = numbers_.value("--to")});
+            loaded = loadScenarioFiles(scenario, builder, overrides());
+        }
+        const FrameFiles files(loaded, folder_, extensions(), context.commandLine);
+        files.checkExtensions();
+        for (const std::size_t sensor : plan.sensors) {
+            for (const std::string& warning : loaded.sensors[sensor].warnings) {
+                warn(loaded.scenario.sensors[sensor].name + ": " + warning);
+            }
+        }
+        if (dryRun_) {
+            describe(loaded, plan, files, context);
+            return done;
+        }
+        return simulate(loaded, plan, files, context);
+    }
+
+  private:
+    Settings overrides() const {
+        const Settings given = settings_.values();
+        std::vector<irsg::Offence> offences;
+        for (const auto& [key, text] : given.values()) {
+            if (!isScenarioSetting(settingInfo(key))) {
+                offences.push_back({.file = "--set",
+                                    .position = key,
+                                    .value = text,
+                                    .expected = "a setting of sensor, environment, render, display "
+                                                "or image: the scenario says the rest"});
+            }
+        }
+        if (!offences.empty()) {
+            throw irsg::InputError(offences);
+        }
+        return given;
+    }
+
+    std::vector<std::string> extensions() const {
+        std::vector<std::string> list;
+        for (const std::string& format : formats_) {
+            list.push_back("." + format);
+        }
+        return list.empty() ? std::vector<std::string>{".exr"} : list;
+    }
+
+    int simulate(const LoadedScenario& loaded, const SimulationPlan& plan, const FrameFiles& files,
+                 Context& context) const {
+        catchStopSignal();
+        for (const std::string& sentence : files.makeFolders(plan.sensors)) {
+            warn(sentence);
+        }
+        for (const std::size_t sensor : plan.sensors) {
+            files.writeImagingSensor(sensor);
+        }
+        std::unique_ptr<ImageSource> source;
+        {
+            const StageTimer::Scope scope(&context.timer, "start renderer");
+            source = makeIrsgImageSource();
+        }
+        SceneGenerator3D generator(loaded, *source);
+        source->resetStageTimes();
+        SimulationResult result;
+        const auto writeTables = [&] {
+            for (SensorResult& sensor : result.sensors) {
+                files.writeTable(sensor, result.state);
+            }
+        };
+        std::stop_source stop;
+        try {
+            ProgressLine line;
+            runSimulation(
+                generator, plan,
+                [&](SensorFrame& frame, std::size_t number) { files.write(frame, number); }, result,
+                [&](const Progress& progress) {
+                    line.show(progress);
+                    if (stopWasAsked()) {
+                        stop.request_stop();
+                    }
+                },
+                stop.get_token(), &context.timer);
+        } catch (const irsg::InputError&) {
+            // What was done so far is kept; the refusal is told by the program's end.
+            writeTables();
+            throw;
+        }
+        writeTables();
+        splitTimes(*source, context);
+        fmt::print("{}",
+                   context.json ? jsonOf(result, loaded, files) : textOf(result, loaded, files));
+        if (stopWasAsked()) {
+            warn("stopped; what was done so far is kept");
+        }
+        return stopWasAsked() ? warned : done;
+    }
+
+    static void splitTimes(const ImageSource& source, Context& context) {
+        std::vector<StageTimer::Stage> parts;
+        for (const irsg::StageTimes::Stage& stage : source.stageTimes().stages) {
+            parts.push_back({stage.name, stage.seconds, stage.calls});
+        }
+        context.timer.split("frames", parts);
+    }
+
+    static void describe(const LoadedScenario& loaded, const SimulationPlan& plan,
+                         const FrameFiles& files, const Context& context) {
+        Json list = Json::array();
+        for (const std::size_t sensor : plan.sensors) {
+            const irsg::Sensor& detector = loaded.sensors[sensor].scene.sensor;
+            const std::string& name = loaded.scenario.sensors[sensor].name;
+            const auto &first = plan.steps.front(), &last = plan.steps.back();
+            if (context.json) {
+                list.push_back({{"sensor", name},
+                                {"steps", plan.steps.size()},
+                                {"from_s", first.time_s},
+                                {"to_s", last.time_s},
+                                {"width", detector.width_px},
+                                {"height", detector.height_px},
+                                {"band", detector.band.name()},
+                                {"first", files.frameFile(sensor, first.number, "").string()},
+                                {"last", files.frameFile(sensor, last.number, "").string()}});
+            } else {
+                fmt::print("{}: {} steps from {:g} to {:g} s, {} x {} px, {}, {} to {}\n", name,
+                           plan.steps.size(), first.time_s, last.time_s, detector.width_px,
+                           detector.height_px, detector.band.name(),
+                           files.frameFile(sensor, first.number, "").filename().string(),
+                           files.frameFile(sensor, last.number, "").filename().string());
+            }
+        }
+        if (context.json) {
+            fmt::print("{}\n", Json{{"plans", list}}.dump(1));
+        }
+    }
+
+    static std::string textOf(const SimulationResult& result, const LoadedScenario& loaded,
+                              const FrameFiles& files) {
+        std::string text;
+        for (const SensorResult& sensor : result.sensors) {
+            text += fmt::format("{}: {} frames, {}\n", sensor.name, sensor.frames,
+                                result.state == AnalysisState::complete ? "complete" : "partial");
+            // What the files of the sensor ask in vain was said before the first frame.
+            for (std::size_t i = loaded.sensors[sensor.sensor].warnings.size();
+                 i < sensor.warnings.size(); ++i) {
+                text += "  note: " + sensor.warnings[i] + "\n";
+            }
+            text += "  -> " + files.frameFile(sensor.sensor, 0, "").parent_path().string() + "\n";
+            text += "  -> " + files.tableFile(sensor.sensor).string() + "\n";
+        }
+        return text + fmt::format("{:.2f} s\n", result.elapsed_s);
+    }
+
+    static std::string jsonOf(const SimulationResult& result, const LoadedScenario& loaded,
+                              const FrameFiles& files) {
+        Json list = Json::array();
+        for (const SensorResult& sensor : result.sensors) {
+            Json settings = Json::object();
+            for (const SettingInfo& setting : settingTable()) {
+                if (isScenarioSetting(setting)) {
+                    settings[setting.key] =
+                        loaded.sensors[sensor.sensor].settings.text(setting.key);
+                }
+            }
+            list.push_back(
+                {{"name", sensor.name},
+                 {"frames", sensor.frames},
+                 {"frames_missing", sensor.framesMissing},
+                 {"folder", files.frameFile(sensor.sensor, 0, "").parent_path().string()},
+                 {"answered_by", sensor.answeredBy},
+                 {"warnings", sensor.warnings},
+                 {"settings", settings},
+                 {"table", Json::parse(sensor.table.toJson())}});
+        }
+        const char* state = result.state == AnalysisState::complete ? "complete" : "partial";
+        return Json{{"scenario", loaded.scenario.displayName()},
+                    {"state", state},
+                    {"elapsed_s", result.elapsed_s},
+                    {"sensors", list}}
+                   .dump(1) +
+               "\n";
+    }
+
+    NumberOptions numbers_;
+    SettingOptions settings_;
+    std::string scenario_;
+    std::string folder_;
+    std::vector<std::string> sensors_;
+    std::vector<std::string> formats_;
+    bool dryRun_ = false;
+};
+
+} // namespace
+
+void addSimulateCommand(CLI::App& app, Context& context) {
+    CLI::App* command =
+        app.add_subcommand("simulate", "Frames of an engagement: several models, several sensors");
+    auto shared = std::make_shared<SimulateCommand>(*command);
+    command->callback(
+        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+}
+
+} // namespace smat::batch

@@ -1,0 +1,195 @@
+#include "smatcore/simulate/FrameFiles.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+#include "smatcore/analysis/ImageFiles.h"
+#include "smatcore/simulate/ImagingSensorXml.h"
+
+namespace smat {
+
+namespace {
+
+std::string textOf(const irsg::Vec3& v) {
+    return fmt::format("{} {} {}", v.x, v.y, v.z);
+}
+
+std::string degreesOf(const irsg::Attitude& attitude) {
+    return fmt::format("{:.9g} {:.9g} {:.9g}", irsg::degrees(attitude.yaw_rad),
+                       irsg::degrees(attitude.pitch_rad), irsg::degrees(attitude.roll_rad));
+}
+
+bool isFrame(const std::filesystem::path& file) {
+    return file.filename().string().starts_with("frame_");
+}
+
+} // namespace
+
+FrameFiles::FrameFiles(const LoadedScenario& scenario, std::filesystem::path folder,
+                       std::vector<std::string> extensions, std::string commandLine)
+    : scenario_(scenario),
+      folder_(std::move(folder)),
+      extensions_(std::move(extensions)),
+      commandLine_(std::move(commandLine)) {}
+
+void FrameFiles::checkExtensions() const {
+    std::vector<irsg::Offence> offences;
+    for (const std::string& extension : extensions_) {
+        const std::vector<std::string>& known = imageExtensions();
+        if (std::find(known.begin(), known.end(), extension) == known.end()) {
+            offences.push_back(
+                {.file = "--format",
+                 .position = "",
+                 .value = extension.substr(std::min<std::size_t>(1, extension.size())),
+                 .expected = "exr, csv or png"});
+        }
+    }
+    if (!offences.empty()) {
+        throw irsg::InputError(offences);
+    }
+}
+
+std::vector<std::string> FrameFiles::makeFolders(const std::vector<std::size_t>& sensors) const {
+    std::vector<std::string> sentences;
+    for (const std::size_t sensor : sensors) {
+        const std::filesystem::path folder = frameFile(sensor, 0, "").parent_path();
+        std::error_code failure;
+        std::filesystem::create_directories(folder, failure);
+        if (failure || !std::filesystem::is_directory(folder)) {
+            throw irsg::InputError(irsg::Offence{.file = folder.string(),
+                                                 .position = "",
+                                                 .value = "a place where no folder can be made",
+                                                 .expected = "a folder for frames"});
+        }
+        const auto count = std::count_if(std::filesystem::directory_iterator(folder), {},
+                                         [](const auto& entry) { return isFrame(entry.path()); });
+        if (count > 0) {
+            sentences.push_back(fmt::format("{} holds {} frames already; those of other steps or "
+                                            "forms stay",
+                                            folder.string(), count));
+        }
+    }
+    return sentences;
+}
+
+std::filesystem::path FrameFiles::frameFile(std::size_t sensor, std::size_t number,
+                                            const std::string& extension) const {
+    return folder_ / scenario_.scenario.sensors.at(sensor).name /
+           fmt::format("frame_{:06}{}", number, extension);
+}
+
+std::filesystem::path FrameFiles::tableFile(std::size_t sensor) const {
+    return folder_ / (scenario_.scenario.sensors.at(sensor).name + ".csv");
+}
+
+std::filesystem::path FrameFiles::imagingSensorFile(std::size_t sensor) const {
+    return folder_ / (scenario_.scenario.sensors.at(sensor).name + ".xml");
+}
+
+void FrameFiles::writeImagingSensor(std::size_t sensor) const {
+    const ImagingSensorParameters parameters =
+        imagingSensorParametersOf(scenario_.sensors.at(sensor).settings);
+    const std::filesystem::path& own = scenario_.scenario.sensors[sensor].imagingSensor;
+    irsg::KarmaXml document =
+        own.empty() ? toKarma(parameters) : irsg::KarmaXml::read(scenario_.scenario.resolve(own));
+    toKarma(parameters, document);
+    document.write(imagingSensorFile(sensor));
+}
+
+Provenance FrameFiles::provenance(std::size_t sensor) const {
+    const Scenario& scenario = scenario_.scenario;
+    const LoadedSensor& loaded = scenario_.sensors.at(sensor);
+    Provenance provenance;
+    provenance.add("program", "smat " + programVersion());
+    if (!commandLine_.empty()) {
+        provenance.add("command", commandLine_);
+    }
+    provenance.add("scenario", scenario.displayName());
+    provenance.add("sensor", scenario.sensors[sensor].name);
+    for (const ScenarioEntity& entity : scenario.entities) {
+        provenance.add("entity",
+                       fmt::format("{} ({}, {})", entity.name, entity.model.filename().string(),
+                                   entity.database.filename().string()));
+    }
+    const irsg::SpectralRange range = loaded.scene.sensor.band.range();
+    provenance.add("band", fmt::format("{} ({} to {} um)", loaded.scene.sensor.band.name(),
+                                       range.min_um, range.max_um));
+    for (const SettingInfo& setting : settingTable()) {
+        if (isScenarioSetting(setting) && !loaded.settings.isDefault(setting.key)) {
+            const std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
+            provenance.add(setting.key, loaded.settings.text(setting.key) + unit);
+        }
+    }
+    return provenance;
+}
+
+void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
+    const LoadedSensor& sensor = scenario_.sensors.at(frame.sensor);
+    irsg::RadianceImage& image = frame.rendered.image;
+    auto& attributes = image.attributes;
+
+    // How the frame came to be; what occurs more than once is joined.
+    const auto join = [&](const std::string& key, const std::string& value) {
+        std::string& attribute = attributes[key];
+        attribute += (attribute.empty() ? "" : "; ") + value;
+    };
+    for (const auto& [key, value] : provenance(frame.sensor).entries) {
+        join(key, value);
+    }
+    for (const std::string& answer : frame.rendered.report.answeredBy) {
+        join("answered by", answer);
+    }
+
+    // Where everybody was.
+    attributes.erase("range_m"); // there is one for each entity
+    attributes["frame"] = std::to_string(number);
+    attributes["time_s"] = fmt::format("{}", frame.time_s);
+    attributes["sensor.position_m"] = textOf(frame.viewpoint.position_m);
+    attributes["sensor.forward"] = textOf(frame.viewpoint.forward());
+    attributes["sensor.up"] = textOf(frame.viewpoint.up);
+    for (std::size_t i = 0; i < frame.entities.size(); ++i) {
+        const std::string key = "entity." + scenario_.scenario.entities[i].name;
+        if (!frame.entities[i]) {
+            attributes[key] = "not there";
+            continue;
+        }
+        const TrajectoryPoint& at = *frame.entities[i];
+        attributes[key + ".position_m"] = textOf(at.pose.position_m);
+        attributes[key + ".yaw_pitch_roll_deg"] = degreesOf(at.pose.attitude);
+        attributes[key + ".power"] = fmt::format("{}", at.power);
+        attributes[key + ".mach"] = fmt::format("{}", at.mach);
+        attributes[key + ".range_m"] = fmt::format("{}", frame.objects[i]->range_m);
+    }
+
+    const std::string sentence = showQuantity(image, sensor.scene.sensor, sensor.settings);
+    if (!sentence.empty()) {
+        join("warning", sentence);
+    }
+    const std::string& title = scenario_.scenario.title;
+    const std::string heading =
+        fmt::format("{}{}, {:.6g} s", title.empty() ? "" : title + ": ",
+                    scenario_.scenario.sensors[frame.sensor].name, frame.time_s);
+    for (const std::string& extension : extensions_) {
+        saveImage(image, sensor.settings, heading, scenario_.scenario.displayName(),
+                  frameFile(frame.sensor, number, extension));
+    }
+}
+
+void FrameFiles::writeTable(SensorResult& result, AnalysisState state) const {
+    Provenance provenance = this->provenance(result.sensor);
+    provenance.add("state", state == AnalysisState::complete ? "complete" : "partial");
+    for (const std::string& answer : result.answeredBy) {
+        provenance.add("answered by", answer);
+    }
+    for (const std::string& warning : result.warnings) {
+        provenance.add("warning", warning);
+    }
+    result.table.provenance = std::move(provenance);
+    result.table.save(tableFile(result.sensor));
+}
+
+} // namespace smat

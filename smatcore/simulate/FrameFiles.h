@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "smatcore/simulate/Simulation.h"
+
+namespace smat {
+
+/// Where the frames of a simulation go: one folder a sensor, `frame_000012.exr` in it, a table
+/// `SENSOR.csv` beside it, and `SENSOR.xml`, its settings as an ImagingSensor file. Files say how
+/// they came to be and hold no clock: equal inputs give equal bytes.
+class FrameFiles {
+  public:
+    /// `extensions` as in imageExtensions. `commandLine` goes into the provenance where it is not
+    /// empty.
+    FrameFiles(const LoadedScenario& scenario, std::filesystem::path folder,
+               std::vector<std::string> extensions, std::string commandLine);
+
+    /// Throws InputError for extensions that no image has.
+    void checkExtensions() const;
+    /// Makes the folders of these sensors. Throws InputError where none can be made. Returns a
+    /// sentence for each that already holds frames.
+    std::vector<std::string> makeFolders(const std::vector<std::size_t>& sensors) const;
+
+    std::filesystem::path frameFile(std::size_t sensor, std::size_t number,
+                                    const std::string& extension) const;
+    std::filesystem::path tableFile(std::size_t sensor) const;
+    std::filesystem::path imagingSensorFile(std::size_t sensor) const;
+
+    /// Describes the image of a frame (time, sensor, places of the entities, settings), makes of it
+    /// what `image.quantity` asks for, and writes it in every form. Throws InputError.
+    void write(SensorFrame& frame, std::size_t number) const;
+    /// Writes what the frames of a sensor are made with in KARMA's form, on top of what else its
+    /// own ImagingSensor file holds. Throws InputError.
+    void writeImagingSensor(std::size_t sensor) const;
+    /// Writes the table of a sensor with its provenance. Throws InputError.
+    void writeTable(SensorResult& result, AnalysisState state) const;
+
+  private:
+    Provenance provenance(std::size_t sensor) const;
+
+    const LoadedScenario& scenario_;
+    std::filesystem::path folder_;
+    std::vector<std::string> extensions_;
+    std::string commandLine_;
+};
+
+} // namespace smat

@@ -1,0 +1,199 @@
+#include "smatcore/simulate/LoadedScenario.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/simulate/ImagingSensorXml.h"
+#include "smatcore/support/Log.h"
+
+namespace smat {
+
+namespace {
+
+/// Reads the files of one scenario and collects what is wrong with them.
+class Loader {
+  public:
+    Loader(const Scenario& scenario, SceneBuilder& builder, const Settings& overrides)
+        : scenario_(scenario), builder_(builder), overrides_(overrides) {}
+
+    LoadedScenario load() {
+        LoadedScenario loaded{.scenario = scenario_, .paths = {}, .sensors = {}};
+        for (std::size_t i = 0; i < scenario_.entities.size(); ++i) {
+            loaded.paths.push_back(pathOf(scenario_.entities[i], i));
+        }
+        const Project project = projectOf();
+        for (const ScenarioSensor& sensor : scenario_.sensors) {
+            loaded.sensors.push_back(loadSensor(sensor, project));
+            shareEnvironment(loaded.sensors);
+        }
+        if (!offences_.empty()) {
+            throw irsg::InputError(offences_);
+        }
+        return loaded;
+    }
+
+  private:
+    /// Runs one piece of the work and keeps what it refuses. What several sensors share is refused
+    /// once.
+    template <typename Work>
+    void collect(const Work& work) {
+        try {
+            work();
+        } catch (const irsg::InputError& error) {
+            for (const irsg::Offence& offence : error.offences()) {
+                const auto isSame = [&](const irsg::Offence& other) {
+                    return other.message() == offence.message();
+                };
+                if (std::none_of(offences_.begin(), offences_.end(), isSame)) {
+                    offences_.push_back(offence);
+                }
+            }
+        }
+    }
+
+    Trajectory pathOf(const ScenarioEntity& entity, std::size_t index) {
+        if (entity.trajectory.empty()) {
+            return Trajectory(entity.pose, entity.power.value_or(0.0), entity.mach.value_or(0.0));
+        }
+        Trajectory path = read(entity.trajectory);
+        const auto refuseBoth = [&](const char* key, bool isBoth) {
+            if (isBoth) {
+                offences_.push_back({.file = scenario_.displayName(),
+                                     .position = fmt::format("entities.{}.{}", index, key),
+                                     .value = "a value beside a trajectory with that column",
+                                     .expected = "one of them"});
+            }
+        };
+        refuseBoth("power", entity.power && path.hasPower());
+        refuseBoth("mach", entity.mach && path.hasMach());
+        return path;
+    }
+
+    Trajectory read(const std::filesystem::path& file) {
+        Trajectory path{irsg::Pose()};
+        collect([&] {
+            const std::filesystem::path at = scenario_.resolve(file);
+            logInfo("reading trajectory " + at.string());
+            path = Trajectory::read(at);
+        });
+        return path;
+    }
+
+    /// The entities as the models of a project, whose builder loads them.
+    Project projectOf() const {
+        Project project;
+        project.file = scenario_.file;
+        project.title = scenario_.title;
+        for (const ScenarioEntity& entity : scenario_.entities) {
+            ProjectModel model;
+            model.name = entity.name;
+            model.file = entity.model;
+            model.database = entity.database;
+            model.noseAxis = entity.noseAxis;
+            model.forceTwoSided = entity.forceTwoSided;
+            model.referencePoint_m = entity.referencePoint_m;
+            model.fallbackTemperature = entity.fallbackTemperature;
+            model.fallbackMaterial = entity.fallbackMaterial;
+            project.models.push_back(model);
+        }
+        return project;
+    }
+
+    LoadedSensor loadSensor(const ScenarioSensor& sensor, const Project& project) {
+        LoadedSensor loaded{.settings = scenario_.settings,
+                            .scene = {},
+                            .path = Trajectory(irsg::Pose()),
+                            .warnings = {}};
+        if (sensor.mount == MountKind::trajectory) {
+            loaded.path = read(sensor.trajectory);
+        }
+        if (!sensor.imagingSensor.empty()) {
+            collect([&] { readImagingSensor(sensor, loaded); });
+        }
+        loaded.settings = loaded.settings.with(sensor.settings).with(overrides_);
+        collect([&] { loaded.scene = builder_.build(project, loaded.settings); });
+        return loaded;
+    }
+
+    void readImagingSensor(const ScenarioSensor& sensor, LoadedSensor& loaded) const {
+        const std::filesystem::path file = scenario_.resolve(sensor.imagingSensor);
+        logInfo("reading imaging sensor " + file.string());
+        const ImagingSensorReading reading = imagingSensorFromKarma(irsg::KarmaXml::read(file));
+        const ImagingSensorSettings set = settingsOf(reading.parameters);
+        loaded.settings = loaded.settings.with(set.settings);
+        for (const auto* sentences : {&reading.remarks, &set.warnings}) {
+            for (const std::string& sentence : *sentences) {
+                loaded.warnings.push_back(file.filename().string() + ": " + sentence);
+            }
+        }
+    }
+
+    /// Gives the last sensor the environment of an earlier one that is described alike, so that
+    /// what an atmosphere has computed serves both.
+    static void shareEnvironment(std::vector<LoadedSensor>& sensors) {
+        LoadedSensor& last = sensors.back();
+        for (const LoadedSensor& earlier : sensors) {
+            const bool isAlike =
+                std::all_of(settingTable().begin(), settingTable().end(), [&](const auto& setting) {
+                    return setting.section() != "environment" ||
+                           (earlier.settings.text(setting.key) == last.settings.text(setting.key) &&
+                            earlier.settings.isSet(setting.key) ==
+                                last.settings.isSet(setting.key));
+                });
+            if (isAlike && &earlier != &last) {
+                last.scene.environment = earlier.scene.environment;
+                return;
+            }
+        }
+    }
+
+    const Scenario& scenario_;
+    SceneBuilder& builder_;
+    const Settings& overrides_;
+    std::vector<irsg::Offence> offences_;
+};
+
+} // namespace
+
+std::optional<TrajectoryPoint> LoadedScenario::entityAt(std::size_t entity, double time_s) const {
+    const ScenarioEntity& given = scenario.entities.at(entity);
+    std::optional<TrajectoryPoint> point = paths.at(entity).at(time_s, given.hold);
+    if (point && !paths[entity].hasPower()) {
+        point->power = given.power.value_or(0.0);
+    }
+    if (point && !paths[entity].hasMach()) {
+        point->mach = given.mach.value_or(0.0);
+    }
+    return point;
+}
+
+std::optional<SensorPlace> LoadedScenario::sensorAt(std::size_t sensor, double time_s) const {
+    const ScenarioSensor& given = scenario.sensors.at(sensor);
+    const irsg::Rotation own = given.offset.attitude.rotation();
+    std::optional<TrajectoryPoint> mount;
+    switch (given.mount) {
+    case MountKind::world:
+        return SensorPlace{given.offset.position_m, own};
+    case MountKind::trajectory:
+        mount = sensors.at(sensor).path.at(time_s, given.hold);
+        break;
+    case MountKind::entity:
+        mount = entityAt(scenario.findEntity(given.carrier).value(), time_s);
+        break;
+    }
+    if (!mount) {
+        return std::nullopt;
+    }
+    return SensorPlace{mount->pose.toWorld(given.offset.position_m),
+                       mount->pose.attitude.rotation() * own};
+}
+
+LoadedScenario loadScenarioFiles(const Scenario& scenario, SceneBuilder& builder,
+                                 const Settings& overrides) {
+    return Loader(scenario, builder, overrides).load();
+}
+
+} // namespace smat

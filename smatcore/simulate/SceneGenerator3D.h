@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/simulate/LoadedScenario.h"
+
+namespace smat {
+
+/// One frame of one sensor.
+struct SensorFrame {
+    std::size_t sensor = 0;
+    double time_s = 0.0;
+    irsg::Viewpoint viewpoint;
+    /// By entity; no value where it is not there.
+    std::vector<std::optional<TrajectoryPoint>> entities;
+    std::vector<std::optional<irsg::ObjectRadiometry>> objects; ///< the same
+    irsg::RenderedImage rendered;
+    std::vector<std::string> warnings; ///< tables that hold an end value
+};
+
+/// Adapts a simulation to the infrared scene generator (the report's SceneGenerator3D, F02): puts
+/// the entities of a scenario where they are at a time and draws them as each of several sensors
+/// sees them, all with one renderer. What a sensor sees does not depend on the others.
+class SceneGenerator3D {
+  public:
+    /// Both must outlive it. Throws InputError where the renderer refuses the scene.
+    SceneGenerator3D(const LoadedScenario& scenario, ImageSource& source);
+
+    std::size_t sensorCount() const { return scenario_.sensors.size(); }
+    const LoadedScenario& scenario() const { return scenario_; }
+    /// False where the sensor's mount, or what it tracks, is not there: there is no frame then.
+    bool sees(std::size_t sensor, double time_s) const;
+    /// Throws InputError naming sensors and entities that are below the ground, and sensors that
+    /// are where they look to, each with the first of these times at which they are.
+    void check(const std::vector<std::size_t>& sensors, const std::vector<double>& times_s) const;
+    /// LogicError where the sensor does not see. Throws InputError as the renderer does.
+    SensorFrame frame(std::size_t sensor, double time_s);
+
+  private:
+    irsg::Vec3 referencePoint(std::size_t entity, const TrajectoryPoint& at) const;
+    std::optional<irsg::Viewpoint> viewpoint(std::size_t sensor, double time_s) const;
+    /// Makes the renderer hold the entities that are there, as this sensor sees them.
+    void select(std::size_t sensor, const std::vector<bool>& isThere);
+
+    const LoadedScenario& scenario_;
+    ImageSource& source_;
+    std::vector<irsg::Vec3> referencePoints_; ///< in model axes, by entity
+    std::vector<bool> isThere_;               ///< what the renderer holds
+    std::optional<std::size_t> selected_;     ///< whose settings it has
+};
+
+} // namespace smat

@@ -1,0 +1,228 @@
+#include "smatcore/simulate/Simulation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/support/Log.h"
+
+namespace smat {
+
+namespace {
+
+using irsg::Quantity;
+
+constexpr Quantity entityQuantities[] = {Quantity::range, Quantity::intensity,
+                                         Quantity::contrastIntensity, Quantity::irradiance,
+                                         Quantity::pixels};
+
+void addNew(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
+    for (const std::string& sentence : more) {
+        if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) {
+            sentences.push_back(sentence);
+        }
+    }
+}
+
+SensorResult resultOf(const LoadedScenario& loaded, std::size_t sensor) {
+    SensorResult result{.sensor = sensor,
+                        .name = loaded.scenario.sensors[sensor].name,
+                        .table = {},
+                        .answeredBy = {},
+                        .warnings = loaded.sensors[sensor].warnings};
+    addNew(result.warnings, loaded.sensors[sensor].scene.remarks);
+    result.table.add(Quantity::time);
+    result.table.add("frame", "");
+    result.table.add(Quantity::totalIrradiance);
+    for (const ScenarioEntity& entity : loaded.scenario.entities) {
+        for (const Quantity quantity : entityQuantities) {
+            const irsg::QuantityInfo& column = irsg::info(quantity);
+            result.table.add(fmt::format("{}.{}", entity.name, column.key),
+                             std::string(column.unit));
+        }
+    }
+    return result;
+}
+
+/// What renderings of one sensor could not do exactly: the worst of all frames, said once.
+struct Shortcomings {
+    int layersLeftOver = 0;
+    double transmissivityResidue = 0.0;
+
+    void take(const irsg::RenderReport& report) {
+        layersLeftOver = std::max(layersLeftOver, report.layersLeftOver);
+        transmissivityResidue = std::max(transmissivityResidue, report.transmissivityResidue);
+    }
+    void sayIn(SensorResult& result) const {
+        if (result.framesMissing > 0) {
+            result.warnings.push_back(fmt::format("no frame at {} of the steps: the sensor, or "
+                                                  "what it looks at, is not there",
+                                                  result.framesMissing));
+        }
+        if (layersLeftOver > 0) {
+            result.warnings.push_back(fmt::format(
+                "up to {} samples of a frame have more transparent layers than are kept, see "
+                "render.layers",
+                layersLeftOver));
+        }
+        if (transmissivityResidue > 1e-3) {
+            result.warnings.push_back(
+                fmt::format("transmissivities that vary over the band are one number in an image; "
+                            "the largest relative error of that is {:.2g}",
+                            transmissivityResidue));
+        }
+    }
+};
+
+void addRow(SensorResult& result, const SensorFrame& frame, std::size_t number) {
+    std::vector<double> row = {frame.time_s, static_cast<double>(number),
+                               frame.rendered.report.totalIrradiance_W_m2};
+    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    for (const auto& object : frame.objects) {
+        if (object) {
+            row.insert(row.end(),
+                       {object->range_m, object->intensity_W_sr, object->contrastIntensity_W_sr,
+                        object->irradiance_W_m2, object->coveredPixels});
+        } else {
+            row.insert(row.end(), std::size(entityQuantities), nowhere);
+        }
+    }
+    result.table.addRow(row);
+    ++result.frames;
+    addNew(result.answeredBy, frame.rendered.report.answeredBy);
+    addNew(result.warnings, frame.rendered.report.warnings);
+    addNew(result.warnings, frame.warnings);
+}
+
+/// Tells what is missing when the run ends, however it ends.
+class Closing {
+  public:
+    Closing(SimulationResult& result, const std::vector<Shortcomings>& shortcomings)
+        : result_(result), shortcomings_(shortcomings) {}
+    ~Closing() {
+        for (std::size_t i = 0; i < shortcomings_.size(); ++i) {
+            shortcomings_[i].sayIn(result_.sensors[i]);
+        }
+        result_.elapsed_s = elapsed_s();
+    }
+    Closing(const Closing&) = delete;
+    Closing& operator=(const Closing&) = delete;
+
+    double elapsed_s() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    SimulationResult& result_;
+    const std::vector<Shortcomings>& shortcomings_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+} // namespace
+
+std::vector<double> SimulationPlan::times_s() const {
+    std::vector<double> times;
+    for (const Step& step : steps) {
+        times.push_back(step.time_s);
+    }
+    return times;
+}
+
+SimulationPlan planSimulation(const Scenario& scenario, const SimulationRequest& request) {
+    SimulationPlan plan;
+    std::vector<irsg::Offence> offences;
+    for (const std::string& name : request.sensors) {
+        if (!scenario.findSensor(name)) {
+            std::string known;
+            for (const ScenarioSensor& sensor : scenario.sensors) {
+                known += (known.empty() ? "" : ", ") + sensor.name;
+            }
+            offences.push_back({.file = scenario.displayName(),
+                                .position = "sensors",
+                                .value = name,
+                                .expected = "the name of a sensor: " + known});
+        }
+    }
+    for (std::size_t i = 0; i < scenario.sensors.size(); ++i) {
+        if (request.sensors.empty() ||
+            std::find(request.sensors.begin(), request.sensors.end(), scenario.sensors[i].name) !=
+                request.sensors.end()) {
+            plan.sensors.push_back(i);
+        }
+    }
+
+    // A step that lies on a limit but for rounding is wanted.
+    const double rounding_s = 1e-5 * scenario.dt_s;
+    const std::vector<double> times_s = scenario.times_s();
+    for (std::size_t i = 0; i < times_s.size(); ++i) {
+        if (times_s[i] >= request.from_s.value_or(times_s[i]) - rounding_s &&
+            times_s[i] <= request.to_s.value_or(times_s[i]) + rounding_s) {
+            plan.steps.push_back({i, times_s[i]});
+        }
+    }
+    if (plan.steps.empty()) {
+        offences.push_back(
+            {.file = scenario.displayName(),
+             .position = "steps",
+             .value = fmt::format("none from {} to {} s", request.from_s.value_or(times_s.front()),
+                                  request.to_s.value_or(times_s.back())),
+             .expected = fmt::format("times within {} to {} s, every {} s", times_s.front(),
+                                     times_s.back(), scenario.dt_s)});
+    }
+    if (!offences.empty()) {
+        throw irsg::InputError(offences);
+    }
+    return plan;
+}
+
+void runSimulation(SceneGenerator3D& generator, const SimulationPlan& plan, const FrameSink& sink,
+                   SimulationResult& result, const ProgressCallback& progress, std::stop_token stop,
+                   StageTimer* timer) {
+    generator.check(plan.sensors, plan.times_s());
+    result = {.state = AnalysisState::partial, .sensors = {}, .elapsed_s = 0.0};
+    for (const std::size_t sensor : plan.sensors) {
+        result.sensors.push_back(resultOf(generator.scenario(), sensor));
+    }
+    std::vector<Shortcomings> shortcomings(plan.sensors.size());
+    const Closing closing(result, shortcomings);
+
+    const std::size_t total = plan.steps.size() * plan.sensors.size();
+    logInfo(fmt::format("making frames of {} sensor{} at {} steps", plan.sensors.size(),
+                        plan.sensors.size() == 1 ? "" : "s", plan.steps.size()));
+    std::size_t done = 0;
+    for (const SimulationPlan::Step& step : plan.steps) {
+        for (std::size_t i = 0; i < plan.sensors.size(); ++i) {
+            SensorResult& sensor = result.sensors[i];
+            const std::string what = fmt::format("{}: {:.6g} s", sensor.name, step.time_s);
+            if (progress) {
+                progress({done, total, closing.elapsed_s(), what});
+            }
+            if (stop.stop_requested()) {
+                return;
+            }
+            if (!generator.sees(sensor.sensor, step.time_s)) {
+                ++sensor.framesMissing;
+            } else {
+                logDebug("frame of " + what);
+                SensorFrame frame = [&] {
+                    const StageTimer::Scope scope(timer, "frames");
+                    return generator.frame(sensor.sensor, step.time_s);
+                }();
+                shortcomings[i].take(frame.rendered.report);
+                addRow(sensor, frame, step.number);
+                const StageTimer::Scope scope(timer, "save");
+                sink(frame, step.number);
+            }
+            ++done;
+        }
+    }
+    result.state = AnalysisState::complete;
+    if (progress) {
+        progress({done, total, closing.elapsed_s(), "frames"});
+    }
+}
+
+} // namespace smat
