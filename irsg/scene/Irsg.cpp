@@ -36,6 +36,13 @@ void Irsg::setSettings(const RenderSettings& settings) {
 const RenderSettings& Irsg::settings() const {
     return parts_->settings;
 }
+void Irsg::setSkybox(std::shared_ptr<const Skybox> skybox) {
+    parts_->background.setSkybox(std::move(skybox));
+}
+void Irsg::setTerrain(std::shared_ptr<const Terrain> terrain) {
+    parts_->background.setTerrain(std::move(terrain));
+    parts_->factorFingerprint.clear();
+}
 void Irsg::setViewpoint(const Viewpoint& viewpoint) {
     parts_->viewpoint = viewpoint;
 }

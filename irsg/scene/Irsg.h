@@ -13,10 +13,14 @@
 #include "irsg/scene/Pose.h"
 #include "irsg/scene/ProjectedFactors.h"
 #include "irsg/scene/Sensor.h"
+#include "irsg/scene/background/TextureScale.h"
 #include "irsg/signature/EntityState.h"
 #include "irsg/signature/SignatureDatabase.h"
 
 namespace irsg {
+
+class Skybox;
+class Terrain;
 
 /// How a band is integrated (F19, the report's CalculationMode).
 enum class CalculationMode {
@@ -37,7 +41,7 @@ enum class FluxWeights {
 enum class BackgroundMode {
     none,       ///< 0
     constant,   ///< `background_W_m2_sr`, in-band
-    environment ///< uniform: the environment's along the line of sight at the field's centre
+    environment ///< the environment's, along one line of sight or a grid of them
 };
 
 /// How zoom antialiasing samples.
@@ -65,6 +69,16 @@ struct RenderSettings {
     FluxWeights fluxWeights = FluxWeights::viewFactor;
     BackgroundMode background = BackgroundMode::environment;
     double background_W_m2_sr = 0.0;
+    /// Lines of sight over the field that the environment is asked for its background: 1 x 1 is
+    /// uniform, the one at the field's centre; see BackgroundGrid.
+    int backgroundRows = 1, backgroundColumns = 1;
+    /// The sun is seen as a disc, see SunDisc.
+    bool sunDisc = false;
+    /// What the texels of skybox and terrain mean.
+    TextureScale skybox, terrain;
+    /// Terrain before an object hides it; else terrain is a picture behind all objects, as in the
+    /// report.
+    bool terrainHides = true;
     /// Transparent layers kept per sample, nearest first; what is left over is counted and
     /// reported.
     int maximumLayers = 64;
@@ -109,6 +123,7 @@ struct RenderReport {
     ObjectRadiometry all;                ///< of all objects together, at the first object's range
     std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
     std::vector<std::string> warnings;   ///< each said once
+    long flooredPixels = 0;              ///< of the background, whose sum was below 0
     int layersLeftOver = 0;              ///< samples with more transparent layers than are kept
     double transmissivityResidue = 0.0;  ///< largest relative error of the scalar t for t(lambda)
     std::string renderer;                ///< GL renderer and version
@@ -166,6 +181,10 @@ class Irsg {
     void setDatabase(std::size_t entity, std::shared_ptr<const SignatureDatabase> database);
     /// In the world, at the entity's present pose.
     Vec3 referencePoint(std::size_t entity) const;
+
+    /// Pictures around the eye and ground under it, added to the background; null for none.
+    void setSkybox(std::shared_ptr<const Skybox> skybox);
+    void setTerrain(std::shared_ptr<const Terrain> terrain);
 
     void setViewpoint(const Viewpoint& viewpoint);
     const Viewpoint& viewpoint() const;

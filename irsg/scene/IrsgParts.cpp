@@ -98,8 +98,9 @@ Irsg::Parts::Frame Irsg::Parts::frame(CalculationMode mode) {
                      {},
                      {},
                      {},
+                     {},
                      {}};
-        result.background = FrameBackground(result.radiometry.backgroundInBand_W_m2_sr());
+        drawBackground(result, wideband ? &wideband->data() : nullptr);
         fillRows(result);
         fillItems(result);
         planPoints(result);
@@ -131,6 +132,38 @@ const WidebandTerms& Irsg::Parts::terms() {
             widebandTerms.pop_back();
     }
     return *widebandTerms.front();
+}
+
+void Irsg::Parts::drawBackground(Frame& frame, const SensorCkData* terms) {
+    const SceneRadiometry& radiometry = frame.radiometry;
+    const BandSky sky(environment, sensor.band.range(), radiometry.wavelengths_um(),
+                      radiometry.weights_um(), terms);
+    BackgroundSettings wanted;
+    wanted.asksEnvironment = settings.background == BackgroundMode::environment;
+    wanted.uniform_W_m2_sr = radiometry.backgroundInBand_W_m2_sr();
+    wanted.rows = settings.backgroundRows;
+    wanted.columns = settings.backgroundColumns;
+    wanted.sunDisc = settings.sunDisc;
+    wanted.skybox = settings.skybox;
+    wanted.terrain = settings.terrain;
+    frame.background = background.draw(sensor, viewpoint, sky, wanted, frame.backgroundReport);
+}
+
+bool Irsg::Parts::touchesTerrain(const ImageRectangle& extent) const {
+    const std::vector<double>& coverage = background.layers().coverage;
+    if (coverage.empty() || !settings.terrainHides)
+        return false;
+    const auto pixel = [](double place, int size) {
+        return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
+    };
+    for (int y = pixel(extent.top - 1.0, sensor.height_px);
+         y <= pixel(extent.bottom + 1.0, sensor.height_px); ++y)
+        for (int x = pixel(extent.left - 1.0, sensor.width_px);
+             x <= pixel(extent.right + 1.0, sensor.width_px); ++x)
+            if (coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(sensor.width_px) +
+                         static_cast<std::size_t>(x)] > 0.0)
+                return true;
+    return false;
 }
 
 void Irsg::Parts::fillRows(Frame& frame) {
@@ -184,6 +217,8 @@ SurfaceScene Irsg::Parts::sceneOf(const Frame& frame, const CameraFrame& camera,
     scene.modes = modes(camera);
     scene.rows = frame.scene.rows;
     scene.maximumLayers = frame.scene.maximumLayers;
+    if (background.terrain() && settings.terrainHides)
+        scene.occluders = background.terrain()->occluders(camera);
     for (const SurfaceItem& item : frame.scene.items)
         if (stands(item.entity)) {
             scene.items.push_back(item);
@@ -276,6 +311,7 @@ std::vector<double> Irsg::Parts::fingerprint(const Frame& frame) const {
                                 settings.samplesInAll ? 1.0 : 0.0,
                                 settings.pointSourceBelow_px,
                                 static_cast<double>(settings.maximumLayers),
+                                settings.terrainHides ? 1.0 : 0.0,
                                 static_cast<double>(frame.scene.modes.sun),
                                 static_cast<double>(frame.scene.modes.flux)};
     auto add = [&](const Vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
@@ -357,9 +393,17 @@ void Irsg::Parts::addTruthLayers(const Frame& frame, RadianceImage& image) {
 }
 
 void Irsg::Parts::fillReport(const Frame& frame, RenderReport& report) const {
-    report.background_W_m2_sr = frame.radiometry.backgroundInBand_W_m2_sr();
+    report.background_W_m2_sr = frame.background.centre_W_m2_sr();
     report.answeredBy = frame.radiometry.answeredBy();
+    for (const std::string& line : frame.backgroundReport.answeredBy)
+        if (std::ranges::find(report.answeredBy, line) == report.answeredBy.end())
+            report.answeredBy.push_back(line);
     std::ranges::copy(frame.radiometry.warnings(), std::back_inserter(report.warnings));
+    std::ranges::copy(frame.backgroundReport.warnings, std::back_inserter(report.warnings));
+    report.flooredPixels = frame.backgroundReport.flooredPixels;
+    if (report.flooredPixels > 0)
+        report.warnings.push_back("the background of " + std::to_string(report.flooredPixels) +
+                                  " pixels was below 0 and is 0 now");
     report.transmissivityResidue = frame.radiometry.transmissivityResidue();
     report.renderer = context.rendererDescription();
 }
@@ -375,7 +419,7 @@ void Irsg::Parts::describe(const Frame& frame, RadianceImage& image) const {
         image.attributes["zoom_window"] = std::to_string(settings.zoomWindow);
     else
         image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
-    image.attributes["background_W_m2_sr"] = text(frame.radiometry.backgroundInBand_W_m2_sr());
+    image.attributes["background_W_m2_sr"] = text(frame.background.centre_W_m2_sr());
     image.attributes["renderer"] = context.rendererDescription();
     if (!frame.geometry.empty())
         image.attributes["range_m"] = text(frame.geometry.front().path.range_m);

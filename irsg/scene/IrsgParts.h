@@ -20,6 +20,7 @@
 #include "irsg/scene/antialiasing/PointSources.h"
 #include "irsg/scene/antialiasing/ZoomAntialiasingManager.h"
 #include "irsg/scene/background/FrameBackground.h"
+#include "irsg/scene/background/SceneBackground.h"
 
 namespace irsg {
 
@@ -39,6 +40,7 @@ struct Irsg::Parts {
     std::vector<Vec3> referencePoints;            // in model axes, by entity
     ZoomAntialiasingManager antialiasing;
     PointSources pointSources;
+    SceneBackground background;
     std::vector<StageTimes::Stage> stages;
 
     // The factors of the last view, kept while nothing they depend on changes.
@@ -60,6 +62,7 @@ struct Irsg::Parts {
         std::vector<ObjectGeometry> geometry;
         SceneRadiometry radiometry;
         FrameBackground background;
+        BackgroundReport backgroundReport;
         SurfaceScene scene;                 // of all objects, in their model axes until sceneOf
         std::vector<ZoomEntityInfo> seen;   // all that the frame can see
         std::vector<ZoomEntityInfo> drawn;  // into windows
@@ -109,6 +112,12 @@ struct Irsg::Parts {
 
     /// The wideband terms of the present scene, trained where it is a new one.
     const WidebandTerms& terms();
+
+    /// What is behind the objects, and the terrain that hides them.
+    void drawBackground(Frame& frame, const SensorCkData* terms);
+
+    /// True where terrain that may hide objects is in or beside the pixels of a rectangle.
+    bool touchesTerrain(const ImageRectangle& extent) const;
 
     static void fillRows(Frame& frame);
 

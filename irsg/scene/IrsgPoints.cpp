@@ -23,8 +23,9 @@ void Irsg::Parts::planPoints(Frame& frame) const {
         const bool standsApart = std::ranges::none_of(frame.seen, [&](const ZoomEntityInfo& other) {
             return other.entity != object.entity && other.extent.intersects(extent);
         });
-        const bool isPoint =
-            mayBePoints && isWhole && standsApart && extent.extent() < settings.pointSourceBelow_px;
+        const bool isPoint = mayBePoints && isWhole && standsApart &&
+                             extent.extent() < settings.pointSourceBelow_px &&
+                             !touchesTerrain(extent);
         (isPoint ? frame.points : frame.drawn).push_back(object);
     }
 }

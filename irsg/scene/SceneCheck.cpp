@@ -12,6 +12,8 @@ namespace irsg {
 
 namespace {
 
+constexpr int largestBackgroundGrid = 1024;
+
 std::string text(double value) {
     std::ostringstream out;
     out << value;
@@ -149,6 +151,17 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
     if (settings.maximumLayers < 1)
         offences.push_back(
             {"settings", "maximum layers", std::to_string(settings.maximumLayers), "at least 1"});
+    if (settings.backgroundRows < 1 || settings.backgroundRows > largestBackgroundGrid ||
+        settings.backgroundColumns < 1 || settings.backgroundColumns > largestBackgroundGrid)
+        offences.push_back({"settings", "background rows and columns",
+                            std::to_string(settings.backgroundRows) + " x " +
+                                std::to_string(settings.backgroundColumns),
+                            "1 to " + std::to_string(largestBackgroundGrid) + " each"});
+    for (const TextureScale& scale : {settings.skybox, settings.terrain})
+        if (!std::isfinite(scale.slope_W_m2_sr) || !std::isfinite(scale.offset))
+            offences.push_back({"settings", "slope and offset of a texture",
+                                text(scale.slope_W_m2_sr) + " and " + text(scale.offset),
+                                "finite numbers"});
     if (settings.background == BackgroundMode::constant &&
         !(settings.background_W_m2_sr >= 0.0 && std::isfinite(settings.background_W_m2_sr)))
         offences.push_back({"settings", "background", text(settings.background_W_m2_sr),

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <osg/RenderInfo>
@@ -53,6 +54,7 @@ Raster rasterOf(const SurfaceScene& scene, const SampleWindow& window) {
 struct SurfacePass::Parts {
     using Variant = std::array<int, 5>; // product, sun, flux, angle, transparent
     std::map<Variant, ShaderProgram> programs;
+    std::optional<ShaderProgram> occluder;
     FloatTarget radiance{{2}};
     FloatTarget factors{{4}};
     FloatTarget factorsWithDistance{{4, 1}};
@@ -77,6 +79,27 @@ struct SurfacePass::Parts {
                              define("FLUX_MODE", flux) + define("ANGLE_MODE", angle) +
                              define("TRANSPARENT", transparent))
             .first->second;
+    }
+
+    /// Leaves the depth of what hides surfaces, and no colour. What is nearer than the depth range
+    /// is drawn at its near end.
+    void drawOccluders(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster) {
+        if (scene.occluders.empty())
+            return;
+        if (!occluder)
+            occluder.emplace(std::vector<std::string>{"terrain.vert.glsl"},
+                             std::vector<std::string>{"occluder.frag.glsl"});
+        glEnable(GL_DEPTH_CLAMP);
+        glDisable(GL_CULL_FACE);
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        occluder->use();
+        for (const OccluderItem& item : scene.occluders) {
+            occluder->set("clipFromModel", item.eyeFromLocal * raster.clipFromEye);
+            item.geometry->draw(info);
+        }
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDisable(GL_DEPTH_CLAMP);
+        info.getState()->unbindVertexArrayObject();
     }
 
     /// Draws the items of one kind with the surface shader into the bound target.
@@ -153,6 +176,7 @@ struct SurfacePass::Parts {
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
         glDisable(GL_BLEND);
+        drawOccluders(info, scene, raster);
         drawItems(info, scene, raster, false, product);
 
         std::uint32_t listed = 0;

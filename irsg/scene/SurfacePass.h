@@ -34,6 +34,12 @@ struct SurfaceItem {
     int layer = 0; ///< of a subface, which lies in the plane of the layer below
 };
 
+/// What hides surfaces and is not drawn itself: terrain, whose picture belongs to the background.
+struct OccluderItem {
+    osg::Geometry* geometry = nullptr;
+    osg::Matrixd eyeFromLocal;
+};
+
 /// How the shader weighs sun and fluxes; the numbers of surface.frag.glsl.
 struct SurfaceModes {
     int sun = 2;
@@ -48,6 +54,7 @@ struct SurfaceScene {
     DepthRange depth;
     SurfaceModes modes;
     std::vector<SurfaceItem> items;
+    std::vector<OccluderItem> occluders; ///< at any depth: the range need not hold them
     std::vector<SurfaceRow> rows;
     int maximumLayers = 64;
 };

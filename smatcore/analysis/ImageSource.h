@@ -14,7 +14,9 @@ struct SceneDescription {
     irsg::Environment environment;
     irsg::Sensor sensor;
     irsg::RenderSettings render;
-    std::vector<std::string> remarks; ///< what loading had to say, each said once
+    std::shared_ptr<const irsg::Skybox> skybox;   ///< null for none
+    std::shared_ptr<const irsg::Terrain> terrain; ///< null for none
+    std::vector<std::string> remarks;             ///< what loading had to say, each said once
 };
 
 /// What smatcore asks of a renderer: the seam between analyses and irsg::Irsg, so that analyses are

@@ -15,6 +15,8 @@ class IrsgImageSource : public ImageSource {
         irsg_.setEnvironment(scene.environment);
         irsg_.setSensor(scene.sensor);
         irsg_.setSettings(scene.render);
+        irsg_.setSkybox(scene.skybox);
+        irsg_.setTerrain(scene.terrain);
     }
 
     irsg::Vec3 referencePointInModel(std::size_t entity) override {

@@ -5,6 +5,8 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/background/Skybox.h"
+#include "irsg/scene/background/Terrain.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/support/Log.h"
 
@@ -51,6 +53,13 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
     collect(offences, [&] { scene.environment = environmentOf(project, settings); });
     collect(offences, [&] { scene.sensor = sensorOf(project, settings); });
     scene.render = renderSettingsOf(settings);
+    collect(offences, [&] { scene.skybox = skybox(project, settings); });
+    collect(offences, [&] {
+        scene.terrain = terrain(project, settings);
+        if (scene.terrain)
+            for (const std::string& remark : scene.terrain->remarks())
+                scene.remarks.push_back(scene.terrain->name() + ": " + remark);
+    });
 
     if (project.models.empty()) {
         offences.push_back({.file = project.displayName(),

@@ -28,6 +28,9 @@ class SceneBuilder {
     std::shared_ptr<const irsg::Model> model(const std::filesystem::path& file,
                                              const irsg::ModelOptions& options);
     std::shared_ptr<const irsg::SignatureDatabase> database(const std::filesystem::path& file);
+    /// Null where the settings name none.
+    std::shared_ptr<const irsg::Skybox> skybox(const Project& project, const Settings& settings);
+    std::shared_ptr<const irsg::Terrain> terrain(const Project& project, const Settings& settings);
 
   private:
     struct Stamp {
@@ -45,6 +48,9 @@ class SceneBuilder {
     ModelLoader loader_;
     std::map<std::string, Kept<std::shared_ptr<const irsg::Model>>> models_;
     std::map<std::string, Kept<std::shared_ptr<const irsg::SignatureDatabase>>> databases_;
+    // The last ones, by all that names them and the stamps of their files.
+    std::pair<std::string, std::shared_ptr<const irsg::Skybox>> skybox_;
+    std::pair<std::string, std::shared_ptr<const irsg::Terrain>> terrain_;
 };
 
 /// The pieces that need no file of a model, for forms that show their effect at once. Paths are

@@ -80,6 +80,14 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
                             ? irsg::BackgroundMode::none
                             : irsg::BackgroundMode::environment;
     render.background_W_m2_sr = radiance.value_or(0.0);
+    render.backgroundRows = settings.integer("render.backgroundRows");
+    render.backgroundColumns = settings.integer("render.backgroundColumns");
+    render.sunDisc = settings.boolean("render.sunDisc");
+    render.skybox = {settings.real("environment.skyboxSlope"),
+                     settings.real("environment.skyboxOffset")};
+    render.terrain = {settings.real("environment.terrainSlope"),
+                      settings.real("environment.terrainOffset")};
+    render.terrainHides = settings.boolean("render.terrainHides");
     render.maximumLayers = settings.integer("render.layers");
     render.truthLayers = settings.boolean("image.truthLayers");
     return render;

@@ -141,6 +141,38 @@ void addEnvironment(std::vector<SettingInfo>& table) {
                            "one."));
 }
 
+void addSurroundings(std::vector<SettingInfo>& table) {
+    const std::string scaleUnit = "W m-2 sr-1";
+    table.push_back(text("environment.skybox", "--skybox", "Skybox", "", SettingKind::pathList,
+                         "none",
+                         "Six square pictures around the eye: a folder that holds north, south, "
+                         "east, west, up and down (.png, .jpg, .tif, .exr, .hdr), or six files "
+                         "in that order. Their red channel is read as linear numbers."));
+    table.push_back(number("environment.skyboxSlope", "--skybox-slope", "Skybox slope", scaleUnit,
+                           -1e9, 1e9, "1",
+                           "In-band radiance from black (0) to white (1) of the skybox."));
+    table.push_back(number("environment.skyboxOffset", "--skybox-offset", "Skybox offset", "", -1e9,
+                           1e9, "0", "Value of the skybox that adds nothing to the background."));
+    table.push_back(text("environment.terrain", "--terrain", "Terrain", "", SettingKind::path, "",
+                         "Textured model that stands fixed in the world, x east, y north, z up, in "
+                         "any format of OpenSceneGraph."));
+    table.push_back(number("environment.terrainSlope", "--terrain-slope", "Terrain slope",
+                           scaleUnit, -1e9, 1e9, "1",
+                           "In-band radiance from black (0) to white (1) of the terrain's "
+                           "textures."));
+    table.push_back(number("environment.terrainOffset", "--terrain-offset", "Terrain offset", "",
+                           -1e9, 1e9, "0",
+                           "Value of the terrain's textures that adds nothing to the background."));
+    table.push_back(number("environment.terrainEast", "--terrain-east", "Terrain east", "m", -1e7,
+                           1e7, "0",
+                           "Where the origin of the terrain's file stands, east of the target's "
+                           "origin."));
+    table.push_back(number("environment.terrainNorth", "--terrain-north", "Terrain north", "m",
+                           -1e7, 1e7, "0", "The same, north of the target's origin."));
+    table.push_back(number("environment.terrainAltitude", "--terrain-altitude", "Terrain altitude",
+                           "m", -1e5, 1e5, "0", "Altitude of the origin of the terrain's file."));
+}
+
 void addRendering(std::vector<SettingInfo>& table) {
     table.push_back(integer(
         "render.antialiasing", "--antialiasing", "Antialiasing", "", 0, 5, "4",
@@ -180,8 +212,27 @@ void addRendering(std::vector<SettingInfo>& table) {
         choiceOrNumber("render.background", "--background", "Background", "W m-2 sr-1",
                        {"smart", "none"}, 0, 1e9, "smart",
                        "What lies behind the models: smart asks the environment along "
-                       "the line of sight at the field's centre, none is 0, a number is "
-                       "an in-band radiance."));
+                       "the line of sight at the field's centre, or along rows and columns of "
+                       "them; none is 0, a number is an in-band radiance. Skybox, sun and terrain "
+                       "come on top."));
+    table.push_back(integer("render.backgroundRows", "--background-rows", "Background rows", "", 1,
+                            1024, "1",
+                            "Rows of lines of sight over the field that a smart background is "
+                            "asked along, on both sides of the horizon where it is in the field. "
+                            "One row and one column is a uniform background."));
+    table.push_back(integer("render.backgroundColumns", "--background-columns",
+                            "Background columns", "", 1, 1024, "1",
+                            "Columns of the same: one does unless the sun makes the sky change "
+                            "with azimuth."));
+    table.push_back(text("render.sunDisc", "--sun-disc", "Sun disc", "", SettingKind::boolean,
+                         "false",
+                         "Draws the sun as a disc of 0.53 degrees where nothing hides it; a "
+                         "skybox should have no sun of its own then."));
+    table.push_back(text("render.terrainHides", "--terrain-hides", "Terrain hides", "",
+                         SettingKind::boolean, "true",
+                         "Terrain hides what is behind it; else it is a picture behind all "
+                         "objects.",
+                         SettingAudience::expert));
     table.push_back(
         integer("render.layers", "--layers", "Transparent layers", "", 1, 1000, "64",
                 "Transparent surfaces kept per sample, nearest first; samples with more "
@@ -247,6 +298,7 @@ const std::vector<SettingInfo>& settingTable() {
         addSensor(made);
         addViewAndTarget(made);
         addEnvironment(made);
+        addSurroundings(made);
         addRendering(made);
         addDisplay(made);
         addAnalyses(made);

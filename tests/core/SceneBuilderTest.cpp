@@ -7,6 +7,8 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/background/Skybox.h"
+#include "irsg/scene/background/Terrain.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/support/TemporaryFolder.h"
@@ -179,6 +181,66 @@ TEST_F(SceneBuilderTest, AFolderIsNoModel) {
     project.models[0].file = ".";
     ASSERT_EQ(refused().size(), 1u);
     EXPECT_EQ(refused()[0].value, "no such file");
+}
+
+TEST_F(SceneBuilderTest, LoadsSkyboxAndTerrainOnceWithTheirScales) {
+    Settings& settings = project.settings;
+    const std::filesystem::path valley = SMAT_SOURCE_DIR "/samples/valley";
+    settings.set("environment.skybox", (valley / "sky").string());
+    settings.set("environment.skyboxSlope", "0.5");
+    settings.set("environment.skyboxOffset", "0.25");
+    settings.set("environment.terrain", (valley / "valley.osgb").string());
+    settings.set("environment.terrainSlope", "2");
+    settings.set("environment.terrainOffset", "0.5");
+    settings.set("environment.terrainEast", "100");
+    settings.set("environment.terrainNorth", "-200");
+    settings.set("environment.terrainAltitude", "30");
+    settings.set("render.backgroundRows", "16");
+    settings.set("render.backgroundColumns", "3");
+    settings.set("render.sunDisc", "true");
+    settings.set("render.terrainHides", "false");
+    SceneBuilder shared = builder();
+    const SceneDescription scene = shared.build(project, settings);
+    ASSERT_TRUE(scene.skybox);
+    ASSERT_TRUE(scene.terrain);
+    EXPECT_EQ(scene.skybox->faceSize(), 512);
+    EXPECT_FALSE(scene.skybox->brightSpot_rad()) << "the sample's sky has no sun";
+    EXPECT_NEAR(scene.terrain->pose().position_m.x, 100.0, 1e-6);
+    EXPECT_NEAR(scene.terrain->pose().position_m.y, -200.0, 1e-6);
+    EXPECT_GT(scene.terrain->bounds().max.x, 7000.0);
+    EXPECT_EQ(scene.render.skybox, (irsg::TextureScale{0.5, 0.25}));
+    EXPECT_EQ(scene.render.terrain, (irsg::TextureScale{2.0, 0.5}));
+    EXPECT_EQ(scene.render.backgroundRows, 16);
+    EXPECT_EQ(scene.render.backgroundColumns, 3);
+    EXPECT_TRUE(scene.render.sunDisc);
+    EXPECT_FALSE(scene.render.terrainHides);
+
+    const SceneDescription again = shared.build(project, settings);
+    EXPECT_EQ(again.skybox, scene.skybox);
+    EXPECT_EQ(again.terrain, scene.terrain);
+    settings.set("environment.terrainEast", "200");
+    EXPECT_NE(shared.build(project, settings).terrain, scene.terrain);
+    settings.set("environment.skybox", "none");
+    settings.set("environment.terrain", "");
+    EXPECT_FALSE(shared.build(project, settings).skybox);
+    EXPECT_FALSE(shared.build(project, settings).terrain);
+}
+
+TEST_F(SceneBuilderTest, RefusesSkyboxAndTerrainByTheirKeys) {
+    project.settings.set("environment.skybox", "a.png;b.png");
+    project.settings.set("environment.terrain", "missing.osgb");
+    const std::vector<irsg::Offence> offences = refused();
+    ASSERT_EQ(offences.size(), 2u);
+    EXPECT_EQ(offences[0].position, "environment.skybox");
+    EXPECT_EQ(offences[0].value, "2 files");
+    EXPECT_EQ(offences[1].position, "environment.terrain");
+    EXPECT_EQ(std::filesystem::path(offences[1].file).filename(), "missing.osgb");
+
+    std::filesystem::create_directory(folder / "sky");
+    project.settings.set("environment.skybox", "sky");
+    project.settings.set("environment.terrain", "");
+    ASSERT_EQ(refused().size(), 6u);
+    EXPECT_EQ(refused()[3].position, "environment.skybox, skybox face west");
 }
 
 } // namespace

@@ -32,6 +32,7 @@ class Skybox {
     /// their first letters, in any case. Throws InputError naming every face that is missing, there
     /// twice or unreadable.
     static std::shared_ptr<const Skybox> load(const std::filesystem::path& folder);
+    static std::array<std::filesystem::path, 6> filesIn(const std::filesystem::path& folder);
     static std::shared_ptr<const Skybox> load(const std::array<std::filesystem::path, 6>& files);
 
     int faceSize() const { return levels_.front().size; }

@@ -26,6 +26,10 @@ bool isPicture(const fs::path& file) {
 } // namespace
 
 std::shared_ptr<const Skybox> Skybox::load(const fs::path& folder) {
+    return load(filesIn(folder));
+}
+
+std::array<fs::path, 6> Skybox::filesIn(const fs::path& folder) {
     std::error_code failed;
     std::vector<fs::path> pictures;
     for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
@@ -60,7 +64,7 @@ std::shared_ptr<const Skybox> Skybox::load(const fs::path& folder) {
     }
     if (!offences.empty())
         throw InputError(std::move(offences));
-    return load(files);
+    return files;
 }
 
 std::shared_ptr<const Skybox> Skybox::load(const std::array<fs::path, 6>& files) {

@@ -2,7 +2,9 @@
 
 #include <osg/Node>
 
+#include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/ModelLoader.h"
+#include "irsg/scene/SurfacePass.h"
 #include "irsg/scene/background/TerrainCollector.h"
 #include "irsg/scene/background/TerrainParts.h"
 
@@ -40,6 +42,14 @@ const BoundingBox& Terrain::bounds() const {
 }
 const std::vector<std::string>& Terrain::remarks() const {
     return parts_->remarks;
+}
+
+std::vector<OccluderItem> Terrain::occluders(const CameraFrame& camera) const {
+    std::vector<OccluderItem> items;
+    const osg::Matrixd eyeFromLocal = camera.eyeFromModel(parts_->pose);
+    for (const Parts::Piece& piece : parts_->pieces)
+        items.push_back({piece.geometry.get(), eyeFromLocal});
+    return items;
 }
 
 } // namespace irsg

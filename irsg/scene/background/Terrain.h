@@ -14,6 +14,9 @@ class Node;
 
 namespace irsg {
 
+class CameraFrame;
+struct OccluderItem;
+
 /// A textured model that stands fixed in the world (F31): what it shows is the red channel of its
 /// textures as linear numbers. Any format of OpenSceneGraph's; textures are those of unit 0, read
 /// as TextureImage reads them. Both sides of its faces are seen and all of it is opaque. Faces
@@ -35,6 +38,9 @@ class Terrain {
     const Pose& pose() const;
     const BoundingBox& bounds() const;
     const std::vector<std::string>& remarks() const;
+
+    /// What hides the objects of a frame.
+    std::vector<OccluderItem> occluders(const CameraFrame& camera) const;
 
     struct Parts;
     /// Geometry and textures, for drawing.

@@ -166,6 +166,7 @@ void TerrainCollector::collect(osg::Node& graph, const Vec3& position_m, Terrain
         const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
         geometry->setUseDisplayList(false);
         geometry->setUseVertexBufferObjects(true);
+        geometry->setUseVertexArrayObject(true);
         geometry->setVertexArray(vertices);
         geometry->setTexCoordArray(0, new osg::Vec2Array(batch.places.begin(), batch.places.end()),
                                    osg::Array::BIND_PER_VERTEX);
