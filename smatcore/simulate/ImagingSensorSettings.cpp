@@ -1,9 +1,18 @@
-#include <fmt/format.h>
-
-#include "irsg/radiometry/Errors.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 
 namespace smat {
+
+namespace {
+
+bool isOn(const std::optional<double>& parameter) {
+    return parameter.value_or(0.0) != 0.0;
+}
+
+double switchOf(bool isOn) {
+    return isOn ? 1.0 : 0.0;
+}
+
+} // namespace
 
 ImagingSensorSettings settingsOf(const ImagingSensorParameters& parameters) {
     ImagingSensorSettings result;
@@ -16,18 +25,50 @@ ImagingSensorSettings settingsOf(const ImagingSensorParameters& parameters) {
         result.settings.set("sensor.mode", *parameters.calculationMode == 2.0 ? "ck" : "spectral");
     }
     set("render.antialiasing", parameters.antialiasingMode);
-    if (parameters.useAtmosphereScattering.value_or(0.0) != 0.0) {
-        result.warnings.emplace_back(
-            "UseAtmosphereScattering is 1, but this version has no aerosol "
-            "scattering: frames are made without it");
+
+    // A uniform background is a grid of one line of sight, whatever its numbers say.
+    const bool isUniform = isOn(parameters.isUniformBackground);
+    set("render.backgroundRows", isUniform ? 1.0 : parameters.numberOfBackgroundRows);
+    set("render.backgroundColumns", isUniform ? 1.0 : parameters.numberOfBackgroundColumns);
+
+    // The file turns pictures on and off; which ones they are stands in the settings.
+    const auto turn = [&](const char* parameter, const std::optional<double>& use, const char* key,
+                          const char* none) {
+        if (isOn(use)) {
+            result.needed.push_back({key, parameter});
+        } else if (use) {
+            result.settings.set(key, none);
+        }
+    };
+    turn("UseSkyboxBackground", parameters.useSkyboxBackground, "environment.skybox", "none");
+    turn("UseTerrainBackground", parameters.useTerrainBackground, "environment.terrain", "");
+    set("environment.skyboxSlope", parameters.skyboxTextureRadianceSlope);
+    set("environment.skyboxOffset", parameters.skyboxTextureColorOffset);
+    set("environment.terrainSlope", parameters.terrainTextureRadianceSlope);
+    set("environment.terrainOffset", parameters.terrainTextureColorOffset);
+
+    if (isOn(parameters.useAtmosphereScattering)) {
+        result.warnings.emplace_back("UseAtmosphereScattering is 1, but this version has no "
+                                     "aerosol scattering: frames are made without it");
     }
     return result;
 }
 
 ImagingSensorParameters imagingSensorParametersOf(const Settings& settings) {
+    const int rows = settings.integer("render.backgroundRows");
+    const int columns = settings.integer("render.backgroundColumns");
     ImagingSensorParameters parameters;
     parameters.calculationMode = settings.text("sensor.mode") == "ck" ? 2.0 : 1.0;
     parameters.antialiasingMode = settings.integer("render.antialiasing");
+    parameters.isUniformBackground = switchOf(rows == 1 && columns == 1);
+    parameters.numberOfBackgroundColumns = columns;
+    parameters.numberOfBackgroundRows = rows;
+    parameters.useSkyboxBackground = switchOf(!settings.paths("environment.skybox").empty());
+    parameters.useTerrainBackground = switchOf(!settings.paths("environment.terrain").empty());
+    parameters.skyboxTextureRadianceSlope = settings.real("environment.skyboxSlope");
+    parameters.skyboxTextureColorOffset = settings.real("environment.skyboxOffset");
+    parameters.terrainTextureRadianceSlope = settings.real("environment.terrainSlope");
+    parameters.terrainTextureColorOffset = settings.real("environment.terrainOffset");
     parameters.useAtmosphereScattering = 0.0;
     return parameters;
 }

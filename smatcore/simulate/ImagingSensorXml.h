@@ -23,7 +23,7 @@ struct ImagingSensorParameters {
     std::optional<double> useSkyboxBackground = {};        ///< 1: on
     std::optional<double> useTerrainBackground = {};       ///< 1: on
     std::optional<double> skyboxTextureRadianceSlope = {}; ///< W m-2 sr-1 from black to white
-    std::optional<double> skyboxTextureColorOffset = {};   ///< texture value that adds 0, 0 to 1
+    std::optional<double> skyboxTextureColorOffset = {};   ///< texture value that adds 0
     std::optional<double> terrainTextureRadianceSlope = {};
     std::optional<double> terrainTextureColorOffset = {};
     std::optional<double> useAtmosphereScattering = {}; ///< 1: aerosol scattering on
@@ -60,7 +60,13 @@ irsg::KarmaXml toKarma(const ImagingSensorParameters& parameters,
 
 /// Parameters as settings, and what they cannot say.
 struct ImagingSensorSettings {
+    /// A setting that must name files, because a parameter turns them on.
+    struct Needed {
+        std::string setting, parameter;
+    };
+
     Settings settings;
+    std::vector<Needed> needed;
     std::vector<std::string> warnings; ///< parameters that are on and have no effect
 };
 ImagingSensorSettings settingsOf(const ImagingSensorParameters& parameters);

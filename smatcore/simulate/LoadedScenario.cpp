@@ -110,19 +110,35 @@ class Loader {
         if (sensor.mount == MountKind::trajectory) {
             loaded.path = read(sensor.trajectory);
         }
+        needed_.clear();
         if (!sensor.imagingSensor.empty()) {
             collect([&] { readImagingSensor(sensor, loaded); });
         }
         loaded.settings = loaded.settings.with(sensor.settings).with(overrides_);
+        refuseMissing(sensor, loaded);
         collect([&] { loaded.scene = builder_.build(project, loaded.settings); });
         return loaded;
     }
 
-    void readImagingSensor(const ScenarioSensor& sensor, LoadedSensor& loaded) const {
+    /// What the ImagingSensor file turns on must be named somewhere.
+    void refuseMissing(const ScenarioSensor& sensor, const LoadedSensor& loaded) {
+        for (const ImagingSensorSettings::Needed& needed : needed_) {
+            if (loaded.settings.paths(needed.setting).empty()) {
+                offences_.push_back({.file = scenario_.resolve(sensor.imagingSensor).string(),
+                                     .position = needed.parameter,
+                                     .value = "1",
+                                     .expected = "0, or files in the setting " + needed.setting +
+                                                 " of the scenario or its sensor " + sensor.name});
+            }
+        }
+    }
+
+    void readImagingSensor(const ScenarioSensor& sensor, LoadedSensor& loaded) {
         const std::filesystem::path file = scenario_.resolve(sensor.imagingSensor);
         logInfo("reading imaging sensor " + file.string());
         const ImagingSensorReading reading = imagingSensorFromKarma(irsg::KarmaXml::read(file));
         const ImagingSensorSettings set = settingsOf(reading.parameters);
+        needed_ = set.needed;
         loaded.settings = loaded.settings.with(set.settings);
         for (const auto* sentences : {&reading.remarks, &set.warnings}) {
             for (const std::string& sentence : *sentences) {
@@ -153,6 +169,7 @@ class Loader {
     const Scenario& scenario_;
     SceneBuilder& builder_;
     const Settings& overrides_;
+    std::vector<ImagingSensorSettings::Needed> needed_; ///< of the sensor that is being loaded
     std::vector<irsg::Offence> offences_;
 };
 

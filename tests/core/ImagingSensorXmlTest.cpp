@@ -115,8 +115,8 @@ INSTANTIATE_TEST_SUITE_P(
         bad("TooManyColumns", "NumberOfBackgroundColumns", "1025", "1 to 1024"),
         bad("TwoSkyboxes", "UseSkyboxBackground", "2", "0 or 1"),
         bad("TwoTerrains", "UseTerrainBackground", "2", "0 or 1"),
-        bad("NegativeSlope", "SkyboxTextureRadianceSlope", "-0.5", "W m-2 sr-1"),
-        bad("OffsetAboveWhite", "TerrainTextureColorOffset", "1.5", "0 to 1"),
+        bad("SlopeBeyondReason", "SkyboxTextureRadianceSlope", "2e+09", "W m-2 sr-1"),
+        bad("OffsetBeyondReason", "TerrainTextureColorOffset", "-2e+09", "-1e9 to 1e9"),
         bad("ScatteringTwice", "UseAtmosphereScattering", "2", "0 or 1"),
         bad("NoNumber", "AntialiasingMode", "many", "number"),
         bad("Infinite", "TerrainTextureRadianceSlope", "inf", "number"),
@@ -130,12 +130,40 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST(ImagingSensorSettings, everyParameterSetsItsSetting) {
-    const ImagingSensorSettings set =
-        settingsOf({.calculationMode = 2, .antialiasingMode = 1, .useAtmosphereScattering = 0});
+    const ImagingSensorSettings set = settingsOf({.calculationMode = 2,
+                                                  .antialiasingMode = 5,
+                                                  .isUniformBackground = 0,
+                                                  .numberOfBackgroundColumns = 3,
+                                                  .numberOfBackgroundRows = 16,
+                                                  .useSkyboxBackground = 1,
+                                                  .useTerrainBackground = 0,
+                                                  .skyboxTextureRadianceSlope = 0.25,
+                                                  .skyboxTextureColorOffset = 0.5,
+                                                  .terrainTextureRadianceSlope = 0.75,
+                                                  .terrainTextureColorOffset = 0.125,
+                                                  .useAtmosphereScattering = 0});
     EXPECT_EQ(set.settings.text("sensor.mode"), "ck");
-    EXPECT_EQ(set.settings.integer("render.antialiasing"), 1);
+    EXPECT_EQ(set.settings.integer("render.antialiasing"), 5);
+    EXPECT_EQ(set.settings.integer("render.backgroundColumns"), 3);
+    EXPECT_EQ(set.settings.integer("render.backgroundRows"), 16);
+    EXPECT_EQ(set.settings.real("environment.skyboxSlope"), 0.25);
+    EXPECT_EQ(set.settings.real("environment.skyboxOffset"), 0.5);
+    EXPECT_EQ(set.settings.real("environment.terrainSlope"), 0.75);
+    EXPECT_EQ(set.settings.real("environment.terrainOffset"), 0.125);
+    EXPECT_FALSE(set.settings.isSet("environment.skybox")) << "the scenario names it";
+    EXPECT_TRUE(set.settings.isSet("environment.terrain")) << "off, whatever the scenario names";
+    EXPECT_TRUE(set.settings.paths("environment.terrain").empty());
+    ASSERT_EQ(set.needed.size(), 1u);
+    EXPECT_EQ(set.needed[0].setting, "environment.skybox");
     EXPECT_TRUE(set.warnings.empty());
     EXPECT_TRUE(settingsOf({}).settings.values().empty());
+}
+
+TEST(ImagingSensorSettings, aUniformBackgroundIsOneLineOfSightWhateverItsNumbersSay) {
+    const ImagingSensorSettings set = settingsOf(
+        {.isUniformBackground = 1, .numberOfBackgroundColumns = 4, .numberOfBackgroundRows = 16});
+    EXPECT_EQ(set.settings.integer("render.backgroundColumns"), 1);
+    EXPECT_EQ(set.settings.integer("render.backgroundRows"), 1);
 }
 
 TEST(ImagingSensorSettings, scatteringThatIsNotThereIsSaidPlainly) {
@@ -146,10 +174,26 @@ TEST(ImagingSensorSettings, scatteringThatIsNotThereIsSaidPlainly) {
 
 TEST(ImagingSensorSettings, comeBackFromTheSettings) {
     Settings settings;
-    settings.set("sensor.mode", "ck");
-    settings.set("render.antialiasing", 1);
-    const ImagingSensorParameters parameters = imagingSensorParametersOf(settings);
-    EXPECT_EQ(settingsOf(parameters).settings.with(settings), settingsOf(parameters).settings);
+    for (const auto& [key, text] : {std::pair("sensor.mode", "ck"),
+                                    {"render.antialiasing", "3"},
+                                    {"render.backgroundRows", "16"},
+                                    {"render.backgroundColumns", "4"},
+                                    {"environment.skyboxSlope", "-0.5"},
+                                    {"environment.skyboxOffset", "1.5"},
+                                    {"environment.terrainSlope", "0.75"},
+                                    {"environment.terrainOffset", "0.25"},
+                                    {"environment.skybox", "none"},
+                                    {"environment.terrain", ""}}) {
+        settings.set(key, text);
+    }
+    const KarmaXml document = toKarma(imagingSensorParametersOf(settings));
+    const ImagingSensorReading reading =
+        imagingSensorFromKarma(KarmaXml::parse(document.text(), "again.xml"));
+    EXPECT_EQ(settingsOf(reading.parameters).settings, settings);
+    settings.set("environment.skybox", "clouds");
+    settings.set("environment.terrain", "hills.osgt");
+    EXPECT_EQ(imagingSensorParametersOf(settings).useSkyboxBackground, 1.0);
+    EXPECT_EQ(imagingSensorParametersOf(settings).useTerrainBackground, 1.0);
 }
 
 } // namespace

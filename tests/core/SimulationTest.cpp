@@ -225,6 +225,15 @@ TEST_F(ASimulation, everySensorHasItsOwnSettings) {
     EXPECT_EQ(load().sensors[1].scene.render.samplesPerAxis, 4);
 }
 
+TEST_F(ASimulation, refusesAnImagingSensorThatTurnsOnWhatNobodyNames) {
+    writeTextFile(folder / "i.xml",
+                  "<data><fileType>Parameters</fileType><type>/ImagingSensor</type>"
+                  "<parameter name=\"UseSkyboxBackground\"><double>1</double></parameter></data>");
+    scenario.sensors[1].imagingSensor = "i.xml";
+    EXPECT_THAT(refusal(), HasSubstr("i.xml: UseSkyboxBackground: found 1, expected 0, or files in "
+                                     "the setting environment.skybox"));
+}
+
 TEST_F(ASimulation, sharesTheAirOfSensorsThatAreAlikeInIt) {
     writeTextFile(folder / "air.csv", "wavelength [um],extinction [km-1]\n3,0.1\n14,0.1\n");
     scenario.settings.set("environment.atmospheres", "air.csv");
