@@ -40,6 +40,8 @@ void Irsg::setSkybox(std::shared_ptr<const Skybox> skybox) {
     parts_->background.setSkybox(std::move(skybox));
 }
 void Irsg::setTerrain(std::shared_ptr<const Terrain> terrain) {
+    if (terrain == parts_->background.terrain())
+        return;
     parts_->background.setTerrain(std::move(terrain));
     parts_->factorFingerprint.clear();
 }
