@@ -55,7 +55,7 @@ class Profile {
 };
 
 void printErrors(const AtmosphereSmart& air, const Band& band) {
-    std::printf("\n| %s um, altitude, field |", band.name().c_str());
+    std::printf("\n| %s, altitude, field |", band.name().c_str());
     for (const int rows : rowCounts)
         std::printf(" %d rows |", rows);
     std::printf(" one line of sight |\n|---|");
@@ -139,6 +139,7 @@ int main() {
     AtmosphereSmartParameters parameters;
     parameters.irradianceMode = 2; // nothing from tables
     parameters.resolution_cm = 15;
+    parameters.baseWavelengthMax_um = 12.0;
     const AtmosphereSmart air(parameters);
     for (const Band& band : {Band::topHat(3.0, 5.0), Band::topHat(8.0, 12.0)})
         printErrors(air, band);
