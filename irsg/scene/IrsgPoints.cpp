@@ -60,8 +60,9 @@ const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
         }
 
     return pointSources.sums_sr_m2(object.entity, aspect, [&] {
-        // A few pixels of a camera that looks at it, in a window like that of any other object: one
-        // that turns is drawn anew for every frame.
+        // A few pixels of a camera that looks at it. No phases average its error, so its window is
+        // larger than that of other objects, but not by much: one that turns is drawn anew for
+        // every frame.
         constexpr int framePixels = 4;
         const double side_px = ballDiameter_px(frame.camera, object.centre_m, object.radius_m);
         const CameraFrame zoom = zoomCamera(frame.camera, object.centre_m, side_px, framePixels);
@@ -76,7 +77,7 @@ const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
         if (seen)
             onContext([&](osg::RenderInfo& info) {
                 FactorSamples samples;
-                const PixelAlignedStrategy strategy(settings.zoomWindow);
+                const PixelAlignedStrategy strategy(settings.zoomWindow * 3 / 2);
                 for (const SampleWindow& window :
                      piecesOf(strategy.windows({*seen}), largestDrawing())) {
                     pass->drawFactors(info, sceneOf(frame, zoom, window), window, false, samples);
