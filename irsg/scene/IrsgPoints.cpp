@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <osg/RenderInfo>
 
@@ -6,7 +7,6 @@
 #include "irsg/scene/IrsgParts.h"
 #include "irsg/scene/PixelGrid.h"
 #include "irsg/scene/antialiasing/PixelAlignedStrategy.h"
-#include "irsg/scene/antialiasing/ZoomCamera.h"
 
 namespace irsg {
 
@@ -43,29 +43,37 @@ Irsg::Parts::PointPixel Irsg::Parts::pixelOf(const Frame& frame,
 const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
                                                   const ZoomEntityInfo& object) {
     const Entity& entity = entities[static_cast<std::size_t>(object.entity)];
-    const Rotation toModel = entity.pose.attitude.rotation().transposed();
-    const Vec3 away = frame.camera.viewpoint().position_m - object.centre_m;
-    const SunPosition& sun = environment.sun;
+    const Rotation toWorld = entity.pose.attitude.rotation();
+    const Rotation toModel = toWorld.transposed();
+    const Vec3 from = PointSources::onGrid(
+        toModel * normalized(frame.camera.viewpoint().position_m - object.centre_m));
     PointAspect aspect{
         entity.model,
         {static_cast<double>(settings.zoomWindow), static_cast<double>(settings.maximumLayers),
-         static_cast<double>(frame.scene.modes.sun), static_cast<double>(frame.scene.modes.flux)},
-        {toModel * normalized(away), toModel * direction(sun.azimuth_rad, sun.elevation_rad),
-         toModel * Vec3{0, 0, 1}}};
+         static_cast<double>(frame.scene.modes.sun), static_cast<double>(frame.scene.modes.flux)}};
+    const SunPosition& sun = environment.sun;
+    for (const Vec3& v :
+         {from, toModel * direction(sun.azimuth_rad, sun.elevation_rad), toModel * Vec3{0, 0, 1}})
+        aspect.numbers.insert(aspect.numbers.end(), {v.x, v.y, v.z});
     for (std::size_t row = 0; row < frame.radiometry.keys().size(); ++row)
         if (frame.radiometry.keys()[row].first == object.entity) {
             const SurfaceSpectra& surface = frame.radiometry.surfaces()[row];
-            aspect.exact.push_back(surface.nAngleFactor);
-            aspect.exact.push_back(surface.isTransparent() ? 1.0 : 0.0);
+            aspect.numbers.push_back(surface.nAngleFactor);
+            aspect.numbers.push_back(surface.isTransparent() ? 1.0 : 0.0);
         }
 
+    const double distance_m = PointSources::cameraDistance_radii * object.radius_m;
     return pointSources.sums_sr_m2(object.entity, aspect, [&] {
-        // A few pixels of a camera that looks at it. No phases average its error, so its window is
-        // larger than that of other objects, but not by much: one that turns is drawn anew for
-        // every frame.
-        constexpr int framePixels = 4;
-        const double side_px = ballDiameter_px(frame.camera, object.centre_m, object.radius_m);
-        const CameraFrame zoom = zoomCamera(frame.camera, object.centre_m, side_px, framePixels);
+        // A few pixels of a camera that looks at it from far. No phases average its error, so its
+        // window is larger than that of other objects, but not by much: one that turns is drawn
+        // anew for every frame.
+        Sensor few = sensor;
+        few.width_px = few.height_px = 4;
+        few.horizontalFieldOfView_rad = 2.0 * std::asin(1.0 / PointSources::cameraDistance_radii);
+        const Vec3 place = object.centre_m + toWorld * from * distance_m;
+        const CameraFrame zoom(few,
+                               Viewpoint::lookAt(place, object.centre_m, toWorld * Vec3{0, 0, 1},
+                                                 toWorld * Vec3{0, 1, 0}));
         const auto seen =
             zoomEntityInfo(object.entity, zoom, entity.model->bounds(),
                            balls[static_cast<std::size_t>(object.entity)], entity.pose);
@@ -80,12 +88,13 @@ const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
                 const PixelAlignedStrategy strategy(settings.zoomWindow * 3 / 2);
                 for (const SampleWindow& window :
                      piecesOf(strategy.windows({*seen}), largestDrawing())) {
-                    pass->drawFactors(info, sceneOf(frame, zoom, window), window, false, samples);
+                    SurfaceScene alone = sceneOf(frame, zoom, window);
+                    alone.occluders.clear(); // no terrain is before a point as the sensor sees it
+                    pass->drawFactors(info, alone, window, false, samples);
                     accumulator.add(window, samples);
                 }
             });
         ProjectedFactors atUnitDistance = accumulator.take();
-        const double distance_m = length(away);
         for (auto& [key, sums] : atUnitDistance.sums)
             sums = atDistance(sums, 1.0 / distance_m, 1.0, 1.0, 0.0);
         return atUnitDistance;

@@ -320,6 +320,33 @@ TEST(PointSource, KeepsTheIntensityOfItsWindowAndIsDrawnOnce) {
     EXPECT_GT(std::abs(irsg.render().report.all.intensity_W_sr / first - 1.0), 0.01);
 }
 
+TEST(PointSource, DoesNotDependOnWhoSawItFirst) {
+    // Seen before from a hair's breadth away, nearer and by another sensor; then as by a new one.
+    const Entity body =
+        grey(joined(lShape(), boxMesh({0.3, 0.6, 0.2}, std::vector<IrCodes>(6, one))));
+    View wanted = viewOf(2.0, 0.005);
+    wanted.azimuth_rad = 0.4 + 2e-6;
+    Irsg& seasoned = generator();
+    seasoned.setEntities({body});
+    View earlier = viewOf(2.0, 0.012);
+    earlier.azimuth_rad = 0.4;
+    earlier.width_px = earlier.height_px = 31;
+    look(seasoned, earlier);
+    seasoned.render();
+    look(seasoned, wanted);
+    const auto again = seasoned.render();
+
+    Irsg fresh;
+    fresh.setEnvironment(seasoned.environment());
+    fresh.setSettings(seasoned.settings());
+    fresh.setEntities({body});
+    look(fresh, wanted);
+    const auto first = fresh.render();
+    EXPECT_GT(first.report.all.coveredPixels, 0.0);
+    EXPECT_EQ(again.image.primary().values, first.image.primary().values);
+    EXPECT_EQ(again.report.all.intensity_W_sr, first.report.all.intensity_W_sr);
+}
+
 TEST(PointSource, LetsGasThroughAsItsWindowDoes) {
     Irsg& irsg = generator(0.2);
     Entity body = grey(joined(sphereMesh(1.0, 24, 48, IrCodes{2, 2}),

@@ -1,24 +1,20 @@
 #include "irsg/scene/antialiasing/PointSources.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace irsg {
 
-namespace {
-
-bool isSeenAlike(const PointAspect& a, const PointAspect& b) {
-    return a.model == b.model && a.exact == b.exact &&
-           std::ranges::equal(a.directions, b.directions, [](const Vec3& u, const Vec3& v) {
-               return length(u - v) <= PointSources::directionTolerance_rad;
-           });
+Vec3 PointSources::onGrid(const Vec3& direction) {
+    const auto rounded = [](double component) {
+        return directionStep * std::round(component / directionStep);
+    };
+    return normalized({rounded(direction.x), rounded(direction.y), rounded(direction.z)});
 }
-
-} // namespace
 
 const ProjectedFactors& PointSources::sums_sr_m2(int entity, const PointAspect& aspect,
                                                  const std::function<ProjectedFactors()>& draw) {
     const auto found = kept_.find(entity);
-    if (found != kept_.end() && isSeenAlike(found->second.aspect, aspect))
+    if (found != kept_.end() && found->second.aspect == aspect)
         return found->second.sums_sr_m2;
     return kept_.insert_or_assign(entity, Kept{aspect, draw()}).first->second.sums_sr_m2;
 }

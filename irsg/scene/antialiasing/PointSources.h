@@ -13,8 +13,10 @@ namespace irsg {
 /// From where an object is seen and lit: what its factors depend on but for its distance.
 struct PointAspect {
     std::shared_ptr<const Model> model;
-    std::vector<double> exact;    ///< must be equal: modes, angle factors, transparency
-    std::vector<Vec3> directions; ///< model axes, unit: to the camera, the sun, the zenith
+    /// Directions in model axes, modes, angle factors, transparency.
+    std::vector<double> numbers;
+
+    bool operator==(const PointAspect&) const = default;
 };
 
 /// Objects so small that drawing them for every frame is waste. Their projected factors are drawn
@@ -22,12 +24,18 @@ struct PointAspect {
 /// same directions. All of an object goes to the pixel that holds its middle.
 ///
 /// Errors: as far as an object lies across a border of pixels, its energy is in the pixel next to
-/// the true one, at most half its extent in pixels (RenderSettings::pointSourceBelow_px).
-/// Directions may differ by directionTolerance_rad: a plate seen at the grazing angle g changes by
-/// that over tan g. Other than that the intensity is the one of a drawn window.
+/// the true one, at most half its extent in pixels (RenderSettings::pointSourceBelow_px). The
+/// direction it is seen from is rounded to a grid, so that what is kept does not depend on who saw
+/// it first: a plate seen at the grazing angle g changes by directionStep over tan g. Other than
+/// that the intensity is the one of a drawn window.
 class PointSources {
   public:
-    static constexpr double directionTolerance_rad = 1e-4;
+    static constexpr double directionStep = 1e-4; ///< of the components of a unit vector
+    /// Where the camera stands that draws an object, in radii of its ball: the rays are parallel.
+    static constexpr double cameraDistance_radii = 1e6;
+
+    /// The nearest direction on the grid.
+    static Vec3 onGrid(const Vec3& direction);
 
     /// Sums of an entity times the square of its distance, sr m2. `draw` makes them where those
     /// that are kept are of another aspect.
