@@ -2,32 +2,26 @@
 // contrast intensity of objects of 0.01 to 100 pixels, and how long a frame takes. Results go to
 // the folder as CSV; scripts/antialiasing-report makes tables and figures of them.
 
-#include <algorithm>
-#include <iostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "benchmarks/Sections.h"
 #include "benchmarks/antialiasing/Study.h"
-#include "irsg/radiometry/Errors.h"
 
 int main(int argc, char** argv) {
     using namespace irsg::study;
-    const std::vector<std::pair<std::string, void (*)(const Options&)>> sections = {
-        {"errors", measureErrors},
-        {"times", measureTimes},
-        {"ranges", measureRanges},
-        {"profile", profile}};
+    const irsg::bench::Sections<Options> sections = {{"errors", measureErrors},
+                                                     {"times", measureTimes},
+                                                     {"ranges", measureRanges},
+                                                     {"profile", profile}};
 
     CLI::App app{"Measures how true and how fast every antialiasing mode is."};
     Options options;
-    std::vector<std::string> wanted, names;
-    for (const auto& [name, run] : sections)
-        names.push_back(name);
+    std::vector<std::string> wanted;
     app.add_option("sections", wanted, "errors, times, ranges, profile; none: all")
-        ->check(CLI::IsMember(names));
+        ->check(CLI::IsMember(irsg::bench::namesOf(sections)));
     app.add_option("--out", options.folder, "folder for the results as CSV")
         ->required()
         ->check(CLI::ExistingDirectory);
@@ -37,17 +31,5 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 10000));
     app.add_option("--body", options.bodies, "only this body; may be repeated");
     CLI11_PARSE(app, argc, argv);
-
-    try {
-        for (const auto& [name, run] : sections)
-            if (wanted.empty() || std::ranges::find(wanted, name) != wanted.end())
-                run(options);
-    } catch (const irsg::InputError& error) {
-        std::cerr << error.what() << "\n";
-        return 2;
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << "\n";
-        return 3;
-    }
-    return 0;
+    return irsg::bench::run(sections, wanted, options);
 }

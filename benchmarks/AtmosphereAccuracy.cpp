@@ -2,51 +2,32 @@
 // with other programs, with line by line and with itself, and times it. Tables go to the standard
 // output as Markdown, curves to the folder as CSV.
 
-#include <algorithm>
-#include <iostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "benchmarks/Sections.h"
 #include "benchmarks/atmosphere/Table.h"
-#include "irsg/radiometry/Errors.h"
 
 int main(int argc, char** argv) {
     using namespace irsg::accuracy;
-    const std::vector<std::pair<std::string, void (*)(const Output&)>> sections = {
-        {"modtran", modtranTables},
-        {"lowtran", lowtranTables},
-        {"line-by-line", lineByLineTables},
-        {"wideband", widebandTables},
-        {"speed", speedTables}};
+    const irsg::bench::Sections<Output> sections = {{"modtran", modtranTables},
+                                                    {"lowtran", lowtranTables},
+                                                    {"line-by-line", lineByLineTables},
+                                                    {"wideband", widebandTables},
+                                                    {"speed", speedTables}};
 
     CLI::App app{"Measures how accurate and how fast the computed atmosphere is."};
     Output output{"../shared", {}, "tests/data/atmosphere/line-by-line.csv.gz"};
     std::vector<std::string> wanted;
-    std::vector<std::string> names;
-    for (const auto& [name, run] : sections)
-        names.push_back(name);
     app.add_option("sections", wanted, "modtran, lowtran, line-by-line, wideband, speed; none: all")
-        ->check(CLI::IsMember(names));
+        ->check(CLI::IsMember(irsg::bench::namesOf(sections)));
     app.add_option("--shared", output.shared, "folder that holds data/atmosphere (../shared)");
     app.add_option("--out", output.folder, "folder for curves as CSV")
         ->check(CLI::ExistingDirectory);
     app.add_option("--truth", output.truth,
                    "results computed line by line, as atmosphere-tables truth writes them");
     CLI11_PARSE(app, argc, argv);
-
-    try {
-        for (const auto& [name, run] : sections)
-            if (wanted.empty() || std::ranges::find(wanted, name) != wanted.end())
-                run(output);
-    } catch (const irsg::InputError& error) {
-        std::cerr << error.what() << "\n";
-        return 2;
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << "\n";
-        return 3;
-    }
-    return 0;
+    return irsg::bench::run(sections, wanted, output);
 }

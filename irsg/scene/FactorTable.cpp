@@ -31,12 +31,11 @@ void addSample(FactorSums& sums, const FactorLayer& layer, double omega_sr, doub
 } // namespace
 
 FactorAccumulator::FactorAccumulator(const Sensor& sensor, const FrameBackground& background,
-                                     std::vector<SceneRadiometry::SurfaceKey> keys,
-                                     std::vector<bool> transparent)
-    : grid_(sensor),
-      background_(background),
-      keys_(std::move(keys)),
-      transparent_(std::move(transparent)) {}
+                                     const SceneRadiometry& radiometry)
+    : grid_(sensor), background_(background), keys_(radiometry.keys()) {
+    for (const SurfaceSpectra& surface : radiometry.surfaces())
+        transparent_.push_back(surface.isTransparent());
+}
 
 int FactorAccumulator::extended(int prefix, int row) {
     const auto [place, isNew] = extensions_.try_emplace({prefix, row}, prefix);

@@ -15,9 +15,9 @@ namespace irsg {
 /// Sums factors, sample by sample from front to back, into ProjectedFactors.
 class FactorAccumulator {
   public:
-    /// `keys` are the rows of the drawing; `transparent` says which of them let light through.
+    /// The rows of the drawing are the surfaces of `radiometry`. `background` must live as long.
     FactorAccumulator(const Sensor& sensor, const FrameBackground& background,
-                      std::vector<SceneRadiometry::SurfaceKey> keys, std::vector<bool> transparent);
+                      const SceneRadiometry& radiometry);
 
     void add(const SampleWindow& window, const FactorSamples& samples);
 

@@ -340,10 +340,7 @@ const ProjectedFactors& Irsg::Parts::factorsOf(const Frame& frame) {
         frame.background.variesLike(factorBackground))
         return factors;
 
-    std::vector<bool> transparent;
-    for (const SurfaceSpectra& surface : frame.radiometry.surfaces())
-        transparent.push_back(surface.isTransparent());
-    FactorAccumulator accumulator(sensor, frame.background, frame.radiometry.keys(), transparent);
+    FactorAccumulator accumulator(sensor, frame.background, frame.radiometry);
     drawFactorWindows(frame, frame.drawn, false, "factor sums",
                       [&](const SampleWindow& window, const FactorSamples& samples) {
                           accumulator.add(window, samples);

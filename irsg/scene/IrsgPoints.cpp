@@ -77,11 +77,8 @@ const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
         const auto seen =
             zoomEntityInfo(object.entity, zoom, entity.model->bounds(),
                            balls[static_cast<std::size_t>(object.entity)], entity.pose);
-        std::vector<bool> transparent;
-        for (const SurfaceSpectra& surface : frame.radiometry.surfaces())
-            transparent.push_back(surface.isTransparent());
         const FrameBackground none;
-        FactorAccumulator accumulator(zoom.sensor(), none, frame.radiometry.keys(), transparent);
+        FactorAccumulator accumulator(zoom.sensor(), none, frame.radiometry);
         if (seen)
             onContext([&](osg::RenderInfo& info) {
                 FactorSamples samples;

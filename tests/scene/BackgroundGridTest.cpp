@@ -20,14 +20,6 @@ using namespace irsg::test;
 
 namespace {
 
-Sensor sensorOf(int width_px, int height_px, double fieldOfView_deg) {
-    Sensor sensor;
-    sensor.width_px = width_px;
-    sensor.height_px = height_px;
-    sensor.horizontalFieldOfView_rad = radians(fieldOfView_deg);
-    return sensor;
-}
-
 Viewpoint looking(double azimuth_deg, double elevation_deg, double altitude_m = 0.0) {
     const Vec3 eye{0, 0, altitude_m};
     return Viewpoint::lookAt(eye, eye + direction(radians(azimuth_deg), radians(elevation_deg)));

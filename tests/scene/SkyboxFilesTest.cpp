@@ -2,7 +2,6 @@
 
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <limits>
 #include <string>
 
@@ -15,9 +14,11 @@
 #include "irsg/image/PngPlane.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/background/Skybox.h"
+#include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;
+using smat::test::refusalOf;
 using smat::test::TemporaryFolder;
 namespace fs = std::filesystem;
 
@@ -68,15 +69,6 @@ std::string tiff(int bits, const void* pixels, std::size_t count) {
 void writeGrey(const fs::path& file, int side, std::uint8_t value) {
     const std::vector<std::uint8_t> pixels(static_cast<std::size_t>(side * side), value);
     writePng(file, side, side, PNG_FORMAT_GRAY, pixels.data());
-}
-
-std::string messageOf(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
 }
 
 } // namespace
@@ -162,7 +154,7 @@ TEST(Texture, ThatIsNoPictureIsRefused) {
     for (const char* name :
          {"cut.png", "text.png", "text.tif", "text.jpg", "text.hdr", "text.exr", "empty.png",
           "some.flat", "whole.png", "nan.exr", "missing.png", "missing.jpg", "missing.exr"}) {
-        const std::string message = messageOf([&] { readTexture(folder / name); });
+        const std::string message = refusalOf([&] { readTexture(folder / name); });
         EXPECT_NE(message.find(name), std::string::npos) << name << ": " << message;
     }
 }
@@ -184,27 +176,27 @@ TEST(SkyboxFiles, ThatAreMissingOrWrongAreNamed) {
     const TemporaryFolder folder;
     for (const char* name : {"north.png", "south.png", "east.png", "down.png"})
         writeGrey(folder / name, 4, 1);
-    const std::string missing = messageOf([&] { Skybox::load(folder.path()); });
+    const std::string missing = refusalOf([&] { Skybox::load(folder.path()); });
     EXPECT_NE(missing.find("face west"), std::string::npos) << missing;
     EXPECT_NE(missing.find("face up"), std::string::npos) << missing;
 
     writeGrey(folder / "west.png", 5, 1);
     const std::uint8_t pixels[12] = {};
     writePng(folder / "up.png", 4, 3, PNG_FORMAT_GRAY, pixels);
-    const std::string sizes = messageOf([&] { Skybox::load(folder.path()); });
+    const std::string sizes = refusalOf([&] { Skybox::load(folder.path()); });
     EXPECT_NE(sizes.find("west.png: found 5 x 5 texels"), std::string::npos) << sizes;
     EXPECT_NE(sizes.find("up.png: found 4 x 3 texels"), std::string::npos) << sizes;
 
     write(folder / "east.png", "damaged");
     write(folder / "n.jpg", "");
-    const std::string twice = messageOf([&] { Skybox::load(folder.path()); });
+    const std::string twice = refusalOf([&] { Skybox::load(folder.path()); });
     EXPECT_NE(twice.find("n.jpg and north.png"), std::string::npos) << twice;
     fs::remove(folder / "n.jpg");
-    const std::string damaged = messageOf([&] { Skybox::load(folder.path()); });
+    const std::string damaged = refusalOf([&] { Skybox::load(folder.path()); });
     EXPECT_NE(damaged.find("east.png: skybox face east"), std::string::npos) << damaged;
 
-    EXPECT_NE(messageOf([&] { Skybox::load(folder / "nowhere"); }).find("nowhere"),
+    EXPECT_NE(refusalOf([&] { Skybox::load(folder / "nowhere"); }).find("nowhere"),
               std::string::npos);
-    EXPECT_NE(messageOf([] { Skybox::load(std::array<fs::path, 6>{}); }).find("face north"),
+    EXPECT_NE(refusalOf([] { Skybox::load(std::array<fs::path, 6>{}); }).find("face north"),
               std::string::npos);
 }

@@ -54,14 +54,6 @@ double smooth(const Vec3& d) {
     return 2.0 + d.x + 0.5 * d.y * d.z - 0.7 * d.z * d.z;
 }
 
-Sensor sensorOf(int width_px, int height_px, double fieldOfView_deg) {
-    Sensor sensor;
-    sensor.width_px = width_px;
-    sensor.height_px = height_px;
-    sensor.horizontalFieldOfView_rad = radians(fieldOfView_deg);
-    return sensor;
-}
-
 Viewpoint looking(double azimuth_deg, double elevation_deg, const Vec3& eye = {}) {
     return Viewpoint::lookAt(eye, eye + direction(radians(azimuth_deg), radians(elevation_deg)));
 }

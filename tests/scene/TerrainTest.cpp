@@ -15,11 +15,13 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/background/SceneBackground.h"
+#include "tests/support/Refusal.h"
 #include "tests/support/SceneFixtures.h"
 #include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;
 using namespace irsg::test;
+using smat::test::refusalOf;
 using smat::test::TemporaryFolder;
 
 namespace {
@@ -64,14 +66,6 @@ std::shared_ptr<const Terrain> wall(float value, const Vec3& position = {}) {
                               "wall", position);
 }
 
-Sensor sensorOf(int width_px, int height_px, double fieldOfView_deg) {
-    Sensor sensor;
-    sensor.width_px = width_px;
-    sensor.height_px = height_px;
-    sensor.horizontalFieldOfView_rad = radians(fieldOfView_deg);
-    return sensor;
-}
-
 Viewpoint north(const Vec3& eye = {}) {
     return Viewpoint::lookAt(eye, eye + Vec3{0, 1, 0});
 }
@@ -93,15 +87,6 @@ BackgroundSettings onBackground(double uniform_W_m2_sr, TextureScale terrain) {
     settings.uniform_W_m2_sr = uniform_W_m2_sr;
     settings.terrain = terrain;
     return settings;
-}
-
-std::string messageOf(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
 }
 
 } // namespace
@@ -283,21 +268,21 @@ TEST(Terrain, IsReadFromFilesWithTheirTextures) {
 
 TEST(Terrain, ThatCannotBeUsedIsRefusedByName) {
     const TemporaryFolder folder;
-    EXPECT_NE(messageOf([&] { Terrain::load(folder / "nowhere.obj"); }).find("nowhere.obj"),
+    EXPECT_NE(refusalOf([&] { Terrain::load(folder / "nowhere.obj"); }).find("nowhere.obj"),
               std::string::npos);
     std::ofstream(folder / "empty.obj") << "v 0 0 0\n";
-    EXPECT_NE(messageOf([&] { Terrain::load(folder / "empty.obj"); }).find("empty.obj"),
+    EXPECT_NE(refusalOf([&] { Terrain::load(folder / "empty.obj"); }).find("empty.obj"),
               std::string::npos);
     std::ofstream(folder / "odd.flat") << "none\n";
-    EXPECT_NE(messageOf([&] { Terrain::load(folder / "odd.flat"); }).find("odd.flat"),
+    EXPECT_NE(refusalOf([&] { Terrain::load(folder / "odd.flat"); }).find("odd.flat"),
               std::string::npos);
 
     const auto bad = sheet({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, plain(1.0f));
     bad->getDrawable(0)->asGeometry()->setPrimitiveSet(0, new osg::DrawArrays(GL_QUADS, 2, 4));
-    EXPECT_NE(messageOf([&] { Terrain::fromGraph(*bad, "bad"); }).find("vertex 5"),
+    EXPECT_NE(refusalOf([&] { Terrain::fromGraph(*bad, "bad"); }).find("vertex 5"),
               std::string::npos);
     const auto infinite =
         sheet({0, 0, std::numeric_limits<double>::infinity()}, {1, 0, 0}, {0, 0, 1}, plain(1.0f));
-    EXPECT_NE(messageOf([&] { Terrain::fromGraph(*infinite, "far"); }).find("not finite"),
+    EXPECT_NE(refusalOf([&] { Terrain::fromGraph(*infinite, "far"); }).find("not finite"),
               std::string::npos);
 }

@@ -184,4 +184,12 @@ void look(Irsg& irsg, const View& view) {
                                        view.azimuth_rad, view.elevation_rad, view.range_m));
 }
 
+Sensor sensorOf(int width_px, int height_px, double fieldOfView_deg) {
+    Sensor sensor;
+    sensor.width_px = width_px;
+    sensor.height_px = height_px;
+    sensor.horizontalFieldOfView_rad = radians(fieldOfView_deg);
+    return sensor;
+}
+
 } // namespace irsg::test

@@ -82,4 +82,7 @@ struct View {
 inline constexpr double standingAltitude_m = 1000.0;
 void look(Irsg& irsg, const View& view);
 
+/// In the default band.
+Sensor sensorOf(int width_px, int height_px, double fieldOfView_deg);
+
 } // namespace irsg::test

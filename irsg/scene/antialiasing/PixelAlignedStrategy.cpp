@@ -23,22 +23,7 @@ int levelFor(double extent_px) {
 /// of any length worth counting then meets every phase of the samples.
 constexpr double uprightSlope = 1.0 / 16.0;
 
-int samplesOfTile(const SampleWindow& window, int size) {
-    return std::max(PixelAlignedStrategy::fewestSamplesPerAxis,
-                    size / std::max(window.tilesWide, window.tilesHigh));
-}
-
-int powerOfTwoBelow(int samples) {
-    return static_cast<int>(std::bit_floor(static_cast<unsigned>(samples)));
-}
-
-SampleWindow sampledWindow(const ImageRectangle& extent, int level, int size) {
-    SampleWindow window = windowOnTiles(extent, level);
-    window.samplesAcross = window.samplesDown = samplesOfTile(window, size);
-    return window;
-}
-
-/// The same with sheared rows. The shear spares columns of samples: an upright edge meets every
+/// A window with sheared rows. The shear spares columns of samples: an upright edge meets every
 /// phase of them. A level edge does not, so that the samples go to rows, as many in all.
 SampleWindow shearedWindow(const ImageRectangle& extent, int level, int size) {
     SampleWindow window = windowOnTiles(extent, level);
@@ -53,11 +38,14 @@ SampleWindow shearedWindow(const ImageRectangle& extent, int level, int size) {
     return window;
 }
 
-/// The same with a number of samples that is a power of two, so that finer windows begin at a
-/// sample of it.
+/// A window without shear whose number of samples is a power of two, so that finer windows begin at
+/// a sample of it.
 SampleWindow divisibleWindow(const ImageRectangle& extent, int level, int size) {
-    SampleWindow window = sampledWindow(extent, level, size);
-    window.samplesAcross = window.samplesDown = powerOfTwoBelow(window.samplesAcross);
+    SampleWindow window = windowOnTiles(extent, level);
+    const int samples = std::max(PixelAlignedStrategy::fewestSamplesPerAxis,
+                                 size / std::max(window.tilesWide, window.tilesHigh));
+    window.samplesAcross = window.samplesDown =
+        static_cast<int>(std::bit_floor(static_cast<unsigned>(samples)));
     return window;
 }
 
