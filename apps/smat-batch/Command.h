@@ -25,6 +25,7 @@ struct Context {
 void addRunCommand(CLI::App& app, Context& context);
 void addAnalysisCommands(CLI::App& app, Context& context);
 void addDatabaseCommand(CLI::App& app, Context& context);
+void addCompareCommand(CLI::App& app, Context& context);
 void addConvertCommand(CLI::App& app, Context& context);
 void addModelCommand(CLI::App& app, Context& context);
 void addAtmosphereCommand(CLI::App& app, Context& context);

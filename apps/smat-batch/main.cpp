@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
     addRunCommand(app, context);
     addAnalysisCommands(app, context);
     addDatabaseCommand(app, context);
+    addCompareCommand(app, context);
     addConvertCommand(app, context);
     addModelCommand(app, context);
     addAtmosphereCommand(app, context);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "irsg/image/CompensatedSum.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
@@ -13,20 +15,6 @@ namespace irsg {
 namespace {
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
-
-/// Neumaier's compensated sum: the error does not grow with the number of pixels.
-class Sum {
-  public:
-    void add(double value) {
-        const double next = sum_ + value;
-        lost_ += std::abs(sum_) >= std::abs(value) ? (sum_ - next) + value : (value - next) + sum_;
-        sum_ = next;
-    }
-    double value() const { return sum_ + lost_; }
-
-  private:
-    double sum_ = 0.0, lost_ = 0.0;
-};
 
 std::vector<float> finiteOf(std::span<const float> values) {
     std::vector<float> finite;
@@ -55,10 +43,44 @@ double percentileOfFinite(std::vector<float>& values, double percent) {
     return valueAtRank(values, percent / 100.0 * (static_cast<double>(values.size()) - 1.0));
 }
 
+/// A value and how often it occurs.
+struct Run {
+    float value = 0.0F;
+    std::size_t length = 0;
+};
+
+Run longestRunOfSorted(const std::vector<float>& sorted) {
+    Run longest;
+    for (std::size_t i = 0, from = 0; i < sorted.size(); ++i) {
+        if (sorted[i] != sorted[from])
+            from = i;
+        if (i - from + 1 > longest.length)
+            longest = {sorted[i], i - from + 1};
+    }
+    return longest;
+}
+
+/// The value that occurs most often. Of a large plane that is looked for among some thousand
+/// pixels strewn over it: whatever fills a twentieth is there, and is then counted in all.
+Run longestRun(const std::vector<float>& values) {
+    constexpr std::size_t few = 65536, strewn = 8192;
+    const bool all = values.size() <= few;
+    std::vector<float> sample = all ? values : std::vector<float>();
+    for (std::uint64_t i = 0; sample.size() < strewn && !all; ++i)
+        sample.push_back(values[(i * 0x9E3779B97F4A7C15ULL >> 16U) % values.size()]);
+    std::ranges::sort(sample);
+    Run longest = longestRunOfSorted(sample);
+    if (!all)
+        longest.length = static_cast<std::size_t>(std::ranges::count(values, longest.value));
+    return longest;
+}
+
 void checkPercent(double percent) {
     if (!(percent >= 0.0 && percent <= 100.0))
         throw InputError({"", "percentile", numberText(percent), "0 to 100"});
 }
+
+} // namespace
 
 PixelRectangle checkedRectangle(const RadianceImage& image,
                                 const std::optional<PixelRectangle>& rectangle) {
@@ -75,8 +97,6 @@ PixelRectangle checkedRectangle(const RadianceImage& image,
     return r;
 }
 
-} // namespace
-
 ImageStatistics imageStatistics(const RadianceImage& image, const ImageChannel& plane,
                                 const std::optional<PixelRectangle>& rectangle) {
     if (plane.values.size() != image.pixelCount())
@@ -87,7 +107,7 @@ ImageStatistics imageStatistics(const RadianceImage& image, const ImageChannel& 
     ImageStatistics result;
     std::vector<float> finite;
     finite.reserve(static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
-    Sum sum;
+    CompensatedSum sum;
     for (int y = area.y; y < area.y + area.height; ++y)
         for (int x = area.x; x < area.x + area.width; ++x) {
             const float value = plane.values[image.offset(x, y)];
@@ -121,7 +141,7 @@ ImageStatistics imageStatistics(const RadianceImage& image, const ImageChannel& 
     // Second sweep: deviations from the mean, so that a small spread on a large mean survives.
     const auto count = static_cast<double>(result.finite);
     result.mean = result.sum / count;
-    Sum squares;
+    CompensatedSum squares;
     for (const float value : finite)
         squares.add((value - result.mean) * (value - result.mean));
     result.standardDeviation = std::sqrt(squares.value() / count);
@@ -163,27 +183,14 @@ DisplayLimits objectLimits(std::span<const float> values) {
     constexpr double lowPercent = 0.5, highPercent = 99.0;
     constexpr std::size_t uniformShare = 20;
     std::vector<float> finite = finiteOf(values);
-    std::ranges::sort(finite);
-
-    // The value that occurs most often, as the longest run of the sorted plane.
-    std::size_t longest = 0, start = 0;
-    for (std::size_t i = 0, from = 0; i < finite.size(); ++i) {
-        if (finite[i] != finite[from])
-            from = i;
-        if (i - from + 1 > longest) {
-            longest = i - from + 1;
-            start = from;
-        }
-    }
-    if (longest * uniformShare < finite.size() || longest == finite.size())
+    const Run background = longestRun(finite);
+    if (background.length * uniformShare < finite.size() || background.length == finite.size())
         return percentileLimits(values, lowPercent, highPercent);
 
-    const double background = static_cast<double>(finite[start]);
-    finite.erase(finite.begin() + static_cast<std::ptrdiff_t>(start),
-                 finite.begin() + static_cast<std::ptrdiff_t>(start + longest));
+    std::erase(finite, background.value);
     DisplayLimits limits = percentileLimits(finite, lowPercent, highPercent);
-    limits.low = std::min(limits.low, background);
-    limits.high = std::max(limits.high, background);
+    limits.low = std::min(limits.low, static_cast<double>(background.value));
+    limits.high = std::max(limits.high, static_cast<double>(background.value));
     return limits;
 }
 

@@ -16,6 +16,11 @@ struct PixelRectangle {
     bool operator==(const PixelRectangle&) const = default;
 };
 
+/// `rectangle`, or the whole image without one. Throws InputError for a rectangle without pixels or
+/// not wholly inside the image.
+PixelRectangle checkedRectangle(const RadianceImage& image,
+                                const std::optional<PixelRectangle>& rectangle);
+
 /// What the values of a plane, or of a rectangle of it, are like. NaN and infinities are counted
 /// apart and enter no other figure; where no finite value is left, the figures are NaN (the sum 0).
 struct ImageStatistics {

@@ -1,0 +1,264 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/smat-batch/Command.h"
+#include "apps/smat-batch/NumberOptions.h"
+#include "apps/smat-batch/Output.h"
+#include "irsg/image/ComparisonFigures.h"
+#include "irsg/image/CsvImage.h"
+#include "irsg/image/ExrFile.h"
+#include "irsg/image/ImageFile.h"
+#include "irsg/image/PngView.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::batch {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The line as it was given.
+struct CompareOptions {
+    explicit CompareOptions(CLI::App& command) : numbers(command) {}
+
+    std::string fileA, fileB, channel;
+    std::vector<std::string> rectangles, out;
+    NumberOptions numbers;
+};
+
+void addNumbers(NumberOptions& numbers) {
+    for (const std::string level : {"fail", "warn"}) {
+        const std::string twin = level == "fail" ? "failure" : "warning";
+        numbers.add("--" + level, "unit", "|A - B| above which a pixel is a " + twin + ", 1e-6");
+        numbers.add("--" + level + "-relative", "",
+                    "and |A - B| / ((|A| + |B|) / 2) above which it is one, 0");
+        numbers.add("--" + level + "-percent", "%", "Let this part of the pixels pass, 0");
+        numbers.add("--hard-" + level, "unit", "A single |A - B| above this is a " + twin);
+        numbers.add("--allow-" + twin + "s", "px", "Let this many pixels pass, 0");
+    }
+}
+
+std::size_t countOf(const NumberOptions& numbers, const std::string& option) {
+    const double value = numbers.value(option).value_or(0.0);
+    if (value < 0.0 || value > 1e15 || value != std::floor(value)) {
+        throw irsg::InputError({"", option, irsg::numberText(value), "a whole number from 0"});
+    }
+    return static_cast<std::size_t>(value);
+}
+
+irsg::ComparisonLevel levelOf(const NumberOptions& numbers, const std::string& level) {
+    irsg::ComparisonLevel result;
+    result.absolute = numbers.value("--" + level).value_or(result.absolute);
+    result.relative = numbers.value("--" + level + "-relative").value_or(result.relative);
+    result.percent = numbers.value("--" + level + "-percent").value_or(result.percent);
+    result.hard = numbers.value("--hard-" + level).value_or(result.hard);
+    result.allowed = countOf(numbers, level == "fail" ? "--allow-failures" : "--allow-warnings");
+    return result;
+}
+
+irsg::PixelRectangle rectangleFrom(const std::string& text) {
+    irsg::PixelRectangle r;
+    int* const parts[] = {&r.x, &r.y, &r.width, &r.height};
+    const char* next = text.data();
+    const char* const end = text.data() + text.size();
+    bool good = true;
+    for (int i = 0; i < 4 && good; ++i) {
+        const auto read = std::from_chars(next, end, *parts[i]);
+        next = read.ptr;
+        good = read.ec == std::errc() && (i == 3 ? next == end : next != end && *next == ',');
+        next += i < 3 && good ? 1 : 0;
+    }
+    if (!good) {
+        throw irsg::InputError({"", "--rectangle", text, "x,y,width,height in whole pixels"});
+    }
+    return r;
+}
+
+void checkOut(const std::vector<std::string>& out) {
+    for (const std::string& file : out) {
+        const std::string suffix = std::filesystem::path(file).extension().string();
+        if (suffix != ".exr" && suffix != ".csv" && suffix != ".png") {
+            throw irsg::InputError({"", "--out", file, "a name that ends in .exr, .csv or .png"});
+        }
+    }
+}
+
+void writeDifference(const irsg::RadianceImage& image, const std::filesystem::path& file) {
+    if (file.extension() == ".exr") {
+        irsg::writeExr(image, file);
+    } else if (file.extension() == ".csv") {
+        irsg::writeCsvImage(image, file);
+    } else {
+        irsg::PngViewOptions view;
+        view.colorMap = "diverging";
+        view.label = "A - B";
+        irsg::writePngView(image, file, view);
+    }
+}
+
+std::string rectangleText(const irsg::PixelRectangle& r) {
+    return fmt::format("{} x {} px at ({}, {})", r.width, r.height, r.x, r.y);
+}
+
+void print(const irsg::Comparison& comparison, const irsg::ComparisonOptions& options) {
+    if (options.rectangle) {
+        fmt::print("rectangle {}\n", rectangleText(*options.rectangle));
+    }
+    const auto figures = irsg::comparisonFigures(comparison, options);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const auto& figure = figures[i];
+        if (figure.label.empty()) {
+            continue; // the percent beside a number of pixels, on its line
+        }
+        std::string text = irsg::shortNumber(figure.value);
+        text += figure.unit.empty() ? "" : " " + figure.unit;
+        if (i + 1 < figures.size() && figures[i + 1].label.empty()) {
+            text += fmt::format(" ({} %)", irsg::shortNumber(figures[i + 1].value));
+        }
+        fmt::print("  {:<31} {}{}\n", figure.label, text,
+                   figure.detail.empty() ? "" : ", " + figure.detail);
+    }
+    fmt::print("{}\n", irsg::verdictWord(comparison.verdict));
+}
+
+/// Infinity and NaN, which JSON has no numbers for, as the words "inf" and "nan".
+ordered_json numberJson(double value) {
+    return std::isfinite(value) ? ordered_json(value) : ordered_json(irsg::numberText(value));
+}
+
+ordered_json pairJson(const irsg::PixelPair& pair) {
+    if (pair.x < 0) {
+        return nullptr;
+    }
+    return {{"x", pair.x}, {"y", pair.y}, {"a", numberJson(pair.a)}, {"b", numberJson(pair.b)}};
+}
+
+ordered_json comparisonJson(const irsg::Comparison& comparison,
+                            const irsg::ComparisonOptions& options) {
+    ordered_json json = {
+        {"verdict", irsg::verdictWord(comparison.verdict)},
+        {"rectangle",
+         {comparison.area.x, comparison.area.y, comparison.area.width, comparison.area.height}},
+        {"channel_a", comparison.channelA},
+        {"channel_b", comparison.channelB},
+        {"unit", comparison.unit}};
+    for (const auto& figure : irsg::comparisonFigures(comparison, options)) {
+        json[figure.key] = numberJson(figure.value);
+    }
+    json["total_unit"] = comparison.totalUnit;
+    json["peak"] = numberJson(comparison.peak);
+    json["epsilon"] = numberJson(comparison.epsilon);
+    json["max_error_at"] = pairJson(comparison.largest);
+    json["max_relative_error_at"] = pairJson(comparison.largestRelative);
+    json["first_nan_a"] = pairJson(comparison.nonFiniteA.firstNan);
+    json["first_nan_b"] = pairJson(comparison.nonFiniteB.firstNan);
+    json["first_infinite_a"] = pairJson(comparison.nonFiniteA.firstInfinite);
+    json["first_infinite_b"] = pairJson(comparison.nonFiniteB.firstInfinite);
+    json["warnings"] = comparison.warnings;
+    return json;
+}
+
+int compare(const CompareOptions& options, Context& context) {
+    // Everything that can be wrong with the line, before a file is read.
+    options.numbers.check();
+    checkOut(options.out);
+    irsg::ComparisonOptions compared;
+    compared.fail = levelOf(options.numbers, "fail");
+    compared.warn = levelOf(options.numbers, "warn");
+    compared.channel = options.channel;
+    compared.nameA = options.fileA;
+    compared.nameB = options.fileB;
+    compared.check();
+    std::vector<std::optional<irsg::PixelRectangle>> parts;
+    for (const std::string& text : options.rectangles) {
+        parts.push_back(rectangleFrom(text));
+    }
+    if (parts.empty()) {
+        parts.push_back(std::nullopt);
+    }
+
+    const auto read = [&context](const std::string& file) {
+        const StageTimer::Scope scope(&context.timer, "read");
+        return irsg::readImageFile(file);
+    };
+    const irsg::RadianceImage a = read(options.fileA), b = read(options.fileB);
+
+    irsg::Verdict worst = irsg::Verdict::pass;
+    ordered_json results = ordered_json::array();
+    for (const auto& part : parts) {
+        const StageTimer::Scope scope(&context.timer, "compare");
+        compared.rectangle = part;
+        const irsg::Comparison comparison = irsg::compareImages(a, b, compared);
+        worst = std::max(worst, comparison.verdict);
+        if (part == parts.front()) {
+            for (const std::string& sentence : comparison.warnings) {
+                warn(sentence);
+            }
+        }
+        if (context.json) {
+            results.push_back(comparisonJson(comparison, compared));
+        } else {
+            print(comparison, compared);
+        }
+    }
+
+    if (!options.out.empty()) {
+        // The picture is of the whole, whatever part is judged.
+        const StageTimer::Scope scope(&context.timer, "write");
+        compared.rectangle.reset();
+        const auto image =
+            irsg::differenceImage(a, b, irsg::compareImages(a, b, compared), compared);
+        for (const std::string& file : options.out) {
+            writeDifference(image, file);
+        }
+    }
+    if (context.json) {
+        fmt::print("{}\n", ordered_json{{"a", options.fileA},
+                                        {"b", options.fileB},
+                                        {"verdict", irsg::verdictWord(worst)},
+                                        {"comparisons", results}}
+                               .dump(1));
+    }
+    return worst == irsg::Verdict::pass ? done : worst == irsg::Verdict::warning ? warned : refused;
+}
+
+} // namespace
+
+void addCompareCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand(
+        "compare", "Compares two images: exit code 0 pass, 1 warning, 2 failure or refused");
+    auto options = std::make_shared<CompareOptions>(*command);
+    command->add_option("A", options->fileA, "Image: OpenEXR, or CSV (a plain matrix as well)")
+        ->required()
+        ->type_name("");
+    command->add_option("B", options->fileB, "The reference, of the same size")
+        ->required()
+        ->type_name("");
+    addNumbers(options->numbers);
+    command
+        ->add_option("--channel", options->channel,
+                     "Channel of both; without it the only one, else L, else Y")
+        ->type_name("NAME");
+    command
+        ->add_option("--rectangle", options->rectangles,
+                     "Compares this part alone; given again, each on its own")
+        ->type_name("X,Y,W,H")
+        ->expected(1)
+        ->take_all();
+    command
+        ->add_option("--out", options->out,
+                     "The difference A - B as .exr or .csv, or a picture of it as .png; may be "
+                     "given again")
+        ->type_name("FILE")
+        ->expected(1)
+        ->take_all();
+    command->callback([&context, options] {
+        context.work = [&context, options] { return compare(*options, context); };
+    });
+}
+
+} // namespace smat::batch
