@@ -15,12 +15,13 @@ int main(int argc, char** argv) {
     const irsg::bench::Sections<Options> sections = {{"errors", measureErrors},
                                                      {"times", measureTimes},
                                                      {"ranges", measureRanges},
+                                                     {"parts", measureParts},
                                                      {"profile", profile}};
 
     CLI::App app{"Measures how true and how fast every antialiasing mode is."};
     Options options;
     std::vector<std::string> wanted;
-    app.add_option("sections", wanted, "errors, times, ranges, profile; none: all")
+    app.add_option("sections", wanted, "errors, times, ranges, parts, profile; none: all")
         ->check(CLI::IsMember(irsg::bench::namesOf(sections)));
     app.add_option("--out", options.folder, "folder for the results as CSV")
         ->required()

@@ -38,6 +38,10 @@ void measureTimes(const Options& options);
 /// The report's two plots: time of the four-engined aircraft and contrast intensity of the sphere
 /// over range, a CSV for each method.
 void measureRanges(const Options& options);
+/// parts.csv: contrast intensity of the four-engined aircraft of the samples, most of whose light
+/// comes from its exhaust pipes, over range, with and without windows for hot parts. Prints error
+/// and time.
+void measureParts(const Options& options);
 /// Stages of a frame with the sphere at some sizes, to the standard output.
 void profile(const Options& options);
 

@@ -6,7 +6,6 @@
 #include <QStringList>
 #include <QWidget>
 
-#include "gui/Exportable.h"
 #include "gui/Workbench.h"
 
 class QComboBox;
@@ -19,7 +18,7 @@ class PolarPlot;
 
 /// A tab with one result, or several on one plot: an image, a polar plot or a Cartesian one, with
 /// what belongs to it.
-class ResultPage : public QWidget, public Exportable {
+class ResultPage : public QWidget {
     Q_OBJECT
 
   public:
@@ -32,9 +31,9 @@ class ResultPage : public QWidget, public Exportable {
     CartesianPlot* cartesianPlot() const { return cartesian_; }
 
     /// Filters of a file dialog for what this page can be written as, data first.
-    QStringList exportFilters() const override;
+    QStringList exportFilters() const;
     /// By the suffix of the file. Throws irsg::InputError.
-    void exportTo(const std::filesystem::path& file) const override;
+    void exportTo(const std::filesystem::path& file) const;
 
   private:
     void showImage();

@@ -54,15 +54,15 @@ int FactorAccumulator::extended(int prefix, int row) {
 }
 
 void FactorAccumulator::add(const SampleWindow& window, const FactorSamples& samples) {
-    const double share = window.share();
     const bool backgroundVaries = !background_.isUniform();
     layersLeftOver_ += samples.layersLeftOver;
 
-    window.forEachRun([&](std::size_t first, int count, int x, int y) {
+    window.forEachRun([&](std::size_t first, int count, int x, int y, double weight) {
         const std::size_t last = first + static_cast<std::size_t>(count);
         if (samples.first[first] == samples.first[last])
             return;
         const PixelGrid::Pixel pixel = grid_.at(x, y);
+        const double share = weight * window.share();
         const double omega_sr = pixel.solidAngle_sr * share;
         const double behind_W_m2 = backgroundVaries ? omega_sr * background_.at(x, y) : 0.0;
         for (std::size_t i = first; i < last; ++i) {

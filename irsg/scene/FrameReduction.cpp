@@ -50,7 +50,7 @@ FrameReduction::Patch& FrameReduction::patchOf(const PixelWindow& pixels) {
 void FrameReduction::add(const SampleWindow& window, const RadianceSamples& samples) {
     Patch& patch = patchOf(window.pixels());
     const double share = window.share();
-    window.forEachRun([&](std::size_t first, int count, int x, int y) {
+    window.forEachRun([&](std::size_t first, int count, int x, int y, double weight) {
         const float* sample = &samples.planes[2 * first];
         double radiance = 0.0, opacity = 0.0;
         for (int s = 0; s < count; ++s, sample += 2) {
@@ -58,8 +58,8 @@ void FrameReduction::add(const SampleWindow& window, const RadianceSamples& samp
             opacity += static_cast<double>(sample[1]);
         }
         const std::size_t pixel = patch.offset(x, y);
-        patch.radiance[pixel] += radiance * share;
-        patch.opacity[pixel] += opacity * share;
+        patch.radiance[pixel] += radiance * (weight * share);
+        patch.opacity[pixel] += opacity * (weight * share);
     });
 }
 

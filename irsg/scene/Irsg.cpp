@@ -62,6 +62,7 @@ void Irsg::setEntities(std::vector<Entity> entities) {
     parts_->entities = std::move(entities);
     parts_->drawItems.clear();
     parts_->balls.clear();
+    parts_->hotParts.assign(parts_->entities.size(), {});
     parts_->referencePoints.resize(parts_->entities.size());
     for (std::size_t e = 0; e < parts_->entities.size(); ++e) {
         const Model& model = *parts_->entities[e].model;

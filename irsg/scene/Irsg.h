@@ -60,6 +60,9 @@ struct RenderSettings {
     /// with the aligned zoom, before no terrain and apart from other objects; see PointSources.
     /// Pixels, 0 (never) to 1.
     double pointSourceBelow_px = 1.0 / 64.0;
+    /// Small parts that shine out of their object, such as exhaust pipes, have windows of their own,
+    /// with the aligned zoom; see HotParts.
+    bool hotParts = true;
     /// Supersampling, where there is no zoom window: 1, 2 or 4 for modes 0 to 2; any 1 to 16.
     int samplesPerAxis = 4;
     /// `samplesPerAxis` is meant in all, not per axis: 4 is 2 x 2, and 2 is two side by side.

@@ -99,6 +99,7 @@ Irsg::Parts::Frame Irsg::Parts::frame(CalculationMode mode) {
                      {},
                      {},
                      {},
+                     {},
                      {}};
         drawBackground(result, wideband ? &wideband->data() : nullptr);
         fillRows(result);
@@ -181,7 +182,21 @@ void Irsg::Parts::fillRows(Frame& frame) {
     }
 }
 
-void Irsg::Parts::fillItems(Frame& frame) const {
+std::vector<ImageRectangle> Irsg::Parts::detailsOf(const Frame& frame, const CameraFrame& camera,
+                                                   std::size_t entity) {
+    std::vector<IrCodes> hot;
+    for (std::size_t row = 0; row < frame.hot.size(); ++row)
+        if (const auto& [e, codes] = frame.radiometry.keys()[row];
+            frame.hot[row] && e == static_cast<int>(entity))
+            hot.push_back(codes);
+    return hotParts[entity].seenBy(camera, entities[entity].pose, drawItems[entity], hot);
+}
+
+void Irsg::Parts::fillItems(Frame& frame) {
+    frame.hot.assign(frame.radiometry.keys().size(), false);
+    if (settings.hotParts && settings.zoomWindow > 0 &&
+        settings.zoomStrategy == ZoomStrategy::aligned)
+        frame.hot = hotSurfaces(frame.radiometry, entities);
     frame.scene.maximumLayers = settings.maximumLayers;
     frame.scene.modes = modes(frame.camera);
     for (std::size_t e = 0; e < entities.size(); ++e) {
@@ -191,6 +206,7 @@ void Irsg::Parts::fillItems(Frame& frame) const {
         if (!seen)
             continue;
         frame.seen.push_back(*seen);
+        frame.seen.back().details = detailsOf(frame, frame.camera, e);
 
         for (const DrawItem& item : drawItems[e]) {
             const int row = frame.radiometry.row(static_cast<int>(e), item.codes);
@@ -307,6 +323,7 @@ std::vector<double> Irsg::Parts::fingerprint(const Frame& frame) const {
                                 static_cast<double>(sensor.height_px),
                                 sensor.horizontalFieldOfView_rad,
                                 static_cast<double>(settings.zoomWindow),
+                                static_cast<double>(settings.zoomStrategy),
                                 static_cast<double>(settings.samplesPerAxis),
                                 settings.samplesInAll ? 1.0 : 0.0,
                                 settings.pointSourceBelow_px,
@@ -328,6 +345,7 @@ std::vector<double> Irsg::Parts::fingerprint(const Frame& frame) const {
         numbers.push_back(surface.nAngleFactor);
         numbers.push_back(surface.isTransparent() ? 1.0 : 0.0);
     }
+    numbers.insert(numbers.end(), frame.hot.begin(), frame.hot.end());
     return numbers;
 }
 

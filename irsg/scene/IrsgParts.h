@@ -10,6 +10,7 @@
 #include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/DrawList.h"
 #include "irsg/scene/FrameReduction.h"
+#include "irsg/scene/HotParts.h"
 #include "irsg/scene/Irsg.h"
 #include "irsg/scene/OffscreenContext.h"
 #include "irsg/scene/SceneCheck.h"
@@ -38,6 +39,7 @@ struct Irsg::Parts {
     std::vector<std::vector<DrawItem>> drawItems; // by entity
     std::vector<BoundingBall> balls;              // by entity
     std::vector<Vec3> referencePoints;            // in model axes, by entity
+    std::vector<HotParts> hotParts;               // by entity
     ZoomAntialiasingManager antialiasing;
     PointSources pointSources;
     SceneBackground background;
@@ -64,6 +66,7 @@ struct Irsg::Parts {
         FrameBackground background;
         BackgroundReport backgroundReport;
         SurfaceScene scene;                 // of all objects, in their model axes until sceneOf
+        std::vector<bool> hot;              // by surface: worth samples of its own
         std::vector<ZoomEntityInfo> seen;   // all that the frame can see
         std::vector<ZoomEntityInfo> drawn;  // into windows
         std::vector<ZoomEntityInfo> points; // as point sources
@@ -121,7 +124,11 @@ struct Irsg::Parts {
 
     static void fillRows(Frame& frame);
 
-    void fillItems(Frame& frame) const;
+    void fillItems(Frame& frame);
+
+    /// Where a camera sees the hot parts of an entity.
+    std::vector<ImageRectangle> detailsOf(const Frame& frame, const CameraFrame& camera,
+                                          std::size_t entity);
 
     /// Largest side of one drawing, samples.
     int largestDrawing() const;

@@ -60,6 +60,7 @@ const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
             const SurfaceSpectra& surface = frame.radiometry.surfaces()[row];
             aspect.numbers.push_back(surface.nAngleFactor);
             aspect.numbers.push_back(surface.isTransparent() ? 1.0 : 0.0);
+            aspect.numbers.push_back(frame.hot[row] ? 1.0 : 0.0);
         }
 
     const double distance_m = PointSources::cameraDistance_radii * object.radius_m;
@@ -74,12 +75,12 @@ const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
         const CameraFrame zoom(few,
                                Viewpoint::lookAt(place, object.centre_m, toWorld * Vec3{0, 0, 1},
                                                  toWorld * Vec3{0, 1, 0}));
-        const auto seen =
-            zoomEntityInfo(object.entity, zoom, entity.model->bounds(),
-                           balls[static_cast<std::size_t>(object.entity)], entity.pose);
+        auto seen = zoomEntityInfo(object.entity, zoom, entity.model->bounds(),
+                                   balls[static_cast<std::size_t>(object.entity)], entity.pose);
         const FrameBackground none;
         FactorAccumulator accumulator(zoom.sensor(), none, frame.radiometry);
-        if (seen)
+        if (seen) {
+            seen->details = detailsOf(frame, zoom, static_cast<std::size_t>(object.entity));
             onContext([&](osg::RenderInfo& info) {
                 FactorSamples samples;
                 const PixelAlignedStrategy strategy(settings.zoomWindow * 3 / 2);
@@ -91,6 +92,7 @@ const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
                     accumulator.add(window, samples);
                 }
             });
+        }
         ProjectedFactors atUnitDistance = accumulator.take();
         for (auto& [key, sums] : atUnitDistance.sums)
             sums = atDistance(sums, 1.0 / distance_m, 1.0, 1.0, 0.0);

@@ -75,6 +75,19 @@ std::vector<const Spectrum*> allSpectra(const SceneAir<Spectrum>& air,
     return spectra;
 }
 
+/// Sum of term(0) to term(count - 1) in four strands, which do not wait for each other.
+template <typename Term>
+double sumOf(std::size_t count, Term term) {
+    double strands[4] = {0.0, 0.0, 0.0, 0.0};
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4)
+        for (std::size_t strand = 0; strand < 4; ++strand)
+            strands[strand] += term(i + strand);
+    for (; i < count; ++i)
+        strands[0] += term(i);
+    return (strands[0] + strands[1]) + (strands[2] + strands[3]);
+}
+
 } // namespace
 
 const TemperatureEntry* temperatureEntry(const Entity& entity, int index) {
@@ -210,18 +223,12 @@ const std::vector<double>& SceneRadiometry::transmissivity(int entity, int mater
 }
 
 double SceneRadiometry::integrate(const std::vector<double>& values) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        sum += weights_um_[i] * values[i];
-    return sum;
+    return sumOf(values.size(), [&](std::size_t i) { return weights_um_[i] * values[i]; });
 }
 
 double SceneRadiometry::integrate(const std::vector<double>& a,
                                   const std::vector<double>& b) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += weights_um_[i] * a[i] * b[i];
-    return sum;
+    return sumOf(a.size(), [&](std::size_t i) { return weights_um_[i] * a[i] * b[i]; });
 }
 
 double SceneRadiometry::scalarTransmissivity(int row) const {

@@ -51,7 +51,7 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
         planes[term] = &image_.channel(radiometricTerms[term]).values;
 
     const auto width = static_cast<std::size_t>(window.width());
-    window.forEachRun([&](std::size_t first, int count, int x, int y) {
+    window.forEachRun([&](std::size_t first, int count, int x, int y, double weight) {
         const std::size_t pixel = image_.offset(x, y);
         const std::size_t last = first + static_cast<std::size_t>(count);
         double sums[6] = {0, 0, 0, 0, 0, 0}; // as radiometricTerms; of the background what is lost
@@ -87,7 +87,7 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
             }
         }
         for (int term = 0; term < 6; ++term)
-            (*planes[term])[pixel] += static_cast<float>(sums[term] * share);
+            (*planes[term])[pixel] += static_cast<float>(sums[term] * weight * share);
     });
 }
 

@@ -66,6 +66,7 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
                                                                   : irsg::ZoomStrategy::aligned;
     render.samplesPerAxis = antialiasing > 2 ? 1 : 1 << antialiasing;
     render.pointSourceBelow_px = settings.real("render.pointSource");
+    render.hotParts = settings.boolean("render.hotParts");
     render.samplesInAll = settings.text("render.supersampling") == "inAll";
     render.sun = reflection("render.sun");
     render.fluxes = reflection("render.fluxes");

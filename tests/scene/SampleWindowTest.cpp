@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <set>
@@ -21,8 +22,8 @@ ZoomEntityInfo object(int entity, double left, double top, double width, double 
 std::map<std::pair<int, int>, double> areas(const std::vector<SampleWindow>& windows) {
     std::map<std::pair<int, int>, double> area;
     for (const SampleWindow& window : windows)
-        window.forEachRun([&](std::size_t, int count, int x, int y) {
-            area[{x, y}] += count * window.share();
+        window.forEachRun([&](std::size_t, int count, int x, int y, double weight) {
+            area[{x, y}] += count * weight * window.share();
         });
     return area;
 }
@@ -34,7 +35,7 @@ int drawnTimes(const std::vector<SampleWindow>& windows, double x, double y) {
         const auto holds = [&](const ImageRectangle& r) {
             return x >= r.left && x < r.right && y >= r.top && y < r.bottom;
         };
-        if (holds(window.rectangle()) && std::ranges::none_of(window.leftOut, holds))
+        if (holds(window.region()) && std::ranges::none_of(window.leftOut, holds))
             ++times;
     }
     return times;
@@ -56,7 +57,7 @@ TEST(SampleWindow, GivesEverySampleToThePixelOfItsTile) {
     EXPECT_DOUBLE_EQ(window.rectangle().bottom, 7.25);
 
     std::set<std::size_t> seen;
-    window.forEachRun([&](std::size_t first, int count, int x, int y) {
+    window.forEachRun([&](std::size_t first, int count, int x, int y, double) {
         EXPECT_EQ(y, 7);
         for (int s = 0; s < count; ++s) {
             const std::size_t index = first + static_cast<std::size_t>(s);
@@ -81,7 +82,7 @@ TEST(SampleWindow, ShearsItsRowsAndKeepsTheirSamplesInEveryTile) {
     for (const auto& [pixel, area] : areas({window}))
         EXPECT_DOUBLE_EQ(area, 1.0);
     // The sample of column c stands at (c + 1/2 - shift) fifths of a pixel, inside its pixel.
-    window.forEachRun([&](std::size_t first, int count, int x, int y) {
+    window.forEachRun([&](std::size_t first, int count, int x, int y, double) {
         const int row = window.height() - 1 - static_cast<int>(first) / window.width();
         for (int s = 0; s < count; ++s) {
             const int column = static_cast<int>(first) % window.width() + s;
@@ -164,6 +165,48 @@ TEST(PixelAlignedStrategy, DrawsAPointNearALargeObjectFinelyAndEveryPointOnce) {
         for (const auto& [pixel, area] : areas(windows))
             EXPECT_NEAR(area, 1.0, 1e-12) << pixel.first << ", " << pixel.second;
     }
+}
+
+TEST(PixelAlignedStrategy, CutsWindowsForDetailsAndDrawsEveryPointOnce) {
+    ZoomEntityInfo aircraft = object(0, 100.2, 80.7, 30.3, 12.1);
+    aircraft.details = {{104.13, 85.2, 105.3, 86.4},
+                        {104.9, 86.1, 106.2, 87.2}, // overlaps the first
+                        {121.4, 84.9, 121.45, 84.92},
+                        {129.9, 92.0, 130.5, 92.8}}; // at the object's corner
+    for (int size : {128, 256, 512}) {
+        const auto windows = PixelAlignedStrategy(size).windows({aircraft});
+        ASSERT_GE(windows.size(), 4u);
+        for (const ImageRectangle& detail : aircraft.details) {
+            double densest = 0.0;
+            for (const SampleWindow& window : windows)
+                if (window.region().intersects(detail))
+                    densest = std::max(densest, window.density());
+            EXPECT_GE(densest * detail.extent(), size / 8.0);
+        }
+        std::mt19937 random(11);
+        std::uniform_real_distribution<double> u(0.0, 1.0);
+        for (int i = 0; i < 20000; ++i)
+            EXPECT_EQ(drawnTimes(windows, 100.2 + 30.3 * u(random), 80.7 + 12.1 * u(random)), 1);
+        for (const auto& [pixel, area] : areas(windows))
+            EXPECT_NEAR(area, 1.0, 1e-12) << pixel.first << ", " << pixel.second;
+    }
+}
+
+TEST(PixelAlignedStrategy, DoesNotMindTheOrderOfItsObjects) {
+    // The first two overlap, and the rectangle around them reaches the third.
+    std::vector<ZoomEntityInfo> objects{object(0, 10, 10, 10, 2), object(1, 18, 11, 2, 10),
+                                        object(2, 11, 15, 3, 3)};
+    std::set<std::vector<double>> seen;
+    std::ranges::sort(objects, {}, &ZoomEntityInfo::entity);
+    do {
+        std::vector<double> numbers;
+        for (const SampleWindow& window : PixelAlignedStrategy(256).windows(objects)) {
+            const ImageRectangle r = window.region();
+            numbers.insert(numbers.end(), {r.left, r.top, r.right, r.bottom, window.density()});
+        }
+        seen.insert(numbers);
+    } while (std::ranges::next_permutation(objects, {}, &ZoomEntityInfo::entity).found);
+    EXPECT_EQ(seen.size(), 1u);
 }
 
 TEST(SupersamplingStrategy, SamplesEveryPixelAlike) {

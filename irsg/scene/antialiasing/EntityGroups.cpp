@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "irsg/scene/Uniting.h"
+
 namespace irsg {
 
 std::vector<int> EntityGroup::entities() const {
@@ -17,23 +19,14 @@ std::vector<EntityGroup> overlappingGroups(const std::vector<ZoomEntityInfo>& ob
     for (const ZoomEntityInfo& object : objects)
         groups.push_back({object.extent, {object}});
 
-    // Two groups become one until no two overlap; a united extent may reach further groups.
-    for (std::size_t a = 0; a < groups.size();) {
-        bool grew = false;
-        for (std::size_t b = a + 1; b < groups.size();) {
-            if (!groups[a].extent.intersects(groups[b].extent)) {
-                ++b;
-                continue;
-            }
-            groups[a].extent = groups[a].extent.unitedWith(groups[b].extent);
-            groups[a].members.insert(groups[a].members.end(), groups[b].members.begin(),
-                                     groups[b].members.end());
-            groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(b));
-            grew = true;
-        }
-        if (!grew)
-            ++a;
-    }
+    uniteAll(
+        groups,
+        [](const EntityGroup& a, const EntityGroup& b) { return a.extent.intersects(b.extent); },
+        [](EntityGroup a, const EntityGroup& b) {
+            a.extent = a.extent.unitedWith(b.extent);
+            a.members.insert(a.members.end(), b.members.begin(), b.members.end());
+            return a;
+        });
     return groups;
 }
 

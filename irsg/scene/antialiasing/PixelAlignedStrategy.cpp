@@ -1,7 +1,8 @@
 #include "irsg/scene/antialiasing/PixelAlignedStrategy.h"
 
-#include <bit>
 #include <cmath>
+
+#include "irsg/scene/Uniting.h"
 
 namespace irsg {
 
@@ -23,10 +24,11 @@ int levelFor(double extent_px) {
 /// of any length worth counting then meets every phase of the samples.
 constexpr double uprightSlope = 1.0 / 16.0;
 
-/// A window with sheared rows. The shear spares columns of samples: an upright edge meets every
-/// phase of them. A level edge does not, so that the samples go to rows, as many in all.
-SampleWindow shearedWindow(const ImageRectangle& extent, int level, int size) {
-    SampleWindow window = windowOnTiles(extent, level);
+/// The window of an extent, with sheared rows. The shear spares columns of samples: an upright edge
+/// meets every phase of them. A level edge does not, so that the samples go to rows, as many in
+/// all.
+SampleWindow sampleWindow(const ImageRectangle& extent, int size) {
+    SampleWindow window = windowOnTiles(extent, levelFor(extent.extent()));
     constexpr double fewerColumns = 0.8;
     constexpr int fewest = PixelAlignedStrategy::fewestSamplesPerAxis;
     const double perTile = static_cast<double>(size) / std::max(window.tilesWide, window.tilesHigh);
@@ -38,19 +40,12 @@ SampleWindow shearedWindow(const ImageRectangle& extent, int level, int size) {
     return window;
 }
 
-/// A window without shear whose number of samples is a power of two, so that finer windows begin at
-/// a sample of it.
-SampleWindow divisibleWindow(const ImageRectangle& extent, int level, int size) {
-    SampleWindow window = windowOnTiles(extent, level);
-    const int samples = std::max(PixelAlignedStrategy::fewestSamplesPerAxis,
-                                 size / std::max(window.tilesWide, window.tilesHigh));
-    window.samplesAcross = window.samplesDown =
-        static_cast<int>(std::bit_floor(static_cast<unsigned>(samples)));
-    return window;
-}
-
-/// A member this many times finer than its group is drawn apart.
+/// What is this many times finer than the window around it is drawn apart.
 constexpr double refinementFrom = 2.0;
+/// The same for details: a finer window is worth its drawing the sooner the more shines from it.
+constexpr double detailFrom = 1.25;
+/// Samples that all details of a group have together, in terms of those of a window.
+constexpr double samplesOfDetails = 2.0;
 
 } // namespace
 
@@ -64,38 +59,71 @@ PixelAlignedStrategy::windows(const std::vector<ZoomEntityInfo>& objects) const 
 }
 
 std::vector<SampleWindow> PixelAlignedStrategy::windowsOf(const EntityGroup& group) const {
-    const int level = levelFor(group.extent.extent());
-    std::vector<SampleWindow> windows{divisibleWindow(group.extent, level, size_)};
-    const double density = windows.front().density();
-    for (const ZoomEntityInfo& member : group.members)
-        addRefinements(member, density, windows);
-    if (windows.size() == 1)
-        windows.front() = shearedWindow(group.extent, level, size_);
-
-    // What two windows hold is drawn by the finer one, or by the later of equals.
-    for (std::size_t i = 0; i < windows.size(); ++i) {
-        windows[i].entities = group.entities();
-        for (std::size_t j = 0; j < windows.size(); ++j) {
-            const bool finer = windows[j].density() > windows[i].density() ||
-                               (windows[j].density() == windows[i].density() && j > i);
-            if (finer && windows[i].rectangle().intersects(windows[j].rectangle()))
-                windows[i].leftOut.push_back(windows[j].rectangle());
-        }
-    }
+    std::vector<SampleWindow> windows{sampleWindow(group.extent, size_)};
+    windows.front().entities = group.entities();
+    refine(windows, 0, partsOf(group));
     return windows;
 }
 
-void PixelAlignedStrategy::addRefinements(const ZoomEntityInfo& member, double density,
-                                          std::vector<SampleWindow>& windows) const {
-    // Tiles no smaller than the samples around them, step by step, until they fit the object.
-    const int wanted = levelFor(member.extent.extent());
-    for (int level = -1; level < wanted;) {
-        level = std::min(wanted, static_cast<int>(std::lround(std::log2(density))));
-        SampleWindow finer = divisibleWindow(member.extent, level, size_);
-        if (finer.density() < refinementFrom * density)
-            return;
-        density = finer.density();
+std::vector<PixelAlignedStrategy::Part>
+PixelAlignedStrategy::partsOf(const EntityGroup& group) const {
+    std::vector<Part> parts;
+    std::size_t details = 0;
+    for (const ZoomEntityInfo& member : group.members) {
+        parts.push_back({member.extent, size_, refinementFrom});
+        details += member.details.size();
+    }
+    const double ofOne =
+        std::sqrt(samplesOfDetails / static_cast<double>(std::max<std::size_t>(details, 1)));
+    for (const ZoomEntityInfo& member : group.members)
+        for (const ImageRectangle& detail : member.details)
+            parts.push_back({detail, static_cast<int>(std::min(ofOne, 1.0) * size_), detailFrom});
+    return parts;
+}
+
+void PixelAlignedStrategy::refine(std::vector<SampleWindow>& windows, std::size_t coarse,
+                                  const std::vector<Part>& parts) {
+    // A part with a cell of the coarse window around it, so that no sample at the border of the
+    // finer one meets it; whole cells, so that every point is drawn exactly once. Parts whose
+    // cells overlap become one.
+    struct Cut {
+        ImageRectangle cells;
+        std::vector<Part> parts;
+        int size;
+        double finerFrom;
+    };
+    const SampleWindow& around = windows[coarse];
+    std::vector<Cut> cuts;
+    for (const Part& part : parts) {
+        ImageRectangle wider = part.extent;
+        wider.left -= around.cellWidth_px(), wider.right += around.cellWidth_px();
+        wider.top -= around.cellHeight_px(), wider.bottom += around.cellHeight_px();
+        const ImageRectangle cells = around.cellsAround(wider);
+        if (!cells.empty() &&
+            sampleWindow(cells, part.size).density() >= part.finerFrom * around.density())
+            cuts.push_back({cells, {part}, part.size, part.finerFrom});
+    }
+    uniteAll(
+        cuts, [](const Cut& a, const Cut& b) { return a.cells.intersects(b.cells); },
+        [](Cut a, const Cut& b) {
+            a.cells = a.cells.unitedWith(b.cells);
+            a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
+            a.size = std::max(a.size, b.size);
+            a.finerFrom = std::min(a.finerFrom, b.finerFrom);
+            return a;
+        });
+
+    for (Cut& cut : cuts) {
+        SampleWindow finer = sampleWindow(cut.cells, cut.size);
+        if (finer.density() < cut.finerFrom * windows[coarse].density())
+            continue;
+        finer.only = cut.cells;
+        finer.entities = windows[coarse].entities;
+        windows[coarse].leftOut.push_back(cut.cells);
         windows.push_back(std::move(finer));
+        for (Part& part : cut.parts)
+            part.finerFrom = refinementFrom;
+        refine(windows, windows.size() - 1, cut.parts);
     }
 }
 

@@ -91,23 +91,47 @@ std::vector<SampleWindow> SampleWindow::pieces(int side) const {
     return result;
 }
 
-std::vector<char> SampleWindow::skippedOf(int row) const {
+ImageRectangle SampleWindow::cellsAround(const ImageRectangle& part) const {
     const ImageRectangle all = rectangle();
-    const double sampleWide_px = tileSide_px() / samplesAcross;
-    const double y = all.top + (row + 0.5) * tileSide_px() / samplesDown;
-    std::vector<char> skipped;
-    for (const ImageRectangle& part : leftOut) {
-        if (y < part.top || y >= part.bottom)
-            continue;
-        skipped.resize(static_cast<std::size_t>(width()));
-        const auto column = [&](double x) {
-            const double index = std::ceil((x - all.left) / sampleWide_px - 0.5);
-            return static_cast<std::ptrdiff_t>(
-                std::clamp(index, 0.0, static_cast<double>(width())));
+    constexpr double rounding = 1e-6; // of a place that is the border of a cell already
+    const auto before = [](double place_px, double origin_px, double side_px) {
+        return origin_px + side_px * std::floor((place_px - origin_px) / side_px + rounding);
+    };
+    const auto after = [](double place_px, double origin_px, double side_px) {
+        return origin_px + side_px * std::ceil((place_px - origin_px) / side_px - rounding);
+    };
+    const double wide_px = cellWidth_px(), high_px = cellHeight_px();
+    return ImageRectangle{before(part.left, all.left, wide_px), before(part.top, all.top, high_px),
+                          after(part.right, all.left, wide_px),
+                          after(part.bottom, all.top, high_px)}
+        .intersectedWith(region());
+}
+
+std::vector<double> SampleWindow::weightsOf(int row) const {
+    const ImageRectangle all = rectangle();
+    const double wide_px = cellWidth_px(), high_px = cellHeight_px();
+    std::vector<double> weights(static_cast<std::size_t>(tilesWide * samplesAcross), 1.0);
+    const double top = all.top + row * high_px;
+    if (only) {
+        const auto inside = [](double low, double high, double from, double to) {
+            return std::max(0.0, std::min(high, to) - std::max(low, from)) / (high - low);
         };
-        std::fill(skipped.begin() + column(part.left), skipped.begin() + column(part.right), 1);
+        const double rows = inside(top, top + high_px, only->top, only->bottom);
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            const double left = all.left + static_cast<double>(i) * wide_px;
+            weights[i] = rows * inside(left, left + wide_px, only->left, only->right);
+        }
     }
-    return skipped;
+    for (const ImageRectangle& part : leftOut) {
+        if (top + 0.5 * high_px < part.top || top + 0.5 * high_px >= part.bottom)
+            continue;
+        const auto cell = [&](double x) {
+            return static_cast<std::ptrdiff_t>(std::clamp(std::round((x - all.left) / wide_px), 0.0,
+                                                          static_cast<double>(weights.size())));
+        };
+        std::fill(weights.begin() + cell(part.left), weights.begin() + cell(part.right), 0.0);
+    }
+    return weights;
 }
 
 } // namespace irsg

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace irsg {
@@ -51,13 +52,22 @@ struct SampleWindow {
     /// `samplesAcross` samples in each tile.
     int shearRows = 0;
     std::vector<int> entities; ///< what is drawn into it
-    /// Parts that finer windows draw; they begin and end at samples of this window.
+    /// Parts that finer windows draw; they begin and end at cells of this window.
     std::vector<ImageRectangle> leftOut;
+    /// What it draws of its tiles: a sample counts with what of its cell lies inside. None: all.
+    std::optional<ImageRectangle> only{};
 
     static constexpr int deepestLevel = 40;
 
     double tileSide_px() const;
     ImageRectangle rectangle() const;
+    /// What it draws, with the parts that it leaves to finer windows.
+    ImageRectangle region() const { return only.value_or(rectangle()); }
+    /// The smallest rectangle of whole cells of samples that holds a part of the region. Cells lie
+    /// side by side whatever the shear, each with its sample inside.
+    ImageRectangle cellsAround(const ImageRectangle& part) const;
+    double cellWidth_px() const { return tileSide_px() / samplesAcross; }
+    double cellHeight_px() const { return tileSide_px() / samplesDown; }
     /// One sample in each pixel of a square frame.
     static SampleWindow ofFrame(int side_px, std::vector<int> entities);
     /// The pixels that its tiles belong to.
@@ -76,22 +86,23 @@ struct SampleWindow {
     /// Whole tiles of at most `side` samples each way.
     std::vector<SampleWindow> pieces(int side) const;
 
-    /// Calls visit(first, count, x, y) for every run of samples of one row that fall to pixel (x,
-    /// y): `count` samples from index `first` on, in the order of a drawing, bottom row first.
+    /// Calls visit(first, count, x, y, weight) for every run of samples of one row that fall to
+    /// pixel (x, y): `count` samples from index `first` on, in the order of a drawing, bottom row
+    /// first, each of which counts with `weight`, above 0 to 1.
     template <typename Visit>
     void forEachRun(Visit visit) const;
 
   private:
-    /// 1 for the samples of a row, counted from the top, that finer windows draw; empty when there
-    /// are none.
-    std::vector<char> skippedOf(int row) const;
+    /// Weights of the samples of a row, counted from the top, tile by tile; empty where all are 1.
+    std::vector<double> weightsOf(int row) const;
     int columnsOfShear() const { return shearRows ? (height() - 1) / shearRows + 1 : 0; }
 };
 
 template <typename Visit>
 void SampleWindow::forEachRun(Visit visit) const {
     for (int row = 0; row < height(); ++row) {
-        const std::vector<char> skipped = leftOut.empty() ? std::vector<char>{} : skippedOf(row);
+        const std::vector<double> weights =
+            leftOut.empty() && !only ? std::vector<double>{} : weightsOf(row);
         const int y = static_cast<int>((tileY + row / samplesDown) >> level);
         std::size_t first =
             static_cast<std::size_t>(height() - 1 - row) * static_cast<std::size_t>(width()) +
@@ -99,13 +110,19 @@ void SampleWindow::forEachRun(Visit visit) const {
         for (int tile = 0; tile < tilesWide;
              ++tile, first += static_cast<std::size_t>(samplesAcross)) {
             const int x = static_cast<int>((tileX + tile) >> level);
-            if (skipped.empty()) {
-                visit(first, samplesAcross, x, y);
+            if (weights.empty()) {
+                visit(first, samplesAcross, x, y, 1.0);
                 continue;
             }
-            for (int s = 0; s < samplesAcross; ++s)
-                if (!skipped[static_cast<std::size_t>(tile * samplesAcross + s)])
-                    visit(first + static_cast<std::size_t>(s), 1, x, y);
+            const auto* weight = &weights[static_cast<std::size_t>(tile * samplesAcross)];
+            for (int s = 0; s < samplesAcross;) {
+                int end = s + 1;
+                while (end < samplesAcross && weight[end] == weight[s])
+                    ++end;
+                if (weight[s] > 0.0)
+                    visit(first + static_cast<std::size_t>(s), end - s, x, y, weight[s]);
+                s = end;
+            }
         }
     }
 }

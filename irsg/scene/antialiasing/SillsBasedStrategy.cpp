@@ -97,7 +97,7 @@ void SillsBasedStrategy::drawAsItIs(const CameraFrame& camera, const ZoomEntityI
     RadianceSamples samples;
     for (const SampleWindow& window : whole.pieces(pass.largestSide())) {
         pass.draw(camera, window, samples);
-        window.forEachRun([&](std::size_t first, int, int x, int y) {
+        window.forEachRun([&](std::size_t first, int, int x, int y, double) {
             frame.cover(x, y, static_cast<double>(samples.planes[2 * first]),
                         static_cast<double>(samples.planes[2 * first + 1]));
         });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/DrawList.h"
@@ -15,6 +16,8 @@ struct ZoomEntityInfo {
     /// A ball around it in the world.
     Vec3 centre_m;
     double radius_m = 0.0;
+    /// Parts of the extent that are worth samples of their own (HotParts).
+    std::vector<ImageRectangle> details{};
 };
 
 /// The extent of a model at `pose` is the intersection of those of its box and its ball. Nothing
