@@ -8,6 +8,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/ImageSource.h"
 #include "smatcore/data/Provenance.h"
+#include "smatcore/support/FreedMemory.h"
 #include "smatcore/support/Log.h"
 
 namespace {
@@ -48,6 +49,7 @@ void addCommonOptions(CLI::App& app, Context& context) {
 } // namespace
 
 int main(int argc, char** argv) {
+    keepFreedMemory();
     Context context;
     context.commandLine = commandLineOf(argc, argv);
     CLI::App app("Infrared signatures from the command line: everything the window does.",

@@ -13,6 +13,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/ImageSource.h"
 #include "smatcore/data/Provenance.h"
+#include "smatcore/support/FreedMemory.h"
 
 namespace {
 
@@ -63,6 +64,7 @@ std::string versionText() {
 } // namespace
 
 int main(int argc, char** argv) {
+    smat::keepFreedMemory();
     CLI::App cli{"SMAT, the infrared signature modelling workbench"};
     cli.set_version_flag("--version", versionText);
     std::string file;

@@ -147,11 +147,15 @@ void evaluateFactors(const ProjectedFactors& factors, const SceneRadiometry& rad
         const SurfaceSpectra& surface = radiometry.surfaces()[static_cast<std::size_t>(row)];
         const std::vector<double> front = transmissivityInFront(key, radiometry);
 
-        const double thermal = through(radiometry, front, surface.thermal);
-        const double up = through(radiometry, front, surface.up);
-        const double down = through(radiometry, front, surface.down);
-        const double sun = through(radiometry, front, surface.sun);
-        const double path = through(radiometry, front, surface.path);
+        // A term that no sample has a factor of, such as the sun's on a gas, is not integrated.
+        const auto ofTerm = [&](const std::vector<double>& term, double factor_sr) {
+            return factor_sr != 0.0 ? through(radiometry, front, term) : 0.0;
+        };
+        const double thermal = ofTerm(surface.thermal, sums.thermal_sr);
+        const double up = ofTerm(surface.up, sums.up_sr);
+        const double down = ofTerm(surface.down, sums.down_sr);
+        const double sun = ofTerm(surface.sun, sums.sun_sr);
+        const double path = ofTerm(surface.path, sums.coverage_sr);
 
         double opacity = 1.0 - radiometry.scalarTransmissivity(row);
         for (const auto& [entity, material] : key.inFront)

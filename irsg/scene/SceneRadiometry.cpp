@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <ranges>
 
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
@@ -209,6 +211,7 @@ void SceneRadiometry::fill(const std::vector<Entity>& entities,
         surfaces_.push_back(apparentRadiance(input, samples[index], wavelengths_um_, sample));
         transmissivities_.emplace(std::pair(e, codes.material), surfaces_.back().transmissivity);
     }
+    fillScalarTransmissivities();
 }
 
 int SceneRadiometry::row(int entity, const IrCodes& codes) const {
@@ -237,28 +240,34 @@ double SceneRadiometry::scalarTransmissivity(int row) const {
 }
 
 double SceneRadiometry::scalarTransmissivityOf(int entity, int material) const {
-    const std::vector<double>& t = transmissivity(entity, material);
+    return scalarTransmissivities_.at({entity, material});
+}
+
+void SceneRadiometry::fillScalarTransmissivities() {
     const double background = backgroundInBand_W_m2_sr();
-    if (background > 0.0)
-        return integrate(t, background_) / background;
     double area_um = 0.0;
     for (double weight : weights_um_)
         area_um += weight;
-    return integrate(t) / area_um;
+    for (const auto& [place, t] : transmissivities_)
+        scalarTransmissivities_[place] =
+            background > 0.0 ? integrate(t, background_) / background : integrate(t) / area_um;
 }
 
 double SceneRadiometry::transmissivityResidue() const {
     double worst = 0.0;
-    for (std::size_t front = 0; front < surfaces_.size(); ++front) {
-        const std::vector<double>& t = surfaces_[front].transmissivity;
-        if (std::ranges::max(t) <= 0.0)
+    std::vector<double> leaving(wavelengths_um_.size());
+    const auto transparent = [](const auto& kept) { return std::ranges::max(kept.second) > 0.0; };
+    if (std::ranges::none_of(transmissivities_, transparent))
+        return 0.0;
+    for (const SurfaceSpectra& behind : surfaces_) {
+        std::ranges::transform(behind.thermal, behind.path, leaving.begin(), std::plus{});
+        const double emitted = integrate(leaving);
+        if (!(emitted > 0.0))
             continue;
-        const double scalar = scalarTransmissivity(static_cast<int>(front));
-        for (const SurfaceSpectra& behind : surfaces_) {
-            const double emitted = integrate(behind.thermal) + integrate(behind.path);
-            const double passed = integrate(t, behind.thermal) + integrate(t, behind.path);
-            if (emitted > 0.0)
-                worst = std::max(worst, std::abs(passed - scalar * emitted) / emitted);
+        for (const auto& front : transmissivities_ | std::views::filter(transparent)) {
+            const double scalar = scalarTransmissivities_.at(front.first);
+            const double passed = integrate(front.second, leaving);
+            worst = std::max(worst, std::abs(passed - scalar * emitted) / emitted);
         }
     }
     return worst;

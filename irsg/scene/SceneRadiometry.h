@@ -61,10 +61,13 @@ class SceneRadiometry {
               const RenderSettings& settings, SceneAir<std::vector<double>> air,
               const SpectrumSampler& sample, double bandArea_um);
 
+    void fillScalarTransmissivities();
+
     std::vector<double> wavelengths_um_, weights_um_, background_;
     std::vector<SurfaceKey> keys_;
     std::vector<SurfaceSpectra> surfaces_;
     std::map<std::pair<int, int>, std::vector<double>> transmissivities_;
+    std::map<std::pair<int, int>, double> scalarTransmissivities_;
     std::vector<std::string> answeredBy_, warnings_;
 };
 

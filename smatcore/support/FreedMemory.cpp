@@ -1,0 +1,19 @@
+#include "smatcore/support/FreedMemory.h"
+
+#include <cstdlib>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace smat {
+
+void keepFreedMemory() {
+#ifdef __GLIBC__
+    constexpr int mebibyte = 1 << 20;
+    mallopt(M_MMAP_THRESHOLD, 64 * mebibyte);
+    mallopt(M_TRIM_THRESHOLD, 512 * mebibyte);
+#endif
+}
+
+} // namespace smat
