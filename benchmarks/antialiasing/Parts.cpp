@@ -19,8 +19,11 @@ constexpr double pixelOfSensor_rad = 8e-5;
 
 Entity sampleAircraft() {
     const std::string folder = std::string(SMAT_SOURCE_DIR) + "/samples/turboprop4/";
-    return test::entityOf(Model::load(folder + "turboprop4.flt"),
-                          loadSignatureFile(folder + "turboprop4.sigdb").database);
+    Entity entity = test::entityOf(Model::load(folder + "turboprop4.flt"),
+                                   loadSignatureFile(folder + "turboprop4.sigdb").database);
+    entity.state.power = 0.7;
+    entity.state.mach = 0.4;
+    return entity;
 }
 
 struct Way {

@@ -195,7 +195,7 @@ void addRendering(std::vector<SettingInfo>& table) {
                          SettingKind::boolean, "true",
                          "Small parts that shine out of their object, such as exhaust pipes, are "
                          "drawn into windows of their own (modes 3 to 5, aligned); without them "
-                         "frames take a third of the time and such parts are 5 to 10 % off.",
+                         "frames take a third of the time and such parts are some percent off.",
                          SettingAudience::expert));
     table.push_back(choice("render.supersampling", "--supersampling", "Supersampling counts",
                            {"perAxis", "inAll"}, "perAxis",

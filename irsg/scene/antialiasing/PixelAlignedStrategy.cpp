@@ -40,6 +40,24 @@ SampleWindow sampleWindow(const ImageRectangle& extent, int size) {
     return window;
 }
 
+/// The window, or two of them one above the other: a tile has whole numbers of samples, and where
+/// that leaves much of the window's size unused, the upper one has one more row in every tile.
+/// Time then does not depend on how pixels divide the size.
+std::vector<SampleWindow> evenly(const SampleWindow& window, int size) {
+    const double perTile = static_cast<double>(size) / std::max(window.tilesWide, window.tilesHigh);
+    const double down = perTile * perTile / window.samplesAcross;
+    constexpr double little = 0.9;
+    const int finer = static_cast<int>(std::lround((down - window.samplesDown) * window.tilesHigh));
+    if (window.samplesDown >= little * down || finer <= 0 || finer >= window.tilesHigh)
+        return {window};
+    SampleWindow upper = window, lower = window;
+    upper.tilesHigh = finer;
+    ++upper.samplesDown;
+    lower.tileY += finer;
+    lower.tilesHigh -= finer;
+    return {upper, lower};
+}
+
 /// What is this many times finer than the window around it is drawn apart.
 constexpr double refinementFrom = 2.0;
 /// The same for details: a finer window is worth its drawing the sooner the more shines from it.
@@ -62,6 +80,8 @@ std::vector<SampleWindow> PixelAlignedStrategy::windowsOf(const EntityGroup& gro
     std::vector<SampleWindow> windows{sampleWindow(group.extent, size_)};
     windows.front().entities = group.entities();
     refine(windows, 0, partsOf(group));
+    if (windows.size() == 1)
+        return evenly(windows.front(), size_);
     return windows;
 }
 

@@ -1,5 +1,6 @@
 #include "irsg/scene/antialiasing/PointSources.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace irsg {
@@ -13,10 +14,16 @@ Vec3 PointSources::onGrid(const Vec3& direction) {
 
 const ProjectedFactors& PointSources::sums_sr_m2(int entity, const PointAspect& aspect,
                                                  const std::function<ProjectedFactors()>& draw) {
-    const auto found = kept_.find(entity);
-    if (found != kept_.end() && found->second.aspect == aspect)
-        return found->second.sums_sr_m2;
-    return kept_.insert_or_assign(entity, Kept{aspect, draw()}).first->second.sums_sr_m2;
+    std::list<Kept>& kept = kept_[entity];
+    const auto found = std::ranges::find(kept, aspect, &Kept::aspect);
+    if (found != kept.end()) {
+        kept.splice(kept.begin(), kept, found);
+    } else {
+        kept.push_front({aspect, draw()});
+        if (kept.size() > mostKept)
+            kept.pop_back();
+    }
+    return kept.front().sums_sr_m2;
 }
 
 FactorSums atDistance(const FactorSums& sums_sr_m2, double distance_m, double pixel_sr,

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <list>
 #include <map>
 #include <memory>
 #include <vector>
@@ -37,8 +39,8 @@ class PointSources {
     /// The nearest direction on the grid.
     static Vec3 onGrid(const Vec3& direction);
 
-    /// Sums of an entity times the square of its distance, sr m2. `draw` makes them where those
-    /// that are kept are of another aspect.
+    /// Sums of an entity times the square of its distance, sr m2. `draw` makes them where none
+    /// that are kept are of this aspect.
     const ProjectedFactors& sums_sr_m2(int entity, const PointAspect& aspect,
                                        const std::function<ProjectedFactors()>& draw);
 
@@ -47,7 +49,10 @@ class PointSources {
         PointAspect aspect;
         ProjectedFactors sums_sr_m2;
     };
-    std::map<int, Kept> kept_; // by entity
+    /// Aspects that are kept of an entity: one that moves a pixel to and fro is seen from the
+    /// neighbours of a point of the grid in turn.
+    static constexpr std::size_t mostKept = 16;
+    std::map<int, std::list<Kept>> kept_; // by entity, latest first
 };
 
 /// The sums of a point in a pixel: at a distance, on a detector at cos(off-axis), in front of a
