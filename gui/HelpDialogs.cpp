@@ -64,7 +64,8 @@ ShortcutsDialog::ShortcutsDialog(QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Keys and mouse"));
     const QString table =
         heading(tr("Window")) + row("Ctrl+O", tr("Open a project or a model")) +
-        row("Ctrl+S", tr("Save the image or plot that is shown")) +
+        row("Ctrl+E", tr("Export the image or plot that is shown")) +
+        row("Ctrl+Z / Ctrl+Shift+Z", tr("Undo, redo")) +
         row("Ctrl+1 … Ctrl+5", tr("New image, spectrum, polar, time, range analysis")) +
         row("Esc", tr("Cancel the analysis that runs, keeping what is done")) +
         row("Ctrl+W", tr("Close the result that is shown")) + row("F1", tr("This list")) +

@@ -6,13 +6,13 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QLabel>
-#include <QMenuBar>
+#include <QMenu>
 #include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
-#include <QToolBar>
 
+#include "gui/Exportable.h"
 #include "gui/HelpDialogs.h"
 #include "gui/ScenePanel.h"
 #include "gui/Theme.h"
@@ -51,10 +51,12 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     addDockWidget(Qt::LeftDockWidgetArea, scene);
     results_ = new ResultsDock(workbench_, this);
     addDockWidget(Qt::RightDockWidgetArea, results_);
-    makeActions();
+    makeMenus();
     statusBar()->showMessage(tr("Open a project (Ctrl+O), or drop one here"));
 
     connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::onProjectOpened);
+    connect(&workbench_, &Workbench::projectChanged, this, &MainWindow::onProjectChanged);
+    connect(&workbench_, &Workbench::modifiedChanged, this, &MainWindow::refreshTitle);
     connect(&workbench_, &Workbench::settingsChanged, this, &MainWindow::onSettingsChanged);
     connect(&workbench_, &Workbench::jobStarted, this, &MainWindow::refreshActions);
     connect(&workbench_, &Workbench::jobEnded, this, &MainWindow::refreshActions);
@@ -82,6 +84,7 @@ void MainWindow::makeCentre() {
     if (const QString problem = SceneView::problem(); problem.isEmpty()) {
         view_ = new SceneView(tabs_);
         tabs_->addTab(view_, icon("axes"), tr("Model"));
+        view_->installEventFilter(this);
         connect(view_, &SceneView::cameraMoved, this, [this](const OrbitCamera& camera) {
             if (workbench_.hasProject())
                 workbench_.setCamera(camera);
@@ -103,98 +106,8 @@ void MainWindow::makeCentre() {
     connect(tabs_, &QTabWidget::currentChanged, this, &MainWindow::refreshActions);
 }
 
-void MainWindow::makeActions() {
-    auto* bar = addToolBar(tr("Tools"));
-    bar->setObjectName("toolBar");
-    bar->setIconSize(QSize(22, 22));
-    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    bar->setMovable(false);
-
-    auto* file = menuBar()->addMenu(tr("&File"));
-    auto* open = file->addAction(icon("open"), tr("&Open…"), this, &MainWindow::chooseProject);
-    open->setObjectName("openProject");
-    open->setShortcut(QKeySequence::Open);
-    open->setToolTip(tr("Open a project or a model (Ctrl+O)"));
-    auto* recent = file->addMenu(icon("recent"), tr("Open &recent"));
-    recent->setObjectName("recentFiles");
-    connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
-    file->addSeparator();
-    export_ =
-        file->addAction(icon("export"), tr("&Save image or plot…"), this, &MainWindow::exportShown);
-    export_->setObjectName("exportShown");
-    export_->setIconText(tr("Save"));
-    export_->setShortcut(QKeySequence::Save);
-    export_->setToolTip(tr("Save the image or plot that is shown (Ctrl+S)"));
-    auto* close = file->addAction(tr("&Close result"), this, [this] {
-        if (tabs_->currentIndex() > 0)
-            delete tabs_->currentWidget();
-    });
-    close->setObjectName("closeResult");
-    close->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_W));
-    file->addSeparator();
-    auto* quit = file->addAction(icon("quit"), tr("&Quit"), this, &QWidget::close);
-    quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
-
-    auto* analysis = menuBar()->addMenu(tr("&Analysis"));
-    makeAnalysisActions(analysis);
-    bar->addAction(open);
-    bar->addAction(export_);
-    bar->addSeparator();
-    for (const auto& [kind, action] : analyses_)
-        bar->addAction(action);
-    makeViewMenu();
-
-    auto* help = menuBar()->addMenu(tr("&Help"));
-    auto* keys = help->addAction(icon("keyboard"), tr("&Keys and mouse"), this, [this] {
-        ShortcutsDialog dialog(this);
-        dialogs_.run(dialog);
-    });
-    keys->setObjectName("showShortcuts");
-    keys->setShortcut(QKeySequence(Qt::Key_F1));
-    help->addAction(icon("info"), tr("&About SMAT"), this, &MainWindow::showAbout)
-        ->setObjectName("showAbout");
-}
-
-void MainWindow::makeAnalysisActions(QMenu* menu) {
-    int number = 0;
-    for (const AnalysisKind kind : allAnalysisKinds) {
-        const QString word = QString::fromStdString(name(kind));
-        auto* action = menu->addAction(icon(word), tr("New &%1 analysis…").arg(word), this,
-                                       [this, kind] { newAnalysis(kind, workbench_.settings()); });
-        action->setObjectName("new-" + word);
-        action->setIconText(QString(word).replace(0, 1, word.left(1).toUpper()));
-        action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + number++)));
-        action->setToolTip(tr("New %1 analysis (Ctrl+%2)").arg(word).arg(number));
-        analyses_[kind] = action;
-    }
-    // Those the project names, as the starting point of a new one.
-    ofProject_ = menu->addMenu(tr("Of this &project"));
-    ofProject_->setObjectName("projectAnalyses");
-}
-
-void MainWindow::makeViewMenu() {
-    auto* menu = menuBar()->addMenu(tr("&View"));
-    if (view_ != nullptr) {
-        auto* wire = menu->addAction(icon("wireframe"), tr("&Wireframe"));
-        wire->setObjectName("wireframe");
-        wire->setCheckable(true);
-        wire->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W));
-        connect(wire, &QAction::toggled, view_, &SceneView::setWireframe);
-        auto* axes = menu->addAction(icon("axes"), tr("&Axes"));
-        axes->setObjectName("axes");
-        axes->setCheckable(true);
-        axes->setChecked(true);
-        axes->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A));
-        connect(axes, &QAction::toggled, view_, &SceneView::setAxesVisible);
-        auto* whole = menu->addAction(icon("home"), tr("Show the whole &model"), this, [this] {
-            if (workbench_.hasProject())
-                view_->showWholeModel();
-        });
-        whole->setObjectName("showWholeModel");
-        menu->addSeparator();
-    }
-    for (auto* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
-        menu->addAction(dock->toggleViewAction());
+void MainWindow::addPage(QWidget* page, const QIcon& icon, const QString& title) {
+    tabs_->setCurrentIndex(tabs_->addTab(page, icon, title));
 }
 
 FileChooser MainWindow::fileChooser() {
@@ -230,8 +143,26 @@ void MainWindow::fillRecent(QMenu* menu) {
 }
 
 void MainWindow::onProjectOpened() {
-    setWindowTitle(QString::fromStdString(workbench_.project().displayName()) + " – SMAT");
+    refreshTitle();
     statusBar()->showMessage(QString::fromStdString(workbench_.project().file.string()), 8000);
+    fillProjectAnalyses();
+    if (view_ != nullptr)
+        showModel();
+    tabs_->setCurrentIndex(0);
+    refreshActions();
+}
+
+void MainWindow::onProjectChanged() {
+    refreshTitle();
+    fillProjectAnalyses();
+    refreshActions();
+    if (view_ != nullptr && workbench_.project().models != shownModels_) {
+        showModel();
+        onSettingsChanged();
+    }
+}
+
+void MainWindow::fillProjectAnalyses() {
     ofProject_->clear();
     for (const auto& analysis : workbench_.project().analyses) {
         const QString title = QString::fromStdString(analysis.name);
@@ -242,15 +173,17 @@ void MainWindow::onProjectOpened() {
             });
         action->setToolTip(QString::fromStdString(analysis.notes));
     }
-    ofProject_->setToolTipsVisible(true);
-    if (view_ != nullptr)
-        showModel();
-    tabs_->setCurrentIndex(0);
-    refreshActions();
+}
+
+void MainWindow::refreshTitle() {
+    if (workbench_.hasProject())
+        setWindowTitle(QString::fromStdString(workbench_.project().displayName()) + "[*] – SMAT");
+    setWindowModified(workbench_.isModified());
 }
 
 void MainWindow::showModel() {
     view_->setScene({});
+    shownModels_ = workbench_.project().models;
     try {
         auto scene = loadDisplayScene(workbench_.project(), workbench_.settings());
         for (const auto& remark : scene.remarks)
@@ -306,7 +239,7 @@ void MainWindow::showResults(const QList<int>& ids) {
         const QString word = QString::fromStdString(name(entries.front().data.kind));
         const QString tab =
             entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
-        tabs_->setCurrentIndex(tabs_->addTab(page, icon(word), tab));
+        addPage(page, icon(word), tab);
     } catch (const irsg::InputError& error) {
         dialogs_.tell(this, tr("These results cannot be shown together"), sentencesOf(error));
     }
@@ -328,18 +261,17 @@ void MainWindow::closeResultsOf(int id) {
 }
 
 void MainWindow::exportShown() {
-    const auto* page = currentPage();
-    if (page == nullptr)
+    const auto* page = dynamic_cast<Exportable*>(tabs_->currentWidget());
+    if (page == nullptr || page->exportFilters().isEmpty())
         return;
-    const QString file =
-        dialogs_.saveFile(this, tr("Save image or plot"), page->exportFilters(), {});
+    const QString file = dialogs_.saveFile(this, tr("Export"), page->exportFilters(), {});
     if (file.isEmpty())
         return;
     try {
         page->exportTo(file.toStdString());
-        statusBar()->showMessage(tr("Saved %1").arg(file), 8000);
+        statusBar()->showMessage(tr("Wrote %1").arg(file), 8000);
     } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("This cannot be saved"), sentencesOf(error));
+        dialogs_.tell(this, tr("This cannot be written"), sentencesOf(error));
     }
 }
 
@@ -350,8 +282,8 @@ void MainWindow::showAbout() {
 }
 
 void MainWindow::refreshActions() {
-    export_->setEnabled(currentPage() != nullptr);
-    findChild<QAction*>("closeResult")->setEnabled(currentPage() != nullptr);
+    export_->setEnabled(dynamic_cast<Exportable*>(tabs_->currentWidget()) != nullptr);
+    findChild<QAction*>("closeResult")->setEnabled(tabs_->currentIndex() > 0);
     const bool ready = workbench_.hasProject() && !workbench_.isRunning();
     for (const auto& [kind, action] : analyses_)
         action->setEnabled(ready);
@@ -372,6 +304,15 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     // The job stops by itself when the workbench goes; nothing of it needs an answer.
     workbench_.cancel();
     event->accept();
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    // Turning the model by the mouse is one step to undo.
+    if (watched == view_ && event->type() == QEvent::MouseButtonPress)
+        workbench_.holdStep();
+    if (watched == view_ && event->type() == QEvent::MouseButtonRelease)
+        workbench_.closeStep();
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -12,6 +12,7 @@
 class QAction;
 class QMenu;
 class QTabWidget;
+class QToolBar;
 
 namespace smat::gui {
 
@@ -36,22 +37,35 @@ class MainWindow : public QMainWindow {
     SceneView* sceneView() const { return view_; }
     /// The page that is shown; null for the 3-D view.
     ResultPage* currentPage() const;
+    /// Shows a window of a tool as a tab that can be closed. A page that is Exportable takes part
+    /// in File, Export.
+    void addPage(QWidget* page, const QIcon& icon, const QString& title);
 
   protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
   private:
-    void makeActions();
-    void makeAnalysisActions(QMenu* menu);
-    void makeViewMenu();
+    // MainMenus.cpp
+    void makeMenus();
+    void makeFileMenu(QMenu* menu);
+    void makeEditMenu(QMenu* menu);
+    void makeViewMenu(QMenu* menu);
+    void makeAnalysisMenu(QMenu* menu);
+    void makeToolsMenu(QMenu* menu);
+    void makeHelpMenu(QMenu* menu);
+    void fillProjectAnalyses();
+
     void makeCentre();
     void chooseProject();
     void fillRecent(QMenu* menu);
     void newAnalysis(AnalysisKind kind, const Settings& settings, const QString& name = {});
     void exportShown();
     void onProjectOpened();
+    void onProjectChanged();
+    void refreshTitle();
     void showModel();
     void onSettingsChanged();
     void showResults(const QList<int>& ids);
@@ -64,11 +78,13 @@ class MainWindow : public QMainWindow {
     Workbench& workbench_;
     Dialogs dialogs_;
     QTabWidget* tabs_ = nullptr;
+    QToolBar* bar_ = nullptr;
     SceneView* view_ = nullptr;
     ResultsDock* results_ = nullptr;
     QAction* export_ = nullptr;
     QMenu* ofProject_ = nullptr;
     std::map<AnalysisKind, QAction*> analyses_;
+    std::vector<ProjectModel> shownModels_;
     QString sceneRenderer_;
 };
 

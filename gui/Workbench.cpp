@@ -4,6 +4,7 @@
 
 #include <QSettings>
 
+#include "gui/image/ImageView.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/ProjectFile.h"
 
@@ -14,12 +15,64 @@ QSettings memory() {
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench");
 }
 constexpr int keptFiles = 10;
+constexpr int stepPause_ms = 1500; ///< after which the same setting begins a new step
+constexpr int editCommandId = 0x100;
+
+/// "Set range to 1200 m".
+QString stepOf(const std::string& key, const std::string& value) {
+    const SettingInfo& info = settingInfo(key);
+    QString label = QString::fromStdString(info.label);
+    if (label.size() < 2 || !label.at(1).isUpper())
+        label.replace(0, 1, label.left(1).toLower());
+    QString text = QString::fromStdString(value.empty() ? "nothing" : value);
+    if (info.kind == SettingKind::boolean)
+        return (value == "true" ? Workbench::tr("Switch %1 on") : Workbench::tr("Switch %1 off"))
+            .arg(label);
+    if (const QString unit = readableUnit(info.unit); !unit.isEmpty())
+        text += " " + unit;
+    return Workbench::tr("Set %1 to %2").arg(label, text.size() > 40 ? text.left(39) + "…" : text);
+}
+
+std::vector<std::string> keysThatDiffer(const Settings& one, const Settings& other) {
+    std::vector<std::string> keys;
+    for (const auto& info : settingTable()) {
+        if (one.text(info.key) != other.text(info.key))
+            keys.push_back(info.key);
+    }
+    return keys;
+}
+
+bool areOfCamera(const std::vector<std::string>& keys) {
+    return std::all_of(keys.begin(), keys.end(),
+                       [](const auto& key) { return key.starts_with("camera."); });
+}
+
+/// The name of a step between two states of the settings.
+QString stepBetween(const Settings& before, const Settings& after) {
+    const auto keys = keysThatDiffer(before, after);
+    return keys.size() == 1    ? stepOf(keys.front(), after.text(keys.front()))
+           : areOfCamera(keys) ? Workbench::tr("Move the camera")
+                               : Workbench::tr("Change %1 settings").arg(keys.size());
+}
+
+/// The same project with its relative paths told from another file's folder.
+Project movedTo(const Project& project, const std::filesystem::path& file) {
+    if (project.file.parent_path() == file.parent_path() || project.file.empty()) {
+        Project moved = project;
+        moved.file = file;
+        return moved;
+    }
+    return projectFromJson(projectToJson(project, file), file);
+}
 
 } // namespace
 
 Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent)
     : QObject(parent), engine_(std::make_shared<AnalysisEngine>()) {
     engine_->makeSource = std::move(makeSource);
+    stepEnd_.setSingleShot(true);
+    stepEnd_.setInterval(stepPause_ms);
+    connect(&stepEnd_, &QTimer::timeout, this, [this] { ++step_; });
 }
 
 Workbench::~Workbench() {
@@ -32,11 +85,31 @@ void Workbench::open(const std::filesystem::path& file) {
         throw irsg::InputError({file.string(), "", "no such file", "a .smat project or a model"});
     const auto absolute = std::filesystem::absolute(file).lexically_normal();
     Project opened = file.extension() == ".smat" ? loadProject(absolute) : projectOfModel(absolute);
-    project_ = std::move(opened);
-    settings_ = project_->settings;
+    take(opened, opened);
     rememberFile(absolute);
+}
+
+void Workbench::adopt(const Project& project) {
+    Project saved;
+    saved.file = project.file;
+    try {
+        if (!project.file.empty())
+            saved = loadProject(project.file);
+    } catch (const irsg::InputError&) {
+        // The file is damaged or gone: nothing of the project is saved yet.
+    }
+    take(project, saved);
+}
+
+void Workbench::take(const Project& project, const Project& saved) {
+    undoStack_.clear();
+    saved_ = saved;
+    project_ = project;
+    settings_ = project.settings;
+    project_->settings = saved_.settings;
     emit projectOpened();
     emit settingsChanged();
+    emit modifiedChanged();
 }
 
 const Project& Workbench::project() const {
@@ -45,17 +118,142 @@ const Project& Workbench::project() const {
     return *project_;
 }
 
+Project Workbench::editedProject() const {
+    Project edited = project();
+    edited.settings = settings_;
+    return edited;
+}
+
+bool Workbench::isModified() const {
+    if (!project_)
+        return false;
+    Project texts = *project_;
+    texts.settings = saved_.settings;
+    const auto keys = keysThatDiffer(settings_, saved_.settings);
+    return texts != saved_ || std::any_of(keys.begin(), keys.end(), [&](const auto& key) {
+               return !texts.file.empty() || !key.starts_with("camera.");
+           });
+}
+
+void Workbench::save() {
+    saveAs(project().file);
+}
+
+void Workbench::saveAs(const std::filesystem::path& file) {
+    if (file.empty())
+        throw irsg::LogicError("a project without a file is to be saved");
+    const auto absolute = std::filesystem::absolute(file).lexically_normal();
+    const Project moved = movedTo(editedProject(), absolute);
+    saveProject(moved, absolute);
+    project_ = saved_ = moved;
+    settings_ = moved.settings;
+    ++step_;
+    rememberFile(absolute);
+    emit projectChanged();
+    emit modifiedChanged();
+}
+
+/// Everything before and after; the same setting changed again becomes one with the last change.
+class Workbench::EditCommand : public QUndoCommand {
+  public:
+    EditCommand(Workbench& workbench, Project before, Project after, std::string mergeKey)
+        : workbench_(workbench),
+          before_(std::move(before)),
+          after_(std::move(after)),
+          mergeKey_(std::move(mergeKey)),
+          step_(workbench.step_) {}
+    int id() const override { return editCommandId; }
+    void undo() override {
+        ++workbench_.step_;
+        workbench_.apply(before_);
+    }
+    void redo() override { workbench_.apply(after_); }
+    bool mergeWith(const QUndoCommand* command) override {
+        const auto* later = dynamic_cast<const EditCommand*>(command);
+        if (later == nullptr || later->step_ != step_ || later->mergeKey_ != mergeKey_)
+            return false;
+        after_ = later->after_;
+        setText(stepBetween(before_.settings, after_.settings));
+        setObsolete(before_ == after_);
+        return true;
+    }
+
+  private:
+    Workbench& workbench_;
+    Project before_, after_;
+    std::string mergeKey_;
+    int step_;
+};
+
+void Workbench::push(const Project& after, const QString& step, const std::string& mergeKey) {
+    auto command = std::make_unique<EditCommand>(*this, editedProject(), after, mergeKey);
+    command->setText(step);
+    undoStack_.push(command.release());
+    if (!stepHeld_)
+        stepEnd_.start();
+}
+
+void Workbench::apply(const Project& edited) {
+    Project now = movedTo(edited, project_->file);
+    const bool settingsDiffer = now.settings != settings_;
+    settings_ = now.settings;
+    now.settings = project_->settings;
+    const bool projectDiffers = now != *project_;
+    project_ = std::move(now);
+    if (projectDiffers)
+        emit projectChanged();
+    if (settingsDiffer)
+        emit settingsChanged();
+    emit modifiedChanged();
+}
+
+void Workbench::holdStep() {
+    ++step_;
+    stepHeld_ = true;
+    stepEnd_.stop();
+}
+
+void Workbench::closeStep() {
+    ++step_;
+    stepHeld_ = false;
+}
+
 void Workbench::set(const std::string& key, const std::string& text) {
     Settings changed = settings();
     changed.set(key, text);
     set(changed);
 }
 
-void Workbench::set(const Settings& changed) {
-    if (changed == settings())
+void Workbench::set(const Settings& changed, const QString& step) {
+    const auto keys = keysThatDiffer(settings_, changed);
+    if (!project_ || keys.empty()) {
+        // Set to the default or not set at all is no step of its own.
+        if (settings_ != changed) {
+            settings_ = changed;
+            emit settingsChanged();
+            emit modifiedChanged();
+        }
         return;
-    settings_ = changed;
-    emit settingsChanged();
+    }
+    const QString text = step.isEmpty() ? stepBetween(settings_, changed) : step;
+    Project after = editedProject();
+    after.settings = changed;
+    if (!step.isEmpty())
+        ++step_;
+    push(after, text, stepHeld_ && areOfCamera(keys) ? "camera" : keys.front());
+    if (!step.isEmpty())
+        ++step_;
+}
+
+void Workbench::edit(const Project& project, const QString& step) {
+    Project after = project;
+    after.file = this->project().file;
+    after.settings = settings_;
+    if (after != editedProject()) {
+        ++step_;
+        push(after, step, "project");
+        ++step_;
+    }
 }
 
 OrbitCamera Workbench::camera() const {

@@ -7,6 +7,8 @@
 
 #include <QObject>
 #include <QStringList>
+#include <QTimer>
+#include <QUndoStack>
 
 #include "gui/analysis/AnalysisJob.h"
 #include "gui/view/OrbitCamera.h"
@@ -30,17 +32,42 @@ class Workbench : public QObject {
                        QObject* parent = nullptr);
     ~Workbench() override;
 
-    /// Opens a `.smat` project, or a model with defaults. Throws irsg::InputError, and then
-    /// everything is as it was.
+    /// Opens a `.smat` project, or a model with defaults as a project without a file. Forgets the
+    /// steps to undo. Throws irsg::InputError, and then everything is as it was.
     void open(const std::filesystem::path& file);
+    /// Takes a project that is not what its file holds: a recovered one, or a new one without a
+    /// file.
+    void adopt(const Project& project);
     bool hasProject() const { return project_.has_value(); }
-    /// As its file has it. LogicError where nothing is open.
+    /// As it was edited, but with the settings that its file has; those in effect are settings().
+    /// LogicError where nothing is open.
     const Project& project() const;
     /// Those of the project with what was changed in the window on top.
     const Settings& settings() const { return settings_; }
-    /// Changes them in memory. Throws irsg::InputError.
+    /// The project with the settings in effect: what is saved.
+    Project editedProject() const;
+    /// Whether editedProject() is something else than its file has. Where there is no file, moving
+    /// the camera alone is no change.
+    bool isModified() const;
+    /// Writes the project to its file, or to another that becomes its file. Throws
+    /// irsg::InputError, and then the files are as they were. LogicError where there is no file.
+    void save();
+    void saveAs(const std::filesystem::path& file);
+
+    /// Change them as a step that can be undone; steps that change the same settings in quick
+    /// succession, or while a step is held, are one. Throw irsg::InputError.
     void set(const std::string& key, const std::string& text);
-    void set(const Settings& settings);
+    /// `step` is its name in the menu: "Change options".
+    void set(const Settings& settings, const QString& step = {});
+    /// Changes everything else of a project; its file and settings are not touched.
+    void edit(const Project& project, const QString& step);
+    /// Between the two, all changes of the same settings are one step, as long as a drag takes.
+    void holdStep();
+    void closeStep();
+    /// Every edit of this window: settings, project and signature database. Numbers that identify
+    /// commands for merging begin with 0x100 for those of the workbench itself; others choose other
+    /// ones.
+    QUndoStack& undoStack() { return undoStack_; }
 
     OrbitCamera camera() const;
     void setCamera(const OrbitCamera& camera);
@@ -60,6 +87,10 @@ class Workbench : public QObject {
 
   signals:
     void projectOpened();
+    /// Models, analyses or texts of the project were edited, or its file is another one.
+    void projectChanged();
+    /// isModified() may have another answer.
+    void modifiedChanged();
     void settingsChanged();
     void jobStarted(const QString& title);
     void jobProgressed(const smat::Progress& progress);
@@ -70,12 +101,21 @@ class Workbench : public QObject {
     void jobFailed(const QStringList& sentences, bool ourFault);
 
   private:
+    class EditCommand;
+    void push(const Project& after, const QString& step, const std::string& mergeKey);
+    void apply(const Project& edited);
+    void take(const Project& project, const Project& saved);
     void onFinished(const AnalysisData& data);
     void endJob();
     void rememberFile(const std::filesystem::path& file);
 
     std::optional<Project> project_;
     Settings settings_;
+    Project saved_;
+    QUndoStack undoStack_;
+    QTimer stepEnd_;
+    bool stepHeld_ = false;
+    int step_ = 0;
     std::shared_ptr<AnalysisEngine> engine_;
     std::unique_ptr<AnalysisJob> job_;
     std::vector<ResultEntry> results_;

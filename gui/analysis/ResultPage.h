@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <QWidget>
 
+#include "gui/Exportable.h"
 #include "gui/Workbench.h"
 
 class QComboBox;
@@ -18,7 +19,7 @@ class PolarPlot;
 
 /// A tab with one result, or several on one plot: an image, a polar plot or a Cartesian one, with
 /// what belongs to it.
-class ResultPage : public QWidget {
+class ResultPage : public QWidget, public Exportable {
     Q_OBJECT
 
   public:
@@ -31,9 +32,9 @@ class ResultPage : public QWidget {
     CartesianPlot* cartesianPlot() const { return cartesian_; }
 
     /// Filters of a file dialog for what this page can be written as, data first.
-    QStringList exportFilters() const;
+    QStringList exportFilters() const override;
     /// By the suffix of the file. Throws irsg::InputError.
-    void exportTo(const std::filesystem::path& file) const;
+    void exportTo(const std::filesystem::path& file) const override;
 
   private:
     void showImage();

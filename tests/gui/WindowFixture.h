@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <QAction>
+#include <QDialog>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "gui/MainWindow.h"
+#include "gui/view/SceneView.h"
+#include "smatcore/analysis/AnalysisGenerator.h"
+#include "tests/gui/GuiEnvironment.h"
+#include "tests/gui/SampleProject.h"
+
+namespace smat::gui::test {
+
+/// The real window; this test stands in for the person in front of it.
+class WindowFixture : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        if (!SceneView::problem().isEmpty())
+            GTEST_SKIP() << "this desktop gives no OpenGL context";
+    }
+    WindowFixture() {
+        Dialogs dialogs;
+        dialogs.openFile = [this](QWidget*, const QString&, const QStringList&) { return chosen; };
+        dialogs.saveFile = [this](QWidget*, const QString&, const QStringList&, const QString&) {
+            return chosen;
+        };
+        dialogs.tell = [this](QWidget*, const QString&, const QStringList& sentences) {
+            told += sentences;
+        };
+        dialogs.run = [this](QDialog& dialog) {
+            dialog.show();
+            QTest::qWait(20);
+            if (onDialog)
+                onDialog(dialog);
+            return accept;
+        };
+        people = dialogs;
+        makeWindow();
+    }
+    void makeWindow() {
+        window = std::make_unique<MainWindow>(workbench, people);
+        window->resize(1360, 840);
+        window->show();
+        QTest::qWait(50);
+    }
+    void openSample() {
+        chosen = QString::fromStdString(writeSampleProject(folder).string());
+        window->findChild<QAction*>("openProject")->trigger();
+        QTest::qWait(50);
+        ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+        ASSERT_TRUE(workbench.hasProject());
+    }
+    void runAnalysis(const char* word) {
+        window->findChild<QAction*>(QString("new-") + word)->trigger();
+        ASSERT_TRUE(waitUntil([this] { return !workbench.isRunning(); }));
+        QTest::qWait(50);
+        ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    }
+    AnalysisData runDirectly(const AnalysisData& asked) {
+        auto source = makeIrsgImageSource();
+        SceneBuilder builder;
+        AnalysisGenerator generator(
+            *source, [&](const Project& p, const Settings& s) { return builder.build(p, s); });
+        AnalysisData data = asked;
+        data.state = AnalysisState::notRun;
+        data.image = {};
+        data.table = {};
+        generator.run(data);
+        return data;
+    }
+
+    std::filesystem::path folder = freshFolder("window");
+    Workbench workbench;
+    Dialogs people;
+    QString chosen;
+    QStringList told;
+    bool accept = true;
+    std::function<void(QDialog&)> onDialog;
+    std::unique_ptr<MainWindow> window;
+};
+
+} // namespace smat::gui::test
