@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <set>
+
+#include <QStringList>
+
+#include "gui/Dialogs.h"
+#include "gui/MainWindow.h"
+
+namespace smat::gui {
+
+/// Goes through a workbench as a person would, menu by menu, and keeps a picture of each window and
+/// dialog that appears: NAME.png in a folder, named after the action that showed it.
+class Photographer {
+  public:
+    /// `images`: two files that a comparison opens.
+    Photographer(std::filesystem::path folder, std::filesystem::path project, QStringList images);
+
+    /// Takes all pictures. Returns what went wrong on the way, one sentence each.
+    QStringList photograph();
+
+  private:
+    Dialogs dialogs();
+    void keep(QWidget& widget, const QString& name);
+    /// A dialog, and once more for each of its tabs.
+    void keepDialog(QDialog& dialog);
+    /// Triggers every action of the menus that shows something.
+    void goThrough(QMenu& menu);
+    void trigger(QAction& action);
+    void showAs(QAction& action);
+    /// Lets a job end and the window be painted.
+    void settle();
+
+    std::filesystem::path folder_, project_;
+    QStringList images_, told_;
+    qsizetype nextImage_ = 0;
+    QString current_; ///< name of the action that is being triggered
+    bool accept_ = false;
+    std::set<QString> taken_;
+    Workbench workbench_;
+    MainWindow window_;
+};
+
+} // namespace smat::gui

@@ -1,0 +1,46 @@
+// smat-screenshots --out FOLDER --project FILE [--image FILE FILE] [--dark] keeps a picture of
+// every window and dialog of the workbench. It needs a display; scripts/screenshots gives it one.
+
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QStandardPaths>
+
+#include "apps/screenshots/Photographer.h"
+#include "gui/Theme.h"
+
+int main(int argc, char** argv) {
+    CLI::App cli{"Keeps a picture of every window and dialog of the workbench"};
+    std::filesystem::path folder, project;
+    std::vector<std::string> images;
+    bool dark = false;
+    cli.add_option("--out", folder, "Folder for the pictures")->required();
+    cli.add_option("--project", project, "Project that is open in them")
+        ->required()
+        ->check(CLI::ExistingFile);
+    cli.add_option("--image", images, "The two images that are compared")
+        ->expected(2)
+        ->check(CLI::ExistingFile);
+    cli.add_flag("--dark", dark, "In dark colours");
+    CLI11_PARSE(cli, argc, argv);
+
+    // Nothing of the user's own preferences shows in the pictures or is changed by them.
+    QStandardPaths::setTestModeEnabled(true);
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("smat-screenshots");
+    QApplication::setOrganizationName("smat-screenshots");
+    smat::gui::applyTheme(application,
+                          dark ? smat::gui::ThemeMode::dark : smat::gui::ThemeMode::light);
+    QStringList names;
+    for (const std::string& image : images)
+        names << QString::fromStdString(image);
+    smat::gui::Photographer photographer(folder, project, names);
+    const QStringList problems = photographer.photograph();
+    for (const QString& problem : problems)
+        std::cerr << "smat-screenshots: " << problem.toStdString() << '\n';
+    return problems.isEmpty() ? 0 : 1;
+}
