@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QRegularExpression>
 
 namespace smat::gui {
@@ -36,6 +37,21 @@ Dialogs Dialogs::ofDesktop() {
         if (sentences.size() > 8)
             box.setDetailedText(sentences.join('\n'));
         box.exec();
+    };
+    dialogs.ask = [](QWidget* parent, const QString& title, const QString& question,
+                     const QStringList& answers) {
+        QMessageBox box(QMessageBox::Question, title, question, QMessageBox::NoButton, parent);
+        for (const auto& answer : answers)
+            box.addButton(answer, QMessageBox::ActionRole);
+        // Escape and the frame of the box give no answer; so does this button.
+        auto* none = box.addButton(QMessageBox::Cancel);
+        none->setIcon({});
+        box.setDefaultButton(qobject_cast<QPushButton*>(box.buttons().value(0)));
+        box.exec();
+        const auto number = box.buttons().indexOf(box.clickedButton());
+        return box.clickedButton() == none || number < 0
+                   ? -1
+                   : static_cast<int>(answers.indexOf(box.clickedButton()->text()));
     };
     dialogs.run = [](QDialog& dialog) { return dialog.exec() == QDialog::Accepted; };
     return dialogs;

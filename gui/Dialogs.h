@@ -20,6 +20,10 @@ struct Dialogs {
         saveFile;
     /// Says what went wrong, one sentence each.
     std::function<void(QWidget* parent, const QString& title, const QStringList& sentences)> tell;
+    /// Asks a question; the number of the answer, -1 where it was closed without one.
+    std::function<int(QWidget* parent, const QString& title, const QString& question,
+                      const QStringList& answers)>
+        ask = [](QWidget*, const QString&, const QString&, const QStringList&) { return -1; };
     /// Shows a dialog and waits; true where it was accepted.
     std::function<bool(QDialog& dialog)> run;
 

@@ -1,11 +1,19 @@
 #include "gui/HelpDialogs.h"
 
+#include <algorithm>
+
+#include <OpenEXRConfig.h>
 #include <QDialogButtonBox>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <osg/Version>
 #include <qwt_global.h>
+#include <sqlite3.h>
 
 #include "gui/Theme.h"
 #include "smatcore/data/Provenance.h"
@@ -35,6 +43,29 @@ QString heading(const QString& text) {
         .arg(text);
 }
 
+/// "Save project as" from "Save project &as…".
+QString plain(QString text) {
+    return text.remove('&').remove(QStringLiteral("…"));
+}
+
+QString keyRows(const QMenu* menu) {
+    QString rows;
+    for (const auto* action : menu->actions()) {
+        QStringList keys;
+        for (const auto& sequence : action->shortcuts())
+            keys << sequence.toString(QKeySequence::NativeText);
+        // Undo and redo say what they would undo now.
+        const QString text = action->property("listedAs").isValid()
+                                 ? action->property("listedAs").toString()
+                                 : plain(action->text());
+        if (action->menu() != nullptr)
+            rows += keyRows(action->menu());
+        else if (!keys.isEmpty())
+            rows += row(keys.join(QStringLiteral(" / ")), text.toHtmlEscaped());
+    }
+    return rows;
+}
+
 } // namespace
 
 AboutDialog::AboutDialog(const QString& viewRenderer, const QString& sceneRenderer, QWidget* parent)
@@ -45,6 +76,7 @@ AboutDialog::AboutDialog(const QString& viewRenderer, const QString& sceneRender
     const QString table =
         row(tr("SMAT"), QString::fromStdString(programVersion())) + row("Qt", qVersion()) +
         row("Qwt", QWT_VERSION_STR) + row("OpenSceneGraph", osgGetVersion()) +
+        row("OpenEXR", OPENEXR_VERSION_STRING) + row("SQLite", sqlite3_libversion()) +
         row(tr("3-D view"), (viewRenderer.isEmpty() ? none : viewRenderer).toHtmlEscaped()) +
         row(tr("Infrared renderer"),
             (sceneRenderer.isEmpty() ? none : sceneRenderer).toHtmlEscaped());
@@ -59,27 +91,46 @@ AboutDialog::AboutDialog(const QString& viewRenderer, const QString& sceneRender
     lay(*this, label);
 }
 
-ShortcutsDialog::ShortcutsDialog(QWidget* parent) : QDialog(parent) {
+ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, QWidget* parent) : QDialog(parent) {
     setObjectName("shortcutsDialog");
     setWindowTitle(tr("Keys and mouse"));
-    const QString table =
-        heading(tr("Window")) + row("Ctrl+O", tr("Open a project or a model")) +
-        row("Ctrl+E", tr("Export the image or plot that is shown")) +
-        row("Ctrl+Z / Ctrl+Shift+Z", tr("Undo, redo")) +
-        row("Ctrl+1 … Ctrl+5", tr("New image, spectrum, polar, time, range analysis")) +
-        row("Esc", tr("Cancel the analysis that runs, keeping what is done")) +
-        row("Ctrl+W", tr("Close the result that is shown")) + row("F1", tr("This list")) +
-        row("Ctrl+Q", tr("Quit")) + heading(tr("3-D view")) +
+    // The keys of each menu, from its actions, so that the list is never wrong.
+    QString keys;
+    for (const auto* menu : menus.actions()) {
+        const QString rows = keyRows(menu->menu());
+        if (!rows.isEmpty())
+            keys += heading(plain(menu->text())) + rows;
+    }
+    const QString mouse =
+        heading(tr("Running analysis")) + row("Esc", tr("Cancel it, keeping what is done")) +
+        heading(tr("3-D view")) +
         row(tr("Drag, arrow keys"), tr("Turn the model; with Shift in steps of 1°")) +
         row(tr("Wheel, Page up, Page down"), tr("Range of the camera")) +
         row(tr("Double click, Home"), tr("Show the whole model")) +
-        row("Ctrl+Shift+W / Ctrl+Shift+A", tr("Wireframe, axes")) +
         heading(tr("Plots and images")) + row(tr("Wheel"), tr("Zoom at the cursor")) +
         row(tr("Drag"), tr("Zoom into a rectangle; statistics of it in an image")) +
         row(tr("Right drag"), tr("Move")) + row(tr("Double click"), tr("Show all")) +
         row(tr("Backspace"), tr("Take a zoom back (plots)")) +
-        row(tr("Click in the legend"), tr("Hide or show a curve"));
-    lay(*this, new QLabel("<table>" + table + "</table>", this));
+        row(tr("Click in the legend"), tr("Hide or show a curve")) + heading(tr("Everywhere")) +
+        row(tr("Alt and a letter"), tr("Menus and fields by their underlined letter")) +
+        row(tr("Tab, Shift+Tab"), tr("From field to field"));
+    auto* body = new QWidget(this);
+    auto* columns = new QHBoxLayout(body);
+    columns->setContentsMargins(0, 0, 0, 0);
+    columns->setSpacing(40);
+    int number = 0;
+    for (const auto& text : {keys, mouse}) {
+        auto* label = new QLabel("<table>" + text + "</table>", body);
+        label->setObjectName(number++ == 0 ? "keyList" : "mouseList");
+        columns->addWidget(label, 0, Qt::AlignTop);
+    }
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(body);
+    lay(*this, scroll);
+    resize(std::min(body->sizeHint().width() + 80, 1000),
+           std::min(body->sizeHint().height() + 110, 720));
 }
 
 } // namespace smat::gui

@@ -2,6 +2,8 @@
 
 #include <QDialog>
 
+class QMenuBar;
+
 namespace smat::gui {
 
 /// Versions, the GL renderers, and the licences of what is linked.
@@ -13,12 +15,12 @@ class AboutDialog : public QDialog {
                 QWidget* parent = nullptr);
 };
 
-/// Every key and mouse action of the windows.
+/// Every key and mouse action of the windows: keys as the actions of a menu bar have them.
 class ShortcutsDialog : public QDialog {
     Q_OBJECT
 
   public:
-    explicit ShortcutsDialog(QWidget* parent = nullptr);
+    explicit ShortcutsDialog(const QMenuBar& menus, QWidget* parent = nullptr);
 };
 
 } // namespace smat::gui

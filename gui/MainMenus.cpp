@@ -7,6 +7,7 @@
 #include "gui/HelpDialogs.h"
 #include "gui/MainWindow.h"
 #include "gui/Theme.h"
+#include "gui/project/ProjectFiles.h"
 #include "gui/view/SceneView.h"
 
 namespace smat::gui {
@@ -28,30 +29,53 @@ void MainWindow::makeMenus() {
     makeHelpMenu(menuBar()->addMenu(tr("&Help")));
 }
 
+QAction* MainWindow::addAction(QMenu* menu, const QString& name, const QString& drawing,
+                               const QString& text, const QKeySequence& keys,
+                               const std::function<void()>& act) {
+    auto* action = drawing.isEmpty() ? menu->addAction(text) : menu->addAction(icon(drawing), text);
+    action->setObjectName(name);
+    action->setShortcut(keys);
+    connect(action, &QAction::triggered, this, act);
+    return action;
+}
+
 void MainWindow::makeFileMenu(QMenu* menu) {
-    auto* open = menu->addAction(icon("open"), tr("&Open…"), this, &MainWindow::chooseProject);
-    open->setObjectName("openProject");
-    open->setShortcut(QKeySequence::Open);
+    addAction(menu, "newProject", "new", tr("&New project…"), QKeySequence::New,
+              [this] { files_->newProject(); });
+    auto* open = addAction(menu, "openProject", "open", tr("&Open…"), QKeySequence::Open,
+                           [this] { files_->chooseProject(); });
     open->setToolTip(tr("Open a project or a model (Ctrl+O)"));
+    addAction(menu, "openModel", "model", tr("Open &model…"),
+              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), [this] { files_->chooseModel(); });
     auto* recent = menu->addMenu(icon("recent"), tr("Open &recent"));
     recent->setObjectName("recentFiles");
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
     menu->addSeparator();
-    export_ = menu->addAction(icon("export"), tr("&Export…"), this, &MainWindow::exportShown);
-    export_->setObjectName("exportShown");
-    export_->setIconText(tr("Export"));
-    export_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_E));
-    export_->setToolTip(tr("Write the page that is shown to a file (Ctrl+E)"));
-    auto* close = menu->addAction(tr("&Close page"), this, [this] {
-        if (tabs_->currentIndex() > 0)
-            delete tabs_->currentWidget();
-    });
-    close->setObjectName("closeResult");
-    close->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_W));
+    auto* save = addAction(menu, "saveProject", "save", tr("&Save project"), QKeySequence::Save,
+                           [this] { files_->save(); });
+    save->setIconText(tr("Save"));
+    save->setToolTip(tr("Save the project (Ctrl+S)"));
+    auto* saveAs =
+        addAction(menu, "saveProjectAs", {}, tr("Save project &as…"),
+                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { files_->saveAs(); });
+    ofProjectFile_ = {save, saveAs};
     menu->addSeparator();
-    auto* quit = menu->addAction(icon("quit"), tr("&Quit"), this, &QWidget::close);
-    quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
+    addAction(menu, "convertModel", "import", tr("&Import or convert a model…"),
+              QKeySequence(Qt::CTRL | Qt::Key_I), [this] { convertModel(); });
+    export_ = addAction(menu, "exportShown", "export", tr("&Export…"),
+                        QKeySequence(Qt::CTRL | Qt::Key_E), [this] { exportShown(); });
+    export_->setIconText(tr("Export"));
+    export_->setToolTip(tr("Write the page that is shown to a file (Ctrl+E)"));
+    menu->addSeparator();
+    addAction(menu, "closeResult", {}, tr("&Close page"), QKeySequence(Qt::CTRL | Qt::Key_W),
+              [this] {
+                  if (tabs_->currentIndex() > 0)
+                      delete tabs_->currentWidget();
+              });
+    addAction(menu, "quit", "quit", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q),
+              [this] { close(); });
     bar_->addAction(open);
+    bar_->addAction(save);
     bar_->addAction(export_);
     bar_->addSeparator();
 }
@@ -68,7 +92,12 @@ void MainWindow::makeEditMenu(QMenu* menu) {
     redo->setIconText(tr("Redo"));
     redo->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    undo->setProperty("listedAs", tr("Undo"));
+    redo->setProperty("listedAs", tr("Redo"));
     menu->addActions({undo, redo});
+    menu->addSeparator();
+    addAction(menu, "preferences", "preferences", tr("&Preferences…"),
+              QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] { showPreferences(); });
 }
 
 void MainWindow::makeViewMenu(QMenu* menu) {
@@ -109,22 +138,26 @@ void MainWindow::makeAnalysisMenu(QMenu* menu) {
         bar_->addAction(action);
     }
     // Those the project names, as the starting point of a new one.
-    ofProject_ = menu->addMenu(tr("Of this &project"));
+    ofProject_ = menu->addMenu(tr("&Of this project"));
     ofProject_->setObjectName("projectAnalyses");
     ofProject_->setToolTipsVisible(true);
+    menu->addSeparator();
+    ofProjectFile_.append(addAction(menu, "analysisSettings", "sun", tr("Analysis s&ettings…"),
+                                    QKeySequence(Qt::Key_F8), [this] { showAnalysisSettings(0); }));
 }
 
-void MainWindow::makeToolsMenu(QMenu*) {}
+void MainWindow::makeToolsMenu(QMenu* menu) {
+    ofProjectFile_.append(addAction(menu, "options", "options", tr("&Options…"),
+                                    QKeySequence(Qt::Key_F9), [this] { showOptions(0); }));
+}
 
 void MainWindow::makeHelpMenu(QMenu* menu) {
-    auto* keys = menu->addAction(icon("keyboard"), tr("&Keys and mouse"), this, [this] {
-        ShortcutsDialog dialog(this);
-        dialogs_.run(dialog);
-    });
-    keys->setObjectName("showShortcuts");
-    keys->setShortcut(QKeySequence(Qt::Key_F1));
-    menu->addAction(icon("info"), tr("&About SMAT"), this, &MainWindow::showAbout)
-        ->setObjectName("showAbout");
+    addAction(menu, "showShortcuts", "keyboard", tr("&Keys and mouse"), QKeySequence(Qt::Key_F1),
+              [this] {
+                  ShortcutsDialog dialog(*menuBar(), this);
+                  dialogs_.run(dialog);
+              });
+    addAction(menu, "showAbout", "info", tr("&About SMAT"), {}, [this] { showAbout(); });
 }
 
 } // namespace smat::gui

@@ -14,24 +14,21 @@
 
 #include "gui/Exportable.h"
 #include "gui/HelpDialogs.h"
-#include "gui/ScenePanel.h"
+#include "gui/ManipulatorsDock.h"
 #include "gui/Theme.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultsDock.h"
+#include "gui/project/ConvertModelDialog.h"
+#include "gui/project/ProjectFiles.h"
+#include "gui/project/SceneTreeDock.h"
+#include "gui/settings/SettingsDialog.h"
 #include "gui/view/SceneView.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
 namespace {
-
-QStringList sentencesOf(const irsg::InputError& error) {
-    QStringList sentences;
-    for (const auto& offence : error.offences())
-        sentences << QString::fromStdString(offence.message());
-    return sentences;
-}
 
 QSettings layoutMemory() {
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench");
@@ -46,14 +43,44 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     setWindowIcon(icon("smat"));
     setAcceptDrops(true);
     resize(1360, 840);
+    QStringList problems;
+    preferences_ = Preferences::load(&problems);
+    files_ = new ProjectFiles(workbench_, dialogs_, preferences_, this);
     makeCentre();
-    auto* scene = new ScenePanel(workbench_, fileChooser(), this);
-    addDockWidget(Qt::LeftDockWidgetArea, scene);
+    makeDocks();
+    makeMenus();
+    statusBar()->showMessage(problems.isEmpty() ? tr("Open a project (Ctrl+O), or drop one here")
+                                                : problems.join("   "));
+    connectWorkbench();
+    restoreLayout();
+    refreshActions();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makeDocks() {
+    tree_ = new SceneTreeDock(workbench_, this);
+    addDockWidget(Qt::LeftDockWidgetArea, tree_);
+    auto* manipulators = new ManipulatorsDock(workbench_, this);
+    addDockWidget(Qt::LeftDockWidgetArea, manipulators);
     results_ = new ResultsDock(workbench_, this);
     addDockWidget(Qt::RightDockWidgetArea, results_);
-    makeMenus();
-    statusBar()->showMessage(tr("Open a project (Ctrl+O), or drop one here"));
+    resizeDocks({tree_, manipulators}, {340, 380}, Qt::Vertical);
 
+    connect(tree_, &SceneTreeDock::modelFileWanted, this,
+            [this](int model) { files_->chooseModelFile(static_cast<std::size_t>(model)); });
+    connect(tree_, &SceneTreeDock::databaseFileWanted, this,
+            [this](int model) { files_->chooseDatabaseFile(static_cast<std::size_t>(model)); });
+    connect(tree_, &SceneTreeDock::sensorActivated, this, [this] { showAnalysisSettings(2); });
+    connect(tree_, &SceneTreeDock::sunActivated, this, [this] { showAnalysisSettings(0); });
+    connect(tree_, &SceneTreeDock::atmosphereActivated, this, [this] { showOptions(4); });
+    connect(tree_, &SceneTreeDock::analysisActivated, this, [this](const QString& name) {
+        if (const auto* analysis = workbench_.project().find(name.toStdString()))
+            newAnalysis(analysis->kind, workbench_.settings().with(analysis->settings), name);
+    });
+}
+
+void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::onProjectOpened);
     connect(&workbench_, &Workbench::projectChanged, this, &MainWindow::onProjectChanged);
     connect(&workbench_, &Workbench::modifiedChanged, this, &MainWindow::refreshTitle);
@@ -69,11 +96,9 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
                               sentences);
             });
     connect(results_, &ResultsDock::showRequested, this, &MainWindow::showResults);
-    restoreLayout();
-    refreshActions();
+    connect(files_, &ProjectFiles::said, this,
+            [this](const QString& sentence) { statusBar()->showMessage(sentence, 10000); });
 }
-
-MainWindow::~MainWindow() = default;
 
 void MainWindow::makeCentre() {
     tabs_ = new QTabWidget(this);
@@ -116,22 +141,69 @@ FileChooser MainWindow::fileChooser() {
     };
 }
 
-void MainWindow::chooseProject() {
-    const QString file = dialogs_.openFile(
-        this, tr("Open a project or a model"),
-        {tr("Projects and models (*.smat *.flt *.osgt *.osgb *.ive)"), tr("All files (*)")});
-    if (!file.isEmpty())
-        open(file.toStdString());
+bool MainWindow::open(const std::filesystem::path& file) {
+    return files_->open(file);
 }
 
-bool MainWindow::open(const std::filesystem::path& file) {
-    try {
-        workbench_.open(file);
-        return true;
-    } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("This file cannot be opened"), sentencesOf(error));
-        return false;
+void MainWindow::offerRecovery() {
+    files_->offerNewProject();
+}
+
+void MainWindow::openWith(const QStringList& suffixes,
+                          std::function<bool(const std::filesystem::path&)> opener) {
+    openers_.emplace_back(suffixes, std::move(opener));
+}
+
+void MainWindow::drop(const std::filesystem::path& file) {
+    const QString suffix = QString::fromStdString(file.extension().string()).mid(1).toLower();
+    bool known = false;
+    for (const auto& [suffixes, opener] : openers_) {
+        known = known || suffixes.contains(suffix);
+        if (suffixes.contains(suffix) && opener(file))
+            return;
     }
+    if (!known)
+        open(file);
+}
+
+void MainWindow::convertModel() {
+    ConvertModelDialog dialog(dialogs_, this);
+    if (dialogs_.run(dialog) && !dialog.fileToOpen().isEmpty())
+        open(dialog.fileToOpen().toStdString());
+}
+
+void MainWindow::showPreferences() {
+    PreferencesDialog dialog(preferences_, this);
+    if (!dialogs_.run(dialog))
+        return;
+    preferences_ = dialog.preferences();
+    files_->recovery().setDelay(preferences_.recoveryDelay_s);
+    applyTheme(*qApp, preferences_.theme);
+    try {
+        preferences_.save();
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("The preferences cannot be kept"), sentencesOf(error));
+    }
+}
+
+void MainWindow::showOptions(int page) {
+    showSettings("optionsDialog", tr("Options"), tr("Change options"),
+                 SettingsDialog::optionPages(), page);
+}
+
+void MainWindow::showAnalysisSettings(int page) {
+    showSettings("analysisSettingsDialog", tr("Analysis settings"), tr("Change analysis settings"),
+                 SettingsDialog::analysisPages(), page);
+}
+
+void MainWindow::showSettings(const QString& name, const QString& title, const QString& step,
+                              const std::vector<SettingsPage>& pages, int page) {
+    if (!workbench_.hasProject())
+        return;
+    SettingsDialog dialog(workbench_, title, step, pages, fileChooser(), this);
+    dialog.setObjectName(name);
+    dialog.showPage(page);
+    dialogs_.run(dialog);
 }
 
 void MainWindow::fillRecent(QMenu* menu) {
@@ -284,6 +356,8 @@ void MainWindow::showAbout() {
 void MainWindow::refreshActions() {
     export_->setEnabled(dynamic_cast<Exportable*>(tabs_->currentWidget()) != nullptr);
     findChild<QAction*>("closeResult")->setEnabled(tabs_->currentIndex() > 0);
+    for (auto* action : ofProjectFile_)
+        action->setEnabled(workbench_.hasProject());
     const bool ready = workbench_.hasProject() && !workbench_.isRunning();
     for (const auto& [kind, action] : analyses_)
         action->setEnabled(ready);
@@ -298,6 +372,10 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_->settle()) {
+        event->ignore();
+        return;
+    }
     auto memory = layoutMemory();
     memory.setValue("geometry", saveGeometry());
     memory.setValue("layout", saveState());
@@ -321,7 +399,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    open(event->mimeData()->urls().front().toLocalFile().toStdString());
+    for (const auto& url : event->mimeData()->urls())
+        drop(url.toLocalFile().toStdString());
 }
 
 } // namespace smat::gui

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include <QMainWindow>
 
 #include "gui/Dialogs.h"
 #include "gui/Workbench.h"
+#include "gui/project/SceneIndex.h"
+#include "gui/settings/Preferences.h"
 #include "gui/settings/SettingForm.h"
 
 class QAction;
@@ -16,9 +21,12 @@ class QToolBar;
 
 namespace smat::gui {
 
+class ProjectFiles;
 class ResultPage;
 class ResultsDock;
+class SceneTreeDock;
 class SceneView;
+struct SettingsPage;
 
 /// The window of the workbench: the 3-D view and the results as tabs, docks beside them. Everything
 /// it does goes through a Workbench.
@@ -33,6 +41,14 @@ class MainWindow : public QMainWindow {
     /// Opens a project or a model; what is wrong with it is told, and nothing that was open is
     /// lost.
     bool open(const std::filesystem::path& file);
+    /// Offers the new project that a crash left behind, if there is one.
+    void offerRecovery();
+    /// Who opens files of other kinds that are dropped here: asked in turn for a file with one of
+    /// these suffixes ("exr") until one answers true.
+    void openWith(const QStringList& suffixes,
+                  std::function<bool(const std::filesystem::path&)> opener);
+    ProjectFiles& files() { return *files_; }
+    SceneTreeDock& tree() { return *tree_; }
     /// Null where the desktop has no OpenGL.
     SceneView* sceneView() const { return view_; }
     /// The page that is shown; null for the 3-D view.
@@ -56,10 +72,21 @@ class MainWindow : public QMainWindow {
     void makeAnalysisMenu(QMenu* menu);
     void makeToolsMenu(QMenu* menu);
     void makeHelpMenu(QMenu* menu);
+    QAction* addAction(QMenu* menu, const QString& name, const QString& drawing,
+                       const QString& text, const QKeySequence& keys,
+                       const std::function<void()>& act);
     void fillProjectAnalyses();
 
     void makeCentre();
-    void chooseProject();
+    void makeDocks();
+    void connectWorkbench();
+    void convertModel();
+    void showPreferences();
+    void showOptions(int page);
+    void showAnalysisSettings(int page);
+    void showSettings(const QString& name, const QString& title, const QString& step,
+                      const std::vector<SettingsPage>& pages, int page);
+    void drop(const std::filesystem::path& file);
     void fillRecent(QMenu* menu);
     void newAnalysis(AnalysisKind kind, const Settings& settings, const QString& name = {});
     void exportShown();
@@ -77,12 +104,17 @@ class MainWindow : public QMainWindow {
 
     Workbench& workbench_;
     Dialogs dialogs_;
+    Preferences preferences_;
+    ProjectFiles* files_ = nullptr;
+    SceneTreeDock* tree_ = nullptr;
     QTabWidget* tabs_ = nullptr;
     QToolBar* bar_ = nullptr;
     SceneView* view_ = nullptr;
     ResultsDock* results_ = nullptr;
     QAction* export_ = nullptr;
     QMenu* ofProject_ = nullptr;
+    QList<QAction*> ofProjectFile_; ///< that need a project
+    std::vector<std::pair<QStringList, std::function<bool(const std::filesystem::path&)>>> openers_;
     std::map<AnalysisKind, QAction*> analyses_;
     std::vector<ProjectModel> shownModels_;
     QString sceneRenderer_;

@@ -1,9 +1,12 @@
 #include "gui/Theme.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 
 #include <QApplication>
 #include <QFile>
+#include <QIconEngine>
 #include <QPainter>
 #include <QStyleFactory>
 #include <QSvgRenderer>
@@ -41,13 +44,45 @@ QPalette makePalette(const Shades& shades) {
     return palette;
 }
 
-QPixmap drawIcon(QByteArray svg, const QColor& color, int size) {
-    svg.replace("currentColor", color.name().toLatin1());
-    QPixmap pixmap(size, size);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    QSvgRenderer(svg).render(&painter);
-    return pixmap;
+/// Draws an SVG in the palette's text colour at whatever size and pixel ratio is asked, so that a
+/// change of theme or screen needs no new icons.
+class DrawnIcon : public QIconEngine {
+  public:
+    DrawnIcon(QByteArray svg, std::optional<QPalette> palette)
+        : svg_(std::move(svg)), palette_(std::move(palette)) {}
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+        const QPalette palette = palette_.value_or(QApplication::palette());
+        QByteArray svg = svg_;
+        svg.replace(
+            "currentColor",
+            palette
+                .color(mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active,
+                       mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText)
+                .name()
+                .toLatin1());
+        const double side = std::min(rect.width(), rect.height());
+        QSvgRenderer(svg).render(painter, QRectF(rect.center().x() + 0.5 - side / 2,
+                                                 rect.center().y() + 0.5 - side / 2, side, side));
+    }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        QPixmap pixmap(size);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+        return pixmap;
+    }
+    QIconEngine* clone() const override { return new DrawnIcon(*this); }
+
+  private:
+    QByteArray svg_;
+    std::optional<QPalette> palette_;
+};
+
+QIcon drawn(const QString& name, std::optional<QPalette> palette) {
+    QFile file(":/icons/" + name + ".svg");
+    if (!file.open(QIODevice::ReadOnly))
+        throw irsg::LogicError("no icon named " + name.toStdString());
+    return QIcon(new DrawnIcon(file.readAll(), std::move(palette)));
 }
 
 } // namespace
@@ -57,8 +92,8 @@ bool isDark(const QPalette& palette) {
 }
 
 void applyTheme(QApplication& application, ThemeMode mode) {
-    const bool dark =
-        mode == ThemeMode::dark || (mode == ThemeMode::system && isDark(QApplication::palette()));
+    static const bool desktopIsDark = isDark(QApplication::palette()); // before it is ours
+    const bool dark = mode == ThemeMode::dark || (mode == ThemeMode::system && desktopIsDark);
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setPalette(makePalette(dark ? darkShades : lightShades));
     const Shades& shades = dark ? darkShades : lightShades;
@@ -81,23 +116,11 @@ void applyTheme(QApplication& application, ThemeMode mode) {
 }
 
 QIcon icon(const QString& name, const QPalette& palette) {
-    QFile file(":/icons/" + name + ".svg");
-    if (!file.open(QIODevice::ReadOnly))
-        throw irsg::LogicError("no icon named " + name.toStdString());
-    const QByteArray svg = file.readAll();
-    QIcon result;
-    for (const int size : {16, 20, 24, 32, 48, 64}) {
-        result.addPixmap(
-            drawIcon(svg, palette.color(QPalette::Active, QPalette::ButtonText), size));
-        result.addPixmap(
-            drawIcon(svg, palette.color(QPalette::Disabled, QPalette::ButtonText), size),
-            QIcon::Disabled);
-    }
-    return result;
+    return drawn(name, palette);
 }
 
 QIcon icon(const QString& name) {
-    return icon(name, QApplication::palette());
+    return drawn(name, std::nullopt);
 }
 
 PlotStyle PlotStyle::screen(const QPalette& palette) {

@@ -16,8 +16,8 @@ enum class ThemeMode { system, light, dark };
 void applyTheme(QApplication& application, ThemeMode mode = ThemeMode::system);
 bool isDark(const QPalette& palette);
 
-/// The drawing resources/icons/NAME.svg in the palette's text colour, with a faint disabled twin.
-/// An unknown name is a LogicError.
+/// The drawing resources/icons/NAME.svg in the text colour of a palette, by itself of the one the
+/// application has when it is drawn. An unknown name is a LogicError.
 QIcon icon(const QString& name, const QPalette& palette);
 QIcon icon(const QString& name);
 

@@ -29,7 +29,7 @@ QString stepOf(const std::string& key, const std::string& value) {
         return (value == "true" ? Workbench::tr("Switch %1 on") : Workbench::tr("Switch %1 off"))
             .arg(label);
     if (const QString unit = readableUnit(info.unit); !unit.isEmpty())
-        text += " " + unit;
+        text += (unit == "°" ? "" : " ") + unit;
     return Workbench::tr("Set %1 to %2").arg(label, text.size() > 40 ? text.left(39) + "…" : text);
 }
 
@@ -133,6 +133,15 @@ bool Workbench::isModified() const {
     return texts != saved_ || std::any_of(keys.begin(), keys.end(), [&](const auto& key) {
                return !texts.file.empty() || !key.starts_with("camera.");
            });
+}
+
+void Workbench::useColorMap(const std::string& name) {
+    if (settings_.text("display.colorMap") == name)
+        return;
+    settings_.set("display.colorMap", name);
+    saved_.settings.set("display.colorMap", name);
+    project_->settings = saved_.settings;
+    emit settingsChanged();
 }
 
 void Workbench::save() {

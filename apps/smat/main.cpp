@@ -1,6 +1,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 #include "gui/MainWindow.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
+#include "gui/settings/Preferences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/ImageSource.h"
 #include "smatcore/data/Provenance.h"
@@ -34,19 +36,22 @@ bool isSet(const char* variable) {
     return value != nullptr && *value != '\0';
 }
 
-int runWindow(const std::string& file, smat::gui::ThemeMode theme, int argc, char** argv) {
+int runWindow(const std::string& file, std::optional<smat::gui::ThemeMode> theme, int argc,
+              char** argv) {
     if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY") && !isSet("QT_QPA_PLATFORM"))
         throw irsg::InputError({"smat", "", "no display",
                                 "a desktop (DISPLAY or WAYLAND_DISPLAY); "
                                 "without one, smat plot and smat-batch do the work"});
     QApplication application(argc, argv);
     QApplication::setApplicationName("smat");
-    smat::gui::applyTheme(application, theme);
+    smat::gui::applyTheme(application, theme.value_or(smat::gui::Preferences::load().theme));
     smat::gui::Workbench workbench;
     smat::gui::MainWindow window(workbench);
     window.show();
     if (!file.empty())
         window.open(file);
+    else
+        window.offerRecovery();
     return QApplication::exec();
 }
 
@@ -69,8 +74,9 @@ int main(int argc, char** argv) {
     cli.set_version_flag("--version", versionText);
     std::string file;
     cli.add_option("file", file, "A .smat project, or a model, to open in the workbench");
-    auto theme = smat::gui::ThemeMode::system;
-    cli.add_option("--theme", theme, "Colours of the window: system, light or dark")
+    std::optional<smat::gui::ThemeMode> theme;
+    cli.add_option("--theme", theme,
+                   "Colours of the window: system, light or dark; those of the preferences without")
         ->transform(CLI::CheckedTransformer(
             std::map<std::string, smat::gui::ThemeMode>{{"system", smat::gui::ThemeMode::system},
                                                         {"light", smat::gui::ThemeMode::light},

@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QStyle>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "gui/Theme.h"
 #include "gui/image/ImageView.h"
@@ -21,27 +22,27 @@ QString textOf(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-QString tooltipOf(const SettingInfo& info) {
+} // namespace
+
+QString SettingForm::helpText(const SettingInfo& info) {
     return QStringLiteral("<p style='white-space:normal'>%1</p><p><i>%2</i></p>")
         .arg(textOf(info.help).toHtmlEscaped(),
              (textOf(info.expected()) + "; " + textOf(info.key)).toHtmlEscaped());
 }
 
-} // namespace
-
 SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser chooseFile,
-                         QWidget* parent)
-    : QWidget(parent), chooseFile_(std::move(chooseFile)) {
-    auto* form = new QFormLayout(this);
+                         QWidget* parent, bool withHelp)
+    : QWidget(parent), chooseFile_(std::move(chooseFile)), keys_(keys) {
+    auto* form = layout_ = new QFormLayout(this);
     form->setContentsMargins(12, 12, 12, 12);
     form->setHorizontalSpacing(12);
     form->setVerticalSpacing(8);
-    form->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    form->setLabelAlignment(Qt::AlignRight | (withHelp ? Qt::AlignTop : Qt::AlignVCenter));
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     for (const auto& key : keys) {
         const SettingInfo& info = settingInfo(key);
         QWidget* field = makeField(info);
-        field->setToolTip(tooltipOf(info));
+        field->setToolTip(helpText(info));
         auto* label = new QLabel(textOf(info.label), this);
         label->setToolTip(field->toolTip());
         label->setBuddy(fields_.at(key).widget);
@@ -53,7 +54,25 @@ SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser choos
         unit->setForegroundRole(QPalette::PlaceholderText);
         unit->setMinimumWidth(28);
         row->addWidget(unit);
-        form->addRow(label, row);
+        if (!withHelp) {
+            form->addRow(label, row);
+            continue;
+        }
+        auto* help = new QLabel(
+            QStringLiteral("%1 <i>%2.</i>")
+                .arg(textOf(info.help).toHtmlEscaped(), textOf(info.expected()).toHtmlEscaped()),
+            this);
+        help->setObjectName(textOf(info.key) + ".help");
+        help->setTextFormat(Qt::RichText);
+        help->setWordWrap(true);
+        help->setForegroundRole(QPalette::PlaceholderText);
+        auto* column = new QVBoxLayout;
+        column->setSpacing(3);
+        column->addLayout(row);
+        column->addWidget(help);
+        column->addSpacing(6);
+        label->setMinimumHeight(field->sizeHint().height());
+        form->addRow(label, column);
     }
     setValues(Settings());
 }
@@ -193,6 +212,16 @@ void SettingForm::writeTo(Settings& settings) const {
         const std::string text = value(key);
         if (field.valid && settings.text(key) != text)
             settings.set(key, text);
+    }
+}
+
+void SettingForm::setExpertVisible(bool visible, const std::vector<std::string>& always) {
+    for (std::size_t row = 0; row < keys_.size(); ++row) {
+        const SettingInfo& info = settingInfo(keys_[row]);
+        const bool isShown = visible || info.audience == SettingAudience::basic ||
+                             std::find(always.begin(), always.end(), info.key) != always.end() ||
+                             value(info.key) != info.defaultText;
+        layout_->setRowVisible(static_cast<int>(row), isShown);
     }
 }
 

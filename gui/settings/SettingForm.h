@@ -24,8 +24,9 @@ class SettingForm : public QWidget {
 
   public:
     /// Shows the settings with these keys, in this order. Each field is named by its key.
+    /// `withHelp` writes help and range below each field instead of into its tooltip alone.
     SettingForm(const std::vector<std::string>& keys, FileChooser chooseFile,
-                QWidget* parent = nullptr);
+                QWidget* parent = nullptr, bool withHelp = false);
 
     void setValues(const Settings& settings);
     void setValue(const std::string& key, const std::string& text);
@@ -36,6 +37,12 @@ class SettingForm : public QWidget {
     QStringList problems() const;
     /// Puts the fields into settings, those that differ from what is there.
     void writeTo(Settings& settings) const;
+    /// Hides the settings for experts, except those that are not at their default and those in
+    /// `always`.
+    void setExpertVisible(bool visible, const std::vector<std::string>& always = {});
+    const std::vector<std::string>& keys() const { return keys_; }
+    /// Help, range and key of a setting, for a tooltip or a panel.
+    static QString helpText(const SettingInfo& info);
 
   signals:
     /// By the user, with a value that is right.
@@ -57,6 +64,8 @@ class SettingForm : public QWidget {
     bool mark(const std::string& key);
 
     FileChooser chooseFile_;
+    std::vector<std::string> keys_;
+    QFormLayout* layout_ = nullptr;
     std::map<std::string, Field> fields_;
 };
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <QApplication>
+#include <QSettings>
 #include <QStandardPaths>
 #include <gtest/gtest.h>
 
@@ -21,6 +22,8 @@ class QtForTests : public ::testing::Environment {
             qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
             qputenv("QT_QPA_PLATFORM", "offscreen");
         QStandardPaths::setTestModeEnabled(true);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                           QString::fromStdString(freshFolder("settings").string()));
         application_ = std::make_unique<QApplication>(argumentCount_, arguments_);
         QApplication::setOrganizationName("smat-tests");
         applyTheme(*application_, ThemeMode::light);

@@ -38,7 +38,7 @@ TEST_F(UndoTest, TypingOneNumberIsOneStep) {
     for (const auto* text : {"1", "12", "12.", "12.3"})
         workbench.set("camera.elevation", text);
     EXPECT_EQ(workbench.undoStack().count(), 1);
-    EXPECT_EQ(next(), "Set elevation to 12.3 °");
+    EXPECT_EQ(next(), "Set elevation to 12.3°");
     workbench.closeStep();
     workbench.set("camera.elevation", "12.34");
     EXPECT_EQ(workbench.undoStack().count(), 2);

@@ -32,6 +32,10 @@ class WindowFixture : public ::testing::Test {
         dialogs.tell = [this](QWidget*, const QString&, const QStringList& sentences) {
             told += sentences;
         };
+        dialogs.ask = [this](QWidget*, const QString& title, const QString&, const QStringList&) {
+            asked << title;
+            return answer;
+        };
         dialogs.run = [this](QDialog& dialog) {
             dialog.show();
             QTest::qWait(20);
@@ -55,6 +59,7 @@ class WindowFixture : public ::testing::Test {
         ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
         ASSERT_TRUE(workbench.hasProject());
     }
+    void trigger(const char* action) { window->findChild<QAction*>(action)->trigger(); }
     void runAnalysis(const char* word) {
         window->findChild<QAction*>(QString("new-") + word)->trigger();
         ASSERT_TRUE(waitUntil([this] { return !workbench.isRunning(); }));
@@ -79,6 +84,8 @@ class WindowFixture : public ::testing::Test {
     Dialogs people;
     QString chosen;
     QStringList told;
+    QStringList asked; ///< titles of the questions
+    int answer = -1;
     bool accept = true;
     std::function<void(QDialog&)> onDialog;
     std::unique_ptr<MainWindow> window;

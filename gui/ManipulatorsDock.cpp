@@ -1,0 +1,207 @@
+#include "gui/ManipulatorsDock.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/Theme.h"
+#include "gui/Workbench.h"
+#include "gui/image/ImageView.h"
+#include "gui/settings/SettingForm.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+namespace {
+
+constexpr int sliderSteps = 3600; ///< a tenth of a degree over a turn
+
+QLabel* heading(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    QFont font = label->font();
+    font.setBold(true);
+    label->setFont(font);
+    return label;
+}
+
+} // namespace
+
+ManipulatorsDock::ManipulatorsDock(Workbench& workbench, QWidget* parent)
+    : QDockWidget(tr("Camera and model"), parent), workbench_(workbench) {
+    setObjectName("manipulatorsDock");
+    auto* body = new QWidget;
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(6);
+    grid->setColumnStretch(1, 1);
+    grid->addWidget(heading(tr("Camera"), body), grid->rowCount(), 0, 1, 4);
+    addRow(grid, "camera.azimuth", tr("A&zimuth"), {-180, 180});
+    addRow(grid, "camera.elevation", tr("E&levation"), {-90, 90});
+    addRow(grid, "camera.range", tr("Ra&nge"), {1, 1e6, true});
+    addViews(grid);
+    grid->addWidget(heading(tr("Model"), body), grid->rowCount(), 0, 1, 4);
+    addRow(grid, "target.yaw", tr("&Yaw"), {-180, 180});
+    addRow(grid, "target.pitch", tr("&Pitch"), {-90, 90});
+    addRow(grid, "target.roll", tr("&Roll"), {-180, 180});
+
+    form_ =
+        new SettingForm({"target.altitude", "state.time", "state.power", "state.mach"}, {}, body);
+    form_->layout()->setContentsMargins(0, 6, 0, 0);
+    connect(form_, &SettingForm::edited, this,
+            [this](const std::string& key) { workbench_.set(key, form_->value(key)); });
+    auto* column = new QVBoxLayout(body);
+    column->setContentsMargins(12, 8, 12, 8);
+    column->addLayout(grid);
+    column->addWidget(form_);
+    column->addStretch(1);
+    body->setEnabled(false);
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(body);
+    scroll->setMinimumWidth(300);
+    setWidget(scroll);
+
+    connect(&workbench_, &Workbench::projectOpened, this, [body] { body->setEnabled(true); });
+    connect(&workbench_, &Workbench::settingsChanged, this, &ManipulatorsDock::refresh);
+    refresh();
+}
+
+void ManipulatorsDock::addRow(QGridLayout* grid, const std::string& key, const QString& label,
+                              const Reach& reach) {
+    const SettingInfo& info = settingInfo(key);
+    const QString name = QString::fromStdString(key);
+    Row row{reach, new QSlider(Qt::Horizontal), new QLineEdit};
+    row.slider->setObjectName(name + ".slider");
+    row.slider->setRange(0, sliderSteps);
+    row.slider->setSingleStep(10);
+    row.slider->setPageStep(sliderSteps / 24);
+    row.slider->setMinimumWidth(80);
+    row.field->setObjectName(name);
+    row.field->setFixedWidth(84);
+    row.field->setAlignment(Qt::AlignRight);
+    row.slider->setToolTip(SettingForm::helpText(info));
+    row.field->setToolTip(row.slider->toolTip());
+    auto* caption = new QLabel(label);
+    caption->setBuddy(row.field);
+    auto* unit = new QLabel(readableUnit(info.unit));
+    unit->setForegroundRole(QPalette::PlaceholderText);
+    const int line = grid->rowCount();
+    grid->addWidget(caption, line, 0);
+    grid->addWidget(row.slider, line, 1);
+    grid->addWidget(row.field, line, 2);
+    grid->addWidget(unit, line, 3);
+    rows_[key] = row;
+
+    connect(row.slider, &QSlider::sliderPressed, this, [this] { workbench_.holdStep(); });
+    connect(row.slider, &QSlider::sliderReleased, this, [this] { workbench_.closeStep(); });
+    connect(row.slider, &QSlider::valueChanged, this,
+            [this, key](int position) { onSlider(key, position); });
+    connect(row.field, &QLineEdit::textEdited, this, [this, key] { onText(key); });
+    connect(row.field, &QLineEdit::editingFinished, this, [this, key] {
+        // A text that is no value is replaced by the one in effect.
+        workbench_.closeStep();
+        rows_.at(key).field->clear();
+        refresh();
+    });
+}
+
+void ManipulatorsDock::addViews(QGridLayout* grid) {
+    struct View {
+        const char* name;
+        const char* text;
+        const char* azimuth;
+        const char* elevation;
+        QString tip;
+    };
+    const std::array<View, 6> views{{{"viewNose", "Nose", "0", "0", tr("From the nose")},
+                                     {"viewTail", "Tail", "180", "0", tr("From the tail")},
+                                     {"viewPort", "Port", "-90", "0", tr("From port")},
+                                     {"viewStarboard", "Stbd", "90", "0", tr("From starboard")},
+                                     {"viewTop", "Top", "0", "90", tr("From above")},
+                                     {"viewBelly", "Belly", "0", "-90", tr("From below")}}};
+    auto* buttons = new QGridLayout;
+    buttons->setSpacing(4);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const View& view = views[i];
+        auto* button = new QToolButton;
+        button->setObjectName(view.name);
+        button->setText(tr(view.text));
+        button->setToolTip(view.tip);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        connect(button, &QToolButton::clicked, this, [this, view] {
+            Settings settings = workbench_.settings();
+            settings.set("camera.azimuth", view.azimuth);
+            settings.set("camera.elevation", view.elevation);
+            workbench_.set(settings, tr("Look: %1").arg(view.tip.toLower()));
+        });
+        buttons->addWidget(button, 0, static_cast<int>(i));
+    }
+    grid->addLayout(buttons, grid->rowCount(), 0, 1, 4);
+}
+
+int ManipulatorsDock::positionOf(const Reach& reach, double value) {
+    const double inside = std::clamp(value, reach.minimum, reach.maximum);
+    const double part =
+        reach.isLogarithmic
+            ? std::log(inside / reach.minimum) / std::log(reach.maximum / reach.minimum)
+            : (inside - reach.minimum) / (reach.maximum - reach.minimum);
+    return static_cast<int>(std::lround(part * sliderSteps));
+}
+
+double ManipulatorsDock::valueAt(const Reach& reach, int position) {
+    const double part = static_cast<double>(position) / sliderSteps;
+    if (!reach.isLogarithmic)
+        return std::round(10.0 * (reach.minimum + part * (reach.maximum - reach.minimum))) / 10.0;
+    // Three digits, so that a drag passes by numbers people like.
+    const double value = reach.minimum * std::pow(reach.maximum / reach.minimum, part);
+    const double digit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+    return std::round(value / digit) * digit;
+}
+
+void ManipulatorsDock::onSlider(const std::string& key, int position) {
+    const Row& row = rows_.at(key);
+    if (refreshing_)
+        return;
+    workbench_.set(key, QString::number(valueAt(row.reach, position), 'g', 6).toStdString());
+}
+
+void ManipulatorsDock::onText(const std::string& key) {
+    Row& row = rows_.at(key);
+    const auto text = canonicalText(settingInfo(key), row.field->text().trimmed().toStdString());
+    QPalette colours = palette();
+    if (!text)
+        colours.setColor(QPalette::Base, isDark(colours) ? QColor("#5a2a2e") : QColor("#ffe3e3"));
+    row.field->setPalette(colours);
+    if (text)
+        workbench_.set(key, *text);
+}
+
+void ManipulatorsDock::refresh() {
+    refreshing_ = true;
+    const Settings& settings = workbench_.settings();
+    for (const auto& [key, row] : rows_) {
+        row.slider->setValue(positionOf(row.reach, settings.real(key)));
+        // A field that is being typed into holds the same value already and keeps its text.
+        const std::string& text = settings.text(key);
+        if (canonicalText(settingInfo(key), row.field->text().trimmed().toStdString()) != text) {
+            row.field->setText(QString::fromStdString(text));
+            row.field->setPalette(palette());
+        }
+    }
+    for (const auto& key : form_->keys()) {
+        if (form_->value(key) != settings.text(key))
+            form_->setValue(key, settings.text(key));
+    }
+    refreshing_ = false;
+}
+
+} // namespace smat::gui

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <QDockWidget>
+
+class QGridLayout;
+class QLineEdit;
+class QSlider;
+
+namespace smat::gui {
+
+class SettingForm;
+class Workbench;
+
+/// Camera azimuth, elevation and range and the model's yaw, pitch and roll, each with a slider and
+/// a text field that takes any number, and below them altitude and state. In step with the 3-D
+/// view; a drag is one step to undo.
+class ManipulatorsDock : public QDockWidget {
+    Q_OBJECT
+
+  public:
+    explicit ManipulatorsDock(Workbench& workbench, QWidget* parent = nullptr);
+
+  private:
+    /// The numbers a slider reaches; a field takes all that its setting allows.
+    struct Reach {
+        double minimum = 0.0, maximum = 0.0;
+        bool isLogarithmic = false;
+    };
+    struct Row {
+        Reach reach;
+        QSlider* slider = nullptr;
+        QLineEdit* field = nullptr;
+    };
+    void addRow(QGridLayout* grid, const std::string& key, const QString& label,
+                const Reach& reach);
+    void addViews(QGridLayout* grid);
+    void onSlider(const std::string& key, int position);
+    void onText(const std::string& key);
+    void refresh();
+    static int positionOf(const Reach& reach, double value);
+    static double valueAt(const Reach& reach, int position);
+
+    Workbench& workbench_;
+    std::map<std::string, Row> rows_;
+    SettingForm* form_ = nullptr;
+    bool refreshing_ = false;
+};
+
+} // namespace smat::gui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QDialog>
+
+#include "gui/Dialogs.h"
+#include "smatcore/project/Project.h"
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace smat::gui {
+
+/// Begins a project from a model, its signature database, a title and the axis of its nose.
+class NewProjectDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    explicit NewProjectDialog(Dialogs& dialogs, QWidget* parent = nullptr);
+    /// Without a file of its own yet.
+    Project project() const;
+    bool isAcceptable() const;
+
+  private:
+    QLineEdit* addFile(QFormLayout* form, const QString& name, const QString& label,
+                       const QString& title, const QStringList& filters);
+    void onModelChanged();
+    void refresh();
+
+    Dialogs& dialogs_;
+    QLineEdit* model_ = nullptr;
+    QLineEdit* database_ = nullptr;
+    QLineEdit* title_ = nullptr;
+    QComboBox* noseAxis_ = nullptr;
+    QLabel* remark_ = nullptr;
+    QPushButton* create_ = nullptr;
+};
+
+} // namespace smat::gui

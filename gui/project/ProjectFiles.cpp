@@ -1,0 +1,241 @@
+#include "gui/project/ProjectFiles.h"
+
+#include <algorithm>
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QWidget>
+
+#include "gui/Workbench.h"
+#include "gui/project/NewProjectDialog.h"
+#include "gui/settings/Preferences.h"
+#include "smatcore/project/ProjectFile.h"
+
+namespace smat::gui {
+namespace {
+
+QString textOf(const std::filesystem::path& file) {
+    return QString::fromStdString(file.string());
+}
+
+std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::path& file) {
+    std::error_code failure;
+    const auto time = std::filesystem::last_write_time(file, failure);
+    return failure ? std::nullopt : std::optional(time);
+}
+
+} // namespace
+
+QStringList sentencesOf(const irsg::InputError& error) {
+    QStringList sentences;
+    for (const auto& offence : error.offences())
+        sentences << QString::fromStdString(offence.message());
+    return sentences;
+}
+
+ProjectFiles::ProjectFiles(Workbench& workbench, Dialogs& dialogs, const Preferences& preferences,
+                           QWidget* window)
+    : QObject(window),
+      workbench_(workbench),
+      dialogs_(dialogs),
+      preferences_(preferences),
+      window_(window),
+      recovery_(workbench, preferences.recoveryDelay_s) {
+    connect(&recovery_, &RecoveryCopy::failed, this, &ProjectFiles::said);
+}
+
+QString ProjectFiles::modelFilter() {
+    return tr("Models (*.flt *.osgt *.osgb *.ive *.osg *.osgx)");
+}
+
+QString ProjectFiles::displayName() const {
+    return QString::fromStdString(workbench_.project().displayName());
+}
+
+void ProjectFiles::addSettler(std::function<bool()> settle) {
+    settlers_.push_back(std::move(settle));
+}
+
+bool ProjectFiles::settle() {
+    for (const auto& other : settlers_) {
+        if (!other())
+            return false;
+    }
+    if (!workbench_.isModified())
+        return true;
+    switch (dialogs_.ask(window_, tr("Unsaved changes"),
+                         tr("%1 has changes that are not saved.").arg(displayName()),
+                         {tr("&Save"), tr("&Discard")})) {
+    case 0:
+        return save();
+    case 1:
+        recovery_.forget();
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool ProjectFiles::newProject() {
+    if (!settle())
+        return false;
+    NewProjectDialog dialog(dialogs_, window_);
+    if (!dialogs_.run(dialog))
+        return false;
+    Project project = dialog.project();
+    project.settings.set("display.colorMap", preferences_.colorMap);
+    workbench_.adopt(project);
+    remember();
+    return true;
+}
+
+bool ProjectFiles::chooseProject() {
+    const QString file = dialogs_.openFile(
+        window_, tr("Open a project or a model"),
+        {tr("Projects and models (*.smat *.flt *.osgt *.osgb *.ive *.osg *.osgx)"),
+         tr("Projects (*.smat)"), tr("All files (*)")});
+    return !file.isEmpty() && open(file.toStdString());
+}
+
+bool ProjectFiles::chooseModel() {
+    const QString file =
+        dialogs_.openFile(window_, tr("Open a model"), {modelFilter(), tr("All files (*)")});
+    return !file.isEmpty() && open(file.toStdString());
+}
+
+bool ProjectFiles::open(const std::filesystem::path& file) {
+    if (!settle())
+        return false;
+    const auto absolute = std::filesystem::absolute(file).lexically_normal();
+    if (absolute.extension() == ".smat") {
+        if (RecoveryCopy::isInUse(absolute))
+            emit said(tr("%1 has unsaved changes in another window").arg(textOf(absolute)));
+        const auto recovered = recover(absolute);
+        if (!recovered.has_value() || *recovered)
+            return recovered.value_or(false);
+    }
+    return load(absolute);
+}
+
+bool ProjectFiles::load(const std::filesystem::path& file) {
+    try {
+        workbench_.open(file);
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(window_, tr("This file cannot be opened"), sentencesOf(error));
+        return false;
+    }
+    if (workbench_.project().file.empty())
+        workbench_.useColorMap(preferences_.colorMap);
+    remember();
+    QStringList unknown;
+    for (const auto& key : unknownKeys(workbench_.project()))
+        unknown << QString::fromStdString(key);
+    if (!unknown.isEmpty())
+        emit said(tr("Not known to this version, and kept: %1").arg(unknown.join(", ")));
+    return true;
+}
+
+std::optional<bool> ProjectFiles::recover(const std::filesystem::path& file) {
+    if (!RecoveryCopy::isLeftBehind(file))
+        return false;
+    const auto copy = RecoveryCopy::pathFor(file);
+    Project recovered;
+    try {
+        recovered = RecoveryCopy::read(file);
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(window_, tr("The recovery copy cannot be read; the saved project is opened"),
+                      sentencesOf(error));
+        return false;
+    }
+    const QString when =
+        QLocale::system().toString(QFileInfo(textOf(copy)).lastModified(), QLocale::ShortFormat);
+    const QString name = file.empty() ? tr("A new project") : textOf(file.filename());
+    switch (dialogs_.ask(
+        window_, tr("Recover unsaved changes"),
+        tr("%1 was not closed properly. Its unsaved changes of %2 were kept.").arg(name, when),
+        {tr("&Recover them"), tr("&Discard them")})) {
+    case 0:
+        workbench_.adopt(recovered);
+        remember();
+        return true;
+    case 1:
+        RecoveryCopy::remove(file);
+        return false;
+    default:
+        return std::nullopt;
+    }
+}
+
+bool ProjectFiles::offerNewProject() {
+    return !workbench_.hasProject() && recover({}).value_or(false);
+}
+
+void ProjectFiles::remember() {
+    written_ = writtenAt(workbench_.project().file);
+}
+
+bool ProjectFiles::save() {
+    if (!workbench_.hasProject())
+        return false;
+    const auto file = workbench_.project().file;
+    if (file.empty())
+        return saveAs();
+    const auto now = writtenAt(file);
+    if (now && now != written_) {
+        const int answer = dialogs_.ask(
+            window_, tr("Changed by another program"),
+            tr("%1 was written by another program after it was opened here.").arg(textOf(file)),
+            {tr("&Replace it"), tr("Save &as…")});
+        if (answer != 0)
+            return answer == 1 && saveAs();
+    }
+    return saveTo(file);
+}
+
+bool ProjectFiles::saveAs() {
+    if (!workbench_.hasProject())
+        return false;
+    const Project& project = workbench_.project();
+    std::filesystem::path suggestion = project.file;
+    if (suggestion.empty() && !project.models.empty())
+        suggestion = std::filesystem::path(project.models.front().file).replace_extension(".smat");
+    const QString file = dialogs_.saveFile(window_, tr("Save the project"),
+                                           {tr("Projects (*.smat)")}, textOf(suggestion));
+    return !file.isEmpty() && saveTo(file.toStdString());
+}
+
+bool ProjectFiles::saveTo(const std::filesystem::path& file) {
+    try {
+        workbench_.saveAs(file);
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(window_, tr("The project cannot be saved"), sentencesOf(error));
+        return false;
+    }
+    remember();
+    emit said(tr("Saved %1").arg(textOf(workbench_.project().file)));
+    return true;
+}
+
+bool ProjectFiles::chooseModelFile(std::size_t model) {
+    const QString file =
+        dialogs_.openFile(window_, tr("File of the model"), {modelFilter(), tr("All files (*)")});
+    if (file.isEmpty())
+        return false;
+    Project changed = workbench_.project();
+    changed.models.at(model).file = file.toStdString();
+    workbench_.edit(changed, tr("Take model %1").arg(QFileInfo(file).fileName()));
+    return true;
+}
+
+bool ProjectFiles::chooseDatabaseFile(std::size_t model) {
+    const QString file = dialogs_.openFile(window_, tr("Signature database of the model"),
+                                           {tr("Signature databases (*.sigdb)")});
+    if (file.isEmpty())
+        return false;
+    Project changed = workbench_.project();
+    changed.models.at(model).database = file.toStdString();
+    workbench_.edit(changed, tr("Take database %1").arg(QFileInfo(file).fileName()));
+    return true;
+}
+
+} // namespace smat::gui

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <QObject>
+
+#include "gui/Dialogs.h"
+#include "gui/project/RecoveryCopy.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+
+class Workbench;
+struct Preferences;
+
+/// The part of the window that opens and saves: asks for names and about unsaved changes, offers
+/// what a crash left behind, and tells what went wrong. Nothing that is open is lost by an answer
+/// of "cancel" or by a file that cannot be read or written.
+class ProjectFiles : public QObject {
+    Q_OBJECT
+
+  public:
+    ProjectFiles(Workbench& workbench, Dialogs& dialogs, const Preferences& preferences,
+                 QWidget* window);
+
+    RecoveryCopy& recovery() { return recovery_; }
+    /// Saves unsaved changes or gives them up, as the person wants it; false where it is better to
+    /// stay.
+    bool settle();
+    /// Asked by settle() before the project itself: editors of other files.
+    void addSettler(std::function<bool()> settle);
+
+    /// Each true where it was done.
+    bool newProject();
+    bool chooseProject();
+    bool chooseModel();
+    bool open(const std::filesystem::path& file);
+    bool save();
+    bool saveAs();
+    /// A new project that was never saved, left behind by a crash.
+    bool offerNewProject();
+    /// Another file for a model of the project, or for its database: a step to undo.
+    bool chooseModelFile(std::size_t model);
+    bool chooseDatabaseFile(std::size_t model);
+
+    static QString modelFilter();
+
+  signals:
+    /// Something to say in passing.
+    void said(const QString& sentence);
+
+  private:
+    bool load(const std::filesystem::path& file);
+    bool saveTo(const std::filesystem::path& file);
+    /// No value where the person wants to stay; else whether a recovered project was taken.
+    std::optional<bool> recover(const std::filesystem::path& file);
+    void remember();
+    QString displayName() const;
+
+    Workbench& workbench_;
+    Dialogs& dialogs_;
+    const Preferences& preferences_;
+    QWidget* window_;
+    RecoveryCopy recovery_;
+    std::vector<std::function<bool()>> settlers_;
+    std::optional<std::filesystem::file_time_type>
+        written_; ///< of the project's file, as we know it
+};
+
+/// "x.smat: line 3: found ..., expected ..." for each offence.
+QStringList sentencesOf(const irsg::InputError& error);
+
+} // namespace smat::gui

@@ -1,0 +1,160 @@
+#include "gui/settings/SettingsDialog.h"
+
+#include <algorithm>
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+
+#include "gui/Theme.h"
+#include "gui/Workbench.h"
+
+namespace smat::gui {
+
+std::vector<SettingsPage> SettingsDialog::optionPages() {
+    return {
+        {tr("Antialiasing"),
+         "image",
+         {"render.antialiasing", "render.supersampling", "render.zoom", "render.pointSource",
+          "render.layers"}},
+        {tr("Background"),
+         "range",
+         {"render.backgroundRows", "render.backgroundColumns", "render.sunDisc"}},
+        {tr("Skybox"),
+         "model",
+         {"environment.skybox", "environment.skyboxSlope", "environment.skyboxOffset"}},
+        {tr("Terrain"),
+         "axes",
+         {"environment.terrain", "environment.terrainSlope", "environment.terrainOffset",
+          "environment.terrainEast", "environment.terrainNorth", "environment.terrainAltitude",
+          "render.terrainHides"}},
+        {tr("Atmosphere"), "air", {"environment.atmospheres", "environment.ambientTemperature"}}};
+}
+
+std::vector<SettingsPage> SettingsDialog::analysisPages() {
+    return {{tr("Sun and fluxes"),
+             "sun",
+             {"environment.sunAzimuth", "environment.sunElevation", "render.sun", "render.fluxes",
+              "render.fluxWeights"}},
+            {tr("Background source"), "range", {"render.background"}},
+            {tr("Band and mode"),
+             "sensor",
+             {"sensor.band", "sensor.response", "sensor.mode"},
+             {"sensor.mode"}}};
+}
+
+SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const QString& step,
+                               const std::vector<SettingsPage>& pages, FileChooser chooseFile,
+                               QWidget* parent)
+    : QDialog(parent), workbench_(workbench), step_(step), pages_(pages) {
+    setWindowTitle(title);
+    resize(780, 520);
+    list_ = new QListWidget(this);
+    list_->setObjectName("pageList");
+    list_->setFixedWidth(180);
+    list_->setIconSize(QSize(20, 20));
+    list_->setSpacing(2);
+    auto* stack = new QStackedWidget(this);
+    for (const auto& page : pages_) {
+        new QListWidgetItem(icon(page.icon), page.title, list_);
+        auto* form = new SettingForm(page.keys, chooseFile, nullptr, true);
+        form->setValues(workbench_.settings());
+        connect(form, &SettingForm::edited, this, &SettingsDialog::refresh);
+        connect(form, &SettingForm::validityChanged, this, &SettingsDialog::refresh);
+        forms_.push_back(form);
+        auto* scroll = new QScrollArea(stack);
+        scroll->setWidgetResizable(true);
+        scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setWidget(form);
+        stack->addWidget(scroll);
+    }
+    connect(list_, &QListWidget::currentRowChanged, stack, &QStackedWidget::setCurrentIndex);
+    problems_ = new QLabel(this);
+    problems_->setObjectName("problems");
+    problems_->setWordWrap(true);
+    experts_ = new QCheckBox(tr("Show &expert settings"), this);
+    experts_->setObjectName("showExperts");
+    experts_->setVisible(std::any_of(pages_.begin(), pages_.end(), [](const auto& page) {
+        return std::any_of(page.keys.begin(), page.keys.end(), [&](const auto& key) {
+            return settingInfo(key).audience == SettingAudience::expert &&
+                   std::find(page.always.begin(), page.always.end(), key) == page.always.end();
+        });
+    }));
+    connect(experts_, &QCheckBox::toggled, this, &SettingsDialog::showExperts);
+    buttons_ = new QDialogButtonBox(
+        QDialogButtonBox::Ok | QDialogButtonBox::Apply | QDialogButtonBox::Cancel, this);
+    for (auto* button : buttons_->buttons())
+        button->setIcon({});
+    buttons_->button(QDialogButtonBox::Apply)->setObjectName("apply");
+    connect(buttons_, &QDialogButtonBox::accepted, this, &SettingsDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons_->button(QDialogButtonBox::Apply), &QPushButton::clicked, this,
+            &SettingsDialog::apply);
+
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(16, 14, 16, 14);
+    grid->setHorizontalSpacing(14);
+    grid->setVerticalSpacing(10);
+    grid->setColumnStretch(1, 1);
+    grid->setRowStretch(0, 1);
+    grid->addWidget(list_, 0, 0);
+    grid->addWidget(stack, 0, 1);
+    grid->addWidget(problems_, 1, 0, 1, 2);
+    grid->addWidget(experts_, 2, 0);
+    grid->addWidget(buttons_, 2, 1);
+    showPage(0);
+    showExperts(false);
+    refresh();
+}
+
+void SettingsDialog::showPage(int page) {
+    list_->setCurrentRow(page);
+}
+
+void SettingsDialog::showExperts(bool visible) {
+    for (std::size_t i = 0; i < forms_.size(); ++i)
+        forms_[i]->setExpertVisible(visible, pages_[i].always);
+}
+
+bool SettingsDialog::isAcceptable() const {
+    return std::all_of(forms_.begin(), forms_.end(),
+                       [](const auto* form) { return form->isValid(); });
+}
+
+Settings SettingsDialog::edited() const {
+    Settings settings = workbench_.settings();
+    for (const auto* form : forms_)
+        form->writeTo(settings);
+    return settings;
+}
+
+void SettingsDialog::refresh() {
+    QStringList problems;
+    for (const auto* form : forms_)
+        problems += form->problems();
+    problems_->setText(problems.join('\n'));
+    problems_->setVisible(!problems.isEmpty());
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(problems.isEmpty());
+    buttons_->button(QDialogButtonBox::Apply)
+        ->setEnabled(problems.isEmpty() && edited() != workbench_.settings());
+}
+
+bool SettingsDialog::apply() {
+    if (!isAcceptable())
+        return false;
+    workbench_.set(edited(), step_);
+    refresh();
+    return true;
+}
+
+void SettingsDialog::accept() {
+    if (apply())
+        QDialog::accept();
+}
+
+} // namespace smat::gui

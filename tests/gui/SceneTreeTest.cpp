@@ -1,0 +1,142 @@
+#include "gui/project/SceneTreeDock.h"
+
+#include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
+
+#include "irsg/signature/SignatureFile.h"
+#include "smatcore/project/ProjectFile.h"
+#include "tests/gui/WindowFixture.h"
+
+namespace smat::gui {
+namespace {
+
+TEST(SceneIndexTest, PutsWhatAModelUsesBesideWhatADatabaseHas) {
+    irsg::SignatureDatabase database;
+    database.temperatures[1].name = "hull";
+    database.temperatures[7].name = "spare";
+    database.materials[2].name = "paint";
+    const ModelCodes codes{{{1, 2}, {10, 4.0}}, {{1, 3}, {5, 1.5}}, {{9, 2}, {1, 0.25}}};
+    ProjectModel model;
+    ModelIndex index = makeModelIndex(model, codes, database);
+    EXPECT_EQ(index.temperatures.at(1).faces, 15);
+    EXPECT_EQ(index.temperatures.at(1).area_m2, 5.5);
+    EXPECT_EQ(index.temperatures.at(1).name, "hull");
+    EXPECT_EQ(index.materials.at(2).faces, 11);
+    EXPECT_TRUE(index.temperatures.at(9).isMissing());
+    EXPECT_TRUE(index.materials.at(3).isMissing());
+    EXPECT_FALSE(index.temperatures.at(7).isMissing());
+    EXPECT_EQ(index.temperatures.at(7).faces, 0);
+    EXPECT_TRUE(index.hasMissing());
+
+    model.fallbackTemperature = 1;
+    model.fallbackMaterial = 44; // no such entry: nothing stands in
+    index = makeModelIndex(model, codes, database);
+    EXPECT_FALSE(index.temperatures.at(9).isMissing());
+    EXPECT_TRUE(index.materials.at(3).isMissing());
+}
+
+class SceneTreeTest : public test::WindowFixture {
+  protected:
+    void wait() {
+        ASSERT_TRUE(test::waitUntil([this] { return !window->tree().isLoading(); }));
+    }
+    QTreeWidgetItem* find(const QString& start) {
+        for (QTreeWidgetItemIterator it(window->findChild<QTreeWidget*>("sceneTree")); *it; ++it) {
+            if ((*it)->text(0).startsWith(start))
+                return *it;
+        }
+        return nullptr;
+    }
+};
+
+TEST_F(SceneTreeTest, ShowsModelsIndicesSensorAirAndAnalyses) {
+    ASSERT_TRUE(window->open(std::filesystem::path(SMAT_SOURCE_DIR) /
+                             "samples/turboprop4/turboprop4.smat"));
+    wait();
+    const auto database = irsg::loadSignatureFile(std::filesystem::path(SMAT_SOURCE_DIR) /
+                                                  "samples/turboprop4/turboprop4.sigdb")
+                              .database;
+    const auto& [number, entry] = *database.temperatures.begin();
+    EXPECT_NE(find(QString("%1  %2").arg(number).arg(QString::fromStdString(entry.name))), nullptr);
+    for (const auto* start : {"Sensor", "Atmosphere", "Sun", "Analyses", "polar", "Materials"})
+        EXPECT_NE(find(start), nullptr) << start;
+    EXPECT_FALSE(window->tree().index().front().hasMissing());
+    find("Temperatures")->setExpanded(true);
+    find("Materials")->setExpanded(true);
+    test::keepScreenshot(*window, "window-scene-tree");
+    // What a person has opened stays open when the project is saved or edited.
+    Project changed = workbench.project();
+    changed.title = "Renamed";
+    workbench.edit(changed, "Rename");
+    EXPECT_NE(find("Renamed"), nullptr);
+    EXPECT_TRUE(find("Materials")->isExpanded());
+}
+
+TEST_F(SceneTreeTest, SelectingAnIndexTellsWhichAndPickingSelectsIt) {
+    openSample();
+    wait();
+    std::vector<std::tuple<IndexKind, int, int>> selected;
+    QObject::connect(
+        &window->tree(), &SceneTreeDock::indexSelected,
+        [&](IndexKind kind, int index, int model) { selected.emplace_back(kind, index, model); });
+    const int number = window->tree().index().front().materials.begin()->first;
+    find("Materials")->child(0)->setSelected(true);
+    ASSERT_EQ(selected.size(), 1U);
+    EXPECT_EQ(selected.front(), std::tuple(IndexKind::material, number, 0));
+    const int temperature = window->tree().index().front().temperatures.begin()->first;
+    window->tree().showIndex(IndexKind::temperature, temperature);
+    EXPECT_EQ(selected.size(), 1U);
+    EXPECT_TRUE(find("Temperatures")->child(0)->isSelected());
+}
+
+TEST_F(SceneTreeTest, MarksFilesThatAreMissingAndTakesOthers) {
+    const auto file = test::writeSampleProject(folder);
+    Project project = loadProject(file);
+    const auto model = project.models.front();
+    project.models.front().file = "vanished.flt";
+    project.models.front().database = "vanished.sigdb";
+    saveProject(project, file);
+    window->open(file);
+    wait();
+    EXPECT_FALSE(told.isEmpty());
+    EXPECT_TRUE(told.join(' ').contains("vanished.flt"));
+    EXPECT_TRUE(window->tree().index().front().modelProblem.contains("vanished.flt"));
+    EXPECT_TRUE(window->tree().index().front().databaseProblem.contains("vanished.sigdb"));
+    test::keepScreenshot(*window, "window-missing-files");
+
+    // Enter on what is marked mends it, as a step to undo.
+    told.clear();
+    auto* tree = window->findChild<QTreeWidget*>("sceneTree");
+    chosen = QString::fromStdString(
+        (std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.flt").string());
+    emit tree->itemActivated(find("ship"), 0);
+    wait();
+    chosen.replace(".flt", ".sigdb");
+    emit tree->itemActivated(find("vanished.sigdb"), 0);
+    wait();
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    EXPECT_TRUE(window->tree().index().front().modelProblem.isEmpty());
+    EXPECT_FALSE(window->tree().index().front().hasMissing());
+    EXPECT_EQ(workbench.undoStack().count(), 2);
+    EXPECT_EQ(workbench.undoStack().undoText(), "Take database ship.sigdb");
+}
+
+TEST_F(SceneTreeTest, FollowsADatabaseThatIsEdited) {
+    openSample();
+    wait();
+    auto database =
+        irsg::loadSignatureFile(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.sigdb")
+            .database;
+    const int number = window->tree().index().front().materials.begin()->first;
+    database.materials[number].name = "fresh paint";
+    database.materials[77].name = "new";
+    const int gone = window->tree().index().front().temperatures.begin()->first;
+    database.temperatures.erase(gone);
+    window->tree().setDatabase(0, database);
+    EXPECT_NE(find(QString("%1  fresh paint").arg(number)), nullptr);
+    EXPECT_NE(find("77  new"), nullptr);
+    EXPECT_TRUE(window->tree().index().front().temperatures.at(gone).isMissing());
+}
+
+} // namespace
+} // namespace smat::gui

@@ -1,0 +1,239 @@
+#include "gui/settings/SettingsDialog.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "gui/HelpDialogs.h"
+#include "gui/settings/Preferences.h"
+#include "tests/gui/WindowFixture.h"
+
+namespace smat::gui {
+namespace {
+
+class SettingsDialogTest : public test::WindowFixture {
+  protected:
+    static void type(QWidget& dialog, const char* key, const char* text) {
+        auto* field = dialog.findChild<QLineEdit*>(key);
+        ASSERT_NE(field, nullptr) << key;
+        field->selectAll();
+        QTest::keyClicks(field, text);
+    }
+};
+
+TEST_F(SettingsDialogTest, OptionsAreChangedAppliedUndoneAndReopenedFromTheFile) {
+    openSample();
+    onDialog = [&](QDialog& dialog) {
+        type(dialog, "render.backgroundRows", "32");
+        type(dialog, "environment.skyboxSlope", "2.5");
+        dialog.findChild<QCheckBox*>("render.sunDisc")->click();
+        auto* apply = dialog.findChild<QPushButton*>("apply");
+        EXPECT_TRUE(apply->isEnabled());
+        apply->click();
+        EXPECT_FALSE(apply->isEnabled());
+        dynamic_cast<SettingsDialog&>(dialog).accept();
+    };
+    trigger("options");
+    EXPECT_EQ(workbench.undoStack().count(), 1);
+    EXPECT_EQ(workbench.undoStack().undoText(), "Change options");
+    EXPECT_EQ(workbench.settings().integer("render.backgroundRows"), 32);
+    trigger("undo");
+    EXPECT_EQ(workbench.settings().integer("render.backgroundRows"), 1);
+    EXPECT_FALSE(workbench.settings().boolean("render.sunDisc"));
+    trigger("redo");
+    trigger("saveProject");
+    Workbench again;
+    again.open(folder / "ship.smat");
+    EXPECT_EQ(again.settings().real("environment.skyboxSlope"), 2.5);
+    EXPECT_TRUE(again.settings().boolean("render.sunDisc"));
+}
+
+TEST_F(SettingsDialogTest, CancelChangesNothing) {
+    openSample();
+    onDialog = [&](QDialog& dialog) {
+        type(dialog, "environment.sunElevation", "12");
+        dialog.reject();
+    };
+    trigger("analysisSettings");
+    EXPECT_EQ(workbench.undoStack().count(), 0);
+    EXPECT_EQ(workbench.settings().real("environment.sunElevation"), 45.0);
+}
+
+TEST_F(SettingsDialogTest, AnalysisSettingsHoldWhatTheDesignNames) {
+    openSample();
+    onDialog = [&](QDialog& dialog) {
+        for (const auto* key :
+             {"environment.sunAzimuth", "environment.sunElevation", "render.sun", "render.fluxes",
+              "render.background", "sensor.mode", "sensor.band", "sensor.response"})
+            EXPECT_NE(dialog.findChild<QWidget*>(key), nullptr) << key;
+        auto* sun = dialog.findChild<QComboBox*>("render.sun");
+        EXPECT_EQ(sun->count(), 3);
+        dynamic_cast<SettingsDialog&>(dialog).showPage(2);
+        EXPECT_TRUE(dialog.findChild<QWidget*>("sensor.mode")->isVisible());
+    };
+    trigger("analysisSettings");
+}
+
+TEST_F(SettingsDialogTest, RefusesWhatIsNoValueAndSaysWhatWouldBe) {
+    openSample();
+    onDialog = [&](QDialog& dialog) {
+        type(dialog, "environment.sunElevation", "95");
+        auto& form = dynamic_cast<SettingsDialog&>(dialog);
+        EXPECT_FALSE(form.isAcceptable());
+        EXPECT_FALSE(form.apply());
+        EXPECT_FALSE(form.findChild<QPushButton*>("apply")->isEnabled());
+        EXPECT_TRUE(form.findChild<QLabel*>("problems")->text().contains("from -90 to 90"));
+        test::keepScreenshot(dialog, "dialog-analysis-settings-refuses");
+    };
+    trigger("analysisSettings");
+    EXPECT_EQ(workbench.undoStack().count(), 0);
+}
+
+TEST_F(SettingsDialogTest, ExpertSettingsWaitUntilTheyAreAskedFor) {
+    openSample();
+    onDialog = [&](QDialog& dialog) {
+        auto* zoom = dialog.findChild<QWidget*>("render.zoom");
+        EXPECT_FALSE(zoom->isVisible());
+        auto* field = dialog.findChild<QWidget*>("render.antialiasing");
+        EXPECT_TRUE(field->isVisible());
+        auto* help = dialog.findChild<QLabel*>("render.antialiasing.help");
+        EXPECT_TRUE(help->text().contains("512 samples"));
+        EXPECT_TRUE(help->text().contains("from 0 to 5"));
+        dialog.findChild<QCheckBox*>("showExperts")->click();
+        EXPECT_TRUE(zoom->isVisible());
+    };
+    trigger("options");
+    // One that was changed is never hidden.
+    workbench.set("render.zoom", "sills");
+    onDialog = [&](QDialog& dialog) {
+        EXPECT_TRUE(dialog.findChild<QWidget*>("render.zoom")->isVisible());
+    };
+    trigger("options");
+}
+
+TEST_F(SettingsDialogTest, EveryPageInLightAndDark) {
+    openSample();
+    for (const auto mode : {ThemeMode::light, ThemeMode::dark}) {
+        applyTheme(*qApp, mode);
+        const std::string tail = mode == ThemeMode::light ? "-light" : "-dark";
+        onDialog = [&](QDialog& dialog) {
+            auto* pages = dynamic_cast<SettingsDialog*>(&dialog);
+            if (pages == nullptr)
+                return;
+            const int count = dialog.objectName() == "optionsDialog" ? 5 : 3;
+            for (int page = 0; page < count; ++page) {
+                pages->showPage(page);
+                QTest::qWait(20);
+                test::keepScreenshot(dialog, dialog.objectName().toStdString() + "-" +
+                                                 std::to_string(page) + tail);
+            }
+        };
+        trigger("options");
+        trigger("analysisSettings");
+        onDialog = [&](QDialog& dialog) {
+            test::keepScreenshot(dialog, dialog.objectName().toStdString() + tail);
+        };
+        accept = false;
+        for (const auto* action :
+             {"preferences", "showShortcuts", "showAbout", "newProject", "convertModel"})
+            trigger(action);
+        accept = true;
+        QTest::qWait(300);
+        test::keepScreenshot(*window, "window" + tail);
+    }
+    applyTheme(*qApp, ThemeMode::light);
+}
+
+TEST_F(SettingsDialogTest, PreferencesAreKeptInAReadableFile) {
+    onDialog = [&](QDialog& dialog) {
+        dialog.findChild<QComboBox*>("theme")->setCurrentIndex(2);
+        dialog.findChild<QComboBox*>("colorMap")->setCurrentText("ironbow");
+        dialog.findChild<QSpinBox*>("recoveryDelay")->setValue(30);
+    };
+    trigger("preferences");
+    EXPECT_TRUE(isDark(QApplication::palette()));
+    const Preferences kept = Preferences::load();
+    EXPECT_EQ(kept, (Preferences{ThemeMode::dark, "ironbow", 30}));
+    QFile file(Preferences::file());
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll();
+    EXPECT_TRUE(text.contains("theme=dark")) << text.toStdString();
+    EXPECT_TRUE(text.contains("recoveryDelay_s=30"));
+    // A project that is begun has the map; one that has a file keeps its own.
+    makeWindow();
+    EXPECT_TRUE(window->open(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.flt"));
+    EXPECT_EQ(workbench.settings().text("display.colorMap"), "ironbow");
+    EXPECT_FALSE(workbench.isModified());
+    openSample();
+    EXPECT_EQ(workbench.settings().text("display.colorMap"), "white-hot");
+    Preferences().save();
+    applyTheme(*qApp, ThemeMode::light);
+}
+
+TEST_F(SettingsDialogTest, WrongPreferencesAreNamedAndReplacedByDefaults) {
+    QFile file(Preferences::file());
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("[General]\ntheme=pink\ncolorMap=plaid\nrecoveryDelay_s=soon\n");
+    file.close();
+    QStringList problems;
+    EXPECT_EQ(Preferences::load(&problems), Preferences());
+    ASSERT_EQ(problems.size(), 3);
+    EXPECT_TRUE(problems.join(' ').contains("pink"));
+    EXPECT_TRUE(problems.join(' ').contains("plaid"));
+    EXPECT_TRUE(problems.join(' ').contains("soon"));
+    Preferences().save();
+}
+
+TEST_F(SettingsDialogTest, TheListOfKeysIsThatOfTheActions) {
+    QString text;
+    onDialog = [&](QDialog& dialog) { text = dialog.findChild<QLabel*>("keyList")->text(); };
+    trigger("showShortcuts");
+    QStringList seen;
+    for (auto* action : window->findChildren<QAction*>()) {
+        for (const auto& keys : action->shortcuts()) {
+            const QString name = keys.toString(QKeySequence::NativeText);
+            EXPECT_TRUE(text.contains(name)) << name.toStdString();
+            EXPECT_FALSE(seen.contains(name)) << name.toStdString() << " does two things";
+            seen << name;
+        }
+    }
+    EXPECT_GE(seen.size(), 18);
+    EXPECT_TRUE(text.contains("Save project as"));
+}
+
+TEST_F(SettingsDialogTest, EveryMenuAndItsEntriesHaveALetterOfTheirOwn) {
+    openSample();
+    for (const auto* menu : window->menuBar()->actions()) {
+        EXPECT_TRUE(menu->text().contains('&')) << menu->text().toStdString();
+        QStringList letters;
+        for (const auto* action : menu->menu()->actions()) {
+            const int at = static_cast<int>(action->text().indexOf('&'));
+            if (action->isSeparator() || at < 0)
+                continue;
+            const QString letter = action->text().mid(at + 1, 1).toLower();
+            EXPECT_FALSE(letters.contains(letter))
+                << menu->text().toStdString() << ": " << action->text().toStdString();
+            letters << letter;
+        }
+    }
+}
+
+TEST_F(SettingsDialogTest, AboutNamesEveryLibraryWithItsVersion) {
+    QString text;
+    onDialog = [&](QDialog& dialog) { text = dialog.findChild<QLabel*>("aboutText")->text(); };
+    trigger("showAbout");
+    for (const auto* name : {"Qt", "Qwt", "OpenSceneGraph", "OpenEXR", "SQLite", "3-D view"})
+        EXPECT_TRUE(text.contains(name)) << name;
+    EXPECT_TRUE(text.contains(qVersion()));
+    EXPECT_TRUE(text.contains(window->sceneView()->renderer().toHtmlEscaped()));
+}
+
+} // namespace
+} // namespace smat::gui
