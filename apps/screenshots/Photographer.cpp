@@ -7,6 +7,7 @@
 #include <QEventLoop>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QTabWidget>
 #include <QTimer>
 
@@ -49,6 +50,9 @@ Dialogs Photographer::dialogs() {
     answers.tell = [this](QWidget*, const QString& title, const QStringList& sentences) {
         told_ << title + ": " + sentences.join("; ");
     };
+    answers.ask = [](QWidget*, const QString&, const QString&, const QStringList& choices) {
+        return static_cast<int>(choices.indexOf(QRegularExpression(".*Discard.*")));
+    };
     answers.run = [this](QDialog& dialog) {
         keepDialog(dialog);
         return accept_;
@@ -70,6 +74,7 @@ QStringList Photographer::photograph() {
     for (QAction* action : window_.menuBar()->actions())
         if (action->menu() != nullptr)
             goThrough(*action->menu());
+    window_.close(); // what the looking around has changed is discarded
     return told_;
 }
 

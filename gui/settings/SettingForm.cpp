@@ -88,8 +88,9 @@ QWidget* SettingForm::makeField(const SettingInfo& info) {
     case SettingKind::path:
     case SettingKind::pathList:
         return makeText(info, true);
-    case SettingKind::real:
     case SettingKind::integer:
+        return info.names.empty() ? makeText(info, false) : makeNamed(info);
+    case SettingKind::real:
     case SettingKind::band:
         break;
     }
@@ -143,6 +144,19 @@ QWidget* SettingForm::makeChoice(const SettingInfo& info, bool editable) {
     if (editable)
         connect(box->lineEdit(), &QLineEdit::textEdited, this,
                 [this, key = info.key] { onEdited(key); });
+    return box;
+}
+
+QWidget* SettingForm::makeNamed(const SettingInfo& info) {
+    auto* box = new QComboBox(this);
+    box->setObjectName(textOf(info.key));
+    for (std::size_t i = 0; i < info.names.size(); ++i)
+        box->addItem(textOf(info.names[i]),
+                     QString::number(static_cast<int>(info.minimum) + static_cast<int>(i)));
+    fields_[info.key] = {[box] { return box->currentData().toString(); },
+                         [box](const QString& text) { box->setCurrentIndex(box->findData(text)); },
+                         box};
+    connect(box, &QComboBox::activated, this, [this, key = info.key] { onEdited(key); });
     return box;
 }
 

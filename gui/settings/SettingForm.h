@@ -59,6 +59,7 @@ class SettingForm : public QWidget {
     QWidget* makeField(const SettingInfo& info);
     QWidget* makeText(const SettingInfo& info, bool isFile);
     QWidget* makeChoice(const SettingInfo& info, bool editable);
+    QWidget* makeNamed(const SettingInfo& info);
     QWidget* makeCheck(const SettingInfo& info);
     void onEdited(const std::string& key);
     bool mark(const std::string& key);

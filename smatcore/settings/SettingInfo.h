@@ -33,6 +33,7 @@ struct SettingInfo {
     double minimum = 0.0; ///< of numbers, inclusive
     double maximum = 0.0;
     std::vector<std::string> choices = {};
+    std::vector<std::string> names = {}; ///< of an integer's values from the minimum on, for forms
     std::string defaultText;
     std::string option; ///< "--width"; every setting has one
     std::string help;   ///< documentation string: one or more sentences

@@ -174,11 +174,18 @@ void addSurroundings(std::vector<SettingInfo>& table) {
 }
 
 void addRendering(std::vector<SettingInfo>& table) {
-    table.push_back(integer(
+    SettingInfo antialiasing = integer(
         "render.antialiasing", "--antialiasing", "Antialiasing", "", 0, 5, "4",
         "Mode 0: one sample a pixel. Modes 1 and 2: 2 and 4 samples per axis in every pixel. Modes "
         "3, 4 and 5: every object is drawn into a window of 128, 256 or 512 samples a side, "
-        "however small it is."));
+        "however small it is.");
+    antialiasing.names = {"0   none",
+                          "1   supersampling 2 × 2",
+                          "2   supersampling 4 × 4",
+                          "3   zoom, 128 samples a side",
+                          "4   zoom, 256 samples a side",
+                          "5   zoom, 512 samples a side"};
+    table.push_back(std::move(antialiasing));
     table.push_back(
         choice("render.zoom", "--zoom", "Zoom strategy", {"aligned", "sills"}, "aligned",
                "How modes 3 to 5 sample: aligned on the sensor's pixel grid, or sills, "
