@@ -16,6 +16,8 @@
 #include <sqlite3.h>
 
 #include "gui/Theme.h"
+#include "gui/image/ComparisonWindow.h"
+#include "gui/image/ImageView.h"
 #include "smatcore/data/Provenance.h"
 
 namespace smat::gui {
@@ -114,14 +116,20 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, QWidget* parent) : QDial
         row(tr("Click in the legend"), tr("Hide or show a curve")) + heading(tr("Everywhere")) +
         row(tr("Alt and a letter"), tr("Menus and fields by their underlined letter")) +
         row(tr("Tab, Shift+Tab"), tr("From field to field"));
+    QString images = heading(tr("Images"));
+    for (const auto& [hint, what] : imageKeys())
+        images += row(hint, what);
+    images += heading(tr("Comparing images"));
+    for (const auto& [hint, what] : comparisonKeys())
+        images += row(hint, what);
     auto* body = new QWidget(this);
     auto* columns = new QHBoxLayout(body);
     columns->setContentsMargins(0, 0, 0, 0);
     columns->setSpacing(40);
     int number = 0;
-    for (const auto& text : {keys, mouse}) {
+    for (const auto& text : {keys, mouse, images}) {
         auto* label = new QLabel("<table>" + text + "</table>", body);
-        label->setObjectName(number++ == 0 ? "keyList" : "mouseList");
+        label->setObjectName(QStringList{"keyList", "mouseList", "imageList"}[number++]);
         columns->addWidget(label, 0, Qt::AlignTop);
     }
     auto* scroll = new QScrollArea(this);

@@ -147,6 +147,8 @@ void MainWindow::makeAnalysisMenu(QMenu* menu) {
 }
 
 void MainWindow::makeToolsMenu(QMenu* menu) {
+    addAction(menu, "compareImages", "compare", tr("&Compare images…"),
+              QKeySequence(Qt::CTRL | Qt::Key_D), [this] { compareImages(); });
     ofProjectFile_.append(addAction(menu, "options", "options", tr("&Options…"),
                                     QKeySequence(Qt::Key_F9), [this] { showOptions(0); }));
 }

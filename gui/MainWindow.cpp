@@ -399,6 +399,13 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+    QStringList files;
+    for (const QUrl& url : event->mimeData()->urls())
+        files << url.toLocalFile();
+    if (areImages(files)) {
+        openImages(files);
+        return;
+    }
     for (const auto& url : event->mimeData()->urls())
         drop(url.toLocalFile().toStdString());
 }

@@ -10,6 +10,7 @@
 
 #include "gui/Dialogs.h"
 #include "gui/Workbench.h"
+#include "gui/image/LatestTask.h"
 #include "gui/project/SceneIndex.h"
 #include "gui/settings/Preferences.h"
 #include "gui/settings/SettingForm.h"
@@ -21,6 +22,7 @@ class QToolBar;
 
 namespace smat::gui {
 
+class ComparisonWindow;
 class ProjectFiles;
 class ResultPage;
 class ResultsDock;
@@ -56,6 +58,13 @@ class MainWindow : public QMainWindow {
     /// Shows a window of a tool as a tab that can be closed. A page that is Exportable takes part
     /// in File, Export.
     void addPage(QWidget* page, const QIcon& icon, const QString& title);
+
+    /// A tab that compares two images: those of two files, or empty for somebody to fill.
+    ComparisonWindow* compareImages(const QStringList& files = {});
+    /// One file as a tab of its own, two as a comparison, read off this thread.
+    void openImages(const QStringList& files);
+    /// Whether these are one or two image files, by their names.
+    static bool areImages(const QStringList& files);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -118,6 +127,7 @@ class MainWindow : public QMainWindow {
     std::map<AnalysisKind, QAction*> analyses_;
     std::vector<ProjectModel> shownModels_;
     QString sceneRenderer_;
+    LatestTask imageTask_;
 };
 
 } // namespace smat::gui

@@ -1,78 +1,42 @@
 #include "gui/image/ColorBar.h"
 
-#include <QComboBox>
-#include <QLineEdit>
-#include <QPainter>
-#include <QVBoxLayout>
-#include <QwtScaleEngine>
+#include <algorithm>
+#include <cmath>
+#include <optional>
 
-#include "gui/Theme.h"
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QVBoxLayout>
+
+#include "gui/image/ColorBarScale.h"
 #include "gui/plot/PlotData.h"
+#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
+namespace {
 
-/// The strip of colours with its ticks and its title.
-class ColorBar::Scale : public QWidget {
-  public:
-    explicit Scale(ColorBar* bar) : QWidget(bar), bar_(bar) {
-        setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
-        setMinimumHeight(120);
+QString modeWord(LimitMode mode) {
+    switch (mode) {
+    case LimitMode::target:
+        return ColorBar::tr("Target");
+    case LimitMode::full:
+        return ColorBar::tr("Full range");
+    case LimitMode::percentile:
+        return ColorBar::tr("Percentiles");
+    case LimitMode::locked:
+        return ColorBar::tr("Locked");
     }
-    void setTitle(const QString& title) {
-        title_ = title;
-        update();
-    }
+    return {};
+}
 
-  protected:
-    void paintEvent(QPaintEvent*) override {
-        QPainter painter(this);
-        const auto style = PlotStyle::screen(palette());
-        const QFontMetricsF metrics(font());
-        const double margin = metrics.height() / 2.0 + 2.0;
-        const QRectF strip(6.0, margin, 22.0, height() - 2.0 * margin);
-        const int steps = static_cast<int>(strip.height());
-        for (int i = 0; i < steps; ++i) {
-            const irsg::Rgb color = bar_->map_->at(1.0 - (i + 0.5) / steps);
-            painter.fillRect(QRectF(strip.left(), strip.top() + i, strip.width(), 1.0),
-                             QColor(color.red, color.green, color.blue));
-        }
-        painter.setPen(style.frame);
-        painter.drawRect(strip);
+} // namespace
 
-        const auto& limits = bar_->limits_;
-        const int count = std::max(3, static_cast<int>(strip.height() / (3.0 * metrics.height())));
-        const auto ticks = QwtLinearScaleEngine()
-                               .divideScale(limits.low, limits.high, count, 0)
-                               .ticks(QwtScaleDiv::MajorTick);
-        double widest = 0.0;
-        for (const double tick : ticks) {
-            const double part = (tick - limits.low) / (limits.high - limits.low);
-            const double y = strip.bottom() - part * strip.height();
-            const QString words = QString::number(tick, 'g', 4);
-            painter.setPen(style.frame);
-            painter.drawLine(QPointF(strip.right(), y), QPointF(strip.right() + 5.0, y));
-            painter.setPen(style.text);
-            painter.drawText(QPointF(strip.right() + 9.0, y + metrics.ascent() * 0.36), words);
-            widest = std::max(widest, metrics.horizontalAdvance(words));
-        }
-        painter.setPen(style.text);
-        painter.translate(std::min(strip.right() + 9.0 + widest + metrics.height(), width() - 4.0),
-                          strip.center().y());
-        painter.rotate(-90.0);
-        painter.drawText(
-            QRectF(-strip.height() / 2.0, -metrics.ascent(), strip.height(), metrics.height()),
-            Qt::AlignCenter, title_);
-    }
-
-  private:
-    ColorBar* bar_;
-    QString title_;
-};
-
-ColorBar::ColorBar(QWidget* parent) : QWidget(parent) {
+ColorBar::ColorBar(QWidget* parent, const QList<LimitMode>& modes) : QWidget(parent) {
     setObjectName("colorBar");
     map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
-    setFixedWidth(132);
+    setFixedWidth(136);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 0, 0, 0);
     column->setSpacing(6);
@@ -85,21 +49,51 @@ ColorBar::ColorBar(QWidget* parent) : QWidget(parent) {
     low_->setToolTip(tr("Value of the first colour; darker pixels have a colour of their own"));
     mode_ = new QComboBox(this);
     mode_->setObjectName("limitMode");
-    mode_->addItems({tr("Target"), tr("Full range"), tr("Locked")});
+    for (const LimitMode mode : modes)
+        mode_->addItem(modeWord(mode), static_cast<int>(mode));
     mode_->setToolTip(
         tr("How the limits of the colours are found: Target shows the object on its background and "
-           "leaves out its few hottest pixels"));
+           "leaves out its few hottest pixels, Percentiles leave out what is typed in, Locked "
+           "keeps them whatever is shown"));
+    const auto percent = [this](const QString& name, double value, const QString& tip) {
+        auto* box = new QDoubleSpinBox(this);
+        box->setObjectName(name);
+        box->setRange(0.0, 100.0);
+        box->setDecimals(1);
+        box->setSingleStep(0.5);
+        box->setSuffix(tr(" %"));
+        box->setValue(value);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setKeyboardTracking(false);
+        box->setToolTip(tip);
+        box->setMinimumWidth(40);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &ColorBar::readPercentiles);
+        return box;
+    };
+    lowPercent_ = percent("percentLow", 1.0, tr("Percentile of the first colour"));
+    highPercent_ = percent("percentHigh", 99.0, tr("Percentile of the last colour"));
+    auto* percents = new QHBoxLayout;
+    percents->setSpacing(4);
+    percents->addWidget(lowPercent_);
+    percents->addWidget(highPercent_);
     for (QWidget* widget : {static_cast<QWidget*>(high_), static_cast<QWidget*>(scale_),
                             static_cast<QWidget*>(low_), static_cast<QWidget*>(mode_)})
         column->addWidget(widget);
+    column->addLayout(percents);
     column->setStretchFactor(scale_, 1);
+    showPercentiles();
     connect(low_, &QLineEdit::editingFinished, this, &ColorBar::readLimits);
     connect(high_, &QLineEdit::editingFinished, this, &ColorBar::readLimits);
-    connect(mode_, &QComboBox::activated, this, [this] { emit modeChosen(mode()); });
+    connect(mode_, &QComboBox::activated, this, [this] {
+        showPercentiles();
+        emit modeChosen(mode());
+    });
 }
 
 void ColorBar::setTitle(const QString& title) {
-    scale_->setTitle(title);
+    title_ = title;
+    scale_->setToolTip(title);
+    scale_->update();
 }
 
 void ColorBar::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits) {
@@ -110,12 +104,69 @@ void ColorBar::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& l
     scale_->update();
 }
 
+void ColorBar::setOutOfRange(const OutOfRange& counts) {
+    outOfRange_ = counts;
+    scale_->update();
+}
+
 LimitMode ColorBar::mode() const {
-    return static_cast<LimitMode>(mode_->currentIndex());
+    return static_cast<LimitMode>(mode_->currentData().toInt());
 }
 
 void ColorBar::setMode(LimitMode mode) {
-    mode_->setCurrentIndex(static_cast<int>(mode));
+    mode_->setCurrentIndex(mode_->findData(static_cast<int>(mode)));
+    showPercentiles();
+}
+
+std::pair<double, double> ColorBar::percentiles() const {
+    return {lowPercent_->value(), highPercent_->value()};
+}
+
+void ColorBar::setPercentiles(double low, double high) {
+    lowPercent_->setValue(low);
+    highPercent_->setValue(high);
+}
+
+void ColorBar::showPercentiles() {
+    for (QWidget* box : {lowPercent_, highPercent_})
+        box->setVisible(mode() == LimitMode::percentile);
+}
+
+void ColorBar::readPercentiles() {
+    // The one that was not typed gives way, so that the lower is below the upper.
+    if (!(lowPercent_->value() < highPercent_->value())) {
+        const bool lowTyped = sender() == lowPercent_;
+        const double low = std::min(lowPercent_->value(), 99.9);
+        const double high = std::max(highPercent_->value(), 0.1);
+        const QSignalBlocker quietLow(lowPercent_), quietHigh(highPercent_);
+        lowPercent_->setValue(lowTyped ? low : high - 0.1);
+        highPercent_->setValue(lowTyped ? low + 0.1 : high);
+    }
+    emit modeChosen(mode());
+}
+
+void ColorBar::edit(const irsg::DisplayLimits& limits) {
+    if (!(limits.low < limits.high) || !std::isfinite(limits.low) || !std::isfinite(limits.high))
+        throw irsg::LogicError("limits of colours are not in order");
+    setMode(LimitMode::locked);
+    setColors(*map_, limits);
+    emit limitsEdited(limits_);
+}
+
+void ColorBar::changeExposure(double stops) {
+    const double factor = std::exp2(-stops);
+    const irsg::DisplayLimits limits =
+        map_->isDiverging()
+            ? irsg::DisplayLimits{limits_.low * factor, limits_.high * factor}
+            : irsg::DisplayLimits{limits_.low, limits_.low + (limits_.high - limits_.low) * factor};
+    if (limits.low < limits.high && std::isfinite(limits.high))
+        edit(limits);
+}
+
+void ColorBar::changeOffset(double part) {
+    const double by = part * (limits_.high - limits_.low);
+    if (limits_.low + by < limits_.high + by)
+        edit({limits_.low + by, limits_.high + by});
 }
 
 void ColorBar::readLimits() {
@@ -127,14 +178,38 @@ void ColorBar::readLimits() {
                            high_->text() == readableNumber(limits_.high);
     if (unchanged)
         return;
-    if (!lowGood || !highGood || !(low < high)) {
+    if (!lowGood || !highGood || !(low < high) || !std::isfinite(low) || !std::isfinite(high)) {
         // What cannot be used gives way to what is in effect.
         setColors(*map_, limits_);
         return;
     }
-    setMode(LimitMode::locked);
-    setColors(*map_, {low, high});
-    emit limitsEdited(limits_);
+    edit({low, high});
+}
+
+OutOfRange countOutOfRange(const std::vector<float>& values, const irsg::DisplayLimits& limits) {
+    OutOfRange count;
+    for (const float value : values) {
+        count.below += static_cast<double>(value) < limits.low ? 1 : 0;
+        count.above += static_cast<double>(value) > limits.high ? 1 : 0;
+        count.nan += std::isnan(value) ? 1 : 0;
+    }
+    return count;
+}
+
+irsg::DisplayLimits automaticLimits(const std::vector<const std::vector<float>*>& planes,
+                                    LimitMode mode, std::pair<double, double> percentiles) {
+    std::optional<irsg::DisplayLimits> shared;
+    for (const auto* values : planes) {
+        const irsg::DisplayLimits one =
+            mode == LimitMode::target ? irsg::objectLimits(*values)
+            : mode == LimitMode::percentile
+                ? irsg::percentileLimits(*values, percentiles.first, percentiles.second)
+                : irsg::percentileLimits(*values);
+        shared = shared ? irsg::DisplayLimits{std::min(shared->low, one.low),
+                                              std::max(shared->high, one.high)}
+                        : one;
+    }
+    return shared.value_or(irsg::DisplayLimits{});
 }
 
 } // namespace smat::gui

@@ -2,41 +2,77 @@
 
 #include <optional>
 
-#include <QImage>
 #include <QWidget>
 
-#include "irsg/image/ColorMap.h"
-#include "irsg/image/RadianceImage.h"
+#include "gui/image/ColoredPlane.h"
+#include "irsg/image/ImageStatistics.h"
 
 namespace smat::gui {
 
+/// The part of an image that a canvas shows; canvases of one size share it.
+struct CanvasView {
+    double zoom = 1.0; ///< window pixels per image pixel
+    QPointF centre;    ///< of the widget, in image pixels
+    bool fitted = true;
+};
+
 /// One plane of an image in false colours, top row at the top. The wheel zooms at the cursor, the
 /// right button (or the left with Shift) pans, a drag of the left button selects a rectangle, a
-/// double click fits the image into the window. Pixels stay squares when enlarged.
+/// double click fits the image into the window. Pixels stay squares when enlarged, and when there
+/// is room their values are printed on them.
+///
+/// Keys: the arrows move the pixel cursor (with Shift they draw a rectangle, with Ctrl they pan),
+/// + and - zoom, F fits, A shows one image pixel per screen pixel, Escape drops the rectangle.
 class ImageCanvas : public QWidget {
     Q_OBJECT
 
   public:
     explicit ImageCanvas(QWidget* parent = nullptr);
 
+    void setPlane(int width, int height, SharedValues values);
     void setPlane(int width, int height, const std::vector<float>& values);
+    /// Nothing to show.
+    void clear();
     void setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits);
+    void setMarks(std::vector<std::uint8_t> marks);
+    /// Another plane of the same size, to be shown in place of the first, or beside it.
+    void setSecond(SharedValues values);
+    void setSecondShown(bool shown);
+    bool isSecondShown() const { return secondShown_; }
+    /// The second plane is shown from this fraction of the widget's width on; none: not at all.
+    void setWipe(std::optional<double> fraction);
+
+    bool hasImage() const { return !plane_.isEmpty(); }
     void fit();
     void setZoom(double windowPixelsPerPixel);
+    void showActualSize();
     double zoom() const { return zoom_; }
+    CanvasView view() const;
+    void setView(const CanvasView& view);
+    /// Moves the image so that a pixel lies in the middle, enlarged at least `zoom` times.
+    void centreOn(const QPoint& pixel, double zoom);
     /// Colours as they are shown, one pixel each.
-    const QImage& picture() const { return picture_; }
+    const QImage& picture() const { return plane_.picture(); }
 
     /// The image pixel under a point of the widget; none outside.
     std::optional<QPoint> pixelAt(const QPointF& point) const;
     QPointF widgetPoint(const QPointF& imagePoint) const;
     std::optional<irsg::PixelRectangle> selection() const { return selection_; }
+    /// Without a signal. What lies outside of the image is cut off.
+    void setSelection(const std::optional<irsg::PixelRectangle>& selection);
+    /// The pixel that is read, outlined; without a signal.
+    void setCursorPixel(std::optional<QPoint> pixel);
+    std::optional<QPoint> cursorPixel() const { return cursor_; }
+    /// Zoom from which on values are printed on the pixels.
+    double printingZoom() const;
 
   signals:
     void hovered(std::optional<QPoint> pixel);
     void selectionChanged();
+    void viewChanged();
 
   protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
@@ -45,20 +81,29 @@ class ImageCanvas : public QWidget {
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    void recolor();
+    const ColoredPlane& shown() const { return secondShown_ ? second_ : plane_; }
+    QRectF imageRect() const;
+    void drawFrame(QPainter& painter, const QRectF& pixels) const;
+    void printValues(QPainter& painter) const;
+    void zoomAt(const QPointF& point, double zoom);
     void select(const QPointF& from, const QPointF& to);
+    void moveCursor(const QPoint& step, bool selecting);
+    bool handleKey(int key, Qt::KeyboardModifiers modifiers);
+    void place(double zoom, const QPointF& corner, bool fitted);
 
-    int width_ = 0, height_ = 0;
-    std::vector<float> values_;
+    ColoredPlane plane_, second_;
     const irsg::ColorMap* map_ = nullptr;
     irsg::DisplayLimits limits_;
-    QImage picture_;
+    bool secondShown_ = false;
+    std::optional<double> wipe_;
     double zoom_ = 1.0;
     QPointF corner_; ///< of the image's top left in the widget
     bool fitted_ = true;
     std::optional<QPointF> panFrom_, selectFrom_;
+    std::optional<QPoint> cursor_, selectAnchor_;
     std::optional<irsg::PixelRectangle> selection_;
 };
 

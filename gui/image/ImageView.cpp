@@ -1,181 +1,108 @@
 #include "gui/image/ImageView.h"
 
+#include <QClipboard>
 #include <QComboBox>
-#include <QHBoxLayout>
-#include <QIcon>
+#include <QGuiApplication>
+#include <QKeyEvent>
 #include <QLabel>
-#include <QPainter>
 #include <QToolButton>
-#include <QVBoxLayout>
 
-#include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageCanvas.h"
+#include "gui/image/ImageInspector.h"
 #include "gui/plot/PlotData.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Quantity.h"
 
 namespace smat::gui {
 namespace {
 
-QIcon swatch(const irsg::ColorMap& map) {
-    QPixmap pixmap(56, 14);
-    QPainter painter(&pixmap);
-    for (int x = 0; x < pixmap.width(); ++x) {
-        const irsg::Rgb color = map.at((x + 0.5) / pixmap.width());
-        painter.fillRect(x, 0, 1, pixmap.height(), QColor(color.red, color.green, color.blue));
-    }
-    return pixmap;
-}
-
-QToolButton* textButton(const QString& text, const QString& name, const QString& tip) {
-    auto* button = new QToolButton;
-    button->setText(text);
-    button->setObjectName(name);
-    button->setToolTip(tip);
-    return button;
-}
+/// Up to here what is derived of an image is worked out at once, above in another thread.
+constexpr std::size_t quickPixels = 512 * 512;
+constexpr double exposureStep = 0.25, offsetStep = 0.05;
 
 } // namespace
 
-QString planeTitle(const irsg::ImageChannel& channel) {
-    if (channel.name == "L")
-        return QStringLiteral("Radiance");
-    if (channel.name == irsg::apparentTemperatureChannel || channel.name == "T")
-        return QStringLiteral("Apparent temperature");
-    if (channel.name == "E")
-        return QStringLiteral("Irradiance");
-    QString words = QString::fromStdString(channel.name).replace('_', ' ');
-    if (!words.isEmpty())
-        words[0] = words[0].toUpper();
-    return words;
-}
-
-QString readableUnit(const std::string& unit) {
-    for (int i = 0; i <= static_cast<int>(irsg::Quantity::dimensionless); ++i) {
-        const auto& info = irsg::info(static_cast<irsg::Quantity>(i));
-        if (info.unit == unit)
-            return QString::fromUtf8(info.prettyUnit.data(),
-                                     static_cast<qsizetype>(info.prettyUnit.size()));
-    }
-    return QString::fromStdString(unit);
-}
-
-ImageView::ImageView(QWidget* parent) : QWidget(parent) {
-    setObjectName("imageView");
-    map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
-    canvas_ = new ImageCanvas(this);
-    colorBar_ = new ColorBar(this);
-    plane_ = new QComboBox(this);
-    plane_->setObjectName("plane");
-    plane_->setToolTip(tr("What is shown"));
-    plane_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    colors_ = new QComboBox(this);
-    colors_->setObjectName("colorMap");
-    colors_->setToolTip(tr("Colours of the view; the data stay as they are"));
-    colors_->setIconSize(QSize(56, 14));
-    for (const auto& name : irsg::ColorMap::names()) {
-        const auto& map = irsg::ColorMap::named(name);
-        if (!map.isDiverging())
-            colors_->addItem(swatch(map), QString::fromStdString(name));
-    }
-    auto* fit = textButton(tr("Fit"), "fit", tr("Show the whole image (double click)"));
-    auto* actual =
-        textButton(tr("1:1"), "actualSize", tr("One pixel of the image is one of the screen"));
-    readout_ = new QLabel(this);
-    readout_->setObjectName("pixelReadout");
-    statistics_ = new QLabel(this);
-    statistics_->setObjectName("statistics");
-    statistics_->setForegroundRole(QPalette::PlaceholderText);
-    for (QLabel* label : {readout_, statistics_}) {
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        label->setMinimumWidth(0);
-        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    }
-
-    auto* bar = new QHBoxLayout;
-    bar->addWidget(plane_);
-    bar->addWidget(colors_);
-    bar->addStretch(1);
-    bar->addWidget(fit);
-    bar->addWidget(actual);
-    auto* middle = new QHBoxLayout;
-    middle->setSpacing(0);
-    middle->addWidget(canvas_, 1);
-    middle->addWidget(colorBar_);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(10, 10, 10, 8);
-    column->setSpacing(8);
-    column->addLayout(bar);
-    column->addLayout(middle, 1);
-    column->addWidget(readout_);
-    column->addWidget(statistics_);
-
-    connect(plane_, &QComboBox::activated, this, &ImageView::showPlane);
-    connect(colors_, &QComboBox::textActivated, this,
-            [this](const QString& name) { setColorMap(name.toStdString()); });
-    connect(fit, &QToolButton::clicked, canvas_, &ImageCanvas::fit);
-    connect(actual, &QToolButton::clicked, canvas_,
-            [this] { canvas_->setZoom(1.0 / canvas_->devicePixelRatioF()); });
-    connect(canvas_, &ImageCanvas::hovered, this, [this](std::optional<QPoint> pixel) {
-        readout_->setText(pixel ? readoutAt(pixel->x(), pixel->y())
-                                : tr("Move the mouse over the image to read its pixels"));
-    });
-    connect(canvas_, &ImageCanvas::selectionChanged, this,
-            [this] { statistics_->setText(statistics()); });
-    connect(colorBar_, &ColorBar::limitsEdited, canvas_,
-            [this](const irsg::DisplayLimits& limits) { canvas_->setColors(*map_, limits); });
-    connect(colorBar_, &ColorBar::modeChosen, this, &ImageView::updateColors);
-}
-
 const irsg::ImageChannel& ImageView::plane() const {
     const auto index = static_cast<std::size_t>(std::max(plane_->currentIndex(), 0));
-    return image_.channels.at(index);
+    return image_->channels.at(index);
 }
 
 void ImageView::setImage(irsg::RadianceImage image, const std::optional<irsg::Band>& band) {
     if (image.empty())
         throw irsg::LogicError("an image view needs an image");
+    temperatureTask_.cancel();
+    const bool hasTemperature = band && image.primary().name == "L";
+    if (hasTemperature && image.pixelCount() <= quickPixels)
+        irsg::addApparentTemperature(image, *band);
+    plane_->setCurrentIndex(0);
+    adopt(std::make_shared<const irsg::RadianceImage>(std::move(image)));
+    readout_->setText(tr("Move the mouse over the image, or press the arrows, to read its pixels"));
+    showPlane();
+
+    if (hasTemperature && image_->pixelCount() > quickPixels)
+        temperatureTask_.run<std::shared_ptr<const irsg::RadianceImage>>(
+            [base = image_, band = *band] {
+                auto with = std::make_shared<irsg::RadianceImage>(*base);
+                irsg::addApparentTemperature(*with, band);
+                return std::shared_ptr<const irsg::RadianceImage>(std::move(with));
+            },
+            [this](std::shared_ptr<const irsg::RadianceImage> with) { adopt(std::move(with)); });
+}
+
+void ImageView::adopt(std::shared_ptr<const irsg::RadianceImage> image) {
+    const int shown = plane_->currentIndex();
     image_ = std::move(image);
-    if (band && image_.primary().name == "L")
-        irsg::addApparentTemperature(image_, *band);
     plane_->clear();
-    for (const auto& channel : image_.channels)
+    for (const auto& channel : image_->channels)
         plane_->addItem(planeTitle(channel));
-    readout_->setText(tr("Move the mouse over the image to read its pixels"));
+    plane_->setCurrentIndex(std::clamp(shown, 0, plane_->count() - 1));
+}
+
+void ImageView::setShownPlane(int index) {
+    if (index < 0 || index >= plane_->count())
+        return;
+    plane_->setCurrentIndex(index);
     showPlane();
 }
 
 void ImageView::showPlane() {
     const auto& shown = plane();
-    canvas_->setPlane(image_.width(), image_.height(), shown.values);
-    const QString unit = readableUnit(shown.unit);
-    colorBar_->setTitle(planeTitle(shown) + (unit.isEmpty() ? "" : " (" + unit + ")"));
+    canvas_->setPlane(image_->width(), image_->height(), shareValues(image_, shown));
+    colorBar_->setTitle(titleWithUnit(shown));
+    inspector_->show(image_, shown, titleWithUnit(shown), readableUnit(shown.unit));
     updateColors();
-    statistics_->setText(statistics());
+    updateStatistics();
 }
 
 void ImageView::updateColors() {
-    irsg::DisplayLimits limits = colorBar_->limits();
-    if (colorBar_->mode() == LimitMode::full)
-        limits = irsg::percentileLimits(plane().values);
-    else if (colorBar_->mode() == LimitMode::target)
-        limits = irsg::objectLimits(plane().values);
-    colorBar_->setColors(*map_, limits);
-    canvas_->setColors(*map_, limits);
+    if (colorBar_->mode() == LimitMode::locked)
+        colorBar_->setColors(*map_, colorBar_->limits());
+    else
+        colorBar_->setColors(
+            *map_, automaticLimits({&plane().values}, colorBar_->mode(), colorBar_->percentiles()));
+    recolor();
+}
+
+void ImageView::recolor() {
+    colorBar_->setOutOfRange(countOutOfRange(plane().values, colorBar_->limits()));
+    canvas_->setColors(*map_, colorBar_->limits());
+    inspector_->setLimits(colorBar_->limits());
 }
 
 void ImageView::setColorMap(const std::string& name) {
     map_ = &irsg::ColorMap::named(name);
     colors_->setCurrentText(QString::fromStdString(name));
-    updateColors();
+    if (image_ == nullptr)
+        return;
+    colorBar_->setColors(*map_, colorBar_->limits());
+    canvas_->setColors(*map_, colorBar_->limits());
 }
 
 QString ImageView::readoutAt(int x, int y) const {
     QString text = QStringLiteral("x %1   y %2").arg(x).arg(y);
-    for (const auto& channel : image_.channels) {
-        const double value = static_cast<double>(channel.values.at(image_.offset(x, y)));
+    for (const auto& channel : image_->channels) {
+        const double value = static_cast<double>(channel.values.at(image_->offset(x, y)));
         text += QStringLiteral("     %1 %2 %3")
                     .arg(planeTitle(channel), readableNumber(value), readableUnit(channel.unit))
                     .trimmed()
@@ -185,22 +112,141 @@ QString ImageView::readoutAt(int x, int y) const {
 }
 
 QString ImageView::statistics() const {
-    const auto selection = canvas_->selection();
-    const auto figures = irsg::imageStatistics(image_, plane(), selection);
+    return statisticsText(canvas_->selection(), figuresOf(*image_, plane(), canvas_->selection()));
+}
+
+QString ImageView::statisticsText(const std::optional<irsg::PixelRectangle>& selection,
+                                  const PlaneFigures& figures) const {
+    const auto& s = figures.statistics;
     QString text = selection ? tr("Rectangle %1 × %2 at (%3, %4)")
                                    .arg(selection->width)
                                    .arg(selection->height)
                                    .arg(selection->x)
                                    .arg(selection->y)
-                             : tr("Image %1 × %2").arg(image_.width()).arg(image_.height());
+                             : tr("Image %1 × %2").arg(image_->width()).arg(image_->height());
     text += tr("     min %1   max %2   mean %3   median %4   σ %5   sum %6")
-                .arg(readableNumber(figures.minimum), readableNumber(figures.maximum),
-                     readableNumber(figures.mean), readableNumber(figures.median),
-                     readableNumber(figures.standardDeviation), readableNumber(figures.sum));
-    const auto missing = image_.pixelCount() - figures.finite;
-    if (!selection && missing > 0)
+                .arg(readableNumber(s.minimum), readableNumber(s.maximum), readableNumber(s.mean),
+                     readableNumber(s.median), readableNumber(s.standardDeviation),
+                     readableNumber(s.sum));
+    if (figures.contrastIntensity_W_sr)
+        text += tr("     contrast intensity %1 W·sr⁻¹")
+                    .arg(readableNumber(*figures.contrastIntensity_W_sr));
+    const auto missing = s.nan + s.positiveInfinite + s.negativeInfinite;
+    if (missing > 0)
         text += tr("     %1 pixels without a value").arg(missing);
     return text;
+}
+
+void ImageView::updateStatistics() {
+    const auto selection = canvas_->selection();
+    const auto pixels = selection ? static_cast<std::size_t>(selection->width) *
+                                        static_cast<std::size_t>(selection->height)
+                                  : image_->pixelCount();
+    inspector_->setRectangle(selection);
+    if (pixels <= quickPixels) {
+        figuresTask_.cancel();
+        statistics_->setText(statistics());
+        return;
+    }
+    figuresTask_.run<PlaneFigures>([image = image_, shown = &plane(),
+                                    selection] { return figuresOf(*image, *shown, selection); },
+                                   [this, selection](const PlaneFigures& figures) {
+                                       statistics_->setText(statisticsText(selection, figures));
+                                   });
+}
+
+bool ImageView::isBusy() const {
+    return figuresTask_.isBusy() || temperatureTask_.isBusy() || inspector_->isBusy();
+}
+
+QStringList ImageView::exportFilters() const {
+    if (image_ == nullptr)
+        return {};
+    return {tr("OpenEXR image (*.exr)"), tr("Values as text (*.csv)"), tr("Picture (*.png)")};
+}
+
+irsg::PngViewOptions ImageView::pictureOptions(bool withColorBar) const {
+    irsg::PngViewOptions options;
+    options.colorMap = map_->name();
+    options.limits = colorBar_->limits();
+    options.colorBar = withColorBar;
+    options.title = title_.toStdString();
+    return options;
+}
+
+void ImageView::exportTo(const std::filesystem::path& file) const {
+    exportImage(*image_, shownChannel(), pictureOptions(true), file);
+}
+
+void ImageView::askAndExport(const QString& filter, bool withColorBar) {
+    const QString suffix = filter.section("*", -1).chopped(1);
+    const QString name = title_.isEmpty() ? tr("image") : title_;
+    const QString file = dialogs_.saveFile(this, tr("Export the image"), {filter}, name + suffix);
+    if (file.isEmpty())
+        return;
+    try {
+        exportImage(*image_, shownChannel(), pictureOptions(withColorBar), file.toStdString());
+    } catch (const irsg::InputError& error) {
+        QStringList sentences;
+        for (const auto& offence : error.offences())
+            sentences << QString::fromStdString(offence.message());
+        dialogs_.tell(this, tr("The image cannot be written"), sentences);
+    }
+}
+
+void ImageView::copyPicture(bool withColorBar) const {
+    QGuiApplication::clipboard()->setImage(
+        pictureOf(*image_, plane(), pictureOptions(withColorBar)));
+}
+
+void ImageView::copyValues() const {
+    QGuiApplication::clipboard()->setText(valuesText(*image_, plane(), canvas_->selection()));
+}
+
+void ImageView::keyPressEvent(QKeyEvent* event) {
+    const bool back = event->modifiers().testFlag(Qt::ShiftModifier);
+    const int key = event->key();
+    if (image_ == nullptr) {
+        QWidget::keyPressEvent(event);
+    } else if (event->matches(QKeySequence::Copy)) {
+        copyPicture(true);
+    } else if (key == Qt::Key_C && back && event->modifiers().testFlag(Qt::ControlModifier)) {
+        copyValues();
+    } else if (event->modifiers().testFlag(Qt::ControlModifier)) {
+        QWidget::keyPressEvent(event);
+    } else if (key == Qt::Key_E) {
+        colorBar_->changeExposure(back ? -exposureStep : exposureStep);
+    } else if (key == Qt::Key_O) {
+        colorBar_->changeOffset(back ? offsetStep : -offsetStep);
+    } else if (key == Qt::Key_N || key == Qt::Key_L) {
+        colorBar_->setMode(key == Qt::Key_N ? LimitMode::target : LimitMode::locked);
+        updateColors();
+    } else if (key == Qt::Key_M) {
+        const int step = back ? colors_->count() - 1 : 1;
+        setColorMap(
+            colors_->itemText((colors_->currentIndex() + step) % colors_->count()).toStdString());
+    } else if (key == Qt::Key_H) {
+        histogram_->toggle();
+    } else if (key >= Qt::Key_1 && key <= Qt::Key_9) {
+        setShownPlane(key - Qt::Key_1);
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+QList<std::pair<QString, QString>> imageKeys() {
+    return {{ImageView::tr("Wheel, + and −"), ImageView::tr("Zoom; values appear on the pixels")},
+            {ImageView::tr("Right drag, Ctrl+arrows"), ImageView::tr("Move the image")},
+            {ImageView::tr("F, A"), ImageView::tr("Fit the window; actual size")},
+            {ImageView::tr("Arrows"), ImageView::tr("Read pixels one by one")},
+            {ImageView::tr("Drag, Shift+arrows"), ImageView::tr("Rectangle with its statistics")},
+            {ImageView::tr("Esc"), ImageView::tr("No rectangle")},
+            {ImageView::tr("1 … 9"), ImageView::tr("Plane of the image")},
+            {ImageView::tr("M, Shift+M"), ImageView::tr("Next, previous colour map")},
+            {ImageView::tr("E, O (Shift: back)"), ImageView::tr("Exposure, offset of the colours")},
+            {ImageView::tr("N, L"), ImageView::tr("Limits of the colours automatic, locked")},
+            {ImageView::tr("H"), ImageView::tr("Histogram and statistics")},
+            {ImageView::tr("Ctrl+C, Ctrl+Shift+C"), ImageView::tr("Copy picture, copy values")}};
 }
 
 } // namespace smat::gui

@@ -1,62 +1,102 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include <QWidget>
 
+#include "gui/Dialogs.h"
+#include "gui/Exportable.h"
+#include "gui/image/ImageExport.h"
+#include "gui/image/LatestTask.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/image/RadianceImage.h"
 #include "irsg/radiometry/Band.h"
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
+class QToolButton;
 
 namespace smat::gui {
 
 class ColorBar;
 class ImageCanvas;
+class ImageInspector;
+struct PlaneFigures;
 
 /// An infrared image: one of its planes in false colours beside the colour bar, a read-out of the
-/// pixel under the mouse with all planes, and statistics of the image or of a dragged rectangle.
-class ImageView : public QWidget {
+/// pixel under the mouse with all planes, histogram and statistics of the image or of a dragged
+/// rectangle. Everything has a key, see imageKeys().
+class ImageView : public QWidget, public Exportable {
     Q_OBJECT
 
   public:
-    explicit ImageView(QWidget* parent = nullptr);
+    explicit ImageView(QWidget* parent = nullptr, Dialogs dialogs = Dialogs::ofDesktop());
 
-    /// With the band of a radiance image, apparent temperatures are shown, too. LogicError for an
-    /// empty image.
+    /// With the band of a radiance image, apparent temperatures are shown, too; those of a large
+    /// image follow when they are worked out. LogicError for an empty image.
     void setImage(irsg::RadianceImage image, const std::optional<irsg::Band>& band = {});
-    const irsg::RadianceImage& image() const { return image_; }
+    const irsg::RadianceImage& image() const { return *image_; }
+    /// A line over exported pictures, and the name that is suggested for files.
+    void setTitle(const QString& title) { title_ = title; }
+    void setDialogs(Dialogs dialogs) { dialogs_ = std::move(dialogs); }
 
     ImageCanvas* canvas() const { return canvas_; }
     ColorBar* colorBar() const { return colorBar_; }
+    ImageInspector* inspector() const { return inspector_; }
     const irsg::ColorMap& colorMap() const { return *map_; }
     /// Name of the plane that is shown.
     const std::string& shownChannel() const { return plane().name; }
     void setColorMap(const std::string& name);
+    void setShownPlane(int index);
     /// "x 12  y 7   Radiance 1.234 W·m⁻²·sr⁻¹   Apparent temperature 301.2 K".
     QString readoutAt(int x, int y) const;
     QString statistics() const;
+    bool isBusy() const;
+
+    QStringList exportFilters() const override;
+    /// .exr with all planes, .csv with the one that is shown, .png as it is seen, with colour bar.
+    void exportTo(const std::filesystem::path& file) const override;
+    /// The shown plane in its colours and limits; with a bar, title and unit as well.
+    irsg::PngViewOptions pictureOptions(bool withColorBar) const;
+    void copyPicture(bool withColorBar) const;
+    /// The values of the rectangle, or of the whole plane, as text.
+    void copyValues() const;
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    QHBoxLayout* makeBar();
+    QToolButton* makeMenuButton(const QString& text, const QString& name);
+    void connectParts();
     void showPlane();
     void updateColors();
+    void recolor();
+    void updateStatistics();
+    void adopt(std::shared_ptr<const irsg::RadianceImage> image);
+    void askAndExport(const QString& filter, bool withColorBar);
+    QString statisticsText(const std::optional<irsg::PixelRectangle>& selection,
+                           const PlaneFigures& figures) const;
     const irsg::ImageChannel& plane() const;
 
-    irsg::RadianceImage image_;
+    Dialogs dialogs_;
+    std::shared_ptr<const irsg::RadianceImage> image_;
+    QString title_;
     const irsg::ColorMap* map_ = nullptr;
     ImageCanvas* canvas_ = nullptr;
     ColorBar* colorBar_ = nullptr;
+    ImageInspector* inspector_ = nullptr;
     QComboBox* plane_ = nullptr;
     QComboBox* colors_ = nullptr;
+    QToolButton* histogram_ = nullptr;
     QLabel* readout_ = nullptr;
     QLabel* statistics_ = nullptr;
+    LatestTask figuresTask_, temperatureTask_;
 };
 
-/// "Radiance" of channel L, "Apparent temperature", else the channel's own name in words.
-QString planeTitle(const irsg::ImageChannel& channel);
-/// "W m-2 sr-1" as "W·m⁻²·sr⁻¹".
-QString readableUnit(const std::string& unit);
+/// Keys of images and what they do, as a list of keys and mouse shows them.
+QList<std::pair<QString, QString>> imageKeys();
 
 } // namespace smat::gui

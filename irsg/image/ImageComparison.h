@@ -32,7 +32,7 @@ enum class Verdict { pass, warning, failure };
 std::string verdictWord(Verdict verdict);
 
 struct ComparisonOptions {
-    ComparisonLevel fail, warn;
+    ComparisonLevel fail{}, warn{};
     std::string channel{};                            ///< of both images; empty: see chosenPlane
     std::optional<PixelRectangle> rectangle{};        ///< compares this part alone
     std::string nameA = "image A", nameB = "image B"; ///< for messages

@@ -2,16 +2,30 @@
 
 #include <limits>
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QTest>
+#include <QToolButton>
+#include <QwtText>
 #include <gtest/gtest.h>
 
 #include "gui/image/ColorBar.h"
+#include "gui/image/FiguresTable.h"
+#include "gui/image/HistogramPlot.h"
 #include "gui/image/ImageCanvas.h"
+#include "gui/image/ImageInspector.h"
 #include "irsg/image/ApparentTemperature.h"
+#include "irsg/image/CsvImage.h"
+#include "irsg/image/ExrFile.h"
+#include "irsg/image/ImageIntensity.h"
+#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "tests/gui/GuiEnvironment.h"
+#include "tests/gui/SampleProject.h"
 
 namespace smat::gui {
 namespace {
@@ -30,19 +44,42 @@ irsg::RadianceImage small() {
 class ImageViewTest : public ::testing::Test {
   protected:
     ImageViewTest() {
+        Dialogs people;
+        people.saveFile = [this](QWidget*, const QString&, const QStringList&, const QString&) {
+            return chosen;
+        };
+        people.tell = [this](QWidget*, const QString&, const QStringList& sentences) {
+            told += sentences;
+        };
+        view.setDialogs(people);
         view.resize(760, 560);
         view.setImage(small(), irsg::Band::topHat(3.0, 5.0));
         view.show();
         QTest::qWait(20);
     }
     ImageView view;
+    QString chosen;
+    QStringList told;
 };
+
+QAction* menuEntry(ImageView& view, const char* button, const QString& text) {
+    for (QAction* action : view.findChild<QToolButton*>(button)->menu()->actions())
+        if (action->text() == text)
+            return action;
+    return nullptr;
+}
+
+void setMode(ImageView& view, LimitMode mode) {
+    auto* box = view.findChild<QComboBox*>("limitMode");
+    box->setCurrentIndex(box->findData(static_cast<int>(mode)));
+    emit box->activated(box->currentIndex());
+}
 
 TEST_F(ImageViewTest, TopRowOfTheImageIsAtTheTop) {
     const QImage seen = view.canvas()->grab().toImage();
     const auto colorAt = [&](int x, int y) {
         return seen.pixelColor(
-            (view.canvas()->widgetPoint(QPointF(x + 0.5, y + 0.5)) * seen.devicePixelRatio())
+            (view.canvas()->widgetPoint(QPointF(x + 0.1, y + 0.1)) * seen.devicePixelRatio())
                 .toPoint());
     };
     EXPECT_GT(colorAt(2, 0).lightness(), 240);
@@ -97,6 +134,142 @@ TEST_F(ImageViewTest, StatisticsFollowADraggedRectangle) {
     QTest::mouseClick(view.canvas(), Qt::LeftButton, {},
                       view.canvas()->widgetPoint({4.5, 4.5}).toPoint());
     EXPECT_TRUE(view.statistics().startsWith("Image"));
+}
+
+TEST_F(ImageViewTest, PercentilesSetTheLimitsAndStayInOrder) {
+    irsg::RadianceImage ramp(101, 1);
+    for (int x = 0; x < 101; ++x)
+        ramp.primary().values[static_cast<std::size_t>(x)] = static_cast<float>(x);
+    view.setImage(ramp);
+    setMode(view, LimitMode::percentile);
+    view.colorBar()->setPercentiles(10.0, 90.0);
+    EXPECT_EQ(view.colorBar()->limits(), (irsg::DisplayLimits{10.0, 90.0}));
+    EXPECT_EQ(view.colorBar()->outOfRange().below, 10u);
+    EXPECT_EQ(view.colorBar()->outOfRange().above, 10u);
+    view.findChild<QDoubleSpinBox*>("percentLow")->setValue(95.0);
+    EXPECT_LT(view.colorBar()->percentiles().first, view.colorBar()->percentiles().second);
+    EXPECT_LT(view.colorBar()->limits().low, view.colorBar()->limits().high);
+    test::keepScreenshot(view, "image-view-percentiles");
+}
+
+TEST_F(ImageViewTest, KeysChangePlaneColoursExposureAndOffset) {
+    view.canvas()->setFocus();
+    const auto press = [&](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(view.canvas(), key, modifiers);
+    };
+    setMode(view, LimitMode::full);
+    press(Qt::Key_E);
+    press(Qt::Key_E);
+    press(Qt::Key_E);
+    press(Qt::Key_E);
+    EXPECT_NEAR(view.colorBar()->limits().high, 3.0, 1e-12); // 1 to 5, one stop brighter
+    EXPECT_EQ(view.colorBar()->mode(), LimitMode::locked);
+    press(Qt::Key_E, Qt::ShiftModifier);
+    EXPECT_GT(view.colorBar()->limits().high, 3.0);
+    press(Qt::Key_N);
+    EXPECT_EQ(view.colorBar()->mode(), LimitMode::target);
+    const auto before = view.colorBar()->limits();
+    press(Qt::Key_O);
+    EXPECT_LT(view.colorBar()->limits().low, before.low);
+    press(Qt::Key_M);
+    EXPECT_EQ(view.colorMap().name(), "black-hot");
+    press(Qt::Key_M, Qt::ShiftModifier);
+    EXPECT_EQ(view.colorMap().name(), "white-hot");
+    press(Qt::Key_2);
+    EXPECT_EQ(view.shownChannel(), "temperature_index");
+    press(Qt::Key_9);
+    EXPECT_EQ(view.shownChannel(), "temperature_index");
+    press(Qt::Key_Right);
+    EXPECT_TRUE(view.findChild<QLabel*>("pixelReadout")->text().startsWith("x 4   y 3"));
+}
+
+TEST_F(ImageViewTest, HistogramAndTableFollowTheRectangle) {
+    QTest::keyClick(view.canvas(), Qt::Key_H);
+    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
+    const auto& histogram = view.inspector()->histogram()->histogram();
+    EXPECT_EQ(histogram.counts.front(), 47u);
+    EXPECT_EQ(histogram.counts.back(), 1u);
+    EXPECT_TRUE(view.inspector()
+                    ->histogram()
+                    ->axisTitle(QwtPlot::xBottom)
+                    .text()
+                    .contains("Radiance (W·m⁻²·sr⁻¹)"));
+    view.canvas()->setSelection(irsg::PixelRectangle{1, 0, 2, 2});
+    emit view.canvas()->selectionChanged();
+    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
+    EXPECT_EQ(view.inspector()->histogram()->histogram().counts.front(), 3u);
+    EXPECT_TRUE(view.inspector()->table()->allText().contains("Mean\t1.08333\t2\n"))
+        << view.inspector()->table()->allText().toStdString();
+    test::keepScreenshot(view, "image-view-histogram");
+}
+
+TEST_F(ImageViewTest, StatisticsOfARectangleKnowItsContrastIntensity) {
+    irsg::RadianceImage image = small();
+    image.attributes["sensor.horizontal_field_of_view_deg"] = "2";
+    image.attributes["range_m"] = "1000";
+    image.attributes["background_W_m2_sr"] = "1";
+    view.setImage(image);
+    const auto intensity = irsg::contrastIntensity_W_sr(image, image.primary());
+    ASSERT_TRUE(intensity);
+    EXPECT_TRUE(view.statistics().contains(
+        QString("contrast intensity %1 W·sr⁻¹").arg(*intensity, 0, 'g', 6)))
+        << view.statistics().toStdString();
+    view.setImage(small());
+    EXPECT_FALSE(view.statistics().contains("contrast intensity"));
+}
+
+TEST_F(ImageViewTest, ExportsDataAndPicturesWithAndWithoutBar) {
+    const auto folder = test::freshFolder("image-export");
+    setMode(view, LimitMode::full);
+    const auto write = [&](const QString& entry, const char* name) {
+        chosen = QString::fromStdString((folder / name).string());
+        menuEntry(view, "exportImage", entry)->trigger();
+        return folder / name;
+    };
+    const auto exr = irsg::readExr(write("All planes as OpenEXR…", "a.exr"));
+    EXPECT_EQ(exr.primary(), view.image().primary());
+    EXPECT_EQ(exr.channels.size(), 3u);
+    EXPECT_EQ(irsg::readCsvImage(write("This plane as CSV…", "a.csv")).primary().values,
+              view.image().primary().values);
+    const QImage bare(QString::fromStdString(write("Picture…", "bare.png").string()));
+    EXPECT_EQ(bare.size(), QSize(8, 6));
+    EXPECT_EQ(bare.pixelColor(2, 0), QColor(Qt::white));
+    const QImage full(
+        QString::fromStdString(write("Picture with colour bar…", "bar.png").string()));
+    EXPECT_GT(full.width(), full.height());
+    EXPECT_TRUE(told.isEmpty());
+    chosen = "/nowhere/at/all.exr";
+    menuEntry(view, "exportImage", "All planes as OpenEXR…")->trigger();
+    ASSERT_EQ(told.size(), 1);
+    EXPECT_TRUE(told[0].contains("/nowhere/at/all.exr"));
+    EXPECT_THROW(view.exportTo("image.tiff"), irsg::InputError);
+}
+
+TEST_F(ImageViewTest, CopiesValuesOfTheRectangleAndThePicture) {
+    view.canvas()->setSelection(irsg::PixelRectangle{1, 0, 2, 2});
+    QTest::keyClick(view.canvas(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), "1\t5\n1\t1\n");
+    menuEntry(view, "copyImage", "Picture")->trigger();
+    EXPECT_EQ(QGuiApplication::clipboard()->image().size(), QSize(8, 6));
+    QTest::keyClick(view.canvas(), Qt::Key_C, Qt::ControlModifier);
+    EXPECT_GT(QGuiApplication::clipboard()->image().width(), 100);
+}
+
+TEST_F(ImageViewTest, ALargeImageIsShownAtOnceAndItsTemperaturesFollow) {
+    irsg::RadianceImage large(700, 600);
+    for (std::size_t i = 0; i < large.pixelCount(); ++i)
+        large.primary().values[i] = 1.0F + 1e-5F * static_cast<float>(i);
+    view.setImage(large, irsg::Band::topHat(3.0, 5.0));
+    EXPECT_EQ(view.image().channels.size(), 1u);
+    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
+    ASSERT_NE(view.image().find(irsg::apparentTemperatureChannel), nullptr);
+    EXPECT_TRUE(view.readoutAt(3, 3).contains("Apparent temperature"));
+    EXPECT_TRUE(view.findChild<QLabel*>("statistics")->text().startsWith("Image 700 × 600"));
+    // One that goes while it is worked out is not heard of again.
+    auto gone = std::make_unique<ImageView>();
+    gone->setImage(large, irsg::Band::topHat(3.0, 5.0));
+    gone.reset();
+    QTest::qWait(50);
 }
 
 TEST_F(ImageViewTest, LivesWithPixelsThatAreNoNumbersAndWithOnePixel) {

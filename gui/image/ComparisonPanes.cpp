@@ -1,0 +1,310 @@
+#include "gui/image/ComparisonPanes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+
+#include "gui/image/ImageCanvas.h"
+
+namespace smat::gui {
+namespace {
+
+constexpr int wipeSteps = 1000;
+constexpr double closeZoom = 24.0;
+
+/// Limits at equal distances from 1, for a ratio.
+irsg::DisplayLimits aroundOne(const std::vector<float>& values, double percent) {
+    std::vector<float> distances;
+    distances.reserve(values.size());
+    for (const float value : values)
+        if (std::isfinite(value))
+            distances.push_back(value - 1.0F);
+    const irsg::DisplayLimits limits = irsg::symmetricLimits(distances, percent);
+    return {1.0 + limits.low, 1.0 + limits.high};
+}
+
+} // namespace
+
+QString differenceName(irsg::DifferenceMode mode) {
+    switch (mode) {
+    case irsg::DifferenceMode::signedDifference:
+        return QStringLiteral("A − B");
+    case irsg::DifferenceMode::absolute:
+        return QStringLiteral("|A − B|");
+    case irsg::DifferenceMode::relative:
+        return QStringLiteral("(A − B) / ½(|A| + |B|)");
+    case irsg::DifferenceMode::ratio:
+        return QStringLiteral("A / B");
+    }
+    return {};
+}
+
+ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
+    setObjectName("comparisonPanes");
+    map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
+    shared_ = new ColorBar(this);
+    shared_->setObjectName("sharedBar");
+    shared_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
+    difference_ = new ColorBar(this, {LimitMode::full, LimitMode::percentile, LimitMode::locked});
+    difference_->setObjectName("differenceBar");
+    difference_->setPercentiles(0.0, 99.0);
+    static const char* const names[] = {"canvasA", "canvasB", "canvasDifference"};
+    for (std::size_t i = 0; i < canvases_.size(); ++i) {
+        canvases_[i] = new ImageCanvas(this);
+        canvases_[i]->setObjectName(names[i]);
+        canvases_[i]->setMinimumSize(160, 120);
+        canvases_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+        link(canvases_[i]);
+    }
+
+    grid_ = new QGridLayout(this);
+    grid_->setContentsMargins(0, 0, 0, 0);
+    grid_->setHorizontalSpacing(8);
+    grid_->setVerticalSpacing(4);
+    grid_->addWidget(makeTitle(0), 0, 0);
+    grid_->addWidget(makeTitle(1), 0, 1);
+    grid_->addWidget(canvases_[0], 1, 0);
+    grid_->addWidget(canvases_[1], 1, 1);
+    grid_->addWidget(shared_, 1, 2);
+    grid_->addWidget(makeTitle(2), 2, 0);
+    grid_->addWidget(canvases_[2], 3, 0);
+    for (const int row : {1, 3})
+        grid_->setRowStretch(row, 1);
+    for (const int column : {0, 1})
+        grid_->setColumnStretch(column, 1);
+    setCompanion(new QWidget(this));
+
+    connect(wipe_, &QCheckBox::toggled, this, &ComparisonPanes::setWipe);
+    connect(wipeAt_, &QSlider::valueChanged, this, [this] { setWipe(wipe_->isChecked()); });
+    connect(shared_, &ColorBar::limitsEdited, this, &ComparisonPanes::updateSharedColors);
+    connect(shared_, &ColorBar::modeChosen, this, &ComparisonPanes::updateSharedColors);
+    connect(difference_, &ColorBar::limitsEdited, this, &ComparisonPanes::updateDifferenceColors);
+    connect(difference_, &ColorBar::modeChosen, this, &ComparisonPanes::updateDifferenceColors);
+}
+
+QWidget* ComparisonPanes::makeTitle(int index) {
+    auto* title = new QWidget(this);
+    auto* row = new QHBoxLayout(title);
+    row->setContentsMargins(2, 0, 2, 0);
+    auto* label = new QLabel(title);
+    static const char* const names[] = {"titleA", "titleB", "titleDifference"};
+    label->setObjectName(names[index]);
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    titles_[static_cast<std::size_t>(index)] = label;
+    row->addWidget(label, 1);
+    if (index == 0) {
+        wipe_ = new QCheckBox(tr("Wipe"), title);
+        wipe_->setObjectName("wipe");
+        wipe_->setToolTip(tr("A on the left of the line, B on its right (V)"));
+        wipeAt_ = new QSlider(Qt::Horizontal, title);
+        wipeAt_->setObjectName("wipeAt");
+        wipeAt_->setRange(0, wipeSteps);
+        wipeAt_->setValue(wipeSteps / 2);
+        wipeAt_->setFixedWidth(130);
+        wipeAt_->setEnabled(false);
+        wipeAt_->setToolTip(tr("Place of the line between A and B"));
+        row->addWidget(wipe_);
+        row->addWidget(wipeAt_);
+    }
+    title->setFixedHeight(std::max(title->sizeHint().height(), 26));
+    return title;
+}
+
+void ComparisonPanes::setCompanion(QWidget* companion) {
+    auto* beside = new QWidget(this);
+    auto* row = new QHBoxLayout(beside);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    difference_->setParent(beside);
+    row->addWidget(difference_);
+    row->addWidget(companion, 1);
+    if (auto* before = grid_->itemAtPosition(3, 1); before != nullptr)
+        delete before->widget();
+    // Both rows of images are equally high, whatever the companion would like.
+    beside->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+    grid_->addWidget(beside, 3, 1, 1, 2);
+}
+
+void ComparisonPanes::link(ImageCanvas* canvas) {
+    const auto others = [this, canvas](auto&& use) {
+        for (ImageCanvas* other : canvases_)
+            if (other != canvas && other != nullptr)
+                use(other);
+    };
+    connect(canvas, &ImageCanvas::viewChanged, this, [canvas, others] {
+        others([&](ImageCanvas* other) { other->setView(canvas->view()); });
+    });
+    connect(canvas, &ImageCanvas::hovered, this, [this, others](std::optional<QPoint> pixel) {
+        others([&](ImageCanvas* other) { other->setCursorPixel(pixel); });
+        emit hovered(pixel);
+    });
+    connect(canvas, &ImageCanvas::selectionChanged, this, [this, canvas, others] {
+        others([&](ImageCanvas* other) { other->setSelection(canvas->selection()); });
+        emit selectionChanged();
+    });
+}
+
+void ComparisonPanes::setPlanes(const ComparedPlane& a, const ComparedPlane& b,
+                                const QString& title) {
+    planes_ = {a, b};
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (planes_[i].values)
+            canvases_[i]->setPlane(planes_[i].width, planes_[i].height, planes_[i].values);
+        else
+            canvases_[i]->clear();
+    }
+    const bool same = a.values && b.values && a.width == b.width && a.height == b.height;
+    if (same)
+        canvases_[0]->setSecond(b.values);
+    wipe_->setEnabled(same);
+    if (!same)
+        setWipe(false);
+    shared_->setTitle(title);
+    showTitles();
+    updateSharedColors();
+}
+
+void ComparisonPanes::setDifference(SharedValues values, irsg::DifferenceMode mode,
+                                    const QString& title) {
+    differenceValues_ = std::move(values);
+    if (mode != mode_ && difference_->mode() == LimitMode::locked)
+        difference_->setMode(LimitMode::full); // limits of another quantity
+    mode_ = mode;
+    difference_->setTitle(title);
+    if (!differenceValues_) {
+        canvases_[2]->clear();
+    } else {
+        canvases_[2]->setPlane(planes_[0].width, planes_[0].height, differenceValues_);
+        canvases_[2]->setView(canvases_[0]->view());
+        canvases_[2]->setSelection(canvases_[0]->selection());
+        updateDifferenceColors();
+    }
+    showTitles();
+}
+
+void ComparisonPanes::setMarks(std::vector<std::uint8_t> marks) {
+    if (differenceValues_)
+        canvases_[2]->setMarks(std::move(marks));
+}
+
+void ComparisonPanes::setColorMap(const std::string& name) {
+    map_ = &irsg::ColorMap::named(name);
+    shared_->setColors(*map_, shared_->limits());
+    for (const int i : {0, 1})
+        canvas(i)->setColors(*map_, shared_->limits());
+    updateDifferenceColors();
+}
+
+void ComparisonPanes::updateSharedColors() {
+    std::vector<const std::vector<float>*> planes;
+    for (const ComparedPlane& plane : planes_)
+        if (plane.values)
+            planes.push_back(plane.values.get());
+    irsg::DisplayLimits limits = shared_->limits();
+    if (shared_->mode() != LimitMode::locked)
+        limits = automaticLimits(planes, shared_->mode(), shared_->percentiles());
+    shared_->setColors(*map_, limits);
+    OutOfRange outside;
+    for (const auto* values : planes) {
+        const OutOfRange one = countOutOfRange(*values, limits);
+        outside.below += one.below;
+        outside.above += one.above;
+        outside.nan += one.nan;
+    }
+    shared_->setOutOfRange(outside);
+    for (const int i : {0, 1})
+        canvas(i)->setColors(*map_, limits);
+}
+
+irsg::DisplayLimits ComparisonPanes::differenceLimits() const {
+    const double percent =
+        difference_->mode() == LimitMode::percentile ? difference_->percentiles().second : 100.0;
+    switch (mode_) {
+    case irsg::DifferenceMode::absolute:
+        return {0.0, irsg::symmetricLimits(*differenceValues_, percent).high};
+    case irsg::DifferenceMode::ratio:
+        return aroundOne(*differenceValues_, percent);
+    default:
+        return irsg::symmetricLimits(*differenceValues_, percent);
+    }
+}
+
+void ComparisonPanes::updateDifferenceColors() {
+    if (!differenceValues_)
+        return;
+    // What has a sign diverges from its middle; a size does not.
+    const irsg::ColorMap& map =
+        mode_ == irsg::DifferenceMode::absolute ? *map_ : irsg::ColorMap::named("diverging");
+    const irsg::DisplayLimits limits =
+        difference_->mode() == LimitMode::locked ? difference_->limits() : differenceLimits();
+    difference_->setColors(map, limits);
+    difference_->setOutOfRange(countOutOfRange(*differenceValues_, limits));
+    canvases_[2]->setColors(map, limits);
+}
+
+void ComparisonPanes::showTitles() {
+    const auto line = [](const QString& letter, const QString& name) {
+        return QStringLiteral("<b>%1</b>&nbsp;&nbsp;%2").arg(letter, name.toHtmlEscaped());
+    };
+    const QString& a = planes_[0].name;
+    const QString& b = planes_[1].name;
+    titles_[0]->setText(flickering_  ? line("B", b)
+                        : isWiping() ? line(QStringLiteral("A | B"), a + " | " + b)
+                                     : line("A", a));
+    titles_[1]->setText(line("B", b));
+    titles_[2]->setText(differenceValues_ ? line(tr("Difference"), differenceName(mode_))
+                                          : line(tr("Difference"), ""));
+    for (const auto i : {0, 1})
+        titles_[static_cast<std::size_t>(i)]->setToolTip(planes_[static_cast<std::size_t>(i)].name);
+}
+
+void ComparisonPanes::setFlicker(bool on) {
+    canvases_[0]->setSecondShown(on);
+    flickering_ = canvases_[0]->isSecondShown();
+    showTitles();
+}
+
+bool ComparisonPanes::isWiping() const {
+    return wipe_->isChecked();
+}
+
+void ComparisonPanes::setWipe(bool on) {
+    const QSignalBlocker quiet(wipe_);
+    wipe_->setChecked(on && wipe_->isEnabled());
+    wipeAt_->setEnabled(wipe_->isChecked());
+    if (wipe_->isChecked())
+        canvases_[0]->setWipe(static_cast<double>(wipeAt_->value()) / wipeSteps);
+    else
+        canvases_[0]->setWipe(std::nullopt);
+    showTitles();
+}
+
+void ComparisonPanes::fit() {
+    canvases_[0]->fit();
+}
+
+void ComparisonPanes::showActualSize() {
+    canvases_[0]->showActualSize();
+}
+
+void ComparisonPanes::goTo(const QPoint& pixel) {
+    canvases_[2]->centreOn(pixel, closeZoom);
+    for (ImageCanvas* canvas : canvases_)
+        canvas->setCursorPixel(pixel);
+    emit hovered(pixel);
+}
+
+ColorBar* ComparisonPanes::activeBar() const {
+    return canvases_[2]->hasFocus() ? difference_ : shared_;
+}
+
+std::optional<irsg::PixelRectangle> ComparisonPanes::selection() const {
+    return canvases_[0]->selection();
+}
+
+} // namespace smat::gui

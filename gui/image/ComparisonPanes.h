@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include <QWidget>
+
+#include "gui/image/ColorBar.h"
+#include "gui/image/ColoredPlane.h"
+#include "irsg/image/ImageComparison.h"
+
+class QCheckBox;
+class QGridLayout;
+class QLabel;
+class QSlider;
+
+namespace smat::gui {
+
+class ImageCanvas;
+
+/// A plane of one of two images that are compared.
+struct ComparedPlane {
+    QString name; ///< of the image
+    int width = 0, height = 0;
+    SharedValues values; ///< null: there is none yet
+};
+
+/// Image A top left, B top right, their difference below, all at one zoom and one place, with one
+/// cursor and one rectangle. A and B share their colours; the difference has its own. What is
+/// beside the difference is somebody else's: companion().
+class ComparisonPanes : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ComparisonPanes(QWidget* parent = nullptr);
+
+    /// `title` is the quantity with its unit.
+    void setPlanes(const ComparedPlane& a, const ComparedPlane& b, const QString& title);
+    /// Null where there is none.
+    void setDifference(SharedValues values, irsg::DifferenceMode mode, const QString& title);
+    void setMarks(std::vector<std::uint8_t> marks);
+    void setColorMap(const std::string& name);
+
+    /// B in the place of A, while a key is held.
+    void setFlicker(bool on);
+    bool isFlickering() const { return flickering_; }
+    void setWipe(bool on);
+    bool isWiping() const;
+    void fit();
+    void showActualSize();
+    /// Shows a pixel large, with the cursor on it.
+    void goTo(const QPoint& pixel);
+
+    ImageCanvas* canvas(int index) const { return canvases_[static_cast<std::size_t>(index)]; }
+    ColorBar* sharedBar() const { return shared_; }
+    ColorBar* differenceBar() const { return difference_; }
+    /// The bar of the canvas that has the focus.
+    ColorBar* activeBar() const;
+    std::optional<irsg::PixelRectangle> selection() const;
+    /// Puts a widget beside the difference, below B.
+    void setCompanion(QWidget* companion);
+    /// Colour bar and colours of the difference follow the limits' rule again.
+    void updateDifferenceColors();
+
+  signals:
+    void hovered(std::optional<QPoint> pixel);
+    void selectionChanged();
+
+  private:
+    QWidget* makeTitle(int index);
+    void link(ImageCanvas* canvas);
+    void updateSharedColors();
+    void showTitles();
+    irsg::DisplayLimits differenceLimits() const;
+
+    std::array<ImageCanvas*, 3> canvases_{};
+    std::array<QLabel*, 3> titles_{};
+    std::array<ComparedPlane, 2> planes_;
+    SharedValues differenceValues_;
+    irsg::DifferenceMode mode_ = irsg::DifferenceMode::signedDifference;
+    const irsg::ColorMap* map_ = nullptr;
+    ColorBar* shared_ = nullptr;
+    ColorBar* difference_ = nullptr;
+    QCheckBox* wipe_ = nullptr;
+    QSlider* wipeAt_ = nullptr;
+    QGridLayout* grid_ = nullptr;
+    bool flickering_ = false;
+};
+
+/// "A − B", "|A − B|", "(A − B) / mean", "A / B".
+QString differenceName(irsg::DifferenceMode mode);
+
+} // namespace smat::gui

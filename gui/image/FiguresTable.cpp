@@ -1,0 +1,88 @@
+#include "gui/image/FiguresTable.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+
+FiguresTable::FiguresTable(QWidget* parent) : QTableWidget(parent) {
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setAlternatingRowColors(true);
+    setShowGrid(false);
+    setFrameShape(QFrame::NoFrame);
+    setWordWrap(false);
+    verticalHeader()->hide();
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    horizontalHeader()->setStretchLastSection(true);
+    setToolTip(tr("Ctrl+C copies the numbers"));
+}
+
+void FiguresTable::setFigures(const QStringList& headings, const QList<QStringList>& rows) {
+    const bool sameShape = headings.size() == columnCount() && rows.size() == rowCount();
+    setColumnCount(static_cast<int>(headings.size()));
+    setHorizontalHeaderLabels(headings);
+    setRowCount(static_cast<int>(rows.size()));
+    for (int r = 0; r < rows.size(); ++r) {
+        if (rows[r].size() != headings.size())
+            throw irsg::LogicError("a row of a table has not as many cells as headings");
+        for (int c = 0; c < rows[r].size(); ++c) {
+            auto* cell = item(r, c);
+            if (cell == nullptr) {
+                cell = new QTableWidgetItem;
+                setItem(r, c, cell);
+            }
+            cell->setText(rows[r][c]);
+            cell->setToolTip(rows[r][c]);
+        }
+    }
+    if (!sameShape)
+        resizeColumnsToContents();
+    for (int c = 0; c + 1 < columnCount(); ++c)
+        setColumnWidth(c, std::max(columnWidth(c), sizeHintForColumn(c)));
+}
+
+QString FiguresTable::allText() const {
+    QStringList lines, headings;
+    for (int c = 0; c < columnCount(); ++c)
+        headings << horizontalHeaderItem(c)->text();
+    lines << headings.join('\t');
+    for (int r = 0; r < rowCount(); ++r) {
+        QStringList cells;
+        for (int c = 0; c < columnCount(); ++c)
+            cells << item(r, c)->text();
+        lines << cells.join('\t');
+    }
+    return lines.join('\n') + '\n';
+}
+
+void FiguresTable::copy() const {
+    const auto ranges = selectedRanges();
+    if (selectedItems().size() < 2) {
+        QGuiApplication::clipboard()->setText(allText());
+        return;
+    }
+    QStringList lines;
+    for (const auto& range : ranges)
+        for (int r = range.topRow(); r <= range.bottomRow(); ++r) {
+            QStringList cells;
+            for (int c = range.leftColumn(); c <= range.rightColumn(); ++c)
+                cells << item(r, c)->text();
+            lines << cells.join('\t');
+        }
+    QGuiApplication::clipboard()->setText(lines.join('\n') + '\n');
+}
+
+void FiguresTable::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Copy))
+        copy();
+    else
+        QTableWidget::keyPressEvent(event);
+}
+
+} // namespace smat::gui

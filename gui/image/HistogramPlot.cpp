@@ -1,0 +1,106 @@
+#include "gui/image/HistogramPlot.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QwtPlotCanvas>
+#include <QwtPlotHistogram>
+#include <QwtPlotLayout>
+#include <QwtPlotMarker>
+#include <QwtScaleEngine>
+
+#include "gui/Theme.h"
+#include "gui/plot/PlotLook.h"
+
+namespace smat::gui {
+
+HistogramPlot::HistogramPlot(QWidget* parent) : QwtPlot(parent) {
+    setObjectName("histogram");
+    bars_ = new QwtPlotHistogram;
+    bars_->setStyle(QwtPlotHistogram::Columns);
+    bars_->attach(this);
+    for (QwtPlotMarker** marker : {&low_, &high_}) {
+        *marker = new QwtPlotMarker;
+        (*marker)->setLineStyle(QwtPlotMarker::VLine);
+        (*marker)->attach(this);
+    }
+    plotLayout()->setAlignCanvasToScales(true);
+    dress();
+    draw();
+}
+
+HistogramPlot::~HistogramPlot() = default;
+
+void HistogramPlot::setHistogram(const irsg::Histogram& histogram, const QString& title) {
+    histogram_ = histogram;
+    title_ = title;
+    draw();
+}
+
+void HistogramPlot::setLogarithmicCounts(bool on) {
+    logarithmicCounts_ = on;
+    draw();
+}
+
+void HistogramPlot::setLimits(const irsg::DisplayLimits& limits) {
+    low_->setXValue(limits.low);
+    high_->setXValue(limits.high);
+    replot();
+}
+
+void HistogramPlot::draw() {
+    // On a logarithmic axis a bar begins below one pixel, so that single pixels are seen.
+    const double base = logarithmicCounts_ ? 0.5 : 0.0;
+    QVector<QwtIntervalSample> samples;
+    double most = 1.0;
+    for (std::size_t i = 0; i < histogram_.counts.size(); ++i) {
+        if (histogram_.counts[i] == 0)
+            continue;
+        const auto count = static_cast<double>(histogram_.counts[i]);
+        most = std::max(most, count);
+        samples << QwtIntervalSample(count, histogram_.edges[i], histogram_.edges[i + 1]);
+    }
+    bars_->setBaseline(base);
+    bars_->setSamples(samples);
+
+    if (logarithmicCounts_)
+        setAxisScaleEngine(yLeft, new QwtLogScaleEngine);
+    else
+        setAxisScaleEngine(yLeft, new QwtLinearScaleEngine);
+    setAxisScale(yLeft, base, logarithmicCounts_ ? most * 2.0 : most * 1.05);
+    if (histogram_.logarithmic)
+        setAxisScaleEngine(xBottom, new ReadableLogScale);
+    else
+        setAxisScaleEngine(xBottom, new QwtLinearScaleEngine);
+    if (!histogram_.edges.empty())
+        setAxisScale(xBottom, histogram_.edges.front(), histogram_.edges.back());
+    setAxisMaxMajor(yLeft, 4);
+    setAxisMaxMajor(xBottom, 6);
+    const auto style = PlotStyle::screen(palette());
+    setAxisTitle(xBottom, axisText(title_, style));
+    setAxisTitle(yLeft, axisText(tr("pixels"), style));
+    replot();
+}
+
+void HistogramPlot::dress() {
+    const auto style = PlotStyle::screen(palette());
+    dressPlot(*this, style);
+    setContentsMargins(4, 4, 8, 2);
+    setMinimumSize(0, 0);
+    QColor fill = style.curve(0);
+    bars_->setPen(QPen(Qt::NoPen));
+    bars_->setBrush(fill);
+    for (QwtPlotMarker* marker : {low_, high_})
+        marker->setLinePen(QPen(style.crosshair, 1.0, Qt::DashLine));
+}
+
+void HistogramPlot::changeEvent(QEvent* event) {
+    QwtPlot::changeEvent(event);
+    if (event->type() == QEvent::ApplicationPaletteChange) {
+        setPalette({});
+        dress();
+        draw();
+    }
+}
+
+} // namespace smat::gui

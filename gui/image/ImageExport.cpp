@@ -1,0 +1,98 @@
+#include "gui/image/ImageExport.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <QPainter>
+#include <QPixmap>
+
+#include "irsg/image/ApparentTemperature.h"
+#include "irsg/image/CsvImage.h"
+#include "irsg/image/ExrFile.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Quantity.h"
+
+namespace smat::gui {
+
+void exportImage(const irsg::RadianceImage& image, const std::string& channel,
+                 const irsg::PngViewOptions& view, const std::filesystem::path& file) {
+    const std::string suffix = file.extension().string();
+    if (suffix == ".exr")
+        irsg::writeExr(image, file);
+    else if (suffix == ".csv")
+        irsg::writeCsvImage(image, file, channel);
+    else if (suffix == ".png")
+        irsg::writePngView(image, file, view, channel);
+    else
+        throw irsg::InputError(
+            {file.string(), "", "the ending '" + suffix + "'", ".exr, .csv or .png"});
+}
+
+QImage pictureOf(const irsg::RadianceImage& image, const irsg::ImageChannel& plane,
+                 const irsg::PngViewOptions& view) {
+    const irsg::Canvas canvas = irsg::renderView(image, plane, view);
+    return QImage(canvas.bytes().data(), canvas.width(), canvas.height(),
+                  static_cast<qsizetype>(3) * canvas.width(), QImage::Format_RGB888)
+        .copy();
+}
+
+QString valuesText(const irsg::RadianceImage& image, const irsg::ImageChannel& plane,
+                   const std::optional<irsg::PixelRectangle>& rectangle) {
+    const irsg::PixelRectangle area = irsg::checkedRectangle(image, rectangle);
+    std::string text;
+    for (int y = area.y; y < area.y + area.height; ++y)
+        for (int x = area.x; x < area.x + area.width; ++x) {
+            const float value = plane.values[image.offset(x, y)];
+            std::array<char, 32> digits;
+            const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                           std::chars_format::general, 9)
+                                 .ptr;
+            if (std::isnan(value))
+                text += "nan";
+            else
+                text.append(digits.data(), end);
+            text += x + 1 < area.x + area.width ? '\t' : '\n';
+        }
+    return QString::fromStdString(text);
+}
+
+QString planeTitle(const irsg::ImageChannel& channel) {
+    if (channel.name == "L")
+        return QStringLiteral("Radiance");
+    if (channel.name == irsg::apparentTemperatureChannel || channel.name == "T")
+        return QStringLiteral("Apparent temperature");
+    if (channel.name == "E")
+        return QStringLiteral("Irradiance");
+    QString words = QString::fromStdString(channel.name).replace('_', ' ');
+    if (!words.isEmpty())
+        words[0] = words[0].toUpper();
+    return words;
+}
+
+QString readableUnit(const std::string& unit) {
+    for (int i = 0; i <= static_cast<int>(irsg::Quantity::dimensionless); ++i) {
+        const auto& info = irsg::info(static_cast<irsg::Quantity>(i));
+        if (info.unit == unit)
+            return QString::fromUtf8(info.prettyUnit.data(),
+                                     static_cast<qsizetype>(info.prettyUnit.size()));
+    }
+    return QString::fromStdString(unit);
+}
+
+QString titleWithUnit(const irsg::ImageChannel& channel) {
+    const QString unit = readableUnit(channel.unit);
+    return planeTitle(channel) + (unit.isEmpty() ? QString() : " (" + unit + ")");
+}
+
+QPixmap swatchOf(const irsg::ColorMap& map) {
+    QPixmap pixmap(56, 14);
+    QPainter painter(&pixmap);
+    for (int x = 0; x < pixmap.width(); ++x) {
+        const irsg::Rgb color = map.at((x + 0.5) / pixmap.width());
+        painter.fillRect(x, 0, 1, pixmap.height(), QColor(color.red, color.green, color.blue));
+    }
+    return pixmap;
+}
+
+} // namespace smat::gui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include <QImage>
+#include <QString>
+
+#include "irsg/image/ImageStatistics.h"
+#include "irsg/image/PngView.h"
+#include "irsg/image/RadianceImage.h"
+
+namespace smat::gui {
+
+/// Writes an image by the suffix of the file: .exr with all planes, .csv with `channel`, .png as a
+/// view. Throws irsg::InputError for another suffix and for a file that cannot be written.
+void exportImage(const irsg::RadianceImage& image, const std::string& channel,
+                 const irsg::PngViewOptions& view, const std::filesystem::path& file);
+
+/// The view of a plane as a picture.
+QImage pictureOf(const irsg::RadianceImage& image, const irsg::ImageChannel& plane,
+                 const irsg::PngViewOptions& view);
+
+/// The values of a plane or of its rectangle, separated by tabs, a row a line, top row first, as
+/// they go into a spreadsheet; 9 significant digits.
+QString valuesText(const irsg::RadianceImage& image, const irsg::ImageChannel& plane,
+                   const std::optional<irsg::PixelRectangle>& rectangle);
+
+/// "Radiance" of channel L, "Apparent temperature", else the channel's own name in words.
+QString planeTitle(const irsg::ImageChannel& channel);
+/// "W m-2 sr-1" as "W·m⁻²·sr⁻¹".
+QString readableUnit(const std::string& unit);
+/// "Radiance (W·m⁻²·sr⁻¹)".
+QString titleWithUnit(const irsg::ImageChannel& channel);
+/// A strip of the colours, for a list of maps.
+QPixmap swatchOf(const irsg::ColorMap& map);
+
+} // namespace smat::gui

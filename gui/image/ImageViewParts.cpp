@@ -1,0 +1,135 @@
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/image/ColorBar.h"
+#include "gui/image/ImageCanvas.h"
+#include "gui/image/ImageInspector.h"
+#include "gui/image/ImageView.h"
+
+namespace smat::gui {
+namespace {
+
+QToolButton* textButton(const QString& text, const QString& name, const QString& tip) {
+    auto* button = new QToolButton;
+    button->setText(text);
+    button->setObjectName(name);
+    button->setToolTip(tip);
+    return button;
+}
+
+} // namespace
+
+ImageView::ImageView(QWidget* parent, Dialogs dialogs)
+    : QWidget(parent), dialogs_(std::move(dialogs)) {
+    setObjectName("imageView");
+    map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
+    canvas_ = new ImageCanvas(this);
+    colorBar_ = new ColorBar(this);
+    inspector_ = new ImageInspector(this);
+    inspector_->hide();
+    readout_ = new QLabel(this);
+    readout_->setObjectName("pixelReadout");
+    statistics_ = new QLabel(this);
+    statistics_->setObjectName("statistics");
+    statistics_->setForegroundRole(QPalette::PlaceholderText);
+    for (QLabel* label : {readout_, statistics_}) {
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        label->setMinimumWidth(0);
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
+
+    auto* picture = new QWidget(this);
+    auto* middle = new QHBoxLayout(picture);
+    middle->setContentsMargins(0, 0, 0, 0);
+    middle->setSpacing(0);
+    middle->addWidget(canvas_, 1);
+    middle->addWidget(colorBar_);
+    auto* splitter = new QSplitter(Qt::Vertical, this);
+    splitter->setChildrenCollapsible(false);
+    splitter->addWidget(picture);
+    splitter->addWidget(inspector_);
+    splitter->setStretchFactor(0, 3);
+    splitter->setStretchFactor(1, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(10, 10, 10, 8);
+    column->setSpacing(8);
+    column->addLayout(makeBar());
+    column->addWidget(splitter, 1);
+    column->addWidget(readout_);
+    column->addWidget(statistics_);
+    setFocusProxy(canvas_);
+    connectParts();
+}
+
+QHBoxLayout* ImageView::makeBar() {
+    plane_ = new QComboBox(this);
+    plane_->setObjectName("plane");
+    plane_->setToolTip(tr("What is shown (1 to 9)"));
+    plane_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    colors_ = new QComboBox(this);
+    colors_->setObjectName("colorMap");
+    colors_->setToolTip(tr("Colours of the view; the data stay as they are (M)"));
+    colors_->setIconSize(QSize(56, 14));
+    for (const auto& name : irsg::ColorMap::names()) {
+        const auto& map = irsg::ColorMap::named(name);
+        if (!map.isDiverging())
+            colors_->addItem(swatchOf(map), QString::fromStdString(name));
+    }
+    histogram_ = textButton(tr("Histogram"), "showHistogram", tr("Histogram and statistics (H)"));
+    histogram_->setCheckable(true);
+    auto* copy = makeMenuButton(tr("Copy"), "copyImage");
+    copy->menu()->addAction(tr("Picture with colour bar"), this, [this] { copyPicture(true); });
+    copy->menu()->addAction(tr("Picture"), this, [this] { copyPicture(false); });
+    copy->menu()->addAction(tr("Values"), this, &ImageView::copyValues);
+    auto* write = makeMenuButton(tr("Export"), "exportImage");
+    const auto format = [&](const QString& text, const QString& filter, bool withBar) {
+        write->menu()->addAction(text, this,
+                                 [this, filter, withBar] { askAndExport(filter, withBar); });
+    };
+    format(tr("All planes as OpenEXR…"), tr("OpenEXR image (*.exr)"), false);
+    format(tr("This plane as CSV…"), tr("Values as text (*.csv)"), false);
+    format(tr("Picture with colour bar…"), tr("Picture (*.png)"), true);
+    format(tr("Picture…"), tr("Picture (*.png)"), false);
+    auto* fit = textButton(tr("Fit"), "fit", tr("Show the whole image (F, double click)"));
+    auto* actual =
+        textButton(tr("1:1"), "actualSize", tr("One pixel of the image is one of the screen (A)"));
+    connect(fit, &QToolButton::clicked, canvas_, &ImageCanvas::fit);
+    connect(actual, &QToolButton::clicked, canvas_, &ImageCanvas::showActualSize);
+    connect(histogram_, &QToolButton::toggled, inspector_, &QWidget::setVisible);
+
+    auto* bar = new QHBoxLayout;
+    bar->addWidget(plane_);
+    bar->addWidget(colors_);
+    bar->addStretch(1);
+    for (QToolButton* button : {histogram_, copy, write, fit, actual})
+        bar->addWidget(button);
+    return bar;
+}
+
+QToolButton* ImageView::makeMenuButton(const QString& text, const QString& name) {
+    auto* button = textButton(text, name, text);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setMenu(new QMenu(button));
+    return button;
+}
+
+void ImageView::connectParts() {
+    connect(plane_, &QComboBox::activated, this, &ImageView::showPlane);
+    connect(colors_, &QComboBox::textActivated, this,
+            [this](const QString& name) { setColorMap(name.toStdString()); });
+    connect(canvas_, &ImageCanvas::hovered, this, [this](std::optional<QPoint> pixel) {
+        readout_->setText(pixel ? readoutAt(pixel->x(), pixel->y())
+                                : tr("Move the mouse over the image, or press the arrows, to read "
+                                     "its pixels"));
+    });
+    connect(canvas_, &ImageCanvas::selectionChanged, this, &ImageView::updateStatistics);
+    connect(colorBar_, &ColorBar::limitsEdited, this, &ImageView::recolor);
+    connect(colorBar_, &ColorBar::modeChosen, this, &ImageView::updateColors);
+}
+
+} // namespace smat::gui
