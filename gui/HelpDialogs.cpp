@@ -109,6 +109,7 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, QWidget* parent) : QDial
         row(tr("Drag, arrow keys"), tr("Turn the model; with Shift in steps of 1°")) +
         row(tr("Wheel, Page up, Page down"), tr("Range of the camera")) +
         row(tr("Double click, Home"), tr("Show the whole model")) +
+        row(tr("Click, again"), tr("Pick a face; the one behind it")) +
         heading(tr("Plots and images")) + row(tr("Wheel"), tr("Zoom at the cursor")) +
         row(tr("Drag"), tr("Zoom into a rectangle; statistics of it in an image")) +
         row(tr("Right drag"), tr("Move")) + row(tr("Double click"), tr("Show all")) +

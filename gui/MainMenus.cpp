@@ -8,7 +8,7 @@
 #include "gui/MainWindow.h"
 #include "gui/Theme.h"
 #include "gui/project/ProjectFiles.h"
-#include "gui/view/SceneView.h"
+#include "gui/view/ModelPage.h"
 
 namespace smat::gui {
 
@@ -102,17 +102,7 @@ void MainWindow::makeEditMenu(QMenu* menu) {
 
 void MainWindow::makeViewMenu(QMenu* menu) {
     if (view_ != nullptr) {
-        auto* wire = menu->addAction(icon("wireframe"), tr("&Wireframe"));
-        wire->setObjectName("wireframe");
-        wire->setCheckable(true);
-        wire->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W));
-        connect(wire, &QAction::toggled, view_, &SceneView::setWireframe);
-        auto* axes = menu->addAction(icon("axes"), tr("&Axes"));
-        axes->setObjectName("axes");
-        axes->setCheckable(true);
-        axes->setChecked(true);
-        axes->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A));
-        connect(axes, &QAction::toggled, view_, &SceneView::setAxesVisible);
+        page_->fillMenu(menu);
         auto* whole = menu->addAction(icon("home"), tr("Show the whole &model"), this, [this] {
             if (workbench_.hasProject())
                 view_->showWholeModel();

@@ -1,7 +1,5 @@
 #include "gui/MainWindow.h"
 
-#include <numbers>
-
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -23,7 +21,7 @@
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/SceneTreeDock.h"
 #include "gui/settings/SettingsDialog.h"
-#include "gui/view/SceneView.h"
+#include "gui/view/ModelPage.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/SceneBuilder.h"
 
@@ -71,6 +69,8 @@ void MainWindow::makeDocks() {
             [this](int model) { files_->chooseModelFile(static_cast<std::size_t>(model)); });
     connect(tree_, &SceneTreeDock::databaseFileWanted, this,
             [this](int model) { files_->chooseDatabaseFile(static_cast<std::size_t>(model)); });
+    if (view_ != nullptr)
+        joinTreeAndView();
     connect(tree_, &SceneTreeDock::sensorActivated, this, [this] { showAnalysisSettings(2); });
     connect(tree_, &SceneTreeDock::sunActivated, this, [this] { showAnalysisSettings(0); });
     connect(tree_, &SceneTreeDock::atmosphereActivated, this, [this] { showOptions(4); });
@@ -107,8 +107,9 @@ void MainWindow::makeCentre() {
     tabs_->setMovable(false);
     tabs_->setDocumentMode(true);
     if (const QString problem = SceneView::problem(); problem.isEmpty()) {
-        view_ = new SceneView(tabs_);
-        tabs_->addTab(view_, icon("axes"), tr("Model"));
+        page_ = new ModelPage(tabs_);
+        view_ = page_->view();
+        tabs_->addTab(page_, icon("axes"), tr("Model"));
         view_->installEventFilter(this);
         connect(view_, &SceneView::cameraMoved, this, [this](const OrbitCamera& camera) {
             if (workbench_.hasProject())
@@ -129,6 +130,19 @@ void MainWindow::makeCentre() {
             delete tabs_->widget(index);
     });
     connect(tabs_, &QTabWidget::currentChanged, this, &MainWindow::refreshActions);
+}
+
+void MainWindow::joinTreeAndView() {
+    connect(tree_, &SceneTreeDock::indexSelected, view_,
+            [this](IndexKind kind, int index, int model) {
+                FaceSelection faces{.temperature = {}, .material = {}, .model = model};
+                (kind == IndexKind::temperature ? faces.temperature : faces.material) = index;
+                view_->setHighlighted(faces);
+            });
+    connect(tree_, &SceneTreeDock::nothingSelected, view_, [this] { view_->setHighlighted({}); });
+    connect(view_, &SceneView::facePicked, tree_, [this](int temperature, int, int model) {
+        tree_->showIndex(IndexKind::temperature, temperature, model);
+    });
 }
 
 void MainWindow::addPage(QWidget* page, const QIcon& icon, const QString& title) {
@@ -269,13 +283,7 @@ void MainWindow::showModel() {
 void MainWindow::onSettingsChanged() {
     if (view_ == nullptr)
         return;
-    const Settings& settings = workbench_.settings();
-
-    view_->setTargetPose(targetPoseOf(settings));
-    const double yaw = settings.real("target.yaw") * std::numbers::pi / 180.0;
-    view_->setFrame({settings.real("sensor.fov") * std::numbers::pi / 180.0,
-                     settings.integer("sensor.width"), settings.integer("sensor.height")});
-    view_->setCamera(workbench_.camera(), yaw);
+    view_->setProject(workbench_.project(), workbench_.settings());
 }
 
 void MainWindow::newAnalysis(AnalysisKind kind, const Settings& settings, const QString& name) {

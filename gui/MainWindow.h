@@ -23,6 +23,7 @@ class QToolBar;
 namespace smat::gui {
 
 class ComparisonWindow;
+class ModelPage;
 class ProjectFiles;
 class ResultPage;
 class ResultsDock;
@@ -87,6 +88,7 @@ class MainWindow : public QMainWindow {
     void fillProjectAnalyses();
 
     void makeCentre();
+    void joinTreeAndView();
     void makeDocks();
     void connectWorkbench();
     void convertModel();
@@ -118,7 +120,8 @@ class MainWindow : public QMainWindow {
     SceneTreeDock* tree_ = nullptr;
     QTabWidget* tabs_ = nullptr;
     QToolBar* bar_ = nullptr;
-    SceneView* view_ = nullptr;
+    ModelPage* page_ = nullptr;
+    SceneView* view_ = nullptr; ///< of the page
     ResultsDock* results_ = nullptr;
     QAction* export_ = nullptr;
     QMenu* ofProject_ = nullptr;

@@ -9,7 +9,6 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/ModelLoader.h"
 #include "irsg/scene/SceneRadiometry.h"
-#include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
 namespace {
@@ -52,46 +51,69 @@ osg::Matrixd poseMatrix(const irsg::Pose& pose) {
     return matrix;
 }
 
-/// The centre of what is opaque in the infrared, as the infrared renderer takes it; of all where
-/// there is no database to tell.
-std::optional<irsg::Vec3> infraredReference(const Project& project, const ProjectModel& target) {
-    if (target.referencePoint_m)
-        return target.referencePoint_m;
+/// Runs a part of the work that the view can do without.
+template <typename Work>
+void attempt(const Work& work) {
     try {
-        SceneBuilder builder;
-        irsg::Entity entity;
-        entity.model = builder.model(project.resolve(target.file),
-                                     {.noseAxis = target.noseAxis, .forceTwoSided = false});
-        entity.database = builder.database(project.resolve(target.database));
-        entity.fallbackMaterial = target.fallbackMaterial;
-        const irsg::BoundingBox opaque = entity.model->boundsOf([&](const irsg::IrCodes& codes) {
-            const irsg::Material* material = irsg::materialEntry(entity, codes.material);
-            return material == nullptr || material->isOpaque();
-        });
-        return opaque.valid() ? opaque.centre() : entity.model->bounds().centre();
+        work();
     } catch (const irsg::InputError&) {
-        // The analysis says what is wrong with the database; the view shows the model all the same.
-        return std::nullopt;
+        // The analysis says what is wrong with it; the view shows the model all the same.
     }
 }
 
 } // namespace
 
 void DisplayScene::placeTarget(const irsg::Pose& pose) {
-    if (target)
-        target->setMatrix(poseMatrix(pose));
+    if (models.empty())
+        return;
+    models.front().pose = pose;
+    models.front().placed->setMatrix(poseMatrix(pose));
+    models.front().marks->setMatrix(poseMatrix(pose));
     referencePoint_m = pose.toWorld(referenceInModel_m);
+}
+
+void DisplayScene::setSignature(const std::filesystem::path& file,
+                                std::shared_ptr<const irsg::SignatureDatabase> signature) {
+    for (DisplayModel& model : models)
+        if (model.database == file)
+            model.signature = signature;
+    if (!models.empty() && models.front().database == file) {
+        findReference();
+        referencePoint_m = models.front().pose.toWorld(referenceInModel_m);
+    }
+}
+
+void DisplayScene::findReference() {
+    // The centre of what is opaque in the infrared, as the infrared renderer takes it; of all where
+    // there is no database to tell.
+    const DisplayModel& model = models.front();
+    const auto known = loaded.find({target_.file, target_.noseAxis, target_.forceTwoSided});
+    if (target_.referencePoint_m)
+        referenceInModel_m = *target_.referencePoint_m;
+    if (target_.referencePoint_m || !model.signature || known == loaded.end())
+        return;
+    irsg::Entity entity;
+    entity.model = known->second;
+    entity.database = model.signature;
+    entity.fallbackMaterial = target_.fallbackMaterial;
+    const irsg::BoundingBox opaque = entity.model->boundsOf([&](const irsg::IrCodes& codes) {
+        const irsg::Material* material = irsg::materialEntry(entity, codes.material);
+        return material == nullptr || material->isOpaque();
+    });
+    referenceInModel_m = opaque.valid() ? opaque.centre() : entity.model->bounds().centre();
 }
 
 DisplayScene loadDisplayScene(const Project& project, const Settings& settings) {
     DisplayScene scene;
     scene.root = new osg::Group;
+    SceneBuilder builder;
     std::vector<irsg::Offence> offences;
     for (std::size_t i = 0; i < project.models.size(); ++i) {
-        const ProjectModel& model = project.models[i];
+        const ProjectModel& given = project.models[i];
+        const ModelKey key{project.resolve(given.file), given.noseAxis, given.forceTwoSided};
         irsg::LoadedGraph loaded;
         try {
-            loaded = irsg::loadGraph(project.resolve(model.file), irsg::LoadPurpose::visible);
+            loaded = irsg::loadGraph(key.file, irsg::LoadPurpose::visible);
         } catch (const irsg::InputError& error) {
             offences.insert(offences.end(), error.offences().begin(), error.offences().end());
             continue;
@@ -100,13 +122,29 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings) 
             scene.remarks.push_back(QString::fromStdString(remark));
         UnlitFaces unlit;
         loaded.node->accept(unlit);
-        const irsg::Pose pose = i == 0 ? targetPoseOf(settings) : model.pose;
+
+        DisplayModel model;
+        model.name =
+            QString::fromStdString(given.name.empty() ? given.file.stem().string() : given.name);
+        model.pose = i == 0 ? targetPoseOf(settings) : given.pose;
         osg::ref_ptr<osg::MatrixTransform> turned =
-            new osg::MatrixTransform(noseTurn(model.noseAxis));
+            new osg::MatrixTransform(noseTurn(given.noseAxis));
         turned->addChild(loaded.node);
-        osg::ref_ptr<osg::MatrixTransform> placed = new osg::MatrixTransform(poseMatrix(pose));
-        placed->addChild(turned);
-        scene.root->addChild(placed);
+        model.placed = new osg::MatrixTransform(poseMatrix(model.pose));
+        model.placed->addChild(turned);
+        model.marks = new osg::MatrixTransform(poseMatrix(model.pose));
+        scene.root->addChild(model.placed);
+        attempt([&] {
+            const auto infrared = builder.model(
+                key.file, {.noseAxis = key.noseAxis, .forceTwoSided = key.forceTwoSided});
+            scene.loaded[key] = infrared;
+            model.faces = std::make_shared<const ModelFaces>(*infrared);
+        });
+        if (!given.database.empty()) {
+            model.database = project.resolve(given.database);
+            attempt([&] { model.signature = builder.database(model.database); });
+        }
+        scene.models.push_back(std::move(model));
         if (i > 0)
             continue;
 
@@ -114,11 +152,12 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings) 
         osg::ComputeBoundsVisitor bounds;
         turned->accept(bounds);
         const osg::Vec3d centre = bounds.getBoundingBox().center();
-        scene.referenceInModel_m = infraredReference(project, model)
-                                       .value_or(irsg::Vec3{centre.x(), centre.y(), centre.z()});
-        scene.target = placed;
-        scene.placeTarget(pose);
+        scene.referenceInModel_m = {centre.x(), centre.y(), centre.z()};
         scene.radius_m = bounds.getBoundingBox().radius();
+        scene.target_ = given;
+        scene.target_.file = key.file;
+        scene.findReference();
+        scene.placeTarget(scene.models.front().pose);
     }
     if (!offences.empty())
         throw irsg::InputError(std::move(offences));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <vector>
 
 #include <QString>
@@ -7,23 +9,46 @@
 #include <osg/MatrixTransform>
 #include <osg/ref_ptr>
 
+#include "gui/view/InfraredRequest.h"
+#include "gui/view/ModelFaces.h"
 #include "irsg/scene/Pose.h"
 #include "smatcore/project/Project.h"
 
 namespace smat::gui {
 
-/// What the 3-D view shows of a project: copies of its models of their own, with their visible
-/// colours, standing where the project puts them. Nothing of it is shared with the infrared
-/// renderer.
+/// A model of the view: copies of its own of what is drawn, so that nothing is shared with the
+/// infrared renderer's thread.
+struct DisplayModel {
+    QString name;
+    std::filesystem::path database;            ///< resolved; empty for none
+    osg::ref_ptr<osg::MatrixTransform> placed; ///< in its visible colours
+    osg::ref_ptr<osg::MatrixTransform> marks;  ///< what is drawn over its faces
+    std::shared_ptr<const ModelFaces> faces;   ///< null where the infrared cannot read it
+    std::shared_ptr<const irsg::SignatureDatabase> signature; ///< null where it cannot be read
+    irsg::Pose pose;
+};
+
+/// What the 3-D view shows of a project: its models with their visible colours and their faces,
+/// standing where the project puts them.
 struct DisplayScene {
-    osg::ref_ptr<osg::Group> root;
-    osg::ref_ptr<osg::MatrixTransform> target;
+    osg::ref_ptr<osg::Group> root; ///< visible
+    std::vector<DisplayModel> models;
     irsg::Vec3 referenceInModel_m; ///< of the target, the one analyses turn about
     irsg::Vec3 referencePoint_m;   ///< the same in the world
     double radius_m = 1.0;         ///< of the target about its reference point
     std::vector<QString> remarks;
+    LoadedModels loaded; ///< for the infrared renderer
 
     void placeTarget(const irsg::Pose& pose);
+    /// Gives the models with this database file an edited one; the target's reference point may
+    /// move with what is opaque in it.
+    void setSignature(const std::filesystem::path& file,
+                      std::shared_ptr<const irsg::SignatureDatabase> signature);
+
+  private:
+    friend DisplayScene loadDisplayScene(const Project& project, const Settings& settings);
+    void findReference();
+    ProjectModel target_;
 };
 
 /// Loads the models of a project and puts them at the poses that `settings` give. Throws

@@ -3,48 +3,50 @@
 #include <cmath>
 
 #include <QKeyEvent>
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QPainter>
-#include <QWheelEvent>
 #include <osg/ColorMask>
+#include <osg/GLObjects>
 #include <osg/PolygonMode>
-#include <osgViewer/GraphicsWindow>
-#include <osgViewer/Viewer>
 
 #include "gui/Theme.h"
 #include "gui/plot/CrosshairOverlay.h"
+#include "gui/view/InfraredDisplay.h"
+#include "gui/view/SceneViewParts.h"
 #include "gui/view/ViewBackground.h"
+#include "gui/view/ViewHud.h"
+#include "irsg/radiometry/Units.h"
 
 namespace smat::gui {
-
-struct SceneView::Parts {
-    osg::ref_ptr<osgViewer::Viewer> viewer;
-    osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> window;
-    osg::ref_ptr<osg::Group> root = new osg::Group;
-    osg::ref_ptr<osg::Camera> background;
-    DisplayScene scene;
-    QMetaObject::Connection contextGoes;
-};
 
 SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_unique<Parts>()) {
     setObjectName("sceneView");
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(320, 240);
-    setToolTip(tr("Drag to turn, wheel for range, double click to see the whole model"));
+    setMouseTracking(true);
     QSurfaceFormat format;
     format.setDepthBufferSize(24);
     format.setSamples(4);
     setFormat(format);
     // Transparent faces mix with what lies behind them; the widget itself stays opaque.
-    parts_->root->getOrCreateStateSet()->setAttribute(
-        new osg::ColorMask(true, true, true, false));
-    hud_ = new CrosshairOverlay(this, [this](QPainter& painter) { paintHud(painter); });
+    parts_->root->getOrCreateStateSet()->setAttribute(new osg::ColorMask(true, true, true, false));
+    map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
+    hud_ = new CrosshairOverlay(this, [this](QPainter& painter) { hud().paint(painter); });
     hud_->show();
+
+    infrared_ = new InfraredDisplay(this);
+    connect(infrared_, &InfraredDisplay::drawn, this, &SceneView::onDrawn);
+    connect(infrared_, &InfraredDisplay::failed, this, &SceneView::onFailed);
+    rest_.setSingleShot(true);
+    rest_.setInterval(140);
+    connect(&rest_, &QTimer::timeout, this, [this] { sendRequest(false); });
+    waiting_.setInterval(100);
+    connect(&waiting_, &QTimer::timeout, this, &SceneView::onWaiting);
 }
 
 SceneView::~SceneView() {
+    delete infrared_;
     disconnect(parts_->contextGoes);
     if (context() != nullptr) {
         makeCurrent();
@@ -64,8 +66,9 @@ QString SceneView::problem() {
 void SceneView::initializeGL() {
     // Qt makes a new context when the widget moves to another window: start anew with it.
     releaseGl();
-    const QSize pixels = size() * devicePixelRatio();
-    parts_->window = new osgViewer::GraphicsWindowEmbedded(0, 0, pixels.width(), pixels.height());
+    parts_->pixels = size() * devicePixelRatio();
+    parts_->window = new osgViewer::GraphicsWindowEmbedded(0, 0, parts_->pixels.width(),
+                                                           parts_->pixels.height());
     parts_->viewer = new osgViewer::Viewer;
     parts_->viewer->setThreadingModel(osgViewer::Viewer::SingleThreaded);
     parts_->viewer->setKeyEventSetsDone(0);
@@ -76,12 +79,10 @@ void SceneView::initializeGL() {
     auto* camera = parts_->viewer->getCamera();
     camera->setGraphicsContext(parts_->window);
     camera->setClearMask(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
-    parts_->root->removeChildren(0, parts_->root->getNumChildren());
+    camera->setViewport(0, 0, parts_->pixels.width(), parts_->pixels.height());
     parts_->background = makeViewBackground(isDark(palette()));
-    parts_->root->addChild(parts_->background);
-    if (parts_->scene.root)
-        parts_->root->addChild(parts_->scene.root);
     parts_->viewer->setSceneData(parts_->root);
+    arrange();
     disconnect(parts_->contextGoes);
     parts_->contextGoes = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
         makeCurrent();
@@ -98,67 +99,127 @@ void SceneView::initializeGL() {
 void SceneView::releaseGl() {
     if (!parts_->viewer)
         return;
-    parts_->root->releaseGLObjects(parts_->window->getState());
+    osg::State* state = parts_->window->getState();
+    parts_->root->releaseGLObjects(state);
+    if (parts_->scene.root)
+        parts_->scene.root->releaseGLObjects(state);
+    parts_->sheet.node()->releaseGLObjects(state);
     parts_->viewer->setSceneData(nullptr);
     parts_->viewer = nullptr;
     parts_->window = nullptr;
 }
 
+void SceneView::arrange() {
+    if (!parts_->background)
+        return;
+    const bool infrared = showsPicture();
+    const OverlayLook look{look_.selection, infrared, look_.wireframe, devicePixelRatioF()};
+    if (parts_->marked != look) {
+        parts_->marked = look;
+        parts_->isLitter = true;
+        fillMarks(parts_->scene, look);
+    }
+    osg::Group& root = *parts_->root;
+    root.removeChildren(0, root.getNumChildren());
+    root.addChild(infrared ? parts_->sheet.node() : parts_->background.get());
+    if (parts_->scene.root && !infrared)
+        root.addChild(parts_->scene.root);
+    for (const DisplayModel& model : parts_->scene.models)
+        if (model.marks->getNumChildren() > 0)
+            root.addChild(model.marks);
+}
+
 void SceneView::paintGL() {
     // Framebuffer 0 is not this widget, and the one that is changes at every resize.
-    const QSize pixels = size() * devicePixelRatio();
     parts_->window->setDefaultFboId(defaultFramebufferObject());
-    parts_->window->resized(0, 0, pixels.width(), pixels.height());
-    parts_->viewer->getCamera()->setViewport(0, 0, pixels.width(), pixels.height());
+    if (const QSize pixels = size() * devicePixelRatio(); pixels != parts_->pixels) {
+        parts_->pixels = pixels;
+        parts_->window->resized(0, 0, pixels.width(), pixels.height());
+        parts_->viewer->getCamera()->setViewport(0, 0, pixels.width(), pixels.height());
+        arrange();
+    }
     aim();
     parts_->viewer->frame();
+    if (parts_->isLitter) {
+        parts_->isLitter = false;
+        osg::flushAllDeletedGLObjects(parts_->window->getState()->getContextID());
+    }
     ++frameCount_;
 }
 
-void SceneView::aim() {
-    const auto eye = camera_.viewpoint(parts_->scene.referencePoint_m, targetYaw_rad_);
-    const auto vec = [](const irsg::Vec3& v) { return osg::Vec3d(v.x, v.y, v.z); };
-    auto* camera = parts_->viewer->getCamera();
-    camera->setViewMatrixAsLookAt(vec(eye.position_m), vec(eye.position_m + eye.forward()),
-                                  vec(eye.up));
-
-    // The sensor's frame fits into the widget, whichever of the two is wider.
-    const double sensor = static_cast<double>(frame_.width_px) / frame_.height_px;
-    const double widget = static_cast<double>(width()) / std::max(height(), 1);
-    const double tanWidth =
-        std::tan(frame_.horizontalFieldOfView_rad / 2.0) * std::max(1.0, widget / sensor);
-    const double tanHeight = tanWidth / widget;
-    const double degrees = 2.0 * std::atan(tanHeight) * 180.0 / osg::PI;
-    camera->setProjectionMatrixAsPerspective(degrees, widget, 1.0, 10.0);
+irsg::Viewpoint SceneView::eye() const {
+    return showsPicture() ? picture_.eye
+                          : camera_.viewpoint(parts_->scene.referencePoint_m, targetYaw_rad_);
 }
 
-QRectF SceneView::frameRect() const {
-    const double sensor = static_cast<double>(frame_.width_px) / frame_.height_px;
-    QSizeF inner(width(), width() / sensor);
-    if (inner.height() > height())
-        inner = QSizeF(height() * sensor, height());
-    return {QPointF((width() - inner.width()) / 2.0, (height() - inner.height()) / 2.0), inner};
+double SceneView::fieldOfView_rad() const {
+    return fieldOfViewOf(frame_, size());
+}
+
+ViewProjection SceneView::projection() const {
+    return ViewProjection::of(eye(), size(), fieldOfView_rad());
+}
+
+void SceneView::aim() {
+    const auto from = eye();
+    const auto vec = [](const irsg::Vec3& v) { return osg::Vec3d(v.x, v.y, v.z); };
+    auto* camera = parts_->viewer->getCamera();
+    camera->setViewMatrixAsLookAt(vec(from.position_m), vec(from.position_m + from.forward()),
+                                  vec(from.up));
+    const double aspect = static_cast<double>(width()) / std::max(height(), 1);
+    const double tanHeight = std::tan(fieldOfView_rad() / 2.0) / aspect;
+    camera->setProjectionMatrixAsPerspective(2.0 * irsg::degrees(std::atan(tanHeight)), aspect, 1.0,
+                                             10.0);
 }
 
 void SceneView::setScene(DisplayScene scene) {
     if (context() != nullptr)
         makeCurrent();
-    if (parts_->scene.root) {
-        if (parts_->window)
-            parts_->scene.root->releaseGLObjects(parts_->window->getState());
-        parts_->root->removeChild(parts_->scene.root);
+    if (parts_->scene.root && parts_->window) {
+        parts_->scene.root->releaseGLObjects(parts_->window->getState());
+        for (const DisplayModel& model : parts_->scene.models)
+            model.marks->releaseGLObjects(parts_->window->getState());
     }
     parts_->scene = std::move(scene);
-    if (parts_->scene.root)
-        parts_->root->addChild(parts_->scene.root);
+    parts_->isLitter = true;
+    parts_->marked.reset();
+    look_.selection = {};
+    lastPick_.reset();
+    edited_.clear();
+    projectMap_ = false;
+    dropPicture();
+    arrange();
     if (context() != nullptr)
         doneCurrent();
-    redraw();
+    sceneChanged();
+}
+
+void SceneView::setProject(const Project& project, const Settings& settings) {
+    if (!project_ || *project_ != project)
+        project_ = std::make_shared<const Project>(project);
+    else if (settings_ == settings)
+        return;
+    // The project's colours count until another map is chosen in the view.
+    if (const std::string& map = settings.text("display.colorMap");
+        settings_.text("display.colorMap") != map || !projectMap_) {
+        projectMap_ = true;
+        setColorMap(map);
+    }
+    settings_ = settings;
+    parts_->scene.placeTarget(targetPoseOf(settings));
+    frame_ = {irsg::radians(settings.real("sensor.fov")), settings.integer("sensor.width"),
+              settings.integer("sensor.height")};
+    camera_ = {settings.real("camera.azimuth"), settings.real("camera.elevation"),
+               settings.real("camera.range")};
+    targetYaw_rad_ = irsg::radians(settings.real("target.yaw"));
+    towardsSun_ = irsg::direction(irsg::radians(settings.real("environment.sunAzimuth")),
+                                  irsg::radians(settings.real("environment.sunElevation")));
+    sceneChanged();
 }
 
 void SceneView::setTargetPose(const irsg::Pose& pose) {
     parts_->scene.placeTarget(pose);
-    redraw();
+    sceneChanged();
 }
 
 void SceneView::setCamera(const OrbitCamera& camera, double targetYaw_rad) {
@@ -166,24 +227,46 @@ void SceneView::setCamera(const OrbitCamera& camera, double targetYaw_rad) {
         return;
     camera_ = camera;
     targetYaw_rad_ = targetYaw_rad;
-    redraw();
+    sceneChanged();
 }
 
 void SceneView::setFrame(const ViewFrame& frame) {
+    if (frame == frame_)
+        return;
     frame_ = frame;
-    redraw();
+    sceneChanged();
 }
 
 void SceneView::setWireframe(bool on) {
+    look_.wireframe = on;
     auto* mode = new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK,
                                       on ? osg::PolygonMode::LINE : osg::PolygonMode::FILL);
     parts_->root->getOrCreateStateSet()->setAttribute(mode);
+    arrange();
     redraw();
 }
 
-void SceneView::setAxesVisible(bool on) {
-    axesVisible_ = on;
+void SceneView::setViewAxesVisible(bool on) {
+    viewAxes_ = on;
     hud_->update();
+}
+
+void SceneView::setModelAxesVisible(bool on) {
+    modelAxes_ = on;
+    hud_->update();
+}
+
+void SceneView::setSunVectorVisible(bool on) {
+    sunVector_ = on;
+    hud_->update();
+}
+
+void SceneView::setHighlighted(const FaceSelection& selection) {
+    if (selection == look_.selection)
+        return;
+    look_.selection = selection;
+    arrange();
+    redraw();
 }
 
 void SceneView::showWholeModel() {
@@ -195,8 +278,15 @@ void SceneView::showWholeModel() {
 }
 
 void SceneView::userMoved() {
-    redraw();
+    lastPick_.reset();
+    sceneChanged();
     emit cameraMoved(camera_);
+}
+
+void SceneView::sceneChanged() {
+    redraw();
+    if (display_ == ViewDisplay::infrared)
+        askInfrared();
 }
 
 void SceneView::redraw() {
@@ -204,126 +294,49 @@ void SceneView::redraw() {
     hud_->update();
 }
 
-void SceneView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton)
-        dragFrom_ = event->position();
-}
-
-void SceneView::mouseMoveEvent(QMouseEvent* event) {
-    if (!(event->buttons() & Qt::LeftButton) || !dragFrom_)
-        return;
-    const QPointF moved = event->position() - *dragFrom_;
-    dragFrom_ = event->position();
-    constexpr double degreesPerPixel = 0.4;
-    camera_.turn(moved.x() * degreesPerPixel, moved.y() * degreesPerPixel);
-    userMoved();
-}
-
-void SceneView::mouseDoubleClickEvent(QMouseEvent*) {
-    showWholeModel();
-}
-
-void SceneView::wheelEvent(QWheelEvent* event) {
-    camera_.approach(std::pow(0.9, event->angleDelta().y() / 120.0));
-    userMoved();
-}
-
-void SceneView::keyPressEvent(QKeyEvent* event) {
-    const double step = event->modifiers() & Qt::ShiftModifier ? 1.0 : 10.0;
-    switch (event->key()) {
-    case Qt::Key_Left:
-        camera_.turn(-step, 0.0);
-        break;
-    case Qt::Key_Right:
-        camera_.turn(step, 0.0);
-        break;
-    case Qt::Key_Up:
-        camera_.turn(0.0, step);
-        break;
-    case Qt::Key_Down:
-        camera_.turn(0.0, -step);
-        break;
-    case Qt::Key_PageUp:
-        camera_.approach(0.8);
-        break;
-    case Qt::Key_PageDown:
-        camera_.approach(1.25);
-        break;
-    case Qt::Key_Home:
-        showWholeModel();
-        return;
-    default:
-        QOpenGLWidget::keyPressEvent(event);
-        return;
-    }
-    userMoved();
-}
-
 void SceneView::resizeEvent(QResizeEvent* event) {
     QOpenGLWidget::resizeEvent(event);
     hud_->resize(size());
+    sceneChanged();
+}
+
+void SceneView::showEvent(QShowEvent* event) {
+    QOpenGLWidget::showEvent(event);
+    sceneChanged();
 }
 
 void SceneView::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && parts_->background) {
-        parts_->root->removeChild(parts_->background);
         parts_->background = makeViewBackground(isDark(palette()));
-        parts_->root->insertChild(0, parts_->background);
+        arrange();
         redraw();
     }
     QOpenGLWidget::changeEvent(event);
 }
 
-void SceneView::paintHud(QPainter& painter) const {
-    const bool dark = isDark(palette());
-    QColor ink = dark ? QColor("#cfd5df") : QColor("#3c4452");
-
-    // The corners of the sensor's frame.
-    const QRectF frame = frameRect().adjusted(6, 6, -6, -6);
-    ink.setAlphaF(0.45F);
-    painter.setPen(QPen(ink, 1.2));
-    const double arm = 16.0;
-    for (const auto& [corner, right, down] :
-         {std::tuple{frame.topLeft(), 1.0, 1.0}, std::tuple{frame.topRight(), -1.0, 1.0},
-          std::tuple{frame.bottomLeft(), 1.0, -1.0}, std::tuple{frame.bottomRight(), -1.0, -1.0}}) {
-        painter.drawLine(corner, corner + QPointF(arm * right, 0.0));
-        painter.drawLine(corner, corner + QPointF(0.0, arm * down));
+ViewHud SceneView::hud() const {
+    ViewHud hud;
+    hud.frame = frame_;
+    hud.projection = projection();
+    hud.camera = camera_;
+    hud.hasModel = !parts_->scene.models.empty();
+    if (hud.hasModel) {
+        hud.reference_m = parts_->scene.referencePoint_m;
+        hud.attitude = parts_->scene.models.front().pose.attitude;
+        hud.radius_m = parts_->scene.radius_m;
     }
-
-    ink.setAlphaF(0.95F);
-    painter.setPen(ink);
-    const QString words = QStringLiteral("azimuth %1°   elevation %2°   range %3 m")
-                              .arg(camera_.azimuth_deg, 0, 'f', 1)
-                              .arg(camera_.elevation_deg, 0, 'f', 1)
-                              .arg(camera_.range_m, 0, 'g', 6);
-    painter.drawText(frame.adjusted(12, 8, -12, -8), Qt::AlignTop | Qt::AlignLeft, words);
-    if (axesVisible_)
-        paintAxes(painter);
-}
-
-void SceneView::paintAxes(QPainter& painter) const {
-    struct Axis {
-        irsg::Vec3 along;
-        QString name;
-        QColor color;
-    };
-    const Axis axes[] = {{{1, 0, 0}, tr("E"), QColor("#d64545")},
-                         {{0, 1, 0}, tr("N"), QColor("#2f9e58")},
-                         {{0, 0, 1}, tr("Up"), QColor("#3b7be0")}};
-    const auto eye = camera_.viewpoint({}, targetYaw_rad_);
-    const double length = 34.0;
-    const QPointF origin = frameRect().bottomLeft() + QPointF(64.0, -64.0);
-    QFont font = painter.font();
-    font.setBold(true);
-    painter.setFont(font);
-    for (const auto& axis : axes) {
-        const QPointF tip(irsg::dot(axis.along, eye.right), -irsg::dot(axis.along, eye.up));
-        painter.setPen(QPen(axis.color, 2.4, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(origin, origin + tip * length);
-        const QPointF middle = origin + tip * (length + 13.0);
-        painter.drawText(QRectF(middle - QPointF(20, 10), QSizeF(40, 20)), Qt::AlignCenter,
-                         axis.name);
-    }
+    hud.towardsSun = towardsSun_;
+    hud.viewAxes = viewAxes_;
+    hud.modelAxes = modelAxes_;
+    hud.sunVector = sunVector_;
+    // On an infrared picture its own brightness counts, not the theme's.
+    hud.dark = showsPicture() ? qGray(picture_.colors.pixel(0, 0)) < 128 : isDark(palette());
+    hud.readout = readout_;
+    hud.problem = display_ == ViewDisplay::infrared ? problem_ : QStringList();
+    if (const double waited_s = infrared_->waiting_s();
+        display_ == ViewDisplay::infrared && waited_s > 0.3)
+        hud.busy = tr("infrared: computing… %1 s").arg(waited_s, 0, 'f', 1);
+    return hud;
 }
 
 } // namespace smat::gui

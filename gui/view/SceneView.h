@@ -1,24 +1,33 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
+#include <QTimer>
 
+#include "gui/image/ColorBar.h"
 #include "gui/view/DisplayScene.h"
+#include "gui/view/InfraredRequest.h"
+#include "gui/view/ModelFaces.h"
 #include "gui/view/OrbitCamera.h"
+#include "gui/view/ViewProjection.h"
 
 namespace smat::gui {
 
-/// What the sensor sees, for the frame of the view.
-struct ViewFrame {
-    double horizontalFieldOfView_rad = 0.035;
-    int width_px = 640, height_px = 512;
-};
+class InfraredDisplay;
+struct ViewHud;
 
-/// OpenSceneGraph in a Qt window: turns a model in its visible colours about its reference point.
-/// Draws when asked and not otherwise. The left button turns, the wheel changes the range, a double
-/// click shows the whole model. The picture is what the sensor sees, framed.
+enum class ViewDisplay { visible, infrared };
+
+/// OpenSceneGraph in a Qt window: turns a model, in its visible colours or in the infrared, about
+/// its reference point. Draws when asked and not otherwise. The left button turns, the wheel
+/// changes the range, a double click shows the whole model, a click picks a face. The picture is
+/// what the sensor sees, framed. The infrared picture is drawn by the infrared renderer in a thread
+/// of its own, coarser while something moves; what it cannot be made of is told over the view.
 class SceneView : public QOpenGLWidget {
     Q_OBJECT
 
@@ -30,14 +39,53 @@ class SceneView : public QOpenGLWidget {
     static QString problem();
 
     void setScene(DisplayScene scene);
+    /// Pose, camera, frame, sun and all that the infrared picture depends on. The geometry stays
+    /// that of setScene.
+    void setProject(const Project& project, const Settings& settings);
     void setTargetPose(const irsg::Pose& pose);
     void setCamera(const OrbitCamera& camera, double targetYaw_rad);
     const OrbitCamera& camera() const { return camera_; }
     void setFrame(const ViewFrame& frame);
+    /// A database that is being edited stands in for a file, by its resolved path; null for the
+    /// file again. Drawn at once.
+    void setEditedDatabase(const std::filesystem::path& file,
+                           std::shared_ptr<const irsg::SignatureDatabase> database);
+
+    void setDisplay(ViewDisplay display);
+    ViewDisplay display() const { return display_; }
+    void setQuantity(InfraredQuantity quantity);
+    InfraredQuantity quantity() const { return quantity_; }
+    /// Throws irsg::InputError for a map that does not exist.
+    void setColorMap(const std::string& name);
+    const irsg::ColorMap& colorMap() const { return *map_; }
+    void setLimitMode(LimitMode mode);
+    LimitMode limitMode() const { return limitMode_; }
+    /// Limits between two percentiles of the picture.
+    void setPercentiles(double low, double high);
+    /// Locks them.
+    void setLimits(const irsg::DisplayLimits& limits);
+    /// The infrared picture that is seen; null where there is none.
+    const InfraredPicture* shownPicture() const;
+
+    /// Every question about the infrared is answered.
+    bool isUpToDate() const;
+
     void setWireframe(bool on);
-    void setAxesVisible(bool on);
+    void setViewAxesVisible(bool on);
+    void setModelAxesVisible(bool on);
+    void setSunVectorVisible(bool on);
+    /// Tints and outlines faces, in either display; an empty selection none.
+    void setHighlighted(const FaceSelection& selection);
+    const FaceSelection& highlighted() const { return look_.selection; }
+
     /// Moves the camera to where the whole model is seen.
     void showWholeModel();
+    /// Of what is seen: in the infrared the camera of the picture.
+    ViewProjection projection() const;
+    /// What stands under a point of the widget, nearest first.
+    std::vector<FaceHit> facesAt(const QPointF& point) const;
+    /// "Radiance 1.234 W·m⁻²·sr⁻¹   temperature 3 (wing)   material 2 (grey paint)".
+    QString readoutAt(const QPointF& point) const;
     /// GL renderer of this view; empty before its first frame.
     QString renderer() const { return renderer_; }
     /// Frames drawn so far.
@@ -46,16 +94,28 @@ class SceneView : public QOpenGLWidget {
   signals:
     /// The user moved it.
     void cameraMoved(const OrbitCamera& camera);
+    /// A click on a face; at the same place again, the face behind it.
+    void facePicked(int temperatureIndex, int materialIndex, int model, const irsg::Vec3& point_m);
+    /// A click beside the model.
+    void nothingPicked();
+    void displayChanged();
+    /// A new infrared picture is seen, or none any more.
+    void pictureShown();
+    /// Why there is no infrared picture, as written over the view.
+    void pictureFailed(const QStringList& sentences);
 
   protected:
     void initializeGL() override;
     void paintGL() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
 
   private:
@@ -63,17 +123,62 @@ class SceneView : public QOpenGLWidget {
     void aim();
     void userMoved();
     void redraw();
-    void paintHud(QPainter& painter) const;
-    void paintAxes(QPainter& painter) const;
-    QRectF frameRect() const;
+    /// Something that is seen has changed.
+    void sceneChanged();
+    void arrange();
+    void pick(const QPointF& point);
+    void hover(const std::optional<QPointF>& point);
+    ViewHud hud() const;
+    irsg::Viewpoint eye() const;
+    double fieldOfView_rad() const;
+    QString indexWords(const FaceHit& hit) const;
+
+    bool showsPicture() const;
+    void askInfrared();
+    void sendRequest(bool coarse);
+    void onDrawn(const InfraredPicture& picture);
+    void onFailed(const QStringList& sentences, bool ourFault);
+    void onWaiting();
+    void dropPicture();
 
     struct Parts;
     std::unique_ptr<Parts> parts_;
     OrbitCamera camera_;
     double targetYaw_rad_ = 0.0;
     ViewFrame frame_;
-    bool axesVisible_ = true;
-    std::optional<QPointF> dragFrom_;
+    irsg::Vec3 towardsSun_{0, 0, 1};
+    bool viewAxes_ = true, modelAxes_ = false, sunVector_ = false;
+    struct Look {
+        FaceSelection selection;
+        bool wireframe = false;
+    } look_;
+
+    ViewDisplay display_ = ViewDisplay::visible;
+    InfraredQuantity quantity_ = InfraredQuantity::radiance;
+    const irsg::ColorMap* map_ = nullptr;
+    bool projectMap_ = false; ///< that of the project's settings was taken
+    LimitMode limitMode_ = LimitMode::target;
+    std::pair<double, double> percentiles_{2.0, 98.0};
+    irsg::DisplayLimits lockedLimits_;
+    std::shared_ptr<const Project> project_;
+    Settings settings_;
+    SceneBuilder::DatabaseOverrides edited_;
+    InfraredDisplay* infrared_ = nullptr;
+    InfraredPicture picture_;
+    QStringList problem_;
+    long revision_ = 0, droppedAt_ = 0;
+    int coarseness_ = 2; ///< pixels of the view to one of a picture that moves
+    QElapsedTimer lastChange_;
+    QTimer rest_, waiting_;
+
+    std::optional<QPointF> pressAt_, dragFrom_, hoverAt_;
+    struct LastPick {
+        QPointF at;
+        std::size_t number = 0;
+        OrbitCamera camera;
+    };
+    std::optional<LastPick> lastPick_;
+    QString readout_;
     QString renderer_;
     long frameCount_ = 0;
     QWidget* hud_ = nullptr;

@@ -7,19 +7,19 @@
 
 namespace smat::gui {
 
-osg::ref_ptr<osg::Camera> makeViewBackground(bool dark) {
-    const osg::Vec4 above =
-        dark ? osg::Vec4(0.20F, 0.23F, 0.28F, 1) : osg::Vec4(0.80F, 0.86F, 0.93F, 1);
-    const osg::Vec4 below =
-        dark ? osg::Vec4(0.11F, 0.12F, 0.15F, 1) : osg::Vec4(0.97F, 0.98F, 0.99F, 1);
-    osg::ref_ptr<osg::Geometry> sheet = new osg::Geometry;
+osg::ref_ptr<osg::Geometry> makeUnitSquare() {
+    osg::ref_ptr<osg::Geometry> square = new osg::Geometry;
+    square->setUseDisplayList(false);
+    square->setUseVertexBufferObjects(true);
     const osg::Vec3 corners[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    const osg::Vec4 colors[] = {below, below, above, above};
-    sheet->setVertexArray(new osg::Vec3Array(4, corners));
-    sheet->setColorArray(new osg::Vec4Array(4, colors), osg::Array::BIND_PER_VERTEX);
-    sheet->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
+    square->setVertexArray(new osg::Vec3Array(4, corners));
+    square->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
+    return square;
+}
+
+osg::ref_ptr<osg::Camera> makeBackdrop(osg::Geometry* unitSquare) {
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-    geode->addDrawable(sheet);
+    geode->addDrawable(unitSquare);
 
     osg::ref_ptr<osg::Camera> camera = new osg::Camera;
     camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
@@ -36,6 +36,17 @@ osg::ref_ptr<osg::Camera> makeViewBackground(bool dark) {
     state->setAttribute(new osg::PolygonMode, osg::StateAttribute::PROTECTED);
     state->setRenderBinDetails(-100, "RenderBin");
     return camera;
+}
+
+osg::ref_ptr<osg::Camera> makeViewBackground(bool dark) {
+    const osg::Vec4 above =
+        dark ? osg::Vec4(0.20F, 0.23F, 0.28F, 1) : osg::Vec4(0.80F, 0.86F, 0.93F, 1);
+    const osg::Vec4 below =
+        dark ? osg::Vec4(0.11F, 0.12F, 0.15F, 1) : osg::Vec4(0.97F, 0.98F, 0.99F, 1);
+    const osg::Vec4 colors[] = {below, below, above, above};
+    const auto sheet = makeUnitSquare();
+    sheet->setColorArray(new osg::Vec4Array(4, colors), osg::Array::BIND_PER_VERTEX);
+    return makeBackdrop(sheet);
 }
 
 } // namespace smat::gui

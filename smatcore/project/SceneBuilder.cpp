@@ -47,10 +47,13 @@ SceneBuilder::SceneBuilder(ModelLoader loader) : loader_(std::move(loader)) {
     }
 }
 
-SceneDescription SceneBuilder::build(const Project& project, const Settings& settings) {
+SceneDescription SceneBuilder::build(const Project& project, const Settings& settings,
+                                     const irsg::Environment* environment) {
     SceneDescription scene;
     std::vector<irsg::Offence> offences;
-    collect(offences, [&] { scene.environment = environmentOf(project, settings); });
+    collect(offences, [&] {
+        scene.environment = environment ? *environment : environmentOf(project, settings);
+    });
     collect(offences, [&] { scene.sensor = sensorOf(project, settings); });
     scene.render = renderSettingsOf(settings);
     collect(offences, [&] { scene.skybox = skybox(project, settings); });
@@ -120,6 +123,9 @@ std::shared_ptr<const irsg::Model> SceneBuilder::model(const std::filesystem::pa
 
 std::shared_ptr<const irsg::SignatureDatabase>
 SceneBuilder::database(const std::filesystem::path& file) {
+    if (const auto edited = overrides_.find(file); edited != overrides_.end()) {
+        return edited->second;
+    }
     const Stamp stamp = stampOf(file, "a signature database");
     const auto kept = databases_.find(file.string());
     if (kept != databases_.end() && kept->second.stamp == stamp) {
@@ -130,6 +136,10 @@ SceneBuilder::database(const std::filesystem::path& file) {
         std::make_shared<const irsg::SignatureDatabase>(irsg::loadSignatureFile(file).database);
     databases_[file.string()] = {stamp, loaded};
     return loaded;
+}
+
+void SceneBuilder::setDatabaseOverrides(DatabaseOverrides overrides) {
+    overrides_ = std::move(overrides);
 }
 
 SceneBuilder::Stamp SceneBuilder::stampOf(const std::filesystem::path& file, const char* what) {

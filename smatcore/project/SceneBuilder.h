@@ -23,11 +23,18 @@ class SceneBuilder {
     /// `loader` stands in for irsg::Model::load in tests.
     explicit SceneBuilder(ModelLoader loader = {});
 
-    /// Throws InputError with the offences of all parts together.
-    SceneDescription build(const Project& project, const Settings& settings);
+    /// Throws InputError with the offences of all parts together. An `environment` that is given
+    /// stands in for reading the atmospheres of the settings.
+    SceneDescription build(const Project& project, const Settings& settings,
+                           const irsg::Environment* environment = nullptr);
     std::shared_ptr<const irsg::Model> model(const std::filesystem::path& file,
                                              const irsg::ModelOptions& options);
     std::shared_ptr<const irsg::SignatureDatabase> database(const std::filesystem::path& file);
+    /// Databases that stand in for files, by their resolved path, while they are being edited; the
+    /// files need not even exist. Replaces those of the last call.
+    using DatabaseOverrides =
+        std::map<std::filesystem::path, std::shared_ptr<const irsg::SignatureDatabase>>;
+    void setDatabaseOverrides(DatabaseOverrides overrides);
     /// Null where the settings name none.
     std::shared_ptr<const irsg::Skybox> skybox(const Project& project, const Settings& settings);
     std::shared_ptr<const irsg::Terrain> terrain(const Project& project, const Settings& settings);
@@ -48,6 +55,7 @@ class SceneBuilder {
     ModelLoader loader_;
     std::map<std::string, Kept<std::shared_ptr<const irsg::Model>>> models_;
     std::map<std::string, Kept<std::shared_ptr<const irsg::SignatureDatabase>>> databases_;
+    DatabaseOverrides overrides_;
     // The last ones, by all that names them and the stamps of their files.
     std::pair<std::string, std::shared_ptr<const irsg::Skybox>> skybox_;
     std::pair<std::string, std::shared_ptr<const irsg::Terrain>> terrain_;

@@ -1,0 +1,201 @@
+// The 3-D view as a hand feels it: times between frames while the sample aircraft is dragged, and
+// how long the infrared display takes to follow a drag, an edited database and a setting. Run it on
+// an idle machine under a display (xvfb-run will do); the load is printed beside the figures.
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <sys/resource.h>
+
+#include "gui/Theme.h"
+#include "gui/view/SceneView.h"
+#include "irsg/signature/SignatureFile.h"
+#include "smatcore/project/ProjectFile.h"
+
+using namespace smat;
+using namespace smat::gui;
+
+namespace {
+
+constexpr int width_px = 1000, height_px = 700;
+
+std::string load() {
+    std::ifstream file("/proc/loadavg");
+    std::string one;
+    file >> one;
+    return one;
+}
+
+double milliseconds(const QElapsedTimer& clock) {
+    return static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+}
+
+/// Time that the threads of this process have computed, ms: it stays nearly the same on a busy
+/// machine.
+double computed_ms() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto ms = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_usec) * 1e-3;
+    };
+    return ms(usage.ru_utime) + ms(usage.ru_stime);
+}
+
+void print(const char* what, const std::function<std::vector<double>()>& measure) {
+    const double before_ms = computed_ms();
+    std::vector<double> times_ms = measure();
+    const double computed = (computed_ms() - before_ms) / static_cast<double>(times_ms.size());
+    std::ranges::sort(times_ms);
+    std::printf("%-44s %9.1f %9.1f %9.1f %9.1f   %zu\n", what, times_ms[times_ms.size() / 2],
+                times_ms[times_ms.size() * 95 / 100], times_ms.back(), computed, times_ms.size());
+    std::fflush(stdout);
+}
+
+bool waitFor(const std::function<bool()>& done, double seconds = 30.0) {
+    QElapsedTimer clock;
+    clock.start();
+    while (!done() && milliseconds(clock) < seconds * 1e3)
+        QApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 5);
+    return done();
+}
+
+void move(SceneView& view, QEvent::Type type, const QPointF& at) {
+    QMouseEvent event(
+        type, at, view.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+        type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&view, &event);
+}
+
+/// Drags over `steps` frames, each begun when the one before is on the screen.
+std::vector<double> drag(SceneView& view, int steps, const std::function<bool()>& isNext,
+                         const std::function<void()>& begin) {
+    std::vector<double> times_ms;
+    move(view, QEvent::MouseButtonPress, {300, 300});
+    for (int i = 1; i <= steps; ++i) {
+        begin();
+        QElapsedTimer clock;
+        clock.start();
+        move(view, QEvent::MouseMove, QPointF(300 + 5 * i % 600, 300 + 20 + i % 40));
+        if (!waitFor(isNext))
+            break;
+        times_ms.push_back(milliseconds(clock));
+    }
+    move(view, QEvent::MouseButtonRelease, {300, 300});
+    return times_ms;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    applyTheme(application, ThemeMode::light);
+    if (const QString problem = SceneView::problem(); !problem.isEmpty()) {
+        std::fprintf(stderr, "%s\n", problem.toUtf8().constData());
+        return 1;
+    }
+    const std::string sample =
+        argc > 1 ? argv[1] : std::string(SMAT_SOURCE_DIR) + "/samples/turboprop4/turboprop4.smat";
+    const Project project = loadProject(sample);
+
+    QElapsedTimer clock;
+    clock.start();
+    DisplayScene scene = loadDisplayScene(project, project.settings);
+    std::printf("%s, %d x %d, load %s, model loaded in %.0f ms\n", sample.c_str(), width_px,
+                height_px, load().c_str(), milliseconds(clock));
+    SceneView view;
+    if (argc > 2) {
+        QSurfaceFormat format = view.format();
+        format.setSamples(std::atoi(argv[2]));
+        view.setFormat(format);
+    }
+    view.resize(width_px, height_px);
+    view.setScene(std::move(scene));
+    view.setProject(project, project.settings);
+    view.show();
+    view.showWholeModel();
+    waitFor([&] { return view.frameCount() > 2; }, 2.0);
+    std::printf("%s, %d samples a pixel\n\n", view.renderer().toUtf8().constData(),
+                view.format().samples());
+    std::printf("%-44s %9s %9s %9s %9s   %s\n", "ms", "median", "95 %", "worst", "computed", "of");
+
+    // From the movement of the mouse until the frame is on the screen.
+    bool swapped = false;
+    QObject::connect(&view, &QOpenGLWidget::frameSwapped, [&] { swapped = true; });
+    const auto isSwapped = [&] { return swapped; };
+    const auto begin = [&] { swapped = false; };
+    drag(view, 20, isSwapped, begin);
+    const auto dragged = [&] { return drag(view, 150, isSwapped, begin); };
+    print("visible, dragging", dragged);
+    view.setModelAxesVisible(true);
+    view.setSunVectorVisible(true);
+    print("visible, dragging, all axes and the sun", dragged);
+    view.setWireframe(true);
+    print("wireframe, dragging", dragged);
+    view.setWireframe(false);
+
+    // From the movement until its infrared picture is there.
+    bool shown = false;
+    QObject::connect(&view, &SceneView::pictureShown, [&] { shown = true; });
+    const auto isShown = [&] { return shown; };
+    const auto isFull = [&] {
+        return shown && view.shownPicture() != nullptr && !view.shownPicture()->coarse;
+    };
+    const auto forget = [&] { shown = false; };
+    for (const auto quantity :
+         {InfraredQuantity::radiance, InfraredQuantity::apparentTemperature}) {
+        const bool warm = quantity == InfraredQuantity::apparentTemperature;
+        const char* word = warm ? "apparent temperature" : "radiance";
+        forget();
+        clock.restart();
+        view.setQuantity(quantity);
+        view.setDisplay(ViewDisplay::infrared);
+        waitFor(isFull);
+        std::printf("infrared, %s, first picture %.0f ms\n", word, milliseconds(clock));
+        print((std::string("infrared, dragging, ") + word).c_str(),
+              [&] { return drag(view, 100, isShown, forget); });
+        waitFor(isFull);
+
+        // An edited database, as the editor hands it over.
+        const auto file = project.resolve(project.models.front().database);
+        irsg::SignatureDatabase database = irsg::loadSignatureFile(file).database;
+        const auto edit = [&] {
+            std::vector<double> edits_ms;
+            for (int i = 0; i < 30; ++i) {
+                waitFor([] { return false; }, 0.35); // a person's pause
+                database.temperatures.begin()->second.terms.base_K += 1.0;
+                forget();
+                clock.restart();
+                view.setEditedDatabase(file,
+                                       std::make_shared<const irsg::SignatureDatabase>(database));
+                waitFor(isFull);
+                edits_ms.push_back(milliseconds(clock));
+            }
+            return edits_ms;
+        };
+        print((std::string("infrared, edited database, ") + word).c_str(), edit);
+
+        Settings settings = project.settings;
+        const auto moveSun = [&] {
+            std::vector<double> settings_ms;
+            for (int i = 0; i < 20; ++i) {
+                waitFor([] { return false; }, 0.4);
+                settings.set("environment.sunAzimuth", 10 * i);
+                forget();
+                clock.restart();
+                view.setProject(project, settings);
+                waitFor(isFull);
+                settings_ms.push_back(milliseconds(clock));
+            }
+            return settings_ms;
+        };
+        print((std::string("infrared, the sun moved, ") + word).c_str(), moveSun);
+    }
+    std::printf("load %s\n", load().c_str());
+    return 0;
+}

@@ -1,0 +1,170 @@
+#include "gui/view/InfraredScene.h"
+
+#include <algorithm>
+
+#include "irsg/image/ApparentTemperature.h"
+#include "irsg/image/ImageStatistics.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/scene/Stopwatch.h"
+
+namespace smat::gui {
+namespace {
+
+/// What an environment is made of, but for the sun where the project sets it.
+std::string environmentKeyOf(const InfraredRequest& request) {
+    const Settings& settings = request.settings;
+    std::string key = request.project->file.string();
+    for (const auto* name : {"environment.atmospheres", "environment.ambientTemperature"})
+        key += "|" + settings.text(name);
+    for (const auto* name : {"environment.sunAzimuth", "environment.sunElevation"})
+        key += settings.isSet(name) ? "|set" : "|file";
+    return key;
+}
+
+/// True where only poses, states and databases differ.
+bool standForTheSame(const std::vector<irsg::Entity>& known,
+                     const std::vector<irsg::Entity>& wanted) {
+    return std::ranges::equal(known, wanted, [](const irsg::Entity& a, const irsg::Entity& b) {
+        return a.model == b.model && a.referencePoint_m == b.referencePoint_m &&
+               a.fallbackTemperature == b.fallbackTemperature &&
+               a.fallbackMaterial == b.fallbackMaterial &&
+               a.temperatureScale == b.temperatureScale && a.emissivityScale == b.emissivityScale;
+    });
+}
+
+} // namespace
+
+const irsg::ImageChannel& InfraredPicture::plane() const {
+    const auto* temperature = image->find(irsg::apparentTemperatureChannel);
+    return quantity == InfraredQuantity::apparentTemperature && temperature != nullptr
+               ? *temperature
+               : image->primary();
+}
+
+InfraredScene::InfraredScene()
+    : builder_([this](const std::filesystem::path& file, const irsg::ModelOptions& options) {
+          // What the window has loaded serves once: a file that changed is read.
+          if (const auto known = loaded_.extract({file, options.noseAxis, options.forceTwoSided});
+              !known.empty())
+              return known.mapped();
+          ++modelsLoaded_;
+          return std::shared_ptr<const irsg::Model>(irsg::Model::load(file, options));
+      }) {}
+
+InfraredPicture InfraredScene::draw(const InfraredRequest& request) {
+    if (!request.project || request.map == nullptr)
+        throw irsg::LogicError("an infrared picture needs a project and a colour map");
+    InfraredPicture picture;
+    {
+        const irsg::Stopwatch all(picture.seconds);
+        if (!image_ || request.revision != last_.revision || request.coarse != last_.coarse) {
+            const irsg::Stopwatch watch(picture.radiance_s);
+            image_.reset();
+            update(request);
+            image_ = std::make_shared<irsg::RadianceImage>(irsg_.render().image);
+        } else if (request.quantity == InfraredQuantity::apparentTemperature) {
+            image_ = std::make_shared<irsg::RadianceImage>(*image_);
+        }
+        if (request.quantity == InfraredQuantity::apparentTemperature &&
+            image_->find(irsg::apparentTemperatureChannel) == nullptr)
+            irsg::addApparentTemperature(*image_, irsg_.sensor().band);
+
+        picture.image = image_;
+        picture.quantity = request.quantity;
+        picture.eye = irsg_.viewpoint();
+        picture.size_px = request.size_px;
+        picture.horizontalFieldOfView_rad = request.horizontalFieldOfView_rad;
+        picture.coarse = request.coarse;
+        picture.revision = request.revision;
+        const auto& values = picture.plane().values;
+        picture.limits = request.limits
+                             ? *request.limits
+                             : automaticLimits({&values}, request.limitMode, request.percentiles);
+        picture.colors = colorsOf(*image_, picture.plane(), *request.map, picture.limits,
+                                  request.markOutOfRange);
+    }
+    last_ = picture;
+    return picture;
+}
+
+const irsg::Environment& InfraredScene::environment(const InfraredRequest& request) {
+    const Settings& settings = request.settings;
+    if (const std::string key = environmentKeyOf(request); key != environmentKey_) {
+        environmentKey_.clear();
+        environment_ = environmentOf(*request.project, settings);
+        environmentKey_ = key;
+    }
+    // The sun moves without the air being read again.
+    if (settings.isSet("environment.sunAzimuth"))
+        environment_.sun.azimuth_rad = irsg::radians(settings.real("environment.sunAzimuth"));
+    if (settings.isSet("environment.sunElevation"))
+        environment_.sun.elevation_rad = irsg::radians(settings.real("environment.sunElevation"));
+    return environment_;
+}
+
+void InfraredScene::update(const InfraredRequest& request) {
+    if (request.models != offered_)
+        loaded_ = offered_ = request.models;
+    builder_.setDatabaseOverrides(request.edited);
+    const SceneDescription scene =
+        builder_.build(*request.project, request.settings, &environment(request));
+
+    irsg::Sensor sensor = scene.sensor;
+    sensor.width_px = request.size_px.width();
+    sensor.height_px = request.size_px.height();
+    sensor.horizontalFieldOfView_rad = request.horizontalFieldOfView_rad;
+    irsg::RenderSettings render = scene.render;
+    render.truthLayers = false;
+    if (request.coarse) {
+        render.zoomWindow = 0;
+        render.samplesPerAxis = 1;
+    }
+    irsg_.setEnvironment(scene.environment);
+    irsg_.setSensor(sensor);
+    irsg_.setSettings(render);
+    irsg_.setSkybox(scene.skybox);
+    irsg_.setTerrain(scene.terrain);
+
+    if (standForTheSame(irsg_.entities(), scene.entities)) {
+        for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+            const irsg::Entity& wanted = scene.entities[i];
+            if (irsg_.entities()[i].database != wanted.database)
+                irsg_.setDatabase(i, wanted.database);
+            irsg_.setPose(i, wanted.pose);
+            irsg_.setState(i, wanted.state);
+        }
+    } else {
+        irsg_.setEntities(scene.entities);
+    }
+    irsg_.setViewpoint(request.camera.viewpoint(irsg_.referencePoint(0), request.targetYaw_rad));
+}
+
+QImage colorsOf(const irsg::RadianceImage& image, const irsg::ImageChannel& plane,
+                const irsg::ColorMap& map, const irsg::DisplayLimits& limits, bool markOutOfRange) {
+    const auto color = [&](double value) {
+        return map.color(markOutOfRange ? value : std::clamp(value, limits.low, limits.high),
+                         limits);
+    };
+    QImage colors(image.width(), image.height(), QImage::Format_RGBA8888);
+    // Many neighbours are equal: a uniform background is one value.
+    float before = 0.0F;
+    irsg::Rgb shown = color(0.0);
+    for (int y = 0; y < image.height(); ++y) {
+        uchar* line = colors.scanLine(y);
+        for (int x = 0; x < image.width(); ++x) {
+            const float value = plane.values[image.offset(x, y)];
+            if (!(value == before)) {
+                shown = color(static_cast<double>(value));
+                before = value;
+            }
+            *line++ = shown.red;
+            *line++ = shown.green;
+            *line++ = shown.blue;
+            *line++ = 255;
+        }
+    }
+    return colors;
+}
+
+} // namespace smat::gui

@@ -1,0 +1,242 @@
+#include "gui/view/ModelPage.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/Theme.h"
+#include "gui/image/ImageView.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+namespace {
+
+QIcon swatch(const irsg::ColorMap& map) {
+    QPixmap pixmap(48, 14);
+    QPainter painter(&pixmap);
+    for (int x = 0; x < pixmap.width(); ++x) {
+        const irsg::Rgb color = map.at((x + 0.5) / pixmap.width());
+        painter.fillRect(x, 0, 1, pixmap.height(), QColor(color.red, color.green, color.blue));
+    }
+    return pixmap;
+}
+
+QToolButton* switchButton(const QString& text, const char* name, const QString& tip,
+                          QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setText(text);
+    button->setObjectName(name);
+    button->setToolTip(tip);
+    button->setCheckable(true);
+    button->setStyleSheet(QStringLiteral(
+        "QToolButton { border: 1px solid palette(mid); border-radius: 4px; padding: 3px 10px; }"
+        "QToolButton:checked { background: palette(highlight); border-color: palette(highlight);"
+        " color: palette(highlighted-text); }"));
+    return button;
+}
+
+} // namespace
+
+ModelPage::ModelPage(QWidget* parent) : QWidget(parent) {
+    setObjectName("modelPage");
+    view_ = new SceneView(this);
+    bar_ = new ColorBar(this);
+    makeActions();
+
+    visibleButton_ = switchButton(tr("Visible"), "showVisible",
+                                  tr("The model in the colours of its file"), this);
+    infraredButton_ =
+        switchButton(tr("Infrared"), "showInfrared",
+                     tr("The model as the infrared renderer sees it from here (%1)")
+                         .arg(infrared_->shortcut().toString(QKeySequence::NativeText)),
+                     this);
+    auto* displays = new QButtonGroup(this);
+    displays->addButton(visibleButton_);
+    displays->addButton(infraredButton_);
+    connect(visibleButton_, &QToolButton::clicked, this, [this] { infrared_->setChecked(false); });
+    connect(infraredButton_, &QToolButton::clicked, this, [this] { infrared_->setChecked(true); });
+
+    quantityBox_ = new QComboBox(this);
+    quantityBox_->setObjectName("viewQuantity");
+    quantityBox_->addItems({tr("Radiance"), tr("Apparent temperature")});
+    quantityBox_->setToolTip(tr("What the infrared display shows of a pixel"));
+    connect(quantityBox_, &QComboBox::activated, this,
+            [this](int index) { view_->setQuantity(static_cast<InfraredQuantity>(index)); });
+    mapBox_ = new QComboBox(this);
+    mapBox_->setObjectName("viewColorMap");
+    mapBox_->setIconSize(QSize(48, 14));
+    mapBox_->setToolTip(tr("Colours of the infrared display"));
+    for (const QAction* action : maps_->actions())
+        mapBox_->addItem(action->icon(), action->text());
+    connect(mapBox_, &QComboBox::textActivated, this,
+            [this](const QString& name) { view_->setColorMap(name.toStdString()); });
+
+    auto* strip = new QHBoxLayout;
+    strip->setContentsMargins(8, 5, 8, 5);
+    strip->setSpacing(2);
+    strip->addWidget(visibleButton_);
+    strip->addWidget(infraredButton_);
+    strip->addSpacing(10);
+    strip->addWidget(quantityBox_);
+    strip->addSpacing(4);
+    strip->addWidget(mapBox_);
+    strip->addStretch(1);
+    for (QAction* action : toggles_) {
+        auto* button = new QToolButton(this);
+        button->setDefaultAction(action);
+        button->setAutoRaise(true);
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        button->setIconSize(QSize(18, 18));
+        strip->addWidget(button);
+    }
+    auto* middle = new QHBoxLayout;
+    middle->setContentsMargins(0, 0, 0, 0);
+    middle->setSpacing(0);
+    middle->addWidget(view_, 1);
+    barHolder_ = new QWidget(this);
+    auto* holder = new QVBoxLayout(barHolder_);
+    holder->setContentsMargins(2, 6, 8, 8);
+    holder->addWidget(bar_);
+    middle->addWidget(barHolder_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(strip);
+    column->addLayout(middle, 1);
+
+    connect(bar_, &ColorBar::limitsEdited, view_, &SceneView::setLimits);
+    connect(bar_, &ColorBar::modeChosen, view_, [this](LimitMode mode) {
+        if (mode == LimitMode::percentile)
+            view_->setPercentiles(bar_->percentiles().first, bar_->percentiles().second);
+        else
+            view_->setLimitMode(mode);
+    });
+    connect(view_, &SceneView::displayChanged, this, &ModelPage::refresh);
+    connect(view_, &SceneView::pictureShown, this, &ModelPage::refreshBar);
+    refresh();
+}
+
+QAction* ModelPage::toggle(const char* name, const QString& text, const QKeySequence& keys,
+                           const QString& tip, bool on, void (SceneView::*set)(bool)) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(name);
+    action->setCheckable(true);
+    action->setChecked(on);
+    action->setShortcut(keys);
+    action->setToolTip(QStringLiteral("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
+    connect(action, &QAction::toggled, view_, set);
+    return action;
+}
+
+void ModelPage::makeActions() {
+    constexpr auto ctrlShift = Qt::CTRL | Qt::SHIFT;
+    infrared_ = new QAction(icon("infrared"), tr("&Infrared display"), this);
+    infrared_->setObjectName("infraredDisplay");
+    infrared_->setCheckable(true);
+    infrared_->setShortcut(QKeySequence(ctrlShift | Qt::Key_I));
+    connect(infrared_, &QAction::toggled, view_, [this](bool on) {
+        view_->setDisplay(on ? ViewDisplay::infrared : ViewDisplay::visible);
+    });
+    apparent_ = new QAction(tr("Apparent &temperature"), this);
+    apparent_->setObjectName("apparentTemperature");
+    apparent_->setCheckable(true);
+    apparent_->setShortcut(QKeySequence(ctrlShift | Qt::Key_T));
+    apparent_->setToolTip(tr("Shows apparent temperature instead of radiance"));
+    connect(apparent_, &QAction::toggled, view_, [this](bool on) {
+        view_->setQuantity(on ? InfraredQuantity::apparentTemperature : InfraredQuantity::radiance);
+    });
+
+    maps_ = new QActionGroup(this);
+    for (const auto& name : irsg::ColorMap::names()) {
+        const auto& map = irsg::ColorMap::named(name);
+        if (map.isDiverging())
+            continue;
+        auto* action = maps_->addAction(swatch(map), QString::fromStdString(name));
+        action->setCheckable(true);
+        action->setObjectName(QStringLiteral("colorMap-") + QString::fromStdString(name));
+        connect(action, &QAction::triggered, view_, [this, name] { view_->setColorMap(name); });
+    }
+    nextMap_ = new QAction(tr("&Next colour map"), this);
+    nextMap_->setObjectName("nextColorMap");
+    nextMap_->setShortcut(QKeySequence(ctrlShift | Qt::Key_C));
+    connect(nextMap_, &QAction::triggered, this, [this] {
+        const auto all = maps_->actions();
+        const auto at = all.indexOf(maps_->checkedAction());
+        all.at((at + 1) % all.size())->trigger();
+    });
+
+    auto* wireframe = toggle("wireframe", tr("&Wireframe"), ctrlShift | Qt::Key_W,
+                             tr("Edges of all faces"), false, &SceneView::setWireframe);
+    wireframe->setIcon(icon("wireframe"));
+    auto* viewAxes =
+        toggle("viewAxes", tr("&View axes"), ctrlShift | Qt::Key_A,
+               tr("East, north and up at the bottom left"), true, &SceneView::setViewAxesVisible);
+    viewAxes->setIcon(icon("axes"));
+    auto* modelAxes = toggle("modelAxes", tr("M&odel axes"), ctrlShift | Qt::Key_M,
+                             tr("Starboard, nose and up from the model's centre"), false,
+                             &SceneView::setModelAxesVisible);
+    modelAxes->setIcon(icon("model-axes"));
+    auto* sun = toggle("sunVector", tr("&Sun vector"), ctrlShift | Qt::Key_U,
+                       tr("A yellow line from the model's centre towards the sun"), false,
+                       &SceneView::setSunVectorVisible);
+    sun->setIcon(icon("sun-vector"));
+    toggles_ = {viewAxes, modelAxes, sun, wireframe};
+}
+
+void ModelPage::fillMenu(QMenu* menu) {
+    menu->addAction(infrared_);
+    menu->addAction(apparent_);
+    auto* maps = menu->addMenu(tr("&Colour map"));
+    maps->setObjectName("colorMaps");
+    maps->addActions(maps_->actions());
+    maps->addSeparator();
+    maps->addAction(nextMap_);
+    menu->addSeparator();
+    menu->addActions(toggles_);
+}
+
+void ModelPage::refresh() {
+    const bool infrared = view_->display() == ViewDisplay::infrared;
+    const bool apparent = view_->quantity() == InfraredQuantity::apparentTemperature;
+    const QString map = QString::fromStdString(view_->colorMap().name());
+    infrared_->setChecked(infrared);
+    (infrared ? infraredButton_ : visibleButton_)->setChecked(true);
+    apparent_->setChecked(apparent);
+    quantityBox_->setCurrentIndex(apparent ? 1 : 0);
+    mapBox_->setCurrentText(map);
+    for (QAction* action : maps_->actions())
+        action->setChecked(action->text() == map);
+    for (QWidget* box :
+         {static_cast<QWidget*>(quantityBox_), static_cast<QWidget*>(mapBox_), barHolder_})
+        box->setVisible(infrared);
+    bar_->setMode(view_->limitMode());
+}
+
+void ModelPage::refreshBar() {
+    const InfraredPicture* picture = view_->shownPicture();
+    bar_->setEnabled(picture != nullptr);
+    if (picture == nullptr)
+        return;
+    const auto& plane = picture->plane();
+    bar_->setTitle(QStringLiteral("%1 (%2)").arg(planeTitle(plane), readableUnit(plane.unit)));
+    bar_->setColors(view_->colorMap(), picture->limits);
+}
+
+QStringList ModelPage::exportFilters() const {
+    return {tr("Picture (*.png)")};
+}
+
+void ModelPage::exportTo(const std::filesystem::path& file) const {
+    QPixmap picture = const_cast<SceneView*>(view_)->grab();
+    if (!picture.save(QString::fromStdString(file.string())))
+        throw irsg::InputError({file.string(), "", "a picture that cannot be written there",
+                                "a folder to write to and a name that ends in .png"});
+}
+
+} // namespace smat::gui

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+
+#include <QWidget>
+
+#include "gui/Exportable.h"
+#include "gui/view/SceneView.h"
+
+class QAction;
+class QActionGroup;
+class QComboBox;
+class QMenu;
+class QToolButton;
+
+namespace smat::gui {
+
+/// The tab of the model: the 3-D view under a strip that switches between its displays, beside the
+/// colour bar of the infrared one. Owns the actions of the view, for the menu and their shortcuts.
+class ModelPage : public QWidget, public Exportable {
+    Q_OBJECT
+
+  public:
+    explicit ModelPage(QWidget* parent = nullptr);
+
+    SceneView* view() const { return view_; }
+    ColorBar* colorBar() const { return bar_; }
+    /// Displays, quantity, colour map, wireframe, axes, sun vector.
+    void fillMenu(QMenu* menu);
+
+    /// A picture of the view as it is seen.
+    QStringList exportFilters() const override;
+    void exportTo(const std::filesystem::path& file) const override;
+
+  private:
+    QAction* toggle(const char* name, const QString& text, const QKeySequence& keys,
+                    const QString& tip, bool on, void (SceneView::*set)(bool));
+    void makeActions();
+    void makeQuantities();
+    void makeColorMaps();
+    void refresh();
+    void refreshBar();
+
+    SceneView* view_ = nullptr;
+    ColorBar* bar_ = nullptr;
+    QWidget* barHolder_ = nullptr;
+    QAction* infrared_ = nullptr;
+    QAction* apparent_ = nullptr;
+    QAction* nextMap_ = nullptr;
+    QActionGroup* maps_ = nullptr;
+    QList<QAction*> toggles_;
+    QToolButton* visibleButton_ = nullptr;
+    QToolButton* infraredButton_ = nullptr;
+    QComboBox* quantityBox_ = nullptr;
+    QComboBox* mapBox_ = nullptr;
+};
+
+} // namespace smat::gui

@@ -1,0 +1,176 @@
+// Mouse and keys of the view, and what is under the mouse.
+#include <algorithm>
+#include <cmath>
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QStyleHints>
+#include <QWheelEvent>
+
+#include "gui/view/SceneViewParts.h"
+
+namespace smat::gui {
+
+std::vector<FaceHit> SceneView::facesAt(const QPointF& point) const {
+    const ViewProjection through = projection();
+    const irsg::Vec3 direction = through.ray(point);
+    std::vector<FaceHit> hits;
+    for (std::size_t i = 0; i < parts_->scene.models.size(); ++i) {
+        const DisplayModel& model = parts_->scene.models[i];
+        if (!model.faces)
+            continue;
+        const irsg::Rotation toModel = model.pose.attitude.rotation().transposed();
+        const irsg::Vec3 eye = toModel * (through.eye.position_m - model.pose.position_m);
+        for (const auto& hit : model.faces->along(eye, toModel * direction))
+            hits.push_back(
+                {static_cast<int>(i), hit.codes, model.pose.toWorld(hit.point_m), hit.distance_m});
+    }
+    std::ranges::stable_sort(hits, {}, &FaceHit::distance_m);
+    return hits;
+}
+
+QString SceneView::indexWords(const FaceHit& hit) const {
+    const DisplayModel& model = parts_->scene.models.at(static_cast<std::size_t>(hit.model));
+    const auto named = [](const QString& word, int index, const std::string& name) {
+        const QString number = QStringLiteral("%1 %2").arg(word).arg(index);
+        return name.empty() ? number
+                            : QStringLiteral("%1 (%2)").arg(number, QString::fromStdString(name));
+    };
+    std::string temperature, material;
+    if (model.signature) {
+        const auto& temperatures = model.signature->temperatures;
+        if (const auto entry = temperatures.find(hit.codes.temperature);
+            entry != temperatures.end())
+            temperature = entry->second.name;
+        const auto& materials = model.signature->materials;
+        if (const auto entry = materials.find(hit.codes.material); entry != materials.end())
+            material = entry->second.name;
+    }
+    QStringList words{named(tr("temperature"), hit.codes.temperature, temperature),
+                      named(tr("material"), hit.codes.material, material)};
+    if (parts_->scene.models.size() > 1)
+        words << model.name;
+    return words.join("     ");
+}
+
+void SceneView::pick(const QPointF& point) {
+    const auto hits = facesAt(point);
+    if (hits.empty()) {
+        lastPick_.reset();
+        setHighlighted({});
+        emit nothingPicked();
+        return;
+    }
+    // At the same place again: the next one behind with other indices.
+    std::size_t number = 0;
+    const auto sameFace = [](const FaceHit& a, const FaceHit& b) {
+        return a.model == b.model && a.codes == b.codes;
+    };
+    if (lastPick_ && QLineF(lastPick_->at, point).length() < 3.0 && lastPick_->camera == camera_ &&
+        lastPick_->number < hits.size()) {
+        number = lastPick_->number;
+        while (number < hits.size() && sameFace(hits[number], hits[lastPick_->number]))
+            ++number;
+        if (number == hits.size())
+            number = 0;
+    }
+    lastPick_ = LastPick{point, number, camera_};
+    const FaceHit& hit = hits[number];
+    setHighlighted({hit.codes.temperature, hit.codes.material, hit.model});
+    emit facePicked(hit.codes.temperature, hit.codes.material, hit.model, hit.point_m);
+}
+
+void SceneView::hover(const std::optional<QPointF>& point) {
+    hoverAt_ = point;
+    const QString words = point && !dragFrom_ ? readoutAt(*point) : QString();
+    if (words == readout_)
+        return;
+    readout_ = words;
+    hud_->update();
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton)
+        pressAt_ = event->position();
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+    if (!(event->buttons() & Qt::LeftButton) || !pressAt_) {
+        hover(event->position());
+        return;
+    }
+    // A hand that trembles still clicks.
+    if (!dragFrom_ && QLineF(*pressAt_, event->position()).length() <
+                          QGuiApplication::styleHints()->startDragDistance())
+        return;
+    const QPointF moved = event->position() - dragFrom_.value_or(*pressAt_);
+    dragFrom_ = event->position();
+    constexpr double degreesPerPixel = 0.4;
+    camera_.turn(moved.x() * degreesPerPixel, moved.y() * degreesPerPixel);
+    hover(event->position());
+    userMoved();
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || !pressAt_)
+        return;
+    const bool clicked = !dragFrom_;
+    pressAt_.reset();
+    dragFrom_.reset();
+    if (clicked)
+        pick(event->position());
+    hover(event->position());
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent*) {
+    pressAt_.reset();
+    showWholeModel();
+}
+
+void SceneView::leaveEvent(QEvent* event) {
+    hover(std::nullopt);
+    QOpenGLWidget::leaveEvent(event);
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+    camera_.approach(std::pow(0.9, event->angleDelta().y() / 120.0));
+    userMoved();
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event) {
+    const double step = event->modifiers() & Qt::ShiftModifier ? 1.0 : 10.0;
+    switch (event->key()) {
+    case Qt::Key_Left:
+        camera_.turn(-step, 0.0);
+        break;
+    case Qt::Key_Right:
+        camera_.turn(step, 0.0);
+        break;
+    case Qt::Key_Up:
+        camera_.turn(0.0, step);
+        break;
+    case Qt::Key_Down:
+        camera_.turn(0.0, -step);
+        break;
+    case Qt::Key_PageUp:
+        camera_.approach(0.8);
+        break;
+    case Qt::Key_PageDown:
+        camera_.approach(1.25);
+        break;
+    case Qt::Key_Home:
+        showWholeModel();
+        return;
+    case Qt::Key_Escape:
+        setHighlighted({});
+        emit nothingPicked();
+        return;
+    default:
+        QOpenGLWidget::keyPressEvent(event);
+        return;
+    }
+    userMoved();
+}
+
+} // namespace smat::gui

@@ -1,0 +1,217 @@
+#include "gui/view/ViewHud.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPainterPath>
+#include <QTextDocument>
+
+namespace smat::gui {
+namespace {
+
+constexpr double inset_px = 6.0;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("smat::gui::ViewHud", text);
+}
+
+QColor inkOf(bool dark) {
+    return dark ? QColor("#d6dbe4") : QColor("#333b48");
+}
+QColor paperOf(bool dark) {
+    return dark ? QColor("#14171c") : QColor("#ffffff");
+}
+
+QColor faded(QColor color, float alpha) {
+    color.setAlphaF(alpha);
+    return color;
+}
+
+/// A line on a seam, so that it is seen before any colour.
+void drawSeamed(QPainter& painter, const QLineF& line, const QColor& color, double width_px,
+                bool dark, Qt::PenStyle style = Qt::SolidLine) {
+    painter.setPen(QPen(faded(paperOf(dark), 0.55F), width_px + 2.4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(line);
+    painter.setPen(QPen(color, width_px, style, Qt::RoundCap));
+    painter.drawLine(line);
+}
+
+void drawSeamedText(QPainter& painter, const QPointF& middle, const QString& text,
+                    const QColor& color, bool dark) {
+    const QFontMetricsF metrics(painter.font());
+    QPainterPath path;
+    path.addText(middle - QPointF(metrics.horizontalAdvance(text) / 2.0,
+                                  (metrics.descent() - metrics.ascent()) / 2.0),
+                 painter.font(), text);
+    painter.strokePath(
+        path, QPen(faded(paperOf(dark), 0.75F), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.fillPath(path, color);
+}
+
+/// Words on a plate that stands out from any picture.
+void drawPlate(QPainter& painter, const QRectF& box, bool dark) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(faded(paperOf(dark), 0.8F));
+    painter.drawRoundedRect(box, 5.0, 5.0);
+    painter.setBrush(Qt::NoBrush);
+}
+
+enum class Corner { topLeft, topRight, bottomRight };
+void drawLabel(QPainter& painter, const QRectF& area, Corner corner, const QString& text,
+               bool dark) {
+    const QFontMetricsF metrics(painter.font());
+    QRectF box(0, 0, std::min(metrics.horizontalAdvance(text) + 18.0, area.width()),
+               metrics.height() + 8.0);
+    if (corner == Corner::topLeft)
+        box.moveTopLeft(area.topLeft());
+    else if (corner == Corner::topRight)
+        box.moveTopRight(area.topRight());
+    else
+        box.moveBottomRight(area.bottomRight());
+    drawPlate(painter, box, dark);
+    painter.setPen(inkOf(dark));
+    painter.drawText(box.adjusted(9, 0, -9, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                     metrics.elidedText(text, Qt::ElideRight, box.width() - 17.0));
+}
+
+const QColor axisColors[] = {QColor("#d64545"), QColor("#2f9e58"), QColor("#3b7be0")};
+
+} // namespace
+
+void ViewHud::paint(QPainter& painter) const {
+    paintFrame(painter);
+    if (hasModel && modelAxes)
+        paintModelAxes(painter);
+    if (hasModel && sunVector)
+        paintSun(painter);
+    if (viewAxes)
+        paintViewAxes(painter);
+    paintWords(painter);
+    if (!problem.isEmpty())
+        paintProblem(painter);
+}
+
+double ViewHud::axisLength_m() const {
+    const double metresPerPixel = projection.depth_m(reference_m) / projection.focalLength_px;
+    const double side = std::min(projection.window.width(), projection.window.height());
+    return std::clamp(1.3 * radius_m, 40.0 * metresPerPixel,
+                      std::max(40.0, 0.4 * side) * metresPerPixel);
+}
+
+QPointF ViewHud::viewAxesOrigin() const {
+    return frameRectIn(frame, projection.window).bottomLeft() + QPointF(64.0, -64.0);
+}
+
+void ViewHud::paintFrame(QPainter& painter) const {
+    const QRectF inner =
+        frameRectIn(frame, projection.window).adjusted(inset_px, inset_px, -inset_px, -inset_px);
+    const double arm = 16.0;
+    const QColor ink = faded(inkOf(dark), 0.75F);
+    for (const auto& [corner, right, down] :
+         {std::tuple{inner.topLeft(), 1.0, 1.0}, std::tuple{inner.topRight(), -1.0, 1.0},
+          std::tuple{inner.bottomLeft(), 1.0, -1.0}, std::tuple{inner.bottomRight(), -1.0, -1.0}}) {
+        drawSeamed(painter, {corner, corner + QPointF(arm * right, 0.0)}, ink, 1.2, dark);
+        drawSeamed(painter, {corner, corner + QPointF(0.0, arm * down)}, ink, 1.2, dark);
+    }
+}
+
+void ViewHud::paintViewAxes(QPainter& painter) const {
+    const std::pair<irsg::Vec3, QString> axes[] = {
+        {{1, 0, 0}, tr("E")}, {{0, 1, 0}, tr("N")}, {{0, 0, 1}, tr("Up")}};
+    const QPointF origin = viewAxesOrigin();
+    painter.save();
+    QFont font = painter.font();
+    font.setBold(true);
+    painter.setFont(font);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& [along, name] = axes[i];
+        const QPointF tip(irsg::dot(along, projection.eye.right),
+                          -irsg::dot(along, projection.eye.up));
+        drawSeamed(painter, {origin, origin + tip * viewAxisLength_px}, axisColors[i], 2.4, dark);
+        drawSeamedText(painter, origin + tip * (viewAxisLength_px + 13.0), name, axisColors[i],
+                       dark);
+    }
+    painter.restore();
+}
+
+void ViewHud::paintModelAxes(QPainter& painter) const {
+    const std::pair<irsg::Vec3, QString> axes[] = {
+        {{1, 0, 0}, tr("starboard")}, {{0, 1, 0}, tr("nose")}, {{0, 0, 1}, tr("up")}};
+    const irsg::Rotation rotation = attitude.rotation();
+    const double length_m = axisLength_m();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const irsg::Vec3 along = rotation * axes[i].first;
+        const auto line = projection.line(reference_m, reference_m + along * length_m);
+        if (!line)
+            continue;
+        drawSeamed(painter, *line, axisColors[i], 2.0, dark);
+        // A name beyond the tip, or beside an axis that points into the picture.
+        const double length_px = line->length();
+        const QPointF beyond =
+            length_px > 1.0 ? (line->p2() - line->p1()) / length_px : QPointF(0.0, -1.0);
+        const QFontMetricsF metrics(painter.font());
+        const double half = metrics.horizontalAdvance(axes[i].second) / 2.0;
+        drawSeamedText(painter, line->p2() + QPointF(beyond.x() * (half + 6.0), beyond.y() * 13.0),
+                       axes[i].second, axisColors[i], dark);
+    }
+}
+
+void ViewHud::paintSun(QPainter& painter) const {
+    const auto line = projection.line(reference_m, reference_m + towardsSun * sunLength_m());
+    if (!line)
+        return;
+    // Below the horizon no sun is reflected: the line is there, broken.
+    const bool isUp = towardsSun.z > 0.0;
+    const QColor yellow("#ffcc00");
+    drawSeamed(painter, *line, yellow, 2.4, dark, isUp ? Qt::SolidLine : Qt::DotLine);
+    painter.setPen(QPen(QColor("#8a6a00"), 1.0));
+    painter.setBrush(isUp ? yellow : faded(yellow, 0.4F));
+    painter.drawEllipse(line->p2(), 6.0, 6.0);
+    painter.setBrush(Qt::NoBrush);
+}
+
+void ViewHud::paintWords(QPainter& painter) const {
+    const QRectF area = frameRectIn(frame, projection.window)
+                            .adjusted(inset_px + 8, inset_px + 6, -inset_px - 8, -inset_px - 6);
+    const QString words = QStringLiteral("azimuth %1°   elevation %2°   range %3 m")
+                              .arg(camera.azimuth_deg, 0, 'f', 1)
+                              .arg(camera.elevation_deg, 0, 'f', 1)
+                              .arg(camera.range_m, 0, 'g', 6);
+    drawLabel(painter, area, Corner::topLeft, words, dark);
+    if (!busy.isEmpty())
+        drawLabel(painter, area, Corner::topRight, busy, dark);
+    if (!readout.isEmpty())
+        drawLabel(painter, area, Corner::bottomRight, readout, dark);
+}
+
+void ViewHud::paintProblem(QPainter& painter) const {
+    const QSizeF window = projection.window;
+    const double width = std::clamp(0.7 * window.width(), 240.0, 640.0);
+    QStringList shown = problem.mid(0, 6);
+    if (problem.size() > shown.size())
+        shown << tr("and %1 more").arg(problem.size() - shown.size());
+    QTextDocument words;
+    words.setDefaultFont(painter.font());
+    words.setDocumentMargin(0.0);
+    words.setHtml(QStringLiteral("<div style='color:%1'><b>%2</b><p>%3</p></div>")
+                      .arg(inkOf(dark).name(), tr("No infrared picture"),
+                           shown.join("\n").toHtmlEscaped().replace('\n', "<br>")));
+    words.setTextWidth(width - 32.0);
+
+    QRectF box(0, 0, width, std::min(words.size().height() + 28.0, window.height() - 24.0));
+    box.moveCenter(QPointF(window.width() / 2.0, window.height() / 2.0));
+    painter.setPen(QPen(QColor("#d08a1d"), 1.4));
+    painter.setBrush(faded(paperOf(dark), 0.93F));
+    painter.drawRoundedRect(box, 7.0, 7.0);
+    painter.setBrush(Qt::NoBrush);
+    const QRectF inner = box.adjusted(16, 14, -16, -14);
+    painter.save();
+    painter.translate(inner.topLeft());
+    words.drawContents(&painter, QRectF(QPointF(), inner.size()));
+    painter.restore();
+}
+
+} // namespace smat::gui

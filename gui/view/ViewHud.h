@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QStringList>
+
+#include "gui/view/OrbitCamera.h"
+#include "gui/view/ViewProjection.h"
+#include "irsg/scene/Pose.h"
+
+class QPainter;
+
+namespace smat::gui {
+
+/// What is written and drawn over the picture of the model: the sensor's frame, the camera, axes,
+/// the sun and messages.
+struct ViewHud {
+    ViewFrame frame;
+    ViewProjection projection;
+    OrbitCamera camera;
+    irsg::Vec3 reference_m;  ///< of the target, in the world
+    irsg::Attitude attitude; ///< of the target
+    double radius_m = 1.0;   ///< of the target
+    irsg::Vec3 towardsSun;   ///< unit vector
+    bool hasModel = false;
+    bool viewAxes = true, modelAxes = false, sunVector = false;
+    bool dark = false;   ///< what lies below: light ink is legible
+    QString readout;     ///< of what is under the mouse
+    QString busy;        ///< what is being waited for
+    QStringList problem; ///< why there is no infrared picture
+
+    void paint(QPainter& painter) const;
+    /// Length of the model's axes, m: beyond the model, but neither a few pixels nor out of sight.
+    double axisLength_m() const;
+    /// Of the yellow line, m.
+    double sunLength_m() const { return 1.3 * axisLength_m(); }
+    /// Where the world's axes start, in the window.
+    QPointF viewAxesOrigin() const;
+
+    static constexpr double viewAxisLength_px = 34.0;
+
+  private:
+    void paintFrame(QPainter& painter) const;
+    void paintViewAxes(QPainter& painter) const;
+    void paintModelAxes(QPainter& painter) const;
+    void paintSun(QPainter& painter) const;
+    void paintWords(QPainter& painter) const;
+    void paintProblem(QPainter& painter) const;
+};
+
+} // namespace smat::gui

@@ -1,0 +1,342 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QSignalSpy>
+#include <QWheelEvent>
+
+#include "gui/view/InfraredScene.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/signature/SignatureFile.h"
+#include "smatcore/analysis/AnalysisGenerator.h"
+#include "smatcore/analysis/ImageQuantity.h"
+#include "tests/gui/ViewFixture.h"
+
+namespace smat::gui {
+namespace {
+
+using test::apart;
+using test::waitUntil;
+
+class InfraredViewTest : public test::ViewFixture {
+  protected:
+    irsg::RadianceImage analysis() {
+        auto source = makeIrsgImageSource();
+        SceneBuilder builder;
+        AnalysisGenerator generator(
+            *source, [&](const Project& p, const Settings& s) { return builder.build(p, s); });
+        AnalysisData data = AnalysisData::of(project, AnalysisKind::image);
+        generator.run(data);
+        return data.image;
+    }
+    double mean() const {
+        const auto& values = view.shownPicture()->plane().values;
+        double sum = 0.0;
+        for (const float value : values)
+            sum += static_cast<double>(value);
+        return sum / static_cast<double>(values.size());
+    }
+};
+
+TEST_F(InfraredViewTest, AgreesWithTheImageAnalysisPixelByPixel) {
+    for (const auto* name : {"turboprop4", "ship", "sphere"}) {
+        SCOPED_TRACE(name);
+        ASSERT_NO_FATAL_FAILURE(show(sample(name)));
+        ASSERT_TRUE(showInfrared());
+        const irsg::RadianceImage& seen = *view.shownPicture()->image;
+        const irsg::RadianceImage image = analysis();
+        ASSERT_EQ(seen.width(), image.width());
+        ASSERT_EQ(seen.height(), image.height());
+        std::size_t others = 0;
+        for (std::size_t i = 0; i < image.pixelCount(); ++i)
+            others += std::abs(seen.primary().values[i] - image.primary().values[i]) >
+                      1e-6F * std::abs(image.primary().values[i]);
+        // An edge that runs through the middle of a sample may fall to either side.
+        EXPECT_LE(others, image.pixelCount() / 10000);
+        const auto [least, most] = std::ranges::minmax(seen.primary().values);
+        EXPECT_GT(most, 1.05F * least) << "a picture of nothing";
+    }
+}
+
+TEST_F(InfraredViewTest, TheWindowHasTheColoursOfThePixels) {
+    ASSERT_NO_FATAL_FAILURE(show(sample("turboprop4")));
+    ASSERT_TRUE(showInfrared());
+    QTest::qWait(50);
+    const QImage seen = view.grabFramebuffer();
+    const auto& picture = *view.shownPicture();
+    ASSERT_EQ(seen.size(), picture.size_px);
+    long others = 0;
+    std::set<QRgb> colors;
+    for (int y = 0; y < seen.height(); ++y)
+        for (int x = 0; x < seen.width(); ++x) {
+            const auto value = static_cast<double>(picture.image->at(x, y));
+            const irsg::Rgb color = view.colorMap().color(
+                std::clamp(value, picture.limits.low, picture.limits.high), picture.limits);
+            others += apart(seen.pixelColor(x, y), QColor(color.red, color.green, color.blue)) > 3;
+            colors.insert(seen.pixel(x, y));
+        }
+    EXPECT_EQ(others, 0);
+    EXPECT_GT(colors.size(), 50U);
+}
+
+TEST_F(InfraredViewTest, ShowsTheApparentTemperatureThatTheAnalysisGives) {
+    ASSERT_NO_FATAL_FAILURE(show(sample("ship")));
+    view.setQuantity(InfraredQuantity::apparentTemperature);
+    ASSERT_TRUE(showInfrared());
+    set("image.quantity", "apparent-temperature");
+    const irsg::RadianceImage image = analysis();
+    const auto& plane = view.shownPicture()->plane();
+    EXPECT_EQ(plane.unit, "K");
+    for (const auto& [x, y] : {std::pair{200, 150}, {120, 160}, {5, 5}})
+        EXPECT_NEAR(plane.values[image.offset(x, y)], image.at(x, y), 2e-3) << x << " " << y;
+}
+
+TEST_F(InfraredViewTest, FollowsEverySettingThatChangesTheRadiance) {
+    ASSERT_NO_FATAL_FAILURE(show(sample("turboprop4")));
+    ASSERT_TRUE(showInfrared());
+    const std::pair<const char*, const char*> changes[] = {
+        {"camera.azimuth", "-40"},       {"target.roll", "30"},   {"state.power", "0.2"},
+        {"state.time", "0.7"},           {"state.mach", "0.8"},   {"environment.sunAzimuth", "10"},
+        {"environment.atmospheres", ""}, {"sensor.band", "8-12"}, {"render.sun", "off"},
+        {"render.background", "5"},      {"sensor.fov", "4"}};
+    for (const auto& [key, value] : changes) {
+        const double before = mean();
+        set(key, *value == '\0' ? "none" : value);
+        ASSERT_TRUE(waitForPicture()) << key;
+        EXPECT_NE(mean(), before) << key;
+    }
+    // And the whole chain of them is what an analysis of these settings gives.
+    const irsg::RadianceImage image = analysis();
+    const irsg::RadianceImage& seen = *view.shownPicture()->image;
+    for (const auto& [x, y] : {std::pair{200, 150}, {120, 160}, {5, 5}})
+        EXPECT_FLOAT_EQ(seen.at(x, y), image.at(x, y));
+}
+
+TEST_F(InfraredViewTest, ShowsAnEditedDatabaseByTheComputedAmount) {
+    // A black body of one temperature: every pixel of it is Planck's integral.
+    Project black = sample("sphere");
+    for (const auto& [key, value] : {std::pair{"render.sun", "off"},
+                                     {"render.fluxes", "off"},
+                                     {"render.background", "none"},
+                                     {"environment.atmospheres", "none"}})
+        black.settings.set(key, value);
+    ASSERT_NO_FATAL_FAILURE(show(black));
+    view.setQuantity(InfraredQuantity::apparentTemperature);
+    const auto file = project.resolve(project.models.front().database);
+    irsg::SignatureDatabase database = irsg::loadSignatureFile(file).database;
+    for (auto& [index, material] : database.materials) {
+        material = {};
+        material.emissivity = irsg::Spectrum::constant(1.0);
+    }
+    for (const double kelvin : {310.0, 355.0}) {
+        for (auto& [index, entry] : database.temperatures) {
+            entry = {};
+            entry.terms.base_K = kelvin;
+            entry.terms.ambientFactor = 0.0;
+        }
+        view.setEditedDatabase(file, std::make_shared<const irsg::SignatureDatabase>(database));
+        ASSERT_TRUE(view.display() == ViewDisplay::infrared ? waitForPicture() : showInfrared());
+        const auto& picture = *view.shownPicture();
+        EXPECT_NEAR(picture.plane().values[picture.image->offset(200, 150)], kelvin, 1e-2);
+    }
+    // The file again.
+    const double edited = mean();
+    view.setEditedDatabase(file, nullptr);
+    ASSERT_TRUE(waitForPicture());
+    EXPECT_NE(mean(), edited);
+}
+
+TEST_F(InfraredViewTest, LoadsNothingAgainForRadiometryAlone) {
+    Project project = sample("turboprop4");
+    InfraredScene scene;
+    InfraredRequest request;
+    request.project = std::make_shared<const Project>(project);
+    request.settings = project.settings;
+    request.size_px = {64, 48};
+    request.map = &irsg::ColorMap::named("ironbow");
+    const auto first = scene.draw(request);
+    EXPECT_EQ(scene.modelsLoaded(), 1);
+    request.revision = 1;
+    request.settings.set("environment.sunAzimuth", 20);
+    const auto second = scene.draw(request);
+    EXPECT_EQ(scene.modelsLoaded(), 1);
+    EXPECT_NE(first.image->primary().values, second.image->primary().values);
+
+    // New colours alone leave the very image.
+    request.map = &irsg::ColorMap::named("white-hot");
+    const auto third = scene.draw(request);
+    EXPECT_EQ(third.image, second.image);
+    EXPECT_NE(third.colors, second.colors);
+    EXPECT_EQ(third.radiance_s, 0.0);
+}
+
+TEST_F(InfraredViewTest, IsCoarserWhileOneDragsAndFullAtRest) {
+    ASSERT_NO_FATAL_FAILURE(show(sample("turboprop4")));
+    ASSERT_TRUE(showInfrared());
+    std::vector<bool> coarse;
+    QObject::connect(&view, &SceneView::pictureShown, &view,
+                     [&] { coarse.push_back(view.shownPicture()->coarse); });
+    QTest::mousePress(&view, Qt::LeftButton, {}, {200, 150});
+    for (int i = 1; i <= 12; ++i) {
+        QTest::mouseMove(&view, {200 + 8 * i, 150});
+        waitUntil([&, before = coarse.size()] { return coarse.size() > before; }, 5.0);
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, {296, 150});
+    ASSERT_TRUE(waitForPicture());
+    ASSERT_GE(coarse.size(), 6U);
+    EXPECT_TRUE(coarse.front());
+    EXPECT_FALSE(coarse.back());
+    EXPECT_EQ(view.shownPicture()->size_px, QSize(400, 300));
+}
+
+TEST_F(InfraredViewTest, TheLatestOfManyRequestsIsTheOneThatStays) {
+    ASSERT_NO_FATAL_FAILURE(show(sample("ship")));
+    ASSERT_TRUE(showInfrared());
+    QSignalSpy shown(&view, &SceneView::pictureShown);
+    for (int azimuth = 0; azimuth < 100; ++azimuth)
+        set("camera.azimuth", std::to_string(azimuth));
+    ASSERT_TRUE(waitForPicture());
+    EXPECT_LT(shown.count(), 20);
+    const auto& eye = view.shownPicture()->eye.position_m;
+    EXPECT_NEAR(irsg::degrees(std::atan2(eye.x, eye.y)), 99.0, 0.5);
+}
+
+TEST_F(InfraredViewTest, LimitsFollowTheTargetOrStayLocked) {
+    ASSERT_NO_FATAL_FAILURE(show(sample("turboprop4")));
+    ASSERT_TRUE(showInfrared());
+    EXPECT_EQ(view.shownPicture()->limits, irsg::objectLimits(view.shownPicture()->plane().values));
+    view.setLimits({1.0, 2.5});
+    ASSERT_TRUE(waitForPicture());
+    ASSERT_TRUE(waitUntil([&] { return view.shownPicture()->limits.high == 2.5; }));
+    set("camera.azimuth", "120");
+    ASSERT_TRUE(waitForPicture());
+    EXPECT_EQ(view.shownPicture()->limits, (irsg::DisplayLimits{1.0, 2.5}));
+    view.setLimitMode(LimitMode::full);
+    ASSERT_TRUE(waitUntil([&] {
+        return view.shownPicture()->limits ==
+               irsg::percentileLimits(view.shownPicture()->plane().values);
+    }));
+}
+
+TEST_F(InfraredViewTest, SaysInWordsWhatIsMissingAndRecovers) {
+    ASSERT_NO_FATAL_FAILURE(show(sample("ship")));
+    ASSERT_TRUE(showInfrared());
+    const auto file = project.resolve(project.models.front().database);
+    irsg::SignatureDatabase broken = irsg::loadSignatureFile(file).database;
+    const int gone = broken.temperatures.rbegin()->first;
+    broken.temperatures.erase(gone);
+    QSignalSpy failed(&view, &SceneView::pictureFailed);
+    view.setEditedDatabase(file, std::make_shared<const irsg::SignatureDatabase>(broken));
+    ASSERT_TRUE(waitUntil([&] { return failed.count() > 0; }));
+    EXPECT_EQ(view.shownPicture(), nullptr);
+    EXPECT_TRUE(failed.front().front().toStringList().join(' ').contains(QString::number(gone)));
+    test::keepScreenshot(view, "view-infrared-problem");
+    view.setEditedDatabase(file, nullptr);
+    EXPECT_TRUE(waitForPicture());
+
+    failed.clear();
+    set("environment.atmospheres", "no-such-air.xml");
+    ASSERT_TRUE(waitUntil([&] { return failed.count() > 0; }));
+    EXPECT_TRUE(failed.front().front().toStringList().join(' ').contains("no-such-air.xml"));
+    set("environment.atmospheres", "none");
+    EXPECT_TRUE(waitForPicture());
+}
+
+TEST_F(InfraredViewTest, GoesBackToTheSameVisiblePicture) {
+    ASSERT_NO_FATAL_FAILURE(show(sample("ship")));
+    const QImage before = view.grabFramebuffer();
+    ASSERT_TRUE(showInfrared());
+    EXPECT_NE(view.grabFramebuffer(), before);
+    view.setDisplay(ViewDisplay::visible);
+    QTest::qWait(30);
+    EXPECT_EQ(view.grabFramebuffer(), before);
+}
+
+struct Held {
+    int threads = 0;
+    long memory_kB = 0;
+    int textures = 0, buffers = 0, lists = 0; ///< alive in the context of the view
+};
+Held heldBy(SceneView& view) {
+    Held held;
+    for ([[maybe_unused]] const auto& one : std::filesystem::directory_iterator("/proc/self/task"))
+        ++held.threads;
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;)
+        if (word == "VmRSS:")
+            status >> held.memory_kB;
+    // Names are given in ascending order: those up to the next one are all there ever were.
+    view.makeCurrent();
+    auto* gl = view.context()->functions();
+    GLuint next = 0;
+    gl->glGenTextures(1, &next);
+    gl->glDeleteTextures(1, &next);
+    for (GLuint name = 1; name < next; ++name)
+        held.textures += gl->glIsTexture(name);
+    gl->glGenBuffers(1, &next);
+    gl->glDeleteBuffers(1, &next);
+    for (GLuint name = 1; name < next; ++name)
+        held.buffers += gl->glIsBuffer(name);
+    for (GLuint name = 1; name < 20'000; ++name)
+        held.lists += glIsList(name);
+    view.doneCurrent();
+    return held;
+}
+
+TEST_F(InfraredViewTest, TwoHundredScenesLeaveNothingBehind) {
+    const Project projects[] = {sample("sphere"), sample("ship")};
+    ASSERT_NO_FATAL_FAILURE(show(projects[0]));
+    const auto showNext = [&](int number) {
+        project = projects[number % 2];
+        view.setScene(loadDisplayScene(project, project.settings));
+        view.setProject(project, project.settings);
+        view.setHighlighted({.temperature = 1, .material = {}, .model = {}});
+        if (number % 4 == 0) {
+            view.setDisplay(ViewDisplay::infrared);
+            ASSERT_TRUE(waitUntil([&] { return view.shownPicture() != nullptr; }, 20.0)) << number;
+        } else {
+            view.setDisplay(ViewDisplay::visible);
+        }
+        view.grabFramebuffer();
+    };
+    for (int i = 0; i < 20; ++i)
+        showNext(i);
+    const Held before = heldBy(view);
+    EXPECT_GT(before.buffers, 0);
+    for (int i = 20; i < 220; ++i)
+        ASSERT_NO_FATAL_FAILURE(showNext(i));
+    const Held after = heldBy(view);
+    EXPECT_LE(after.threads, before.threads);
+    EXPECT_LE(after.textures, before.textures);
+    EXPECT_LE(after.buffers, before.buffers);
+    EXPECT_LE(after.lists, before.lists);
+    EXPECT_LT(after.memory_kB, before.memory_kB + 30'000);
+}
+
+TEST_F(InfraredViewTest, AViewThatGoesTakesItsThreadAlong) {
+    const auto count = [] {
+        return std::distance(std::filesystem::directory_iterator("/proc/self/task"),
+                             std::filesystem::directory_iterator());
+    };
+    ASSERT_NO_FATAL_FAILURE(show(sample("sphere")));
+    ASSERT_TRUE(showInfrared());
+    const auto before = count();
+    for (int i = 0; i < 5; ++i) {
+        SceneView other;
+        other.resize(320, 240);
+        other.setScene(loadDisplayScene(project, project.settings));
+        other.setProject(project, project.settings);
+        other.show();
+        other.setDisplay(ViewDisplay::infrared);
+        // In the middle of its first picture, or after it.
+        QTest::qWait(i * 30);
+    }
+    EXPECT_TRUE(waitUntil([&] { return count() <= before; }, 10.0)) << count() << " " << before;
+}
+
+} // namespace
+} // namespace smat::gui

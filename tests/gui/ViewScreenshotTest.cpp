@@ -1,0 +1,99 @@
+#include <QApplication>
+
+#include "gui/Theme.h"
+#include "gui/view/ModelPage.h"
+#include "tests/gui/ViewFixture.h"
+
+namespace smat::gui {
+namespace {
+
+/// Pictures of every display for a person to look at.
+class ViewScreenshotTest : public test::ViewFixture {
+  protected:
+    ~ViewScreenshotTest() override { applyTheme(*qApp, ThemeMode::light); }
+};
+
+TEST_F(ViewScreenshotTest, EveryDisplayInBothThemes) {
+    for (const auto mode : {ThemeMode::light, ThemeMode::dark}) {
+        applyTheme(*qApp, mode);
+        const std::string theme = mode == ThemeMode::dark ? "-dark" : "-light";
+        for (const std::string name : {"turboprop4", "ship", "sphere"}) {
+            const auto folder = std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / name;
+            const Project shown = loadProject(folder / (name + ".smat"));
+            ModelPage page;
+            SceneView& seen = *page.view();
+            page.resize(1000, 640);
+            page.show();
+            seen.setScene(loadDisplayScene(shown, shown.settings));
+            seen.setProject(shown, shown.settings);
+            seen.showWholeModel();
+            seen.setModelAxesVisible(true);
+            seen.setSunVectorVisible(true);
+            QTest::qWait(60);
+            test::keepScreenshot(page, "view-visible-" + name + theme);
+            const auto at = QPointF(seen.width() / 2.0, seen.height() / 2.0);
+            if (const auto hits = seen.facesAt(at); !hits.empty())
+                seen.setHighlighted({hits.front().codes.temperature, {}, {}});
+            QTest::qWait(30);
+            test::keepScreenshot(page, "view-marked-" + name + theme);
+            seen.setDisplay(ViewDisplay::infrared);
+            const auto ready = [&] { return seen.shownPicture() != nullptr && seen.isUpToDate(); };
+            ASSERT_TRUE(test::waitUntil(ready));
+            QTest::mouseMove(&seen, at.toPoint());
+            QTest::qWait(60);
+            test::keepScreenshot(page, "view-infrared-marked-" + name + theme);
+            seen.setHighlighted({});
+            seen.setModelAxesVisible(false);
+            seen.setSunVectorVisible(false);
+            seen.setQuantity(InfraredQuantity::apparentTemperature);
+            seen.setColorMap("white-hot");
+            QTest::qWait(60);
+            ASSERT_TRUE(test::waitUntil(ready));
+            QTest::qWait(60);
+            test::keepScreenshot(page, "view-infrared-" + name + theme);
+            EXPECT_FALSE(seen.shownPicture()->colors.isNull());
+        }
+    }
+}
+
+TEST_F(ViewScreenshotTest, TheStripTheMenuAndTheKeysSayTheSame) {
+    ModelPage page;
+    page.resize(700, 500);
+    const Project shown = sample("ship");
+    page.view()->setScene(loadDisplayScene(shown, shown.settings));
+    page.view()->setProject(shown, shown.settings);
+    page.show();
+    QMenu menu;
+    page.fillMenu(&menu);
+    QTest::qWait(50);
+    auto* infrared = page.findChild<QAction*>("infraredDisplay");
+    ASSERT_NE(infrared, nullptr);
+    EXPECT_FALSE(page.colorBar()->isVisible());
+    infrared->trigger();
+    EXPECT_EQ(page.view()->display(), ViewDisplay::infrared);
+    EXPECT_TRUE(page.colorBar()->isVisible());
+    EXPECT_TRUE(page.findChild<QToolButton*>("showInfrared")->isChecked());
+    ASSERT_TRUE(test::waitUntil([&] { return page.view()->shownPicture() != nullptr; }));
+
+    page.findChild<QAction*>("apparentTemperature")->trigger();
+    EXPECT_EQ(page.findChild<QComboBox*>("viewQuantity")->currentIndex(), 1);
+    const auto before = page.view()->colorMap().name();
+    page.findChild<QAction*>("nextColorMap")->trigger();
+    EXPECT_NE(page.view()->colorMap().name(), before);
+    EXPECT_EQ(page.findChild<QComboBox*>("viewColorMap")->currentText().toStdString(),
+              page.view()->colorMap().name());
+    page.findChild<QToolButton*>("showVisible")->click();
+    EXPECT_FALSE(infrared->isChecked());
+    EXPECT_FALSE(page.colorBar()->isVisible());
+
+    // No two entries share a key.
+    QStringList keys;
+    for (const QAction* action : page.findChildren<QAction*>())
+        if (!action->shortcut().isEmpty())
+            keys << action->shortcut().toString();
+    EXPECT_EQ(QSet<QString>(keys.begin(), keys.end()).size(), keys.size());
+    EXPECT_EQ(keys.size(), 7);
+}
+
+} // namespace
+} // namespace smat::gui
