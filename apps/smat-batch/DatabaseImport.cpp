@@ -1,8 +1,12 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "apps/smat-batch/DatabaseCommand.h"
+#include "apps/smat-batch/Output.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/signature/SignatureFile.h"
+#include "irsg/signature/Lint.h"
+#include "irsg/signature/MaterialCsv.h"
 #include "irsg/signature/SpectrumCsv.h"
 #include "smatcore/support/TextFile.h"
 
@@ -12,12 +16,13 @@ namespace {
 
 struct ImportOptions {
     std::string in, file, kind = "spectrum", unit, name;
-    double referenceDistance_m = 0.0;
-    int temperature = 0;
+    std::optional<double> referenceDistance_m;
+    std::optional<int> temperature, material;
     bool loop = false;
 };
 
-/// A user-defined spectrum from CSV into the database; one of the same name is replaced.
+/// A user-defined spectrum from CSV into the database; one of the same name is replaced. The
+/// distance is the one that is given, else that of the file.
 void importSpectrum(const ImportOptions& options, irsg::SignatureDatabase& database) {
     std::optional<irsg::SpectralRadianceUnit> unit;
     if (!options.unit.empty()) {
@@ -32,10 +37,38 @@ void importSpectrum(const ImportOptions& options, irsg::SignatureDatabase& datab
     database.spectra[spectrumName] = std::move(spectrum);
 }
 
+/// An option that this kind of CSV needs.
+int needed(const char* option, const std::optional<int>& value, const ImportOptions& options) {
+    if (!value) {
+        throw irsg::InputError(
+            irsg::Offence{.file = option,
+                          .position = "",
+                          .value = "nothing",
+                          .expected = "the index that the " + options.kind + " table is for"});
+    }
+    return *value;
+}
+
+/// Spectra of emissivity, transmissivity and reflectivity into one material, made where absent.
+void importMaterial(const ImportOptions& options, irsg::SignatureDatabase& database) {
+    const int index = needed("--material", options.material, options);
+    irsg::Material material;
+    material.name = std::filesystem::path(options.in).stem().string();
+    if (const auto there = database.materials.find(index); there != database.materials.end()) {
+        material = there->second;
+    }
+    irsg::readMaterialCsv(options.in, material);
+    if (!options.name.empty()) {
+        material.name = options.name;
+    }
+    database.materials[index] = std::move(material);
+}
+
 /// A table of time or angle factors into the factors of one temperature entry.
 void importFactors(const ImportOptions& options, irsg::SignatureDatabase& database) {
-    const auto entry = database.temperatures.find(options.temperature);
-    const std::string place = fmt::format("temperatures.{}", options.temperature);
+    const int index = needed("--temperature", options.temperature, options);
+    const auto entry = database.temperatures.find(index);
+    const std::string place = fmt::format("temperatures.{}", index);
     if (entry == database.temperatures.end()) {
         throw irsg::InputError(irsg::Offence{.file = options.file,
                                              .position = place,
@@ -55,20 +88,42 @@ void importFactors(const ImportOptions& options, irsg::SignatureDatabase& databa
         options.loop, spectrum->second, entry->second.factors);
 }
 
+/// What lint has to say since the import, on standard error.
+void warnOfNew(const std::vector<irsg::Finding>& before, const irsg::SignatureDatabase& database,
+               const std::string& file) {
+    for (const irsg::Finding& finding : irsg::lint(database)) {
+        const bool known = std::ranges::any_of(before, [&](const irsg::Finding& old) {
+            return old.place == finding.place && old.value == finding.value;
+        });
+        // Errors are said by the save, which refuses them.
+        if (!known && !finding.isError()) {
+            warn(fmt::format("{}: {}: found {}, {}{}", file, finding.place, finding.value,
+                             finding.reason,
+                             finding.repair.empty() ? "" : " (" + finding.repair + ")"));
+        }
+    }
+}
+
 int import(const ImportOptions& options, Context& context) {
     const StageTimer::Scope scope(&context.timer, "import");
     if (std::filesystem::path(options.in).extension() == ".json") {
-        irsg::saveSignatureFile(irsg::signatureFromJson(readTextFile(options.in), options.in),
-                                options.file);
+        const irsg::SignatureDatabase database =
+            irsg::signatureFromJson(readTextFile(options.in), options.in);
+        irsg::saveSignatureFile(database, options.file);
+        warnOfNew({}, database, options.file);
         return done;
     }
-    irsg::SignatureDatabase database = irsg::loadSignatureFile(options.file).database;
+    const irsg::SignatureDatabase opened = loadedDatabase(options.file, false, context);
+    irsg::SignatureDatabase database = opened;
     if (options.kind == "spectrum") {
         importSpectrum(options, database);
+    } else if (options.kind == "material") {
+        importMaterial(options, database);
     } else {
         importFactors(options, database);
     }
-    irsg::saveSignatureFile(database, options.file);
+    irsg::saveSignatureFile(database, options.file, opened);
+    warnOfNew(irsg::lint(opened), database, options.file);
     return done;
 }
 
@@ -76,24 +131,31 @@ int import(const ImportOptions& options, Context& context) {
 
 void addDatabaseImport(CLI::App& database, Context& context) {
     CLI::App* command = database.add_subcommand(
-        "import", "A whole database from JSON, or a CSV of spectra or factors into one");
+        "import",
+        "A whole database from JSON, or a CSV of spectra, factors or a material into one");
     auto options = std::make_shared<ImportOptions>();
     command->add_option("IN", options->in, "JSON or CSV file")->required()->type_name("");
     command->add_option("FILE", options->file, "Signature database (.sigdb)")
         ->required()
         ->type_name("");
-    command->add_option("--as", options->kind, "What a CSV holds: spectrum, time or angle factors")
-        ->check(CLI::IsMember({"spectrum", "time", "angle"}))
+    command
+        ->add_option("--as", options->kind,
+                     "What a CSV holds: spectrum (user-defined), time or angle factors, material "
+                     "(emissivity, transmissivity, reflectivity)")
+        ->check(CLI::IsMember({"spectrum", "time", "angle", "material"}))
         ->type_name("KIND");
     command->add_option("--unit", options->unit,
                         "Unit of the radiance, such as \"W cm-2 sr-1 (cm-1)-1\"");
-    command->add_option("--name", options->name, "Name of the spectrum; the file's by default");
+    command->add_option("--name", options->name,
+                        "Name of the spectrum or of the material; the file's by default");
     command
         ->add_option("--reference-distance", options->referenceDistance_m,
-                     "Distance of the measurement, m")
+                     "Distance of the measurement, m; by default that of the file")
         ->check(CLI::Range(0.0, 1e9));
     command->add_option("--temperature", options->temperature,
                         "Temperature index whose factors are set");
+    command->add_option("--material", options->material,
+                        "Material index whose spectra are set; a new one is made");
     command->add_flag("--loop", options->loop, "Time factors repeat");
     command->callback([&context, options] {
         context.work = [&context, options] { return import(*options, context); };

@@ -6,12 +6,39 @@
 
 namespace irsg {
 
+namespace {
+
+/// What a spreadsheet of another language writes: semicolons, and commas in numbers.
+bool isForeign(const CsvRow& row) {
+    return row.cells.size() == 1 && row.cells[0].text.find_first_of(";\t") != std::string::npos;
+}
+
+std::string expectedNumber(const CsvCell& cell) {
+    return cell.text.find(',') != std::string::npos ? "a finite number with a decimal point"
+                                                    : "a finite number";
+}
+
+std::string expectedCells(std::size_t found, std::size_t wanted) {
+    std::string text = std::to_string(wanted) + " cells";
+    if (found > wanted) {
+        text += " (with decimal points, not commas?)";
+    }
+    return text;
+}
+
+} // namespace
+
 CsvColumns readColumns(const CsvTable& table, std::size_t fewestNodes,
                        std::vector<Offence>& offences) {
     CsvColumns columns;
     const auto& rows = table.rows();
     const std::string needed = "a row of names and at least " + std::to_string(fewestNodes) +
                                (fewestNodes == 1 ? " row" : " rows") + " of numbers";
+    if (!rows.empty() && isForeign(rows.front())) {
+        offences.push_back(table.offence(rows.front().line, rows.front().cells[0].text,
+                                         "cells separated by commas, and decimal points"));
+        return columns;
+    }
     if (rows.size() < fewestNodes + 1) {
         offences.push_back(table.offence(std::to_string(rows.size()) + " rows", needed));
         return columns;
@@ -25,6 +52,9 @@ CsvColumns readColumns(const CsvTable& table, std::size_t fewestNodes,
         const CsvCell& name = head.cells[i];
         if (name.text.empty()) {
             offences.push_back(table.offence(name, "the name of a component"));
+        } else if (parseNumber(name.text)) {
+            offences.push_back(
+                table.offence(name, "the name of a component (is the row of names missing?)"));
         } else if (!isUtf8(name.text)) {
             offences.push_back(
                 {table.file(),
@@ -47,14 +77,17 @@ CsvColumns readColumns(const CsvTable& table, std::size_t fewestNodes,
         const CsvRow& row = rows[r];
         if (row.cells.size() != head.cells.size()) {
             offences.push_back(table.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                                             std::to_string(head.cells.size()) + " cells"));
+                                             expectedCells(row.cells.size(), head.cells.size())));
             continue;
         }
-        columns.axis.push_back(table.number(row.cells.front(), offences).value_or(0.0));
+        columns.axis.push_back(
+            table.number(row.cells.front(), offences, expectedNumber(row.cells.front()))
+                .value_or(0.0));
         columns.axisCells.push_back(row.cells.front());
         for (std::size_t i = 0; i < columns.names.size(); ++i) {
             const CsvCell& cell = row.cells[i + 1];
-            columns.values[i].push_back(table.number(cell, offences).value_or(0.0));
+            columns.values[i].push_back(
+                table.number(cell, offences, expectedNumber(cell)).value_or(0.0));
             columns.cells[i].push_back(cell);
         }
     }

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "irsg/signature/EntryPath.h"
 #include "irsg/signature/SignatureDatabase.h"
 
 namespace irsg {
@@ -19,10 +20,5 @@ nlohmann::json entryJson(const UserSpectrum& spectrum);
 /// The canonical text of every entry under its path: "title", "notes", "temperatures.1",
 /// "materials.3", "spectra.plume". Equal entries have equal text on every machine.
 std::map<std::string, std::string> canonicalEntries(const SignatureDatabase& database);
-
-/// Where an entry stands, as every message and every hash names it.
-std::string temperaturePath(int index);
-std::string materialPath(int index);
-std::string spectrumPath(const std::string& name);
 
 } // namespace irsg

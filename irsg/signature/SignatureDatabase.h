@@ -54,27 +54,12 @@ struct SignatureDatabase {
     bool operator==(const SignatureDatabase&) const = default;
 };
 
-/// One thing a person should look at.
-struct Finding {
-    enum class Severity { warning, error };
-    Severity severity = Severity::error;
-    std::string place; ///< "materials.3.emissivity at 4.2 um"
-    std::string value;
-    std::string reason; ///< "expected a value from 0 to 1", with why where that is not plain
-    std::string repair; ///< what would mend it; may be empty
-};
-
-/// Checks the physics of a database: emissivity, transmissivity and their sum in [0, 1] at every
-/// node, N >= 0, names of spectra and components that exist, table axes, temperatures in a
-/// plausible range at rest, brightness temperatures of user-defined spectra between 200 and 4000 K
-/// (with the factor 1e4 between W cm-2 and W m-2 named as suspect), and, given a band, spectra that
-/// cover it.
-std::vector<Finding> lint(const SignatureDatabase& database);
-std::vector<Finding> lint(const SignatureDatabase& database, const SpectralRange& band);
-
 /// The lookup tables that hold an end value in this state because their axis does not reach it:
 /// "temperatures.4.terms.power". Only what the mode of an entry uses counts. Whoever runs an
 /// analysis warns of each once.
 std::vector<std::string> tablesHeld(const SignatureDatabase& database, const EntityState& state);
 
 } // namespace irsg
+
+// The checks come with what they check.
+#include "irsg/signature/Lint.h"

@@ -5,8 +5,10 @@
 #include <set>
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <sqlite3.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReplacement.h"
 #include "irsg/signature/EntryJson.h"
 #include "irsg/signature/LintErrors.h"
 #include "irsg/signature/Sha256.h"
@@ -113,19 +115,55 @@ std::vector<std::string> changedEntries(const SignatureDatabase& database,
     return {changed.begin(), changed.end()};
 }
 
-LoadedSignature load(const fs::path& file, OutsideChanges outside) {
-    // Only a save that was cut off leaves a journal; rolling it back needs leave to write.
-    const bool interrupted = fs::exists(file.string() + "-journal");
-    SQLite::Database database(file.string(),
-                              interrupted ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY,
-                              busyTimeout_ms);
+/// What SQLite says, in words that name what to do about it.
+InputError refusal(const fs::path& file, const SQLite::Exception& error, bool saving) {
+    constexpr const char* unchanged = "; what was there is as it was";
+    switch (error.getErrorCode()) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+        return refusal(file, "a database that another program has locked",
+                       "a file that no other program is working on: try again, or close it there");
+    case SQLITE_FULL:
+        return refusal(file, "a full disk", std::string("room to save the database") + unchanged);
+    case SQLITE_IOERR:
+        return refusal(file,
+                       std::string("a file that cannot be read or written (") + error.what() + ")",
+                       saving ? std::string("a disk with room, that works") + unchanged
+                              : "a readable signature database (.sigdb)");
+    case SQLITE_READONLY:
+    case SQLITE_CANTOPEN:
+    case SQLITE_PERM:
+        return refusal(file,
+                       saving ? "a file or folder that cannot be written"
+                              : "a file that cannot be opened, or whose interrupted save cannot be "
+                                "undone in a folder that is read-only",
+                       saving ? "a file that may be written, in a folder that may be written"
+                              : "a readable signature database (.sigdb)");
+    default:
+        return refusal(file, error.what(),
+                       saving ? "a signature database that can be written"
+                              : "an undamaged signature database");
+    }
+}
+
+SignatureDatabase readContent(SQLite::Database& database, const fs::path& file) {
     database.exec("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON");
-    const SQLite::Transaction oneState(database);
     checkOurs(database, file);
     checkIntegrity(database, file);
+    return readRows(database, file.string());
+}
 
-    LoadedSignature loaded{readRows(database, file.string()), {}};
-    throwOnLintErrors(loaded.database, file.string());
+bool wasInterrupted(const fs::path& file) {
+    return fs::exists(file.string() + "-journal");
+}
+
+LoadedSignature load(const fs::path& file, OutsideChanges outside, LintErrors errors, int mode) {
+    SQLite::Database database(file.string(), mode, busyTimeout_ms);
+    const SQLite::Transaction oneState(database);
+    LoadedSignature loaded{readContent(database, file), {}};
+    if (errors == LintErrors::refuse) {
+        throwOnLintErrors(loaded.database, file.string());
+    }
     loaded.changedOutside = changedEntries(loaded.database, readHashes(database));
     if (outside == OutsideChanges::refuse && !loaded.changedOutside.empty()) {
         std::vector<Offence> offences;
@@ -138,20 +176,45 @@ LoadedSignature load(const fs::path& file, OutsideChanges outside) {
     return loaded;
 }
 
-void save(const SignatureDatabase& database, const fs::path& file, Existing existing) {
-    SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
-                            busyTimeout_ms);
-    // Small pages keep small databases small; the size of a file that exists stays as it is.
-    sqlite.exec("PRAGMA page_size = 1024; PRAGMA trusted_schema = OFF; PRAGMA foreign_keys = ON");
-    SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
-    if (existing == Existing::sqlite) {
-        checkOurs(sqlite, file);
-    }
+void write(const SignatureDatabase& database, SQLite::Database& sqlite) {
     sqlite.exec("PRAGMA application_id = " + std::to_string(applicationId));
     sqlite.exec("PRAGMA user_version = " + std::to_string(signatureFileVersion));
     resetSchema(sqlite);
     writeRows(database, sqlite);
+}
+
+/// A file that is there keeps its place and its journal: one transaction.
+void saveInPlace(const SignatureDatabase& database, const fs::path& file,
+                 const SignatureDatabase* opened) {
+    SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE, busyTimeout_ms);
+    sqlite.exec(
+        "PRAGMA trusted_schema = OFF; PRAGMA foreign_keys = ON; PRAGMA synchronous = EXTRA");
+    SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
+    checkOurs(sqlite, file);
+    if (opened != nullptr && readContent(sqlite, file) != *opened) {
+        throw refusal(file, "another content than was opened here",
+                      "the content that was opened: another program or window saved the file in "
+                      "the meantime; save under another name, or open it again");
+    }
+    write(database, sqlite);
     transaction.commit();
+}
+
+/// A new file comes whole: made beside its place and then put there.
+void saveNew(const SignatureDatabase& database, const fs::path& file,
+             FileReplacement::Existing existing) {
+    FileReplacement replacement(file);
+    {
+        SQLite::Database sqlite(replacement.path().string(), SQLite::OPEN_READWRITE,
+                                busyTimeout_ms);
+        // Small pages keep small databases small. Nothing here needs a journal of its own.
+        sqlite.exec("PRAGMA page_size = 1024; PRAGMA journal_mode = MEMORY;"
+                    " PRAGMA synchronous = OFF; PRAGMA foreign_keys = ON");
+        SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
+        write(database, sqlite);
+        transaction.commit();
+    }
+    replacement.commit(existing);
 }
 
 bool isWriteProtected(const fs::path& file) {
@@ -160,9 +223,33 @@ bool isWriteProtected(const fs::path& file) {
     return (fs::status(file).permissions() & anyWrite) == fs::perms::none;
 }
 
+void save(const SignatureDatabase& database, const fs::path& file,
+          const SignatureDatabase* opened) {
+    throwOnLintErrors(database, file.string());
+    const Existing existing = inspect(file);
+    if (existing != Existing::none && isWriteProtected(file)) {
+        throw refusal(file, "a write-protected file", "a file that can be written");
+    }
+    try {
+        switch (existing) {
+        case Existing::none:
+            saveNew(database, file, FileReplacement::Existing::refuse);
+            break;
+        case Existing::empty:
+            saveNew(database, file, FileReplacement::Existing::replace);
+            break;
+        case Existing::sqlite:
+            saveInPlace(database, file, opened);
+            break;
+        }
+    } catch (const SQLite::Exception& error) {
+        throw refusal(file, error, true);
+    }
+}
+
 } // namespace
 
-LoadedSignature loadSignatureFile(const fs::path& file, OutsideChanges outside) {
+LoadedSignature loadSignatureFile(const fs::path& file, OutsideChanges outside, LintErrors errors) {
     switch (inspect(file)) {
     case Existing::none:
         throw refusal(file, "no such file", "a signature database (.sigdb)");
@@ -172,32 +259,38 @@ LoadedSignature loadSignatureFile(const fs::path& file, OutsideChanges outside) 
         break;
     }
     try {
-        return load(file, outside);
+        // Only a save that was cut off leaves a journal; undoing it needs leave to write.
+        if (!wasInterrupted(file)) {
+            try {
+                return load(file, outside, errors, SQLite::OPEN_READONLY);
+            } catch (const SQLite::Exception&) {
+                // It may have been cut off between the two lines.
+                if (!wasInterrupted(file)) {
+                    throw;
+                }
+            }
+        }
+        return load(file, outside, errors, SQLite::OPEN_READWRITE);
     } catch (const SQLite::Exception& error) {
-        throw refusal(file, error.what(), "an undamaged signature database");
+        throw refusal(file, error, false);
     }
 }
 
 void saveSignatureFile(const SignatureDatabase& database, const fs::path& file) {
+    save(database, file, nullptr);
+}
+
+void saveSignatureFile(const SignatureDatabase& database, const fs::path& file,
+                       const SignatureDatabase& opened) {
+    save(database, file, &opened);
+}
+
+void createSignatureFile(const SignatureDatabase& database, const fs::path& file) {
     throwOnLintErrors(database, file.string());
-    const Existing existing = inspect(file);
-    if (existing != Existing::none && isWriteProtected(file)) {
-        throw refusal(file, "a write-protected file", "a file that can be written");
-    }
-    const auto removeNew = [&] {
-        std::error_code ignored;
-        if (existing == Existing::none) {
-            fs::remove(file, ignored);
-        }
-    };
     try {
-        save(database, file, existing);
-    } catch (const InputError&) {
-        removeNew();
-        throw;
+        saveNew(database, file, FileReplacement::Existing::refuse);
     } catch (const SQLite::Exception& error) {
-        removeNew();
-        throw refusal(file, error.what(), "a signature database that can be written");
+        throw refusal(file, error, true);
     }
 }
 

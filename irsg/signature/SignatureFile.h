@@ -20,17 +20,31 @@ struct LoadedSignature {
 };
 
 enum class OutsideChanges { refuse, accept };
+/// Whether a database with lint errors is given out, to be shown and mended.
+enum class LintErrors { refuse, accept };
 
 /// Throws InputError for a file that is missing, not a database of ours, damaged (integrity_check),
-/// of a newer version, physically wrong (lint errors), or, with `refuse`, changed outside.
+/// of a newer version, locked by another program, or, with `refuse`, physically wrong (lint errors)
+/// or changed outside.
 LoadedSignature loadSignatureFile(const std::filesystem::path& file,
-                                  OutsideChanges outside = OutsideChanges::refuse);
+                                  OutsideChanges outside = OutsideChanges::refuse,
+                                  LintErrors errors = LintErrors::refuse);
 
-/// Replaces the content of the file (made where absent) in one transaction: a crash leaves the old
-/// or the new state. Throws InputError for a database that could not be loaded again (lint errors)
-/// and for a file that cannot be written, is write-protected, is not ours or is of a newer version;
-/// such a file is left as it is.
+/// Replaces the content of the file in one transaction, or makes the file in one step: `kill -9` at
+/// any moment leaves the old or the new state. Throws InputError for a database that could not be
+/// loaded again (lint errors), for a full disk, a file or folder that cannot be written, one that
+/// another program has locked, that is write-protected, not ours or of a newer version; the file is
+/// then as it was.
 void saveSignatureFile(const SignatureDatabase& database, const std::filesystem::path& file);
+
+/// The same for a file that was opened or saved before: only while it still holds `opened` (or is
+/// gone), so that what another window saved in the meantime is never lost. Else InputError, with
+/// "another content than was opened here" as the value.
+void saveSignatureFile(const SignatureDatabase& database, const std::filesystem::path& file,
+                       const SignatureDatabase& opened);
+
+/// Makes a new file. Throws InputError where one is there already.
+void createSignatureFile(const SignatureDatabase& database, const std::filesystem::path& file);
 
 /// Sorted, complete JSON for review and version control; equal databases give equal text. Throws
 /// InputError for a database with lint errors.
@@ -38,6 +52,7 @@ std::string signatureToJson(const SignatureDatabase& database);
 /// Throws InputError listing every offence with its key path; unknown and doubled keys are
 /// offences, and so are lint errors. A material may state its `reflectivity`, which must close to
 /// 1e-4.
-SignatureDatabase signatureFromJson(const std::string& text, const std::string& fileName = "JSON");
+SignatureDatabase signatureFromJson(const std::string& text, const std::string& fileName = "JSON",
+                                    LintErrors errors = LintErrors::refuse);
 
 } // namespace irsg

@@ -6,6 +6,7 @@
 #include "irsg/signature/JsonReader.h"
 #include "irsg/signature/JsonText.h"
 #include "irsg/signature/LintErrors.h"
+#include "irsg/signature/MaterialCsv.h"
 #include "irsg/signature/SignatureFile.h"
 
 namespace irsg {
@@ -15,9 +16,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* formatName = "smat-signature";
-
-/// emissivity + reflectivity + transmissivity may miss 1 by this much in an imported material.
-constexpr double closureTolerance = 1e-4;
 
 TemperatureTerms readTerms(const json& value, const std::string& path, JsonProblems& problems) {
     JsonObject object(value, path, problems);
@@ -203,7 +201,8 @@ std::string signatureToJson(const SignatureDatabase& database) {
     return prettyJson(root) + "\n";
 }
 
-SignatureDatabase signatureFromJson(const std::string& text, const std::string& fileName) {
+SignatureDatabase signatureFromJson(const std::string& text, const std::string& fileName,
+                                    LintErrors errors) {
     const json parsed = parseJson(text, fileName);
     JsonProblems problems(fileName);
     JsonObject root(parsed, "", problems);
@@ -234,7 +233,9 @@ SignatureDatabase signatureFromJson(const std::string& text, const std::string& 
     }
     root.finish();
     problems.throwIfAny();
-    throwOnLintErrors(database, fileName);
+    if (errors == LintErrors::refuse) {
+        throwOnLintErrors(database, fileName);
+    }
     return database;
 }
 

@@ -2,30 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <utility>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReplacement.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/signature/CsvColumns.h"
+#include "irsg/signature/CsvAxis.h"
 
 namespace irsg {
 
 namespace {
-
-enum class Axis { wavelength, wavenumber };
-
-std::optional<Axis> readAxisName(const CsvTable& table, const CsvCell& cell,
-                                 std::vector<Offence>& offences) {
-    if (cell.text == "um" || cell.text == "\u00b5m" || cell.text == "\u03bcm") {
-        return Axis::wavelength;
-    }
-    if (cell.text == "cm-1" || cell.text == "cm^-1" || cell.text == "cm\u207b\u00b9") {
-        return Axis::wavenumber;
-    }
-    offences.push_back(table.offence(cell, "'um' or 'cm-1', the unit of the first column"));
-    return std::nullopt;
-}
 
 std::optional<SpectralRadianceUnit> readUnit(const CsvTable& table,
                                              std::optional<SpectralRadianceUnit> given,
@@ -70,23 +56,6 @@ double readDistance_m(const CsvTable& table, std::optional<double> given_m,
     return distance_m;
 }
 
-/// Positive, and strictly monotonic in the direction of the first two nodes.
-void checkAxis(const CsvTable& table, const CsvColumns& columns, std::vector<Offence>& offences) {
-    const auto& axis = columns.axis;
-    const bool descending = axis.size() > 1 && axis[1] < axis[0];
-    for (std::size_t i = 0; i < axis.size(); ++i) {
-        if (axis[i] <= 0.0) {
-            offences.push_back(table.offence(columns.axisCells[i], "a positive axis value"));
-        } else if (i > 0 && !(descending ? axis[i] < axis[i - 1] : axis[i] > axis[i - 1])) {
-            offences.push_back(table.offence(
-                columns.axisCells[i], std::string("a strictly ") +
-                                          (descending ? "descending" : "ascending") +
-                                          " axis: a value " + (descending ? "below " : "above ") +
-                                          columns.axisCells[i - 1].text));
-        }
-    }
-}
-
 } // namespace
 
 UserSpectrum readSpectrumCsv(const std::filesystem::path& file,
@@ -95,27 +64,24 @@ UserSpectrum readSpectrumCsv(const std::filesystem::path& file,
     const CsvTable table = CsvTable::read(file);
     std::vector<Offence> offences;
     const CsvColumns columns = readColumns(table, 2, offences);
-    const auto axisName =
-        columns.names.empty() ? std::nullopt : readAxisName(table, columns.corner, offences);
+    const SpectralAxis axis = readSpectralAxis(table, columns, offences);
     const auto radianceUnit = readUnit(table, unit, offences);
     UserSpectrum spectrum;
     spectrum.referenceDistance_m = readDistance_m(table, referenceDistance_m, offences);
     if (offences.empty()) {
-        checkAxis(table, columns, offences);
+        checkSpectralAxis(table, columns, offences);
     }
     if (!offences.empty()) {
         throw InputError(std::move(offences));
     }
 
     // The axis in um, with what makes a value of each node one in W m-2 sr-1 um-1.
-    const bool wavenumbers = *axisName == Axis::wavenumber;
-    std::vector<double> wavelengths_um;
+    std::vector<double> wavelengths_um = wavelengthsOf(columns, axis);
     std::vector<double> factors;
-    for (const double position : columns.axis) {
-        const double wavelength_um = wavenumbers ? wavelengthFromWavenumber_um(position) : position;
-        const double wavenumber_cm1 =
-            wavenumbers ? position : wavenumberFromWavelength_cm1(position);
-        wavelengths_um.push_back(wavelength_um);
+    for (std::size_t i = 0; i < wavelengths_um.size(); ++i) {
+        const double wavenumber_cm1 = axis == SpectralAxis::wavenumber
+                                          ? columns.axis[i]
+                                          : wavenumberFromWavelength_cm1(wavelengths_um[i]);
         factors.push_back(radianceUnit->perWavenumber
                               ? perMicrometreFromPerWavenumber(radianceUnit->toW_m2, wavenumber_cm1)
                               : radianceUnit->toW_m2);
@@ -143,22 +109,6 @@ UserSpectrum readSpectrumCsv(const std::filesystem::path& file,
     return spectrum;
 }
 
-namespace {
-
-/// A name as a cell: in quotes where it holds what separates cells.
-std::string cellText(const std::string& name) {
-    if (name.find_first_of(",\"#") == std::string::npos) {
-        return name;
-    }
-    std::string quoted = "\"";
-    for (const char c : name) {
-        quoted += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return quoted + "\"";
-}
-
-} // namespace
-
 void writeSpectrumCsv(const UserSpectrum& spectrum, const std::filesystem::path& file) {
     if (spectrum.components.empty()) {
         throw LogicError("a spectrum without components cannot be written");
@@ -171,7 +121,7 @@ void writeSpectrumCsv(const UserSpectrum& spectrum, const std::filesystem::path&
         if (component.radiance.wavelengths_um() != axis_um) {
             throw LogicError("components of '" + spectrum.name + "' without one shared axis");
         }
-        text += "," + cellText(component.name);
+        text += "," + csvCell(component.name);
     }
     text += "\n";
     for (std::size_t i = 0; i < axis_um.size(); ++i) {
@@ -182,11 +132,7 @@ void writeSpectrumCsv(const UserSpectrum& spectrum, const std::filesystem::path&
         text += "\n";
     }
 
-    std::ofstream stream(file, std::ios::binary);
-    stream << text << std::flush;
-    if (!stream) {
-        throw InputError({file.string(), "", "a file that cannot be written", "a writable file"});
-    }
+    writeFileDurably(file, text);
 }
 
 } // namespace irsg

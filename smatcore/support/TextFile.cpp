@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReplacement.h"
 
 namespace smat {
 
@@ -40,31 +41,7 @@ std::string readTextFile(const std::filesystem::path& file) {
 }
 
 void writeTextFile(const std::filesystem::path& file, std::string_view text) {
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    std::error_code failure;
-    if (!std::filesystem::is_directory(folder, failure)) {
-        refuse(file, "a folder that does not exist", "a file in a folder that exists");
-    }
-    if (std::filesystem::is_directory(file, failure)) {
-        refuse(file, "a folder", "the name of a file to write");
-    }
-    std::filesystem::path neighbour = file;
-    neighbour += ".part";
-    {
-        std::ofstream stream(neighbour, std::ios::binary | std::ios::trunc);
-        stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-        stream.flush();
-        if (!stream) {
-            std::filesystem::remove(neighbour, failure);
-            refuse(file, "a place that cannot be written", "a file that may be written");
-        }
-    }
-    std::filesystem::rename(neighbour, file, failure);
-    if (failure) {
-        std::error_code ignored;
-        std::filesystem::remove(neighbour, ignored);
-        refuse(file, "a file that cannot be replaced", "a file that may be written");
-    }
+    irsg::writeFileDurably(file, text);
 }
 
 } // namespace smat

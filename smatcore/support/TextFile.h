@@ -10,8 +10,8 @@ namespace smat {
 /// cannot be read.
 std::string readTextFile(const std::filesystem::path& file);
 
-/// Writes a file whole or not at all: into a neighbour first, which then takes its place. Throws
-/// InputError where the folder is missing or nothing can be written there.
+/// Writes a file whole or not at all (irsg::writeFileDurably): into a neighbour first, which then
+/// takes its place. Throws InputError where the folder is missing or nothing can be written there.
 void writeTextFile(const std::filesystem::path& file, std::string_view text);
 
 } // namespace smat

@@ -1,3 +1,4 @@
+#include "irsg/signature/Lint.h"
 #include "irsg/signature/SignatureFile.h"
 
 #include "Support.h"

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "irsg/radiometry/Planck.h"
-#include "irsg/signature/SignatureDatabase.h"
+#include "irsg/signature/Lint.h"
 
 #include "Support.h"
 
@@ -153,7 +153,7 @@ const Row rows[] = {
      error, "temperatures.-7.terms.power", "loop", "time alone"},
     {"LoopOverAltitude",
      [](auto& d) {
-         terms(d).altitude = LookupTable({0, 1}, {0, 5}, true);
+         terms(d).altitude = LookupTable({0, 1000}, {0, 5}, true);
      },
      error, "temperatures.-7.terms.altitude_m", "loop", "time alone"},
     {"LoopOverMach",

@@ -2,6 +2,7 @@
 
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Planck.h"
+#include "irsg/signature/Lint.h"
 #include "irsg/signature/SignatureFile.h"
 #include "irsg/signature/SpectrumCsv.h"
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "irsg/signature/CsvColumns.h"
+
+namespace irsg {
+
+/// What the first column of a spectral table holds.
+enum class SpectralAxis { wavelength, wavenumber };
+
+/// Reads cell (0,0): `um` or `cm-1`. Everything else is an offence, unless the row of names is
+/// missing and said to be.
+SpectralAxis readSpectralAxis(const CsvTable& table, const CsvColumns& columns,
+                              std::vector<Offence>& offences);
+
+/// An axis must be positive, and strictly monotonic in the direction of its first two nodes.
+void checkSpectralAxis(const CsvTable& table, const CsvColumns& columns,
+                       std::vector<Offence>& offences);
+
+/// The axis in um, in the order of the file.
+std::vector<double> wavelengthsOf(const CsvColumns& columns, SpectralAxis axis);
+
+/// A name as a cell: in quotes where it holds what separates cells.
+std::string csvCell(const std::string& name);
+
+} // namespace irsg

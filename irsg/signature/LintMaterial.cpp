@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+
+#include "irsg/signature/Findings.h"
+#include "irsg/signature/LintAxis.h"
+#include "irsg/signature/LintEntries.h"
+
+namespace irsg {
+
+namespace {
+
+/// Rounding that emissivity + transmissivity may carry above 1.
+constexpr double sumTolerance = 1e-9;
+/// A measurement may pass 0 or 1 by this much; more is not noise.
+constexpr double noise = 0.02;
+/// Above this, a fraction is a percentage.
+constexpr double leastPercent = 1.5;
+constexpr double mostPercent = 100.0;
+/// cos^N with a higher N sends everything along the normal.
+constexpr double steepestN = 100.0;
+
+using Property = Spectrum Material::*;
+
+std::string at(const Spectrum& spectrum, std::size_t node) {
+    return spectrum.isConstant() ? ""
+                                 : " at " + numberText(spectrum.wavelengths_um()[node]) + " um";
+}
+
+/// The node that is furthest outside of 0 to 1, if any is.
+std::optional<std::size_t> worstNode(const Spectrum& spectrum) {
+    std::optional<std::size_t> where;
+    double worst = 0.0;
+    for (std::size_t i = 0; i < spectrum.size(); ++i) {
+        const double value = spectrum.values()[i];
+        const double excess = std::isfinite(value) ? std::max(-value, value - 1.0) : HUGE_VAL;
+        if (excess > worst) {
+            worst = excess;
+            where = i;
+        }
+    }
+    return where;
+}
+
+bool lintFraction(int index, const std::string& place, const Material& material, Property property,
+                  Findings& findings) {
+    const Spectrum& spectrum = material.*property;
+    if (!spectrum.isConstant() && spectrum.outside() != Spectrum::Outside::hold) {
+        Finding& found = findings.error(place, "a spectrum that is zero outside its axis",
+                                        "a surface property that holds its end values");
+        found.repair = "hold the end values";
+        found.mend = onMaterial(index, [property](Material& to) {
+            to.*property = Spectrum((to.*property).wavelengths_um(), (to.*property).values());
+        });
+    }
+    const auto node = worstNode(spectrum);
+    if (!node) {
+        return true;
+    }
+    Finding& found = findings.error(place + at(spectrum, *node),
+                                    numberText(spectrum.values()[*node]), "a value from 0 to 1");
+    const double lowest = spectrum.minimum();
+    const double highest = spectrum.maximum();
+    if (lowest >= 0.0 && highest > leastPercent && highest <= mostPercent) {
+        found.repair = "percent taken for fractions? Divide by 100";
+        found.mend = onMaterial(index, [property](Material& to) {
+            to.*property = (to.*property).mapped([](double value) { return value / mostPercent; });
+        });
+    } else if (lowest >= -noise && highest <= 1.0 + noise) {
+        found.repair = "noise of a measurement? Cut off at 0 and 1";
+        found.mend = onMaterial(index, [property](Material& to) {
+            to.*property =
+                (to.*property).mapped([](double value) { return std::clamp(value, 0.0, 1.0); });
+        });
+    }
+    return false;
+}
+
+std::vector<double> nodesOf(const Material& material) {
+    std::vector<double> nodes_um;
+    for (const Spectrum* const each : {&material.emissivity, &material.transmissivity}) {
+        nodes_um.insert(nodes_um.end(), each->wavelengths_um().begin(),
+                        each->wavelengths_um().end());
+    }
+    std::ranges::sort(nodes_um);
+    nodes_um.erase(std::ranges::unique(nodes_um).begin(), nodes_um.end());
+    return nodes_um;
+}
+
+/// At every node of both, and so everywhere: both are linear between these.
+void lowerTransmissivity(Material& material) {
+    const std::vector<double> nodes_um = nodesOf(material);
+    if (nodes_um.empty()) {
+        material.transmissivity = Spectrum::constant(
+            std::clamp(1.0 - material.emissivity.at(1.0), 0.0, material.transmissivity.at(1.0)));
+        return;
+    }
+    std::vector<double> values;
+    for (const double node_um : nodes_um) {
+        values.push_back(std::clamp(1.0 - material.emissivity.at(node_um), 0.0,
+                                    material.transmissivity.at(node_um)));
+    }
+    material.transmissivity = Spectrum(nodes_um, values);
+}
+
+void lintSum(int index, const Material& material, Findings& findings) {
+    std::vector<double> nodes_um = nodesOf(material);
+    const bool grey = nodes_um.empty();
+    if (grey) {
+        nodes_um.push_back(1.0);
+    }
+    const double worst_um = *std::ranges::min_element(
+        nodes_um, {}, [&](double node_um) { return material.reflectivityAt(node_um); });
+    const double reflectivity = material.reflectivityAt(worst_um);
+    if (reflectivity >= -sumTolerance) {
+        return;
+    }
+    Finding& found = findings.error(
+        grey ? "" : " at " + numberText(worst_um) + " um",
+        "emissivity + transmissivity = " + numberText(1.0 - reflectivity), "a sum of at most 1");
+    found.repair = "lower the transmissivity to 1 - emissivity where the sum is above 1";
+    found.mend = onMaterial(index, lowerTransmissivity);
+}
+
+/// Returns whether the axis can be one of the infrared.
+bool lintAxis(int index, const std::string& place, const Material& material, Property property,
+              const std::vector<SpectralRange>& bands, Findings& findings) {
+    const Spectrum& spectrum = material.*property;
+    if (spectrum.isConstant()) {
+        return true;
+    }
+    const double first_um = spectrum.wavelengths_um().front();
+    const double last_um = spectrum.wavelengths_um().back();
+    if (!isAbsurdAxis(first_um, last_um)) {
+        return true;
+    }
+    Finding& found =
+        findings.warning(place, numberText(first_um) + " to " + numberText(last_um) + " um",
+                         "wavelengths from 0.1 to 200 um");
+    const auto readings = otherReadings(first_um, last_um, bands);
+    const bool clear = isClear(readings, first_um, last_um, bands);
+    found.repair = axisRepair(readings, clear);
+    if (clear) {
+        found.mend = onMaterial(index, [property, reading = readings.front()](Material& to) {
+            std::vector<std::size_t> order;
+            auto axis_um = readOtherwise((to.*property).wavelengths_um(), reading, order);
+            std::vector<double> values;
+            for (const std::size_t i : order) {
+                values.push_back((to.*property).values()[i]);
+            }
+            to.*property = Spectrum(std::move(axis_um), std::move(values));
+        });
+    }
+    return false;
+}
+
+} // namespace
+
+void lintMaterial(int index, const Material& material, const std::vector<SpectralRange>& bands,
+                  std::vector<Finding>& into) {
+    Findings findings(into, materialPath(index));
+    const bool emits =
+        lintFraction(index, ".emissivity", material, &Material::emissivity, findings);
+    const bool transmits =
+        lintFraction(index, ".transmissivity", material, &Material::transmissivity, findings);
+    const bool axes =
+        lintAxis(index, ".emissivity", material, &Material::emissivity, bands, findings) &
+        lintAxis(index, ".transmissivity", material, &Material::transmissivity, bands, findings);
+    // A sum of values at different wavelengths says nothing.
+    if (emits && transmits && axes) {
+        lintSum(index, material, findings);
+    }
+    if (!(material.nAngleFactor >= 0.0) || !std::isfinite(material.nAngleFactor)) {
+        findings.error(".nAngleFactor", numberText(material.nAngleFactor),
+                       "a number of at least 0");
+    } else if (material.nAngleFactor > steepestN) {
+        findings.warning(".nAngleFactor", numberText(material.nAngleFactor),
+                         "N of at most 100: 0 is a diffuse emitter, 3 already a beam");
+    }
+}
+
+} // namespace irsg

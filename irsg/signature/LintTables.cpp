@@ -1,0 +1,67 @@
+#include "irsg/signature/LintTables.h"
+
+#include <cmath>
+
+namespace irsg {
+
+LookupTable withAxisTimes(const LookupTable& table, double factor) {
+    std::vector<double> axis = table.x();
+    for (double& position : axis) {
+        position *= factor;
+    }
+    return {axis, table.y(), table.loop()};
+}
+
+void refuseLoop(const LintedTable& linted, Findings& findings) {
+    if (!linted.table.loop()) {
+        return;
+    }
+    Finding& found = findings.error(linted.place, "a table in loop mode", "a loop over time alone");
+    found.repair = "switch the loop mode off";
+    found.mend =
+        linted.mend([](const LookupTable& table) { return LookupTable(table.x(), table.y()); });
+}
+
+void lintLoop(const LintedTable& linted, Findings& findings) {
+    const LookupTable& table = linted.table;
+    if (!table.loop()) {
+        return;
+    }
+    const auto& values = table.y();
+    double largest = 0.0;
+    for (const double value : values) {
+        largest = std::max(largest, std::abs(value));
+    }
+    if (std::abs(values.back() - values.front()) <= 1e-9 * largest) {
+        return;
+    }
+    Finding& found = findings.warning(
+        linted.place,
+        "a jump from " + numberText(values.back()) + " to " + numberText(values.front()) +
+            " at each turn",
+        "a last value equal to the first: the last node is the first of the next turn");
+    found.repair = "add a last node with the first value, one step later";
+    found.mend = linted.mend([](const LookupTable& open) {
+        std::vector<double> axis = open.x();
+        std::vector<double> closed = open.y();
+        axis.push_back(2.0 * axis.back() - axis[axis.size() - 2]);
+        closed.push_back(closed.front());
+        return LookupTable(axis, closed, true);
+    });
+}
+
+void suspectAxis(const LintedTable& linted, double low, double high, const std::string& expected,
+                 const std::string& suspicion, double factor, Findings& findings) {
+    const auto& axis = linted.table.x();
+    if (axis.size() < 2 || axis.back() < low || axis.back() > high) {
+        return;
+    }
+    Finding& found = findings.warning(
+        linted.place, "an axis from " + numberText(axis.front()) + " to " + numberText(axis.back()),
+        expected);
+    found.repair = suspicion;
+    found.mend =
+        linted.mend([factor](const LookupTable& table) { return withAxisTimes(table, factor); });
+}
+
+} // namespace irsg

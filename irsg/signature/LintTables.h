@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "irsg/signature/Findings.h"
+#include "irsg/signature/LookupTable.h"
+
+namespace irsg {
+
+/// Gives a table a new value in whatever database the repair is applied to.
+using TableMend = std::function<Finding::Mend(std::function<LookupTable(const LookupTable&)>)>;
+
+/// A table at `place` of its entry, with the way to change it.
+struct LintedTable {
+    std::string place;
+    const LookupTable& table;
+    TableMend mend;
+};
+
+/// The nodes of a table with its axis multiplied by a factor above 0.
+LookupTable withAxisTimes(const LookupTable& table, double factor);
+
+/// A loop over anything but time is an error.
+void refuseLoop(const LintedTable& linted, Findings& findings);
+/// A loop whose last value is not its first jumps at each turn: a warning.
+void lintLoop(const LintedTable& linted, Findings& findings);
+/// An axis that ends between `low` and `high` is `suspicion` ("km?"); `factor` would mend it.
+void suspectAxis(const LintedTable& linted, double low, double high, const std::string& expected,
+                 const std::string& suspicion, double factor, Findings& findings);
+
+} // namespace irsg

@@ -1,0 +1,106 @@
+#include "smatcore/analysis/ProjectLint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/ModelUse.h"
+#include "smatcore/analysis/AnalysisData.h"
+#include "smatcore/analysis/AnalysisPlan.h"
+
+namespace smat {
+
+namespace {
+
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code failure;
+    const bool same = std::filesystem::equivalent(a, b, failure);
+    return failure ? std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b)
+                   : same;
+}
+
+/// Nose axis to the direction reference point -> camera, for a target whose reference point is
+/// anywhere.
+double aspectAngle_rad(const AnalysisCase& one) {
+    const irsg::Vec3 toCamera = one.viewpoint({}).position_m;
+    const double range_m = irsg::length(toCamera);
+    if (!(range_m > 0.0)) {
+        return 0.0;
+    }
+    const irsg::Vec3 nose = one.attitude.rotation() * irsg::Vec3{0, 1, 0};
+    return std::acos(std::clamp(irsg::dot(nose, toCamera) / range_m, -1.0, 1.0));
+}
+
+std::vector<AnalysisData> analysesOf(const Project& project) {
+    std::vector<AnalysisData> analyses;
+    for (const NamedAnalysis& named : project.analyses) {
+        analyses.push_back(AnalysisData::of(project, named.name));
+    }
+    if (analyses.empty()) {
+        analyses.push_back(AnalysisData::of(project, AnalysisKind::image));
+    }
+    return analyses;
+}
+
+/// The states of one model in one analysis, each once.
+void addStates(const AnalysisData& analysis, std::size_t model, irsg::LintScope& scope) {
+    const irsg::Environment environment = environmentOf(analysis.project, analysis.settings);
+    irsg::EntityState state;
+    state.power = analysis.settings.real("state.power");
+    state.mach = analysis.settings.real("state.mach");
+    state.altitude_m = model == 0 ? targetPoseOf(analysis.settings).position_m.z
+                                  : analysis.project.models[model].pose.position_m.z;
+    state.ambient_K = environment.ambientTemperature_K(state.altitude_m).value;
+
+    const std::string name = analysis.name.empty() ? smat::name(analysis.kind) : analysis.name;
+    const std::size_t first = scope.states.size();
+    for (const AnalysisCase& one :
+         planAnalysis(analysis.kind, analysis.project, analysis.settings).cases) {
+        state.time_s = one.time_s;
+        state.aspectAngle_rad = model == 0 ? aspectAngle_rad(one) : 0.0;
+        // Neighbours alone are compared: a range analysis has one state, a polar one many.
+        if (scope.states.size() == first || scope.states.back().state != state) {
+            scope.states.push_back({name, state});
+        }
+    }
+}
+
+} // namespace
+
+irsg::LintScope lintScopeOf(const Project& project, const std::filesystem::path& database,
+                            SceneBuilder& builder) {
+    irsg::LintScope scope;
+    std::vector<std::size_t> models;
+    for (std::size_t i = 0; i < project.models.size(); ++i) {
+        const ProjectModel& model = project.models[i];
+        if (model.database.empty() || !isSameFile(project.resolve(model.database), database)) {
+            continue;
+        }
+        models.push_back(i);
+        irsg::ModelUse use = irsg::useOf(
+            *builder.model(project.resolve(model.file),
+                           {.noseAxis = model.noseAxis, .forceTwoSided = model.forceTwoSided}));
+        use.fallbackTemperature = model.fallbackTemperature;
+        use.fallbackMaterial = model.fallbackMaterial;
+        scope.models.push_back(std::move(use));
+    }
+    if (models.empty()) {
+        throw irsg::InputError({.file = project.displayName(),
+                                .position = "models",
+                                .value = "no model with the database " + database.string(),
+                                .expected = "the project of a model with this database"});
+    }
+    for (const AnalysisData& analysis : analysesOf(project)) {
+        const irsg::SpectralRange band = sensorOf(project, analysis.settings).band.range();
+        if (std::ranges::find(scope.bands, band) == scope.bands.end()) {
+            scope.bands.push_back(band);
+        }
+        for (const std::size_t model : models) {
+            addStates(analysis, model, scope);
+        }
+    }
+    return scope;
+}
+
+} // namespace smat
