@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <QKeyEvent>
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QPainter>
@@ -20,6 +21,28 @@
 
 namespace smat::gui {
 
+namespace {
+
+/// Asked once, on a surface of its own.
+bool isSoftwareRenderer() {
+    static const bool is = [] {
+        QOpenGLContext context;
+        QOffscreenSurface surface;
+        surface.create();
+        if (!context.create() || !context.makeCurrent(&surface))
+            return false;
+        const auto* name =
+            reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
+        const QString renderer = QString::fromLatin1(name).toLower();
+        context.doneCurrent();
+        return renderer.contains("llvmpipe") || renderer.contains("softpipe") ||
+               renderer.contains("swrast") || renderer.contains("software");
+    }();
+    return is;
+}
+
+} // namespace
+
 SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_unique<Parts>()) {
     setObjectName("sceneView");
     setFocusPolicy(Qt::StrongFocus);
@@ -27,7 +50,8 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_
     setMouseTracking(true);
     QSurfaceFormat format;
     format.setDepthBufferSize(24);
-    format.setSamples(4);
+    // A renderer in software pays for every sample: it smooths what is drawn over the model alone.
+    format.setSamples(isSoftwareRenderer() ? 0 : 4);
     setFormat(format);
     // Transparent faces mix with what lies behind them; the widget itself stays opaque.
     parts_->root->getOrCreateStateSet()->setAttribute(new osg::ColorMask(true, true, true, false));
