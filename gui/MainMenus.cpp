@@ -144,11 +144,11 @@ void MainWindow::makeToolsMenu(QMenu* menu) {
 }
 
 void MainWindow::makeHelpMenu(QMenu* menu) {
-    addAction(menu, "showShortcuts", "keyboard", tr("&Keys and mouse"), QKeySequence(Qt::Key_F1),
-              [this] {
-                  ShortcutsDialog dialog(*menuBar(), this);
-                  dialogs_.run(dialog);
-              });
+    auto* keys = addAction(menu, "showShortcuts", "keyboard", tr("&Keys and mouse"), {}, [this] {
+        ShortcutsDialog dialog(*menuBar(), this);
+        dialogs_.run(dialog);
+    });
+    keys->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)});
     addAction(menu, "showAbout", "info", tr("&About SMAT"), {}, [this] { showAbout(); });
 }
 

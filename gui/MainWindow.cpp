@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
@@ -222,10 +223,24 @@ void MainWindow::showSettings(const QString& name, const QString& title, const Q
 
 void MainWindow::fillRecent(QMenu* menu) {
     menu->clear();
-    for (const auto& file : workbench_.recentFiles())
-        menu->addAction(file, this, [this, file] { open(file.toStdString()); });
+    int number = 1;
+    for (const auto& file : workbench_.recentFiles()) {
+        const bool exists = QFileInfo::exists(file);
+        auto* action = menu->addAction(
+            QStringLiteral("&%1  %2").arg(number++).arg(QString(file).replace('&', "&&")), this,
+            [this, file] { open(file.toStdString()); });
+        action->setEnabled(exists);
+        if (!exists)
+            action->setText(action->text() + tr("  (not there)"));
+    }
     if (menu->isEmpty())
         menu->addAction(tr("No files yet"))->setEnabled(false);
+}
+
+void MainWindow::tellInternalError(const QString& what) {
+    files_->recovery().writeNow();
+    dialogs_.tell(this, tr("Internal error"),
+                  {what, tr("Your unsaved changes were kept in a recovery copy.")});
 }
 
 void MainWindow::onProjectOpened() {

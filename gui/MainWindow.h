@@ -46,6 +46,8 @@ class MainWindow : public QMainWindow {
     bool open(const std::filesystem::path& file);
     /// Offers the new project that a crash left behind, if there is one.
     void offerRecovery();
+    /// A fault of this program: keeps unsaved changes and says so.
+    void tellInternalError(const QString& what);
     /// Who opens files of other kinds that are dropped here: asked in turn for a file with one of
     /// these suffixes ("exr") until one answers true.
     void openWith(const QStringList& suffixes,

@@ -36,17 +36,35 @@ bool isSet(const char* variable) {
     return value != nullptr && *value != '\0';
 }
 
+/// A fault in what an event sets off is told, and the window goes on.
+class Application : public QApplication {
+  public:
+    using QApplication::QApplication;
+    bool notify(QObject* receiver, QEvent* event) override {
+        try {
+            return QApplication::notify(receiver, event);
+        } catch (const std::exception& error) {
+            std::cerr << "smat: internal error: " << error.what() << '\n';
+            if (window != nullptr)
+                window->tellInternalError(error.what());
+            return false;
+        }
+    }
+    smat::gui::MainWindow* window = nullptr;
+};
+
 int runWindow(const std::string& file, std::optional<smat::gui::ThemeMode> theme, int argc,
               char** argv) {
     if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY") && !isSet("QT_QPA_PLATFORM"))
         throw irsg::InputError({"smat", "", "no display",
                                 "a desktop (DISPLAY or WAYLAND_DISPLAY); "
                                 "without one, smat plot and smat-batch do the work"});
-    QApplication application(argc, argv);
+    Application application(argc, argv);
     QApplication::setApplicationName("smat");
     smat::gui::applyTheme(application, theme.value_or(smat::gui::Preferences::load().theme));
     smat::gui::Workbench workbench;
     smat::gui::MainWindow window(workbench);
+    application.window = &window;
     window.show();
     if (!file.empty())
         window.open(file);

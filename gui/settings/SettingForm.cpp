@@ -58,10 +58,12 @@ SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser choos
             form->addRow(label, row);
             continue;
         }
-        auto* help = new QLabel(
-            QStringLiteral("%1 <i>%2.</i>")
-                .arg(textOf(info.help).toHtmlEscaped(), textOf(info.expected()).toHtmlEscaped()),
-            this);
+        QString expected = textOf(info.expected());
+        expected.replace(0, 1, expected.left(1).toUpper());
+        auto* help =
+            new QLabel(QStringLiteral("%1 <i>%2.</i>")
+                           .arg(textOf(info.help).toHtmlEscaped(), expected.toHtmlEscaped()),
+                       this);
         help->setObjectName(textOf(info.key) + ".help");
         help->setTextFormat(Qt::RichText);
         help->setWordWrap(true);
@@ -71,7 +73,6 @@ SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser choos
         column->addLayout(row);
         column->addWidget(help);
         column->addSpacing(6);
-        label->setMinimumHeight(field->sizeHint().height());
         form->addRow(label, column);
     }
     setValues(Settings());

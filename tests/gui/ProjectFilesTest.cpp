@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -182,6 +183,52 @@ TEST_F(ProjectFilesTest, AskedBeforeReplacingWhatAnotherProgramWrote) {
     answer = 0;
     trigger("saveProject");
     EXPECT_EQ(loadProject(file()).settings.text("camera.range"), "1234");
+}
+
+TEST_F(ProjectFilesTest, AnotherWindowIsNotOfferedWhatThisOneIsAtWorkOn) {
+    openSample();
+    edit();
+    window->files().recovery().writeNow();
+    const std::string copy = readTextFile(RecoveryCopy::pathFor(file()));
+    EXPECT_TRUE(RecoveryCopy::isInUse(file()));
+    EXPECT_FALSE(RecoveryCopy::isLeftBehind(file()));
+
+    Workbench bench;
+    MainWindow other(bench, people);
+    QStringList said;
+    QObject::connect(&other.files(), &ProjectFiles::said,
+                     [&](const QString& sentence) { said << sentence; });
+    EXPECT_TRUE(other.open(file()));
+    EXPECT_TRUE(asked.isEmpty());
+    EXPECT_TRUE(said.join(' ').contains("another window")) << said.join(' ').toStdString();
+    EXPECT_EQ(bench.settings().text("camera.range"), "1000");
+    // Nor does it write over the other's copy.
+    bench.set("camera.range", "77");
+    other.files().recovery().writeNow();
+    EXPECT_EQ(readTextFile(RecoveryCopy::pathFor(file())), copy);
+    EXPECT_TRUE(said.join(' ').contains("No recovery copy")) << said.join(' ').toStdString();
+}
+
+TEST_F(ProjectFilesTest, AnInternalErrorKeepsUnsavedChanges) {
+    openSample();
+    edit();
+    window->tellInternalError("a promise was broken");
+    EXPECT_TRUE(told.front().contains("a promise was broken"));
+    EXPECT_EQ(loadProject(RecoveryCopy::pathFor(file())).settings.text("camera.range"), "1234");
+}
+
+TEST_F(ProjectFilesTest, RecentFilesThatAreGoneAreShownAsSuch) {
+    openSample();
+    const auto gone = folder / "gone & away.smat";
+    std::filesystem::copy_file(file(), gone);
+    EXPECT_TRUE(window->open(gone));
+    std::filesystem::remove(gone);
+    auto* menu = window->findChild<QMenu*>("recentFiles");
+    emit menu->aboutToShow();
+    ASSERT_GE(menu->actions().size(), 2);
+    EXPECT_FALSE(menu->actions()[0]->isEnabled());
+    EXPECT_TRUE(menu->actions()[0]->text().contains("gone && away.smat"));
+    EXPECT_TRUE(menu->actions()[1]->isEnabled());
 }
 
 TEST_F(ProjectFilesTest, BeginsAProjectFromAModel) {
