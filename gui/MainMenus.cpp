@@ -59,6 +59,9 @@ void MainWindow::makeFileMenu(QMenu* menu) {
         addAction(menu, "saveProjectAs", {}, tr("Save project &as…"),
                   QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { files_->saveAs(); });
     ofProjectFile_ = {save, saveAs};
+    ofProjectFile_.append(addAction(menu, "projectProperties", {}, tr("Project proper&ties…"),
+                                    QKeySequence(Qt::ALT | Qt::Key_Return),
+                                    [this] { showProjectProperties(); }));
     menu->addSeparator();
     addAction(menu, "convertModel", "import", tr("&Import or convert a model…"),
               QKeySequence(Qt::CTRL | Qt::Key_I), [this] { convertModel(); });
@@ -131,6 +134,9 @@ void MainWindow::makeAnalysisMenu(QMenu* menu) {
     ofProject_ = menu->addMenu(tr("&Of this project"));
     ofProject_->setObjectName("projectAnalyses");
     ofProject_->setToolTipsVisible(true);
+    keepAnalysis_ =
+        addAction(menu, "keepAnalysis", {}, tr("&Keep the shown analysis in the project"),
+                  QKeySequence(Qt::CTRL | Qt::Key_K), [this] { keepShownAnalysis(); });
     menu->addSeparator();
     ofProjectFile_.append(addAction(menu, "analysisSettings", "sun", tr("Analysis s&ettings…"),
                                     QKeySequence(Qt::Key_F8), [this] { showAnalysisSettings(0); }));

@@ -12,17 +12,16 @@
 #include <QTabWidget>
 
 #include "gui/Exportable.h"
-#include "gui/HelpDialogs.h"
 #include "gui/ManipulatorsDock.h"
 #include "gui/Theme.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultsDock.h"
-#include "gui/project/ConvertModelDialog.h"
+#include "gui/project/NamedAnalyses.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/SceneTreeDock.h"
-#include "gui/settings/SettingsDialog.h"
 #include "gui/view/ModelPage.h"
+#include "gui/view/SceneView.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/SceneBuilder.h"
 
@@ -75,6 +74,11 @@ void MainWindow::makeDocks() {
     connect(tree_, &SceneTreeDock::sensorActivated, this, [this] { showAnalysisSettings(2); });
     connect(tree_, &SceneTreeDock::sunActivated, this, [this] { showAnalysisSettings(0); });
     connect(tree_, &SceneTreeDock::atmosphereActivated, this, [this] { showOptions(4); });
+    connect(tree_, &SceneTreeDock::removeAnalysisWanted, this, [this](const QString& name) {
+        workbench_.edit(withoutAnalysis(workbench_.project(), name.toStdString()),
+                        tr("Remove analysis %1").arg(name));
+    });
+    connect(tree_, &SceneTreeDock::propertiesWanted, this, &MainWindow::showProjectProperties);
     connect(tree_, &SceneTreeDock::analysisActivated, this, [this](const QString& name) {
         if (const auto* analysis = workbench_.project().find(name.toStdString()))
             newAnalysis(analysis->kind, workbench_.settings().with(analysis->settings), name);
@@ -181,46 +185,6 @@ void MainWindow::drop(const std::filesystem::path& file) {
         open(file);
 }
 
-void MainWindow::convertModel() {
-    ConvertModelDialog dialog(dialogs_, this);
-    if (dialogs_.run(dialog) && !dialog.fileToOpen().isEmpty())
-        open(dialog.fileToOpen().toStdString());
-}
-
-void MainWindow::showPreferences() {
-    PreferencesDialog dialog(preferences_, this);
-    if (!dialogs_.run(dialog))
-        return;
-    preferences_ = dialog.preferences();
-    files_->recovery().setDelay(preferences_.recoveryDelay_s);
-    applyTheme(*qApp, preferences_.theme);
-    try {
-        preferences_.save();
-    } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("The preferences cannot be kept"), sentencesOf(error));
-    }
-}
-
-void MainWindow::showOptions(int page) {
-    showSettings("optionsDialog", tr("Options"), tr("Change options"),
-                 SettingsDialog::optionPages(), page);
-}
-
-void MainWindow::showAnalysisSettings(int page) {
-    showSettings("analysisSettingsDialog", tr("Analysis settings"), tr("Change analysis settings"),
-                 SettingsDialog::analysisPages(), page);
-}
-
-void MainWindow::showSettings(const QString& name, const QString& title, const QString& step,
-                              const std::vector<SettingsPage>& pages, int page) {
-    if (!workbench_.hasProject())
-        return;
-    SettingsDialog dialog(workbench_, title, step, pages, fileChooser(), this);
-    dialog.setObjectName(name);
-    dialog.showPage(page);
-    dialogs_.run(dialog);
-}
-
 void MainWindow::fillRecent(QMenu* menu) {
     menu->clear();
     int number = 1;
@@ -235,12 +199,6 @@ void MainWindow::fillRecent(QMenu* menu) {
     }
     if (menu->isEmpty())
         menu->addAction(tr("No files yet"))->setEnabled(false);
-}
-
-void MainWindow::tellInternalError(const QString& what) {
-    files_->recovery().writeNow();
-    dialogs_.tell(this, tr("Internal error"),
-                  {what, tr("Your unsaved changes were kept in a recovery copy.")});
 }
 
 void MainWindow::onProjectOpened() {
@@ -370,15 +328,11 @@ void MainWindow::exportShown() {
     }
 }
 
-void MainWindow::showAbout() {
-    AboutDialog dialog(view_ != nullptr ? view_->renderer() : tr("no OpenGL on this desktop"),
-                       sceneRenderer_, this);
-    dialogs_.run(dialog);
-}
-
 void MainWindow::refreshActions() {
     export_->setEnabled(dynamic_cast<Exportable*>(tabs_->currentWidget()) != nullptr);
     findChild<QAction*>("closeResult")->setEnabled(tabs_->currentIndex() > 0);
+    keepAnalysis_->setEnabled(workbench_.hasProject() && currentPage() != nullptr &&
+                              currentPage()->resultIds().size() == 1);
     for (auto* action : ofProjectFile_)
         action->setEnabled(workbench_.hasProject());
     const bool ready = workbench_.hasProject() && !workbench_.isRunning();

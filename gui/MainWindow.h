@@ -93,12 +93,18 @@ class MainWindow : public QMainWindow {
     void joinTreeAndView();
     void makeDocks();
     void connectWorkbench();
+
+    // MainDialogs.cpp
     void convertModel();
+    void showProjectProperties();
+    void keepShownAnalysis();
     void showPreferences();
     void showOptions(int page);
     void showAnalysisSettings(int page);
     void showSettings(const QString& name, const QString& title, const QString& step,
                       const std::vector<SettingsPage>& pages, int page);
+    void showAbout();
+
     void drop(const std::filesystem::path& file);
     void fillRecent(QMenu* menu);
     void newAnalysis(AnalysisKind kind, const Settings& settings, const QString& name = {});
@@ -110,7 +116,6 @@ class MainWindow : public QMainWindow {
     void onSettingsChanged();
     void showResults(const QList<int>& ids);
     void closeResultsOf(int id);
-    void showAbout();
     void refreshActions();
     void restoreLayout();
     FileChooser fileChooser();
@@ -126,6 +131,7 @@ class MainWindow : public QMainWindow {
     SceneView* view_ = nullptr; ///< of the page
     ResultsDock* results_ = nullptr;
     QAction* export_ = nullptr;
+    QAction* keepAnalysis_ = nullptr;
     QMenu* ofProject_ = nullptr;
     QList<QAction*> ofProjectFile_; ///< that need a project
     std::vector<std::pair<QStringList, std::function<bool(const std::filesystem::path&)>>> openers_;

@@ -11,6 +11,7 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
@@ -22,6 +23,17 @@ namespace smat::gui {
 namespace {
 
 constexpr int sliderSteps = 3600; ///< a tenth of a degree over a turn
+
+/// Lets the wheel scroll the dock unless the slider has the focus.
+class QuietSlider : public QSlider {
+  public:
+    QuietSlider() : QSlider(Qt::Horizontal) { setFocusPolicy(Qt::StrongFocus); }
+
+  protected:
+    void wheelEvent(QWheelEvent* event) override {
+        hasFocus() ? QSlider::wheelEvent(event) : event->ignore();
+    }
+};
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -79,7 +91,7 @@ void ManipulatorsDock::addRow(QGridLayout* grid, const std::string& key, const Q
                               const Reach& reach) {
     const SettingInfo& info = settingInfo(key);
     const QString name = QString::fromStdString(key);
-    Row row{reach, new QSlider(Qt::Horizontal), new QLineEdit};
+    Row row{reach, new QuietSlider, new QLineEdit};
     row.slider->setObjectName(name + ".slider");
     row.slider->setRange(0, sliderSteps);
     row.slider->setSingleStep(10);

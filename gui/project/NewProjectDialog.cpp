@@ -13,6 +13,7 @@
 
 #include "gui/Theme.h"
 #include "gui/project/ProjectFiles.h"
+#include "gui/project/ProjectPropertiesDialog.h"
 
 namespace smat::gui {
 
@@ -36,10 +37,8 @@ NewProjectDialog::NewProjectDialog(Dialogs& dialogs, QWidget* parent)
     form->addRow(tr("&Title"), title_);
     noseAxis_ = new QComboBox(this);
     noseAxis_->setObjectName("noseAxis");
-    noseAxis_->addItem(tr("+Y of the file, as in OpenFlight"), 2);
-    noseAxis_->addItem(tr("−Y of the file"), 3);
-    noseAxis_->addItem(tr("+X of the file"), 0);
-    noseAxis_->addItem(tr("−X of the file"), 1);
+    noseAxis_->addItems(noseAxisTitles());
+    noseAxis_->setCurrentIndex(static_cast<int>(irsg::NoseAxis::plusY));
     form->addRow(tr("&Nose points to"), noseAxis_);
     remark_ = new QLabel(this);
     remark_->setObjectName("remark");
@@ -126,7 +125,7 @@ Project NewProjectDialog::project() const {
     Project project = projectOfModel(absolute(model_->text().trimmed()));
     project.title = title_->text().trimmed().toStdString();
     project.models.front().database = absolute(database_->text().trimmed());
-    project.models.front().noseAxis = static_cast<irsg::NoseAxis>(noseAxis_->currentData().toInt());
+    project.models.front().noseAxis = static_cast<irsg::NoseAxis>(noseAxis_->currentIndex());
     return project;
 }
 

@@ -336,6 +336,8 @@ void SceneTreeDock::onActivated(QTreeWidgetItem* item) {
                             item->data(0, numberRole).toInt(), model);
         break;
     case Part::project:
+        emit propertiesWanted();
+        break;
     case Part::group:
         break;
     }
@@ -353,6 +355,14 @@ void SceneTreeDock::showMenu(const QPoint& place) {
     if (partOf(item) == Part::model || partOf(item) == Part::database)
         menu.addAction(tr("Take another signature &database…"), this,
                        [this, model] { emit databaseFileWanted(model); });
+    if (partOf(item) == Part::analysis) {
+        menu.addAction(tr("&New analysis from this…"), this,
+                       [this, name = item->text(0)] { emit analysisActivated(name); });
+        menu.addAction(tr("&Remove from the project"), this,
+                       [this, name = item->text(0)] { emit removeAnalysisWanted(name); });
+    }
+    if (partOf(item) == Part::project || partOf(item) == Part::model)
+        menu.addAction(tr("&Properties…"), this, &SceneTreeDock::propertiesWanted);
     if (!menu.isEmpty())
         menu.exec(tree_->viewport()->mapToGlobal(place));
 }

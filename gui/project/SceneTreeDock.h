@@ -44,6 +44,8 @@ class SceneTreeDock : public QDockWidget {
     void atmosphereActivated();
     void sunActivated();
     void analysisActivated(const QString& name);
+    void removeAnalysisWanted(const QString& name);
+    void propertiesWanted();
     void indexActivated(smat::gui::IndexKind kind, int index, int model);
 
   protected:

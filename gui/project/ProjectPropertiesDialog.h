@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include <QDialog>
+
+#include "smatcore/project/Project.h"
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QPlainTextEdit;
+class QSpinBox;
+class QTabWidget;
+
+namespace smat::gui {
+
+/// Title and notes of a project, and of each model its name, the axis of its nose, whether faces
+/// show both sides, and the entries that stand in for codes without one.
+class ProjectPropertiesDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    explicit ProjectPropertiesDialog(const Project& project, QWidget* parent = nullptr);
+    /// The project with what was changed here.
+    Project project() const;
+
+  private:
+    struct ModelFields {
+        QLineEdit* name = nullptr;
+        QComboBox* noseAxis = nullptr;
+        QCheckBox* twoSided = nullptr;
+        QSpinBox* fallbackTemperature = nullptr;
+        QSpinBox* fallbackMaterial = nullptr;
+    };
+    void addModel(const ProjectModel& model, QTabWidget* tabs);
+
+    Project project_;
+    QLineEdit* title_ = nullptr;
+    QPlainTextEdit* notes_ = nullptr;
+    std::vector<ModelFields> models_;
+};
+
+/// Names of the axes of a file in the order of irsg::NoseAxis.
+QStringList noseAxisTitles();
+
+} // namespace smat::gui
