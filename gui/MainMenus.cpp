@@ -7,6 +7,7 @@
 #include "gui/HelpDialogs.h"
 #include "gui/MainWindow.h"
 #include "gui/Theme.h"
+#include "gui/database/DatabaseDock.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/view/ModelPage.h"
 
@@ -62,6 +63,13 @@ void MainWindow::makeFileMenu(QMenu* menu) {
     ofProjectFile_.append(addAction(menu, "projectProperties", {}, tr("Project proper&ties…"),
                                     QKeySequence(Qt::ALT | Qt::Key_Return),
                                     [this] { showProjectProperties(); }));
+    menu->addSeparator();
+    addAction(menu, "openDatabase", "database", tr("Open &database…"), {},
+              [this] { databaseDock_->openDatabase(); });
+    addAction(menu, "saveDatabase", {}, tr("Save da&tabase"),
+              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { databaseDock_->save(); });
+    addAction(menu, "saveDatabaseAs", {}, tr("Save database as…"), {},
+              [this] { databaseDock_->saveAs(); });
     menu->addSeparator();
     addAction(menu, "convertModel", "import", tr("&Import or convert a model…"),
               QKeySequence(Qt::CTRL | Qt::Key_I), [this] { convertModel(); });

@@ -17,6 +17,8 @@
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultsDock.h"
+#include "gui/database/DatabaseDock.h"
+#include "gui/database/DatabasePreview.h"
 #include "gui/project/NamedAnalyses.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/SceneTreeDock.h"
@@ -27,6 +29,9 @@
 
 namespace smat::gui {
 namespace {
+
+/// Of the docks there are: a layout that knows others is not taken.
+constexpr int layoutVersion = 2;
 
 QSettings layoutMemory() {
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench");
@@ -63,14 +68,26 @@ void MainWindow::makeDocks() {
     addDockWidget(Qt::LeftDockWidgetArea, manipulators);
     results_ = new ResultsDock(workbench_, this);
     addDockWidget(Qt::RightDockWidgetArea, results_);
+    databaseDock_ = new DatabaseDock(workbench_, dialogs_, this);
+    addDockWidget(Qt::RightDockWidgetArea, databaseDock_);
+    tabifyDockWidget(results_, databaseDock_);
+    results_->raise();
+    files_->addSettler([this] { return databaseDock_->mayClose(); });
     resizeDocks({tree_, manipulators}, {340, 380}, Qt::Vertical);
 
     connect(tree_, &SceneTreeDock::modelFileWanted, this,
             [this](int model) { files_->chooseModelFile(static_cast<std::size_t>(model)); });
-    connect(tree_, &SceneTreeDock::databaseFileWanted, this,
-            [this](int model) { files_->chooseDatabaseFile(static_cast<std::size_t>(model)); });
-    if (view_ != nullptr)
+    connect(tree_, &SceneTreeDock::databaseFileWanted, this, [this](int model) {
+        // The target's is being edited here.
+        if (model == 0)
+            databaseDock_->openDatabase();
+        else
+            files_->chooseDatabaseFile(static_cast<std::size_t>(model));
+    });
+    if (view_ != nullptr) {
         joinTreeAndView();
+        new DatabasePreview(workbench_, *databaseDock_, *view_, this);
+    }
     connect(tree_, &SceneTreeDock::sensorActivated, this, [this] { showAnalysisSettings(2); });
     connect(tree_, &SceneTreeDock::sunActivated, this, [this] { showAnalysisSettings(0); });
     connect(tree_, &SceneTreeDock::atmosphereActivated, this, [this] { showOptions(4); });
@@ -345,7 +362,7 @@ void MainWindow::refreshActions() {
 void MainWindow::restoreLayout() {
     auto memory = layoutMemory();
     restoreGeometry(memory.value("geometry").toByteArray());
-    restoreState(memory.value("layout").toByteArray());
+    restoreState(memory.value("layout").toByteArray(), layoutVersion);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -355,7 +372,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     auto memory = layoutMemory();
     memory.setValue("geometry", saveGeometry());
-    memory.setValue("layout", saveState());
+    memory.setValue("layout", saveState(layoutVersion));
     // The job stops by itself when the workbench goes; nothing of it needs an answer.
     workbench_.cancel();
     event->accept();

@@ -22,6 +22,7 @@ class QToolBar;
 
 namespace smat::gui {
 
+class DatabaseDock;
 class ComparisonWindow;
 class ModelPage;
 class ProjectFiles;
@@ -56,6 +57,7 @@ class MainWindow : public QMainWindow {
     SceneTreeDock& tree() { return *tree_; }
     /// Null where the desktop has no OpenGL.
     SceneView* sceneView() const { return view_; }
+    DatabaseDock& databaseEditor() { return *databaseDock_; }
     /// The page that is shown; null for the 3-D view.
     ResultPage* currentPage() const;
     /// Shows a window of a tool as a tab that can be closed. A page that is Exportable takes part
@@ -130,6 +132,7 @@ class MainWindow : public QMainWindow {
     ModelPage* page_ = nullptr;
     SceneView* view_ = nullptr; ///< of the page
     ResultsDock* results_ = nullptr;
+    DatabaseDock* databaseDock_ = nullptr;
     QAction* export_ = nullptr;
     QAction* keepAnalysis_ = nullptr;
     QMenu* ofProject_ = nullptr;

@@ -6,6 +6,7 @@
 
 #include "gui/image/ImageView.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/ProjectFile.h"
 
 namespace smat::gui {
@@ -68,7 +69,9 @@ Project movedTo(const Project& project, const std::filesystem::path& file) {
 } // namespace
 
 Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent)
-    : QObject(parent), engine_(std::make_shared<AnalysisEngine>()) {
+    : QObject(parent),
+      database_(std::make_unique<DatabaseSession>(undoStack_)),
+      engine_(std::make_shared<AnalysisEngine>()) {
     engine_->makeSource = std::move(makeSource);
     stepEnd_.setSingleShot(true);
     stepEnd_.setInterval(stepPause_ms);
@@ -107,6 +110,7 @@ void Workbench::take(const Project& project, const Project& saved) {
     project_ = project;
     settings_ = project.settings;
     project_->settings = saved_.settings;
+    followDatabase(true);
     emit projectOpened();
     emit settingsChanged();
     emit modifiedChanged();
@@ -156,6 +160,7 @@ void Workbench::saveAs(const std::filesystem::path& file) {
     saveProject(moved, absolute);
     project_ = saved_ = moved;
     settings_ = moved.settings;
+    followDatabase(false);
     ++step_;
     rememberFile(absolute);
     emit projectChanged();
@@ -209,6 +214,7 @@ void Workbench::apply(const Project& edited) {
     now.settings = project_->settings;
     const bool projectDiffers = now != *project_;
     project_ = std::move(now);
+    followDatabase(false);
     if (projectDiffers)
         emit projectChanged();
     if (settingsDiffer)
@@ -265,6 +271,78 @@ void Workbench::edit(const Project& project, const QString& step) {
     }
 }
 
+std::filesystem::path Workbench::databaseFile() const {
+    if (!project_ || project_->models.empty() || project_->models.front().database.empty())
+        return {};
+    return project_->resolve(project_->models.front().database);
+}
+
+void Workbench::followDatabase(bool anew) {
+    const auto named = databaseFile();
+    const auto file = named.empty() ? named : std::filesystem::absolute(named).lexically_normal();
+    if (!anew && file == database_->file() && database_->isOpen())
+        return;
+    databaseProblem_.clear();
+    changedOutside_ = false;
+    if (file.empty()) {
+        database_->close();
+        return;
+    }
+    try {
+        database_->open(file);
+    } catch (const irsg::InputError& error) {
+        for (const auto& offence : error.offences())
+            databaseProblem_ << QString::fromStdString(offence.message());
+        try {
+            changedOutside_ =
+                !irsg::loadSignatureFile(file, irsg::OutsideChanges::accept).changedOutside.empty();
+        } catch (const irsg::InputError&) {
+            changedOutside_ = false;
+        }
+        database_->close();
+    }
+}
+
+void Workbench::acceptDatabaseChanges() {
+    database_->open(databaseFile(), irsg::OutsideChanges::accept);
+    databaseProblem_.clear();
+    changedOutside_ = false;
+}
+
+void Workbench::nameDatabase(const std::filesystem::path& file) {
+    Project after = editedProject();
+    if (after.models.empty())
+        throw irsg::LogicError("a database for a project without models");
+    after.models.front().database = file;
+    edit(after, tr("Use database %1").arg(QString::fromStdString(file.filename().string())));
+}
+
+void Workbench::useDatabase(const std::filesystem::path& file) {
+    irsg::loadSignatureFile(file);
+    nameDatabase(std::filesystem::absolute(file).lexically_normal());
+}
+
+void Workbench::useNewDatabase(const std::filesystem::path& file, irsg::SignatureDatabase value) {
+    const auto absolute = std::filesystem::absolute(file).lexically_normal();
+    database_->create(absolute, std::move(value));
+    databaseProblem_.clear();
+    changedOutside_ = false;
+    if (databaseFile() != absolute)
+        nameDatabase(absolute);
+}
+
+void Workbench::saveDatabaseAs(const std::filesystem::path& file) {
+    database_->saveAs(file);
+    if (std::filesystem::absolute(databaseFile()).lexically_normal() != database_->file())
+        nameDatabase(database_->file());
+}
+
+SceneBuilder::DatabaseOverrides Workbench::editedDatabases() const {
+    if (!database_->isOpen() || !database_->isDirty())
+        return {};
+    return {{databaseFile(), database_->snapshot()}};
+}
+
 OrbitCamera Workbench::camera() const {
     const Settings& now = settings_;
     return {now.real("camera.azimuth"), now.real("camera.elevation"), now.real("camera.range")};
@@ -283,6 +361,8 @@ void Workbench::setCamera(const OrbitCamera& camera) {
 void Workbench::start(AnalysisData data) {
     if (job_)
         throw irsg::LogicError("an analysis is running");
+    // No job runs: nobody else uses the builder.
+    engine_->scenes.setDatabaseOverrides(editedDatabases());
     job_ = std::make_unique<AnalysisJob>(std::move(data), engine_);
     connect(job_.get(), &AnalysisJob::progressed, this, &Workbench::jobProgressed);
     connect(job_.get(), &AnalysisJob::finished, this, &Workbench::onFinished);

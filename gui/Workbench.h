@@ -11,6 +11,7 @@
 #include <QUndoStack>
 
 #include "gui/analysis/AnalysisJob.h"
+#include "gui/database/DatabaseSession.h"
 #include "gui/view/OrbitCamera.h"
 
 namespace smat::gui {
@@ -71,6 +72,24 @@ class Workbench : public QObject {
     /// ones.
     QUndoStack& undoStack() { return undoStack_; }
 
+    /// The signature database of the target, open where its file could be read.
+    DatabaseSession& database() { return *database_; }
+    /// Why it is not open, a sentence each; empty where the model names none.
+    const QStringList& databaseProblem() const { return databaseProblem_; }
+    /// Whether the problem is nothing but changes of another program.
+    bool canAcceptDatabaseChanges() const { return changedOutside_; }
+    /// Throws irsg::InputError.
+    void acceptDatabaseChanges();
+    /// Make another file, or a new database that is to become a file, that of the target, as a step
+    /// that can be undone. Throw irsg::InputError.
+    void useDatabase(const std::filesystem::path& file);
+    void useNewDatabase(const std::filesystem::path& file, irsg::SignatureDatabase value);
+    /// Saves under another name, which becomes that of the target. Throws irsg::InputError.
+    void saveDatabaseAs(const std::filesystem::path& file);
+    /// Databases with edits that are not saved, by the files that they stand in for: they take part
+    /// in view and analyses.
+    SceneBuilder::DatabaseOverrides editedDatabases() const;
+
     OrbitCamera camera() const;
     void setCamera(const OrbitCamera& camera);
 
@@ -107,6 +126,10 @@ class Workbench : public QObject {
     void push(const Project& after, const QString& step, const std::string& mergeKey);
     void apply(const Project& edited);
     void take(const Project& project, const Project& saved);
+    /// Path of the target's database; empty where it has none.
+    std::filesystem::path databaseFile() const;
+    void followDatabase(bool anew);
+    void nameDatabase(const std::filesystem::path& file);
     void onFinished(const AnalysisData& data);
     void endJob();
     void rememberFile(const std::filesystem::path& file);
@@ -115,6 +138,9 @@ class Workbench : public QObject {
     Settings settings_;
     Project saved_;
     QUndoStack undoStack_;
+    std::unique_ptr<DatabaseSession> database_;
+    QStringList databaseProblem_;
+    bool changedOutside_ = false;
     QTimer stepEnd_;
     bool stepHeld_ = false;
     int step_ = 0;

@@ -55,4 +55,8 @@ std::string signatureToJson(const SignatureDatabase& database);
 SignatureDatabase signatureFromJson(const std::string& text, const std::string& fileName = "JSON",
                                     LintErrors errors = LintErrors::refuse);
 
+/// The same form for work under way: lint errors do not keep a draft from being written. For recovery
+/// copies, never in place of a database; read back with LintErrors::accept.
+std::string draftToJson(const SignatureDatabase& database);
+
 } // namespace irsg

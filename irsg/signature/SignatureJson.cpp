@@ -185,6 +185,10 @@ void readIndexed(JsonObject& root, const std::string& key, std::map<int, Entry>&
 
 std::string signatureToJson(const SignatureDatabase& database) {
     throwOnLintErrors(database, database.title.empty() ? "signature database" : database.title);
+    return draftToJson(database);
+}
+
+std::string draftToJson(const SignatureDatabase& database) {
     json root = {{"format", formatName},           {"version", signatureFileVersion},
                  {"title", database.title},        {"notes", database.notes},
                  {"temperatures", json::object()}, {"materials", json::object()},

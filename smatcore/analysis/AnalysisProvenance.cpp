@@ -78,9 +78,12 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
         provenance.add("command", data.commandLine);
     }
     provenance.add("project", data.project.displayName());
-    for (const ProjectModel& model : data.project.models) {
+    for (std::size_t i = 0; i < data.project.models.size(); ++i) {
+        const ProjectModel& model = data.project.models[i];
         provenance.add("model", model.file.filename().string());
-        provenance.add("database", model.database.filename().string());
+        const bool unsaved = scene.unsavedDatabases.contains(i);
+        provenance.add("database", model.database.filename().string() +
+                                       (unsaved ? ", with edits that are not saved" : ""));
     }
     const irsg::SpectralRange range = scene.sensor.band.range();
     provenance.add("band", fmt::format("{} ({} to {} um)", scene.sensor.band.name(), range.min_um,

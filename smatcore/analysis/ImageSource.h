@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace smat {
 /// A scene as a renderer takes it: checked, loaded, in radians.
 struct SceneDescription {
     std::vector<irsg::Entity> entities; ///< the first is the target
+    /// Entities whose database holds edits that its file does not.
+    std::set<std::size_t> unsavedDatabases;
     irsg::Environment environment;
     irsg::Sensor sensor;
     irsg::RenderSettings render;

@@ -86,7 +86,11 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
                                 .value = "nothing",
                                 .expected = "a signature database (.sigdb)"});
         } else {
-            collect(offences, [&] { entity.database = database(project.resolve(given.database)); });
+            const auto file = project.resolve(given.database);
+            collect(offences, [&] { entity.database = database(file); });
+            if (overrides_.contains(file)) {
+                scene.unsavedDatabases.insert(i);
+            }
         }
         entity.pose = i == 0 ? targetPoseOf(settings) : given.pose;
         entity.state.time_s = settings.real("state.time");

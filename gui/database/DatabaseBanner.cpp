@@ -1,0 +1,121 @@
+#include "gui/database/DatabaseBanner.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "gui/Theme.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+
+DatabaseBanner::DatabaseBanner(EditorContext& context, QWidget* parent)
+    : QFrame(parent), context_(context) {
+    setObjectName("databaseBanner");
+    words_ = new QLabel(this);
+    words_->setObjectName("bannerText");
+    words_->setWordWrap(true);
+    buttons_ = new QHBoxLayout;
+    buttons_->setSpacing(6);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 9, 12, 9);
+    column->setSpacing(8);
+    column->addWidget(words_);
+    column->addLayout(buttons_);
+    auto& session = context_.session();
+    connect(&session, &DatabaseSession::stateChanged, this, &DatabaseBanner::refresh);
+    connect(&session, &DatabaseSession::opened, this, [this] {
+        changedOnDisk_ = false;
+        refresh();
+    });
+    connect(&session, &DatabaseSession::changedOnDisk, this, [this] {
+        // Nothing is lost by taking the new content where nothing was edited.
+        changedOnDisk_ = true;
+        if (!context_.session().isDirty())
+            attempt([this] { context_.session().reload(); });
+        refresh();
+    });
+    connect(&context_.workbench(), &Workbench::projectOpened, this, &DatabaseBanner::refresh);
+    connect(&context_.workbench(), &Workbench::projectChanged, this, &DatabaseBanner::refresh);
+    refresh();
+}
+
+QString DatabaseBanner::text() const {
+    return isHidden() ? QString() : words_->text();
+}
+
+void DatabaseBanner::attempt(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const irsg::InputError& error) {
+        QStringList sentences;
+        for (const auto& offence : error.offences())
+            sentences << QString::fromStdString(offence.message());
+        context_.dialogs().tell(context_.window, tr("The signature database"), sentences);
+    }
+    refresh();
+}
+
+void DatabaseBanner::say(const QString& text) {
+    const bool dark = isDark(palette());
+    setStyleSheet(QStringLiteral("#databaseBanner { background: %1; border: 1px solid %2;"
+                                 " border-radius: 6px; }")
+                      .arg(dark ? "#3a3322" : "#fff6dd", dark ? "#6b5a2a" : "#ecd48a"));
+    words_->setText(text);
+    show();
+}
+
+template <typename Act>
+void DatabaseBanner::offer(const QString& name, const QString& words, Act act) {
+    auto* button = new QPushButton(words, this);
+    button->setObjectName(name);
+    connect(button, &QPushButton::clicked, this, act);
+    buttons_->addWidget(button);
+}
+
+void DatabaseBanner::refresh() {
+    while (auto* item = buttons_->takeAt(0)) {
+        if (item->widget() != nullptr)
+            item->widget()->deleteLater();
+        delete item;
+    }
+    auto& session = context_.session();
+    auto& workbench = context_.workbench();
+    if (!workbench.hasProject()) {
+        hide();
+        return;
+    }
+    if (!session.isOpen()) {
+        const QStringList problem = workbench.databaseProblem();
+        say(problem.isEmpty() ? tr("This model has no signature database yet.")
+                              : problem.join("\n"));
+        if (workbench.canAcceptDatabaseChanges())
+            offer("acceptChanges", tr("Accept these changes"),
+                  [this] { attempt([this] { context_.workbench().acceptDatabaseChanges(); }); });
+        offer("newDatabase", tr("New database for this model…"), [this] { emit newRequested(); });
+        offer("chooseDatabase", tr("Open another…"), [this] { emit openRequested(); });
+    } else if (session.hasRecovery()) {
+        say(tr("A window that ended without saving left a copy of its edits."));
+        offer("recover", tr("Recover them"),
+              [this] { attempt([this] { context_.session().recover(); }); });
+        offer("discardRecovery", tr("Discard them"),
+              [this] { context_.session().discardRecovery(); });
+    } else if (changedOnDisk_ && session.isChangedOnDisk()) {
+        say(tr("Another program has changed this file since it was read."));
+        offer("reload", tr("Take the file's version"),
+              [this] { attempt([this] { context_.session().reload(); }); });
+        offer("overwrite", tr("Save mine over it"),
+              [this] { attempt([this] { context_.session().overwrite(); }); });
+    } else if (session.access() != DatabaseSession::Access::edit) {
+        say(session.accessNote());
+        offer("bannerSaveAs", tr("Save as…"), [this] { emit saveAsRequested(); });
+    } else {
+        changedOnDisk_ = false;
+        hide();
+        return;
+    }
+    buttons_->addStretch(1);
+}
+
+} // namespace smat::gui

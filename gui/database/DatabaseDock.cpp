@@ -1,0 +1,368 @@
+#include "gui/database/DatabaseDock.h"
+
+#include <QLabel>
+#include <QMenu>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/Theme.h"
+#include "gui/database/CopyEntriesDialog.h"
+#include "gui/database/DatabaseBanner.h"
+#include "gui/database/EntryList.h"
+#include "gui/database/FindingsPanel.h"
+#include "gui/database/ImportSpectrumDialog.h"
+#include "gui/database/MaterialLibrary.h"
+#include "gui/database/MaterialPanel.h"
+#include "gui/database/QuestionDialog.h"
+#include "gui/database/SpectrumPanel.h"
+#include "gui/database/TemperaturePanel.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/Model.h"
+#include "irsg/signature/SpectrumCsv.h"
+
+namespace smat::gui {
+namespace {
+
+constexpr int findingsTab = 3;
+/// From here on the entry stands beside the list, not below it.
+constexpr int wide_px = 820;
+
+QStringList databaseFilters() {
+    return {QObject::tr("Signature databases (*.sigdb)"), QObject::tr("All files (*)")};
+}
+
+} // namespace
+
+DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget* window)
+    : QDockWidget(tr("Signature database"), window),
+      context_(workbench, workbench.database(), dialogs) {
+    setObjectName("databaseDock");
+    context_.window = window;
+    banner_ = new DatabaseBanner(context_, this);
+    tabs_ = new QTabWidget(this);
+    tabs_->setObjectName("databaseTabs");
+    tabs_->setDocumentMode(true);
+    tabs_->setIconSize(QSize(16, 16));
+    tabs_->setStyleSheet("QTabBar::tab { padding: 7px 8px; }");
+    temperature_ = new TemperaturePanel(context_, this);
+    addPage(EntryKind::material, new MaterialPanel(context_, this), tr("Material"), "material");
+    addPage(EntryKind::temperature, temperature_, tr("Temperature"), "thermometer");
+    addPage(EntryKind::spectrum, new SpectrumPanel(context_, this), tr("Spectrum"), "spectrum");
+    findings_ = new FindingsPanel(context_, this);
+    tabs_->addTab(findings_, icon("check-physics"), tr("Findings"));
+
+    connect(pageOf(EntryKind::material)
+                .list->addButton("library", "addFromLibrary",
+                                 tr("Add common materials and paints from the library")),
+            &QToolButton::clicked, this, &DatabaseDock::addFromLibrary);
+    auto* spectra = pageOf(EntryKind::spectrum).list;
+    connect(spectra->addButton("import", "importSpectrum", tr("Import a spectrum from CSV")),
+            &QToolButton::clicked, this, &DatabaseDock::importSpectrum);
+    connect(spectra->addButton("export", "exportSpectrum", tr("Write this spectrum to CSV")),
+            &QToolButton::clicked, this, &DatabaseDock::exportSpectrum);
+
+    auto* body = new QWidget(this);
+    auto* column = new QVBoxLayout(body);
+    column->setContentsMargins(12, 8, 12, 10);
+    column->setSpacing(8);
+    column->addWidget(makeHeader());
+    column->addWidget(banner_);
+    column->addWidget(tabs_, 1);
+    column->addStretch(0);
+    body->setMinimumWidth(430);
+    setWidget(body);
+
+    connect(&context_.session(), &DatabaseSession::stateChanged, this, &DatabaseDock::refresh);
+    connect(&context_.session(), &DatabaseSession::opened, this, &DatabaseDock::refresh);
+    connect(banner_, &DatabaseBanner::newRequested, this, &DatabaseDock::newDatabase);
+    connect(banner_, &DatabaseBanner::openRequested, this, &DatabaseDock::openDatabase);
+    connect(banner_, &DatabaseBanner::saveAsRequested, this, &DatabaseDock::saveAs);
+    connect(tabs_, &QTabWidget::currentChanged, this, [this] {
+        context_.session().endGesture();
+        emit currentChanged(current());
+    });
+    connect(temperature_, &TemperaturePanel::spectrumRequested, this, [this](const QString& name) {
+        select({EntryKind::spectrum, 0, name.toStdString()});
+    });
+    connect(findings_, &FindingsPanel::placeRequested, this, [this](const QString& place) {
+        if (!context_.session().isOpen())
+            return;
+        if (const auto key = entryAt(context_.session().value(), place.toStdString()))
+            select(*key);
+    });
+    const auto countFindings = [this] {
+        const int count = findings_->errors() + findings_->warnings();
+        tabs_->setTabText(findingsTab,
+                          count == 0 ? tr("Findings") : tr("Findings (%1)").arg(count));
+        tabs_->setTabIcon(findingsTab, icon(findings_->errors() > 0 ? "error"
+                                            : count > 0             ? "warning"
+                                                                    : "check-physics"));
+    };
+    connect(findings_, &FindingsPanel::countsChanged, this, countFindings);
+    countFindings();
+    refresh();
+}
+
+void DatabaseDock::addPage(EntryKind kind, EntryPanel* panel, const QString& title,
+                           const QString& picture) {
+    auto* page = new QWidget(this);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 8, 0, 0);
+    auto* split = new QSplitter(Qt::Vertical, page);
+    split->setChildrenCollapsible(false);
+    auto* list = new EntryList(context_, kind, split);
+    list->setObjectName(QStringLiteral("list%1").arg(static_cast<int>(kind)));
+    split->addWidget(list);
+    split->addWidget(panel);
+    split->setStretchFactor(0, 2);
+    split->setStretchFactor(1, 5);
+    split->setSizes({230, 420});
+    column->addWidget(split, 1);
+    pageOf(kind) = {list, panel, split};
+    tabs_->addTab(page, icon(picture), title);
+    connect(list, &EntryList::currentChanged, this, [this, list, panel] {
+        panel->show(list->current());
+        emit currentChanged(current());
+    });
+    panel->show(list->current());
+}
+
+QWidget* DatabaseDock::makeHeader() {
+    auto* holder = new QWidget(this);
+    title_ = new QLabel(holder);
+    title_->setObjectName("databaseTitle");
+    QFont font = title_->font();
+    font.setBold(true);
+    font.setPointSizeF(font.pointSizeF() * 1.1);
+    title_->setFont(font);
+    save_ = new QToolButton(holder);
+    save_->setObjectName("saveDatabaseButton");
+    save_->setIcon(icon("save"));
+    save_->setText(tr("Save"));
+    save_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    save_->setToolTip(tr("Save the signature database (Ctrl+Shift+D)"));
+    connect(save_, &QToolButton::clicked, this, &DatabaseDock::save);
+    auto* more = new QToolButton(holder);
+    more->setObjectName("databaseMenu");
+    more->setIcon(icon("menu"));
+    more->setToolTip(tr("More for this database"));
+    more->setAutoRaise(true);
+    more->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(more);
+    const auto action = [&](const QString& picture, const QString& text, const QString& name,
+                            auto slot) {
+        menu->addAction(icon(picture), text, this, slot)->setObjectName(name);
+    };
+    action("library", tr("Add from library…"), "menuLibrary", &DatabaseDock::addFromLibrary);
+    action("database", tr("Copy from another database…"), "copyFromDatabase",
+           &DatabaseDock::copyFromDatabase);
+    action("import", tr("Import spectrum…"), "menuImportSpectrum", &DatabaseDock::importSpectrum);
+    menu->addSeparator();
+    action("new", tr("New database for this model…"), "menuNewDatabase",
+           &DatabaseDock::newDatabase);
+    action("open", tr("Open another database…"), "menuOpenDatabase", &DatabaseDock::openDatabase);
+    action("save", tr("Save as…"), "menuSaveDatabaseAs", &DatabaseDock::saveAs);
+    more->setMenu(menu);
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(title_, 1);
+    row->addWidget(save_);
+    row->addWidget(more);
+    return holder;
+}
+
+void DatabaseDock::refresh() {
+    const auto& session = context_.session();
+    tabs_->setVisible(session.isOpen());
+    save_->setEnabled(session.isOpen() && session.isDirty() &&
+                      session.access() == DatabaseSession::Access::edit);
+    findChild<QToolButton*>("databaseMenu")->setEnabled(context_.workbench().hasProject());
+    title_->setText(!session.isOpen() ? tr("No database")
+                                      : QString::fromStdString(session.file().filename().string()) +
+                                            (session.isDirty() ? " *" : ""));
+    title_->setToolTip(QString::fromStdString(session.file().string()));
+}
+
+void DatabaseDock::attempt(const QString& title, const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const irsg::InputError& error) {
+        QStringList sentences;
+        for (const auto& offence : error.offences())
+            sentences << QString::fromStdString(offence.message());
+        context_.dialogs().tell(context_.window, title, sentences);
+    }
+}
+
+std::optional<EntryKey> DatabaseDock::current() const {
+    const int tab = tabs_->currentIndex();
+    return tab < 0 || tab >= findingsTab ? std::nullopt
+                                         : pages_[static_cast<std::size_t>(tab)].list->current();
+}
+
+void DatabaseDock::select(const EntryKey& key) {
+    tabs_->setCurrentIndex(static_cast<int>(key.kind));
+    pageOf(key.kind).list->select(key);
+}
+
+void DatabaseDock::selectCodes(int temperature, int material) {
+    pageOf(EntryKind::temperature).list->select({EntryKind::temperature, temperature});
+    pageOf(EntryKind::material).list->select({EntryKind::material, material});
+}
+
+bool DatabaseDock::mayClose() {
+    auto& session = context_.session();
+    if (!session.isOpen() || !session.isDirty())
+        return true;
+    QuestionDialog question(tr("Unsaved database"),
+                            tr("%1 has edits that are not saved.")
+                                .arg(QString::fromStdString(session.file().filename().string())),
+                            {tr("Save"), tr("Discard")}, context_.window);
+    if (!context_.dialogs().run(question))
+        return false;
+    if (question.answer() == 0)
+        save();
+    else
+        session.discard();
+    return !session.isDirty();
+}
+
+void DatabaseDock::openDatabase() {
+    if (!context_.workbench().hasProject() || !mayClose())
+        return;
+    const QString file = context_.dialogs().openFile(
+        context_.window, tr("Open a signature database"), databaseFilters());
+    if (!file.isEmpty())
+        attempt(tr("This database cannot be opened"),
+                [&] { context_.workbench().useDatabase(file.toStdString()); });
+}
+
+void DatabaseDock::newDatabase() {
+    auto& workbench = context_.workbench();
+    if (!workbench.hasProject() || !mayClose())
+        return;
+    const Project& project = workbench.project();
+    const auto model = project.resolve(project.models.front().file);
+    const QString file = context_.dialogs().saveFile(
+        context_.window, tr("New signature database"), databaseFilters(),
+        QString::fromStdString(std::filesystem::path(model).replace_extension(".sigdb").string()));
+    if (file.isEmpty())
+        return;
+    attempt(tr("This model cannot be read"), [&] {
+        const auto codes = irsg::Model::load(model)->codes();
+        irsg::SignatureDatabase database;
+        database.title = model.stem().string();
+        for (const auto& [pair, use] : codes) {
+            database.temperatures[pair.temperature].name =
+                "temperature " + std::to_string(pair.temperature);
+            database.materials[pair.material].name = "material " + std::to_string(pair.material);
+        }
+        workbench.useNewDatabase(file.toStdString(), std::move(database));
+    });
+}
+
+void DatabaseDock::save() {
+    auto& session = context_.session();
+    if (!session.isOpen())
+        return;
+    if (session.isChangedOnDisk()) {
+        QuestionDialog question(tr("The file has changed"),
+                                tr("Another program has changed this file since it was read."),
+                                {tr("Save mine over it"), tr("Take the file's version")},
+                                context_.window);
+        if (!context_.dialogs().run(question))
+            return;
+        attempt(tr("The signature database"),
+                [&] { question.answer() == 0 ? session.overwrite() : session.reload(); });
+        return;
+    }
+    attempt(tr("This database cannot be saved"), [&] { session.save(); });
+}
+
+void DatabaseDock::saveAs() {
+    auto& session = context_.session();
+    if (!session.isOpen())
+        return;
+    const QString file = context_.dialogs().saveFile(
+        context_.window, tr("Save the signature database as"), databaseFilters(),
+        QString::fromStdString(session.file().string()));
+    if (!file.isEmpty())
+        attempt(tr("This database cannot be saved"),
+                [&] { context_.workbench().saveDatabaseAs(file.toStdString()); });
+}
+
+void DatabaseDock::takeEntries(irsg::SignatureDatabase source, const QString& title,
+                               const QString& step) {
+    CopyEntriesDialog dialog(context_, std::move(source), title, context_.window);
+    if (!context_.dialogs().run(dialog))
+        return;
+    const auto copies = dialog.copies();
+    if (copies.empty())
+        return;
+    context_.session().edit(
+        step, [&](irsg::SignatureDatabase& into) { copyEntries(dialog.source(), copies, into); });
+    select(copies.back().to);
+}
+
+void DatabaseDock::addFromLibrary() {
+    if (context_.session().isOpen())
+        takeEntries(materialLibrary(), tr("Library of materials and paints"),
+                    tr("Add materials from the library"));
+}
+
+void DatabaseDock::copyFromDatabase() {
+    if (!context_.session().isOpen())
+        return;
+    const QString file = context_.dialogs().openFile(
+        context_.window, tr("Copy from a signature database"), databaseFilters());
+    if (file.isEmpty())
+        return;
+    attempt(tr("This database cannot be opened"), [&] {
+        const std::filesystem::path path = file.toStdString();
+        const QString name = QString::fromStdString(path.filename().string());
+        takeEntries(irsg::loadSignatureFile(path, irsg::OutsideChanges::accept).database,
+                    tr("Copy from %1").arg(name), tr("Copy entries from %1").arg(name));
+    });
+}
+
+void DatabaseDock::importSpectrum() {
+    if (!context_.session().isOpen())
+        return;
+    const QString file =
+        context_.dialogs().openFile(context_.window, tr("Import a spectrum"),
+                                    {tr("Tables (*.csv *.txt)"), tr("All files (*)")});
+    if (file.isEmpty())
+        return;
+    ImportSpectrumDialog dialog(context_, file.toStdString(), context_.window);
+    if (!context_.dialogs().run(dialog) || !dialog.spectrum())
+        return;
+    const irsg::UserSpectrum spectrum = *dialog.spectrum();
+    context_.session().edit(
+        tr("Import spectrum %1").arg(QString::fromStdString(spectrum.name)),
+        [&](irsg::SignatureDatabase& database) { database.spectra[spectrum.name] = spectrum; });
+    select({EntryKind::spectrum, 0, spectrum.name});
+}
+
+void DatabaseDock::exportSpectrum() {
+    const auto key = pageOf(EntryKind::spectrum).list->current();
+    if (!key)
+        return;
+    const QString file =
+        context_.dialogs().saveFile(context_.window, tr("Write a spectrum"), {tr("Tables (*.csv)")},
+                                    QString::fromStdString(key->name + ".csv"));
+    if (!file.isEmpty())
+        attempt(tr("This spectrum cannot be written"), [&] {
+            irsg::writeSpectrumCsv(context_.session().value().spectra.at(key->name),
+                                   file.toStdString());
+        });
+}
+
+void DatabaseDock::resizeEvent(QResizeEvent* event) {
+    QDockWidget::resizeEvent(event);
+    for (const auto& page : pages_)
+        page.split->setOrientation(width() >= wide_px ? Qt::Horizontal : Qt::Vertical);
+}
+
+} // namespace smat::gui

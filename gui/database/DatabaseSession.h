@@ -1,0 +1,140 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QFileSystemWatcher>
+#include <QLockFile>
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+
+#include "gui/database/DatabaseChange.h"
+#include "irsg/signature/SignatureFile.h"
+
+class QUndoStack;
+
+namespace smat::gui {
+
+/// The signature database that is being edited: its file, its value, and what its file holds.
+/// Edits live in memory until they are saved; each is a named step of the window's undo stack.
+/// While there are unsaved edits, a recovery copy of them lies beside the file
+/// (`NAME.sigdb.recovery`), and a lock file tells other windows that this one edits. Knows no
+/// widget.
+class DatabaseSession : public QObject {
+    Q_OBJECT
+
+  public:
+    /// What stands between the edits and their file.
+    enum class Access {
+        edit,          ///< nothing
+        readOnly,      ///< the file is write-protected
+        openElsewhere, ///< another window has unsaved edits of this file
+    };
+    using Edit = std::function<void(irsg::SignatureDatabase&)>;
+
+    explicit DatabaseSession(QUndoStack& undoStack, QObject* parent = nullptr);
+    ~DatabaseSession() override;
+
+    /// Takes a file. Unsaved edits of the one before stay in their recovery copy, and its steps of
+    /// the undo stack do nothing any more. Throws irsg::InputError, and then everything is as it was.
+    void open(const std::filesystem::path& file,
+              irsg::OutsideChanges outside = irsg::OutsideChanges::refuse);
+    /// A new database that is to become this file; all of it is unsaved.
+    void create(const std::filesystem::path& file, irsg::SignatureDatabase value);
+    void close();
+    bool isOpen() const { return value_ != nullptr; }
+
+    const std::filesystem::path& file() const { return file_; }
+    /// LogicError where nothing is open, as with the two below.
+    const irsg::SignatureDatabase& value() const;
+    /// The value as it is now, for others to keep while editing goes on.
+    std::shared_ptr<const irsg::SignatureDatabase> snapshot() const;
+    const irsg::SignatureDatabase& saved() const;
+    /// Whether the value is another than the file's. A database whose changes by another program
+    /// were accepted is unsaved, too.
+    bool isDirty() const { return dirty_; }
+
+    Access access() const { return access_; }
+    /// Why it can be saved under another name only; empty where it can be saved.
+    QString accessNote() const;
+
+    /// Changes the value as one step. Steps with an equal `mergeKey` in a row are one until
+    /// endGesture(); an edit that changes nothing is no step.
+    void edit(const QString& step, const Edit& change, const QString& mergeKey = {});
+    /// A drag or the typing in a field is over.
+    void endGesture() { ++gesture_; }
+
+    /// Write the value in one transaction. Throw irsg::InputError, and then value and file are as
+    /// they were: lint errors, a file that cannot be written, one that changed since it was read,
+    /// one that another window edits. `overwrite` does not mind that the file changed.
+    void save();
+    void overwrite();
+    /// The file that it becomes; one that exists is replaced.
+    void saveAs(const std::filesystem::path& file);
+    /// Whether the file holds something else than when it was read or saved last.
+    bool isChangedOnDisk() const;
+    /// Takes what the file holds now; edits are lost. Throws irsg::InputError.
+    void reload();
+    /// Forgets what is not saved.
+    void discard();
+
+    /// Whether a window that ended without saving left a copy of its edits.
+    bool hasRecovery() const { return !left_.empty(); }
+    /// Takes these edits as a step that can be undone. Throws irsg::InputError for a damaged copy,
+    /// which stays where it is.
+    void recover();
+    void discardRecovery();
+    /// Writes the recovery copy now instead of a moment after the last edit.
+    void writeRecoveryNow();
+    /// Where the copy of this window lies; empty before the first.
+    const std::filesystem::path& recoveryFile() const { return recovery_; }
+
+  signals:
+    /// Entries that have changed: "materials.3", "temperatures.1", "spectra.plume", "title".
+    void changed(const QStringList& places);
+    /// Another file was taken, or none.
+    void opened();
+    /// isDirty(), access(), hasRecovery() or file() may have another answer.
+    void stateChanged();
+    /// Another program changed the file.
+    void changedOnDisk();
+
+  private:
+    class Step;
+    struct Stamp {
+        std::filesystem::file_time_type written;
+        std::uintmax_t size = 0;
+        bool operator==(const Stamp&) const = default;
+    };
+    void take(const std::filesystem::path& file, irsg::SignatureDatabase value,
+              std::optional<irsg::SignatureDatabase> saved);
+    void apply(const DatabaseChange& change, bool forward);
+    void refresh();
+    void writeTo(const std::filesystem::path& file);
+    void lock();
+    void findRecoveries();
+    void removeRecovery();
+    void leave();
+    void watch();
+    static std::optional<Stamp> stampOf(const std::filesystem::path& file);
+
+    QUndoStack& undoStack_;
+    std::filesystem::path file_;
+    std::shared_ptr<const irsg::SignatureDatabase> value_, saved_;
+    bool isNew_ = false, acceptedOutside_ = false, dirty_ = false;
+    Access access_ = Access::edit;
+    QString otherWindow_;
+    int gesture_ = 0;
+    int taken_ = 0; ///< counts what was opened: steps of another do nothing
+    std::optional<Stamp> stamp_;
+    std::unique_ptr<QLockFile> lock_;
+    QFileSystemWatcher watcher_;
+    std::filesystem::path recovery_;
+    std::vector<std::filesystem::path> left_; ///< by windows before, the newest last
+    QTimer recoveryTimer_;
+};
+
+} // namespace smat::gui

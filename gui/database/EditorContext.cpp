@@ -1,0 +1,138 @@
+#include "gui/database/EditorContext.h"
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/Model.h"
+#include "smatcore/project/SceneBuilder.h"
+
+namespace smat::gui {
+
+EditorContext::EditorContext(Workbench& workbench, DatabaseSession& session, Dialogs dialogs,
+                             QObject* parent)
+    : QObject(parent), workbench_(workbench), session_(session), dialogs_(std::move(dialogs)) {
+    connect(&workbench_, &Workbench::projectOpened, this, [this] {
+        modelKey_.clear();
+        readModel();
+        readSettings();
+    });
+    connect(&workbench_, &Workbench::settingsChanged, this, &EditorContext::readSettings);
+    readModel();
+    readSettings();
+}
+
+void EditorContext::readModel() {
+    if (!workbench_.hasProject() || workbench_.project().models.empty())
+        return;
+    const Project& project = workbench_.project();
+    const ProjectModel& target = project.models.front();
+    const auto file = project.resolve(target.file);
+    if (file.string() == modelKey_)
+        return;
+    modelKey_ = file.string();
+    temperatureFaces_.clear();
+    materialFaces_.clear();
+    try {
+        const auto model = irsg::Model::load(
+            file, {.noseAxis = target.noseAxis, .forceTwoSided = target.forceTwoSided});
+        for (const auto& [codes, use] : model->codes()) {
+            temperatureFaces_[codes.temperature] += use.faces;
+            materialFaces_[codes.material] += use.faces;
+        }
+        knowsModel_ = true;
+    } catch (const irsg::InputError&) {
+        // The 3-D view has said what is wrong with it; the database can be edited all the same.
+        knowsModel_ = false;
+    }
+    emit surroundingsChanged();
+}
+
+void EditorContext::readSettings() {
+    if (!workbench_.hasProject())
+        return;
+    const Project& project = workbench_.project();
+    const Settings& settings = workbench_.settings();
+    std::string key, air;
+    for (const auto* name :
+         {"sensor.band", "sensor.response", "state.time", "state.power", "state.mach"})
+        key += settings.text(name) + "|";
+    for (const auto* name :
+         {"environment.atmospheres", "environment.ambientTemperature", "target.altitude"})
+        air += settings.text(name) + "|";
+    if (key == settingsKey_ && air == airKey_)
+        return;
+    settingsKey_ = key;
+    try {
+        band_ = sensorOf(project, settings).band.range();
+    } catch (const irsg::InputError&) {
+        // A response that cannot be read is told where it is used; the last band stays.
+    }
+    state_.time_s = settings.real("state.time");
+    state_.power = settings.real("state.power");
+    state_.mach = settings.real("state.mach");
+    state_.altitude_m = settings.real("target.altitude");
+    if (air != airKey_) {
+        airKey_ = air;
+        try {
+            state_.ambient_K =
+                environmentOf(project, settings).ambientTemperature_K(state_.altitude_m).value;
+        } catch (const irsg::InputError&) {
+            state_.ambient_K = irsg::EntityState().ambient_K;
+        }
+    }
+    emit surroundingsChanged();
+}
+
+int EditorContext::facesOf(const EntryKey& key) const {
+    if (key.kind == EntryKind::spectrum)
+        return 0;
+    const auto& faces = key.kind == EntryKind::material ? materialFaces_ : temperatureFaces_;
+    const auto found = faces.find(key.index);
+    return found == faces.end() ? 0 : found->second;
+}
+
+std::vector<EntryKey> EditorContext::missing() const {
+    std::vector<EntryKey> keys;
+    if (!session_.isOpen())
+        return keys;
+    for (const auto& [index, faces] : materialFaces_) {
+        if (!session_.value().materials.contains(index))
+            keys.push_back({EntryKind::material, index});
+    }
+    for (const auto& [index, faces] : temperatureFaces_) {
+        if (!session_.value().temperatures.contains(index))
+            keys.push_back({EntryKind::temperature, index});
+    }
+    return keys;
+}
+
+QString EditorContext::title(const EntryKey& key) const {
+    const auto named = [](const QString& kind, int index, const std::string& name) {
+        return name.empty() ? QStringLiteral("%1 %2").arg(kind).arg(index)
+                            : QStringLiteral("%1 %2 (%3)")
+                                  .arg(kind)
+                                  .arg(index)
+                                  .arg(QString::fromStdString(name));
+    };
+    const auto& database = session_.value();
+    if (key.kind == EntryKind::material) {
+        const auto found = database.materials.find(key.index);
+        return named(tr("material"), key.index,
+                     found == database.materials.end() ? "" : found->second.name);
+    }
+    if (key.kind == EntryKind::temperature) {
+        const auto found = database.temperatures.find(key.index);
+        return named(tr("temperature"), key.index,
+                     found == database.temperatures.end() ? "" : found->second.name);
+    }
+    return tr("spectrum %1").arg(QString::fromStdString(key.name));
+}
+
+double EditorContext::bandMean(const irsg::Spectrum& spectrum) const {
+    const irsg::Spectrum* factors[] = {&spectrum};
+    return irsg::integrateProduct(factors, band_) / band_.width_um();
+}
+
+QString counted(long number, const QString& one, const QString& many) {
+    return QStringLiteral("%1 %2").arg(number).arg(number == 1 ? one : many);
+}
+
+} // namespace smat::gui

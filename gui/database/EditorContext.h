@@ -1,0 +1,66 @@
+#pragma once
+
+#include <map>
+#include <set>
+
+#include <QObject>
+
+#include "gui/Dialogs.h"
+#include "gui/Workbench.h"
+#include "gui/database/DatabaseEdits.h"
+#include "gui/database/DatabaseSession.h"
+#include "irsg/signature/EntityState.h"
+
+namespace smat::gui {
+
+/// What the parts of the database editor share: the session, and what the project says about the
+/// surroundings of its signature: the faces of the model, the band, the state of the entity.
+class EditorContext : public QObject {
+    Q_OBJECT
+
+  public:
+    EditorContext(Workbench& workbench, DatabaseSession& session, Dialogs dialogs,
+                  QObject* parent = nullptr);
+
+    Workbench& workbench() const { return workbench_; }
+    DatabaseSession& session() const { return session_; }
+    const Dialogs& dialogs() const { return dialogs_; }
+    QWidget* window = nullptr; ///< parent of dialogs
+
+    /// Faces of the target that carry an index; 0 for spectra.
+    int facesOf(const EntryKey& key) const;
+    /// Indices of the target's faces that the database has no entry for.
+    std::vector<EntryKey> missing() const;
+    /// False where the model could not be read.
+    bool knowsModel() const { return knowsModel_; }
+    const irsg::SpectralRange& band() const { return band_; }
+    /// Of the target as the project's settings have it, in the air of its atmosphere.
+    const irsg::EntityState& state() const { return state_; }
+
+    /// "Material 3", with its name where it has one.
+    QString title(const EntryKey& key) const;
+    /// Mean over the band of the project.
+    double bandMean(const irsg::Spectrum& spectrum) const;
+
+  signals:
+    /// Faces, band or state are others.
+    void surroundingsChanged();
+
+  private:
+    void readModel();
+    void readSettings();
+
+    Workbench& workbench_;
+    DatabaseSession& session_;
+    Dialogs dialogs_;
+    bool knowsModel_ = false;
+    std::map<int, int> temperatureFaces_, materialFaces_;
+    std::string modelKey_, airKey_, settingsKey_;
+    irsg::SpectralRange band_;
+    irsg::EntityState state_;
+};
+
+/// "1 face", "12 faces".
+QString counted(long number, const QString& one, const QString& many);
+
+} // namespace smat::gui

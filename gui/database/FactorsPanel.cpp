@@ -1,0 +1,243 @@
+#include "gui/database/FactorsPanel.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTabBar>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "gui/Theme.h"
+#include "gui/database/NodeEditor.h"
+#include "gui/database/NodePlot.h"
+#include "gui/database/NumberField.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/signature/SpectrumCsv.h"
+
+namespace smat::gui {
+namespace {
+
+constexpr int overTime = 0;
+constexpr int overAngle = 1;
+
+} // namespace
+
+FactorsPanel::FactorsPanel(EditorContext& context, QWidget* parent)
+    : QWidget(parent), context_(context) {
+    setObjectName("factorsPanel");
+    list_ = new QTreeWidget(this);
+    list_->setObjectName("components");
+    list_->setHeaderLabels({tr("Component"), tr("Constant"), tr("Time"), tr("Angle"), tr("Now")});
+    list_->setRootIsDecorated(false);
+    list_->setAlternatingRowColors(true);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setMaximumHeight(140);
+    list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    list_->header()->setStretchLastSection(false);
+
+    axis_ = new QTabBar(this);
+    axis_->setObjectName("factorAxis");
+    axis_->setDrawBase(false);
+    axis_->setExpanding(false);
+    axis_->addTab(tr("over time"));
+    axis_->addTab(tr("over angle"));
+    constant_ = new NumberField({}, this);
+    constant_->setObjectName("factorConstant");
+    constant_->setRange(0.0, 1e12);
+    constant_->setStep(0.1);
+    constant_->setToolTip(tr("Factor of this component; a table over time stands in its place"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(new QLabel(tr("Constant"), this));
+    row->addWidget(constant_);
+    row->addSpacing(12);
+    row->addWidget(axis_);
+    row->addStretch(1);
+
+    nodes_ = new NodeEditor(this);
+    loop_ = new QCheckBox(tr("Loop"), this);
+    loop_->setObjectName("loop");
+    loop_->setToolTip(tr("The table repeats: the period is its last time less its first"));
+    auto* import = new QToolButton(this);
+    import->setObjectName("importFactors");
+    import->setIcon(icon("import"));
+    import->setAutoRaise(true);
+    import->setToolTip(tr("Import a table for several components: CSV with an empty first cell, "
+                          "names in the first row, seconds or degrees in the first column"));
+    nodes_->addToBar(loop_);
+    nodes_->addToBar(import);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 8, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(list_);
+    column->addLayout(row);
+    column->addWidget(nodes_, 1);
+
+    connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+        if (item == nullptr)
+            return;
+        component_ = item->text(0);
+        shownAxis_ = -1;
+        showTable();
+    });
+    connect(axis_, &QTabBar::currentChanged, this, &FactorsPanel::showTable);
+    connect(constant_, &NumberField::edited, this, [this](double value) {
+        factor().constant = value;
+        push("constant", tr("constant factor of %1").arg(component_));
+    });
+    connect(constant_, &NumberField::finished, this, &FactorsPanel::gestureEnded);
+    connect(nodes_, &NodeEditor::edited, this, [this](const Nodes& nodes, const QString& what) {
+        const bool time = axis_->currentIndex() == overTime;
+        auto& table = time ? factor().time : factor().angle;
+        table = tableOf(nodes, table.loop() && nodes.size() > 1);
+        push(time ? "time" : "angle",
+             (time ? tr("time factor of %1 %2") : tr("angle factor of %1 %2"))
+                 .arg(component_, what));
+    });
+    connect(nodes_, &NodeEditor::gestureEnded, this, &FactorsPanel::gestureEnded);
+    connect(loop_, &QCheckBox::clicked, this, [this](bool on) {
+        auto& table = factor().time;
+        table = tableOf(nodesOf(table), on);
+        push("loop", (on ? tr("time factor of %1 to a loop") : tr("time factor of %1 to no loop"))
+                         .arg(component_));
+        emit gestureEnded();
+    });
+    connect(import, &QToolButton::clicked, this, &FactorsPanel::importTable);
+}
+
+irsg::ComponentFactor FactorsPanel::shownFactor() const {
+    const auto found =
+        std::ranges::find(factors_, component_.toStdString(), &irsg::ComponentFactor::component);
+    return found == factors_.end() ? irsg::ComponentFactor{component_.toStdString(), 1.0, {}, {}}
+                                   : *found;
+}
+
+irsg::ComponentFactor& FactorsPanel::factor() {
+    const auto found =
+        std::ranges::find(factors_, component_.toStdString(), &irsg::ComponentFactor::component);
+    if (found != factors_.end())
+        return *found;
+    return factors_.emplace_back(irsg::ComponentFactor{component_.toStdString(), 1.0, {}, {}});
+}
+
+void FactorsPanel::push(const QString& field, const QString& what) {
+    emit edited(factors_, component_ + "." + field, what);
+}
+
+void FactorsPanel::setFactors(const irsg::ComponentFactors& factors,
+                              const irsg::UserSpectrum* spectrum, const irsg::EntityState& state) {
+    factors_ = factors;
+    spectrum_ = spectrum != nullptr ? *spectrum : irsg::UserSpectrum();
+    state_ = state;
+    showList();
+    showTable();
+}
+
+void FactorsPanel::showList() {
+    // Components of the spectrum, and factors that name none of them.
+    std::vector<std::string> names;
+    for (const auto& component : spectrum_.components)
+        names.push_back(component.name);
+    for (const auto& factor : factors_) {
+        if (std::ranges::find(names, factor.component) == names.end())
+            names.push_back(factor.component);
+    }
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    QTreeWidgetItem* chosen = nullptr;
+    const auto nodeCount = [](const irsg::LookupTable& table) {
+        return table.empty()
+                   ? QString("–")
+                   : counted(static_cast<long>(table.x().size()), tr("node"), tr("nodes")) +
+                         (table.loop() ? tr(", loop") : QString());
+    };
+    for (const auto& name : names) {
+        const auto found = std::ranges::find(factors_, name, &irsg::ComponentFactor::component);
+        const irsg::ComponentFactor factor =
+            found == factors_.end() ? irsg::ComponentFactor{name, 1.0, {}, {}} : *found;
+        auto* item = new QTreeWidgetItem({QString::fromStdString(name), textOf(factor.constant),
+                                          nodeCount(factor.time), nodeCount(factor.angle),
+                                          QString::number(factor.at(state_), 'g', 4)});
+        if (spectrum_.find(name) == nullptr)
+            item->setToolTip(0, tr("The spectrum has no component of this name"));
+        list_->addTopLevelItem(item);
+        if (item->text(0) == component_)
+            chosen = item;
+    }
+    if (chosen == nullptr && list_->topLevelItemCount() > 0) {
+        chosen = list_->topLevelItem(0);
+        component_ = chosen->text(0);
+        shownAxis_ = -1;
+    }
+    list_->setCurrentItem(chosen);
+    if (chosen == nullptr)
+        component_.clear();
+}
+
+void FactorsPanel::selectComponent(const QString& name) {
+    const auto found = list_->findItems(name, Qt::MatchExactly);
+    if (!found.isEmpty())
+        list_->setCurrentItem(found.front());
+}
+
+void FactorsPanel::showTable() {
+    const bool any = !component_.isEmpty();
+    constant_->setEnabled(any);
+    nodes_->setEnabled(any);
+    axis_->setEnabled(any);
+    const int axis = axis_->currentIndex();
+    if (shownAxis_ != axis) {
+        shownAxis_ = axis;
+        NodeRules rules;
+        rules.xName = axis == overTime ? tr("time") : tr("angle from the nose");
+        rules.xUnit = axis == overTime ? "s" : "°";
+        rules.yName = tr("factor");
+        rules.yMinimum = 0.0;
+        rules.yStart = 1.0;
+        rules.xStep = axis == overTime ? 1.0 : 30.0;
+        if (axis == overAngle) {
+            rules.xMinimum = 0.0;
+            rules.xMaximum = 180.0;
+        }
+        nodes_->setNodes({});
+        nodes_->setRules(rules);
+        nodes_->plot()->setLeastView(
+            axis == overAngle ? std::optional(Interval{0.0, 180.0}) : std::nullopt, std::nullopt);
+    }
+    const auto shown = shownFactor();
+    const auto& table = axis == overTime ? shown.time : shown.angle;
+    constant_->setValue(shown.constant);
+    nodes_->setNodes(nodesOf(table));
+    loop_->setVisible(axis == overTime);
+    loop_->setChecked(shown.time.loop());
+    loop_->setEnabled(shown.time.x().size() > 1);
+}
+
+void FactorsPanel::importTable() {
+    const bool time = axis_->currentIndex() == overTime;
+    const QString file = context_.dialogs().openFile(
+        context_.window, time ? tr("Import time factors") : tr("Import angle factors"),
+        {tr("Tables (*.csv *.txt)"), tr("All files (*)")});
+    if (file.isEmpty())
+        return;
+    try {
+        irsg::readFactorCsv(file.toStdString(),
+                            time ? irsg::FactorAxis::time_s : irsg::FactorAxis::angle_deg,
+                            time && loop_->isChecked(), spectrum_, factors_);
+        push("import",
+             time ? tr("time factors to those of a file") : tr("angle factors to those of a file"));
+        emit gestureEnded();
+    } catch (const irsg::InputError& error) {
+        QStringList sentences;
+        for (const auto& offence : error.offences())
+            sentences << QString::fromStdString(offence.message());
+        context_.dialogs().tell(context_.window, tr("This table cannot be imported"), sentences);
+    }
+}
+
+} // namespace smat::gui

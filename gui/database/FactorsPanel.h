@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QWidget>
+
+#include "gui/database/EditorContext.h"
+
+class QCheckBox;
+class QTabBar;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace smat::gui {
+
+class NodeEditor;
+class NumberField;
+
+/// The factors c_j(t, angle) of the components of a user-defined spectrum (eq. 6): a constant, and
+/// tables over time, which may loop, and over the angle from the nose axis.
+class FactorsPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit FactorsPanel(EditorContext& context, QWidget* parent = nullptr);
+
+    /// `spectrum` may be null where the entry names none.
+    void setFactors(const irsg::ComponentFactors& factors, const irsg::UserSpectrum* spectrum,
+                    const irsg::EntityState& state);
+    void selectComponent(const QString& name);
+
+  signals:
+    void edited(const irsg::ComponentFactors& factors, const QString& field, const QString& what);
+    void gestureEnded();
+
+  private:
+    irsg::ComponentFactor shownFactor() const;
+    /// The factor of the shown component, made where there is none.
+    irsg::ComponentFactor& factor();
+    /// Factors that say nothing are left out.
+    void push(const QString& field, const QString& what);
+    void showList();
+    void showTable();
+    void importTable();
+
+    EditorContext& context_;
+    irsg::ComponentFactors factors_;
+    irsg::UserSpectrum spectrum_;
+    irsg::EntityState state_;
+    QString component_;
+    QTreeWidget* list_ = nullptr;
+    QTabBar* axis_ = nullptr;
+    NumberField* constant_ = nullptr;
+    QCheckBox* loop_ = nullptr;
+    NodeEditor* nodes_ = nullptr;
+    int shownAxis_ = -1;
+};
+
+} // namespace smat::gui

@@ -1,0 +1,150 @@
+#include "gui/database/FindingsPanel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "gui/Theme.h"
+#include "irsg/signature/SignatureDatabase.h"
+
+namespace smat::gui {
+namespace {
+
+constexpr int lookDelay_ms = 150;
+
+/// A finding with what a button would do about it.
+struct Shown {
+    irsg::Finding finding;
+    DatabaseSession::Edit mend;
+};
+
+std::vector<Shown> findingsOf(const EditorContext& context) {
+    std::vector<Shown> shown;
+    const auto& database = context.session().value();
+    for (auto& finding : irsg::lint(database, context.band()))
+        shown.push_back({std::move(finding), {}});
+    for (const auto& key : context.missing()) {
+        const int faces = context.facesOf(key);
+        irsg::Finding finding;
+        finding.place = placeOf(key);
+        finding.value = "no entry";
+        finding.reason = counted(faces, QObject::tr("face"), QObject::tr("faces")).toStdString() +
+                         " of the model with this code cannot be drawn";
+        finding.repair = "add the entry";
+        shown.push_back({finding, [key](irsg::SignatureDatabase& into) {
+                             if (key.kind == EntryKind::material)
+                                 into.materials[key.index].name = "new material";
+                             else
+                                 into.temperatures[key.index].name = "new temperature";
+                         }});
+    }
+    return shown;
+}
+
+} // namespace
+
+FindingsPanel::FindingsPanel(EditorContext& context, QWidget* parent)
+    : QWidget(parent), context_(context) {
+    setObjectName("findingsPanel");
+    summary_ = new QLabel(this);
+    summary_->setObjectName("findingsSummary");
+    list_ = new QTreeWidget(this);
+    list_->setObjectName("findings");
+    list_->setColumnCount(4);
+    list_->setHeaderLabels({tr("Place"), tr("Value"), tr("Reason"), tr("Repair")});
+    list_->setRootIsDecorated(false);
+    list_->setAlternatingRowColors(true);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setWordWrap(true);
+    list_->header()->setSectionResizeMode(2, QHeaderView::Stretch);
+    list_->header()->setStretchLastSection(false);
+    list_->setToolTip(tr("Double click: go to the place"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 8, 0, 0);
+    column->setSpacing(6);
+    column->addWidget(summary_);
+    column->addWidget(list_, 1);
+    detail_ = new QLabel(this);
+    detail_->setObjectName("findingDetail");
+    detail_->setWordWrap(true);
+    detail_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    detail_->setMinimumHeight(4 * fontMetrics().height());
+    detail_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    column->addWidget(detail_);
+
+    timer_ = new QTimer(this);
+    timer_->setSingleShot(true);
+    timer_->setInterval(lookDelay_ms);
+    connect(timer_, &QTimer::timeout, this, &FindingsPanel::look);
+    const auto soon = [this] { timer_->start(); };
+    connect(&context_.session(), &DatabaseSession::changed, this, soon);
+    connect(&context_.session(), &DatabaseSession::opened, this, &FindingsPanel::look);
+    connect(&context_, &EditorContext::surroundingsChanged, this, soon);
+    connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+        detail_->setText(
+            item == nullptr
+                ? QString()
+                : QStringLiteral("%1: %2\n%3").arg(item->text(0), item->text(1), item->text(2)));
+    });
+    connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
+        emit placeRequested(item->data(0, Qt::UserRole).toString());
+    });
+    look();
+}
+
+void FindingsPanel::look() {
+    timer_->stop();
+    list_->clear();
+    errors_ = warnings_ = 0;
+    if (!context_.session().isOpen()) {
+        summary_->setText({});
+        emit countsChanged();
+        return;
+    }
+    for (const auto& [finding, mend] : findingsOf(context_)) {
+        const bool error = finding.severity == irsg::Finding::Severity::error;
+        ++(error ? errors_ : warnings_);
+        auto* item = new QTreeWidgetItem({QString::fromStdString(finding.place),
+                                          QString::fromStdString(finding.value),
+                                          QString::fromStdString(finding.reason)});
+        item->setIcon(0, icon(error ? "error" : "warning"));
+        item->setData(0, Qt::UserRole, item->text(0));
+        for (int i = 0; i < 3; ++i)
+            item->setToolTip(i, item->text(i));
+        list_->addTopLevelItem(item);
+        const QString repair = QString::fromStdString(finding.repair);
+        if (!mend) {
+            item->setText(3, repair);
+            item->setToolTip(3, repair);
+            continue;
+        }
+        auto* button = new QPushButton(repair, list_);
+        button->setObjectName("repair");
+        connect(button, &QPushButton::clicked, this, [this, mend = mend, repair, item] {
+            const QString place = item->text(0);
+            context_.session().edit(tr("Repair %1: %2").arg(place, repair), mend);
+            look();
+        });
+        list_->setItemWidget(item, 3, button);
+    }
+    for (const int i : {0, 1, 3})
+        list_->resizeColumnToContents(i);
+    list_->setColumnWidth(0, std::min(list_->columnWidth(0), 220));
+    list_->setColumnWidth(1, std::min(list_->columnWidth(1), 160));
+    summary_->setText(errors_ + warnings_ == 0
+                          ? tr("Nothing to find fault with: the physics closes in the band %1 to "
+                               "%2 um.")
+                                .arg(context_.band().min_um)
+                                .arg(context_.band().max_um)
+                          : tr("%1 and %2. A database with errors cannot be saved.")
+                                .arg(counted(errors_, tr("error"), tr("errors")),
+                                     counted(warnings_, tr("warning"), tr("warnings"))));
+    if (list_->topLevelItemCount() > 0)
+        list_->setCurrentItem(list_->topLevelItem(0));
+    emit countsChanged();
+}
+
+} // namespace smat::gui

@@ -1,0 +1,97 @@
+#include "gui/database/MaterialPanel.h"
+
+#include <QFormLayout>
+#include <QLabel>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "gui/database/AngleCurve.h"
+#include "gui/database/NumberField.h"
+#include "gui/database/SpectralProperty.h"
+
+namespace smat::gui {
+
+MaterialPanel::MaterialPanel(EditorContext& context, QWidget* parent)
+    : EntryPanel(context, EntryKind::material, parent) {
+    setObjectName("materialPanel");
+    tabs_ = new QTabWidget(this);
+    tabs_->setObjectName("materialTabs");
+    tabs_->setDocumentMode(true);
+    emissivity_ = makeProperty(true);
+    transmissivity_ = makeProperty(false);
+    tabs_->addTab(emissivity_, tr("Emissivity"));
+    tabs_->addTab(transmissivity_, tr("Transmissivity"));
+    tabs_->addTab(makeAngle(), tr("N angle factor"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 8, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(makeHeading());
+    tabs_->addTab(makeNotes(), tr("Notes"));
+    column->addWidget(tabs_, 1);
+}
+
+SpectralProperty* MaterialPanel::makeProperty(bool emissivity) {
+    using Which = SpectralProperty::Which;
+    auto* property =
+        new SpectralProperty(emissivity ? Which::emissivity : Which::transmissivity, this);
+    connect(property, &SpectralProperty::edited, this,
+            [this, emissivity](const irsg::Spectrum& value, const QString& what) {
+                edit(tr("Set %1 of material %2 %3")
+                         .arg(emissivity ? tr("emissivity") : tr("transmissivity"))
+                         .arg(key_ ? key_->index : 0)
+                         .arg(what),
+                     emissivity ? "emissivity" : "transmissivity",
+                     [&](irsg::SignatureDatabase& database) {
+                         auto& material = database.materials.at(key_->index);
+                         (emissivity ? material.emissivity : material.transmissivity) = value;
+                     });
+            });
+    connect(property, &SpectralProperty::gestureEnded, this, [this] { endGesture(); });
+    return property;
+}
+
+QWidget* MaterialPanel::makeAngle() {
+    auto* holder = new QWidget(this);
+    factor_ = new NumberField({}, holder);
+    factor_->setObjectName("nAngleFactor");
+    factor_->setRange(0.0, 1000.0);
+    factor_->setStep(0.25);
+    factor_->setToolTip(tr("N of cos^N: 0 emits alike in all directions, larger values along the "
+                           "normal. For temperatures and for user-defined spectra"));
+    auto* words =
+        new QLabel(tr("Emission is multiplied by cos<sup>N</sup> of the angle between the normal "
+                      "and the sensor. Dotted: N = 0, 0.25, 1 and 3."),
+                   holder);
+    words->setWordWrap(true);
+    words->setForegroundRole(QPalette::PlaceholderText);
+    curve_ = new AngleCurve(holder);
+    auto* form = new QFormLayout;
+    form->addRow(tr("N"), factor_);
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 10, 0, 0);
+    column->setSpacing(10);
+    column->addLayout(form);
+    column->addWidget(words);
+    column->addWidget(curve_, 1);
+    connect(factor_, &NumberField::edited, this, [this](double value) {
+        edit(tr("Set N angle factor of material %1").arg(key_ ? key_->index : 0), "nAngleFactor",
+             [&](irsg::SignatureDatabase& database) {
+                 database.materials.at(key_->index).nAngleFactor = value;
+             });
+    });
+    connect(factor_, &NumberField::finished, this, [this] { endGesture(); });
+    return holder;
+}
+
+void MaterialPanel::refresh() {
+    const irsg::Material& material = context_.session().value().materials.at(key_->index);
+    const int faces = context_.facesOf(*key_);
+    showTexts(material.name, material.notes,
+              context_.knowsModel() ? counted(faces, tr("face"), tr("faces")) : QString());
+    emissivity_->setValue(material.emissivity, material.transmissivity, context_.band());
+    transmissivity_->setValue(material.transmissivity, material.emissivity, context_.band());
+    factor_->setValue(material.nAngleFactor);
+    curve_->setFactor(material.nAngleFactor);
+}
+
+} // namespace smat::gui

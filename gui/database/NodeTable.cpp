@@ -1,0 +1,319 @@
+#include "gui/database/NodeTable.h"
+
+#include <algorithm>
+#include <set>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QStyledItemDelegate>
+
+#include "gui/Theme.h"
+
+namespace smat::gui {
+namespace {
+
+/// A field that reddens while its text cannot stand, and then gives the cell back unchanged.
+class CheckedCell : public QStyledItemDelegate {
+  public:
+    CheckedCell(NodeTableModel& model, std::function<void(QString)> report, QObject* parent)
+        : QStyledItemDelegate(parent), model_(model), report_(std::move(report)) {}
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                          const QModelIndex& index) const override {
+        auto* edit = new QLineEdit(parent);
+        edit->setObjectName("nodeCell");
+        edit->setFrame(false);
+        edit->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        const QPersistentModelIndex cell(index);
+        connect(edit, &QLineEdit::textEdited, this, [this, edit, cell](const QString& text) {
+            const QString sentence = model_.problemOf(cell, text);
+            QPalette colours = edit->palette();
+            colours.setColor(QPalette::Base, sentence.isEmpty()
+                                                 ? QApplication::palette().base().color()
+                                             : isDark(QApplication::palette()) ? QColor("#5a2a2e")
+                                                                               : QColor("#ffe3e3"));
+            edit->setPalette(colours);
+            report_(sentence);
+        });
+        return edit;
+    }
+    void setModelData(QWidget* editor, QAbstractItemModel* model,
+                      const QModelIndex& index) const override {
+        const QString text = static_cast<QLineEdit*>(editor)->text();
+        if (model_.problemOf(index, text).isEmpty())
+            model->setData(index, text, Qt::EditRole);
+    }
+
+  private:
+    NodeTableModel& model_;
+    std::function<void(QString)> report_;
+};
+
+} // namespace
+
+NodeTableModel::NodeTableModel(QObject* parent) : QAbstractTableModel(parent) {}
+
+void NodeTableModel::setRules(NodeRules rules) {
+    rules_ = std::move(rules);
+    emit headerDataChanged(Qt::Horizontal, 0, 1);
+}
+
+void NodeTableModel::setNodes(const Nodes& nodes) {
+    if (nodes == nodes_)
+        return;
+    if (nodes.size() == nodes_.size()) {
+        nodes_ = nodes;
+        emit dataChanged(index(0, 0), index(rowCount() - 1, 1));
+        return;
+    }
+    beginResetModel();
+    nodes_ = nodes;
+    endResetModel();
+}
+
+int NodeTableModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(nodes_.size()) + 1;
+}
+
+int NodeTableModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : 2;
+}
+
+QVariant NodeTableModel::data(const QModelIndex& index, int role) const {
+    const auto row = static_cast<std::size_t>(index.row());
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::ToolTipRole && row == nodes_.size())
+        return tr("Type a value to add a row");
+    if ((role != Qt::DisplayRole && role != Qt::EditRole) || row >= nodes_.size())
+        return {};
+    return textOf(index.column() == 0 ? nodes_[row].x : nodes_[row].y);
+}
+
+QVariant NodeTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (role != Qt::DisplayRole)
+        return QAbstractTableModel::headerData(section, orientation, role);
+    if (orientation == Qt::Horizontal)
+        return section == 0 ? rules_.xTitle() : rules_.yTitle();
+    return section < static_cast<int>(nodes_.size()) ? QVariant(section + 1) : QVariant("+");
+}
+
+Qt::ItemFlags NodeTableModel::flags(const QModelIndex&) const {
+    return Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemIsEditable;
+}
+
+Nodes NodeTableModel::with(const QModelIndex& cell, double value) const {
+    Nodes changed = nodes_;
+    const auto row = static_cast<std::size_t>(cell.row());
+    if (row == changed.size()) {
+        const Node next = changed.empty() ? Node{rules_.xStep, rules_.yStart}
+                                          : Node{changed.back().x + rules_.xStep, changed.back().y};
+        changed.push_back(next);
+    }
+    (cell.column() == 0 ? changed[row].x : changed[row].y) = value;
+    return changed;
+}
+
+QString NodeTableModel::problemOf(const QModelIndex& cell, const QString& text) const {
+    const bool isNew = cell.row() == static_cast<int>(nodes_.size());
+    if (isNew && text.trimmed().isEmpty())
+        return {};
+    const auto number = numberOf(text);
+    if (!number)
+        return tr("'%1' is no number").arg(text);
+    const Nodes changed = with(cell, *number);
+    const auto row = static_cast<std::size_t>(cell.row());
+    if (cell.column() == 1)
+        return rules_.problemOfY(changed[row].x, *number);
+    if (const QString problem = rules_.problemOfX(*number); !problem.isEmpty())
+        return problem;
+    if (row > 0 && *number <= changed[row - 1].x)
+        return tr("%1 has to be above %2, the row before")
+            .arg(rules_.xName, textOf(changed[row - 1].x));
+    if (row + 1 < changed.size() && *number >= changed[row + 1].x)
+        return tr("%1 has to be below %2, the row after")
+            .arg(rules_.xName, textOf(changed[row + 1].x));
+    return rules_.problemOfY(*number, changed[row].y);
+}
+
+bool NodeTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    const auto number = numberOf(value.toString());
+    if (role != Qt::EditRole || !number)
+        return false;
+    const auto row = static_cast<std::size_t>(index.row());
+    const Nodes changed = with(index, *number);
+    const QString unit = rules_.xUnit.isEmpty() ? QString() : " " + rules_.xUnit;
+    return changed == nodes_ ||
+           take(changed, tr("at %1%2").arg(textOf(changed[row].x), unit)).isEmpty();
+}
+
+QString NodeTableModel::take(const Nodes& nodes, const QString& what) {
+    // A few nodes fewer than a table needs are on their way to it, or to none.
+    if (const QString problem = rules_.problemOf(nodes); !problem.isEmpty())
+        return problem;
+    setNodes(nodes);
+    emit edited(nodes_, what);
+    return {};
+}
+
+NodeTable::NodeTable(NodeTableModel& model, QWidget* parent) : QTableView(parent), model_(model) {
+    setObjectName("nodeTable");
+    setModel(&model_);
+    setItemDelegate(new CheckedCell(
+        model_, [this](const QString& sentence) { report(sentence); }, this));
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                    QAbstractItemView::AnyKeyPressed);
+    setAlternatingRowColors(true);
+    setFrameShape(QFrame::NoFrame);
+    setShowGrid(false);
+    setTabKeyNavigation(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setHighlightSections(false);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    verticalHeader()->setDefaultAlignment(Qt::AlignCenter);
+    setMinimumWidth(180);
+}
+
+void NodeTable::report(const QString& sentence) {
+    emit problem(sentence);
+}
+
+void NodeTable::setReadOnly(bool readOnly) {
+    readOnly_ = readOnly;
+    setEditTriggers(readOnly
+                        ? QAbstractItemView::NoEditTriggers
+                        : QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                              QAbstractItemView::AnyKeyPressed);
+}
+
+void NodeTable::paste() {
+    if (readOnly_)
+        return;
+    const PastedRows pasted = rowsOf(QApplication::clipboard()->text());
+    if (!pasted.problem.isEmpty())
+        return report(pasted.problem);
+    const std::size_t columns = pasted.rows.front().size();
+    const QModelIndex from = currentIndex().isValid() ? currentIndex() : model_.index(0, 0);
+    if (columns > 2)
+        return report(tr("%1 columns do not fit: a table has two").arg(columns));
+    if (columns == 1 && from.row() + pasted.rows.size() > model_.nodes().size())
+        return report(tr("one column of %1 rows does not fit below row %2")
+                          .arg(pasted.rows.size())
+                          .arg(from.row() + 1));
+    Nodes nodes = model_.nodes();
+    for (std::size_t i = 0; i < pasted.rows.size(); ++i) {
+        const std::size_t row = static_cast<std::size_t>(from.row()) + i;
+        if (row >= nodes.size())
+            nodes.resize(row + 1);
+        if (columns == 2)
+            nodes[row] = {pasted.rows[i][0], pasted.rows[i][1]};
+        else
+            (from.column() == 0 ? nodes[row].x : nodes[row].y) = pasted.rows[i][0];
+    }
+    report(model_.take(nodes, tr("(%1 rows pasted)").arg(pasted.rows.size())));
+}
+
+void NodeTable::pasteAll() {
+    if (readOnly_)
+        return;
+    const PastedRows pasted = rowsOf(QApplication::clipboard()->text());
+    if (!pasted.problem.isEmpty())
+        return report(pasted.problem);
+    if (pasted.rows.front().size() != 2)
+        return report(tr("found %1 columns, expected two: %2 and %3")
+                          .arg(pasted.rows.front().size())
+                          .arg(model_.rules().xName, model_.rules().yName));
+    Nodes nodes;
+    for (const auto& row : pasted.rows)
+        nodes.push_back({row[0], row[1]});
+    if (nodes.size() > 1 && nodes.front().x > nodes.back().x)
+        std::reverse(nodes.begin(), nodes.end());
+    report(model_.take(nodes, tr("(%1 rows pasted)").arg(nodes.size())));
+}
+
+void NodeTable::copy() const {
+    std::set<int> rows;
+    for (const auto& index : selectionModel()->selectedIndexes())
+        rows.insert(index.row());
+    Nodes chosen;
+    for (const int row : rows) {
+        if (row < static_cast<int>(model_.nodes().size()))
+            chosen.push_back(model_.nodes()[static_cast<std::size_t>(row)]);
+    }
+    QApplication::clipboard()->setText(
+        spreadsheetText(chosen.size() > 1 ? chosen : model_.nodes()));
+}
+
+void NodeTable::insertRow() {
+    if (readOnly_)
+        return;
+    Nodes nodes = model_.nodes();
+    const auto row = static_cast<std::size_t>(std::max(currentIndex().row(), 0));
+    if (nodes.empty() || row >= nodes.size()) {
+        setCurrentIndex(model_.index(static_cast<int>(nodes.size()), 0));
+        edit(currentIndex());
+        return;
+    }
+    // Halfway to the row before, or as far before the first as the second is behind it.
+    Node between = nodes[row];
+    if (row > 0) {
+        between = {(nodes[row - 1].x + nodes[row].x) / 2.0,
+                   (nodes[row - 1].y + nodes[row].y) / 2.0};
+    } else {
+        between.x -= nodes.size() > 1 ? nodes[1].x - nodes[0].x : model_.rules().xStep;
+        if (!model_.rules().problemOfX(between.x).isEmpty())
+            return report(tr("there is no room before the first row"));
+    }
+    nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(row), between);
+    report(model_.take(nodes, tr("(row inserted at %1)").arg(textOf(between.x))));
+    selectNode(static_cast<int>(row));
+}
+
+void NodeTable::removeRows() {
+    if (readOnly_)
+        return;
+    std::set<int> rows;
+    for (const auto& index : selectionModel()->selectedIndexes())
+        rows.insert(index.row());
+    if (currentIndex().isValid())
+        rows.insert(currentIndex().row());
+    Nodes kept;
+    for (std::size_t i = 0; i < model_.nodes().size(); ++i) {
+        if (!rows.contains(static_cast<int>(i)))
+            kept.push_back(model_.nodes()[i]);
+    }
+    const auto gone = model_.nodes().size() - kept.size();
+    if (gone == 0)
+        return;
+    report(model_.take(kept, gone == 1 ? tr("(row removed)") : tr("(%1 rows removed)").arg(gone)));
+}
+
+void NodeTable::selectNode(int row) {
+    if (row >= 0 && row < model_.rowCount() && row != currentIndex().row())
+        setCurrentIndex(model_.index(row, std::max(currentIndex().column(), 0)));
+}
+
+void NodeTable::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Copy))
+        copy();
+    else if (event->matches(QKeySequence::Paste))
+        paste();
+    else if (event->key() == Qt::Key_Delete)
+        removeRows();
+    else if (event->key() == Qt::Key_Insert)
+        insertRow();
+    else
+        QTableView::keyPressEvent(event);
+}
+
+void NodeTable::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+    QTableView::currentChanged(current, previous);
+    if (current.row() < static_cast<int>(model_.nodes().size()))
+        emit nodeSelected(current.row());
+}
+
+} // namespace smat::gui

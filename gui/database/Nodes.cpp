@@ -1,0 +1,221 @@
+#include "gui/database/Nodes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <QStringList>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("smat::gui::Nodes", text);
+}
+
+QString titled(const QString& name, const QString& unit) {
+    return unit.isEmpty() ? name : name + " [" + unit + "]";
+}
+
+QString withUnit(double value, const QString& unit) {
+    return unit.isEmpty() ? textOf(value) : textOf(value) + " " + unit;
+}
+
+std::pair<std::vector<double>, std::vector<double>> columnsOf(const Nodes& nodes) {
+    std::pair<std::vector<double>, std::vector<double>> columns;
+    for (const auto& node : nodes) {
+        columns.first.push_back(node.x);
+        columns.second.push_back(node.y);
+    }
+    return columns;
+}
+
+Nodes nodesOf(const std::vector<double>& x, const std::vector<double>& y) {
+    Nodes nodes;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        nodes.push_back({x[i], y[i]});
+    return nodes;
+}
+
+/// The cells of a line, apart by the first of these that it holds.
+QStringList cellsOf(const QString& line) {
+    for (const QChar separator : {QChar('\t'), QChar(';')}) {
+        if (line.contains(separator))
+            return line.split(separator);
+    }
+    static const QRegularExpression blanks("\\s+");
+    // "4,2 0,5" has commas in its numbers, "4.2,0.5" and "4.2, 0.5" between them.
+    const QString trimmed = line.trimmed();
+    const QStringList words = trimmed.split(blanks, Qt::SkipEmptyParts);
+    const bool commasEndWords = std::any_of(words.begin(), words.end(), [](const QString& word) {
+        return word.endsWith(',') || word.startsWith(',');
+    });
+    if (words.size() > 1 && !commasEndWords)
+        return words;
+    return trimmed.contains(',') ? trimmed.split(',') : words;
+}
+
+} // namespace
+
+Nodes nodesOf(const irsg::LookupTable& table) {
+    return nodesOf(table.x(), table.y());
+}
+
+Nodes nodesOf(const irsg::Spectrum& spectrum) {
+    return spectrum.isConstant() ? Nodes() : nodesOf(spectrum.wavelengths_um(), spectrum.values());
+}
+
+irsg::LookupTable tableOf(const Nodes& nodes, bool loop) {
+    if (nodes.empty())
+        return {};
+    auto [x, y] = columnsOf(nodes);
+    return {std::move(x), std::move(y), loop};
+}
+
+irsg::Spectrum spectrumOf(const Nodes& nodes, irsg::Spectrum::Outside outside) {
+    auto [x, y] = columnsOf(nodes);
+    return {std::move(x), std::move(y), outside};
+}
+
+QString NodeRules::xTitle() const {
+    return titled(xName, xUnit);
+}
+
+QString NodeRules::yTitle() const {
+    return titled(yName, yUnit);
+}
+
+double NodeRules::greatestY(double x) const {
+    return yMaximumAt ? std::min(yMaximum, yMaximumAt(x)) : yMaximum;
+}
+
+QString NodeRules::problemOfX(double x) const {
+    if (!std::isfinite(x))
+        return tr("%1 has to be a finite number").arg(xName);
+    if (xPositive && x <= 0.0)
+        return tr("%1 has to be above 0").arg(xName);
+    if (x < xMinimum)
+        return tr("%1 has to be at least %2").arg(xName, withUnit(xMinimum, xUnit));
+    if (x > xMaximum)
+        return tr("%1 has to be at most %2").arg(xName, withUnit(xMaximum, xUnit));
+    return {};
+}
+
+QString NodeRules::problemOfY(double x, double y) const {
+    constexpr double rounding = 1e-12;
+    if (!std::isfinite(y))
+        return tr("%1 has to be a finite number").arg(yName);
+    if (y < yMinimum)
+        return tr("%1 has to be at least %2").arg(yName, withUnit(yMinimum, yUnit));
+    if (y > greatestY(x) + rounding)
+        return tr("%1 can be at most %2 here").arg(yName, withUnit(greatestY(x), yUnit));
+    return {};
+}
+
+QString NodeRules::problemOf(const Nodes& nodes) const {
+    if (nodes.size() < fewest)
+        return tr("at least %1 rows have to stay").arg(fewest);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        QString problem = problemOfX(nodes[i].x);
+        int column = 1;
+        if (problem.isEmpty() && i > 0 && nodes[i].x <= nodes[i - 1].x)
+            problem = tr("%1 has to be above %2, the value before: the axis ascends")
+                          .arg(textOf(nodes[i].x), textOf(nodes[i - 1].x));
+        if (problem.isEmpty()) {
+            problem = problemOfY(nodes[i].x, nodes[i].y);
+            column = 2;
+        }
+        if (!problem.isEmpty())
+            return tr("row %1, column %2: %3, found %4")
+                .arg(i + 1)
+                .arg(column)
+                .arg(problem, textOf(column == 1 ? nodes[i].x : nodes[i].y));
+    }
+    return {};
+}
+
+Node NodeRules::bounded(const Nodes& nodes, std::size_t index, Node wanted) const {
+    // A node stays between its neighbours by a thousandth of their distance.
+    double low = xPositive ? std::max(xMinimum, 1e-6) : xMinimum;
+    double high = xMaximum;
+    const double gap = 1e-3;
+    if (index > 0) {
+        const double before = nodes[index - 1].x;
+        const double after = index + 1 < nodes.size() ? nodes[index + 1].x : before + 1.0;
+        low = std::max(low, before + gap * (after - before));
+    }
+    if (index + 1 < nodes.size()) {
+        const double after = nodes[index + 1].x;
+        const double before = index > 0 ? nodes[index - 1].x : after - 1.0;
+        high = std::min(high, after - gap * (after - before));
+    }
+    const double x = low <= high ? std::clamp(wanted.x, low, high) : nodes[index].x;
+    return {x, std::clamp(wanted.y, std::min(yMinimum, greatestY(x)), greatestY(x))};
+}
+
+std::optional<double> numberOf(const QString& text) {
+    QString plain = text.trimmed();
+    plain.replace(QChar(0x2212), '-');
+    if (plain.count(',') == 1 && !plain.contains('.'))
+        plain.replace(',', '.');
+    bool right = false;
+    const double value = plain.toDouble(&right);
+    return right && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+QString textOf(double value) {
+    return QString::fromStdString(irsg::numberText(value));
+}
+
+PastedRows rowsOf(const QString& text) {
+    PastedRows pasted;
+    static const QRegularExpression lineEnds("\r\n|\r|\n");
+    int row = 0;
+    bool first = true;
+    for (const QString& line : text.split(lineEnds)) {
+        ++row;
+        if (line.trimmed().isEmpty() || line.startsWith('#'))
+            continue;
+        QStringList cells = cellsOf(line);
+        while (cells.size() > 1 && cells.back().trimmed().isEmpty())
+            cells.removeLast();
+        const bool isFirst = std::exchange(first, false);
+        if (isFirst && std::none_of(cells.begin(), cells.end(), numberOf))
+            continue;
+        std::vector<double> numbers;
+        for (int column = 0; column < cells.size(); ++column) {
+            const auto number = numberOf(cells[column]);
+            if (!number) {
+                pasted.problem = tr("row %1, column %2: '%3' is no number")
+                                     .arg(row)
+                                     .arg(column + 1)
+                                     .arg(cells[column].trimmed());
+                return pasted;
+            }
+            numbers.push_back(*number);
+        }
+        if (!pasted.rows.empty() && numbers.size() != pasted.rows.front().size()) {
+            pasted.problem = tr("row %1: %2 columns, but %3 in the rows before")
+                                 .arg(row)
+                                 .arg(numbers.size())
+                                 .arg(pasted.rows.front().size());
+            return pasted;
+        }
+        pasted.rows.push_back(std::move(numbers));
+    }
+    if (pasted.rows.empty())
+        pasted.problem = tr("the clipboard holds no numbers");
+    return pasted;
+}
+
+QString spreadsheetText(const Nodes& nodes) {
+    QString text;
+    for (const auto& node : nodes)
+        text += textOf(node.x) + "\t" + textOf(node.y) + "\n";
+    return text;
+}
+
+} // namespace smat::gui

@@ -1,0 +1,345 @@
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTabBar>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <gtest/gtest.h>
+
+#include "gui/Theme.h"
+#include "gui/database/CopyEntriesDialog.h"
+#include "gui/database/DatabaseBanner.h"
+#include "gui/database/FindingsPanel.h"
+#include "gui/database/MaterialLibrary.h"
+#include "irsg/radiometry/Errors.h"
+#include "tests/gui/DatabaseFixture.h"
+
+namespace smat::gui {
+namespace {
+
+class DatabaseEditorTest : public test::DatabaseFixture {
+  protected:
+    void SetUp() override {
+        DatabaseFixture::SetUp();
+        if (!IsSkipped())
+            openCopy("turboprop4", small());
+    }
+    static std::map<std::string, std::string> small() {
+        return {{"sensor.width", "64"},      {"sensor.height", "48"},      {"sensor.fov", "3"},
+                {"camera.azimuth", "60"},    {"camera.elevation", "12"},   {"camera.range", "900"},
+                {"target.altitude", "1500"}, {"render.antialiasing", "0"}, {"state.power", "0.7"},
+                {"state.mach", "0.4"}};
+    }
+    QTabWidget* tabs() { return dock().tabs(); }
+};
+
+TEST_F(DatabaseEditorTest, EveryTabInBothThemes) {
+    const auto keep = [this](const QString& name) {
+        QTest::qWait(60);
+        test::keepScreenshot(*window, "editor-" + name.toStdString());
+    };
+    for (const auto theme : {ThemeMode::light, ThemeMode::dark}) {
+        applyTheme(*qApp, theme);
+        window.reset();
+        makeWindow();
+        openCopy("turboprop4", small());
+        window->resize(1500, 920);
+        window->resizeDocks({&dock()}, {560}, Qt::Horizontal);
+        const QString ending = theme == ThemeMode::light ? "-light" : "-dark";
+        QTest::qWait(30);
+        dock().select({EntryKind::material, 1});
+        chooseTab("materialTabs", "Emissivity");
+        keep("material" + ending);
+        dock().select({EntryKind::material, 2});
+        chooseTab("materialTabs", "Transmissivity");
+        keep("transmissivity" + ending);
+        chooseTab("materialTabs", "N angle factor");
+        keep("angle" + ending);
+        chooseTab("materialTabs", "Notes");
+        keep("notes" + ending);
+        dock().select({EntryKind::temperature, 2});
+        chooseTab("temperatureTabs", "Result");
+        keep("temperature" + ending);
+        chooseTab("temperatureTabs", "Equation terms");
+        for (int i = 0; i < 4; ++i) {
+            find<QTabBar>("termTables")->setCurrentIndex(i);
+            if (!find<QWidget>("termsPanel")->findChild<NodeEditor*>()->nodes().empty())
+                break;
+        }
+        keep("terms" + ending);
+        for (const auto& [index, entry] : session().value().temperatures) {
+            if (entry.mode == irsg::EmissionMode::userSpectrum)
+                dock().select({EntryKind::temperature, index});
+        }
+        chooseTab("temperatureTabs", "Result");
+        keep("emitted" + ending);
+        chooseTab("temperatureTabs", "Factors");
+        keep("factors" + ending);
+        tabs()->setCurrentIndex(2);
+        chooseTab("spectrumTabs", "View");
+        keep("spectrum" + ending);
+        chooseTab("spectrumTabs", "Table");
+        keep("spectrum-table" + ending);
+        tabs()->setCurrentIndex(3);
+        keep("findings" + ending);
+    }
+    applyTheme(*qApp, ThemeMode::light);
+    EXPECT_FALSE(session().isDirty()) << "looking changes nothing";
+    EXPECT_FALSE(workbench.undoStack().canUndo());
+}
+
+TEST_F(DatabaseEditorTest, AddsDuplicatesRenumbersAndDeletesWithALookAtTheFaces) {
+    const auto before = session().value();
+    dock().select({EntryKind::material, 1});
+    auto* list = tabs()->widget(0);
+    find<QToolButton>("duplicateEntry", list)->click();
+    const int copy = dock().current()->index;
+    EXPECT_EQ(session().value().materials.at(copy), before.materials.at(1));
+    find<QToolButton>("addEntry", list)->click();
+    EXPECT_EQ(session().value().materials.size(), before.materials.size() + 2);
+
+    dock().select({EntryKind::material, copy});
+    QString said;
+    onDialog = [&](QDialog& dialog) {
+        dialog.findChild<QLineEdit*>("newKey")->setText("1");
+        EXPECT_NE(dialog.findChild<QLabel*>("consequence")->text(), "") << "1 is taken";
+        dialog.findChild<QLineEdit*>("newKey")->setText("77");
+        said = dialog.findChild<QLabel*>("consequence")->text();
+        test::keepScreenshot(dialog, "editor-renumber");
+    };
+    find<QToolButton>("renumberEntry", list)->click();
+    EXPECT_TRUE(session().value().materials.contains(77));
+    EXPECT_FALSE(session().value().materials.contains(copy));
+    EXPECT_EQ(said, "No face of the model carries either index.");
+
+    // Faces use material 1: deleting it asks.
+    dock().select({EntryKind::material, 1});
+    accept = false;
+    onDialog = [&](QDialog& dialog) {
+        said = dialog.findChild<QLabel*>("question")->text();
+        test::keepScreenshot(dialog, "editor-delete");
+    };
+    find<QToolButton>("removeEntry", list)->click();
+    EXPECT_TRUE(said.contains("faces")) << said.toStdString();
+    EXPECT_TRUE(session().value().materials.contains(1));
+    accept = true;
+    find<QToolButton>("removeEntry", list)->click();
+    EXPECT_FALSE(session().value().materials.contains(1));
+    onDialog = nullptr;
+
+    // The findings name it at once, and their button adds it.
+    dock().findings()->look();
+    EXPECT_GE(dock().findings()->errors(), 1);
+    tabs()->setCurrentIndex(3);
+    test::keepScreenshot(*window, "editor-finding-missing");
+    auto* repair = find<QPushButton>("repair", dock().findings());
+    ASSERT_NE(repair, nullptr);
+    repair->click();
+    EXPECT_TRUE(session().value().materials.contains(1));
+
+    const auto edited = session().value();
+    while (workbench.undoStack().canUndo())
+        workbench.undoStack().undo();
+    EXPECT_EQ(session().value(), before);
+    while (workbench.undoStack().canRedo())
+        workbench.undoStack().redo();
+    EXPECT_EQ(session().value(), edited);
+}
+
+TEST_F(DatabaseEditorTest, NamesAndNotesAreOneStepATyping) {
+    dock().select({EntryKind::temperature, 1});
+    type("entryName", "fuselage skin", find<QWidget>("temperaturePanel"));
+    EXPECT_EQ(session().value().temperatures.at(1).name, "fuselage skin");
+    EXPECT_EQ(workbench.undoStack().count(), 1);
+    EXPECT_EQ(workbench.undoStack().undoText(), "Rename temperature 1");
+    chooseTab("temperatureTabs", "Notes");
+    auto* notes = find<QPlainTextEdit>("entryNotes", find<QWidget>("temperaturePanel"));
+    notes->selectAll();
+    QTest::keyClicks(notes, "measured");
+    EXPECT_EQ(session().value().temperatures.at(1).notes, "measured");
+    workbench.undoStack().undo();
+    workbench.undoStack().undo();
+    EXPECT_EQ(session().value(), session().saved());
+    EXPECT_EQ(notes->toPlainText().toStdString(), session().saved().temperatures.at(1).notes);
+}
+
+TEST_F(DatabaseEditorTest, AddsFromTheLibraryAndResolvesClashes) {
+    const auto before = session().value();
+    onDialog = [&](QDialog& dialog) {
+        auto& copy = dynamic_cast<CopyEntriesDialog&>(dialog);
+        copy.choose({EntryKind::material, 1});
+        copy.choose({EntryKind::material, 7});
+        // Index 1 is taken: replaced; 7 goes to 40.
+        auto* list = copy.findChild<QTreeWidget*>("copyList");
+        auto* group = list->topLevelItem(0);
+        auto* clash = static_cast<QComboBox*>(list->itemWidget(group->child(0), 3));
+        EXPECT_FALSE(clash->isHidden());
+        clash->setCurrentIndex(1);
+        static_cast<QLineEdit*>(list->itemWidget(group->child(6), 2))->setText("40");
+        test::keepScreenshot(dialog, "editor-library");
+    };
+    find<QToolButton>("addFromLibrary")->click();
+    onDialog = nullptr;
+    const auto& library = materialLibrary().materials;
+    EXPECT_EQ(session().value().materials.at(1), library.at(1));
+    EXPECT_EQ(session().value().materials.at(40), library.at(7));
+    EXPECT_EQ(session().value().materials.size(), before.materials.size() + 1);
+    EXPECT_EQ(workbench.undoStack().count(), 1);
+    workbench.undoStack().undo();
+    EXPECT_EQ(session().value(), before);
+}
+
+TEST_F(DatabaseEditorTest, CopiesFromAnotherDatabase) {
+    const auto box = std::filesystem::path(SMAT_SOURCE_DIR) / "samples/box/box.sigdb";
+    const auto source = irsg::loadSignatureFile(box).database;
+    chosen = QString::fromStdString(box.string());
+    onDialog = [&](QDialog& dialog) {
+        dynamic_cast<CopyEntriesDialog&>(dialog).choose({EntryKind::temperature, 2});
+        test::keepScreenshot(dialog, "editor-copy");
+    };
+    find<QAction>("copyFromDatabase")->trigger();
+    onDialog = nullptr;
+    const auto key = dock().current();
+    ASSERT_TRUE(key.has_value());
+    EXPECT_NE(key->index, 2) << "2 is taken: the next free one";
+    EXPECT_EQ(session().value().temperatures.at(key->index), source.temperatures.at(2));
+}
+
+TEST_F(DatabaseEditorTest, FollowsTheFileThatTheProjectNames) {
+    const auto own = session().file();
+    const auto other = folder / "other.sigdb";
+    auto value = session().value();
+    value.title = "other";
+    irsg::saveSignatureFile(value, other);
+    chosen = QString::fromStdString(other.string());
+    window->findChild<QAction*>("openDatabase")->trigger();
+    EXPECT_EQ(session().file(), other);
+    EXPECT_EQ(workbench.undoStack().undoText(), "Use database other.sigdb");
+    workbench.undoStack().undo();
+    EXPECT_EQ(session().file(), own);
+    workbench.undoStack().redo();
+    EXPECT_EQ(session().value().title, "other");
+}
+
+TEST_F(DatabaseEditorTest, TellsWhatCannotBeOpenedAndOffersWhatCanBeDone) {
+    // A number of the file changed by another program.
+    const auto file = session().file();
+    auto changed = session().value();
+    session().close();
+    std::filesystem::copy_file(file, folder / "kept.sigdb");
+    std::filesystem::remove(file);
+    ASSERT_TRUE(window->open(folder / "turboprop4.smat"));
+    EXPECT_FALSE(session().isOpen());
+    EXPECT_TRUE(dock().banner()->text().contains("no such file"))
+        << dock().banner()->text().toStdString();
+    EXPECT_NE(find<QPushButton>("newDatabase"), nullptr);
+    test::keepScreenshot(*window, "editor-missing");
+}
+
+TEST_F(DatabaseEditorTest, OffersTheEditsThatAWindowLeft) {
+    chooseTab("temperatureTabs", "Equation terms");
+    session().edit("x", [](auto& d) { d.title = "left behind"; });
+    session().writeRecoveryNow();
+    const auto copy = folder / "copy";
+    const auto recovery = session().recoveryFile();
+    std::filesystem::copy_file(recovery, copy);
+    session().discard();
+    std::filesystem::copy_file(copy, recovery);
+    ASSERT_TRUE(window->open(folder / "turboprop4.smat"));
+    QTest::qWait(20);
+    EXPECT_TRUE(dock().banner()->isVisible());
+    test::keepScreenshot(*window, "editor-recovery");
+    find<QPushButton>("recover")->click();
+    EXPECT_EQ(session().value().title, "left behind");
+    EXPECT_FALSE(dock().banner()->isVisible());
+}
+
+TEST_F(DatabaseEditorTest, AsksBeforeUnsavedEditsAreLost) {
+    session().edit("x", [](auto& d) { d.title = "edited"; });
+    accept = false;
+    EXPECT_FALSE(dock().mayClose());
+    EXPECT_EQ(session().value().title, "edited");
+    accept = true;
+    onDialog = [](QDialog& dialog) {
+        test::keepScreenshot(dialog, "editor-unsaved");
+        dialog.findChild<QPushButton*>("answer1")->click();
+    };
+    EXPECT_TRUE(dock().mayClose());
+    EXPECT_FALSE(session().isDirty());
+    EXPECT_NE(session().value().title, "edited");
+    onDialog = nullptr;
+}
+
+/// What a person does on the first day: paint an aircraft, heat its engines, see it.
+class FirstStepsTest : public test::DatabaseFixture {};
+
+TEST_F(FirstStepsTest, PaintAnAircraftHeatItsEnginesAndSeeIt) {
+    openCopy("turboprop4",
+             {{"sensor.width", "320"},
+              {"sensor.height", "256"},
+              {"sensor.fov", "3"},
+              {"camera.azimuth", "60"},
+              {"camera.elevation", "12"},
+              {"camera.range", "900"},
+              {"target.altitude", "1500"},
+              {"render.antialiasing", "0"},
+              {"state.power", "1"}},
+             false);
+    EXPECT_FALSE(session().isOpen());
+    test::keepScreenshot(*window, "first-steps-1-no-database");
+
+    const auto file = folder / "mine.sigdb";
+    chosen = QString::fromStdString(file.string());
+    find<QPushButton>("newDatabase")->click();
+    ASSERT_TRUE(session().isOpen()) << told.join('\n').toStdString();
+    EXPECT_TRUE(session().isDirty());
+    EXPECT_GE(session().value().materials.size(), 4U);
+    runAnalysis("image");
+    const auto cold = workbench.results().back().data.image.primary().values;
+    window->findChild<QTabWidget*>("tabs")->setCurrentIndex(0);
+
+    // Paint: the grey of the library in place of material 1.
+    onDialog = [&](QDialog& dialog) {
+        dialog.findChild<QLineEdit*>("copyFilter")->setText("aircraft");
+        auto& copy = dynamic_cast<CopyEntriesDialog&>(dialog);
+        for (const auto& [index, material] : copy.source().materials) {
+            if (material.name != "grey aircraft paint, matt")
+                continue;
+            copy.choose({EntryKind::material, index});
+            auto* list = copy.findChild<QTreeWidget*>("copyList");
+            static_cast<QLineEdit*>(list->itemWidget(list->currentItem(), 2))->setText("1");
+            static_cast<QComboBox*>(list->itemWidget(list->currentItem(), 3))->setCurrentIndex(1);
+        }
+        test::keepScreenshot(dialog, "first-steps-2-library");
+    };
+    find<QToolButton>("addFromLibrary")->click();
+    onDialog = nullptr;
+    EXPECT_EQ(session().value().materials.at(1).name, "grey aircraft paint, matt");
+    test::keepScreenshot(*window, "first-steps-3-painted");
+
+    // Heat: 250 K more at full power for the exhaust pipes, number 5.
+    const int engine = 5;
+    dock().select({EntryKind::temperature, engine});
+    type("entryName", "engine", find<QWidget>("temperaturePanel"));
+    chooseTab("temperatureTabs", "Equation terms");
+    find<QTabBar>("termTables")->setCurrentIndex(1);
+    fill(find<QWidget>("termsPanel"), {{0, 0}, {1, 250}});
+    test::keepScreenshot(*window, "first-steps-4-heated");
+
+    // See it, and keep it.
+    runAnalysis("image");
+    test::keepScreenshot(*window, "first-steps-5-seen");
+    const auto hot = workbench.results().back().data.image.primary().values;
+    EXPECT_GT(*std::max_element(hot.begin(), hot.end()),
+              2.0F * *std::max_element(cold.begin(), cold.end()));
+    window->findChild<QAction*>("saveDatabase")->trigger();
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    EXPECT_EQ(irsg::loadSignatureFile(file).database, session().value());
+    runAnalysis("image");
+    EXPECT_EQ(workbench.results().back().data.image.primary().values, hot);
+}
+
+} // namespace
+} // namespace smat::gui
