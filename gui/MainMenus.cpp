@@ -9,7 +9,9 @@
 #include "gui/Theme.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/project/ProjectFiles.h"
+#include "gui/tools/AirTools.h"
 #include "gui/view/ModelPage.h"
+#include "gui/view/SceneView.h"
 
 namespace smat::gui {
 
@@ -153,6 +155,11 @@ void MainWindow::makeAnalysisMenu(QMenu* menu) {
 void MainWindow::makeToolsMenu(QMenu* menu) {
     addAction(menu, "compareImages", "compare", tr("&Compare images…"),
               QKeySequence(Qt::CTRL | Qt::Key_D), [this] { compareImages(); });
+    addAirTools(*menu, workbench_, dialogs_,
+                [this](QWidget* page, const QIcon& picture, const QString& title) {
+                    addPage(page, picture, title);
+                });
+    menu->addSeparator();
     ofProjectFile_.append(addAction(menu, "options", "options", tr("&Options…"),
                                     QKeySequence(Qt::Key_F9), [this] { showOptions(0); }));
 }

@@ -16,6 +16,7 @@
 #include "gui/Theme.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
+#include "gui/analysis/ResultPages.h"
 #include "gui/analysis/ResultsDock.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/database/DatabasePreview.h"
@@ -66,7 +67,7 @@ void MainWindow::makeDocks() {
     addDockWidget(Qt::LeftDockWidgetArea, tree_);
     auto* manipulators = new ManipulatorsDock(workbench_, this);
     addDockWidget(Qt::LeftDockWidgetArea, manipulators);
-    results_ = new ResultsDock(workbench_, this);
+    results_ = new ResultsDock(workbench_, dialogs_, this);
     addDockWidget(Qt::RightDockWidgetArea, results_);
     databaseDock_ = new DatabaseDock(workbench_, dialogs_, this);
     addDockWidget(Qt::RightDockWidgetArea, databaseDock_);
@@ -109,15 +110,21 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::settingsChanged, this, &MainWindow::onSettingsChanged);
     connect(&workbench_, &Workbench::jobStarted, this, &MainWindow::refreshActions);
     connect(&workbench_, &Workbench::jobEnded, this, &MainWindow::refreshActions);
-    connect(&workbench_, &Workbench::resultAdded, this, [this](int id) { showResults({id}); });
-    connect(&workbench_, &Workbench::resultRemoved, this, &MainWindow::closeResultsOf);
+    connect(&workbench_, &Workbench::resultAdded, this, [this](int id) {
+        sceneRenderer_ = QString::fromStdString(workbench_.result(id)->data.renderer);
+    });
     connect(&workbench_, &Workbench::jobFailed, this,
             [this](const QStringList& sentences, bool ourFault) {
                 dialogs_.tell(this,
                               ourFault ? tr("Internal error") : tr("The analysis cannot be run"),
                               sentences);
             });
-    connect(results_, &ResultsDock::showRequested, this, &MainWindow::showResults);
+    auto* pages = new ResultPages(workbench_, dialogs_, tabs_);
+    connect(results_, &ResultsDock::showRequested, pages, &ResultPages::show);
+    connect(pages, &ResultPages::said, this,
+            [this](const QString& sentence) { statusBar()->showMessage(sentence); });
+    openWith({"csv", "json", "exr"},
+             [this](const std::filesystem::path& file) { return results_->openResult(file); });
     connect(files_, &ProjectFiles::said, this,
             [this](const QString& sentence) { statusBar()->showMessage(sentence, 10000); });
 }
@@ -287,47 +294,6 @@ void MainWindow::newAnalysis(AnalysisKind kind, const Settings& settings, const 
 
 ResultPage* MainWindow::currentPage() const {
     return qobject_cast<ResultPage*>(tabs_->currentWidget());
-}
-
-void MainWindow::showResults(const QList<int>& ids) {
-    for (int index = 1; index < tabs_->count(); ++index) {
-        const auto* page = qobject_cast<ResultPage*>(tabs_->widget(index));
-        if (page != nullptr && page->resultIds() == ids) {
-            tabs_->setCurrentIndex(index);
-            return;
-        }
-    }
-    std::vector<ResultEntry> entries;
-    for (const int id : ids) {
-        if (const auto* entry = workbench_.result(id))
-            entries.push_back(*entry);
-    }
-    if (entries.empty())
-        return;
-    try {
-        auto* page = new ResultPage(entries);
-        const QString word = QString::fromStdString(name(entries.front().data.kind));
-        const QString tab =
-            entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
-        addPage(page, icon(word), tab);
-    } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("These results cannot be shown together"), sentencesOf(error));
-    }
-    sceneRenderer_ = QString::fromStdString(entries.back().data.renderer);
-    QStringList notes;
-    for (const auto& warning : entries.back().data.warnings)
-        notes << QString::fromStdString(warning);
-    statusBar()->showMessage(notes.isEmpty()
-                                 ? tr("Done in %1 s").arg(entries.back().data.elapsed_s, 0, 'f', 2)
-                                 : notes.join("   "));
-}
-
-void MainWindow::closeResultsOf(int id) {
-    for (int index = tabs_->count() - 1; index > 0; --index) {
-        const auto* page = qobject_cast<ResultPage*>(tabs_->widget(index));
-        if (page != nullptr && page->resultIds().contains(id))
-            delete tabs_->widget(index);
-    }
 }
 
 void MainWindow::exportShown() {

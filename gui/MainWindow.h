@@ -116,8 +116,6 @@ class MainWindow : public QMainWindow {
     void refreshTitle();
     void showModel();
     void onSettingsChanged();
-    void showResults(const QList<int>& ids);
-    void closeResultsOf(int id);
     void refreshActions();
     void restoreLayout();
     FileChooser fileChooser();

@@ -73,14 +73,21 @@ Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent)
       database_(std::make_unique<DatabaseSession>(undoStack_)),
       engine_(std::make_shared<AnalysisEngine>()) {
     engine_->makeSource = std::move(makeSource);
+    connect(&results_, &ResultStore::added, this, &Workbench::resultAdded);
+    connect(&results_, &ResultStore::removed, this, &Workbench::resultRemoved);
     stepEnd_.setSingleShot(true);
     stepEnd_.setInterval(stepPause_ms);
     connect(&stepEnd_, &QTimer::timeout, this, [this] { ++step_; });
 }
 
 Workbench::~Workbench() {
-    if (job_)
+    // All are asked to stop before the first is waited for.
+    if (job_) {
         job_->disconnect(this);
+        job_->cancel();
+    }
+    for (const auto& job : leaving_)
+        job->disconnect(this);
 }
 
 void Workbench::open(const std::filesystem::path& file) {
@@ -361,20 +368,37 @@ void Workbench::setCamera(const OrbitCamera& camera) {
 void Workbench::start(AnalysisData data) {
     if (job_)
         throw irsg::LogicError("an analysis is running");
-    // No job runs: nobody else uses the builder.
+    // A drawing that was left still has its renderer.
+    const auto working = [this](const auto& job) {
+        return job->isWorking() && job->engine() == engine_;
+    };
+    if (std::any_of(leaving_.begin(), leaving_.end(), working)) {
+        auto fresh = std::make_shared<AnalysisEngine>();
+        fresh->makeSource = engine_->makeSource;
+        engine_ = std::move(fresh);
+    }
+    // No job works with this builder: nobody else uses it.
     engine_->scenes.setDatabaseOverrides(editedDatabases());
     job_ = std::make_unique<AnalysisJob>(std::move(data), engine_);
-    connect(job_.get(), &AnalysisJob::progressed, this, &Workbench::jobProgressed);
-    connect(job_.get(), &AnalysisJob::finished, this, &Workbench::onFinished);
-    connect(job_.get(), &AnalysisJob::failed, this,
-            [this](const QStringList& sentences, bool ourFault) {
-                const bool cancelled = job_->isCancelled() && !ourFault;
+    auto* job = job_.get();
+    connect(job, &AnalysisJob::progressed, this, [this, job](const Progress& progress) {
+        if (job == job_.get())
+            emit jobProgressed(progress);
+    });
+    connect(job, &AnalysisJob::finished, this, [this](const AnalysisData& result) {
+        endJob();
+        results_.add(result);
+    });
+    connect(job, &AnalysisJob::failed, this,
+            [this, job](const QStringList& sentences, bool ourFault) {
+                const bool cancelled = job->isCancelled() && !ourFault;
                 endJob();
                 if (!cancelled)
                     emit jobFailed(sentences, ourFault);
             });
-    emit jobStarted(QString::fromStdString(title(job_->asked().kind)));
-    job_->start();
+    connect(job, &AnalysisJob::ended, this, [this, job] { forgetJob(job); });
+    emit jobStarted(QString::fromStdString(title(job->asked().kind)));
+    job->start();
 }
 
 void Workbench::cancel() {
@@ -382,31 +406,20 @@ void Workbench::cancel() {
         job_->cancel();
 }
 
-void Workbench::onFinished(const AnalysisData& data) {
-    const int id = nextId_++;
-    QString what = QString::fromStdString(
-        data.name.empty() || data.name == name(data.kind) ? title(data.kind) : data.name);
-    if (data.state == AnalysisState::partial)
-        what += tr(" (partial)");
-    results_.push_back({id, QStringLiteral("%1  %2").arg(id).arg(what), data});
-    endJob();
-    emit resultAdded(id);
-}
-
 void Workbench::endJob() {
-    job_.reset();
+    leaving_.push_back(std::move(job_));
     emit jobEnded();
 }
 
-const ResultEntry* Workbench::result(int id) const {
-    const auto found = std::find_if(results_.begin(), results_.end(),
-                                    [id](const ResultEntry& entry) { return entry.id == id; });
-    return found == results_.end() ? nullptr : &*found;
-}
-
-void Workbench::removeResult(int id) {
-    if (std::erase_if(results_, [id](const ResultEntry& entry) { return entry.id == id; }) > 0)
-        emit resultRemoved(id);
+void Workbench::forgetJob(AnalysisJob* job) {
+    // The renderer with its loaded models is better than one that nobody has used yet.
+    if (!job_ && !engine_->source && job->engine() != engine_)
+        engine_ = job->engine();
+    // Not while the job is still in its signal.
+    QMetaObject::invokeMethod(
+        this,
+        [this, job] { std::erase_if(leaving_, [job](const auto& it) { return it.get() == job; }); },
+        Qt::QueuedConnection);
 }
 
 QStringList Workbench::recentFiles() const {

@@ -11,17 +11,11 @@
 #include <QUndoStack>
 
 #include "gui/analysis/AnalysisJob.h"
+#include "gui/analysis/ResultStore.h"
 #include "gui/database/DatabaseSession.h"
 #include "gui/view/OrbitCamera.h"
 
 namespace smat::gui {
-
-/// A result of this session.
-struct ResultEntry {
-    int id = 0;
-    QString title; ///< "1  Polar plot"
-    AnalysisData data;
-};
 
 /// What the window and its tests talk to: the project that is open, the job that runs and the
 /// results there are. Knows no widget.
@@ -97,11 +91,14 @@ class Workbench : public QObject {
     void start(AnalysisData data);
     bool isRunning() const { return job_ != nullptr; }
     const AnalysisJob* job() const { return job_.get(); }
+    /// Answered within a moment; a drawing under way ends by itself, and meanwhile the next
+    /// analysis has a renderer of its own.
     void cancel();
 
-    const std::vector<ResultEntry>& results() const { return results_; }
-    const ResultEntry* result(int id) const;
-    void removeResult(int id);
+    ResultStore& resultStore() { return results_; }
+    const std::vector<ResultEntry>& results() const { return results_.entries(); }
+    const ResultEntry* result(int id) const { return results_.find(id); }
+    void removeResult(int id) { results_.remove(id); }
 
     /// Files opened before, the last one first, at most ten.
     QStringList recentFiles() const;
@@ -130,8 +127,8 @@ class Workbench : public QObject {
     std::filesystem::path databaseFile() const;
     void followDatabase(bool anew);
     void nameDatabase(const std::filesystem::path& file);
-    void onFinished(const AnalysisData& data);
     void endJob();
+    void forgetJob(AnalysisJob* job);
     void rememberFile(const std::filesystem::path& file);
 
     std::optional<Project> project_;
@@ -145,9 +142,9 @@ class Workbench : public QObject {
     bool stepHeld_ = false;
     int step_ = 0;
     std::shared_ptr<AnalysisEngine> engine_;
+    ResultStore results_;
     std::unique_ptr<AnalysisJob> job_;
-    std::vector<ResultEntry> results_;
-    int nextId_ = 1;
+    std::vector<std::unique_ptr<AnalysisJob>> leaving_; ///< answered, their drawing not yet ended
 };
 
 } // namespace smat::gui

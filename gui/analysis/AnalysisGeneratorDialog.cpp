@@ -15,7 +15,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
 namespace {
@@ -58,10 +60,16 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
     addPage(tr("Sensor"), {"sensor"}, tabs);
     addPage(tr("Environment"), {"environment"}, tabs);
     addPage(tr("Rendering"), {"render"}, tabs);
+    if (kind_ == AnalysisKind::image)
+        addPage(tr("Display"), {"display"}, tabs);
 
     problems_ = new QLabel(this);
     problems_->setObjectName("problems");
     problems_->setWordWrap(true);
+    plan_ = new QLabel(this);
+    plan_->setObjectName("plan");
+    plan_->setWordWrap(true);
+    plan_->setForegroundRole(QPalette::PlaceholderText);
     command_ = new QLineEdit(this);
     command_->setObjectName("commandLine");
     command_->setReadOnly(true);
@@ -94,6 +102,7 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
     column->addLayout(top);
     column->addWidget(name_);
     column->addWidget(tabs, 1);
+    column->addWidget(plan_);
     column->addWidget(problems_);
     column->addWidget(same);
     column->addLayout(terminal);
@@ -125,9 +134,32 @@ void AnalysisGeneratorDialog::setName(const QString& name) {
     name_->setText(name);
 }
 
+QStringList AnalysisGeneratorDialog::problems() const {
+    QStringList list;
+    for (const auto* form : forms_)
+        list += form->problems();
+    if (!list.isEmpty())
+        return list;
+    // Values that are right one by one may not fit each other.
+    const auto collect = [&](const auto& work) {
+        try {
+            work();
+        } catch (const irsg::InputError& error) {
+            for (const auto& offence : error.offences())
+                list << QString::fromStdString(offence.message());
+        }
+    };
+    const AnalysisData asked = data();
+    collect([&] {
+        plan_->setText(QString::fromStdString(
+            planAnalysis(asked.kind, asked.project, asked.settings).description));
+    });
+    collect([&] { sensorOf(asked.project, asked.settings); });
+    return list;
+}
+
 bool AnalysisGeneratorDialog::isAcceptable() const {
-    return std::all_of(forms_.begin(), forms_.end(),
-                       [](const auto* form) { return form->isValid(); });
+    return problems().isEmpty();
 }
 
 AnalysisData AnalysisGeneratorDialog::data() const {
@@ -142,13 +174,12 @@ AnalysisData AnalysisGeneratorDialog::data() const {
 }
 
 void AnalysisGeneratorDialog::refresh() {
-    QStringList problems;
-    for (const auto* form : forms_)
-        problems += form->problems();
-    problems_->setText(problems.join('\n'));
-    problems_->setVisible(!problems.isEmpty());
-    buttons_->button(QDialogButtonBox::Ok)->setEnabled(problems.isEmpty());
-    if (problems.isEmpty()) {
+    const QStringList wrong = problems();
+    problems_->setText(wrong.join('\n'));
+    problems_->setVisible(!wrong.isEmpty());
+    plan_->setVisible(wrong.isEmpty());
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(wrong.isEmpty());
+    if (wrong.isEmpty()) {
         command_->setText(QString::fromStdString(data().commandLine));
         command_->setToolTip(command_->text());
         command_->setCursorPosition(0);

@@ -13,8 +13,10 @@ class QLineEdit;
 
 namespace smat::gui {
 
-/// Gathers what an analysis is asked into an AnalysisData, and nothing else: it neither plans nor
-/// runs. Shows the command that does the same from a terminal.
+/// Gathers what an analysis is asked into an AnalysisData, and nothing else: it does not run. Every
+/// setting that takes part has its field; what is wrong, with one of them or between them, is said
+/// as one types, else how many cases there will be. Shows the command that does the same from a
+/// terminal.
 class AnalysisGeneratorDialog : public QDialog {
     Q_OBJECT
 
@@ -30,6 +32,7 @@ class AnalysisGeneratorDialog : public QDialog {
     bool isAcceptable() const;
 
   private:
+    QStringList problems() const;
     void addPage(const QString& title, const std::vector<std::string>& sections,
                  class QTabWidget* tabs);
     void refresh();
@@ -42,6 +45,7 @@ class AnalysisGeneratorDialog : public QDialog {
     QLineEdit* name_ = nullptr;
     QLineEdit* command_ = nullptr;
     QLabel* problems_ = nullptr;
+    QLabel* plan_ = nullptr;
     QDialogButtonBox* buttons_ = nullptr;
 };
 

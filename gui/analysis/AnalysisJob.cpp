@@ -1,29 +1,59 @@
 #include "gui/analysis/AnalysisJob.h"
 
+#include <algorithm>
+
+#include <QTimer>
+
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AnalysisProvenance.h"
 
 namespace smat::gui {
+namespace {
+
+/// Rows of a result that grows, without copying those that are there already.
+void takeNewRows(ResultTable& table, const ResultTable& grown) {
+    if (table.columns().size() != grown.columns().size()) {
+        table = grown;
+        return;
+    }
+    for (std::size_t row = table.rowCount(); row < grown.rowCount(); ++row) {
+        std::vector<double> values;
+        for (const auto& column : grown.columns())
+            values.push_back(column.values[row]);
+        table.addRow(values);
+    }
+}
+
+} // namespace
 
 AnalysisJob::AnalysisJob(AnalysisData data, std::shared_ptr<AnalysisEngine> engine, QObject* parent)
     : QObject(parent), asked_(std::move(data)), engine_(std::move(engine)) {
     qRegisterMetaType<smat::Progress>();
     qRegisterMetaType<smat::AnalysisData>();
+    kept_.data = asked_;
 }
 
 AnalysisJob::~AnalysisJob() {
-    cancel();
+    thread_.request_stop();
     if (thread_.joinable())
         thread_.join();
 }
 
 void AnalysisJob::start() {
     clock_.start();
+    working_ = true;
     thread_ = std::jthread([this](std::stop_token stop) { work(stop); });
 }
 
 void AnalysisJob::cancel() {
+    if (cancelled_)
+        return;
     cancelled_ = true;
     thread_.request_stop();
+    QTimer::singleShot(patience_ms, this, [this] {
+        if (!answered_)
+            answer(keptSoFar());
+    });
 }
 
 double AnalysisJob::elapsed_s() const {
@@ -31,35 +61,88 @@ double AnalysisJob::elapsed_s() const {
 }
 
 void AnalysisJob::work(std::stop_token stop) {
-    // Signals cross to the window's thread because the receivers live there.
-    AnalysisData data = asked_;
-    QStringList sentences;
-    bool ourFault = false;
+    Outcome outcome{.data = asked_, .sentences = {}};
     try {
         if (!engine_->source)
             engine_->source = engine_->makeSource();
-        AnalysisGenerator generator(*engine_->source,
-                                    [this](const Project& project, const Settings& settings) {
-                                        return engine_->scenes.build(project, settings);
-                                    });
+        AnalysisGenerator generator(
+            *engine_->source, [this](const Project& project, const Settings& settings) {
+                SceneDescription scene = engine_->scenes.build(project, settings);
+                const std::lock_guard lock(kept_.mutex);
+                kept_.scene = scene;
+                return scene;
+            });
+        // A window cannot show more than some thirty states a second.
+        constexpr double leastPause_s = 0.03;
+        double last_s = -1.0;
         generator.run(
-            data, [this](const Progress& now) { emit progressed(now); }, stop);
+            outcome.data,
+            [&](const Progress& now) {
+                keep(outcome.data, now);
+                if (now.done == 0 || now.done == now.total ||
+                    now.elapsed_s - last_s > leastPause_s) {
+                    last_s = now.elapsed_s;
+                    emit progressed(now);
+                }
+            },
+            stop);
     } catch (const irsg::InputError& error) {
         for (const auto& offence : error.offences())
-            sentences << QString::fromStdString(offence.message());
+            outcome.sentences << QString::fromStdString(offence.message());
     } catch (const std::exception& error) {
-        ourFault = true;
-        sentences << QString::fromLocal8Bit(error.what());
+        outcome.ourFault = true;
+        outcome.sentences << QString::fromLocal8Bit(error.what());
     }
+    if (outcome.sentences.isEmpty() && outcome.data.image.empty() && outcome.data.table.empty())
+        outcome.sentences << (stop.stop_requested()
+                                  ? tr("Cancelled before the first case was done.")
+                                  : tr("The analysis gave no result."));
 
-    const bool nothing = data.image.empty() && data.table.empty();
-    if (sentences.isEmpty() && nothing)
-        sentences << (stop.stop_requested() ? tr("Cancelled before the first case was done.")
-                                            : tr("The analysis gave no result."));
-    if (sentences.isEmpty())
-        emit finished(data);
+    // Over to the thread of the window.
+    QMetaObject::invokeMethod(
+        this,
+        [this, outcome = std::move(outcome)] {
+            working_ = false;
+            if (!answered_)
+                answer(outcome);
+            emit ended();
+        },
+        Qt::QueuedConnection);
+}
+
+void AnalysisJob::keep(const AnalysisData& data, const Progress& now) {
+    const std::lock_guard lock(kept_.mutex);
+    takeNewRows(kept_.data.table, data.table);
+    kept_.data.answeredBy = data.answeredBy;
+    kept_.data.warnings = data.warnings;
+    kept_.data.renderer = data.renderer;
+    kept_.progress = now;
+}
+
+AnalysisJob::Outcome AnalysisJob::keptSoFar() {
+    const std::lock_guard lock(kept_.mutex);
+    Outcome outcome{.data = kept_.data, .sentences = {}};
+    if (outcome.data.table.empty() || outcome.data.kind == AnalysisKind::image) {
+        outcome.sentences << tr("Cancelled before the first case was done.");
+        return outcome;
+    }
+    // What the run itself says of a stop between two cases.
+    AnalysisData& data = outcome.data;
+    data.state = AnalysisState::partial;
+    data.elapsed_s = elapsed_s();
+    data.warnings.push_back("stopped after " + std::to_string(kept_.progress.done) + " of " +
+                            std::to_string(kept_.progress.total) + " cases");
+    summarise(data);
+    writeProvenance(data, kept_.scene);
+    return outcome;
+}
+
+void AnalysisJob::answer(const Outcome& outcome) {
+    answered_ = true;
+    if (outcome.sentences.isEmpty())
+        emit finished(outcome.data);
     else
-        emit failed(sentences, ourFault);
+        emit failed(outcome.sentences, outcome.ourFault);
 }
 
 } // namespace smat::gui

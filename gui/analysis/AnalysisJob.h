@@ -3,11 +3,11 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <thread>
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QStringList>
 
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
@@ -26,37 +26,64 @@ struct AnalysisEngine {
 };
 
 /// One run of AnalysisGenerator in a thread of its own. Its signals arrive in the thread that made
-/// it. Destroying it asks it to stop and waits for the drawing under way.
+/// it. A cancel is answered within a moment: by the run itself where a case ends in that time, else
+/// by the cases done so far, and the drawing under way is left to end by itself; its engine is then
+/// not free before `ended`. Destroying a job asks it to stop and waits for the drawing under way.
 class AnalysisJob : public QObject {
     Q_OBJECT
 
   public:
+    /// How long a cancel waits for the drawing under way, ms.
+    static constexpr int patience_ms = 100;
+
     AnalysisJob(AnalysisData data, std::shared_ptr<AnalysisEngine> engine,
                 QObject* parent = nullptr);
     ~AnalysisJob() override;
 
     void start();
-    /// What is done so far is kept; the drawing under way is finished first.
+    /// What is done so far is kept.
     void cancel();
     bool isCancelled() const { return cancelled_; }
+    /// Until the engine is free again.
+    bool isWorking() const { return working_; }
     double elapsed_s() const;
     const AnalysisData& asked() const { return asked_; }
+    const std::shared_ptr<AnalysisEngine>& engine() const { return engine_; }
 
   signals:
     void progressed(const smat::Progress& progress);
-    /// Complete, or partial after a cancel with at least one case done.
+    /// The answer, one of these two: complete, or partial after a cancel with at least one case
+    /// done.
     void finished(const smat::AnalysisData& data);
     /// Nothing came out: refused (a sentence an offence), failed, or cancelled before the first
     /// case.
     void failed(const QStringList& sentences, bool ourFault);
+    /// The last signal: the engine is free again.
+    void ended();
 
   private:
+    struct Outcome {
+        AnalysisData data;
+        QStringList sentences;
+        bool ourFault = false;
+    };
+    /// What is done so far, shared with the thread that works.
+    struct Kept {
+        std::mutex mutex;
+        AnalysisData data;
+        SceneDescription scene;
+        Progress progress;
+    };
     void work(std::stop_token stop);
+    void keep(const AnalysisData& data, const Progress& now);
+    Outcome keptSoFar();
+    void answer(const Outcome& outcome);
 
     AnalysisData asked_;
     std::shared_ptr<AnalysisEngine> engine_;
+    Kept kept_;
     QElapsedTimer clock_;
-    bool cancelled_ = false;
+    bool cancelled_ = false, answered_ = false, working_ = false;
     std::jthread thread_; ///< last: stops before the rest goes
 };
 

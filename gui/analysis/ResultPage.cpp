@@ -1,17 +1,15 @@
 #include "gui/analysis/ResultPage.h"
 
-#include <QCheckBox>
+#include <algorithm>
+#include <optional>
+
 #include <QComboBox>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageView.h"
 #include "gui/plot/CartesianPlot.h"
-#include "gui/plot/PlotExport.h"
+#include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
 #include "irsg/image/PngView.h"
@@ -28,9 +26,25 @@ std::vector<NamedResult> named(const std::vector<ResultEntry>& results) {
     return list;
 }
 
+/// That of the sensor, or what an image file says of it: "3-5 (3 to 5 um)". None where neither is
+/// a band that can be used.
+std::optional<irsg::Band> bandOf(const ResultEntry& entry) {
+    try {
+        if (entry.canRunAgain())
+            return sensorOf(entry.data.project, entry.data.settings).band;
+        const std::string said = entry.data.table.provenance.value("band");
+        const QString text = QString::fromStdString(said.substr(0, said.find(' ')));
+        if (!text.isEmpty())
+            return irsg::Band::fromText(text.toStdString());
+    } catch (const irsg::InputError&) {
+        // Apparent temperatures are then not offered.
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
-ResultPage::ResultPage(const std::vector<ResultEntry>& results, QWidget* parent)
+ResultPage::ResultPage(const std::vector<ResultEntry>& results, Dialogs dialogs, QWidget* parent)
     : QWidget(parent), results_(results) {
     if (results_.empty())
         throw irsg::LogicError("a result page needs a result");
@@ -39,23 +53,23 @@ ResultPage::ResultPage(const std::vector<ResultEntry>& results, QWidget* parent)
     setBackgroundRole(QPalette::Base);
     for (const auto& entry : results_)
         ids_ << entry.id;
-    if (results_.front().data.kind == AnalysisKind::image)
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    if (results_.front().isImage())
         showImage();
     else
-        showPlot();
+        showPlot(std::move(dialogs));
 }
 
 void ResultPage::showImage() {
-    const AnalysisData& data = results_.front().data;
+    const ResultEntry& entry = results_.front();
     image_ = new ImageView(this);
-    image_->setImage(data.image, sensorOf(data.project, data.settings).band);
-    image_->setColorMap(data.settings.text("display.colorMap"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(image_);
+    image_->setImage(entry.data.image, bandOf(entry));
+    image_->setColorMap(entry.data.settings.text("display.colorMap"));
+    layout()->addWidget(image_);
 }
 
-void ResultPage::showPlot() {
+void ResultPage::showPlot(Dialogs dialogs) {
     const ResultTable& table = results_.front().data.table;
     quantity_ = new QComboBox(this);
     quantity_->setObjectName("quantity");
@@ -63,66 +77,47 @@ void ResultPage::showPlot() {
     for (const auto& key : plottableQuantities(table))
         quantity_->addItem(QString::fromStdString(table.find(key)->axisTitle()),
                            QString::fromStdString(key));
-    if (isPolar(table)) {
-        polar_ = new PolarPlot(PlotStyle::screen(palette()), this);
-        makeBar(polar_);
-    } else {
-        cartesian_ = new CartesianPlot(PlotStyle::screen(palette()), this);
-        makeBar(cartesian_);
-    }
+    panel_ = new PlotPanel(isPolar(table) ? PlotKind::polar : PlotKind::cartesian,
+                           std::move(dialogs), this);
+    panel_->addInFront(quantity_);
+    layout()->addWidget(panel_);
     drawQuantity();
     connect(quantity_, &QComboBox::activated, this, &ResultPage::drawQuantity);
 }
 
-void ResultPage::makeBar(QWidget* plot) {
-    auto* bar = new QHBoxLayout;
-    bar->setContentsMargins(10, 10, 10, 0);
-    bar->addWidget(quantity_);
-    bar->addStretch(1);
-    const auto check = [&](const QString& text, const QString& name) {
-        auto* box = new QCheckBox(text, this);
-        box->setObjectName(name);
-        bar->addWidget(box);
-        return box;
-    };
-    if (polar_ != nullptr) {
-        connect(check(tr("dB radius"), "decibel"), &QCheckBox::toggled, this, [this](bool on) {
-            polar_->setRadiusScale(on ? RadiusScale::decibel : RadiusScale::linear);
-        });
-    } else {
-        connect(check(tr("log x"), "logX"), &QCheckBox::toggled, this,
-                [this](bool on) { cartesian_->setLogarithmic(QwtPlot::xBottom, on); });
-        connect(check(tr("log y"), "logY"), &QCheckBox::toggled, this,
-                [this](bool on) { cartesian_->setLogarithmic(QwtPlot::yLeft, on); });
-    }
-    auto* reset = new QToolButton(this);
-    reset->setIcon(icon("home"));
-    reset->setObjectName("resetView");
-    reset->setToolTip(tr("Show all (double click)"));
-    reset->setAutoRaise(true);
-    bar->addWidget(reset);
-    connect(reset, &QToolButton::clicked, this,
-            [this] { polar_ != nullptr ? polar_->resetView() : cartesian_->resetView(); });
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(bar);
-    column->addWidget(plot, 1);
-}
-
 void ResultPage::drawQuantity() {
     const std::string key = quantity_->currentData().toString().toStdString();
-    if (polar_ != nullptr) {
-        polar_->setData(polarData(named(results_), key));
-        return;
+    if (auto* polar = panel_->polar()) {
+        polar->setData(polarData(named(results_), key));
+    } else {
+        auto* cartesian = panel_->cartesian();
+        auto data = cartesianData(named(results_), key);
+        // The first quantity chooses the axes, then they stay as the user has them.
+        if (drawn_) {
+            data.xLogarithmic = cartesian->isLogarithmic(QwtPlot::xBottom);
+            data.yLogarithmic = cartesian->isLogarithmic(QwtPlot::yLeft);
+        }
+        cartesian->setData(std::move(data));
     }
-    auto data = cartesianData(named(results_), key);
-    auto* logX = findChild<QCheckBox*>("logX");
-    if (cartesian_->data().curves.empty())
-        logX->setChecked(data.xLogarithmic);
-    data.xLogarithmic = logX->isChecked();
-    data.yLogarithmic = findChild<QCheckBox*>("logY")->isChecked();
-    cartesian_->setData(std::move(data));
+    drawn_ = true;
+    panel_->refresh();
+}
+
+void ResultPage::rename(int id, const QString& title) {
+    for (auto& entry : results_) {
+        if (entry.id == id)
+            entry.title = title;
+    }
+    if (panel_ != nullptr)
+        drawQuantity();
+}
+
+PolarPlot* ResultPage::polarPlot() const {
+    return panel_ != nullptr ? panel_->polar() : nullptr;
+}
+
+CartesianPlot* ResultPage::cartesianPlot() const {
+    return panel_ != nullptr ? panel_->cartesian() : nullptr;
 }
 
 QStringList ResultPage::exportFilters() const {
@@ -145,11 +140,9 @@ void ResultPage::exportTo(const std::filesystem::path& file) const {
         saveResult(results_.front().data, file);
     } else if (results_.size() == 1 && (suffix == ".json" || suffix == ".csv")) {
         // The data with its provenance, rather than what is visible of it.
-        saveResult(results_.front().data, file);
-    } else if (polar_ != nullptr) {
-        exportPlot(*polar_, file);
+        results_.front().data.table.save(file);
     } else {
-        exportPlot(*cartesian_, file);
+        panel_->exportTo(file);
     }
 }
 

@@ -6,8 +6,9 @@
 #include <QStringList>
 #include <QWidget>
 
+#include "gui/Dialogs.h"
 #include "gui/Exportable.h"
-#include "gui/Workbench.h"
+#include "gui/analysis/ResultStore.h"
 
 class QComboBox;
 
@@ -15,21 +16,26 @@ namespace smat::gui {
 
 class CartesianPlot;
 class ImageView;
+class PlotPanel;
 class PolarPlot;
 
-/// A tab with one result, or several on one plot: an image, a polar plot or a Cartesian one, with
+/// A page with one result, or several on one plot: an image, a polar plot or a Cartesian one, with
 /// what belongs to it.
 class ResultPage : public QWidget, public Exportable {
     Q_OBJECT
 
   public:
     /// LogicError for no result; irsg::InputError for results that do not go on one plot.
-    explicit ResultPage(const std::vector<ResultEntry>& results, QWidget* parent = nullptr);
+    explicit ResultPage(const std::vector<ResultEntry>& results,
+                        Dialogs dialogs = Dialogs::ofDesktop(), QWidget* parent = nullptr);
 
     const QList<int>& resultIds() const { return ids_; }
     ImageView* imageView() const { return image_; }
-    PolarPlot* polarPlot() const { return polar_; }
-    CartesianPlot* cartesianPlot() const { return cartesian_; }
+    PlotPanel* panel() const { return panel_; }
+    PolarPlot* polarPlot() const;
+    CartesianPlot* cartesianPlot() const;
+    /// Another name of one of its results, which its curve takes.
+    void rename(int id, const QString& title);
 
     /// Filters of a file dialog for what this page can be written as, data first.
     QStringList exportFilters() const override;
@@ -38,16 +44,15 @@ class ResultPage : public QWidget, public Exportable {
 
   private:
     void showImage();
-    void showPlot();
+    void showPlot(Dialogs dialogs);
     void drawQuantity();
-    void makeBar(QWidget* plot);
 
     std::vector<ResultEntry> results_;
     QList<int> ids_;
     ImageView* image_ = nullptr;
-    PolarPlot* polar_ = nullptr;
-    CartesianPlot* cartesian_ = nullptr;
+    PlotPanel* panel_ = nullptr;
     QComboBox* quantity_ = nullptr;
+    bool drawn_ = false;
 };
 
 } // namespace smat::gui

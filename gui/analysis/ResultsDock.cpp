@@ -1,190 +1,354 @@
 #include "gui/analysis/ResultsDock.h"
 
+#include <algorithm>
+
+#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QProgressBar>
-#include <QTimer>
+#include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
+#include "gui/analysis/AnalysisGeneratorDialog.h"
+#include "gui/analysis/JobPanel.h"
+#include "gui/analysis/ResultDetailsDialog.h"
+#include "gui/analysis/ResultItemDelegate.h"
+#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 namespace {
 
-QToolButton* labelled(const QString& iconName, const QString& text, const QString& name,
-                      QWidget* parent) {
-    auto* button = new QToolButton(parent);
-    button->setIcon(icon(iconName));
-    button->setText(text);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setObjectName(name);
-    button->setAutoRaise(true);
-    return button;
+QStringList sentencesOf(const irsg::InputError& error) {
+    QStringList sentences;
+    for (const auto& offence : error.offences())
+        sentences << QString::fromStdString(offence.message());
+    return sentences;
+}
+
+/// What an analysis was asked, without what came out.
+AnalysisData askedOf(const ResultEntry& entry) {
+    AnalysisData data;
+    data.name = entry.data.name;
+    data.kind = entry.data.kind;
+    data.project = entry.data.project;
+    data.settings = entry.data.settings;
+    data.commandLine = entry.data.commandLine;
+    return data;
+}
+
+/// "36 cases, angle 0 to 350 deg, 640 x 512 px".
+QString askedWords(const ResultEntry& entry) {
+    if (!entry.canRunAgain())
+        return stateOf(entry);
+    try {
+        const QString words = QString::fromStdString(
+            planAnalysis(entry.data.kind, entry.data.project, entry.data.settings).description);
+        return words.mid(words.indexOf(": ") + 2);
+    } catch (const irsg::InputError&) {
+        return QString::fromStdString(title(entry.data.kind));
+    }
 }
 
 } // namespace
 
-ResultsDock::ResultsDock(Workbench& workbench, QWidget* parent)
-    : QDockWidget(tr("Results"), parent), workbench_(workbench) {
+ResultsDock::ResultsDock(Workbench& workbench, Dialogs dialogs, QWidget* parent)
+    : QDockWidget(tr("Results"), parent), workbench_(workbench), dialogs_(std::move(dialogs)) {
     setObjectName("resultsDock");
     setFeatures(DockWidgetMovable | DockWidgetFloatable | DockWidgetClosable);
     auto* body = new QWidget(this);
-    body->setMinimumWidth(230);
-
-    jobPanel_ = new QWidget(body);
-    jobPanel_->setObjectName("jobPanel");
-    jobTitle_ = new QLabel(jobPanel_);
-    QFont bold = jobTitle_->font();
-    bold.setBold(true);
-    jobTitle_->setFont(bold);
-    progress_ = new QProgressBar(jobPanel_);
-    progress_->setObjectName("jobProgress");
-    progress_->setRange(0, 1000);
-    progress_->setTextVisible(true);
-    jobDetail_ = new QLabel(jobPanel_);
-    jobDetail_->setObjectName("jobDetail");
-    jobDetail_->setForegroundRole(QPalette::PlaceholderText);
-    jobDetail_->setWordWrap(true);
-    cancel_ = labelled("cancel", tr("Cancel"), "cancelJob", jobPanel_);
-    cancel_->setToolTip(tr("Stop and keep what is done so far (Esc)"));
-    cancel_->setShortcut(Qt::Key_Escape);
-    auto* jobTop = new QHBoxLayout;
-    jobTop->addWidget(jobTitle_, 1);
-    jobTop->addWidget(cancel_);
-    auto* jobColumn = new QVBoxLayout(jobPanel_);
-    jobColumn->setContentsMargins(0, 0, 0, 6);
-    jobColumn->addLayout(jobTop);
-    jobColumn->addWidget(progress_);
-    jobColumn->addWidget(jobDetail_);
-    jobPanel_->hide();
+    body->setMinimumWidth(250);
 
     list_ = new QListWidget(body);
     list_->setObjectName("resultList");
     list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    list_->setAlternatingRowColors(true);
-    list_->setIconSize(QSize(20, 20));
-    list_->setSpacing(1);
-    empty_ = new QLabel(tr("No results yet.\nChoose one of the analyses."), list_);
+    list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    list_->setItemDelegate(new ResultItemDelegate(list_));
+    list_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    list_->setMouseTracking(true);
+    empty_ = new QLabel(tr("No results yet.\nChoose one of the analyses,\nor open a saved result."),
+                        list_);
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setForegroundRole(QPalette::PlaceholderText);
     auto* overEmpty = new QVBoxLayout(list_);
     overEmpty->addWidget(empty_);
-    overlay_ = labelled("polar", tr("Overlay"), "overlayResults", body);
-    overlay_->setToolTip(tr("Draw the selected results on one plot"));
-    remove_ = labelled("remove", tr("Remove"), "removeResult", body);
-    remove_->setToolTip(tr("Take the selected results off the list"));
+    makeActions();
 
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(overlay_);
-    buttons->addWidget(remove_);
-    buttons->addStretch(1);
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(10, 8, 10, 8);
-    column->addWidget(jobPanel_);
+    column->addWidget(new JobPanel(workbench_, body));
     column->addWidget(list_, 1);
-    column->addLayout(buttons);
+    column->addWidget(makeButtons());
     setWidget(body);
 
-    timer_ = new QTimer(this);
-    timer_->setInterval(100);
-    connect(timer_, &QTimer::timeout, this, &ResultsDock::refreshElapsed);
-    connect(cancel_, &QToolButton::clicked, this, [this] {
-        workbench_.cancel();
-        cancel_->setEnabled(false);
-        refreshElapsed();
-    });
-    connect(&workbench_, &Workbench::jobStarted, this, &ResultsDock::onJobStarted);
-    connect(&workbench_, &Workbench::jobProgressed, this, [this](const Progress& now) {
-        progress_->setRange(0, 1000);
-        progress_->setValue(static_cast<int>(1000.0 * now.fraction()));
-        what_ = QString::fromStdString(now.what);
-        refreshElapsed();
-    });
-    connect(&workbench_, &Workbench::jobEnded, this, [this] {
-        timer_->stop();
-        jobPanel_->hide();
-    });
-    connect(&workbench_, &Workbench::resultAdded, this, &ResultsDock::addResult);
-    connect(&workbench_, &Workbench::resultRemoved, this, [this](int id) {
-        for (int row = list_->count() - 1; row >= 0; --row) {
-            if (list_->item(row)->data(Qt::UserRole).toInt() == id)
-                delete list_->takeItem(row);
+    const ResultStore& store = workbench_.resultStore();
+    connect(&store, &ResultStore::added, this, &ResultsDock::addResult);
+    connect(&store, &ResultStore::renamed, this, &ResultsDock::refreshItem);
+    connect(&store, &ResultStore::removed, this, &ResultsDock::removeItem);
+    connect(&workbench_, &Workbench::jobStarted, this, &ResultsDock::refreshActions);
+    connect(&workbench_, &Workbench::jobEnded, this, &ResultsDock::refreshActions);
+    connect(list_, &QListWidget::itemSelectionChanged, this, &ResultsDock::refreshActions);
+    connect(list_, &QListWidget::itemActivated, this, &ResultsDock::showSelected);
+    connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        const int id = item->data(ResultItemDelegate::idRole).toInt();
+        const ResultEntry* entry = workbench_.result(id);
+        if (entry != nullptr && item->text() != entry->title) {
+            workbench_.resultStore().rename(id, item->text());
+            refreshItem(id); // an empty name is none
         }
-        empty_->setVisible(list_->count() == 0);
     });
-    connect(list_, &QListWidget::itemSelectionChanged, this, &ResultsDock::refreshButtons);
-    connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
-        emit showRequested({item->data(Qt::UserRole).toInt()});
-    });
-    connect(overlay_, &QToolButton::clicked, this,
-            [this] { emit showRequested(selectedResults()); });
-    connect(remove_, &QToolButton::clicked, this, [this] {
-        for (const int id : selectedResults())
-            workbench_.removeResult(id);
-    });
-    refreshButtons();
+    refreshActions();
 }
 
-void ResultsDock::onJobStarted(const QString& title) {
-    jobTitle_->setText(title);
-    what_.clear();
-    progress_->setRange(0, 0);
-    cancel_->setEnabled(true);
-    jobPanel_->show();
-    timer_->start();
-    refreshElapsed();
+QAction* ResultsDock::add(const QString& name, const QString& iconName, const QString& text,
+                          const QString& tip, const QKeySequence& key,
+                          void (ResultsDock::*work)()) {
+    auto* action =
+        iconName.isEmpty() ? new QAction(text, this) : new QAction(icon(iconName), text, this);
+    action->setObjectName(name + "Action");
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    action->setToolTip(key.isEmpty() ? tip
+                                     : tip + " (" + key.toString(QKeySequence::NativeText) + ")");
+    connect(action, &QAction::triggered, this, work);
+    actions_[name] = action;
+    list_->addAction(action);
+    return action;
 }
 
-void ResultsDock::refreshElapsed() {
-    if (!workbench_.isRunning())
-        return;
-    const QString time = tr("%1 s").arg(workbench_.job()->elapsed_s(), 0, 'f', 1);
-    if (workbench_.job()->isCancelled())
-        jobDetail_->setText(tr("Cancelling, what is done is kept   %1").arg(time));
-    else
-        jobDetail_->setText(what_.isEmpty() ? time : what_ + "   " + time);
+void ResultsDock::makeActions() {
+    const auto line = [this] {
+        auto* separator = new QAction(this);
+        separator->setSeparator(true);
+        list_->addAction(separator);
+    };
+    add("showResult", "", tr("Show"), tr("Show the selected results"), Qt::Key_Return,
+        &ResultsDock::showSelected);
+    add("overlayResults", "overlay", tr("Overlay"), tr("Draw the selected results on one plot"),
+        QKeySequence(Qt::CTRL | Qt::Key_L), &ResultsDock::overlay);
+    add("subtractResults", "difference", tr("Difference"),
+        tr("Subtract the second of two selected results from the first"),
+        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), &ResultsDock::subtract);
+    line();
+    add("rerunResult", "rerun", tr("Run again"), tr("Run the same analysis again"),
+        QKeySequence(Qt::Key_F5), &ResultsDock::runAgain);
+    add("editResult", "edit", tr("Edit and run again…"), tr("Change what was asked and run again"),
+        QKeySequence(Qt::SHIFT | Qt::Key_F5), &ResultsDock::editAndRun);
+    line();
+    add("renameResult", "", tr("Rename"), tr("Give the result another name"),
+        QKeySequence(Qt::Key_F2), &ResultsDock::rename);
+    add("showCommandLine", "terminal", tr("Show command line…"),
+        tr("The command line that makes this result, and all that is known of it"),
+        QKeySequence(Qt::CTRL | Qt::Key_I), &ResultsDock::showDetails);
+    line();
+    add("openResult", "open", tr("Open saved result…"),
+        tr("Open a saved result (.csv, .json, .exr) as a result again"), QKeySequence(),
+        &ResultsDock::openFile);
+    add("saveResult", "export", tr("Save result…"), tr("Save the data with their provenance"),
+        QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S), &ResultsDock::save);
+    line();
+    add("removeResult", "remove", tr("Remove"), tr("Take the selected results off the list"),
+        QKeySequence(Qt::Key_Delete), &ResultsDock::removeSelected);
+}
+
+QWidget* ResultsDock::makeButtons() {
+    auto* holder = new QWidget(this);
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(2);
+    const auto button = [&](const QString& name) {
+        auto* tool = new QToolButton(holder);
+        tool->setDefaultAction(actions_.at(name));
+        tool->setToolTip(actions_.at(name)->toolTip());
+        tool->setObjectName(name);
+        tool->setAutoRaise(true);
+        tool->setIconSize(QSize(18, 18));
+        row->addWidget(tool);
+    };
+    for (const char* name :
+         {"overlayResults", "subtractResults", "rerunResult", "editResult", "showCommandLine"})
+        button(name);
+    row->addStretch(1);
+    for (const char* name : {"openResult", "saveResult", "removeResult"})
+        button(name);
+    return holder;
 }
 
 void ResultsDock::addResult(int id) {
-    const ResultEntry* entry = workbench_.result(id);
-    auto* item = new QListWidgetItem(icon(QString::fromStdString(name(entry->data.kind))),
-                                     entry->title, list_);
-    item->setData(Qt::UserRole, id);
-    QStringList words{QString::fromStdString(entry->data.renderer)};
-    for (const auto& figure : entry->data.summary)
-        words << QStringLiteral("%1: %2 %3")
-                     .arg(QString::fromStdString(figure.label))
-                     .arg(figure.value, 0, 'g', 6)
-                     .arg(QString::fromStdString(figure.unit));
-    for (const auto& warning : entry->data.warnings)
-        words << tr("Note: %1").arg(QString::fromStdString(warning));
-    item->setToolTip(words.join('\n').trimmed());
+    auto* item = new QListWidgetItem(list_);
+    item->setData(ResultItemDelegate::idRole, id);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    refreshItem(id);
     list_->setCurrentItem(item, QItemSelectionModel::ClearAndSelect);
     empty_->hide();
-    refreshButtons();
+    refreshActions();
+}
+
+void ResultsDock::refreshItem(int id) {
+    const ResultEntry* entry = workbench_.result(id);
+    QListWidgetItem* item = itemOf(id);
+    if (entry == nullptr || item == nullptr)
+        return;
+    const QSignalBlocker quiet(list_);
+    item->setText(entry->title);
+    item->setIcon(icon(QString::fromStdString(name(entry->data.kind))));
+    QStringList words{QLocale::system().toString(entry->madeAt.time(), QLocale::ShortFormat)};
+    if (entry->canRunAgain())
+        words << durationText(entry->data.elapsed_s);
+    if (entry->canRunAgain() && entry->data.state == AnalysisState::partial)
+        words << stateOf(*entry);
+    words << askedWords(*entry);
+    item->setData(ResultItemDelegate::detailRole, words.join(" · "));
+
+    // The first lines are the figures; the whole provenance has a dialog.
+    constexpr int shown = 9;
+    QStringList lines = describe(*entry).mid(0, shown);
+    for (const auto& warning : entry->data.warnings)
+        lines << tr("Note: %1").arg(QString::fromStdString(warning));
+    item->setToolTip(lines.join('\n'));
+}
+
+void ResultsDock::removeItem(int id) {
+    delete itemOf(id);
+    empty_->setVisible(list_->count() == 0);
+    refreshActions();
+}
+
+QListWidgetItem* ResultsDock::itemOf(int id) const {
+    for (int row = 0; row < list_->count(); ++row) {
+        if (list_->item(row)->data(ResultItemDelegate::idRole).toInt() == id)
+            return list_->item(row);
+    }
+    return nullptr;
 }
 
 QList<int> ResultsDock::selectedResults() const {
     QList<int> ids;
-    for (const auto* item : list_->selectedItems())
-        ids << item->data(Qt::UserRole).toInt();
+    for (int row = 0; row < list_->count(); ++row) {
+        if (list_->item(row)->isSelected())
+            ids << list_->item(row)->data(ResultItemDelegate::idRole).toInt();
+    }
     return ids;
 }
 
-void ResultsDock::refreshButtons() {
+const ResultEntry* ResultsDock::onlySelected() const {
     const auto ids = selectedResults();
-    bool sameKind = ids.size() > 1;
-    for (const int id : ids) {
+    return ids.size() == 1 ? workbench_.result(ids.front()) : nullptr;
+}
+
+void ResultsDock::refreshActions() {
+    const auto ids = selectedResults();
+    const ResultEntry* one = onlySelected();
+    const bool plots = std::none_of(ids.begin(), ids.end(), [this](int id) {
         const auto* entry = workbench_.result(id);
-        const auto* first = workbench_.result(ids.front());
-        sameKind = sameKind && entry && first && entry->data.kind == first->data.kind &&
-                   entry->data.kind != AnalysisKind::image;
+        return entry == nullptr || entry->isImage();
+    });
+    const bool again = one != nullptr && one->canRunAgain() && !workbench_.isRunning();
+    actions_.at("showResult")->setEnabled(!ids.isEmpty());
+    actions_.at("overlayResults")->setEnabled(plots && ids.size() > 1);
+    actions_.at("subtractResults")->setEnabled(plots && ids.size() == 2);
+    actions_.at("rerunResult")->setEnabled(again);
+    actions_.at("editResult")->setEnabled(again);
+    for (const char* name : {"renameResult", "showCommandLine", "saveResult"})
+        actions_.at(name)->setEnabled(one != nullptr);
+    actions_.at("removeResult")->setEnabled(!ids.isEmpty());
+}
+
+void ResultsDock::showSelected() {
+    for (const int id : selectedResults())
+        emit showRequested({id});
+}
+
+void ResultsDock::overlay() {
+    emit showRequested(selectedResults());
+}
+
+void ResultsDock::subtract() {
+    const auto ids = selectedResults();
+    try {
+        workbench_.resultStore().addDifference(ids.at(0), ids.at(1));
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("These results cannot be subtracted"), sentencesOf(error));
     }
-    overlay_->setEnabled(sameKind);
-    remove_->setEnabled(!ids.isEmpty());
+}
+
+void ResultsDock::runAgain() {
+    if (const ResultEntry* entry = onlySelected(); entry != nullptr && !workbench_.isRunning())
+        workbench_.start(askedOf(*entry));
+}
+
+void ResultsDock::editAndRun() {
+    const ResultEntry* entry = onlySelected();
+    if (entry == nullptr || workbench_.isRunning())
+        return;
+    const FileChooser chooser = [this](const QString& title, const QString& filter) {
+        return dialogs_.openFile(this, title, {filter});
+    };
+    AnalysisGeneratorDialog dialog(entry->data.project, entry->data.settings, entry->data.kind,
+                                   chooser, this);
+    if (entry->data.name != name(entry->data.kind))
+        dialog.setName(QString::fromStdString(entry->data.name));
+    if (dialogs_.run(dialog) && dialog.isAcceptable())
+        workbench_.start(dialog.data());
+}
+
+void ResultsDock::rename() {
+    if (const ResultEntry* entry = onlySelected())
+        list_->editItem(itemOf(entry->id));
+}
+
+void ResultsDock::showDetails() {
+    if (const ResultEntry* entry = onlySelected()) {
+        ResultDetailsDialog dialog(*entry, this);
+        dialogs_.run(dialog);
+    }
+}
+
+void ResultsDock::save() {
+    const ResultEntry* entry = onlySelected();
+    if (entry == nullptr)
+        return;
+    const QStringList filters =
+        entry->isImage() ? QStringList{tr("OpenEXR image (*.exr)"), tr("Values as text (*.csv)"),
+                                       tr("Picture (*.png)"), tr("Row of sums (*.json)")}
+                         : QStringList{tr("Values as text (*.csv)"), tr("Values as JSON (*.json)")};
+    const QString file = dialogs_.saveFile(this, tr("Save result"), filters,
+                                           QString::fromStdString(name(entry->data.kind)));
+    if (file.isEmpty())
+        return;
+    try {
+        // A table is one whatever it was measured for, also the sums of an image.
+        if (!entry->isImage())
+            checkResultFile(AnalysisKind::range, file.toStdString());
+        entry->isImage() ? saveResult(entry->data, file.toStdString())
+                         : entry->data.table.save(file.toStdString());
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("This cannot be saved"), sentencesOf(error));
+    }
+}
+
+void ResultsDock::openFile() {
+    const QString file = dialogs_.openFile(
+        this, tr("Open a saved result"), {tr("Results (*.csv *.json *.exr)"), tr("All files (*)")});
+    if (!file.isEmpty())
+        openResult(file.toStdString());
+}
+
+bool ResultsDock::openResult(const std::filesystem::path& file) {
+    try {
+        workbench_.resultStore().open(file);
+        return true;
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("This result cannot be opened"), sentencesOf(error));
+        return false;
+    }
+}
+
+void ResultsDock::removeSelected() {
+    for (const int id : selectedResults())
+        workbench_.removeResult(id);
 }
 
 } // namespace smat::gui

@@ -1,49 +1,66 @@
 #pragma once
 
+#include <map>
+
 #include <QDockWidget>
 
+#include "gui/Dialogs.h"
+
+class QAction;
 class QLabel;
 class QListWidget;
-class QProgressBar;
-class QTimer;
-class QToolButton;
+class QListWidgetItem;
 
 namespace smat::gui {
 
 class Workbench;
+struct ResultEntry;
 
-/// What runs, with progress, elapsed time and a cancel that answers at once; below it what came out
-/// in this session.
+/// What runs, and below it the results of this session with when, how long and what was asked:
+/// shown, overlaid, subtracted, run again, edited and run again, renamed, saved and opened again.
+/// Its commands are on buttons, in the menu of the right button and on keys.
 class ResultsDock : public QDockWidget {
     Q_OBJECT
 
   public:
-    explicit ResultsDock(Workbench& workbench, QWidget* parent = nullptr);
+    ResultsDock(Workbench& workbench, Dialogs dialogs, QWidget* parent = nullptr);
 
     QList<int> selectedResults() const;
+    /// Opens a result file (.csv, .json, .exr) as a result again; what is wrong is told.
+    bool openResult(const std::filesystem::path& file);
 
   signals:
     /// The user wants to see these; several belong on one plot.
     void showRequested(const QList<int>& ids);
 
   private:
-    void onJobStarted(const QString& title);
-    void refreshElapsed();
+    QAction* add(const QString& name, const QString& iconName, const QString& text,
+                 const QString& tip, const QKeySequence& key, void (ResultsDock::*work)());
+    void makeActions();
+    QWidget* makeButtons();
     void addResult(int id);
-    void refreshButtons();
+    void refreshItem(int id);
+    void removeItem(int id);
+    void refreshActions();
+    QListWidgetItem* itemOf(int id) const;
+    const ResultEntry* onlySelected() const;
+
+    void showSelected();
+    void overlay();
+    void subtract();
+    void runAgain();
+    void editAndRun();
+    void rename();
+    void showDetails();
+    void save();
+    void openFile();
+    void removeSelected();
 
     Workbench& workbench_;
-    QWidget* jobPanel_ = nullptr;
-    QLabel* jobTitle_ = nullptr;
-    QLabel* jobDetail_ = nullptr;
-    QProgressBar* progress_ = nullptr;
-    QToolButton* cancel_ = nullptr;
-    QTimer* timer_ = nullptr;
+    Dialogs dialogs_;
     QListWidget* list_ = nullptr;
-    QToolButton* overlay_ = nullptr;
-    QToolButton* remove_ = nullptr;
     QLabel* empty_ = nullptr;
-    QString what_;
+    std::map<QString, QAction*> actions_;
 };
 
 } // namespace smat::gui

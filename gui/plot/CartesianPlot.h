@@ -1,78 +1,91 @@
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include <QwtPlot>
 
 #include "gui/Theme.h"
 #include "gui/plot/PlotData.h"
+#include "gui/plot/PlotSurface.h"
+#include "gui/plot/ViewHistory.h"
 
-class QwtPlotCurve;
 class QwtPlotGrid;
 
 namespace smat::gui {
 
-class CrosshairOverlay;
+class PlotNavigator;
+class SampledCurve;
 
-/// Curves over a linear or logarithmic axis. The wheel zooms at the cursor, a drag of the left
-/// button zooms into its rectangle, a drag of the right button pans, a double click shows all,
-/// Backspace takes a zoom back, a click on the legend hides a curve. A crosshair reads every curve.
-class CartesianPlot : public QwtPlot {
+/// Curves over a linear or logarithmic axis; the mouse as PlotNavigator says, and a click on the
+/// legend hides a curve. Logarithmic axes go with positive values alone.
+class CartesianPlot : public QwtPlot, public PlotSurface {
     Q_OBJECT
 
   public:
     /// The visible part.
     struct View {
         Interval x, y;
+        bool operator==(const View&) const = default;
     };
 
     explicit CartesianPlot(const PlotStyle& style, QWidget* parent = nullptr);
     ~CartesianPlot() override;
+    void setLook(const PlotStyle& style);
 
-    /// LogicError for a curve whose x and y differ in length.
+    /// LogicError for a curve whose x and y (and errors, where it has any) differ in length.
     void setData(PlotData data);
     const PlotData& data() const { return data_; }
     /// `axis` is QwtPlot::xBottom or QwtPlot::yLeft.
     void setLogarithmic(QwtPlot::Axis axis, bool on);
     bool isLogarithmic(QwtPlot::Axis axis) const;
-    void setCurveVisible(int curve, bool visible);
-    bool isCurveVisible(int curve) const;
 
     View view() const;
     void setView(const View& view);
-    void resetView();
-    void undoZoom();
-
-    /// Every visible curve at the x under a point of the canvas; empty outside.
-    QString readoutAt(const QPointF& canvasPoint) const;
+    PlotNavigator& navigator() { return *navigator_; }
     /// The same picture on paper: same data, part and hidden curves.
     CartesianPlot* makePaperTwin() const;
+
+    QWidget* widget() override { return this; }
+    QWidget* sheet() const override;
+    const PlotStyle& look() const override { return style_; }
+    void zoomAt(const QPointF& point, double factor) override;
+    /// Nothing happens where an axis could no longer tell its ends apart.
+    void zoomTo(const QRectF& canvasRect) override;
+    void panBy(const QPointF& offset) override;
+    void resetView() override;
+    void rememberView() override;
+    bool canUndoZoom() const override { return !history_.empty(); }
+    void undoZoom() override;
+    int curveCount() const override { return static_cast<int>(curves_.size()); }
+    void setCurveVisible(int curve, bool visible) override;
+    bool isCurveVisible(int curve) const override;
+    bool hasErrors() const override;
+    void setErrorBandsVisible(bool visible) override;
+    QString readoutAt(const QPointF& canvasPoint) const override;
+    void paintCrosshair(QPainter& painter, const QPointF& point) const override;
 
   signals:
     void viewChanged();
     void readoutChanged(const QString& text);
 
   protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    void applyLook();
     void applyAxes();
     View fullView() const;
-    void rememberView();
-    void zoomTo(const QRectF& canvasRect);
+    QRectF seenRect() const;
     void onLegendClicked(const QVariant& item, int index);
-    void paintOverlay(QPainter& painter) const;
-    bool handleMouse(QEvent* event);
 
     PlotStyle style_;
     PlotData data_;
-    std::vector<QwtPlotCurve*> curves_;
+    std::vector<SampledCurve*> curves_;
     QwtPlotGrid* grid_ = nullptr;
-    CrosshairOverlay* overlay_ = nullptr;
-    std::vector<View> pastViews_;
-    std::optional<QPointF> cursor_, dragStart_, panStart_;
+    std::unique_ptr<PlotNavigator> navigator_;
+    ViewHistory<View> history_;
+    bool errorBands_ = true;
 };
 
 } // namespace smat::gui

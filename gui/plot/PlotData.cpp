@@ -5,7 +5,14 @@
 
 #include <QStringList>
 
+#include "irsg/radiometry/Errors.h"
+
 namespace smat::gui {
+
+void Curve::check() const {
+    if (x.size() != y.size() || (!error.empty() && error.size() != y.size()))
+        throw irsg::LogicError("curve " + name.toStdString() + ": its columns differ in length");
+}
 
 std::optional<double> Curve::valueAt(double at) const {
     for (std::size_t i = 0; i + 1 < x.size(); ++i) {
@@ -41,6 +48,21 @@ std::optional<double> Curve::valueAt(double at, double period) const {
     return closes ? seam.valueAt(first + wrapped) : std::nullopt;
 }
 
+QString Curve::readoutAt(double at, double period) const {
+    const auto read = [&](const Curve& curve) {
+        return period > 0.0 ? curve.valueAt(at, period) : curve.valueAt(at);
+    };
+    const auto value = read(*this);
+    if (!value)
+        return QStringLiteral("no value");
+    QString text = readableNumber(*value);
+    if (error.empty())
+        return text;
+    if (const auto half = read({name, x, error}))
+        text += QStringLiteral(" ± ") + QString::number(*half, 'g', 3);
+    return text;
+}
+
 std::optional<Interval> rangeOf(const std::vector<Curve>& curves,
                                 std::vector<double> Curve::*values, bool positiveOnly) {
     std::optional<Interval> range;
@@ -57,23 +79,39 @@ std::optional<Interval> rangeOf(const std::vector<Curve>& curves,
     return range;
 }
 
+std::optional<Interval> rangeWithErrors(const std::vector<Curve>& curves, bool positiveOnly) {
+    std::vector<Curve> edges = curves;
+    for (const auto& curve : curves) {
+        if (curve.error.empty())
+            continue;
+        Curve low = curve, high = curve;
+        for (std::size_t i = 0; i < curve.error.size(); ++i) {
+            low.y[i] -= curve.error[i];
+            high.y[i] += curve.error[i];
+        }
+        edges.push_back(std::move(low));
+        edges.push_back(std::move(high));
+    }
+    return rangeOf(edges, &Curve::y, positiveOnly);
+}
+
 namespace {
 
 QString quoted(QString text) {
-    if (!text.contains(',') && !text.contains('"') && !text.contains('\n'))
+    if (!text.contains(',') && !text.contains('\t') && !text.contains('"') && !text.contains('\n'))
         return text;
     text.replace('"', "\"\"");
     return '"' + text + '"';
 }
 
 QString exactNumber(double value) {
-    return std::isfinite(value) ? QString::number(value, 'g', 9) : QString();
+    return std::isfinite(value) ? QString::fromStdString(irsg::numberText(value)) : QString();
 }
 
 } // namespace
 
 QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QString& yTitle,
-              std::optional<Interval> within) {
+              std::optional<Interval> within, QChar separator) {
     if (curves.empty())
         return {};
     const bool sharedAxis = std::all_of(curves.begin(), curves.end(),
@@ -84,11 +122,14 @@ QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QSt
     for (std::size_t i = 0; i < curves.size(); ++i) {
         if (i == 0 || !sharedAxis)
             header << quoted(xTitle);
-        header << quoted(curves[i].name.isEmpty() ? yTitle : yTitle + ": " + curves[i].name);
+        const QString title = curves[i].name.isEmpty() ? yTitle : yTitle + ": " + curves[i].name;
+        header << quoted(title);
+        if (!curves[i].error.empty())
+            header << quoted(QStringLiteral("Error of ") + title);
         rows = std::max(rows, curves[i].x.size());
     }
 
-    QStringList lines{header.join(',')};
+    QStringList lines{header.join(separator)};
     for (std::size_t row = 0; row < rows; ++row) {
         QStringList cells;
         bool any = false;
@@ -101,9 +142,11 @@ QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QSt
             if (i == 0 || !sharedAxis)
                 cells << (there ? exactNumber(curve.x[row]) : QString());
             cells << (there ? exactNumber(curve.y[row]) : QString());
+            if (!curve.error.empty())
+                cells << (there ? exactNumber(curve.error[row]) : QString());
         }
         if (any)
-            lines << cells.join(',');
+            lines << cells.join(separator);
     }
     return lines.join('\n') + '\n';
 }

@@ -10,12 +10,18 @@ namespace smat::gui {
 /// One line of a plot. A sample whose y (or x) is not finite is a gap: nothing is drawn there.
 struct Curve {
     QString name;
-    std::vector<double> x, y; ///< of equal length (LogicError where a plot takes them)
+    std::vector<double> x, y;
+    std::vector<double> error = {}; ///< half the width of a band about y; empty for none
+
+    /// LogicError where the columns differ in length.
+    void check() const;
 
     /// y at `at`, linear between samples; nothing outside the samples and beside gaps.
     std::optional<double> valueAt(double at) const;
     /// The same on an axis that repeats after `period`.
     std::optional<double> valueAt(double at, double period) const;
+    /// "12.5 ± 0.3", or "no value"; `period` 0 for an axis that does not repeat.
+    QString readoutAt(double at, double period = 0.0) const;
 };
 
 /// What a Cartesian plot shows. Titles hold their units.
@@ -37,15 +43,19 @@ struct PolarData {
 /// A closed interval; empty when there is nothing to enclose.
 struct Interval {
     double minimum = 0.0, maximum = 0.0;
+    bool operator==(const Interval&) const = default;
 };
 /// Range of the finite values, the positive ones alone for a logarithmic axis.
 std::optional<Interval> rangeOf(const std::vector<Curve>& curves,
                                 std::vector<double> Curve::*values, bool positiveOnly);
+/// The same of y, with the errors about it.
+std::optional<Interval> rangeWithErrors(const std::vector<Curve>& curves, bool positiveOnly);
 
 /// CSV of the curves: a column pair per curve where their x differ, one x column where all agree.
-/// `within` keeps the part of x that is visible.
+/// Errors follow their curve. `within` keeps the part of x that is visible. Cells are separated by
+/// `separator`: spreadsheets take tabs from the clipboard. Numbers read back exactly.
 QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QString& yTitle,
-              std::optional<Interval> within = {});
+              std::optional<Interval> within = {}, QChar separator = ',');
 
 /// "1.2346e+05": six significant digits for read-outs.
 QString readableNumber(double value);

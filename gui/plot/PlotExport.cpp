@@ -11,6 +11,7 @@
 #include <QSaveFile>
 #include <QSvgGenerator>
 #include <QwtPlotRenderer>
+#include <QwtPolarCanvas>
 #include <QwtPolarRenderer>
 
 #include "gui/plot/CartesianPlot.h"
@@ -61,7 +62,7 @@ QByteArray asPdf(const QString& title, QSize size, const Draw& draw) {
     return bytes;
 }
 
-QByteArray asPng(QSize size, const Draw& draw) {
+QImage asImage(QSize size, const Draw& draw) {
     constexpr int scale = 2;
     constexpr double inchesPerMetre = 39.3700787;
     QImage image(size * scale, QImage::Format_RGB32);
@@ -72,73 +73,132 @@ QByteArray asPng(QSize size, const Draw& draw) {
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
     draw(painter, QRectF(QPointF(0, 0), size * scale));
     painter.end();
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    image.save(&buffer, "PNG");
-    return bytes;
+    return image;
 }
 
-void write(const std::filesystem::path& file, const QByteArray& bytes) {
-    QSaveFile out(QString::fromStdString(file.string()));
-    if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit())
-        throw irsg::InputError(
-            {file.string(), "", out.errorString().toStdString(), "a file that can be written"});
+QByteArray asPng(QSize size, const Draw& draw) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    asImage(size, draw).save(&buffer, "PNG");
+    return bytes;
 }
 
 void exportAs(const std::filesystem::path& file, const QString& title, QSize size,
               const std::function<QString()>& csv, const Draw& draw) {
     const QString suffix = QString::fromStdString(file.extension().string()).toLower();
     if (suffix == ".svg")
-        write(file, asSvg(title, size, draw));
+        writePlotFile(file, asSvg(title, size, draw));
     else if (suffix == ".pdf")
-        write(file, asPdf(title, size, draw));
+        writePlotFile(file, asPdf(title, size, draw));
     else if (suffix == ".png")
-        write(file, asPng(size, draw));
+        writePlotFile(file, asPng(size, draw));
     else if (suffix == ".csv")
-        write(file, csv().toUtf8());
+        writePlotFile(file, csv().toUtf8());
     else
         throw irsg::InputError({file.string(), "", "suffix \"" + suffix.toStdString() + "\"",
                                 ".svg, .pdf, .png or .csv"});
 }
 
-} // namespace
-
-void exportPlot(const CartesianPlot& plot, const std::filesystem::path& file, QSize size) {
+/// Hands `work` what draws a plot on paper.
+template <typename Work>
+auto onPaper(const CartesianPlot& plot, QSize size, const Work& work) {
     const std::unique_ptr<CartesianPlot> twin(plot.makePaperTwin());
     twin->resize(size);
-    const auto csv = [&] {
-        const auto& data = plot.data();
-        std::vector<Curve> seen;
-        for (std::size_t i = 0; i < data.curves.size(); ++i) {
-            if (plot.isCurveVisible(static_cast<int>(i)))
-                seen.push_back(data.curves[i]);
-        }
-        return toCsv(seen, data.xTitle, data.yTitle, plot.view().x);
-    };
-    exportAs(file, plot.data().title, size, csv, [&](QPainter& painter, const QRectF& area) {
+    return work([&](QPainter& painter, const QRectF& area) {
         painter.fillRect(area, Qt::white);
         QwtPlotRenderer renderer;
         renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
         renderer.render(twin.get(), &painter, withMargin(area));
     });
 }
-
-void exportPlot(const PolarPlot& plot, const std::filesystem::path& file, QSize size) {
+template <typename Work>
+auto onPaper(const PolarPlot& plot, QSize size, const Work& work) {
     const std::unique_ptr<PolarPlot> twin(plot.makePaperTwin());
     twin->resize(size);
-    const auto csv = [&] {
-        std::vector<Curve> seen;
-        for (std::size_t i = 0; i < plot.data().curves.size(); ++i) {
-            if (plot.isCurveVisible(static_cast<int>(i)))
-                seen.push_back(plot.data().curves[i]);
-        }
-        return toCsv(seen, QStringLiteral("Angle (°)"), plot.data().radiusTitle);
-    };
-    exportAs(file, plot.data().title, size, csv, [&](QPainter& painter, const QRectF& area) {
+    return work([&](QPainter& painter, const QRectF& area) {
         painter.fillRect(area, Qt::white);
         QwtPolarRenderer renderer;
         renderer.render(twin.get(), &painter, withMargin(area));
     });
+}
+
+template <typename Plot>
+std::vector<Curve> curvesOf(const Plot& plot, PlotPart part) {
+    std::vector<Curve> curves;
+    for (std::size_t i = 0; i < plot.data().curves.size(); ++i) {
+        if (part == PlotPart::all || plot.isCurveVisible(static_cast<int>(i)))
+            curves.push_back(plot.data().curves[i]);
+    }
+    return curves;
+}
+
+template <typename Plot>
+void exportPlotAs(const Plot& plot, const std::filesystem::path& file, QSize size) {
+    const auto csv = [&] { return plotValues(plot, PlotPart::visible); };
+    onPaper(plot, size,
+            [&](const Draw& draw) { exportAs(file, plot.data().title, size, csv, draw); });
+}
+
+} // namespace
+
+void writePlotFile(const std::filesystem::path& file, const QByteArray& bytes) {
+    QSaveFile out(QString::fromStdString(file.string()));
+    if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit())
+        throw irsg::InputError(
+            {file.string(), "", out.errorString().toStdString(), "a file that can be written"});
+}
+
+void exportPlot(const CartesianPlot& plot, const std::filesystem::path& file, QSize size) {
+    exportPlotAs(plot, file, size);
+}
+
+void exportPlot(const PolarPlot& plot, const std::filesystem::path& file, QSize size) {
+    exportPlotAs(plot, file, size);
+}
+
+QImage plotPicture(const CartesianPlot& plot, QSize size) {
+    return onPaper(plot, size, [&](const Draw& draw) { return asImage(size, draw); });
+}
+
+QImage plotPicture(const PolarPlot& plot, QSize size) {
+    return onPaper(plot, size, [&](const Draw& draw) { return asImage(size, draw); });
+}
+
+QByteArray plotSvg(const CartesianPlot& plot, QSize size) {
+    return onPaper(plot, size,
+                   [&](const Draw& draw) { return asSvg(plot.data().title, size, draw); });
+}
+
+QByteArray plotSvg(const PolarPlot& plot, QSize size) {
+    return onPaper(plot, size,
+                   [&](const Draw& draw) { return asSvg(plot.data().title, size, draw); });
+}
+
+QString plotValues(const CartesianPlot& plot, PlotPart part, QChar separator) {
+    const auto within =
+        part == PlotPart::visible ? std::optional(plot.view().x) : std::optional<Interval>();
+    return toCsv(curvesOf(plot, part), plot.data().xTitle, plot.data().yTitle, within, separator);
+}
+
+QString plotValues(const PolarPlot& plot, PlotPart part, QChar separator) {
+    std::vector<Curve> curves = curvesOf(plot, part);
+    if (part == PlotPart::visible && plot.zoomFactor() < 1.0) {
+        // A zoomed circle shows no interval of angles but a window.
+        const QRectF window = plot.canvas()->rect();
+        for (auto& curve : curves) {
+            Curve seen{curve.name, {}, {}};
+            for (std::size_t i = 0; i < curve.x.size(); ++i) {
+                if (!window.contains(plot.canvasPoint(curve.x[i], curve.y[i])))
+                    continue;
+                seen.x.push_back(curve.x[i]);
+                seen.y.push_back(curve.y[i]);
+                if (!curve.error.empty())
+                    seen.error.push_back(curve.error[i]);
+            }
+            curve = std::move(seen);
+        }
+    }
+    return toCsv(curves, QStringLiteral("Angle (°)"), plot.data().radiusTitle, {}, separator);
 }
 
 } // namespace smat::gui

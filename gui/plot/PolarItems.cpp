@@ -1,42 +1,94 @@
 #include "gui/plot/PolarItems.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include <QPainter>
-#include <QPainterPath>
+#include <QwtClipper>
 #include <QwtScaleMap>
 #include <QwtText>
 
+#include "gui/plot/CurveDrawing.h"
 #include "gui/plot/PlotLook.h"
 
 namespace smat::gui {
 
+GappedPolarCurve::GappedPolarCurve(const QString& title, std::vector<PolarSample> samples,
+                                   bool hasBand)
+    : QwtPolarCurve(title), samples_(std::move(samples)), hasBand_(hasBand) {
+    setStyle(QwtPolarCurve::Lines);
+    setLegendAttribute(QwtPolarCurve::LegendShowLine, true);
+    setLegendIconSize(QSize(22, 12));
+    setRenderHint(QwtPolarItem::RenderAntialiased);
+    setItemAttribute(QwtPolarItem::Legend);
+
+    // What Qwt needs to know is how far out the curve reaches.
+    QVector<QwtPointPolar> points;
+    for (const auto& sample : samples_) {
+        if (std::isfinite(sample.radius))
+            points.push_back({sample.angle_deg, std::max(sample.radius, sample.high)});
+    }
+    setData(new QwtArraySeriesData<QwtPointPolar>(points));
+}
+
 void GappedPolarCurve::draw(QPainter* painter, const QwtScaleMap& azimuthMap,
                             const QwtScaleMap& radialMap, const QPointF& pole, double,
-                            const QRectF&) const {
-    const int count = static_cast<int>(dataSize());
-    int start = 0;
-    while (start < count) {
-        while (start < count && !std::isfinite(sample(start).radius()))
-            ++start;
-        int end = start;
-        while (end + 1 < count && std::isfinite(sample(end + 1).radius()))
-            ++end;
-        if (start < end) {
-            QwtPolarCurve::draw(painter, azimuthMap, radialMap, pole, start, end);
-        } else if (start < count) {
-            const auto point = sample(start);
-            const double angle = azimuthMap.transform(point.azimuth());
-            const double distance = radialMap.transform(point.radius());
+                            const QRectF& canvasRect) const {
+    const double column = finestColumn(*painter);
+    const double margin = column > 0.0 ? 4.0 : 0.0;
+    const QRectF area = canvasRect.adjusted(-margin, -margin, margin, margin);
+
+    // Lines are thinned where they are unrolled: along the outermost circle and along the radius.
+    const double outer = std::max(1.0, radialMap.transform(radialMap.s2()));
+    const auto unrolled = [&](const PolarSample& sample, double value) {
+        return QPointF(outer * azimuthMap.transform(sample.angle_deg),
+                       std::max(0.0, radialMap.transform(value)));
+    };
+    const auto rolled = [&](const QPolygonF& line) {
+        QPolygonF result;
+        result.reserve(line.size());
+        for (const QPointF& p : thinned(line, column)) {
+            const double angle = p.x() / outer;
+            result << pole + QPointF(p.y() * std::cos(angle), -p.y() * std::sin(angle));
+        }
+        return result;
+    };
+    const auto drawable = [&](int i) {
+        return std::isfinite(samples_[static_cast<std::size_t>(i)].radius);
+    };
+    painter->save();
+    QColor fill = pen().color();
+    fill.setAlphaF(0.22F);
+    for (const SampleRun& run : runsOf(static_cast<int>(samples_.size()), drawable)) {
+        QPolygonF line, low, high;
+        for (int i = run.first; i <= run.last; ++i) {
+            const PolarSample& sample = samples_[static_cast<std::size_t>(i)];
+            line << unrolled(sample, sample.radius);
+            low << unrolled(sample, sample.low);
+            high << unrolled(sample, sample.high);
+        }
+        if (hasBand_ && bandVisible_) {
+            QPolygonF band = rolled(high);
+            const QPolygonF below = rolled(low);
+            band.append(QPolygonF(below.rbegin(), below.rend()));
+            painter->setPen(run.first == run.last ? QPen(fill, 3.0) : QPen(Qt::NoPen));
+            painter->setBrush(fill);
+            painter->drawPolygon(QwtClipper::clippedPolygonF(area, band, true));
+        }
+        if (run.first == run.last) {
             painter->setPen(Qt::NoPen);
             painter->setBrush(pen().color());
-            painter->drawEllipse(
-                pole + QPointF(distance * std::cos(angle), -distance * std::sin(angle)), 3.0, 3.0);
+            painter->drawEllipse(rolled(line).front(), 3.0, 3.0);
+            continue;
         }
-        start = end + 1;
+        painter->setPen(pen());
+        painter->setBrush(Qt::NoBrush);
+        for (const QPolygonF& part : clipped(rolled(line), area))
+            painter->drawPolyline(part);
     }
+    painter->restore();
 }
 
 QwtText AngleLabels::label(double value) const {

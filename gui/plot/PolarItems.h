@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <QwtPolarCurve>
 #include <QwtPolarItem>
 #include <QwtRoundScaleDraw>
@@ -8,13 +10,28 @@
 
 namespace smat::gui {
 
-/// Draws runs of finite samples one by one, so that a missing point leaves a gap.
+/// A sample as it is drawn: the radius on the scale of the plot, and the ends of its error.
+struct PolarSample {
+    double angle_deg = 0.0;
+    double radius = 0.0; ///< not finite for a gap
+    double low = 0.0, high = 0.0;
+};
+
+/// Draws runs of finite samples one by one, so that a missing point leaves a gap; a dot for a
+/// single one, and a band where the curve has errors. A radius below the scale is drawn in the
+/// middle.
 class GappedPolarCurve : public QwtPolarCurve {
   public:
     using QwtPolarCurve::draw;
-    using QwtPolarCurve::QwtPolarCurve;
+    GappedPolarCurve(const QString& title, std::vector<PolarSample> samples, bool hasBand);
+
+    void setBandVisible(bool visible) { bandVisible_ = visible; }
     void draw(QPainter* painter, const QwtScaleMap& azimuthMap, const QwtScaleMap& radialMap,
               const QPointF& pole, double radius, const QRectF& canvasRect) const override;
+
+  private:
+    std::vector<PolarSample> samples_;
+    bool hasBand_, bandVisible_ = true;
 };
 
 /// "0°" to "330°"; 360 is 0.

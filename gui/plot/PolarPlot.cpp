@@ -5,9 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include <QMouseEvent>
+#include <QKeyEvent>
 #include <QPainter>
-#include <QWheelEvent>
 #include <QwtLegend>
 #include <QwtPointPolar>
 #include <QwtPolarCanvas>
@@ -18,6 +17,7 @@
 
 #include "gui/plot/CrosshairOverlay.h"
 #include "gui/plot/PlotLook.h"
+#include "gui/plot/PlotNavigator.h"
 #include "gui/plot/PolarItems.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -51,45 +51,27 @@ PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent)
     setObjectName("polarPlot");
     setFocusPolicy(Qt::StrongFocus);
     setAutoReplot(false);
-    setPlotBackground(style_.canvas);
     setAzimuthOrigin(std::numbers::pi / 2.0);
     setContentsMargins(12, 10, 12, 10);
     setMinimumSize(320, 320);
 
-    QPalette colours = palette();
-    colours.setColor(QPalette::Window, style_.background);
-    colours.setColor(QPalette::WindowText, style_.text);
-    colours.setColor(QPalette::Text, style_.text);
-    setPalette(colours);
-    setAutoFillBackground(true);
-    canvas()->setPalette(colours);
     canvas()->setFrameStyle(QFrame::NoFrame);
-    canvas()->setCursor(Qt::CrossCursor);
-    canvas()->setMouseTracking(true);
-    canvas()->installEventFilter(this);
-
     setScaleEngine(QwtPolar::Radius, new FewCircles);
-    auto* grid = new QwtPolarGrid;
-    grid->setPen(QPen(style_.text));
-    grid->setMajorGridPen(QPen(style_.grid, 1.0));
-    grid->setMinorGridPen(QPen(style_.minorGrid, 1.0));
+    grid_ = new QwtPolarGrid;
     for (int scale = 0; scale < QwtPolar::ScaleCount; ++scale) {
-        grid->showGrid(scale, true);
-        grid->showMinorGrid(scale, scale == QwtPolar::Radius);
+        grid_->showGrid(scale, true);
+        grid_->showMinorGrid(scale, scale == QwtPolar::Radius);
     }
     for (int axis = 0; axis < QwtPolar::AxesCount; ++axis)
-        grid->showAxis(axis, axis == QwtPolar::AxisAzimuth || axis == QwtPolar::AxisRight);
-    grid->setFont(plotFont(0.9));
-    grid->setAxisPen(QwtPolar::AxisAzimuth, QPen(style_.text));
-    grid->setAxisPen(QwtPolar::AxisRight, QPen(style_.faintText));
-    grid->setAzimuthScaleDraw(new AngleLabels);
-    grid->setScaleDraw(QwtPolar::AxisRight, new NumberLabels);
-    grid->setDisplayFlag(QwtPolarGrid::HideMaxRadiusLabel, false);
-    grid->setDisplayFlag(QwtPolarGrid::SmartOriginLabel, true);
-    grid->attach(this);
+        grid_->showAxis(axis, axis == QwtPolar::AxisAzimuth || axis == QwtPolar::AxisRight);
+    grid_->setFont(plotFont(0.9));
+    grid_->setAzimuthScaleDraw(new AngleLabels);
+    grid_->setScaleDraw(QwtPolar::AxisRight, new NumberLabels);
+    grid_->setDisplayFlag(QwtPolarGrid::HideMaxRadiusLabel, false);
+    grid_->setDisplayFlag(QwtPolarGrid::SmartOriginLabel, true);
+    grid_->attach(this);
 
     auto* legend = new QwtLegend;
-    dressLegend(*legend, style_);
     insertLegend(legend, QwtPolarPlot::BottomLegend);
     connect(legend, &QwtLegend::clicked, this, [this](const QVariant& item, int) {
         const auto found = std::find(curves_.begin(), curves_.end(), infoToItem(item));
@@ -97,28 +79,74 @@ PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent)
         if (found != curves_.end())
             setCurveVisible(index, !isCurveVisible(index));
     });
-    overlay_ = new CrosshairOverlay(canvas(), [this](QPainter& p) { paintOverlay(p); });
+    navigator_ = std::make_unique<PlotNavigator>(*this);
+    connect(navigator_.get(), &PlotNavigator::readoutChanged, this, &PolarPlot::readoutChanged);
+    applyLook();
 }
 
 PolarPlot::~PolarPlot() = default;
 
+void PolarPlot::applyLook() {
+    setPlotBackground(style_.canvas);
+    QPalette colours = palette();
+    colours.setColor(QPalette::Window, style_.background);
+    colours.setColor(QPalette::WindowText, style_.text);
+    colours.setColor(QPalette::Text, style_.text);
+    setPalette(colours);
+    setAutoFillBackground(true);
+    canvas()->setPalette(colours);
+    grid_->setPen(QPen(style_.text));
+    grid_->setMajorGridPen(QPen(style_.grid, 1.0));
+    grid_->setMinorGridPen(QPen(style_.minorGrid, 1.0));
+    grid_->setAxisPen(QwtPolar::AxisAzimuth, QPen(style_.text));
+    grid_->setAxisPen(QwtPolar::AxisRight, QPen(style_.faintText));
+    dressLegend(*static_cast<QwtLegend*>(legend()), style_);
+}
+
+void PolarPlot::setLook(const PlotStyle& style) {
+    style_ = style;
+    applyLook();
+    setTitle(plotTitle(data_.title, style_));
+    const View seen{zoomFactor(), zoomPos(), limits_};
+    rebuild();
+    if (seen.factor < 1.0)
+        zoom(seen.middle, seen.factor);
+    replot();
+}
+
+QWidget* PolarPlot::sheet() const {
+    return const_cast<QwtPolarCanvas*>(canvas());
+}
+
 void PolarPlot::setData(PolarData data) {
-    for (const auto& curve : data.curves) {
-        if (curve.x.size() != curve.y.size())
-            throw irsg::LogicError("curve " + curve.name.toStdString() +
-                                   ": x and y differ in length");
-    }
+    for (const auto& curve : data.curves)
+        curve.check();
     data_ = std::move(data);
     setTitle(plotTitle(data_.title, style_));
     // A scale that runs backwards turns clockwise.
     setScale(QwtPolar::Azimuth, data_.clockwise ? turn_deg : 0.0, data_.clockwise ? 0.0 : turn_deg,
              data_.clockwise ? -30.0 : 30.0);
-    rebuildCurves();
+    history_.clear();
+    rebuild();
 }
 
 void PolarPlot::setRadiusScale(RadiusScale scale) {
+    if (radiusScale_ == scale)
+        return;
     radiusScale_ = scale;
-    rebuildCurves();
+    limits_.reset();
+    history_.clear();
+    rebuild();
+}
+
+void PolarPlot::setRadiusLimits(const std::optional<Interval>& limits) {
+    limits_ = limits;
+    rebuild();
+}
+
+Interval PolarPlot::radiusLimits() const {
+    const QwtInterval interval = scaleDiv(QwtPolar::Radius)->interval();
+    return {interval.minValue(), interval.maxValue()};
 }
 
 double PolarPlot::radiusOf(double value) const {
@@ -126,58 +154,25 @@ double PolarPlot::radiusOf(double value) const {
         return value;
     if (!(value > 0.0))
         return std::numeric_limits<double>::quiet_NaN();
-    return std::max(10.0 * std::log10(value / largest_), floor_dB);
+    return 10.0 * std::log10(value / largest_);
 }
 
-void PolarPlot::rebuildCurves() {
+void PolarPlot::rebuild() {
     std::vector<bool> visible;
     for (const auto* curve : curves_)
         visible.push_back(curve->isVisible());
     detachItems(QwtPolarItem::Rtti_PolarCurve, true);
     curves_.clear();
 
-    // The radius ends at a round number above the largest value; it begins at 0, or below where a
-    // contrast is negative.
-    const bool decibel = radiusScale_ == RadiusScale::decibel;
-    const auto range = rangeOf(data_.curves, &Curve::y, decibel);
-    largest_ = range ? range->maximum : 1.0;
-    if (decibel) {
-        setScale(QwtPolar::Radius, floor_dB, 0.0);
-    } else {
-        double low = range ? std::min(range->minimum, 0.0) : 0.0;
-        double high = range ? std::max(range->maximum, 0.0) : 1.0;
-        if (!(high > low))
-            high = low + 1.0;
-        double step = 0.0;
-        QwtLinearScaleEngine().autoScale(5, low, high, step);
-        setScale(QwtPolar::Radius, low, high);
-    }
-    for (std::size_t i = 0; i < data_.curves.size(); ++i) {
-        const Curve& curve = data_.curves[i];
-        QVector<QwtPointPolar> points;
-        for (std::size_t k = 0; k < curve.x.size(); ++k) {
-            if (std::isfinite(curve.x[k]))
-                points.push_back({curve.x[k], radiusOf(curve.y[k])});
-        }
-        if (goesRound(curve))
-            points.push_back({curve.x.front() + turn_deg, radiusOf(curve.y.front())});
-        auto* item = new GappedPolarCurve(curve.name);
-        item->setStyle(QwtPolarCurve::Lines);
-        item->setPen(QPen(style_.curve(static_cast<int>(i)), 2.0));
-        item->setLegendAttribute(QwtPolarCurve::LegendShowLine, true);
-        item->setLegendIconSize(QSize(22, 12));
-        item->setRenderHint(QwtPolarItem::RenderAntialiased);
-        item->setItemAttribute(QwtPolarItem::Legend);
-        item->setData(new QwtArraySeriesData<QwtPointPolar>(points));
-        item->setZ(10.0 + static_cast<double>(i));
-        item->attach(this);
-        curves_.push_back(item);
-    }
-    QString radius = data_.radiusTitle;
-    if (decibel)
-        radius += QStringLiteral(", dB below %1").arg(readableNumber(largest_));
+    setRadiusAxis();
+    for (std::size_t i = 0; i < data_.curves.size(); ++i)
+        addCurve(i);
+    QString radius =
+        data_.radiusTitle.isEmpty() ? QString() : tr("radius: %1").arg(data_.radiusTitle);
+    if (radiusScale_ == RadiusScale::decibel)
+        radius += tr(", dB below %1").arg(readableNumber(largest_));
     if (const int left = samplesLeftOut(); left > 0)
-        radius += QStringLiteral(" (%1 values not above 0 left out)").arg(left);
+        radius += tr(" (%1 values not above 0 left out)").arg(left);
     notes_ = std::make_unique<PolarNotes>(style_, data_.directionNote, data_.clockwise, radius);
     notes_->attach(this);
 
@@ -185,7 +180,56 @@ void PolarPlot::rebuildCurves() {
         if (!visible[i])
             setCurveVisible(static_cast<int>(i), false);
     }
-    resetView();
+    showWhole();
+}
+
+void PolarPlot::setRadiusAxis() {
+    // The radius ends at a round number above the largest value; it begins at 0, or below where a
+    // contrast is negative.
+    const bool decibel = radiusScale_ == RadiusScale::decibel;
+    const auto range = rangeOf(data_.curves, &Curve::y, decibel);
+    largest_ = range ? range->maximum : 1.0;
+    double low = 0.0, high = 0.0;
+    if (decibel) {
+        low = floor_dB;
+    } else {
+        const auto all = rangeWithErrors(data_.curves, false);
+        low = all ? std::min(all->minimum, 0.0) : 0.0;
+        high = all ? std::max(all->maximum, 0.0) : 1.0;
+        if (!(high > low))
+            high = low + 1.0;
+        double step = 0.0;
+        QwtLinearScaleEngine().autoScale(5, low, high, step);
+    }
+    setScale(QwtPolar::Radius, limits_ ? limits_->minimum : low, limits_ ? limits_->maximum : high);
+}
+
+void PolarPlot::addCurve(std::size_t index) {
+    const Curve& curve = data_.curves[index];
+    std::vector<PolarSample> samples;
+    const auto add = [&](double angle_deg, std::size_t k) {
+        const double error = curve.error.empty() ? 0.0 : curve.error[k];
+        const double y = curve.y[k];
+        PolarSample sample{angle_deg, radiusOf(y), radiusOf(y), radiusOf(y)};
+        if (std::isfinite(error) && std::isfinite(sample.radius)) {
+            // A lower end without logarithm reaches the middle.
+            const double low = radiusOf(y - error);
+            sample.low = std::isfinite(low) ? low : -std::numeric_limits<double>::max();
+            sample.high = radiusOf(y + error);
+        }
+        if (std::isfinite(angle_deg))
+            samples.push_back(sample);
+    };
+    for (std::size_t k = 0; k < curve.x.size(); ++k)
+        add(curve.x[k], k);
+    if (goesRound(curve))
+        add(curve.x.front() + turn_deg, 0);
+    auto* item = new GappedPolarCurve(curve.name, std::move(samples), !curve.error.empty());
+    item->setPen(QPen(style_.curve(static_cast<int>(index)), 2.0));
+    item->setBandVisible(errorBands_);
+    item->setZ(10.0 + static_cast<double>(index));
+    item->attach(this);
+    curves_.push_back(item);
 }
 
 int PolarPlot::samplesLeftOut() const {
@@ -211,16 +255,54 @@ bool PolarPlot::isCurveVisible(int curve) const {
     return curves_.at(static_cast<std::size_t>(curve))->isVisible();
 }
 
-void PolarPlot::resetView() {
+bool PolarPlot::hasErrors() const {
+    return std::any_of(data_.curves.begin(), data_.curves.end(),
+                       [](const Curve& curve) { return !curve.error.empty(); });
+}
+
+void PolarPlot::setErrorBandsVisible(bool visible) {
+    errorBands_ = visible;
+    for (auto* curve : curves_)
+        curve->setBandVisible(visible);
+    replot();
+}
+
+void PolarPlot::showWhole() {
     unzoom();
     replot();
+    emit viewChanged();
+}
+
+void PolarPlot::resetView() {
+    rememberView();
+    if (limits_)
+        setRadiusLimits({});
+    else
+        showWhole();
+}
+
+void PolarPlot::rememberView() {
+    history_.remember({zoomFactor(), zoomPos(), limits_});
+}
+
+void PolarPlot::undoZoom() {
+    const auto last = history_.takeBack();
+    if (!last)
+        return;
+    if (last->limits != limits_)
+        setRadiusLimits(last->limits);
+    unzoom();
+    if (last->factor < 1.0)
+        zoom(last->middle, last->factor);
+    replot();
+    emit viewChanged();
 }
 
 QPointF PolarPlot::canvasPoint(double angle_deg, double value) const {
     const QwtScaleMap azimuth = scaleMap(QwtPolar::Azimuth);
     const QwtScaleMap radial = scaleMap(QwtPolar::Radius);
     const double angle = azimuth.transform(angle_deg);
-    const double distance = radial.transform(radiusOf(value));
+    const double distance = std::max(0.0, radial.transform(radiusOf(value)));
     return plotRect().center() + QPointF(distance * std::cos(angle), -distance * std::sin(angle));
 }
 
@@ -237,10 +319,9 @@ QString PolarPlot::readoutAt(const QPointF& point) const {
     const double angle = angleAt(point);
     QString text = QStringLiteral("%1°").arg(angle, 0, 'f', 1);
     for (std::size_t i = 0; i < data_.curves.size(); ++i) {
-        if (!curves_[i]->isVisible())
-            continue;
-        const auto value = data_.curves[i].valueAt(angle, turn_deg);
-        text += "   " + data_.curves[i].name + ": " + (value ? readableNumber(*value) : "no value");
+        if (curves_[i]->isVisible())
+            text +=
+                "   " + data_.curves[i].name + ": " + data_.curves[i].readoutAt(angle, turn_deg);
     }
     return text;
 }
@@ -248,6 +329,8 @@ QString PolarPlot::readoutAt(const QPointF& point) const {
 PolarPlot* PolarPlot::makePaperTwin() const {
     auto* twin = new PolarPlot(PlotStyle::paper());
     twin->radiusScale_ = radiusScale_;
+    twin->limits_ = limits_;
+    twin->errorBands_ = errorBands_;
     twin->setData(data_);
     for (std::size_t i = 0; i < curves_.size(); ++i) {
         if (!curves_[i]->isVisible())
@@ -266,16 +349,25 @@ void PolarPlot::placePole(const QPointF& pole, double factor) {
     const double perPixel = (radial.s2() - radial.s1()) / (0.5 * whole.width() / factor);
     zoom(QwtPointPolar(std::atan2(-offset.y(), offset.x()), distance * perPixel), factor);
     replot();
+    emit viewChanged();
 }
 
-void PolarPlot::zoomAt(const QPointF& cursor, double factor) {
+void PolarPlot::zoomAt(const QPointF& point, double factor) {
     const double wanted = std::clamp(zoomFactor() * factor, 1e-4, 1.0);
     if (wanted >= 1.0) {
-        resetView();
+        showWhole();
         return;
     }
     const double growth = zoomFactor() / wanted;
-    placePole(cursor + (plotRect().center() - cursor) * growth, wanted);
+    placePole(point + (plotRect().center() - point) * growth, wanted);
+}
+
+void PolarPlot::zoomTo(const QRectF& part) {
+    const QRectF seen = canvas()->contentsRect();
+    const double growth = std::min(seen.width() / part.width(), seen.height() / part.height());
+    const double wanted = zoomFactor() / growth;
+    if (wanted > 1e-4 && wanted < 1.0)
+        placePole(seen.center() + (plotRect().center() - part.center()) * growth, wanted);
 }
 
 void PolarPlot::panBy(const QPointF& offset) {
@@ -283,64 +375,22 @@ void PolarPlot::panBy(const QPointF& offset) {
         placePole(plotRect().center() + offset, zoomFactor());
 }
 
-bool PolarPlot::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == canvas() && handleMouse(event)) {
-        overlay_->update();
-        return true;
-    }
-    return QwtPolarPlot::eventFilter(watched, event);
+void PolarPlot::keyPressEvent(QKeyEvent* event) {
+    if (!navigator_->handleKey(*event))
+        QwtPolarPlot::keyPressEvent(event);
 }
 
-bool PolarPlot::handleMouse(QEvent* event) {
-    switch (event->type()) {
-    case QEvent::Wheel: {
-        const auto* wheel = static_cast<QWheelEvent*>(event);
-        zoomAt(wheel->position(), std::pow(0.85, wheel->angleDelta().y() / 120.0));
-        return true;
-    }
-    case QEvent::MouseButtonPress: {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        if (mouse->button() == Qt::RightButton)
-            panStart_ = mouse->position();
-        return true;
-    }
-    case QEvent::MouseMove:
-        cursor_ = static_cast<QMouseEvent*>(event)->position();
-        if (panStart_) {
-            panBy(*cursor_ - *panStart_);
-            panStart_ = cursor_;
-        }
-        emit readoutChanged(readoutAt(*cursor_));
-        return true;
-    case QEvent::MouseButtonRelease:
-        panStart_.reset();
-        return true;
-    case QEvent::MouseButtonDblClick:
-        resetView();
-        return true;
-    case QEvent::Leave:
-        cursor_.reset();
-        overlay_->update();
-        emit readoutChanged({});
-        return false;
-    default:
-        return false;
-    }
-}
-
-void PolarPlot::paintOverlay(QPainter& painter) const {
-    if (!cursor_ || panStart_)
-        return;
+void PolarPlot::paintCrosshair(QPainter& painter, const QPointF& cursor) const {
     const QPointF pole = plotRect().center();
     const double radius = plotRect().width() / 2.0;
-    const QPointF offset = *cursor_ - pole;
+    const QPointF offset = cursor - pole;
     const double distance = std::hypot(offset.x(), offset.y());
     if (distance < 1.0 || distance > radius * 1.05)
         return;
     painter.setPen(QPen(style_.crosshair, 1.0, Qt::DashLine));
     painter.drawLine(pole, pole + offset * (radius / distance));
 
-    const double angle = angleAt(*cursor_);
+    const double angle = angleAt(cursor);
     std::vector<ReadoutLine> lines{{QColor(), QStringLiteral("%1°").arg(angle, 0, 'f', 1)}};
     for (std::size_t i = 0; i < data_.curves.size(); ++i) {
         const auto value = data_.curves[i].valueAt(angle, turn_deg);
@@ -351,9 +401,10 @@ void PolarPlot::paintOverlay(QPainter& painter) const {
         painter.setBrush(color);
         if (std::isfinite(radiusOf(*value)))
             painter.drawEllipse(canvasPoint(angle, *value), 4.5, 4.5);
-        lines.push_back({color, data_.curves[i].name + "  " + readableNumber(*value)});
+        lines.push_back(
+            {color, data_.curves[i].name + "  " + data_.curves[i].readoutAt(angle, turn_deg)});
     }
-    drawReadoutBox(painter, *cursor_, canvas()->rect(), lines, style_.background, style_.frame,
+    drawReadoutBox(painter, cursor, canvas()->rect(), lines, style_.background, style_.frame,
                    style_.text);
 }
 

@@ -4,14 +4,20 @@
 #include <optional>
 #include <vector>
 
+#include <QwtPointPolar>
 #include <QwtPolarPlot>
 
 #include "gui/Theme.h"
 #include "gui/plot/PlotData.h"
+#include "gui/plot/PlotSurface.h"
+#include "gui/plot/ViewHistory.h"
+
+class QwtPolarGrid;
 
 namespace smat::gui {
 
-class CrosshairOverlay;
+class GappedPolarCurve;
+class PlotNavigator;
 
 enum class RadiusScale {
     linear,
@@ -19,56 +25,92 @@ enum class RadiusScale {
 };
 
 /// Curves around a model: 0 degrees (the nose) at the top, a grid of 30 degrees, the direction in
-/// which the angle grows written beside it. A curve that goes round is closed. The wheel zooms at
-/// the cursor, the right button pans, a double click shows all, a click on the legend hides a
-/// curve.
-class PolarPlot : public QwtPolarPlot {
+/// which the angle grows written beside it. A curve that goes round is closed. The mouse as
+/// PlotNavigator says, and a click on the legend hides a curve.
+class PolarPlot : public QwtPolarPlot, public PlotSurface {
     Q_OBJECT
 
   public:
+    /// What is seen, as Qwt keeps it.
+    struct View {
+        double factor = 1.0;
+        QwtPointPolar middle;
+        std::optional<Interval> limits; ///< where they were typed
+        bool operator==(const View& other) const {
+            return factor == other.factor && middle == other.middle && limits == other.limits;
+        }
+    };
+
     explicit PolarPlot(const PlotStyle& style, QWidget* parent = nullptr);
     ~PolarPlot() override;
+    void setLook(const PlotStyle& style);
 
-    /// LogicError for a curve whose x and y differ in length.
+    /// LogicError for a curve whose x and y (and errors, where it has any) differ in length.
     void setData(PolarData data);
     const PolarData& data() const { return data_; }
     void setRadiusScale(RadiusScale scale);
     RadiusScale radiusScale() const { return radiusScale_; }
-    void setCurveVisible(int curve, bool visible);
-    bool isCurveVisible(int curve) const;
-    void resetView();
+    /// Where the radius begins, in the middle, and where it ends, in the unit of the values or dB;
+    /// nothing for limits chosen by the data. What is below is drawn in the middle, what is above
+    /// not at all.
+    void setRadiusLimits(const std::optional<Interval>& limits);
+    /// Those in effect.
+    Interval radiusLimits() const;
 
     /// Samples that a decibel radius cannot show.
     int samplesLeftOut() const;
     /// Where an angle and a value lie on the canvas.
     QPointF canvasPoint(double angle_deg, double value) const;
-    QString readoutAt(const QPointF& canvasPoint) const;
+    PlotNavigator& navigator() { return *navigator_; }
     PolarPlot* makePaperTwin() const;
 
+    QWidget* widget() override { return this; }
+    QWidget* sheet() const override;
+    const PlotStyle& look() const override { return style_; }
+    /// All of the circle is the most that is shown.
+    void zoomAt(const QPointF& point, double factor) override;
+    void zoomTo(const QRectF& part) override;
+    void panBy(const QPointF& offset) override;
+    void resetView() override;
+    void rememberView() override;
+    bool canUndoZoom() const override { return !history_.empty(); }
+    void undoZoom() override;
+    int curveCount() const override { return static_cast<int>(curves_.size()); }
+    void setCurveVisible(int curve, bool visible) override;
+    bool isCurveVisible(int curve) const override;
+    bool hasErrors() const override;
+    void setErrorBandsVisible(bool visible) override;
+    QString readoutAt(const QPointF& canvasPoint) const override;
+    void paintCrosshair(QPainter& painter, const QPointF& point) const override;
+
   signals:
+    void viewChanged();
     void readoutChanged(const QString& text);
 
   protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    void rebuildCurves();
+    void applyLook();
+    void rebuild();
+    void setRadiusAxis();
+    void addCurve(std::size_t index);
+    void showWhole();
     double radiusOf(double value) const;
     double angleAt(const QPointF& canvasPoint) const;
     void placePole(const QPointF& pole, double factor);
-    void zoomAt(const QPointF& cursor, double factor);
-    void panBy(const QPointF& offset);
-    bool handleMouse(QEvent* event);
-    void paintOverlay(QPainter& painter) const;
 
     PlotStyle style_;
     PolarData data_;
     RadiusScale radiusScale_ = RadiusScale::linear;
+    std::optional<Interval> limits_;
     double largest_ = 1.0;
-    std::vector<QwtPolarItem*> curves_;
+    std::vector<GappedPolarCurve*> curves_;
     std::unique_ptr<QwtPolarItem> notes_;
-    CrosshairOverlay* overlay_ = nullptr;
-    std::optional<QPointF> cursor_, panStart_;
+    QwtPolarGrid* grid_ = nullptr;
+    std::unique_ptr<PlotNavigator> navigator_;
+    ViewHistory<View> history_;
+    bool errorBands_ = true;
 };
 
 } // namespace smat::gui

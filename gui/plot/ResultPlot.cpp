@@ -6,31 +6,18 @@
 #include <functional>
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/data/ResultDifference.h"
 
 namespace smat::gui {
 namespace {
 
-/// Columns that say where a row was taken, not what was measured.
-constexpr std::array abscissas{"angle",      "azimuth",    "elevation", "yaw",
-                               "wavenumber", "wavelength", "time",      "range"};
 /// What a reader asks for first.
-constexpr std::array favourites{"contrast_intensity", "spectral_contrast_intensity"};
+constexpr std::array favourites{"contrast_intensity", "spectral_contrast_intensity",
+                                "difference_contrast_intensity",
+                                "difference_spectral_contrast_intensity"};
 
-bool isAbscissa(const std::string& key) {
-    return std::find(abscissas.begin(), abscissas.end(), key) != abscissas.end();
-}
-
-bool varies(const ResultColumn* column) {
-    if (column == nullptr || column->values.empty())
-        return false;
-    const auto [low, high] = std::minmax_element(column->values.begin(), column->values.end());
-    return *high - *low > 1e-9;
-}
-
-/// Spectra are drawn over the wavelength, whichever of their two axes comes first.
 const ResultColumn& abscissaOf(const ResultTable& table) {
-    const auto* wavelength = table.find(irsg::Quantity::wavelength);
-    return wavelength != nullptr ? *wavelength : table.columns().front();
+    return *table.find(abscissaKey(table));
 }
 
 void requireRows(const ResultTable& table, const std::string& name) {
@@ -48,7 +35,10 @@ Curve curveOf(const NamedResult& result, const std::string& quantity) {
         throw irsg::InputError(
             {result.name.toStdString(), "", "no column \"" + quantity + "\"", "one of " + keys});
     }
-    return {result.name, abscissaOf(*result.table).values, column->values};
+    Curve curve{result.name, abscissaOf(*result.table).values, column->values};
+    if (const auto* error = result.table->find("error_" + quantity))
+        curve.error = error->values;
+    return curve;
 }
 
 void requireSame(const std::vector<NamedResult>& results, const std::string& what,
@@ -91,21 +81,12 @@ bool isPolar(const ResultTable& table) {
     return !table.columns().empty() && table.columns().front().key == "angle";
 }
 
-std::string polarType(const ResultTable& table) {
-    const std::string stated = table.provenance.value("polar.type");
-    if (!stated.empty())
-        return stated;
-    if (varies(table.find(irsg::Quantity::yaw)))
-        return "model-yaw";
-    return varies(table.find(irsg::Quantity::elevation)) ? "camera-elevation" : "camera-azimuth";
-}
-
 std::vector<std::string> plottableQuantities(const ResultTable& table) {
     requireRows(table, "result");
     std::vector<std::string> keys;
     for (const auto& column : table.columns()) {
         const bool error = column.key.rfind("error_", 0) == 0;
-        if (!isAbscissa(column.key) && !error && &column != &table.columns().front())
+        if (!isAbscissa(table, column) && !error)
             keys.push_back(column.key);
     }
     if (keys.empty())
@@ -138,16 +119,15 @@ PlotData cartesianData(const std::vector<NamedResult>& results, const std::strin
 }
 
 PolarData polarData(const std::vector<NamedResult>& results, const std::string& quantity) {
-    requireSame(results, "a polar plot of type", polarType);
+    requireSame(results, "a polar plot of type", polarTypeOf);
     PolarData data;
     for (const auto& result : results)
         data.curves.push_back(curveOf(result, quantity));
 
     const auto& first = *results.front().table;
     const auto& y = *first.find(quantity);
-    const std::string type = polarType(first);
-    const QString radius = QString::fromStdString(y.axisTitle());
-    data.radiusTitle = QStringLiteral("radius: ") + radius;
+    const std::string type = polarTypeOf(first);
+    data.radiusTitle = QString::fromStdString(y.axisTitle());
     data.clockwise = type == "camera-azimuth";
     QString mode;
     if (type == "camera-azimuth") {

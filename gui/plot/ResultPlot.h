@@ -16,9 +16,6 @@ struct NamedResult {
 
 /// True for a table over an angle: it belongs on a polar plot.
 bool isPolar(const ResultTable& table);
-/// How a polar plot was swept: "camera-azimuth", "camera-elevation" or "model-yaw", from the
-/// provenance or else from its columns.
-std::string polarType(const ResultTable& table);
 
 /// Keys of the columns that can be drawn against the abscissa, the one most asked for first.
 /// Throws InputError for a table without rows or without such a column.

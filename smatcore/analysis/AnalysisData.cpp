@@ -1,6 +1,7 @@
 #include "smatcore/analysis/AnalysisData.h"
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/support/ShellText.h"
 
 namespace smat {
 
@@ -18,21 +19,6 @@ std::string commandValue(const Project& project, const Settings& settings,
         text += (text.empty() ? "" : ";") + word;
     }
     return text.empty() ? setting.defaultText : text;
-}
-
-/// In single quotes where a shell would take the word apart.
-std::string quoted(const std::string& word) {
-    const bool isPlain = !word.empty() && word.find_first_not_of(
-                                              "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                              "0123456789_-+=./:,") == std::string::npos;
-    if (isPlain) {
-        return word;
-    }
-    std::string text = "'";
-    for (const char c : word) {
-        text += c == '\'' ? "'\\''" : std::string(1, c);
-    }
-    return text + "'";
 }
 
 } // namespace
@@ -71,7 +57,7 @@ AnalysisData AnalysisData::of(const Project& project, AnalysisKind kind,
 
 std::string AnalysisData::equivalentCommand(const std::string& outputFile) const {
     std::string command = "smat-batch " + smat::name(kind) + " ";
-    command += quoted(project.file.empty() ? "PROJECT.smat" : project.file.string());
+    command += shellQuoted(project.file.empty() ? "PROJECT.smat" : project.file.string());
 
     // What the project file says is not said again; analysis sections of other kinds do not matter.
     for (const SettingInfo& setting : settingTable()) {
@@ -87,10 +73,10 @@ std::string AnalysisData::equivalentCommand(const std::string& outputFile) const
             command += " --set " + setting.key + "=false";
         } else {
             command +=
-                " " + setting.option + "=" + quoted(commandValue(project, settings, setting));
+                " " + setting.option + "=" + shellQuoted(commandValue(project, settings, setting));
         }
     }
-    return command + " --out " + quoted(outputFile);
+    return command + " --out " + shellQuoted(outputFile);
 }
 
 } // namespace smat

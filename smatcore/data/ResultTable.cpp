@@ -1,6 +1,7 @@
 #include "smatcore/data/ResultTable.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -39,8 +40,26 @@ std::string ResultColumn::header() const {
 }
 
 std::string ResultColumn::axisTitle() const {
-    const irsg::QuantityInfo* quantity = quantityOf(key);
-    const std::string label = quantity != nullptr ? std::string(quantity->label) : key;
+    // "error_contrast_intensity" is the error of what the rest of the key names.
+    static constexpr std::pair<std::string_view, std::string_view> prefixes[] = {
+        {"error_", "Error of "},
+        {"relative_difference_", "Relative difference of "},
+        {"difference_", "Difference of "}};
+    std::string_view rest = key;
+    std::string label;
+    for (const auto& [prefix, words] : prefixes) {
+        if (rest.starts_with(prefix)) {
+            label = words;
+            rest.remove_prefix(prefix.size());
+            break;
+        }
+    }
+    const irsg::QuantityInfo* quantity = quantityOf(rest);
+    std::string name(quantity != nullptr ? quantity->label : rest);
+    if (!label.empty() && !name.empty()) {
+        name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+    }
+    label += name;
     const std::string pretty =
         quantity != nullptr && quantity->unit == unit ? std::string(quantity->prettyUnit) : unit;
     return pretty.empty() ? label : label + " (" + pretty + ")";

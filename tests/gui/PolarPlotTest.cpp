@@ -26,7 +26,7 @@ Curve rose(const QString& name, double level, double spikeAt = -1.0) {
 
 PolarData camera(std::vector<Curve> curves, bool clockwise = true) {
     return {.title = "Contrast intensity over camera azimuth, view offset 10°",
-            .radiusTitle = "radius: Contrast intensity (W·sr⁻¹)",
+            .radiusTitle = "Contrast intensity (W·sr⁻¹)",
             .directionNote = "clockwise from the nose, 90° is starboard",
             .clockwise = clockwise,
             .curves = std::move(curves)};

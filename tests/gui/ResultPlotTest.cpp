@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/data/ResultDifference.h"
 #include "tests/gui/ResultTables.h"
 
 namespace smat::gui {
@@ -38,7 +39,7 @@ TEST(ResultPlotTest, TurnsCounterClockwiseForTheOtherModes) {
 }
 
 TEST(ResultPlotTest, KnowsTheModeFromTheColumnsWhereNothingStatesIt) {
-    EXPECT_EQ(polarType(test::polarTable()), "camera-azimuth");
+    EXPECT_EQ(polarTypeOf(test::polarTable()), "camera-azimuth");
 }
 
 TEST(ResultPlotTest, RefusesToOverlayDifferentSweeps) {

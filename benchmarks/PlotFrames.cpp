@@ -1,0 +1,153 @@
+// Frame times of the plot windows with 20 curves of 10,000 points, and how long a cancel takes to
+// be answered: bench_plots [curves] [points]. Wants a display (xvfb-run).
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <numbers>
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "gui/Theme.h"
+#include "gui/Workbench.h"
+#include "gui/plot/CartesianPlot.h"
+#include "gui/plot/PolarPlot.h"
+
+namespace {
+
+using namespace smat::gui;
+using Clock = std::chrono::steady_clock;
+
+double since_ms(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// A restless curve: waves with noise, so that thinning has to keep all of it.
+Curve restless(int number, int points, double from, double to) {
+    Curve curve{QStringLiteral("curve %1").arg(number + 1), {}, {}};
+    unsigned state = 77U + static_cast<unsigned>(number);
+    for (int i = 0; i < points; ++i) {
+        state = state * 1664525U + 1013904223U;
+        const double noise = static_cast<double>(state >> 8U) / (1U << 24U);
+        const double part = static_cast<double>(i) / points;
+        curve.x.push_back(from + (to - from) * part);
+        curve.y.push_back(1000.0 + 200.0 * number +
+                          300.0 * std::sin(part * 2.0 * std::numbers::pi * (3 + number)) +
+                          150.0 * noise);
+    }
+    return curve;
+}
+
+/// Median and worst of the frames that `step` makes.
+void measure(const char* what, int frames, const std::function<void(int)>& step) {
+    std::vector<double> times_ms;
+    for (int i = 0; i < frames; ++i) {
+        const auto start = Clock::now();
+        step(i);
+        times_ms.push_back(since_ms(start));
+    }
+    std::sort(times_ms.begin(), times_ms.end());
+    std::printf("%-28s median %6.1f ms   worst %6.1f ms\n", what, times_ms[times_ms.size() / 2],
+                times_ms.back());
+}
+
+void send(QWidget* to, QEvent&& event) {
+    QCoreApplication::sendEvent(to, &event);
+}
+
+void drive(const char* name, PlotSurface& surface) {
+    QWidget* sheet = surface.sheet();
+    QWidget* plot = surface.widget();
+    const QPointF middle(sheet->rect().center());
+    const auto frame = [&] { plot->repaint(); };
+    std::printf("%s\n", name);
+    measure("  show all", 10, [&](int) {
+        surface.resetView();
+        frame();
+    });
+    measure("  zoom by the wheel", 30, [&](int i) {
+        send(sheet, QWheelEvent(middle, sheet->mapToGlobal(middle), {}, {0, i < 15 ? 120 : -120},
+                                Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false));
+        frame();
+    });
+    surface.zoomAt(middle, 0.7);
+    send(sheet, QMouseEvent(QEvent::MouseButtonPress, middle, sheet->mapToGlobal(middle),
+                            Qt::RightButton, Qt::RightButton, Qt::NoModifier));
+    measure("  pan", 40, [&](int i) {
+        const QPointF at = middle + QPointF(6.0 * (i + 1), 2.0 * i);
+        send(sheet, QMouseEvent(QEvent::MouseMove, at, sheet->mapToGlobal(at), Qt::NoButton,
+                                Qt::RightButton, Qt::NoModifier));
+        frame();
+    });
+    send(sheet, QMouseEvent(QEvent::MouseButtonRelease, middle, sheet->mapToGlobal(middle),
+                            Qt::RightButton, Qt::NoButton, Qt::NoModifier));
+    measure("  crosshair", 60, [&](int i) {
+        const QPointF at = middle + QPointF(3.0 * i - 90.0, 40.0 * std::sin(i / 5.0));
+        send(sheet, QMouseEvent(QEvent::MouseMove, at, sheet->mapToGlobal(at), Qt::NoButton,
+                                Qt::NoButton, Qt::NoModifier));
+        sheet->repaint();
+    });
+}
+
+/// From the cancel to the answer, with a drawing of many seconds under way.
+void cancelling() {
+    Workbench workbench;
+    workbench.open(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.smat");
+    auto settings = workbench.settings();
+    settings.set("sensor.width", 3000);
+    settings.set("sensor.height", 3000);
+    settings.set("render.antialiasing", 2);
+    workbench.start(
+        smat::AnalysisData::of(workbench.project(), smat::AnalysisKind::image, settings));
+    const auto begun = Clock::now();
+    while (since_ms(begun) < 1500.0 && workbench.isRunning())
+        QApplication::processEvents(QEventLoop::AllEvents, 10);
+    if (!workbench.isRunning()) {
+        std::printf("cancel: the drawing was over before\n");
+        return;
+    }
+    const auto asked = Clock::now();
+    workbench.cancel();
+    while (workbench.isRunning())
+        QApplication::processEvents(QEventLoop::AllEvents, 5);
+    std::printf("cancel answered after %.0f ms\n", since_ms(asked));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    applyTheme(application, ThemeMode::light);
+    const int curves = argc > 1 ? std::atoi(argv[1]) : 20;
+    const int points = argc > 2 ? std::atoi(argv[2]) : 10000;
+    std::printf("%d curves of %d points, 1000 x 700\n", curves, points);
+
+    CartesianPlot cartesian(PlotStyle::screen(QApplication::palette()));
+    PlotData data{.title = "Intensity", .xTitle = "Range (m)", .yTitle = "Intensity (W/sr)"};
+    PolarData around{.title = "Intensity", .radiusTitle = "Intensity (W/sr)"};
+    for (int i = 0; i < curves; ++i) {
+        data.curves.push_back(restless(i, points, 500.0, 10000.0));
+        around.curves.push_back(restless(i, points, 0.0, 360.0));
+    }
+    cartesian.setData(data);
+    cartesian.resize(1000, 700);
+    cartesian.show();
+    QApplication::processEvents();
+    drive("Cartesian", cartesian);
+    cartesian.setLogarithmic(QwtPlot::yLeft, true);
+    drive("Cartesian, logarithmic", cartesian);
+    cartesian.hide();
+    PolarPlot polar(PlotStyle::screen(QApplication::palette()));
+    polar.setData(around);
+    polar.resize(1000, 700);
+    polar.show();
+    QApplication::processEvents();
+    drive("Polar", polar);
+    cancelling();
+    return 0;
+}

@@ -1,0 +1,72 @@
+#include "gui/analysis/ResultDetailsDialog.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDialogButtonBox>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "gui/analysis/ResultStore.h"
+
+namespace smat::gui {
+
+ResultDetailsDialog::ResultDetailsDialog(const ResultEntry& entry, QWidget* parent)
+    : QDialog(parent) {
+    setObjectName("resultDetailsDialog");
+    setWindowTitle(tr("How this result was made – %1").arg(entry.title));
+    resize(680, 560);
+
+    const QString command = QString::fromStdString(entry.data.commandLine);
+    auto* text = new QPlainTextEdit(this);
+    text->setObjectName("commandLine");
+    text->setReadOnly(true);
+    text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    text->setMaximumHeight(84);
+    text->setPlainText(command.isEmpty() ? tr("No command line is known for this result.")
+                                         : command);
+    auto* copy = new QPushButton(tr("Copy"), this);
+    copy->setObjectName("copyCommand");
+    copy->setEnabled(!command.isEmpty());
+    connect(copy, &QPushButton::clicked, this,
+            [command] { QApplication::clipboard()->setText(command); });
+    auto* head = new QLabel(tr("Command line"), this);
+    head->setForegroundRole(QPalette::PlaceholderText);
+    auto* row = new QHBoxLayout;
+    row->addWidget(text, 1);
+    row->addWidget(copy, 0, Qt::AlignTop);
+
+    auto* list = new QTreeWidget(this);
+    list->setObjectName("provenance");
+    list->setColumnCount(2);
+    list->setHeaderLabels({tr("What"), tr("Value")});
+    list->setRootIsDecorated(false);
+    list->setAlternatingRowColors(true);
+    list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    for (const QString& line : describe(entry).mid(1)) {
+        const qsizetype colon = line.indexOf(": ");
+        auto* item = colon > 0 ? new QTreeWidgetItem({line.left(colon), line.mid(colon + 2)})
+                               : new QTreeWidgetItem({tr("Made"), line});
+        item->setToolTip(1, item->text(1));
+        list->addTopLevelItem(item);
+    }
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    buttons->button(QDialogButtonBox::Close)->setIcon({});
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 14, 16, 14);
+    column->setSpacing(8);
+    column->addWidget(head);
+    column->addLayout(row);
+    column->addSpacing(4);
+    column->addWidget(list, 1);
+    column->addWidget(buttons);
+}
+
+} // namespace smat::gui

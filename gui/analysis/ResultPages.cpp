@@ -1,0 +1,92 @@
+#include "gui/analysis/ResultPages.h"
+
+#include <QTabWidget>
+
+#include "gui/Theme.h"
+#include "gui/Workbench.h"
+#include "gui/analysis/FloatingPages.h"
+#include "gui/analysis/ResultPage.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+
+ResultPages::ResultPages(Workbench& workbench, Dialogs dialogs, QTabWidget* tabs)
+    : QObject(tabs),
+      workbench_(workbench),
+      dialogs_(std::move(dialogs)),
+      tabs_(tabs),
+      floating_(new FloatingPages(tabs)) {
+    const ResultStore& store = workbench_.resultStore();
+    connect(&store, &ResultStore::added, this, [this](int id) { show({id}); });
+    connect(&store, &ResultStore::renamed, this, &ResultPages::onRenamed);
+    connect(&store, &ResultStore::removed, this, &ResultPages::onRemoved);
+}
+
+std::vector<ResultPage*> ResultPages::pages() const {
+    std::vector<ResultPage*> list;
+    for (QWidget* page : floating_->pages()) {
+        if (auto* result = qobject_cast<ResultPage*>(page))
+            list.push_back(result);
+    }
+    return list;
+}
+
+void ResultPages::show(const QList<int>& ids) {
+    for (ResultPage* page : pages()) {
+        if (page->resultIds() == ids) {
+            floating_->show(page);
+            return;
+        }
+    }
+    std::vector<ResultEntry> entries;
+    for (const int id : ids) {
+        if (const auto* entry = workbench_.result(id))
+            entries.push_back(*entry);
+    }
+    if (entries.empty())
+        return;
+    try {
+        auto* page = new ResultPage(entries, dialogs_);
+        const QString word = QString::fromStdString(name(entries.front().data.kind));
+        const QString title =
+            entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
+        tabs_->setCurrentIndex(tabs_->addTab(page, icon(word), title));
+        say(entries.back().id);
+    } catch (const irsg::InputError& error) {
+        QStringList sentences;
+        for (const auto& offence : error.offences())
+            sentences << QString::fromStdString(offence.message());
+        dialogs_.tell(tabs_, tr("These results cannot be shown"), sentences);
+    }
+}
+
+void ResultPages::say(int id) {
+    const ResultEntry* entry = workbench_.result(id);
+    QStringList notes;
+    for (const auto& warning : entry->data.warnings)
+        notes << QString::fromStdString(warning);
+    if (notes.isEmpty())
+        notes << (entry->canRunAgain() ? tr("Done in %1").arg(durationText(entry->data.elapsed_s))
+                                       : entry->title + ": " + stateOf(*entry));
+    emit said(notes.join("   "));
+}
+
+void ResultPages::onRenamed(int id) {
+    const ResultEntry* entry = workbench_.result(id);
+    for (ResultPage* page : pages()) {
+        if (!page->resultIds().contains(id))
+            continue;
+        page->rename(id, entry->title);
+        if (page->resultIds().size() == 1)
+            floating_->setTitle(page, entry->title);
+    }
+}
+
+void ResultPages::onRemoved(int id) {
+    for (ResultPage* page : pages()) {
+        if (page->resultIds().contains(id))
+            delete page;
+    }
+}
+
+} // namespace smat::gui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QObject>
+
+#include "gui/Dialogs.h"
+
+class QTabWidget;
+
+namespace smat::gui {
+
+class FloatingPages;
+class ResultPage;
+class Workbench;
+
+/// Shows results of a Workbench as pages of a row of tabs, which may float: each once, several
+/// overlaid on one page. Pages follow their results: a new name, and their end.
+class ResultPages : public QObject {
+    Q_OBJECT
+
+  public:
+    ResultPages(Workbench& workbench, Dialogs dialogs, QTabWidget* tabs);
+
+    void show(const QList<int>& ids);
+    FloatingPages& floating() { return *floating_; }
+
+  signals:
+    /// What is worth saying of a result that is shown: notes, or how long it took.
+    void said(const QString& sentence);
+
+  private:
+    std::vector<ResultPage*> pages() const;
+    void say(int id);
+    void onRenamed(int id);
+    void onRemoved(int id);
+
+    Workbench& workbench_;
+    Dialogs dialogs_;
+    QTabWidget* tabs_;
+    FloatingPages* floating_;
+};
+
+} // namespace smat::gui

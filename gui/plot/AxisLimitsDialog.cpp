@@ -1,0 +1,104 @@
+#include "gui/plot/AxisLimitsDialog.h"
+
+#include <cmath>
+#include <optional>
+
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+namespace {
+
+std::optional<double> numberIn(const QLineEdit* field) {
+    const auto number = irsg::parseNumber(field->text().trimmed().toStdString());
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+} // namespace
+
+AxisLimitsDialog::AxisLimitsDialog(const std::vector<Axis>& axes, QWidget* parent)
+    : QDialog(parent) {
+    setObjectName("axisLimitsDialog");
+    setWindowTitle(tr("Axis limits"));
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(10);
+    grid->setVerticalSpacing(8);
+    for (const auto& [column, text] : {std::pair(1, tr("from")), std::pair(2, tr("to"))}) {
+        auto* head = new QLabel(text, this);
+        head->setForegroundRole(QPalette::PlaceholderText);
+        grid->addWidget(head, 0, column);
+    }
+    for (const Axis& axis : axes) {
+        const int line = static_cast<int>(rows_.size()) + 1;
+        const auto field = [&](double value, const char* end, int column) {
+            auto* edit = new QLineEdit(QString::fromStdString(irsg::numberText(value)), this);
+            edit->setObjectName(QStringLiteral("limit%1%2").arg(line).arg(end));
+            edit->setMinimumWidth(130);
+            connect(edit, &QLineEdit::textChanged, this, &AxisLimitsDialog::refresh);
+            grid->addWidget(edit, line, column);
+            return edit;
+        };
+        auto* label = new QLabel(axis.title, this);
+        grid->addWidget(label, line, 0, Qt::AlignRight);
+        auto* from = field(axis.limits.minimum, "From", 1);
+        label->setBuddy(from);
+        rows_.push_back({axis, from, field(axis.limits.maximum, "To", 2)});
+    }
+    problems_ = new QLabel(this);
+    problems_->setObjectName("problems");
+    problems_->setWordWrap(true);
+    buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    for (auto* button : buttons_->buttons())
+        button->setIcon({});
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 14, 16, 14);
+    column->setSpacing(12);
+    column->addLayout(grid);
+    column->addWidget(problems_);
+    column->addStretch(1);
+    column->addWidget(buttons_);
+    refresh();
+}
+
+QStringList AxisLimitsDialog::problems() const {
+    QStringList list;
+    for (const Row& row : rows_) {
+        const auto from = numberIn(row.from);
+        const auto to = numberIn(row.to);
+        if (!from || !to)
+            list << tr("%1: two numbers, such as 0.5 and 1e4").arg(row.axis.title);
+        else if (!(*from < *to))
+            list << tr("%1: the first must be less than the second").arg(row.axis.title);
+        else if (row.axis.positive && *from <= 0.0)
+            list << tr("%1: a logarithmic axis begins above 0").arg(row.axis.title);
+    }
+    return list;
+}
+
+std::vector<Interval> AxisLimitsDialog::limits() const {
+    std::vector<Interval> list;
+    for (const Row& row : rows_)
+        list.push_back({numberIn(row.from).value_or(0.0), numberIn(row.to).value_or(1.0)});
+    return list;
+}
+
+void AxisLimitsDialog::refresh() {
+    if (buttons_ == nullptr)
+        return;
+    const QStringList wrong = problems();
+    problems_->setText(wrong.join('\n'));
+    problems_->setVisible(!wrong.isEmpty());
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(wrong.isEmpty());
+}
+
+} // namespace smat::gui

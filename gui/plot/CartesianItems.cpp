@@ -1,0 +1,105 @@
+#include "gui/plot/CartesianItems.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QPainter>
+#include <QwtClipper>
+#include <QwtScaleMap>
+
+#include "gui/plot/CurveDrawing.h"
+
+namespace smat::gui {
+
+SampledCurve::SampledCurve(const Curve& curve) : QwtPlotCurve(curve.name), curve_(curve) {
+    setRenderHint(QwtPlotItem::RenderAntialiased);
+    setLegendAttribute(QwtPlotCurve::LegendShowLine);
+    setLegendIconSize(QSize(22, 12));
+    setRawSamples(curve.x.data(), curve.y.data(), static_cast<int>(curve.x.size()));
+}
+
+void SampledCurve::drawSeries(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+                              const QRectF& canvasRect, int, int) const {
+    const bool xPositive = xMap.transformation() != nullptr;
+    const bool yPositive = yMap.transformation() != nullptr;
+    const auto drawable = [&](int i) {
+        const double x = curve_.x[static_cast<std::size_t>(i)];
+        const double y = curve_.y[static_cast<std::size_t>(i)];
+        return std::isfinite(x) && std::isfinite(y) && (!xPositive || x > 0.0) &&
+               (!yPositive || y > 0.0);
+    };
+    const double column = finestColumn(*painter);
+    // On a screen lines go on below the frame, whose clipping hides how they end.
+    const double margin = column > 0.0 ? 4.0 : 0.0;
+    const QRectF area = canvasRect.adjusted(-margin, -margin, margin, margin);
+    const double xLow = std::min(xMap.s1(), xMap.s2());
+    const double xHigh = std::max(xMap.s1(), xMap.s2());
+
+    painter->save();
+    for (const SampleRun& run : runsOf(static_cast<int>(curve_.x.size()), drawable)) {
+        const SampleRun seen = visiblePart(curve_.x, run, xLow, xHigh);
+        if (bandVisible_ && !curve_.error.empty())
+            drawBand(*painter, xMap, yMap, area, seen.first, seen.last, column);
+        QPolygonF line;
+        line.reserve(seen.last - seen.first + 1);
+        for (int i = seen.first; i <= seen.last; ++i)
+            line << QPointF(xMap.transform(curve_.x[static_cast<std::size_t>(i)]),
+                            yMap.transform(curve_.y[static_cast<std::size_t>(i)]));
+        if (run.first == run.last) {
+            painter->setPen(Qt::NoPen);
+            painter->setBrush(pen().color());
+            if (area.contains(line.front()))
+                painter->drawEllipse(line.front(), 3.0, 3.0);
+            continue;
+        }
+        painter->setPen(pen());
+        painter->setBrush(Qt::NoBrush);
+        for (const QPolygonF& part : clipped(thinned(line, column), area))
+            painter->drawPolyline(part);
+    }
+    painter->restore();
+}
+
+void SampledCurve::drawBand(QPainter& painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+                            const QRectF& area, int from, int to, double column) const {
+    // Where the lower end has no logarithm the band reaches the bottom of the plot.
+    const bool logarithmic = yMap.transformation() != nullptr;
+    const double bottom = std::min(yMap.s1(), yMap.s2());
+    const auto hasError = [&](int i) {
+        return std::isfinite(curve_.error[static_cast<std::size_t>(from + i)]);
+    };
+    QColor fill = pen().color();
+    fill.setAlphaF(0.22F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(fill);
+    for (const SampleRun& run : runsOf(to - from + 1, hasError)) {
+        if (run.first == run.last) {
+            // A band without width is a bar.
+            const auto i = static_cast<std::size_t>(from + run.first);
+            const double x = xMap.transform(curve_.x[i]);
+            const double low = curve_.y[i] - curve_.error[i];
+            painter.setPen(QPen(fill, 3.0));
+            for (const QPolygonF& bar :
+                 clipped(QPolygonF{{x, yMap.transform(curve_.y[i] + curve_.error[i])},
+                                   {x, yMap.transform(logarithmic && low <= 0.0 ? bottom : low)}},
+                         area))
+                painter.drawPolyline(bar);
+            painter.setPen(Qt::NoPen);
+            continue;
+        }
+        QPolygonF upper, lower;
+        for (int k = run.first; k <= run.last; ++k) {
+            const auto i = static_cast<std::size_t>(from + k);
+            const double x = xMap.transform(curve_.x[i]);
+            const double low = curve_.y[i] - curve_.error[i];
+            upper << QPointF(x, yMap.transform(curve_.y[i] + curve_.error[i]));
+            lower << QPointF(x, yMap.transform(logarithmic && low <= 0.0 ? bottom : low));
+        }
+        QPolygonF band = thinned(upper, column);
+        const QPolygonF below = thinned(lower, column);
+        band.append(QPolygonF(below.rbegin(), below.rend()));
+        painter.drawPolygon(QwtClipper::clippedPolygonF(area, band, true));
+    }
+}
+
+} // namespace smat::gui

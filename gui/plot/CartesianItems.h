@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QwtPlotCurve>
+
+#include "gui/plot/PlotData.h"
+
+namespace smat::gui {
+
+/// Draws the samples of a Curve: nothing for missing points, a dot for one between gaps, a band
+/// where the curve has errors.
+class SampledCurve : public QwtPlotCurve {
+  public:
+    /// Keeps a reference to `curve`, which outlives it.
+    explicit SampledCurve(const Curve& curve);
+
+    void setBandVisible(bool visible) { bandVisible_ = visible; }
+    void drawSeries(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+                    const QRectF& canvasRect, int from, int to) const override;
+
+  private:
+    void drawBand(QPainter& painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+                  const QRectF& area, int from, int to, double column) const;
+
+    const Curve& curve_;
+    bool bandVisible_ = true;
+};
+
+} // namespace smat::gui

@@ -1,0 +1,193 @@
+#include "gui/tools/AirToolPage.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/Workbench.h"
+#include "gui/analysis/ResultPage.h"
+
+namespace smat::gui {
+
+AirToolPage::AirToolPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), dialogs_(std::move(dialogs)) {
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Base);
+    auto* side = new QWidget;
+    side->setAutoFillBackground(true);
+    side->setBackgroundRole(QPalette::Window);
+    inputs_ = new QVBoxLayout;
+    inputs_->setSpacing(8);
+    problems_ = new QLabel(side);
+    problems_->setObjectName("problems");
+    problems_->setWordWrap(true);
+    problems_->hide();
+    figures_ = new QLabel(side);
+    figures_->setObjectName("figures");
+    figures_->setWordWrap(true);
+    figures_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    figures_->hide();
+    compute_ = new QPushButton(tr("Compute"), side);
+    compute_->setObjectName("compute");
+    compute_->setDefault(true);
+    cancel_ = new QPushButton(tr("Cancel"), side);
+    cancel_->setObjectName("cancel");
+    busy_ = new QProgressBar(side);
+    busy_->setObjectName("busy");
+    busy_->setRange(0, 0);
+    busy_->setTextVisible(false);
+    busy_->hide();
+    command_ = new QLineEdit(side);
+    command_->setObjectName("commandLine");
+    command_->setReadOnly(true);
+    command_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    auto* copy = new QToolButton(side);
+    copy->setObjectName("copyCommand");
+    copy->setText(tr("Copy"));
+    connect(copy, &QToolButton::clicked, this,
+            [this] { QApplication::clipboard()->setText(command_->text()); });
+    auto* same = new QLabel(tr("The same from a terminal"), side);
+    same->setForegroundRole(QPalette::PlaceholderText);
+
+    auto* run = new QHBoxLayout;
+    run->addWidget(compute_, 1);
+    run->addWidget(cancel_);
+    buttons_ = new QVBoxLayout;
+    buttons_->setSpacing(6);
+    auto* terminal = new QHBoxLayout;
+    terminal->addWidget(command_, 1);
+    terminal->addWidget(copy);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(14, 12, 14, 12);
+    column->setSpacing(10);
+    column->addLayout(inputs_);
+    column->addWidget(problems_);
+    column->addLayout(run);
+    column->addWidget(busy_);
+    column->addWidget(figures_);
+    column->addStretch(1);
+    column->addLayout(buttons_);
+    column->addWidget(same);
+    column->addLayout(terminal);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(side);
+    scroll->setFixedWidth(360);
+    auto* right = new QWidget(this);
+    answer_ = new QVBoxLayout(right);
+    answer_->setContentsMargins(0, 0, 0, 0);
+    empty_ = new QLabel(tr("Compute shows the answer here."), right);
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setForegroundRole(QPalette::PlaceholderText);
+    answer_->addWidget(empty_);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(scroll);
+    row->addWidget(right, 1);
+
+    connect(compute_, &QPushButton::clicked, this, &AirToolPage::compute);
+    connect(cancel_, &QPushButton::clicked, &calculation_, &Calculation::cancel);
+    connect(&calculation_, &Calculation::started, this, &AirToolPage::refreshButtons);
+    connect(&calculation_, &Calculation::ended, this, &AirToolPage::refreshButtons);
+    connect(&calculation_, &Calculation::refused, this, [this](const QStringList& sentences) {
+        dialogs_.tell(this, tr("The air has no answer"), sentences);
+    });
+    auto* keepButton = addButton("keepResult", tr("Keep among the results"),
+                                 tr("For overlays and differences, and to be saved later"));
+    connect(keepButton, &QPushButton::clicked, this, &AirToolPage::keep);
+    refreshButtons();
+}
+
+AirToolPage::~AirToolPage() = default;
+
+QPushButton* AirToolPage::addButton(const QString& name, const QString& text, const QString& tip) {
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(name);
+    button->setToolTip(tip);
+    buttons_->addWidget(button);
+    needAnswer_.push_back(button);
+    button->setEnabled(!table_.empty());
+    return button;
+}
+
+QString AirToolPage::airWords() const {
+    QStringList names;
+    for (const auto& file : workbench_.settings().paths("environment.atmospheres"))
+        names << QString::fromStdString(file.filename().string());
+    return names.isEmpty() ? tr("none: the project names no atmosphere") : names.join(", ");
+}
+
+void AirToolPage::setProblems(const QStringList& problems) {
+    inputsRight_ = problems.isEmpty();
+    problems_->setText(problems.join('\n'));
+    problems_->setVisible(!problems.isEmpty());
+    refreshButtons();
+}
+
+void AirToolPage::setCommand(const QString& command) {
+    command_->setText(command);
+    command_->setToolTip(command);
+    command_->setCursorPosition(0);
+}
+
+void AirToolPage::compute() {
+    if (inputsRight_)
+        calculation_.start(work());
+}
+
+void AirToolPage::refreshButtons() {
+    const bool running = calculation_.isRunning();
+    compute_->setEnabled(inputsRight_ && !running);
+    cancel_->setEnabled(running);
+    busy_->setVisible(running);
+    for (auto* button : needAnswer_)
+        button->setEnabled(!running && !table_.empty());
+}
+
+void AirToolPage::showTable(const ResultTable& table, const QString& title,
+                            const QString& figures) {
+    table_ = table;
+    title_ = title;
+    figures_->setText(figures);
+    figures_->setVisible(!figures.isEmpty());
+    ResultEntry entry;
+    entry.title = title;
+    entry.origin = ResultEntry::Origin::tool;
+    entry.data.kind = AnalysisKind::spectrum;
+    entry.data.table = table;
+    delete page_;
+    page_ = new ResultPage({entry}, dialogs_);
+    empty_->hide();
+    answer_->addWidget(page_);
+    refreshButtons();
+}
+
+void AirToolPage::keep() {
+    if (!table_.empty())
+        workbench_.resultStore().addTable(title_, table_);
+}
+
+QStringList AirToolPage::exportFilters() const {
+    if (page_ == nullptr)
+        return {};
+    return {tr("Values as text (*.csv)"), tr("All inputs and values (*.json)"),
+            tr("Scalable picture (*.svg)"), tr("PDF (*.pdf)"), tr("Picture (*.png)")};
+}
+
+void AirToolPage::exportTo(const std::filesystem::path& file) const {
+    page_->exportTo(file);
+}
+
+} // namespace smat::gui

@@ -1,0 +1,184 @@
+#include "gui/tools/RadiativePage.h"
+
+#include <algorithm>
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "gui/Workbench.h"
+#include "gui/image/ImageView.h"
+#include "gui/settings/SettingForm.h"
+#include "irsg/radiometry/Band.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/project/SceneBuilder.h"
+#include "smatcore/tools/RadiativeOutput.h"
+#include "smatcore/tools/ViewerGeometry.h"
+
+namespace smat::gui {
+namespace {
+
+const std::vector<std::string> formKeys = {"target.altitude",
+                                           "camera.range",
+                                           "camera.azimuth",
+                                           "camera.elevation",
+                                           "target.yaw",
+                                           "sensor.band",
+                                           "environment.sunAzimuth",
+                                           "environment.sunElevation",
+                                           "environment.atmospheres"};
+
+QString figuresOf(const RadiativeOutput& output) {
+    QStringList lines;
+    for (const auto& item : output.summary) {
+        QString label = QString::fromStdString(item.label).replace('_', ' ');
+        label.replace(0, 1, label.left(1).toUpper());
+        lines << QStringLiteral("%1: %2 %3")
+                     .arg(label)
+                     .arg(item.value, 0, 'g', 6)
+                     .arg(readableUnit(item.unit))
+                     .trimmed();
+    }
+    for (const auto& warning : output.warnings)
+        lines << RadiativePage::tr("Note: %1").arg(QString::fromStdString(warning));
+    return lines.join('\n');
+}
+
+} // namespace
+
+RadiativePage::RadiativePage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
+    : AirToolPage(workbench, std::move(dialogs), parent) {
+    setObjectName("radiativePage");
+    form_ = new SettingForm(
+        formKeys,
+        [this](const QString& title, const QString& filter) {
+            return this->dialogs().openFile(this, title, {filter});
+        },
+        this);
+    form_->layout()->setContentsMargins(0, 0, 0, 0);
+    auto* take = new QPushButton(tr("Take from the project"), this);
+    take->setObjectName("takeFromProject");
+    take->setToolTip(tr("Camera, target, band, sun and air as the project has them now"));
+    auto* asked = new QLabel(tr("Spectra"), this);
+    asked->setForegroundRole(QPalette::PlaceholderText);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(14);
+    grid->setVerticalSpacing(4);
+    for (const RadiativeQuantity& known : radiativeQuantities()) {
+        const auto& label = irsg::info(known.quantity).label;
+        auto* box = new QCheckBox(
+            QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size())), this);
+        box->setObjectName(
+            QString::fromUtf8(known.word.data(), static_cast<qsizetype>(known.word.size())));
+        box->setChecked(true);
+        const int index = static_cast<int>(quantities_.size());
+        grid->addWidget(box, index / 2, index % 2);
+        connect(box, &QCheckBox::toggled, this, &RadiativePage::refresh);
+        quantities_.push_back(box);
+    }
+    inputs()->addWidget(form_);
+    inputs()->addWidget(take);
+    inputs()->addWidget(asked);
+    inputs()->addLayout(grid);
+    auto* use = addButton("useInProject", tr("Use in the project…"),
+                          tr("Save these spectra and put them first among the atmospheres of the "
+                             "project: they then answer for this geometry in place of the air"));
+    connect(use, &QPushButton::clicked, this, &RadiativePage::useInProject);
+    connect(take, &QPushButton::clicked, this, &RadiativePage::takeFromProject);
+    connect(form_, &SettingForm::edited, this, &RadiativePage::refresh);
+    connect(form_, &SettingForm::validityChanged, this, &RadiativePage::refresh);
+    takeFromProject();
+}
+
+void RadiativePage::takeFromProject() {
+    form_->setValues(workbench().settings());
+    refresh();
+}
+
+Settings RadiativePage::settings() const {
+    Settings settings = workbench().settings();
+    form_->writeTo(settings);
+    return settings;
+}
+
+std::vector<std::string> RadiativePage::words() const {
+    std::vector<std::string> words;
+    for (const auto* box : quantities_) {
+        if (box->isChecked())
+            words.push_back(box->objectName().toStdString());
+    }
+    if (words.size() == quantities_.size())
+        return {"all"};
+    return words;
+}
+
+void RadiativePage::refresh() {
+    QStringList problems = form_->problems();
+    if (words().empty())
+        problems << tr("Choose at least one of the spectra.");
+    setProblems(problems);
+    if (!problems.isEmpty())
+        return;
+    // The reference point lies off the model's origin by what the thread finds out; the command of
+    // the answer has it.
+    setCommand(tr("Compute gives the command line"));
+}
+
+Calculation::Work RadiativePage::work() {
+    const auto project = workbench().project();
+    const auto asked = settings();
+    const auto words = this->words();
+    return [this, project, asked, words]() -> std::function<void()> {
+        SceneBuilder scenes;
+        const irsg::Environment environment = environmentOf(project, asked);
+        RadiativeRequest request;
+        request.band = irsg::Band::fromText(asked.text("sensor.band")).range();
+        request.geometry = viewerGeometry(project, asked, targetReferencePoint(project, scenes));
+        request.leaveOutMissing = words.front() == "all";
+        for (const RadiativeQuantity& known : radiativeQuantities()) {
+            if (request.leaveOutMissing ||
+                std::find(words.begin(), words.end(), known.word) != words.end())
+                request.quantities.push_back(known.property);
+        }
+        // A command line names one atmosphere; that of several is an Environment file.
+        const auto files = asked.paths("environment.atmospheres");
+        std::string command;
+        if (files.size() < 2) {
+            const std::string air = files.empty() ? "none" : project.resolve(files[0]).string();
+            command = radiativeCommand(air, words, request.geometry, request.band, environment.sun,
+                                       "radiative.csv");
+        }
+        request.commandLine = command;
+        const auto output = radiativeOutput(environment, request);
+        return [this, output, command] {
+            showTable(output.table, tr("Radiative output"), figuresOf(output));
+            setCommand(command.empty()
+                           ? tr("One command asks one atmosphere; the project lists several")
+                           : QString::fromStdString(command));
+        };
+    };
+}
+
+void RadiativePage::useInProject() {
+    const QString file = dialogs().saveFile(this, tr("Save the spectra as an input"),
+                                            {tr("Spectra of the air (*.csv)")}, "air.csv");
+    if (file.isEmpty())
+        return;
+    try {
+        if (!file.endsWith(".csv", Qt::CaseInsensitive))
+            throw irsg::InputError({file.toStdString(), "", "another extension", ".csv"});
+        table().save(file.toStdString());
+        const std::string before = workbench().settings().text("environment.atmospheres");
+        Settings changed = workbench().settings();
+        changed.set("environment.atmospheres",
+                    file.toStdString() + (before == "none" || before.empty() ? "" : ";" + before));
+        workbench().set(changed, tr("Use radiative output"));
+    } catch (const irsg::InputError& error) {
+        dialogs().tell(this, tr("These spectra cannot be used"), {QString::fromUtf8(error.what())});
+    }
+}
+
+} // namespace smat::gui

@@ -1,0 +1,112 @@
+#include "gui/tools/TemperatureProfilePage.h"
+
+#include <cmath>
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QVBoxLayout>
+
+#include "gui/Workbench.h"
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/project/SceneBuilder.h"
+#include "smatcore/support/ShellText.h"
+
+namespace smat::gui {
+namespace {
+
+std::optional<double> numberIn(const QLineEdit* field) {
+    const auto number = irsg::parseNumber(field->text().trimmed().toStdString());
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+} // namespace
+
+TemperatureProfilePage::TemperatureProfilePage(Workbench& workbench, Dialogs dialogs,
+                                               QWidget* parent)
+    : AirToolPage(workbench, std::move(dialogs), parent) {
+    setObjectName("temperatureProfilePage");
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(12);
+    form->setVerticalSpacing(8);
+    form->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    air_ = new QLabel(this);
+    air_->setObjectName("air");
+    air_->setWordWrap(true);
+    form->addRow(tr("Air"), air_);
+    const TemperatureProfileRequest usual;
+    const auto field = [&](const char* name, const QString& label, double value,
+                           const QString& tip) {
+        auto* edit = new QLineEdit(QString::fromStdString(irsg::numberText(value)), this);
+        edit->setObjectName(name);
+        edit->setToolTip(tip);
+        connect(edit, &QLineEdit::textChanged, this, &TemperatureProfilePage::refresh);
+        auto* row = new QHBoxLayout;
+        row->addWidget(edit, 1);
+        auto* unit = new QLabel(tr("m"), this);
+        unit->setForegroundRole(QPalette::PlaceholderText);
+        row->addWidget(unit);
+        form->addRow(label, row);
+        return edit;
+    };
+    min_ = field("min", tr("Least altitude"), usual.min_m, tr("At least 0: the ground"));
+    max_ = field("max", tr("Largest altitude"), usual.max_m, tr("At least the least altitude"));
+    step_ = field("step", tr("Step"), usual.step_m, tr("From one altitude to the next, above 0"));
+    inputs()->addLayout(form);
+    connect(&this->workbench(), &Workbench::settingsChanged, this,
+            &TemperatureProfilePage::refresh);
+    refresh();
+}
+
+std::optional<TemperatureProfileRequest> TemperatureProfilePage::request() const {
+    const auto min = numberIn(min_), max = numberIn(max_), step = numberIn(step_);
+    if (!min || !max || !step)
+        return std::nullopt;
+    return TemperatureProfileRequest{.min_m = *min, .max_m = *max, .step_m = *step};
+}
+
+void TemperatureProfilePage::refresh() {
+    if (step_ == nullptr)
+        return;
+    air_->setText(airWords());
+    QStringList problems;
+    const auto asked = request();
+    if (!asked)
+        problems << tr("Three numbers of metres, such as 0, 12000 and 100.");
+    else if (asked->min_m < 0.0)
+        problems << tr("The least altitude is at least 0 m: the ground.");
+    else if (asked->max_m < asked->min_m)
+        problems << tr("The largest altitude is at least the least one.");
+    else if (!(asked->step_m > 0.0))
+        problems << tr("The step is above 0 m.");
+    else if ((asked->max_m - asked->min_m) / asked->step_m >= maximumProfileRows)
+        problems << tr("At most %1 altitudes: a larger step.").arg(maximumProfileRows);
+    setProblems(problems);
+    if (!problems.isEmpty())
+        return;
+    const auto files = workbench().settings().paths("environment.atmospheres");
+    if (files.size() > 1) {
+        setCommand(tr("One command asks one atmosphere; the project lists several"));
+        return;
+    }
+    const std::string air =
+        files.empty() ? "none" : workbench().project().resolve(files[0]).string();
+    setCommand(QString::fromStdString(
+        "smat-batch temperature-profile " + shellQuoted(air) +
+        " --min=" + irsg::numberText(asked->min_m) + " --max=" + irsg::numberText(asked->max_m) +
+        " --step=" + irsg::numberText(asked->step_m) + " --out profile.csv"));
+}
+
+Calculation::Work TemperatureProfilePage::work() {
+    const auto project = workbench().project();
+    const auto settings = workbench().settings();
+    const auto asked = request().value_or(TemperatureProfileRequest());
+    return [this, project, settings, asked]() -> std::function<void()> {
+        const auto table = temperatureProfile(environmentOf(project, settings), asked);
+        return [this, table] { showTable(table, tr("Temperature profile"), {}); };
+    };
+}
+
+} // namespace smat::gui

@@ -1,0 +1,78 @@
+#include "smatcore/analysis/ResultFile.h"
+
+#include <algorithm>
+
+#include "irsg/image/CsvImage.h"
+#include "irsg/image/ExrFile.h"
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AnalysisProvenance.h"
+
+namespace smat {
+
+namespace {
+
+/// An image as text: its header says so, or it begins with a number where a table has names.
+bool isCsvImage(const std::filesystem::path& file) {
+    const irsg::CsvTable csv = irsg::CsvTable::read(file);
+    const auto has = [&](std::string_view key) {
+        return std::any_of(csv.comments().begin(), csv.comments().end(),
+                           [&](const irsg::CsvComment& comment) { return comment.key == key; });
+    };
+    if (has("channel") && has("width") && has("height")) {
+        return true;
+    }
+    return !csv.rows().empty() && !csv.rows().front().cells.empty() &&
+           irsg::parseNumber(csv.rows().front().cells.front().text).has_value();
+}
+
+void takeProvenance(AnalysisData& data) {
+    const Provenance& provenance = data.table.provenance;
+    const std::string analysis = provenance.value("analysis");
+    const auto kind =
+        analysisKindFromName(analysis == "difference" ? provenance.value("a.analysis") : analysis);
+    data.kind = !data.image.empty() ? AnalysisKind::image : kind.value_or(AnalysisKind::range);
+    data.name = provenance.value("name");
+    data.commandLine = provenance.value("command");
+    data.renderer = provenance.value("renderer");
+    data.state =
+        provenance.value("state") == "partial" ? AnalysisState::partial : AnalysisState::complete;
+    for (const auto& [key, value] : provenance.entries) {
+        if (key == "answered by") {
+            data.answeredBy.push_back(value);
+        } else if (key == "warning") {
+            data.warnings.push_back(value);
+        }
+    }
+}
+
+} // namespace
+
+AnalysisData loadResult(const std::filesystem::path& file) {
+    AnalysisData data;
+    const std::string extension = file.extension().string();
+    if (extension == ".exr" || (extension == ".csv" && isCsvImage(file))) {
+        data.image = extension == ".exr" ? irsg::readExr(file) : irsg::readCsvImage(file);
+        for (const auto& [key, value] : data.image.attributes) {
+            data.table.provenance.add(key, value);
+        }
+    } else if (extension == ".csv" || extension == ".json") {
+        data.table = ResultTable::load(file);
+        if (data.table.empty()) {
+            throw irsg::InputError(irsg::Offence{.file = file.string(),
+                                                 .position = "",
+                                                 .value = "a table without rows",
+                                                 .expected = "at least one row"});
+        }
+    } else {
+        throw irsg::InputError(irsg::Offence{.file = file.string(),
+                                             .position = "",
+                                             .value = "extension \"" + extension + "\"",
+                                             .expected = ".csv, .json or .exr"});
+    }
+    takeProvenance(data);
+    summarise(data);
+    return data;
+}
+
+} // namespace smat

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "smatcore/analysis/AnalysisData.h"
+
+namespace smat {
+
+/// Reads back what saveResult wrote, or any result table or OpenEXR image: the table or the image
+/// with its provenance, and with what that says of kind, name, state, renderer, answers and
+/// warnings; the summary is made anew. A table of no analysis (a radiative output) takes the kind
+/// `range`: curves over an axis. What was asked is not in a file: project and settings stay empty.
+///
+/// Throws InputError for a file that is missing, damaged, or of another extension than .csv, .json
+/// and .exr, and for a table without rows.
+AnalysisData loadResult(const std::filesystem::path& file);
+
+} // namespace smat

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "irsg/scene/Irsg.h"
+#include "smatcore/project/SceneBuilder.h"
+#include "smatcore/tools/AirGeometry.h"
+
+namespace smat {
+
+/// The line of sight from the camera to the target's reference point as settings place them
+/// (`camera.*`, `target.*`), altitudes, range and both angles: what an image with these settings
+/// asks the air for. `referencePoint_m` is in model axes.
+AirGeometryInput viewerGeometry(const Project& project, const Settings& settings,
+                                const irsg::Vec3& referencePoint_m);
+
+/// Where the camera of a project looks, in the axes of its target: the point that the project
+/// names, else the centre of what is opaque in the infrared, as Irsg takes it; the origin where the
+/// model or its database cannot be read, and where there is none.
+irsg::Vec3 targetReferencePoint(const Project& project, SceneBuilder& scenes);
+
+/// The command that makes the same radiative output from a terminal, with `air` as the atmosphere
+/// and the words of its quantities (see radiativeQuantities).
+std::string radiativeCommand(const std::string& air, const std::vector<std::string>& words,
+                             const AirGeometryInput& geometry, const irsg::SpectralRange& band,
+                             const irsg::SunPosition& sun, const std::string& outputFile);
+
+} // namespace smat

@@ -1,0 +1,94 @@
+#include "smatcore/analysis/ResultFile.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "tests/support/TemporaryFolder.h"
+
+namespace smat {
+namespace {
+
+using irsg::Quantity;
+using testing::HasSubstr;
+
+class ResultFileTest : public testing::Test {
+  protected:
+    static AnalysisData polar() {
+        AnalysisData data;
+        data.kind = AnalysisKind::polar;
+        data.name = "round";
+        data.state = AnalysisState::partial;
+        for (const auto& [key, value] :
+             {std::pair("analysis", "polar"), std::pair("name", "round"),
+              std::pair("state", "partial"), std::pair("command", "smat-batch polar x.smat"),
+              std::pair("renderer", "llvmpipe"), std::pair("answered by", "transmittance: vacuum"),
+              std::pair("warning", "stopped after 2 of 9 cases")}) {
+            data.table.provenance.add(key, value);
+        }
+        data.table.add(Quantity::angle);
+        data.table.add(Quantity::contrastIntensity);
+        data.table.addRow({0.0, 12.5});
+        data.table.addRow({40.0, 0.1});
+        return data;
+    }
+    std::string refusal(const std::string& name, const std::string& content) {
+        std::ofstream(folder / name) << content;
+        try {
+            loadResult(folder / name);
+        } catch (const irsg::InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+    const test::TemporaryFolder folder;
+};
+
+TEST_F(ResultFileTest, GivesATableBackWithAllThatWasSaidOfIt) {
+    const AnalysisData saved = polar();
+    for (const char* name : {"p.csv", "p.json"}) {
+        saveResult(saved, folder / name);
+        const AnalysisData read = loadResult(folder / name);
+        EXPECT_EQ(read.table, saved.table) << name;
+        EXPECT_EQ(read.kind, AnalysisKind::polar) << name;
+        EXPECT_EQ(read.name, "round") << name;
+        EXPECT_EQ(read.state, AnalysisState::partial) << name;
+        EXPECT_EQ(read.commandLine, "smat-batch polar x.smat") << name;
+        EXPECT_EQ(read.renderer, "llvmpipe") << name;
+        EXPECT_THAT(read.warnings, testing::ElementsAre("stopped after 2 of 9 cases")) << name;
+        EXPECT_THAT(read.answeredBy, testing::ElementsAre("transmittance: vacuum")) << name;
+        EXPECT_FALSE(read.summary.empty()) << name;
+    }
+}
+
+TEST_F(ResultFileTest, GivesAnImageBackFromEveryDataFormat) {
+    AnalysisData saved;
+    saved.kind = AnalysisKind::image;
+    saved.image = irsg::RadianceImage(3, 2);
+    saved.image.primary().values = {1.0F, 2.5F, -3.0F, 0.0F, 1e-20F, 7.0F};
+    saved.image.attributes["name"] = "picture";
+    for (const char* name : {"i.exr", "i.csv"}) {
+        saveResult(saved, folder / name);
+        const AnalysisData read = loadResult(folder / name);
+        EXPECT_EQ(read.kind, AnalysisKind::image) << name;
+        EXPECT_EQ(read.image.primary().values, saved.image.primary().values) << name;
+        EXPECT_EQ(read.name, "picture") << name;
+    }
+    // A plain matrix of another program is an image as well.
+    std::ofstream(folder / "matrix.csv") << "1,2\n3,4\n5,6\n";
+    EXPECT_EQ(loadResult(folder / "matrix.csv").image.height(), 3);
+}
+
+TEST_F(ResultFileTest, RefusesWhatIsNoResult) {
+    EXPECT_THAT(refusal("a.txt", "x"), HasSubstr(".csv, .json or .exr"));
+    EXPECT_THAT(refusal("b.csv", "range [m],intensity [W sr-1]\n"), HasSubstr("without rows"));
+    EXPECT_THAT(refusal("c.csv", "range [m],intensity [W sr-1]\n1,seven\n"), HasSubstr("seven"));
+    EXPECT_THAT(refusal("d.json", "{"), HasSubstr("d.json"));
+    EXPECT_THAT(refusal("e.exr", "no"), HasSubstr("e.exr"));
+    EXPECT_THROW(loadResult(folder / "missing.csv"), irsg::InputError);
+}
+
+} // namespace
+} // namespace smat

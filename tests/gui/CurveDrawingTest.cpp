@@ -1,0 +1,145 @@
+#include "gui/plot/CurveDrawing.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <QImage>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QTemporaryFile>
+#include <gtest/gtest.h>
+
+namespace smat::gui {
+namespace {
+
+/// A line of many points to and fro over the width of a picture, with rare spikes.
+QPolygonF restless(int count, double width) {
+    QPolygonF line;
+    unsigned state = 12345;
+    for (int i = 0; i < count; ++i) {
+        state = state * 1664525U + 1013904223U;
+        const double noise = static_cast<double>(state >> 8U) / (1U << 24U);
+        const double spike = i % 1777 == 5 ? 90.0 : 0.0;
+        const double x = width * i / (count - 1);
+        line << QPointF(x, 100.0 + 40.0 * std::sin(x / 30.0) + 20.0 * noise - spike);
+    }
+    return line;
+}
+
+QImage drawn(const QPolygonF& line) {
+    QImage picture(400, 220, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(Qt::black, 2.0));
+    painter.drawPolyline(line);
+    return picture;
+}
+
+/// Largest and mean difference of two grey pictures, 0 to 255.
+std::pair<int, double> difference(const QImage& a, const QImage& b) {
+    int largest = 0;
+    double sum = 0.0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const int d = std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
+            largest = std::max(largest, d);
+            sum += d;
+        }
+    }
+    return {largest, sum / a.width() / a.height()};
+}
+
+TEST(CurveDrawingTest, ThinningChangesNothingThatIsSeen) {
+    const QPolygonF line = restless(20000, 399.0);
+    const QPolygonF thin = thinned(line, 0.5);
+    EXPECT_LE(thin.size(), 4 * 2 * 400);
+    const auto [largest, mean] = difference(drawn(line), drawn(thin));
+    EXPECT_LT(mean, 0.5);
+    EXPECT_LT(largest, 96); // of an edge that moves by a part of a pixel
+
+    // One of three points alone would lose the spikes.
+    QPolygonF careless;
+    for (qsizetype i = 0; i < line.size(); i += 12)
+        careless << line[i];
+    EXPECT_GT(difference(drawn(line), drawn(careless)).second, 4.0 * mean);
+}
+
+TEST(CurveDrawingTest, ThinningKeepsEveryExtreme) {
+    const QPolygonF line = restless(5000, 100.0);
+    const QPolygonF thin = thinned(line, 1.0);
+    const auto byHeight = [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); };
+    EXPECT_EQ(*std::min_element(line.begin(), line.end(), byHeight),
+              *std::min_element(thin.begin(), thin.end(), byHeight));
+    EXPECT_EQ(*std::max_element(line.begin(), line.end(), byHeight),
+              *std::max_element(thin.begin(), thin.end(), byHeight));
+    EXPECT_EQ(thin.front(), line.front());
+    EXPECT_EQ(thin.back(), line.back());
+}
+
+TEST(CurveDrawingTest, ThinningLeavesFewPointsAlone) {
+    const QPolygonF line{{0.0, 1.0}, {10.0, 3.0}, {20.0, 2.0}};
+    EXPECT_EQ(thinned(line, 0.5), line);
+    EXPECT_EQ(thinned(restless(300, 10.0), 0.0).size(), 300);
+}
+
+TEST(CurveDrawingTest, PaperKeepsEveryPoint) {
+    QImage picture(10, 10, QImage::Format_RGB32);
+    QPainter onScreen(&picture);
+    EXPECT_DOUBLE_EQ(finestColumn(onScreen), 0.5);
+    onScreen.scale(2.0, 2.0);
+    EXPECT_DOUBLE_EQ(finestColumn(onScreen), 0.25);
+    QTemporaryFile file;
+    ASSERT_TRUE(file.open());
+    QPdfWriter pdf(&file);
+    QPainter onPaper(&pdf);
+    EXPECT_DOUBLE_EQ(finestColumn(onPaper), 0.0);
+}
+
+TEST(CurveDrawingTest, ClippingCutsLinesAtTheFrame) {
+    const QRectF area(0.0, 0.0, 10.0, 10.0);
+    // In, out over the right, back in, and a segment that crosses from outside to outside.
+    const auto parts =
+        clipped({{2.0, 5.0}, {20.0, 5.0}, {20.0, 8.0}, {5.0, 8.0}, {-5.0, 8.0}}, area);
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_EQ(parts[0], (QPolygonF{{2.0, 5.0}, {10.0, 5.0}}));
+    EXPECT_EQ(parts[1], (QPolygonF{{10.0, 8.0}, {5.0, 8.0}, {0.0, 8.0}}));
+    const auto crossing = clipped({{-10.0, -10.0}, {20.0, 20.0}}, area);
+    ASSERT_EQ(crossing.size(), 1U);
+    EXPECT_NEAR(crossing[0].front().x(), 0.0, 1e-12);
+    EXPECT_NEAR(crossing[0].back().y(), 10.0, 1e-12);
+    EXPECT_TRUE(clipped({{-1.0, -1.0}, {-1.0, 20.0}}, area).empty());
+    // Steep lines from far away keep their slope.
+    const auto steep = clipped({{4.0, -1e12}, {6.0, 1e12}}, area);
+    ASSERT_EQ(steep.size(), 1U);
+    EXPECT_NEAR(steep[0].front().x(), 5.0, 1e-6);
+}
+
+TEST(CurveDrawingTest, RunsAreWhatLiesBetweenGaps) {
+    const std::vector<bool> there = {true, true, false, true, false, false, true, true};
+    const auto runs = runsOf(8, [&](int i) { return there[static_cast<std::size_t>(i)]; });
+    ASSERT_EQ(runs.size(), 3U);
+    EXPECT_EQ(runs[0].last, 1);
+    EXPECT_EQ(runs[1].first, 3);
+    EXPECT_EQ(runs[1].last, 3);
+    EXPECT_EQ(runs[2].last, 7);
+}
+
+TEST(CurveDrawingTest, TheVisiblePartReachesOneSampleFurther) {
+    const std::vector<double> rising = {0, 1, 2, 3, 4, 5, 6};
+    const auto part = visiblePart(rising, {0, 6}, 2.5, 4.5);
+    EXPECT_EQ(part.first, 2);
+    EXPECT_EQ(part.last, 5);
+    const std::vector<double> falling(rising.rbegin(), rising.rend());
+    const auto mirrored = visiblePart(falling, {0, 6}, 2.5, 4.5);
+    EXPECT_EQ(mirrored.first, 1);
+    EXPECT_EQ(mirrored.last, 4);
+    const auto back = visiblePart({0, 5, 1, 4}, {0, 3}, 2.0, 3.0);
+    EXPECT_EQ(back.first, 0);
+    EXPECT_EQ(back.last, 3);
+    const auto beyond = visiblePart(rising, {0, 6}, 50.0, 60.0);
+    EXPECT_LE(beyond.last - beyond.first, 1);
+}
+
+} // namespace
+} // namespace smat::gui

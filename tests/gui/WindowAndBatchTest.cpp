@@ -1,0 +1,122 @@
+#include <fstream>
+
+#include <QTest>
+
+#include "smatcore/project/ProjectFile.h"
+#include "tests/cli/Program.h"
+#include "tests/gui/WindowFixture.h"
+
+namespace smat::gui {
+namespace {
+
+/// "smat-batch polar ship.smat --out polar.csv" without its first word.
+std::vector<std::string> argumentsOf(const std::string& command) {
+    std::istringstream words(command);
+    std::vector<std::string> list;
+    for (std::string word; words >> word;)
+        list.push_back(word);
+    list.erase(list.begin());
+    return list;
+}
+
+long fromStatus(const std::string& key) {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;) {
+        if (word == key) {
+            long value = 0;
+            status >> value;
+            return value;
+        }
+    }
+    return -1;
+}
+
+long openFiles() {
+    const std::filesystem::directory_iterator folder("/proc/self/fd");
+    return std::distance(begin(folder), end(folder));
+}
+
+class WindowAndBatchTest : public test::WindowFixture {};
+
+TEST_F(WindowAndBatchTest, EveryAnalysisEqualsItsCommandLineByteForByte) {
+    openSample();
+    // What the window changed of the project is in the command.
+    workbench.set("camera.azimuth", "33.25");
+    workbench.set("sensor.band", "8-12");
+    workbench.set("render.background", "1.5");
+    const std::filesystem::path fromBatch = folder / "batch";
+    std::filesystem::create_directories(fromBatch);
+    for (const AnalysisKind kind : allAnalysisKinds) {
+        runAnalysis(name(kind).c_str());
+        const AnalysisData& data = workbench.results().back().data;
+        ASSERT_EQ(data.kind, kind);
+        const std::string file = name(kind) + (kind == AnalysisKind::image ? ".exr" : ".csv");
+        saveResult(data, folder / file);
+        const auto ran = smat::test::smatBatch(argumentsOf(data.commandLine), fromBatch);
+        ASSERT_EQ(ran.exitCode, 0) << data.commandLine << "\n" << ran.err;
+        const std::string ofWindow = smat::test::contentOf(folder / file);
+        const std::string ofBatch = smat::test::contentOf(fromBatch / file);
+        EXPECT_GT(ofBatch.size(), 200U) << name(kind);
+        EXPECT_TRUE(ofWindow == ofBatch) << name(kind) << ": " << data.commandLine;
+    }
+    // Another view gives other bytes.
+    const std::string before = smat::test::contentOf(folder / "polar.csv");
+    workbench.set("polar.offset", "5");
+    runAnalysis("polar");
+    saveResult(workbench.results().back().data, folder / "polar.csv");
+    EXPECT_FALSE(smat::test::contentOf(folder / "polar.csv") == before);
+}
+
+TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
+    const auto box = std::filesystem::path(SMAT_SOURCE_DIR) / "samples/box/box.smat";
+    ASSERT_TRUE(window->open(box));
+    Settings tiny = workbench.settings();
+    for (const auto& [key, text] :
+         {std::pair("sensor.width", "24"), std::pair("sensor.height", "20"),
+          std::pair("render.antialiasing", "0"), std::pair("polar.step", "90"),
+          std::pair("range.points", "3"), std::pair("time.step", "5"),
+          std::pair("spectrum.resolution", "200")})
+        tiny.set(key, text);
+    workbench.set(tiny);
+    const auto runOne = [&](int number) {
+        const AnalysisKind kind = allAnalysisKinds[number % 5];
+        workbench.start(AnalysisData::of(workbench.project(), kind, workbench.settings()));
+        ASSERT_TRUE(test::waitUntil([this] { return !workbench.isRunning(); }));
+        ASSERT_EQ(workbench.results().size(), 1U);
+        workbench.removeResult(workbench.results().front().id);
+    };
+    // What is loaded once stays: a renderer, a model, a database.
+    for (int number = 0; number < 40; ++number)
+        runOne(number);
+    QTest::qWait(50);
+    const long threads = fromStatus("Threads:");
+    const long files = openFiles();
+    const long memory_kB = fromStatus("VmRSS:");
+    for (int number = 0; number < 200; ++number)
+        runOne(number);
+    QTest::qWait(50);
+    EXPECT_LE(fromStatus("Threads:"), threads);
+    EXPECT_LE(openFiles(), files);
+    EXPECT_LT(fromStatus("VmRSS:") - memory_kB, 24L * 1024);
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+}
+
+TEST_F(WindowAndBatchTest, ClosesWhileAnAnalysisAndALeftDrawingRun) {
+    openSample();
+    workbench.set("sensor.width", "1500");
+    workbench.set("sensor.height", "1500");
+    workbench.set("render.antialiasing", "2");
+    workbench.start(
+        AnalysisData::of(workbench.project(), AnalysisKind::image, workbench.settings()));
+    QTest::qWait(60);
+    workbench.cancel();
+    ASSERT_TRUE(test::waitUntil([this] { return !workbench.isRunning(); }));
+    workbench.start(
+        AnalysisData::of(workbench.project(), AnalysisKind::image, workbench.settings()));
+    QTest::qWait(30);
+    window->close();
+    window.reset();
+}
+
+} // namespace
+} // namespace smat::gui
