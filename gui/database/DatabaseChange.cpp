@@ -1,6 +1,6 @@
 #include "gui/database/DatabaseChange.h"
 
-#include "irsg/signature/EntryJson.h"
+#include "irsg/signature/EntryPath.h"
 
 namespace smat::gui {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "irsg/signature/EntryJson.h"
+#include "irsg/signature/EntryPath.h"
 
 namespace smat::gui {
 namespace {

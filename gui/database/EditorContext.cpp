@@ -2,6 +2,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/Model.h"
+#include "irsg/scene/ModelUse.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
@@ -28,15 +29,13 @@ void EditorContext::readModel() {
     if (file.string() == modelKey_)
         return;
     modelKey_ = file.string();
-    temperatureFaces_.clear();
-    materialFaces_.clear();
+    use_ = {};
     try {
         const auto model = irsg::Model::load(
             file, {.noseAxis = target.noseAxis, .forceTwoSided = target.forceTwoSided});
-        for (const auto& [codes, use] : model->codes()) {
-            temperatureFaces_[codes.temperature] += use.faces;
-            materialFaces_[codes.material] += use.faces;
-        }
+        use_ = irsg::useOf(*model);
+        use_.fallbackTemperature = target.fallbackTemperature;
+        use_.fallbackMaterial = target.fallbackMaterial;
         knowsModel_ = true;
     } catch (const irsg::InputError&) {
         // The 3-D view has said what is wrong with it; the database can be edited all the same.
@@ -84,7 +83,8 @@ void EditorContext::readSettings() {
 int EditorContext::facesOf(const EntryKey& key) const {
     if (key.kind == EntryKind::spectrum)
         return 0;
-    const auto& faces = key.kind == EntryKind::material ? materialFaces_ : temperatureFaces_;
+    const auto& faces =
+        key.kind == EntryKind::material ? use_.materialFaces : use_.temperatureFaces;
     const auto found = faces.find(key.index);
     return found == faces.end() ? 0 : found->second;
 }
@@ -93,11 +93,11 @@ std::vector<EntryKey> EditorContext::missing() const {
     std::vector<EntryKey> keys;
     if (!session_.isOpen())
         return keys;
-    for (const auto& [index, faces] : materialFaces_) {
+    for (const auto& [index, faces] : use_.materialFaces) {
         if (!session_.value().materials.contains(index))
             keys.push_back({EntryKind::material, index});
     }
-    for (const auto& [index, faces] : temperatureFaces_) {
+    for (const auto& [index, faces] : use_.temperatureFaces) {
         if (!session_.value().temperatures.contains(index))
             keys.push_back({EntryKind::temperature, index});
     }

@@ -10,6 +10,7 @@
 #include "gui/database/DatabaseEdits.h"
 #include "gui/database/DatabaseSession.h"
 #include "irsg/signature/EntityState.h"
+#include "irsg/signature/Lint.h"
 
 namespace smat::gui {
 
@@ -29,6 +30,8 @@ class EditorContext : public QObject {
 
     /// Faces of the target that carry an index; 0 for spectra.
     int facesOf(const EntryKey& key) const;
+    /// What the target asks of the database, for the physics to judge.
+    const irsg::ModelUse& modelUse() const { return use_; }
     /// Indices of the target's faces that the database has no entry for.
     std::vector<EntryKey> missing() const;
     /// False where the model could not be read.
@@ -54,7 +57,7 @@ class EditorContext : public QObject {
     DatabaseSession& session_;
     Dialogs dialogs_;
     bool knowsModel_ = false;
-    std::map<int, int> temperatureFaces_, materialFaces_;
+    irsg::ModelUse use_;
     std::string modelKey_, airKey_, settingsKey_;
     irsg::SpectralRange band_;
     irsg::EntityState state_;

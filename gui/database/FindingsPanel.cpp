@@ -8,41 +8,13 @@
 #include <QVBoxLayout>
 
 #include "gui/Theme.h"
-#include "irsg/signature/SignatureDatabase.h"
+#include "irsg/signature/Lint.h"
 
 namespace smat::gui {
 namespace {
 
 constexpr int lookDelay_ms = 150;
-
-/// A finding with what a button would do about it.
-struct Shown {
-    irsg::Finding finding;
-    DatabaseSession::Edit mend;
-};
-
-std::vector<Shown> findingsOf(const EditorContext& context) {
-    std::vector<Shown> shown;
-    const auto& database = context.session().value();
-    for (auto& finding : irsg::lint(database, context.band()))
-        shown.push_back({std::move(finding), {}});
-    for (const auto& key : context.missing()) {
-        const int faces = context.facesOf(key);
-        irsg::Finding finding;
-        finding.place = placeOf(key);
-        finding.value = "no entry";
-        finding.reason = counted(faces, QObject::tr("face"), QObject::tr("faces")).toStdString() +
-                         " of the model with this code cannot be drawn";
-        finding.repair = "add the entry";
-        shown.push_back({finding, [key](irsg::SignatureDatabase& into) {
-                             if (key.kind == EntryKind::material)
-                                 into.materials[key.index].name = "new material";
-                             else
-                                 into.temperatures[key.index].name = "new temperature";
-                         }});
-    }
-    return shown;
-}
+constexpr int repairRole = Qt::UserRole + 1;
 
 } // namespace
 
@@ -84,10 +56,10 @@ FindingsPanel::FindingsPanel(EditorContext& context, QWidget* parent)
     connect(&context_.session(), &DatabaseSession::opened, this, &FindingsPanel::look);
     connect(&context_, &EditorContext::surroundingsChanged, this, soon);
     connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-        detail_->setText(
-            item == nullptr
-                ? QString()
-                : QStringLiteral("%1: %2\n%3").arg(item->text(0), item->text(1), item->text(2)));
+        detail_->setText(item == nullptr ? QString()
+                                         : QStringLiteral("%1: %2\n%3\n%4")
+                                               .arg(item->text(0), item->text(1), item->text(2),
+                                                    item->data(0, repairRole).toString()));
     });
     connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
         emit placeRequested(item->data(0, Qt::UserRole).toString());
@@ -104,26 +76,31 @@ void FindingsPanel::look() {
         emit countsChanged();
         return;
     }
-    for (const auto& [finding, mend] : findingsOf(context_)) {
-        const bool error = finding.severity == irsg::Finding::Severity::error;
+    irsg::LintScope scope{.band = context_.band()};
+    if (context_.knowsModel())
+        scope.models.push_back(context_.modelUse());
+    for (const auto& finding : irsg::lint(context_.session().value(), scope)) {
+        const bool error = finding.isError();
         ++(error ? errors_ : warnings_);
         auto* item = new QTreeWidgetItem({QString::fromStdString(finding.place),
                                           QString::fromStdString(finding.value),
                                           QString::fromStdString(finding.reason)});
         item->setIcon(0, icon(error ? "error" : "warning"));
         item->setData(0, Qt::UserRole, item->text(0));
+        item->setData(0, repairRole, QString::fromStdString(finding.repair));
         for (int i = 0; i < 3; ++i)
             item->setToolTip(i, item->text(i));
         list_->addTopLevelItem(item);
         const QString repair = QString::fromStdString(finding.repair);
-        if (!mend) {
+        if (!finding.mend) {
             item->setText(3, repair);
             item->setToolTip(3, repair);
             continue;
         }
-        auto* button = new QPushButton(repair, list_);
+        auto* button = new QPushButton(finding.removes ? tr("Delete") : tr("Repair"), list_);
+        button->setToolTip(repair);
         button->setObjectName("repair");
-        connect(button, &QPushButton::clicked, this, [this, mend = mend, repair, item] {
+        connect(button, &QPushButton::clicked, this, [this, mend = finding.mend, repair, item] {
             const QString place = item->text(0);
             context_.session().edit(tr("Repair %1: %2").arg(place, repair), mend);
             look();
@@ -134,6 +111,7 @@ void FindingsPanel::look() {
         list_->resizeColumnToContents(i);
     list_->setColumnWidth(0, std::min(list_->columnWidth(0), 220));
     list_->setColumnWidth(1, std::min(list_->columnWidth(1), 160));
+    list_->setColumnWidth(3, std::clamp(list_->columnWidth(3), 80, 150));
     summary_->setText(errors_ + warnings_ == 0
                           ? tr("Nothing to find fault with: the physics closes in the band %1 to "
                                "%2 um.")

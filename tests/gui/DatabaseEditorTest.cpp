@@ -134,7 +134,10 @@ TEST_F(DatabaseEditorTest, AddsDuplicatesRenumbersAndDeletesWithALookAtTheFaces)
     EXPECT_GE(dock().findings()->errors(), 1);
     tabs()->setCurrentIndex(3);
     test::keepScreenshot(*window, "editor-finding-missing");
-    auto* repair = find<QPushButton>("repair", dock().findings());
+    auto* findings = find<QTreeWidget>("findings");
+    const auto rows = findings->findItems("materials.1", Qt::MatchExactly);
+    ASSERT_FALSE(rows.isEmpty());
+    auto* repair = qobject_cast<QPushButton*>(findings->itemWidget(rows.front(), 3));
     ASSERT_NE(repair, nullptr);
     repair->click();
     EXPECT_TRUE(session().value().materials.contains(1));
