@@ -42,6 +42,18 @@ bool MainWindow::areImages(const QStringList& files) {
     return true;
 }
 
+ComparisonWindow* MainWindow::compareResults(int a, int b) {
+    const ResultEntry* const first = workbench_.result(a);
+    const ResultEntry* const second = workbench_.result(b);
+    if (first == nullptr || second == nullptr || first->data.image.empty() ||
+        second->data.image.empty())
+        return nullptr;
+    auto* page = compareImages();
+    page->setSides(ComparisonSide::of(first->data.image, first->title),
+                   ComparisonSide::of(second->data.image, second->title));
+    return page;
+}
+
 ComparisonWindow* MainWindow::compareImages(const QStringList& files) {
     auto* page = new ComparisonWindow(nullptr, dialogs_);
     addPage(page, icon("compare"), tr("Compare images"));

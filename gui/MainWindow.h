@@ -66,6 +66,8 @@ class MainWindow : public QMainWindow {
 
     /// A tab that compares two images: those of two files, or empty for somebody to fill.
     ComparisonWindow* compareImages(const QStringList& files = {});
+    /// The same of two results that are images; nothing for others.
+    ComparisonWindow* compareResults(int a, int b);
     /// One file as a tab of its own, two as a comparison, read off this thread.
     void openImages(const QStringList& files);
     /// Whether these are one or two image files, by their names.

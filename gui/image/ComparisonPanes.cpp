@@ -28,6 +28,13 @@ irsg::DisplayLimits aroundOne(const std::vector<float>& values, double percent) 
     return {1.0 + limits.low, 1.0 + limits.high};
 }
 
+/// Takes the height it is given: lines that wrap in it would else make its row the higher one.
+class Beside : public QWidget {
+  public:
+    using QWidget::QWidget;
+    bool hasHeightForWidth() const override { return false; }
+};
+
 } // namespace
 
 QString differenceName(irsg::DifferenceMode mode) {
@@ -116,7 +123,7 @@ QWidget* ComparisonPanes::makeTitle(int index) {
 }
 
 void ComparisonPanes::setCompanion(QWidget* companion) {
-    auto* beside = new QWidget(this);
+    auto* beside = new Beside(this);
     auto* row = new QHBoxLayout(beside);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);

@@ -85,6 +85,8 @@ void HistogramPlot::draw() {
 void HistogramPlot::dress() {
     const auto style = PlotStyle::screen(palette());
     dressPlot(*this, style);
+    if (auto* frame = qobject_cast<QFrame*>(canvas()))
+        frame->setFrameStyle(QFrame::NoFrame);
     setContentsMargins(4, 4, 8, 2);
     setMinimumSize(0, 0);
     QColor fill = style.curve(0);

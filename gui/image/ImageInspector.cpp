@@ -13,7 +13,7 @@
 namespace smat::gui {
 namespace {
 
-constexpr int bins = 256;
+constexpr int bins = 256, contrastRow = 6;
 
 QString where(double value, int x, int y) {
     return x < 0 ? readableNumber(value)
@@ -162,6 +162,8 @@ void ImageInspector::fill(const Answer& answer) {
         headings << tr("Rectangle");
     QList<QStringList> rows;
     for (int i = 0; i < names.size(); ++i) {
+        if (i == contrastRow && !answer.image.contrastIntensity_W_sr)
+            continue;
         rows << QStringList{names[i], ofImage[i]};
         if (answer.rectangle)
             rows.back() << ofRectangle[i];

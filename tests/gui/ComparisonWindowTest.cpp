@@ -161,6 +161,14 @@ TEST_F(ComparisonTest, ZoomPanCursorAndRectangleAreOneForAllThree) {
         << window->numbers()->allText().toStdString();
 }
 
+TEST_F(ComparisonTest, AllThreeImagesAreEquallyLarge) {
+    open(changed(31, 7, 0.5F), scene());
+    for (const int i : {1, 2}) {
+        EXPECT_NEAR(window->panes()->canvas(i)->width(), window->panes()->canvas(0)->width(), 1);
+        EXPECT_NEAR(window->panes()->canvas(i)->height(), window->panes()->canvas(0)->height(), 1);
+    }
+}
+
 TEST_F(ComparisonTest, TheReadoutFollowsTheKindOfDifference) {
     open(changed(31, 7, -0.5F), scene());
     const std::pair<Qt::Key, const char*> rows[] = {

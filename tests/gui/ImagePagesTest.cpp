@@ -58,6 +58,21 @@ TEST_F(ImagePages, TwoDroppedImagesAreComparedAndNameTheirTab) {
     EXPECT_EQ(irsg::readExr(folder / "difference.exr").at(3, 3), 1.0F);
 }
 
+TEST_F(ImagePages, TwoResultsThatAreImagesAreCompared) {
+    openSample();
+    for (int i = 0; i < 2; ++i)
+        runAnalysis("image");
+    const auto& results = workbench.results();
+    ASSERT_EQ(results.size(), 2u);
+    auto* page = window->compareResults(results[0].id, results[1].id);
+    ASSERT_NE(page, nullptr);
+    ASSERT_TRUE(page->comparison());
+    EXPECT_EQ(page->comparison()->verdict, irsg::Verdict::pass);
+    EXPECT_TRUE(page->comparison()->totalIsIntensity);
+    EXPECT_EQ(tabs()->currentWidget(), page);
+    EXPECT_EQ(window->compareResults(results[0].id, 4711), nullptr);
+}
+
 TEST_F(ImagePages, ADroppedImageIsATabWithItsTemperatures) {
     drop({written("one.exr", 2.0F)});
     ASSERT_TRUE(test::waitUntil(
