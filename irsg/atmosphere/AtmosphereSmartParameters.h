@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "irsg/atmosphere/import/KarmaXml.h"
+#include "irsg/karma/KarmaXml.h"
 
 namespace irsg {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "irsg/atmosphere/import/KarmaXml.h"
+#include "irsg/karma/KarmaXml.h"
 #include "smatcore/settings/Settings.h"
 
 namespace smat {

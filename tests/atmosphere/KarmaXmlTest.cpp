@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/atmosphere/import/KarmaXml.h"
+#include "irsg/karma/KarmaXml.h"
 #include "tests/atmosphere/KarmaSupport.h"
 #include "tests/support/SharedMaterial.h"
 

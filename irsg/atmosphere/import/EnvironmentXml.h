@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/Environment.h"
-#include "irsg/atmosphere/import/KarmaXml.h"
+#include "irsg/karma/KarmaXml.h"
 
 namespace irsg {
 

@@ -1,4 +1,4 @@
-#include "irsg/atmosphere/import/KarmaXml.h"
+#include "irsg/karma/KarmaXml.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "irsg/atmosphere/import/KarmaXmlReader.h"
+#include "irsg/karma/KarmaXmlReader.h"
 
 namespace irsg {
 

@@ -1,4 +1,4 @@
-#include "irsg/atmosphere/import/KarmaXmlReader.h"
+#include "irsg/karma/KarmaXmlReader.h"
 
 #include <algorithm>
 #include <charconv>

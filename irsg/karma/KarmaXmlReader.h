@@ -5,7 +5,7 @@
 
 #include <pugixml.hpp>
 
-#include "irsg/atmosphere/import/KarmaXml.h"
+#include "irsg/karma/KarmaXml.h"
 
 namespace irsg::karma {
 

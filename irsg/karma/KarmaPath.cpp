@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "irsg/atmosphere/import/KarmaXml.h"
+#include "irsg/karma/KarmaXml.h"
 
 namespace irsg {
 
