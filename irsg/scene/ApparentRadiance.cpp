@@ -68,7 +68,8 @@ SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const AirSamples& a
     result.path.resize(count);
 
     // A scaled emissivity stays within what transmission leaves; reflectivity takes the rest.
-    std::vector<double> emissivity = sample(surface.material->emissivity);
+    result.emissivity = sample(surface.material->emissivity);
+    std::vector<double> emissivity = result.emissivity;
     std::vector<double> reflectivity(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double absorbedAtMost = 1.0 - result.transmissivity[i];

@@ -46,6 +46,7 @@ struct SurfaceInput {
 struct SurfaceSpectra {
     std::vector<double> thermal, up, down, sun, path;
     std::vector<double> transmissivity;
+    std::vector<double> emissivity; ///< of the material, before any scaling
     double nAngleFactor = 0.0;
     double temperature_K = 0.0; ///< of the surface; 0 for a user-defined spectrum
 

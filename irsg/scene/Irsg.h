@@ -19,8 +19,10 @@
 
 namespace irsg {
 
+class ScaledView;
 class Skybox;
 class Terrain;
+struct ScalingInput;
 
 /// How a band is integrated (F19, the report's CalculationMode).
 enum class CalculationMode {
@@ -205,6 +207,12 @@ class Irsg {
     RenderReport measure();
     /// The same, per wavelength; computed in the spectral mode, whichever is set.
     IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1);
+    /// What measure() would say of all objects together, as a function of scales. The entities'
+    /// own scales must be empty (LogicError).
+    std::unique_ptr<const ScaledView> scaledView(const std::vector<ScalingInput>& inputs);
+    /// The same of measureSpectrum().
+    std::unique_ptr<const ScaledView> scaledSpectrum(const std::vector<ScalingInput>& inputs,
+                                                     const std::vector<double>& wavenumbers_cm1);
     /// The table that gives the intensity of this view in any band (architecture, decision 1).
     ProjectedFactors projectFactors();
 

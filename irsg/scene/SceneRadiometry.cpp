@@ -190,11 +190,10 @@ void SceneRadiometry::fill(const std::vector<Entity>& entities,
     std::ranges::move(air.answeredBy, std::back_inserter(answeredBy_));
     warnings_ = std::move(air.warnings);
 
-    std::vector<AirSamples> samples;
     for (ObjectAir<std::vector<double>>& object : air.objects)
-        samples.push_back({std::move(object.transmittance), std::move(object.pathRadiance),
-                           std::move(object.solarIrradiance), std::move(object.upwardFlux),
-                           std::move(object.downwardFlux)});
+        air_.push_back({std::move(object.transmittance), std::move(object.pathRadiance),
+                        std::move(object.solarIrradiance), std::move(object.upwardFlux),
+                        std::move(object.downwardFlux)});
 
     for (const auto& [e, codes] : keys_) {
         const auto index = static_cast<std::size_t>(e);
@@ -208,7 +207,7 @@ void SceneRadiometry::fill(const std::vector<Entity>& entities,
                 input.referenceTransmittance = reference->second;
             input.insideReference = object.insideReference.contains(name);
         }
-        surfaces_.push_back(apparentRadiance(input, samples[index], wavelengths_um_, sample));
+        surfaces_.push_back(apparentRadiance(input, air_[index], wavelengths_um_, sample));
         transmissivities_.emplace(std::pair(e, codes.material), surfaces_.back().transmissivity);
     }
     fillScalarTransmissivities();

@@ -39,6 +39,8 @@ class SceneRadiometry {
     const std::vector<double>& wavelengths_um() const { return wavelengths_um_; }
     const std::vector<double>& weights_um() const { return weights_um_; }
     const std::vector<double>& background() const { return background_; }
+    /// The air between an entity and the sensor.
+    const AirSamples& air(int entity) const { return air_.at(static_cast<std::size_t>(entity)); }
     /// Spectral transmissivity of a material of an entity.
     const std::vector<double>& transmissivity(int entity, int material) const;
 
@@ -66,6 +68,7 @@ class SceneRadiometry {
     std::vector<double> wavelengths_um_, weights_um_, background_;
     std::vector<SurfaceKey> keys_;
     std::vector<SurfaceSpectra> surfaces_;
+    std::vector<AirSamples> air_; // by entity
     std::map<std::pair<int, int>, std::vector<double>> transmissivities_;
     std::map<std::pair<int, int>, double> scalarTransmissivities_;
     std::vector<std::string> answeredBy_, warnings_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "irsg/scene/Irsg.h"
+#include "irsg/scene/ScaledView.h"
 
 namespace smat {
 
@@ -42,6 +43,12 @@ class ImageSource {
     virtual irsg::RenderedImage render() = 0;
     virtual irsg::RenderReport measure() = 0;
     virtual irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) = 0;
+
+    /// The view as a function of scales: in the sensor's band, or, with wavenumbers, per
+    /// wavenumber.
+    virtual std::unique_ptr<const irsg::ScaledView>
+    scaledView(const std::vector<irsg::ScalingInput>& inputs,
+               const std::vector<double>& wavenumbers_cm1) = 0;
 
     virtual std::string rendererDescription() = 0;
     /// Time spent inside the renderer by stage since the last reset.

@@ -46,6 +46,14 @@ class IrsgImageSource : public ImageSource {
         return irsg_.measureSpectrum(wavenumbers_cm1);
     }
 
+    std::unique_ptr<const irsg::ScaledView>
+    scaledView(const std::vector<irsg::ScalingInput>& inputs,
+               const std::vector<double>& wavenumbers_cm1) override {
+        irsg_.checkConfiguration();
+        return wavenumbers_cm1.empty() ? irsg_.scaledView(inputs)
+                                       : irsg_.scaledSpectrum(inputs, wavenumbers_cm1);
+    }
+
     std::string rendererDescription() override { return irsg_.rendererDescription(); }
     irsg::StageTimes stageTimes() const override { return irsg_.stageTimes(); }
     void resetStageTimes() override { irsg_.resetStageTimes(); }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/LookupTable.h"
@@ -90,6 +91,11 @@ class AnalyticSource : public ImageSource {
             spectrum.irradiance_W_m2_um.push_back(intensity / (range_m() * range_m()));
         }
         return spectrum;
+    }
+
+    std::unique_ptr<const irsg::ScaledView> scaledView(const std::vector<irsg::ScalingInput>&,
+                                                       const std::vector<double>&) override {
+        throw irsg::LogicError("this renderer has no scales");
     }
 
     std::string rendererDescription() override { return "closed form"; }
