@@ -28,6 +28,7 @@ void addDatabaseCommand(CLI::App& app, Context& context);
 void addCompareCommand(CLI::App& app, Context& context);
 void addConvertCommand(CLI::App& app, Context& context);
 void addModelCommand(CLI::App& app, Context& context);
+void addMonteCarloCommand(CLI::App& app, Context& context);
 void addAtmosphereCommand(CLI::App& app, Context& context);
 void addSettingsCommand(CLI::App& app, Context& context);
 void addRadiativeCommand(CLI::App& app, Context& context);

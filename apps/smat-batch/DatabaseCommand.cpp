@@ -7,6 +7,7 @@
 #include "irsg/radiometry/FileReplacement.h"
 #include "irsg/scene/Model.h"
 #include "irsg/signature/MaterialCsv.h"
+#include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SpectrumCsv.h"
 
 namespace smat::batch {
@@ -34,6 +35,8 @@ int create(const CreateOptions& options, Context&) {
         database.materials[pair.material].name = "material " + std::to_string(pair.material);
     }
     irsg::createSignatureFile(database, options.file);
+    if (!options.model.empty())
+        irsg::createScalingFiles(options.model, database);
     fmt::print("{}: {} temperatures, {} materials\n", options.file, database.temperatures.size(),
                database.materials.size());
     return done;

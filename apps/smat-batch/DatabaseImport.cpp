@@ -7,6 +7,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/Lint.h"
 #include "irsg/signature/MaterialCsv.h"
+#include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SpectrumCsv.h"
 #include "smatcore/support/TextFile.h"
 
@@ -15,7 +16,7 @@ namespace smat::batch {
 namespace {
 
 struct ImportOptions {
-    std::string in, file, kind = "spectrum", unit, name;
+    std::string in, file, kind = "spectrum", unit, name, model;
     std::optional<double> referenceDistance_m;
     std::optional<int> temperature, material;
     bool loop = false;
@@ -104,12 +105,19 @@ void warnOfNew(const std::vector<irsg::Finding>& before, const irsg::SignatureDa
     }
 }
 
+/// The two scaling files of a model, where they are not there.
+void createScalings(const irsg::SignatureDatabase& database, const ImportOptions& options) {
+    if (!options.model.empty())
+        irsg::createScalingFiles(options.model, database);
+}
+
 int import(const ImportOptions& options, Context& context) {
     const StageTimer::Scope scope(&context.timer, "import");
     if (std::filesystem::path(options.in).extension() == ".json") {
         const irsg::SignatureDatabase database =
             irsg::signatureFromJson(readTextFile(options.in), options.in);
         irsg::saveSignatureFile(database, options.file);
+        createScalings(database, options);
         warnOfNew({}, database, options.file);
         return done;
     }
@@ -123,6 +131,7 @@ int import(const ImportOptions& options, Context& context) {
         importFactors(options, database);
     }
     irsg::saveSignatureFile(database, options.file, opened);
+    createScalings(database, options);
     warnOfNew(irsg::lint(opened), database, options.file);
     return done;
 }
@@ -156,6 +165,8 @@ void addDatabaseImport(CLI::App& database, Context& context) {
                         "Temperature index whose factors are set");
     command->add_option("--material", options->material,
                         "Material index whose spectra are set; a new one is made");
+    command->add_option("--model", options->model,
+                        "Model whose two scaling files are written where they are not there");
     command->add_flag("--loop", options->loop, "Time factors repeat");
     command->callback([&context, options] {
         context.work = [&context, options] { return import(*options, context); };

@@ -61,6 +61,7 @@ int main(int argc, char** argv) {
     addCompareCommand(app, context);
     addConvertCommand(app, context);
     addModelCommand(app, context);
+    addMonteCarloCommand(app, context);
     addAtmosphereCommand(app, context);
     addSettingsCommand(app, context);
     addSimulateCommand(app, context);

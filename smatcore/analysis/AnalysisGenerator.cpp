@@ -8,6 +8,7 @@
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/ImageFiles.h"
+#include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {
@@ -15,28 +16,6 @@ namespace smat {
 namespace {
 
 using irsg::Quantity;
-
-/// Puts target and camera back where the settings place them when an analysis ends, also by an
-/// exception, so that whoever shares the renderer finds it unturned.
-class Restore {
-  public:
-    Restore(ImageSource& source, const SceneDescription& scene, irsg::Viewpoint viewpoint)
-        : source_(source), scene_(scene), viewpoint_(viewpoint) {}
-    ~Restore() {
-        for (std::size_t i = 0; i < scene_.entities.size(); ++i) {
-            source_.setPose(i, scene_.entities[i].pose);
-            source_.setState(i, scene_.entities[i].state);
-        }
-        source_.setViewpoint(viewpoint_);
-    }
-    Restore(const Restore&) = delete;
-    Restore& operator=(const Restore&) = delete;
-
-  private:
-    ImageSource& source_;
-    const SceneDescription& scene_;
-    irsg::Viewpoint viewpoint_;
-};
 
 void addNew(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
     for (const std::string& sentence : more) {
@@ -236,7 +215,7 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
     {
         const AnalysisCase home =
             planAnalysis(AnalysisKind::image, data.project, data.settings).cases.front();
-        const Restore restore(source_, scene, home.viewpoint(referencePoint));
+        const SceneRestorer restore(source_, scene, home.viewpoint(referencePoint));
         const StageTimer::Scope scope(timer, "analyse");
         logInfo(cases.description);
         std::size_t done = 0;
@@ -250,12 +229,7 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             }
             logDebug(caseName(cases, one));
 
-            // The target turns about its reference point, so that the camera keeps its range.
-            irsg::Pose pose = standing;
-            if (one.attitude != standing.attitude) {
-                pose.attitude = one.attitude;
-                pose.position_m = referencePoint - one.attitude.rotation() * inModel.front();
-            }
+            const irsg::Pose pose = one.pose(standing, inModel.front());
             source_.setPose(0, pose);
             const irsg::Viewpoint viewpoint = one.viewpoint(referencePoint);
             source_.setViewpoint(viewpoint);

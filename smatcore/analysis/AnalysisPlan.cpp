@@ -215,6 +215,17 @@ std::string describe(const AnalysisPlan& plan, const Settings& settings) {
 
 } // namespace
 
+irsg::Pose AnalysisCase::pose(const irsg::Pose& standing,
+                              const irsg::Vec3& referencePointInModel) const {
+    irsg::Pose turned = standing;
+    if (attitude != standing.attitude) {
+        turned.attitude = attitude;
+        turned.position_m =
+            standing.toWorld(referencePointInModel) - attitude.rotation() * referencePointInModel;
+    }
+    return turned;
+}
+
 irsg::Viewpoint AnalysisCase::viewpoint(const irsg::Vec3& referencePoint) const {
     return path == CameraPath::pitchPlane
                ? irsg::Viewpoint::aroundPitchPlane(referencePoint, attitude, angle_rad, range_m)

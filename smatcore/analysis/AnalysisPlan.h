@@ -34,6 +34,8 @@ struct AnalysisCase {
     double shownYaw_deg = 0.0;
 
     irsg::Viewpoint viewpoint(const irsg::Vec3& referencePoint) const;
+    /// The target turned about its reference point, so that the camera keeps its range.
+    irsg::Pose pose(const irsg::Pose& standing, const irsg::Vec3& referencePointInModel) const;
 };
 
 /// A sweep, expanded to its cases before anything is drawn.

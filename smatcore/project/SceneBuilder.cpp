@@ -8,6 +8,7 @@
 #include "irsg/scene/background/Skybox.h"
 #include "irsg/scene/background/Terrain.h"
 #include "irsg/signature/SignatureFile.h"
+#include "smatcore/project/SceneScalings.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {
@@ -103,6 +104,9 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
     }
     if (!offences.empty()) {
         throw irsg::InputError(offences);
+    }
+    if (settings.boolean("scaling.use")) {
+        applyScalings(project, static_cast<std::uint64_t>(settings.integer("scaling.seed")), scene);
     }
     return scene;
 }

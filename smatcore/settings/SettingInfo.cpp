@@ -114,6 +114,9 @@ std::string sectionTitle(std::string_view section) {
     if (section == "render") {
         return "Rendering";
     }
+    if (section == "scaling") {
+        return "Scalings";
+    }
     if (isAnalysisSection(section)) {
         return section == "image"      ? "Image"
                : section == "spectrum" ? "Intensity spectrum"

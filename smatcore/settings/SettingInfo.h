@@ -46,7 +46,7 @@ struct SettingInfo {
 };
 
 /// All settings, in the order of forms and manual. Sections: sensor, camera, target, state,
-/// environment, render, display, and those that belong to one kind of analysis: image, spectrum,
+/// scaling, environment, render, display, and those that belong to one kind of analysis: image, spectrum,
 /// polar, range, time.
 const std::vector<SettingInfo>& settingTable();
 /// Null for an unknown key.

@@ -119,6 +119,16 @@ void addViewAndTarget(std::vector<SettingInfo>& table) {
                            "Speed of the target for aerodynamic heating."));
 }
 
+void addScalings(std::vector<SettingInfo>& table) {
+    table.push_back(text("scaling.use", "--scalings", "Use scalings", "", SettingKind::boolean,
+                         "false",
+                         "Multiplies temperatures and emissivities with the scales of the two "
+                         "scaling files beside the model, drawn when the database is loaded."));
+    table.push_back(integer("scaling.seed", "--seed", "Seed", "", 0, 2147483647, "1",
+                            "Names the random numbers of the scales: the same seed gives the same "
+                            "draw on every machine, another seed another one."));
+}
+
 void addEnvironment(std::vector<SettingInfo>& table) {
     table.push_back(text(
         "environment.atmospheres", "--atmosphere", "Atmospheres", "", SettingKind::pathList, "none",
@@ -310,6 +320,7 @@ const std::vector<SettingInfo>& settingTable() {
         std::vector<SettingInfo> made;
         addSensor(made);
         addViewAndTarget(made);
+        addScalings(made);
         addEnvironment(made);
         addSurroundings(made);
         addRendering(made);

@@ -1,0 +1,234 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/smat-batch/Command.h"
+#include "apps/smat-batch/NumberOptions.h"
+#include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/ProjectInput.h"
+#include "apps/smat-batch/SettingOptions.h"
+#include "apps/smat-batch/StopSignal.h"
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/project/SceneBuilder.h"
+
+namespace smat::batch {
+
+namespace {
+
+irsg::InputError refusal(const char* option, std::string value, std::string expected) {
+    return irsg::InputError({.file = option,
+                             .position = "",
+                             .value = std::move(value),
+                             .expected = std::move(expected)});
+}
+
+/// `smat-batch montecarlo PROJECT --samples N --seed S --out FILE`.
+class MonteCarloCommand {
+  public:
+    explicit MonteCarloCommand(CLI::App& command)
+        : project_(command),
+          settings_(command,
+                    [](const SettingInfo& setting) {
+                        return !isAnalysisSection(setting.section()) &&
+                               setting.key != "scaling.use";
+                    }),
+          numbers_(command) {
+        command
+            .add_option("--out", files_, "Result file, .csv or .json; may be given more than once")
+            ->type_name("FILE")
+            ->expected(1)
+            ->take_all();
+        command
+            .add_option("--analysis", analysis_,
+                        "Analysis of the project that is repeated; the first that is no image "
+                        "without it")
+            ->type_name("NAME");
+        numbers_.add("--samples", "N", "Draws at most, 1024 by default");
+        command.add_option("--sequence", sequence_, "sobol (default) or plain draws")
+            ->type_name("WORD");
+        command
+            .add_option("--quantity", quantity_,
+                        "contrast_intensity (default), intensity or irradiance")
+            ->type_name("WORD");
+        command
+            .add_option("--statistic", statistic_,
+                        "What the standard error is of: mean (default), standard-deviation, or a "
+                        "percentile such as p95")
+            ->type_name("WORD");
+        numbers_.add("--standard-error", "X",
+                     "Stops when the statistic's standard error is below this part of its largest "
+                     "magnitude");
+        command
+            .add_option("--percentiles", percentiles_,
+                        "Percentiles of the bands, 5,25,50,75,95 by default")
+            ->type_name("LIST");
+        numbers_.add(
+            "--phases", "N",
+            "Drawings of each case that tell the numerical error, 4 by default; 1 for none");
+        command.add_flag("--ranking", ranking_,
+                         "Ranks the scales by their first-order Sobol' indices");
+        numbers_.add("--ranking-pairs", "N", "Pairs of draws of the ranking, 1024 by default");
+        numbers_.add("--ranking-at", "X",
+                     "Abscissa the ranking looks at (wavelength in um for a spectrum); the whole "
+                     "sweep without it");
+    }
+
+    int run(Context& context) const {
+        checkFiles();
+        MonteCarloData data;
+        data.options = options();
+        SceneBuilder builder;
+        {
+            const StageTimer::Scope scope(&context.timer, "load");
+            const Settings given = settings_.values();
+            const Project project = project_.load();
+            data.analysis = started(project);
+            data.analysis.settings = data.analysis.settings.with(given);
+            data.analysis.commandLine = context.commandLine;
+            data.options.check();
+            // Inputs are read, and refused, before a renderer is made.
+            const SceneDescription scene = builder.build(project, data.analysis.settings);
+            std::vector<std::string> remarks;
+            sceneScalings(project, scene, remarks);
+        }
+        catchStopSignal();
+        std::unique_ptr<ImageSource> source;
+        {
+            const StageTimer::Scope scope(&context.timer, "start renderer");
+            source = makeIrsgImageSource();
+        }
+        std::stop_source stop;
+        {
+            ProgressLine line;
+            MonteCarlo(*source,
+                       [&](const Project& project, const Settings& settings) {
+                           return builder.build(project, settings);
+                       })
+                .run(
+                    data,
+                    [&](const Progress& progress) {
+                        line.show(progress);
+                        if (stopWasAsked()) {
+                            stop.request_stop();
+                        }
+                    },
+                    stop.get_token(), &context.timer);
+        }
+        std::vector<std::filesystem::path> written;
+        {
+            const StageTimer::Scope scope(&context.timer, "save");
+            for (const std::string& file : files_) {
+                const auto made = saveMonteCarlo(data, file);
+                written.insert(written.end(), made.begin(), made.end());
+            }
+        }
+        const std::vector<Outcome> outcomes{{&data.analysis, written}};
+        fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
+        if (stopWasAsked()) {
+            warn("stopped; what was done so far is kept");
+        }
+        return data.analysis.state == AnalysisState::complete ? done : warned;
+    }
+
+  private:
+    void checkFiles() const {
+        if (files_.empty()) {
+            throw refusal("--out", "nothing", "a result file, such as --out montecarlo.csv");
+        }
+        for (const std::string& file : files_) {
+            const std::string extension = std::filesystem::path(file).extension().string();
+            if (extension != ".csv" && extension != ".json") {
+                throw refusal("--out", file, "a file of one of .csv, .json");
+            }
+        }
+    }
+
+    AnalysisData started(const Project& project) const {
+        if (!analysis_.empty()) {
+            return AnalysisData::of(project, analysis_);
+        }
+        for (const NamedAnalysis& analysis : project.analyses) {
+            if (analysis.kind != AnalysisKind::image) {
+                return AnalysisData::of(project, analysis.name);
+            }
+        }
+        return AnalysisData::of(project, AnalysisKind::polar);
+    }
+
+    /// A whole number of an option, or what is there without it.
+    template <typename Number>
+    void take(const char* option, Number& number) const {
+        const auto given = numbers_.value(option);
+        if (!given) {
+            return;
+        }
+        if (!(*given >= 0.0 && *given <= 1e9 && *given == std::floor(*given))) {
+            throw refusal(option, irsg::numberText(*given), "a whole number");
+        }
+        number = static_cast<Number>(*given);
+    }
+
+    MonteCarloOptions options() const {
+        numbers_.check();
+        MonteCarloOptions options;
+        take("--samples", options.samples);
+        take("--phases", options.phases);
+        take("--ranking-pairs", options.rankingPairs);
+        options.standardError = numbers_.value("--standard-error");
+        options.rankingAt = numbers_.value("--ranking-at");
+        options.ranking = ranking_ || options.rankingAt || numbers_.value("--ranking-pairs");
+        if (sequence_ != "sobol" && sequence_ != "plain") {
+            throw refusal("--sequence", sequence_, "sobol or plain");
+        }
+        options.sequence = sequence_ == "plain" ? DrawSequence::plain : DrawSequence::sobol;
+        const auto quantity = monteCarloQuantity(quantity_);
+        if (!quantity) {
+            throw refusal("--quantity", quantity_, "contrast_intensity, intensity or irradiance");
+        }
+        options.quantity = *quantity;
+        const auto statistic = statisticFromName(statistic_);
+        if (!statistic) {
+            throw refusal("--statistic", statistic_,
+                          "mean, standard-deviation, or a percentile such as p95");
+        }
+        options.statistic = *statistic;
+        if (!percentiles_.empty()) {
+            options.percentiles.clear();
+            for (std::size_t at = 0; at <= percentiles_.size();) {
+                const std::size_t comma = std::min(percentiles_.find(',', at), percentiles_.size());
+                const std::string word = percentiles_.substr(at, comma - at);
+                const auto percent = irsg::parseNumber(word);
+                if (!percent) {
+                    throw refusal("--percentiles", word, "numbers separated by commas");
+                }
+                options.percentiles.push_back(*percent);
+                at = comma + 1;
+            }
+        }
+        return options;
+    }
+
+    ProjectInput project_;
+    SettingOptions settings_;
+    NumberOptions numbers_;
+    std::vector<std::string> files_;
+    std::string analysis_, sequence_ = "sobol", quantity_ = "contrast_intensity",
+                           statistic_ = "mean", percentiles_;
+    bool ranking_ = false;
+};
+
+} // namespace
+
+void addMonteCarloCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand(
+        "montecarlo", "An analysis repeated over the scaling files beside the model");
+    auto shared = std::make_shared<MonteCarloCommand>(*command);
+    command->callback(
+        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+}
+
+} // namespace smat::batch

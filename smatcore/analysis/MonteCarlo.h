@@ -1,0 +1,98 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "smatcore/analysis/AnalysisGenerator.h"
+#include "smatcore/analysis/SampleStatistics.h"
+#include "smatcore/analysis/ScalingDraws.h"
+#include "smatcore/analysis/SobolIndices.h"
+
+namespace smat {
+
+/// What a Monte Carlo analysis looks at, and when it has seen enough. The seed is the setting
+/// `scaling.seed` of its analysis.
+struct MonteCarloOptions {
+    enum class Quantity { intensity, contrastIntensity, irradiance };
+
+    std::size_t samples = 1024; ///< draws at most, 2 to 1e7
+    DrawSequence sequence = DrawSequence::sobol;
+    Quantity quantity = Quantity::contrastIntensity;
+    std::vector<double> percentiles = {5.0, 25.0, 50.0, 75.0, 95.0};
+    /// What the standard error is told of, and what ends the draws early.
+    Statistic statistic;
+    /// Ends once the standard error of the statistic is below this part of its largest magnitude
+    /// over the sweep; without it all draws are made.
+    std::optional<double> standardError;
+    /// Drawings of every case with the target at different places among the pixels, the first in
+    /// its own: their spread is the numerical error. 1 leaves it out.
+    int phases = 4;
+    bool ranking = false;
+    std::size_t rankingPairs = 1024; ///< draws with companions, 64 to 1e6
+    /// Where the ranking looks, in the unit of the abscissa (wavelength in um for spectra): the
+    /// nearest one; the whole sweep where it is not set.
+    std::optional<double> rankingAt;
+
+    /// Throws InputError naming every option that cannot be.
+    void check() const;
+};
+
+/// "contrast_intensity": the word of files and commands.
+std::string name(MonteCarloOptions::Quantity quantity);
+std::optional<MonteCarloOptions::Quantity> monteCarloQuantity(std::string_view word);
+/// "mean", "standard-deviation", "p95".
+std::string name(const Statistic& statistic);
+std::optional<Statistic> statisticFromName(std::string_view word);
+
+/// One Monte Carlo analysis: what is asked, and, once it ran, what came out.
+struct MonteCarloData {
+    AnalysisData analysis; ///< its kind, project and settings; table, summary and warnings come out
+    MonteCarloOptions options;
+
+    std::vector<SceneScaling> scalings;      ///< those that have an effect
+    std::string unit;                        ///< of the values
+    std::string abscissaKey, abscissaUnit;   ///< "wavelength", "um"
+    std::vector<double> abscissae;           ///< of a spectrum, wavelengths in um
+    std::vector<std::vector<double>> values; ///< by abscissa, then by draw
+    std::vector<double> nominal;             ///< at scales of 1
+    std::vector<double> numericalError;      ///< standard deviation over the phases
+    std::vector<Estimate> statistic;         ///< by abscissa
+    std::vector<RankedScaling> ranking;
+    bool reachedStandardError = false;
+
+    std::size_t draws() const { return values.empty() ? 0 : values.front().size(); }
+    /// The abscissa nearest to a number.
+    std::size_t nearest(double abscissa) const;
+};
+
+/// Repeats an analysis of intensities over the scales of its scaling files (F55 to F57). Geometry
+/// is drawn once per case and the air asked once; a draw is a few sums (irsg::ScaledView).
+class MonteCarlo {
+  public:
+    MonteCarlo(ImageSource& source, SceneFactory scenes);
+
+    /// Fills in the results. A stop keeps the cases and draws there are, at least 256 draws once a
+    /// case is drawn, and marks them `partial`. Target and viewpoint are put back. Throws
+    /// InputError: options that cannot be, an image analysis, no scaling files, no scale that
+    /// varies, more than 5e7 values.
+    void run(MonteCarloData& data, const ProgressCallback& progress = {}, std::stop_token stop = {},
+             StageTimer* timer = nullptr);
+
+  private:
+    ImageSource& source_;
+    SceneFactory scenes_;
+};
+
+/// Bands as CSV, or everything as JSON; with a CSV of bands the ranking goes to FILE-ranking.csv
+/// beside it. Throws InputError for another extension and for a file that cannot be written.
+/// Returns the files written.
+std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
+                                                  const std::filesystem::path& file);
+/// Place in the ranking, kind (0 temperature, 1 emissivity), index and Sobol' indices with their
+/// intervals; names in the provenance.
+ResultTable rankingTable(const MonteCarloData& data);
+
+} // namespace smat

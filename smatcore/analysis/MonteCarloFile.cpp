@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/support/TextFile.h"
+
+namespace smat {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json jsonOf(const Estimate& estimate) {
+    return {{"value", estimate.value},
+            {"standard_error", estimate.standardError},
+            {"low_95", estimate.low95},
+            {"high_95", estimate.high95}};
+}
+
+const char* kindWord(const SceneScaling& scaling) {
+    return scaling.input.kind == irsg::ScalingKind::temperature ? "temperature" : "emissivity";
+}
+
+} // namespace
+
+void MonteCarloOptions::check() const {
+    std::vector<irsg::Offence> offences;
+    const auto require = [&](bool holds, const char* position, std::string value,
+                             std::string expected) {
+        if (!holds) {
+            offences.push_back({.file = "montecarlo",
+                                .position = position,
+                                .value = std::move(value),
+                                .expected = std::move(expected)});
+        }
+    };
+    require(samples >= 2 && samples <= 10'000'000, "samples", std::to_string(samples),
+            "a whole number from 2 to 1e7");
+    const auto isPercent = [](double p) { return p >= 0.0 && p <= 100.0; };
+    for (const double percent : percentiles) {
+        require(isPercent(percent), "percentiles", irsg::numberText(percent),
+                "numbers from 0 to 100");
+    }
+    require(std::is_sorted(percentiles.begin(), percentiles.end(), std::less_equal<>()),
+            "percentiles", fmt::format("{}", fmt::join(percentiles, ",")),
+            "ascending numbers, each once");
+    require(isPercent(statistic.percent), "statistic", irsg::numberText(statistic.percent),
+            "a percentile from 0 to 100");
+    require(!standardError || (*standardError > 0.0 && *standardError < 1.0), "standard error",
+            standardError ? irsg::numberText(*standardError) : "",
+            "a part above 0 and below 1 of the statistic's largest magnitude");
+    require(phases >= 1 && phases <= 64, "phases", std::to_string(phases),
+            "a whole number from 1 to 64");
+    require(rankingPairs >= 64 && rankingPairs <= 1'000'000, "ranking pairs",
+            std::to_string(rankingPairs), "a whole number from 64 to 1e6");
+    require(!rankingAt || std::isfinite(*rankingAt), "ranking at", "no number",
+            "an abscissa of the analysis");
+    if (!offences.empty()) {
+        throw irsg::InputError(std::move(offences));
+    }
+}
+
+std::string name(MonteCarloOptions::Quantity quantity) {
+    switch (quantity) {
+    case MonteCarloOptions::Quantity::intensity:
+        return "intensity";
+    case MonteCarloOptions::Quantity::contrastIntensity:
+        return "contrast_intensity";
+    case MonteCarloOptions::Quantity::irradiance:
+        break;
+    }
+    return "irradiance";
+}
+
+std::optional<MonteCarloOptions::Quantity> monteCarloQuantity(std::string_view word) {
+    using Quantity = MonteCarloOptions::Quantity;
+    for (const Quantity quantity :
+         {Quantity::intensity, Quantity::contrastIntensity, Quantity::irradiance}) {
+        if (word == name(quantity)) {
+            return quantity;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string name(const Statistic& statistic) {
+    switch (statistic.kind) {
+    case Statistic::Kind::mean:
+        return "mean";
+    case Statistic::Kind::standardDeviation:
+        return "standard-deviation";
+    case Statistic::Kind::percentile:
+        break;
+    }
+    return "p" + irsg::numberText(statistic.percent);
+}
+
+std::optional<Statistic> statisticFromName(std::string_view word) {
+    if (word == "mean") {
+        return Statistic{};
+    }
+    if (word == "standard-deviation") {
+        return Statistic{Statistic::Kind::standardDeviation, 50.0};
+    }
+    double percent = 0.0;
+    if (word.size() < 2 || word.front() != 'p') {
+        return std::nullopt;
+    }
+    const char* end = word.data() + word.size();
+    const auto [stopped, error] = std::from_chars(word.data() + 1, end, percent);
+    if (error != std::errc() || stopped != end || !(percent >= 0.0 && percent <= 100.0)) {
+        return std::nullopt;
+    }
+    return Statistic{Statistic::Kind::percentile, percent};
+}
+
+std::size_t MonteCarloData::nearest(double abscissa) const {
+    const auto found =
+        std::min_element(abscissae.begin(), abscissae.end(), [&](double a, double b) {
+            return std::abs(a - abscissa) < std::abs(b - abscissa);
+        });
+    return static_cast<std::size_t>(found - abscissae.begin());
+}
+
+ResultTable rankingTable(const MonteCarloData& data) {
+    ResultTable table;
+    table.provenance = data.analysis.table.provenance;
+    for (const char* key :
+         {"place", "entity", "kind", "index", "first_order", "first_order_error", "first_order_low",
+          "first_order_high", "total", "total_error", "total_low", "total_high"}) {
+        table.add(key, "");
+    }
+    table.provenance.add("kind", "0 temperature, 1 emissivity");
+    double place = 1.0;
+    for (const RankedScaling& one : data.ranking) {
+        const SceneScaling& scaling = data.scalings[one.scaling];
+        const bool isTemperature = scaling.input.kind == irsg::ScalingKind::temperature;
+        table.provenance.add(fmt::format("place {}", static_cast<int>(place)), scaling.name);
+        table.addRow({place, static_cast<double>(scaling.input.entity), isTemperature ? 0.0 : 1.0,
+                      static_cast<double>(scaling.input.index), one.firstOrder.value,
+                      one.firstOrder.standardError, one.firstOrder.low95, one.firstOrder.high95,
+                      one.total.value, one.total.standardError, one.total.low95, one.total.high95});
+        place += 1.0;
+    }
+    return table;
+}
+
+std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
+                                                  const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    if (extension == ".csv") {
+        data.analysis.table.save(file);
+        if (data.ranking.empty()) {
+            return {file};
+        }
+        const std::filesystem::path ranking =
+            file.parent_path() / (file.stem().string() + "-ranking.csv");
+        rankingTable(data).save(ranking);
+        return {file, ranking};
+    }
+    if (extension != ".json") {
+        throw irsg::InputError({.file = file.string(),
+                                .position = "",
+                                .value = file.has_extension() ? extension : "no extension",
+                                .expected = "a file of one of .csv, .json"});
+    }
+    Json json = Json::parse(data.analysis.table.toJson());
+    Json scales = Json::array();
+    for (const SceneScaling& scaling : data.scalings) {
+        scales.push_back({{"name", scaling.name},
+                          {"entity", scaling.input.entity},
+                          {"kind", kindWord(scaling)},
+                          {"index", scaling.input.index},
+                          {"distribution", irsg::info(scaling.distribution.kind()).name},
+                          {"min", scaling.distribution.minimum()},
+                          {"max", scaling.distribution.maximum()},
+                          {"parameters", scaling.distribution.parameters()}});
+    }
+    json["scales"] = scales;
+    json["draws"] = data.draws();
+    Json ranking = Json::array();
+    for (const RankedScaling& one : data.ranking) {
+        ranking.push_back({{"name", data.scalings[one.scaling].name},
+                           {"scale", one.scaling},
+                           {"first_order", jsonOf(one.firstOrder)},
+                           {"total", jsonOf(one.total)}});
+    }
+    json["ranking"] = ranking;
+    writeTextFile(file, json.dump(1) + "\n");
+    return {file};
+}
+
+} // namespace smat

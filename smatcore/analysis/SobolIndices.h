@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "smatcore/analysis/SampleStatistics.h"
+#include "smatcore/analysis/ScalingDraws.h"
+
+namespace smat {
+
+/// What one scale contributes to the spread of a result.
+struct RankedScaling {
+    std::size_t scaling = 0; ///< its place in ScalingDraws::scalings()
+    /// First-order Sobol' index: the part of the variance that goes when this scale is known.
+    Estimate firstOrder;
+    /// Total index: the part that stays when all others are known; more than the first-order index
+    /// by what it does together with others.
+    Estimate total;
+};
+
+/// Sums over pairs of values of which one scale, or all but one, is shared: the pick-freeze scheme
+/// of Sobol' with the estimator of Janon, Klein, Lagnoux, Nodet and Prieur (ESAIM: Probability and
+/// Statistics 18, 2014, eq. 6), asymptotically the best there is for plain draws. Values of a sweep
+/// add their variances, so that the index of a sweep weighs its abscissae by their spread (Gamboa,
+/// Janon, Klein and Lagnoux 2014).
+class PickFreeze {
+  public:
+    /// One value each for every abscissa; `replicate` as in ScalingDraws.
+    void add(const std::vector<double>& values, const std::vector<double>& shared,
+             std::size_t replicate);
+    /// `byReplicates` takes the error from the spread of the replicates, else from the draws.
+    Estimate index(bool byReplicates) const;
+
+  private:
+    struct Sums {
+        double count = 0.0;
+        std::vector<double> sum, square, product; ///< of both values, halved; per abscissa
+    };
+    static double indexOf(const Sums& sums);
+
+    std::vector<std::vector<double>> first_, second_; ///< all pairs, less the very first value
+    std::vector<double> origin_;
+    std::vector<Sums> replicates_ = std::vector<Sums>(sobolReplicates);
+    Sums all_;
+};
+
+/// Values at every abscissa of one set of scales.
+using ScaledModel = std::function<std::vector<double>(const std::vector<double>& scales)>;
+
+/// Ranks the scales that vary by their first-order index, the largest first, from `pairs` draws
+/// with companions: pairs (2 + d) evaluations. `goOn` is asked after every pair; false ends early,
+/// with what there is.
+std::vector<RankedScaling> rankScalings(const ScalingDraws& draws, DrawSequence sequence,
+                                        std::size_t pairs, const ScaledModel& model,
+                                        const std::function<bool(std::size_t done)>& goOn);
+
+} // namespace smat

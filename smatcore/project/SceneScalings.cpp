@@ -1,0 +1,123 @@
+#include "smatcore/project/SceneScalings.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/signature/random/Philox.h"
+
+namespace smat {
+
+namespace {
+
+using irsg::ScalingKind;
+
+const char* word(ScalingKind kind) {
+    return kind == ScalingKind::temperature ? "temperature" : "emissivity";
+}
+
+/// Why a scale has no effect; empty where it has one.
+std::string idleBecause(const irsg::Entity& entity, ScalingKind kind, int index) {
+    const bool isTemperature = kind == ScalingKind::temperature;
+    const auto entry = entity.database->temperatures.find(index);
+    const bool hasEntry = isTemperature ? entry != entity.database->temperatures.end()
+                                        : entity.database->materials.contains(index);
+    if (!hasEntry) {
+        return "has no entry in the signature database";
+    }
+    if (isTemperature && entry->second.mode == irsg::EmissionMode::userSpectrum) {
+        return "is a user-defined spectrum, which no temperature scales";
+    }
+    const auto carries = [&](const auto& use) {
+        return (isTemperature ? use.first.temperature : use.first.material) == index;
+    };
+    if (entity.model &&
+        std::none_of(entity.model->codes().begin(), entity.model->codes().end(), carries)) {
+        return "is on no face of the model";
+    }
+    return "";
+}
+
+std::string nameOf(const irsg::Entity& entity, ScalingKind kind, int index) {
+    const std::string& entry = kind == ScalingKind::temperature
+                                   ? entity.database->temperatures.at(index).name
+                                   : entity.database->materials.at(index).name;
+    const std::string plain = fmt::format("{} {}", word(kind), index);
+    return entry.empty() ? plain : fmt::format("{} ({})", plain, entry);
+}
+
+} // namespace
+
+double SceneScaling::at(std::uint64_t seed, std::uint64_t draw) const {
+    return distribution.at(irsg::unitOf(seed,
+                                        {static_cast<std::uint32_t>(input.kind),
+                                         static_cast<std::uint32_t>(input.entity), input.index},
+                                        draw));
+}
+
+std::vector<SceneScaling> sceneScalings(const Project& project, const SceneDescription& scene,
+                                        std::vector<std::string>& remarks) {
+    std::vector<SceneScaling> found;
+    std::vector<irsg::Offence> offences;
+    bool anyFile = false;
+    for (std::size_t e = 0; e < project.models.size() && e < scene.entities.size(); ++e) {
+        const irsg::Entity& entity = scene.entities[e];
+        const std::filesystem::path model = project.resolve(project.models[e].file);
+        if (!irsg::hasScalingFiles(model)) {
+            continue;
+        }
+        anyFile = true;
+        irsg::Scalings scalings;
+        try {
+            scalings = irsg::loadScalings(model);
+        } catch (const irsg::InputError& error) {
+            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            continue;
+        }
+        for (const ScalingKind kind : {ScalingKind::temperature, ScalingKind::emissivity}) {
+            for (const auto& [index, entry] : scalings.of(kind)) {
+                const irsg::Distribution& distribution = entry.distribution;
+                if (distribution.isFixed() && distribution.minimum() == 1.0) {
+                    continue;
+                }
+                if (const std::string why = idleBecause(entity, kind, index); !why.empty()) {
+                    remarks.push_back(
+                        fmt::format("{}: the scale of {} {} has no effect, it {}",
+                                    irsg::scalingFile(model, kind).filename().string(), word(kind),
+                                    index, why));
+                    continue;
+                }
+                const std::string whose = scene.entities.size() > 1 ? entity.name + " " : "";
+                found.push_back({{static_cast<int>(e), kind, index, distribution.minimum(),
+                                  distribution.maximum()},
+                                 distribution,
+                                 whose + nameOf(entity, kind, index)});
+            }
+        }
+    }
+    if (!anyFile && !project.models.empty()) {
+        const std::filesystem::path model = project.resolve(project.models.front().file);
+        offences.push_back(
+            {.file = irsg::scalingFile(model, ScalingKind::temperature).string(),
+             .position = "",
+             .value = "no such file",
+             .expected =
+                 "a scaling file beside the model; saving its signature database makes one"});
+    }
+    if (!offences.empty()) {
+        throw irsg::InputError(offences);
+    }
+    return found;
+}
+
+void applyScalings(const Project& project, std::uint64_t seed, SceneDescription& scene) {
+    for (const SceneScaling& scaling : sceneScalings(project, scene, scene.remarks)) {
+        irsg::Entity& entity = scene.entities[static_cast<std::size_t>(scaling.input.entity)];
+        (scaling.input.kind == ScalingKind::temperature
+             ? entity.temperatureScale
+             : entity.emissivityScale)[scaling.input.index] = scaling.at(seed, 0);
+    }
+}
+
+} // namespace smat

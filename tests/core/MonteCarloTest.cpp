@@ -1,0 +1,345 @@
+#include "smatcore/analysis/MonteCarlo.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "tests/core/AnalyticSource.h"
+#include "tests/support/Refusal.h"
+#include "tests/support/TemporaryFolder.h"
+
+namespace smat {
+
+namespace {
+
+using namespace smat::test;
+using testing::HasSubstr;
+
+/// A target whose intensity is 100 + 3 T1 + 2 T2 + E1 (T1 - 1) + cos(azimuth) T2, in closed form.
+class LinearView : public irsg::ScaledView {
+  public:
+    LinearView(double cosine, std::size_t count) : cosine_(cosine), count_(count) {}
+    std::size_t size() const override { return count_; }
+    static double at(double cosine, double t1, double t2, double e1) {
+        return 100.0 + 3.0 * t1 + 2.0 * t2 + e1 * (t1 - 1.0) + cosine * t2;
+    }
+    void evaluate(std::span<const double> scales, irsg::ScaledValues& values) const override {
+        values.intensity.assign(count_, at(cosine_, scales[0], scales[1], scales[2]));
+        values.contrastIntensity = values.intensity;
+        values.irradiance = values.intensity;
+    }
+
+  private:
+    double cosine_;
+    std::size_t count_;
+};
+
+class LinearTarget : public AnalyticSource {
+  public:
+    double projectedArea_m2(const irsg::Vec3&) const override { return 1.0; }
+    double intensity_W_sr(const irsg::Vec3& direction) const override {
+        // Phases differ by a part in 1e4, as drawings do.
+        const double phase =
+            1e-4 * std::sin(1e7 * (viewpoint.forward().x + 0.37 * viewpoint.forward().y));
+        return LinearView::at(direction.y, 1.0, 1.0, 1.0) + phase;
+    }
+    std::unique_ptr<const irsg::ScaledView>
+    scaledView(const std::vector<irsg::ScalingInput>& inputs,
+               const std::vector<double>& wavenumbers) override {
+        asked = inputs;
+        return std::make_unique<LinearView>(towardsCamera().y,
+                                            std::max<std::size_t>(wavenumbers.size(), 1));
+    }
+    std::vector<irsg::ScalingInput> asked;
+};
+
+/// A project whose model has two scaling files, and the scene a test draws of it.
+class MonteCarloTest : public testing::Test {
+  protected:
+    MonteCarloTest() {
+        scale("temperature", "T1", irsg::ScalingKind::temperature,
+              {{1, {{irsg::DistributionKind::uniform, 0.9, 1.1}, ""}},
+               {2, {{irsg::DistributionKind::normal, 0.7, 1.3}, ""}},
+               {3, {{irsg::DistributionKind::uniform, 0.9, 1.1}, "a spectrum"}},
+               {9, {{irsg::DistributionKind::uniform, 0.9, 1.1}, "no entry"}}});
+        scale("emissivity", "E1", irsg::ScalingKind::emissivity,
+              {{1, {{irsg::DistributionKind::uniform, 0.5, 1.5}, ""}}, {2, {{}, "fixed at 1"}}});
+        Project project;
+        project.models = {{.file = model, .database = "none.sigdb"}};
+        project.settings.set("polar.step", "90");
+        data.analysis = AnalysisData::of(project, AnalysisKind::polar);
+        data.options.samples = 512;
+    }
+
+    void scale(const char*, const char*, irsg::ScalingKind kind, const irsg::ScalingTable& table) {
+        writtenFile(irsg::scalingFile(model, kind), irsg::scalingXml(table));
+    }
+
+    static SceneDescription scene(const Project& project, const Settings& settings) {
+        SceneDescription made = sceneWithoutFiles(project, settings);
+        auto database = std::make_shared<irsg::SignatureDatabase>();
+        database->temperatures[1].name = "skin";
+        database->temperatures[2].name = "pipe";
+        database->temperatures[3].mode = irsg::EmissionMode::userSpectrum;
+        database->materials[1].name = "paint";
+        database->materials[2];
+        made.entities.front().database = database;
+        return made;
+    }
+
+    MonteCarloData& run(const ProgressCallback& progress = {}, std::stop_token stop = {}) {
+        MonteCarlo(source, scene).run(data, progress, std::move(stop));
+        return data;
+    }
+    std::string refusal() {
+        return refusalOf([&] { run(); });
+    }
+
+    std::filesystem::path model = ownFolder() / "target.flt";
+    LinearTarget source;
+    MonteCarloData data;
+};
+
+double sigmaOf(const irsg::Distribution& distribution) {
+    double sum = 0.0, square = 0.0;
+    constexpr int count = 20000;
+    for (int i = 0; i < count; ++i) {
+        const double x = distribution.at((i + 0.5) / count);
+        sum += x;
+        square += x * x;
+    }
+    return std::sqrt(square / count - sum / count * (sum / count));
+}
+
+} // namespace
+
+TEST_F(MonteCarloTest, givesMeanAndSpreadOfAClosedForm) {
+    for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
+        data.options.sequence = sequence;
+        data.options.samples = 4096;
+        run();
+        ASSERT_EQ(data.abscissae.size(), 4u);
+        EXPECT_EQ(data.draws(), 4096u);
+        EXPECT_EQ(data.analysis.state, AnalysisState::complete);
+        const double s1 = sigmaOf(data.scalings[0].distribution);
+        const double s2 = sigmaOf(data.scalings[1].distribution);
+        const double se = sigmaOf(data.scalings[2].distribution);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const double cosine = std::cos(irsg::radians(data.abscissae[k]));
+            // T1 has 3 + E1 with the mean 4; E1 (T1 - 1) adds the product of the deviations.
+            const double variance =
+                16.0 * s1 * s1 + std::pow((2.0 + cosine) * s2, 2) + s1 * s1 * se * se;
+            const double limit = sequence == DrawSequence::sobol ? 0.005 : 0.05;
+            EXPECT_NEAR(standardDeviationOf(data.values[k]) / std::sqrt(variance), 1.0, limit);
+            EXPECT_NEAR(meanOf(data.values[k]), 105.0 + cosine,
+                        (sequence == DrawSequence::sobol ? 0.02 : 4.0) *
+                            std::sqrt(variance / 4096.0));
+            EXPECT_NEAR(data.nominal[k], 105.0 + cosine, 2e-4);
+            EXPECT_GT(data.numericalError[k], 1e-6);
+            EXPECT_LT(data.numericalError[k], 2e-4);
+        }
+    }
+}
+
+TEST_F(MonteCarloTest, asksForTheScalesThatHaveAnEffectAndSaysWhichHaveNone) {
+    run();
+    ASSERT_EQ(source.asked.size(), 3u);
+    EXPECT_EQ(source.asked[0].index, 1);
+    EXPECT_EQ(source.asked[0].least, 0.9);
+    EXPECT_EQ(source.asked[1].most, 1.3);
+    EXPECT_EQ(source.asked[2].kind, irsg::ScalingKind::emissivity);
+    EXPECT_EQ(data.scalings[1].name, "temperature 2 (pipe)");
+    EXPECT_THAT(
+        data.analysis.warnings,
+        testing::IsSupersetOf({HasSubstr("temperature 3 has no effect, it is a user-defined"),
+                               HasSubstr("temperature 9 has no effect, it has no entry")}));
+}
+
+TEST_F(MonteCarloTest, writesBandsThatAscendWithTheirProvenance) {
+    data.options.percentiles = {2.5, 50.0, 97.5};
+    run();
+    const ResultTable& table = data.analysis.table;
+    std::vector<std::string> keys;
+    for (const ResultColumn& column : table.columns())
+        keys.push_back(column.header());
+    EXPECT_THAT(keys, testing::ElementsAre("angle [deg]", "nominal [W sr-1]", "mean [W sr-1]",
+                                           "standard_deviation [W sr-1]", "standard_error [W sr-1]",
+                                           "minimum [W sr-1]", "p2.5 [W sr-1]", "p50 [W sr-1]",
+                                           "p97.5 [W sr-1]", "maximum [W sr-1]",
+                                           "error_numerical [W sr-1]"));
+    for (std::size_t k = 0; k < table.rowCount(); ++k)
+        for (std::size_t c = 6; c < 10; ++c)
+            EXPECT_GT(table.columns()[c].values[k], table.columns()[c - 1].values[k]);
+    EXPECT_EQ(table.provenance.value("monte carlo"), "512 draws of the sobol sequence, seed 1");
+    EXPECT_EQ(table.provenance.value("quantity"), "contrast_intensity");
+    EXPECT_EQ(table.provenance.value("scale"), "temperature 1 (skin): uniform, 0.9 to 1.1");
+}
+
+TEST_F(MonteCarloTest, repeatsWithItsSeedAndDiffersWithAnother) {
+    const auto first = run().values;
+    EXPECT_EQ(run().values, first);
+    data.analysis.settings.set("scaling.seed", "2");
+    EXPECT_NE(run().values, first);
+}
+
+TEST_F(MonteCarloTest, drawsWhatLoadingTheDatabaseDraws) {
+    data.options.sequence = DrawSequence::plain;
+    run();
+    SceneDescription loaded = scene(data.analysis.project, data.analysis.settings);
+    applyScalings(data.analysis.project, 1, loaded);
+    const irsg::Entity& target = loaded.entities.front();
+    EXPECT_EQ(data.values[0][0],
+              LinearView::at(1.0, target.temperatureScale.at(1), target.temperatureScale.at(2),
+                             target.emissivityScale.at(1)));
+    EXPECT_EQ(target.temperatureScale.count(3), 0u);
+}
+
+TEST_F(MonteCarloTest, stopsAtAStandardErrorAndSaysWhereItDidNotReachIt) {
+    data.options.samples = 100000;
+    data.options.standardError = 1e-5;
+    run();
+    EXPECT_TRUE(data.reachedStandardError);
+    EXPECT_LT(data.draws(), 50000u);
+    EXPECT_EQ(data.analysis.state, AnalysisState::complete);
+    double worst = 0.0;
+    for (const Estimate& one : data.statistic)
+        worst = std::max(worst, one.standardError);
+    EXPECT_LT(worst, 1e-5 * 106.1);
+
+    data.options.sequence = DrawSequence::plain;
+    data.options.samples = 512;
+    run();
+    EXPECT_FALSE(data.reachedStandardError);
+    EXPECT_THAT(data.analysis.warnings, testing::Contains(HasSubstr("1e-05 was asked for")));
+}
+
+TEST_F(MonteCarloTest, keepsWhatItHasWhenItIsStopped) {
+    std::stop_source stop;
+    data.options.samples = 100000;
+    run(
+        [&](const Progress& progress) {
+            if (progress.what.find("draw 512") == 0)
+                stop.request_stop();
+        },
+        stop.get_token());
+    EXPECT_EQ(data.analysis.state, AnalysisState::partial);
+    EXPECT_EQ(data.draws(), 768u);
+    EXPECT_EQ(data.analysis.table.rowCount(), 4u);
+    EXPECT_THAT(data.analysis.warnings, testing::Contains("stopped after 768 of 100000 draws"));
+
+    // While the cases are drawn: those there are, with enough draws to be of use.
+    std::stop_source early;
+    run(
+        [&](const Progress& progress) {
+            if (progress.what.find("case 2 of 4") == 0)
+                early.request_stop();
+        },
+        early.get_token());
+    EXPECT_EQ(data.analysis.table.rowCount(), 2u);
+    EXPECT_EQ(data.draws(), 256u);
+    EXPECT_THAT(data.analysis.warnings, testing::Contains("stopped after 2 of 4 cases"));
+}
+
+TEST_F(MonteCarloTest, ranksTheScalesByTheirShareOfTheVariance) {
+    data.options.ranking = true;
+    data.options.rankingAt = 180.0; // 3 T1 + (2 - 1) T2 + E1 (T1 - 1)
+    for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
+        data.options.sequence = sequence;
+        data.options.rankingPairs = 4096;
+        run();
+        const double s1 = sigmaOf(data.scalings[0].distribution);
+        const double s2 = sigmaOf(data.scalings[1].distribution);
+        const double se = sigmaOf(data.scalings[2].distribution);
+        const double variance = 16.0 * s1 * s1 + s2 * s2 + s1 * s1 * se * se;
+        ASSERT_EQ(data.ranking.size(), 3u);
+        const double expected[] = {16.0 * s1 * s1 / variance, s2 * s2 / variance, 0.0};
+        for (const RankedScaling& one : data.ranking) {
+            const double slack = sequence == DrawSequence::sobol ? 0.01 : 0.06;
+            EXPECT_NEAR(one.firstOrder.value, expected[one.scaling], slack) << one.scaling;
+            EXPECT_LE(one.firstOrder.low95, one.firstOrder.high95);
+            // T1 and E1 act together, T2 alone.
+            const double together = one.scaling == 1 ? 0.0 : s1 * s1 * se * se / variance;
+            EXPECT_NEAR(one.total.value, expected[one.scaling] + together, slack) << one.scaling;
+        }
+        EXPECT_EQ(data.ranking[0].scaling, 0u);
+        EXPECT_EQ(data.ranking[2].scaling, 2u);
+    }
+    const ResultTable table = rankingTable(data);
+    EXPECT_EQ(table.rowCount(), 3u);
+    EXPECT_EQ(table.provenance.value("place 1"), "temperature 1 (skin)");
+}
+
+TEST_F(MonteCarloTest, repeatsSpectraWavelengthByWavelength) {
+    const MonteCarloOptions options = data.options;
+    data.analysis = AnalysisData::of(data.analysis.project, AnalysisKind::spectrum);
+    data.analysis.settings.set("spectrum.resolution", "100");
+    data.options = options;
+    run();
+    EXPECT_EQ(data.abscissaKey, "wavelength");
+    EXPECT_EQ(data.unit, "W sr-1 um-1");
+    EXPECT_EQ(data.analysis.table.columns().front().key, "wavenumber");
+    EXPECT_EQ(data.analysis.table.rowCount(), data.abscissae.size());
+    EXPECT_GT(data.abscissae.size(), 5u);
+    EXPECT_NEAR(data.abscissae[data.nearest(4.0)], 4.0, 0.1);
+}
+
+TEST_F(MonteCarloTest, savesWhatReadsBack) {
+    data.options.ranking = true;
+    data.options.rankingPairs = 64;
+    run();
+    const std::filesystem::path folder = ownFolder();
+    EXPECT_THAT(saveMonteCarlo(data, folder / "mc.csv"),
+                testing::ElementsAre(folder / "mc.csv", folder / "mc-ranking.csv"));
+    EXPECT_EQ(ResultTable::load(folder / "mc.csv"), data.analysis.table);
+    EXPECT_EQ(ResultTable::load(folder / "mc-ranking.csv").rowCount(), 3u);
+    saveMonteCarlo(data, folder / "mc.json");
+    EXPECT_EQ(ResultTable::load(folder / "mc.json"), data.analysis.table);
+    EXPECT_THAT(refusalOf([&] { saveMonteCarlo(data, folder / "mc.txt"); }),
+                HasSubstr("one of .csv, .json"));
+}
+
+TEST_F(MonteCarloTest, refusesWhatCannotBe) {
+    const auto expect = [&](const char* says, auto&& spoil) {
+        MonteCarloData kept = data;
+        spoil();
+        EXPECT_THAT(refusal(), HasSubstr(says));
+        data = kept;
+    };
+    expect("a whole number from 2", [&] { data.options.samples = 1; });
+    expect("numbers from 0 to 100", [&] { data.options.percentiles = {50.0, 101.0}; });
+    expect("ascending numbers", [&] { data.options.percentiles = {50.0, 5.0}; });
+    expect("ascending numbers", [&] { data.options.percentiles = {50.0, 50.0}; });
+    expect("standard error", [&] { data.options.standardError = 0.0; });
+    expect("from 1 to 64", [&] { data.options.phases = 0; });
+    expect("from 64 to 1e6", [&] { data.options.rankingPairs = 3; });
+    expect("an image",
+           [&] { data.analysis = AnalysisData::of(data.analysis.project, AnalysisKind::image); });
+    expect("at most 50000000 values in all", [&] {
+        data.analysis.settings.set("polar.step", "0.01");
+        data.options.samples = 10000;
+    });
+    std::filesystem::remove(irsg::scalingFile(model, irsg::ScalingKind::temperature));
+    scale("", "", irsg::ScalingKind::emissivity, {{1, {}}});
+    EXPECT_THAT(refusal(), HasSubstr("no scale that varies"));
+    std::filesystem::remove(irsg::scalingFile(model, irsg::ScalingKind::emissivity));
+    EXPECT_THAT(refusal(), HasSubstr("a scaling file beside the model"));
+    scale("", "", irsg::ScalingKind::emissivity, {});
+    writtenFile(irsg::scalingFile(model, irsg::ScalingKind::emissivity), "<data>");
+    EXPECT_THAT(refusal(), HasSubstr("well-formed"));
+}
+
+TEST(SceneScalings, refuseSobolSequencesOfTooManyScales) {
+    std::vector<SceneScaling> many(70);
+    for (std::size_t i = 0; i < many.size(); ++i)
+        many[i] = {{0, irsg::ScalingKind::emissivity, static_cast<int>(i), 0.9, 1.1},
+                   irsg::Distribution(irsg::DistributionKind::uniform, 0.9, 1.1),
+                   ""};
+    EXPECT_NO_THROW(ScalingDraws(many, DrawSequence::sobol, 1));
+    EXPECT_NO_THROW(ScalingDraws(many, DrawSequence::plain, 1, true));
+    EXPECT_THAT(refusalOf([&] { ScalingDraws(many, DrawSequence::sobol, 1, true); }),
+                HasSubstr("at most 64 with a ranking"));
+}
+
+} // namespace smat
