@@ -54,6 +54,7 @@ void measure(const char* what, int frames, const std::function<void(int)>& step)
     std::sort(times_ms.begin(), times_ms.end());
     std::printf("%-28s median %6.1f ms   worst %6.1f ms\n", what, times_ms[times_ms.size() / 2],
                 times_ms.back());
+    std::fflush(stdout);
 }
 
 void send(QWidget* to, QEvent&& event) {
@@ -99,13 +100,13 @@ void cancelling() {
     Workbench workbench;
     workbench.open(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.smat");
     auto settings = workbench.settings();
-    settings.set("sensor.width", 3000);
-    settings.set("sensor.height", 3000);
+    settings.set("sensor.width", 7000);
+    settings.set("sensor.height", 7000);
     settings.set("render.antialiasing", 2);
     workbench.start(
         smat::AnalysisData::of(workbench.project(), smat::AnalysisKind::image, settings));
     const auto begun = Clock::now();
-    while (since_ms(begun) < 1500.0 && workbench.isRunning())
+    while (since_ms(begun) < 1000.0 && workbench.isRunning())
         QApplication::processEvents(QEventLoop::AllEvents, 10);
     if (!workbench.isRunning()) {
         std::printf("cancel: the drawing was over before\n");
@@ -128,8 +129,12 @@ int main(int argc, char** argv) {
     std::printf("%d curves of %d points, 1000 x 700\n", curves, points);
 
     CartesianPlot cartesian(PlotStyle::screen(QApplication::palette()));
-    PlotData data{.title = "Intensity", .xTitle = "Range (m)", .yTitle = "Intensity (W/sr)"};
-    PolarData around{.title = "Intensity", .radiusTitle = "Intensity (W/sr)"};
+    PlotData data{
+        .title = "Intensity", .xTitle = "Range (m)", .yTitle = "Intensity (W/sr)", .curves = {}};
+    PolarData around{.title = "Intensity",
+                     .radiusTitle = "Intensity (W/sr)",
+                     .directionNote = "clockwise",
+                     .curves = {}};
     for (int i = 0; i < curves; ++i) {
         data.curves.push_back(restless(i, points, 500.0, 10000.0));
         around.curves.push_back(restless(i, points, 0.0, 360.0));

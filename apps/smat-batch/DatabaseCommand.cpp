@@ -93,7 +93,9 @@ void addCreate(CLI::App& database, Context& context) {
     command->add_option("FILE", options->file, "New signature database (.sigdb)")
         ->required()
         ->type_name("");
-    command->add_option("--model", options->model, "With an entry for each code of this model")
+    command->add_option("--model", options->model,
+                        "With an entry for each code of this model, and the two scaling files "
+                        "beside it where they are not there")
         ->type_name("MODEL");
     command->add_option("--title", options->title, "Title; the name of the file by default")
         ->type_name("TEXT");

@@ -56,8 +56,6 @@ class FloatingPages::Window : public QWidget {
             close();
         });
     }
-    ~Window() override { std::erase(owner_.windows_, this); }
-
     QWidget* page() const { return page_; }
     /// Gives the page away.
     void release() {
@@ -121,6 +119,7 @@ void FloatingPages::detach(QWidget* page) {
     tabs_->removeTab(index);
     auto* window = new Window(page, pageIcon, title, *this);
     windows_.push_back(window);
+    connect(window, &QObject::destroyed, this, [this, window] { std::erase(windows_, window); });
     window->resize(size);
     window->show();
 }
@@ -130,6 +129,7 @@ void FloatingPages::attach(QWidget* page) {
     if (window == nullptr)
         return;
     window->release();
+    std::erase(windows_, window);
     tabs_->setCurrentIndex(tabs_->addTab(page, window->windowIcon(), window->windowTitle()));
     window->close();
 }

@@ -56,14 +56,14 @@ ResultPage::ResultPage(const std::vector<ResultEntry>& results, Dialogs dialogs,
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     if (results_.front().isImage())
-        showImage();
+        showImage(std::move(dialogs));
     else
         showPlot(std::move(dialogs));
 }
 
-void ResultPage::showImage() {
+void ResultPage::showImage(Dialogs dialogs) {
     const ResultEntry& entry = results_.front();
-    image_ = new ImageView(this);
+    image_ = new ImageView(this, std::move(dialogs));
     image_->setImage(entry.data.image, bandOf(entry));
     image_->setColorMap(entry.data.settings.text("display.colorMap"));
     layout()->addWidget(image_);

@@ -43,7 +43,7 @@ class ResultPage : public QWidget, public Exportable {
     void exportTo(const std::filesystem::path& file) const override;
 
   private:
-    void showImage();
+    void showImage(Dialogs dialogs);
     void showPlot(Dialogs dialogs);
     void drawQuantity();
 

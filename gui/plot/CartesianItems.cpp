@@ -55,7 +55,7 @@ void SampledCurve::drawSeries(QPainter* painter, const QwtScaleMap& xMap, const 
         painter->setPen(pen());
         painter->setBrush(Qt::NoBrush);
         for (const QPolygonF& part : clipped(thinned(line, column), area))
-            painter->drawPolyline(part);
+            drawLine(*painter, part);
     }
     painter->restore();
 }

@@ -134,6 +134,18 @@ std::vector<QPolygonF> clipped(const QPolygonF& line, const QRectF& area) {
     return parts;
 }
 
+void drawLine(QPainter& painter, const QPolygonF& line) {
+    constexpr qsizetype piece = 12;
+    if (finestColumn(painter) <= 0.0 || line.size() <= 2 * piece) {
+        painter.drawPolyline(line);
+        return;
+    }
+    // Pieces share a segment, so that corners between them are joined as all others are.
+    for (qsizetype from = 0; from + 1 < line.size(); from += piece - 2)
+        painter.drawPolyline(line.constData() + from,
+                             static_cast<int>(std::min(piece, line.size() - from)));
+}
+
 std::vector<SampleRun> runsOf(int count, const std::function<bool(int)>& drawable) {
     std::vector<SampleRun> runs;
     bool open = false;

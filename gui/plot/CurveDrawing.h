@@ -26,6 +26,10 @@ QPolygonF thinned(const QPolygonF& line, double columnWidth);
 /// The parts of a line inside a rectangle; ends lie on its border.
 std::vector<QPolygonF> clipped(const QPolygonF& line, const QRectF& area);
 
+/// Draws a line with the painter's pen. On a screen it is cut into short pieces that overlap: the
+/// time that one long restless line takes to fill grows faster than its length.
+void drawLine(QPainter& painter, const QPolygonF& line);
+
 /// Index ranges [first, last] of samples that can be drawn, without the gaps between them.
 struct SampleRun {
     int first = 0, last = 0;

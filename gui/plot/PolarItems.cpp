@@ -86,7 +86,7 @@ void GappedPolarCurve::draw(QPainter* painter, const QwtScaleMap& azimuthMap,
         painter->setPen(pen());
         painter->setBrush(Qt::NoBrush);
         for (const QPolygonF& part : clipped(rolled(line), area))
-            painter->drawPolyline(part);
+            drawLine(*painter, part);
     }
     painter->restore();
 }

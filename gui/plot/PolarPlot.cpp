@@ -269,6 +269,7 @@ void PolarPlot::setErrorBandsVisible(bool visible) {
 
 void PolarPlot::showWhole() {
     unzoom();
+    updateLayout(); // a zoomed circle takes the whole width, another one its own
     replot();
     emit viewChanged();
 }
@@ -294,6 +295,7 @@ void PolarPlot::undoZoom() {
     unzoom();
     if (last->factor < 1.0)
         zoom(last->middle, last->factor);
+    updateLayout();
     replot();
     emit viewChanged();
 }

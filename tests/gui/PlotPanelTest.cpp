@@ -100,9 +100,14 @@ class PlotPanelTest : public ::testing::Test {
 
 TEST_F(PlotPanelTest, BothPlotsZoomByTheSameMouseAndTakeItBack) {
     for (auto* panel : {cartesian.get(), polar.get()}) {
+        panel->action("crosshair")->trigger(); // it stays where the mouse is
         PlotSurface& surface = panel->surface();
         const QPointF middle(surface.sheet()->rect().center());
-        const auto picture = [&] { return surface.widget()->grab().toImage(); };
+        const auto picture = [&] {
+            QTest::qWait(5); // axes are laid out by an event
+            return surface.widget()->grab().toImage();
+        };
+        surface.widget()->setFocus();
         const QImage whole = picture();
         EXPECT_FALSE(panel->action("undoZoom")->isEnabled());
         drag(surface, Qt::LeftButton, middle - QPointF(60.0, 80.0), middle + QPointF(70.0, 50.0));

@@ -90,6 +90,7 @@ TEST_F(ResultsDockTest, RenamesInPlaceAndOnItsPage) {
     ASSERT_NE(editor, nullptr);
     editor->setText("cold morning");
     QTest::keyClick(editor, Qt::Key_Return);
+    QTest::qWait(30);
     EXPECT_EQ(workbench.results()[0].title, "cold morning");
     EXPECT_EQ(window->findChild<QTabWidget*>("tabs")->tabText(1), "cold morning");
     EXPECT_EQ(window->currentPage()->cartesianPlot()->data().curves[0].name, "cold morning");
