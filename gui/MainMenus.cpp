@@ -159,6 +159,9 @@ void MainWindow::makeToolsMenu(QMenu* menu) {
                 [this](QWidget* page, const QIcon& picture, const QString& title) {
                     addPage(page, picture, title);
                 });
+    addAction(menu, "monteCarlo", "montecarlo", tr("&Monte Carlo"), QKeySequence(), [this] {
+        addPage(new MonteCarloPage(workbench_, dialogs_), icon("montecarlo"), tr("Monte Carlo"));
+    });
     menu->addSeparator();
     ofProjectFile_.append(addAction(menu, "options", "options", tr("&Options…"),
                                     QKeySequence(Qt::Key_F9), [this] { showOptions(0); }));

@@ -1,0 +1,184 @@
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "gui/Theme.h"
+#include "gui/Workbench.h"
+#include "gui/tools/MonteCarloPage.h"
+
+namespace smat::gui {
+
+namespace {
+
+QSpinBox* wholeNumber(const QString& name, int least, int most, int value, QWidget* parent) {
+    auto* box = new QSpinBox(parent);
+    box->setObjectName(name);
+    box->setRange(least, most);
+    box->setValue(value);
+    box->setGroupSeparatorShown(true);
+    return box;
+}
+
+QComboBox* choice(const QString& name, const QList<std::pair<QString, QString>>& words,
+                  QWidget* parent) {
+    auto* box = new QComboBox(parent);
+    box->setObjectName(name);
+    for (const auto& [word, data] : words)
+        box->addItem(word, data);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(12);
+    return box;
+}
+
+} // namespace
+
+QWidget* MonteCarloPage::makeForm() {
+    auto* panel = new QWidget(this);
+    auto* column = new QVBoxLayout(panel);
+    column->setContentsMargins(10, 10, 10, 10);
+    const auto group = [&](const QString& title, void (MonteCarloPage::*fill)(QFormLayout*)) {
+        auto* box = new QGroupBox(title, panel);
+        auto* form = new QFormLayout(box);
+        form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+        (this->*fill)(form);
+        column->addWidget(box);
+    };
+    group(tr("What is repeated"), &MonteCarloPage::addWhat);
+    group(tr("Draws"), &MonteCarloPage::addWhen);
+    group(tr("Ranking"), &MonteCarloPage::addRanking);
+
+    auto* scalesBox = new QGroupBox(tr("Scales"), panel);
+    auto* scalesColumn = new QVBoxLayout(scalesBox);
+    scales_ = new QTreeWidget(scalesBox);
+    scales_->setObjectName("scales");
+    scales_->setHeaderLabels({tr("Scale"), tr("Distribution"), tr("Range")});
+    scales_->setRootIsDecorated(false);
+    scales_->setAlternatingRowColors(true);
+    scales_->setMinimumHeight(150);
+    scales_->header()->setStretchLastSection(false);
+    scales_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    scales_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    scales_->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+    scalesNote_ = new QLabel(scalesBox);
+    scalesNote_->setObjectName("scalesNote");
+    scalesNote_->setWordWrap(true);
+    write_ = new QPushButton(tr("Write scaling files"), scalesBox);
+    write_->setObjectName("writeScalingFiles");
+    write_->setToolTip(
+        tr("Writes both files beside the model with scales of 1, to be edited; files "
+           "that are there are not touched"));
+    scalesColumn->addWidget(scales_, 1);
+    scalesColumn->addWidget(scalesNote_);
+    scalesColumn->addWidget(write_);
+    column->addWidget(scalesBox, 1);
+
+    problem_ = new QLabel(panel);
+    problem_->setObjectName("problem");
+    problem_->setWordWrap(true);
+    problem_->hide();
+    column->addWidget(problem_);
+    auto* buttons = new QHBoxLayout;
+    run_ = new QPushButton(icon("check"), tr("Run"), panel);
+    run_->setObjectName("run");
+    run_->setDefault(true);
+    cancel_ = new QPushButton(icon("cancel"), tr("Cancel"), panel);
+    cancel_->setObjectName("cancel");
+    cancel_->setToolTip(tr("Stops and keeps the draws there are"));
+    buttons->addWidget(run_, 1);
+    buttons->addWidget(cancel_, 1);
+    column->addLayout(buttons);
+    progress_ = new QProgressBar(panel);
+    progress_->setObjectName("progress");
+    progress_->setRange(0, 1000);
+    progress_->setTextVisible(true);
+    column->addWidget(progress_);
+    column->addWidget(new QLabel(tr("The same from a terminal:"), panel));
+    command_ = new QLineEdit(panel);
+    command_->setObjectName("command");
+    command_->setReadOnly(true);
+    column->addWidget(command_);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(panel);
+    scroll->setMinimumWidth(330);
+    return scroll;
+}
+
+void MonteCarloPage::addWhat(QFormLayout* form) {
+    analysis_ = choice("analysis", {}, this);
+    analysis_->setToolTip(tr("The analysis that is done once for every draw of the scales"));
+    quantity_ = choice("quantity",
+                       {{tr("Contrast intensity"), "contrast_intensity"},
+                        {tr("Intensity"), "intensity"},
+                        {tr("Irradiance"), "irradiance"}},
+                       this);
+    percentiles_ = new QLineEdit("5, 25, 50, 75, 95", this);
+    percentiles_->setObjectName("percentiles");
+    percentiles_->setToolTip(tr("Bands of the plot, in %: ascending numbers from 0 to 100"));
+    phases_ = wholeNumber("phases", 1, 64, 4, this);
+    phases_->setToolTip(tr("Drawings of every case with the target at different places among the "
+                           "pixels: their spread is the error of the drawing itself. 1 for none."));
+    form->addRow(tr("Analysis"), analysis_);
+    form->addRow(tr("Quantity"), quantity_);
+    form->addRow(tr("Percentiles (%)"), percentiles_);
+    form->addRow(tr("Drawings of a case"), phases_);
+}
+
+void MonteCarloPage::addWhen(QFormLayout* form) {
+    samples_ = wholeNumber("samples", 2, 10'000'000, 1024, this);
+    samples_->setSingleStep(256);
+    sequence_ =
+        choice("sequence", {{tr("Sobol' sequence"), "sobol"}, {tr("Plain draws"), "plain"}}, this);
+    sequence_->setToolTip(tr("Sobol' points fill the space of the scales evenly and need far fewer "
+                             "draws; plain draws are independent"));
+    seed_ = wholeNumber("seed", 0, 2147483647, 1, this);
+    seed_->setToolTip(tr("The same seed gives the same draws on every machine"));
+    stops_ = new QCheckBox(tr("Stop at a standard error of"), this);
+    stops_->setObjectName("stops");
+    standardError_ = new QDoubleSpinBox(this);
+    standardError_->setObjectName("standardError");
+    standardError_->setRange(0.0001, 50.0);
+    standardError_->setDecimals(4);
+    standardError_->setValue(0.1);
+    standardError_->setSuffix(tr(" %"));
+    standardError_->setToolTip(tr("Of the largest magnitude of the statistic over the sweep"));
+    statistic_ = choice("statistic",
+                        {{tr("Mean"), "mean"},
+                         {tr("Standard deviation"), "standard-deviation"},
+                         {tr("5th percentile"), "p5"},
+                         {tr("Median"), "p50"},
+                         {tr("95th percentile"), "p95"}},
+                        this);
+    form->addRow(tr("Draws at most"), samples_);
+    form->addRow(tr("Sequence"), sequence_);
+    form->addRow(tr("Seed"), seed_);
+    form->addRow(tr("Standard error of"), statistic_);
+    form->addRow(stops_, standardError_);
+}
+
+void MonteCarloPage::addRanking(QFormLayout* form) {
+    ranks_ = new QCheckBox(tr("Rank the scales that matter"), this);
+    ranks_->setObjectName("ranks");
+    ranks_->setChecked(true);
+    ranks_->setToolTip(tr("First-order Sobol' indices over the whole sweep: the share of the "
+                          "variance that would go if the scale were known"));
+    pairs_ = wholeNumber("pairs", 64, 1'000'000, 1024, this);
+    pairs_->setSingleStep(256);
+    form->addRow(ranks_);
+    form->addRow(tr("Pairs of draws"), pairs_);
+}
+
+} // namespace smat::gui

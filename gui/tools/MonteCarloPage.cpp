@@ -1,0 +1,385 @@
+#include "gui/tools/MonteCarloPage.h"
+
+#include <algorithm>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QSplitter>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "gui/Workbench.h"
+#include "gui/plot/CartesianPlot.h"
+#include "gui/plot/PlotData.h"
+#include "gui/plot/PlotExport.h"
+#include "gui/tools/MonteCarloPlots.h"
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+
+namespace {
+
+QStringList sentencesOf(const irsg::InputError& error) {
+    QStringList sentences;
+    for (const irsg::Offence& offence : error.offences())
+        sentences << QString::fromStdString(offence.message());
+    return sentences;
+}
+
+} // namespace
+
+MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, ImageSourceFactory makeSource,
+                               QWidget* parent)
+    : QWidget(parent),
+      workbench_(workbench),
+      dialogs_(std::move(dialogs)),
+      makeSource_(std::move(makeSource)) {
+    setObjectName("monteCarloPage");
+    auto* columns = new QSplitter(Qt::Horizontal, this);
+    columns->addWidget(makeForm());
+    auto* right = new QWidget(columns);
+    auto* rightColumn = new QVBoxLayout(right);
+    rightColumn->setContentsMargins(0, 0, 0, 0);
+    plots_ = new MonteCarloPlots(right);
+    summary_ = new QLabel(right);
+    summary_->setObjectName("summary");
+    summary_->setWordWrap(true);
+    summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    summary_->setContentsMargins(12, 6, 12, 8);
+    summary_->hide();
+    rightColumn->addWidget(plots_, 1);
+    rightColumn->addWidget(summary_);
+    columns->addWidget(right);
+    columns->setStretchFactor(1, 1);
+    columns->setSizes({360, 900});
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(columns);
+
+    connect(run_, &QPushButton::clicked, this, &MonteCarloPage::run);
+    connect(cancel_, &QPushButton::clicked, this, &MonteCarloPage::cancel);
+    connect(write_, &QPushButton::clicked, this, &MonteCarloPage::writeScalingFiles);
+    for (QComboBox* box : {analysis_, quantity_, sequence_, statistic_})
+        connect(box, &QComboBox::currentIndexChanged, this, &MonteCarloPage::refresh);
+    for (QSpinBox* box : {samples_, seed_, phases_, pairs_})
+        connect(box, &QSpinBox::valueChanged, this, &MonteCarloPage::refresh);
+    for (QCheckBox* box : {stops_, ranks_})
+        connect(box, &QCheckBox::toggled, this, &MonteCarloPage::refresh);
+    connect(standardError_, &QDoubleSpinBox::valueChanged, this, &MonteCarloPage::refresh);
+    connect(percentiles_, &QLineEdit::textChanged, this, &MonteCarloPage::refresh);
+    const auto reload = [this] {
+        fillAnalyses();
+        fillScales();
+        refresh();
+    };
+    connect(&workbench_, &Workbench::projectOpened, this, reload);
+    connect(&workbench_, &Workbench::projectChanged, this, reload);
+    connect(&workbench_, &Workbench::settingsChanged, this, &MonteCarloPage::refresh);
+    clockTick_.setInterval(200);
+    connect(&clockTick_, &QTimer::timeout, this, [this] {
+        progress_->setFormat(QString("%1  %2 s")
+                                 .arg(doing_)
+                                 .arg(static_cast<double>(clock_.elapsed()) / 1000.0, 0, 'f', 1));
+    });
+    reload();
+}
+
+MonteCarloPage::~MonteCarloPage() {
+    thread_.request_stop();
+    if (thread_.joinable())
+        thread_.join();
+}
+
+void MonteCarloPage::fillAnalyses() {
+    const QSignalBlocker quiet(analysis_);
+    const QString kept = analysis_->currentData().toString();
+    analysis_->clear();
+    if (!workbench_.hasProject())
+        return;
+    for (const NamedAnalysis& one : workbench_.project().analyses)
+        if (one.kind != AnalysisKind::image)
+            analysis_->addItem(QString::fromStdString(one.name + " (" + name(one.kind) + ")"),
+                               "analysis:" + QString::fromStdString(one.name));
+    for (const AnalysisKind kind : allAnalysisKinds)
+        if (kind != AnalysisKind::image)
+            analysis_->addItem(
+                tr("%1, settings of the project").arg(QString::fromStdString(title(kind))),
+                "kind:" + QString::fromStdString(name(kind)));
+    analysis_->setCurrentIndex(std::max(analysis_->findData(kept), 0));
+}
+
+void MonteCarloPage::fillScales() {
+    scales_->clear();
+    if (!workbench_.hasProject()) {
+        scalesNote_->setText(tr("Open a project to see its scales."));
+        write_->setEnabled(false);
+        return;
+    }
+    bool anyMissing = false, anyFile = false;
+    QStringList notes;
+    for (const ProjectModel& one : workbench_.project().models) {
+        const std::filesystem::path model = workbench_.project().resolve(one.file);
+        anyFile = anyFile || irsg::hasScalingFiles(model);
+        for (const irsg::ScalingKind kind :
+             {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity})
+            anyMissing = anyMissing || !std::filesystem::exists(irsg::scalingFile(model, kind));
+        try {
+            const irsg::Scalings scalings = irsg::loadScalings(model);
+            for (const irsg::ScalingKind kind :
+                 {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity})
+                for (const auto& [index, entry] : scalings.of(kind)) {
+                    const irsg::Distribution& d = entry.distribution;
+                    const QString what = kind == irsg::ScalingKind::temperature
+                                             ? tr("temperature %1").arg(index)
+                                             : tr("emissivity %1").arg(index);
+                    auto* row = new QTreeWidgetItem(scales_);
+                    row->setText(0, what);
+                    row->setToolTip(0, QString::fromStdString(entry.documentation));
+                    row->setText(1, d.isFixed() ? tr("fixed")
+                                                : QString::fromUtf8(irsg::info(d.kind()).name));
+                    row->setText(2, d.isFixed() ? readableNumber(d.minimum())
+                                                : readableNumber(d.minimum()) + " – " +
+                                                      readableNumber(d.maximum()));
+                    row->setDisabled(d.isFixed());
+                }
+        } catch (const irsg::InputError& error) {
+            notes << sentencesOf(error);
+        }
+    }
+    if (!anyFile)
+        notes << tr("No scaling files lie beside the model yet.");
+    scalesNote_->setText(notes.join('\n'));
+    scalesNote_->setVisible(!notes.isEmpty());
+    write_->setEnabled(anyMissing);
+    write_->setVisible(anyMissing);
+}
+
+void MonteCarloPage::writeScalingFiles() {
+    try {
+        for (const ProjectModel& one : workbench_.project().models)
+            if (!one.database.empty())
+                irsg::createScalingFiles(
+                    workbench_.project().resolve(one.file),
+                    *scenes_.database(workbench_.project().resolve(one.database)));
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("Scaling files"), sentencesOf(error));
+    }
+    fillScales();
+    refresh();
+}
+
+MonteCarloData MonteCarloPage::asked() const {
+    MonteCarloData data;
+    const QString word = analysis_->currentData().toString();
+    const std::string after = word.section(':', 1).toStdString();
+    const Project project = workbench_.editedProject();
+    if (word.startsWith("analysis:"))
+        data.analysis = AnalysisData::of(project, after);
+    else if (const auto kind = analysisKindFromName(after))
+        data.analysis = AnalysisData::of(project, *kind);
+    else
+        throw irsg::InputError({"", tr("Analysis").toStdString(), "nothing", "an analysis"});
+    data.analysis.settings.set("scaling.seed", seed_->value());
+
+    MonteCarloOptions& options = data.options;
+    options.samples = static_cast<std::size_t>(samples_->value());
+    options.sequence =
+        sequence_->currentData().toString() == "plain" ? DrawSequence::plain : DrawSequence::sobol;
+    options.quantity = *monteCarloQuantity(quantity_->currentData().toString().toStdString());
+    options.statistic = *statisticFromName(statistic_->currentData().toString().toStdString());
+    if (stops_->isChecked())
+        options.standardError = standardError_->value() / 100.0;
+    options.phases = phases_->value();
+    options.ranking = ranks_->isChecked();
+    options.rankingPairs = static_cast<std::size_t>(pairs_->value());
+    options.percentiles.clear();
+    for (const QString& part : percentiles_->text().split(',', Qt::SkipEmptyParts)) {
+        const auto percent = irsg::parseNumber(part.trimmed().toStdString());
+        if (!percent)
+            throw irsg::InputError({"", tr("Percentiles").toStdString(),
+                                    part.trimmed().toStdString(), "numbers separated by commas"});
+        options.percentiles.push_back(*percent);
+    }
+    options.check();
+    return data;
+}
+
+void MonteCarloPage::refresh() {
+    standardError_->setEnabled(stops_->isChecked());
+    pairs_->setEnabled(ranks_->isChecked());
+    QStringList problems;
+    if (!workbench_.hasProject()) {
+        problems << tr("Open a project first.");
+    } else {
+        try {
+            asked();
+        } catch (const irsg::InputError& error) {
+            problems << sentencesOf(error);
+        }
+        if (scales_->topLevelItemCount() == 0)
+            problems << tr("There are no scales to draw.");
+    }
+    problem_->setText(problems.join('\n'));
+    problem_->setVisible(!problems.isEmpty());
+    run_->setEnabled(problems.isEmpty() && !running_);
+    cancel_->setEnabled(running_);
+    refreshCommand();
+}
+
+void MonteCarloPage::refreshCommand() {
+    if (!workbench_.hasProject()) {
+        command_->clear();
+        return;
+    }
+    const std::filesystem::path& file = workbench_.project().file;
+    QStringList words{"smat-batch montecarlo",
+                      file.empty() ? "PROJECT.smat"
+                                   : "'" + QString::fromStdString(file.string()) + "'"};
+    const QString analysis = analysis_->currentData().toString();
+    if (analysis.startsWith("analysis:"))
+        words << "--analysis '" + analysis.section(':', 1) + "'";
+    words << QString("--samples %1 --seed %2").arg(samples_->value()).arg(seed_->value())
+          << "--sequence " + sequence_->currentData().toString()
+          << "--quantity " + quantity_->currentData().toString()
+          << "--statistic " + statistic_->currentData().toString();
+    if (stops_->isChecked())
+        words << QString("--standard-error %1").arg(standardError_->value() / 100.0);
+    words << "--percentiles " + percentiles_->text().remove(' ')
+          << QString("--phases %1").arg(phases_->value());
+    if (ranks_->isChecked())
+        words << QString("--ranking --ranking-pairs %1").arg(pairs_->value());
+    command_->setText(words.join(' ') + " --out montecarlo.csv");
+    command_->setCursorPosition(0);
+    command_->setToolTip(command_->text());
+}
+
+void MonteCarloPage::run() {
+    if (running_)
+        return;
+    MonteCarloData data;
+    try {
+        data = asked();
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("Monte Carlo"), sentencesOf(error));
+        return;
+    }
+    if (thread_.joinable())
+        thread_.join();
+    running_ = true;
+    doing_ = tr("starting");
+    progress_->setValue(0);
+    clock_.start();
+    clockTick_.start();
+    refresh();
+    thread_ = std::jthread(
+        [this, data = std::move(data)](std::stop_token stop) { work(data, std::move(stop)); });
+}
+
+void MonteCarloPage::cancel() {
+    if (!running_)
+        return;
+    thread_.request_stop();
+    doing_ = tr("cancelling");
+    cancel_->setEnabled(false);
+}
+
+void MonteCarloPage::work(const MonteCarloData& asked, std::stop_token stop) {
+    auto data = std::make_shared<MonteCarloData>(asked);
+    QStringList sentences;
+    try {
+        if (!source_)
+            source_ = makeSource_();
+        MonteCarlo monteCarlo(*source_, [this](const Project& project, const Settings& settings) {
+            return scenes_.build(project, settings);
+        });
+        QElapsedTimer sinceSaid;
+        sinceSaid.start();
+        bool first = true;
+        monteCarlo.run(
+            *data,
+            [&](const Progress& now) {
+                // A draw takes microseconds: what is said to the window is what eyes can follow.
+                if (!first && sinceSaid.elapsed() < 50)
+                    return;
+                first = false;
+                sinceSaid.restart();
+                QMetaObject::invokeMethod(
+                    this, [this, now] { onProgress(now); }, Qt::QueuedConnection);
+            },
+            stop);
+    } catch (const irsg::InputError& error) {
+        sentences = sentencesOf(error);
+    } catch (const std::exception& error) {
+        sentences << tr("This is a fault of the program itself: %1")
+                         .arg(QString::fromLocal8Bit(error.what()));
+    }
+    QMetaObject::invokeMethod(
+        this, [this, data, sentences] { onEnd(data, sentences); }, Qt::QueuedConnection);
+}
+
+void MonteCarloPage::onProgress(const Progress& progress) {
+    if (!running_)
+        return;
+    progress_->setValue(static_cast<int>(1000.0 * progress.fraction()));
+    if (cancel_->isEnabled())
+        doing_ = QString::fromStdString(progress.what);
+}
+
+void MonteCarloPage::onEnd(std::shared_ptr<const MonteCarloData> data,
+                           const QStringList& sentences) {
+    running_ = false;
+    clockTick_.stop();
+    if (sentences.isEmpty()) {
+        progress_->setValue(1000);
+        progress_->setFormat(
+            tr("%1 draws in %2 s").arg(data->draws()).arg(data->analysis.elapsed_s, 0, 'f', 2));
+        plots_->setData(*data);
+        QStringList lines;
+        for (const SummaryItem& item : data->analysis.summary)
+            if (item.label.find("index of") == std::string::npos)
+                lines << QString("%1: %2 %3")
+                             .arg(QString::fromStdString(item.label), readableNumber(item.value),
+                                  QString::fromStdString(item.unit))
+                             .trimmed();
+        for (const std::string& warning : data->analysis.warnings)
+            lines << tr("note: %1").arg(QString::fromStdString(warning));
+        summary_->setText(lines.join(" · "));
+        summary_->show();
+    } else {
+        progress_->setValue(0);
+        progress_->setFormat(QString());
+    }
+    refresh();
+    if (!sentences.isEmpty())
+        dialogs_.tell(this, tr("Monte Carlo"), sentences);
+    emit ended();
+}
+
+QStringList MonteCarloPage::exportFilters() const {
+    if (plots_->data().values.empty())
+        return {};
+    return {tr("Bands as text, with the ranking beside them (*.csv)"),
+            tr("All inputs and values (*.json)"), tr("Bands as a scalable picture (*.svg)"),
+            tr("Bands as PDF (*.pdf)"), tr("Picture of all plots (*.png)")};
+}
+
+void MonteCarloPage::exportTo(const std::filesystem::path& file) const {
+    const std::string suffix = file.extension().string();
+    if (suffix == ".svg" || suffix == ".pdf")
+        exportPlot(*plots_->bands(), file);
+    else if (suffix == ".png") {
+        if (!plots_->grab().save(QString::fromStdString(file.string())))
+            throw irsg::InputError({file.string(), "", "a file that cannot be written",
+                                    "a place with leave to write"});
+    } else
+        saveMonteCarlo(plots_->data(), file);
+}
+
+} // namespace smat::gui

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+#include "gui/Dialogs.h"
+#include "gui/Exportable.h"
+#include "gui/analysis/AnalysisJob.h"
+#include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/project/SceneBuilder.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QTreeWidget;
+
+namespace smat::gui {
+
+class MonteCarloPlots;
+class Workbench;
+
+/// Tools, Monte Carlo: an analysis of the project repeated over its scaling files. Runs in a thread
+/// of its own; a cancel keeps the draws there are. Shows the command that does the same.
+class MonteCarloPage : public QWidget, public Exportable {
+    Q_OBJECT
+
+  public:
+    MonteCarloPage(Workbench& workbench, Dialogs dialogs,
+                   ImageSourceFactory makeSource = makeIrsgImageSource, QWidget* parent = nullptr);
+    ~MonteCarloPage() override;
+
+    bool isRunning() const { return running_; }
+    const MonteCarloPlots& plots() const { return *plots_; }
+    /// What the fields ask for; throws irsg::InputError for fields that say nothing usable.
+    MonteCarloData asked() const;
+
+    QStringList exportFilters() const override;
+    void exportTo(const std::filesystem::path& file) const override;
+
+  public slots:
+    void run();
+    void cancel();
+
+  signals:
+    /// After every run, whatever came of it.
+    void ended();
+
+  private:
+    QWidget* makeForm();
+    void addWhat(QFormLayout* form);
+    void addWhen(QFormLayout* form);
+    void addRanking(QFormLayout* form);
+    void fillAnalyses();
+    void fillScales();
+    void writeScalingFiles();
+    void refresh();
+    void refreshCommand();
+    void work(const MonteCarloData& asked, std::stop_token stop);
+    void onProgress(const Progress& progress);
+    void onEnd(std::shared_ptr<const MonteCarloData> data, const QStringList& sentences);
+
+    Workbench& workbench_;
+    Dialogs dialogs_;
+    ImageSourceFactory makeSource_;
+    std::unique_ptr<ImageSource> source_; ///< made by the first run, in its thread
+    SceneBuilder scenes_;
+
+    QComboBox *analysis_ = nullptr, *quantity_ = nullptr, *sequence_ = nullptr,
+              *statistic_ = nullptr;
+    QSpinBox *samples_ = nullptr, *seed_ = nullptr, *phases_ = nullptr, *pairs_ = nullptr;
+    QCheckBox *stops_ = nullptr, *ranks_ = nullptr;
+    QDoubleSpinBox* standardError_ = nullptr;
+    QLineEdit *percentiles_ = nullptr, *command_ = nullptr;
+    QTreeWidget* scales_ = nullptr;
+    QLabel *scalesNote_ = nullptr, *problem_ = nullptr, *summary_ = nullptr;
+    QPushButton *write_ = nullptr, *run_ = nullptr, *cancel_ = nullptr;
+    QProgressBar* progress_ = nullptr;
+    MonteCarloPlots* plots_ = nullptr;
+
+    bool running_ = false;
+    QTimer clockTick_;
+    QElapsedTimer clock_;
+    QString doing_;
+    std::jthread thread_; ///< last: stops before the rest goes
+};
+
+} // namespace smat::gui

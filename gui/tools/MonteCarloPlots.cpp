@@ -1,0 +1,265 @@
+#include "gui/tools/MonteCarloPlots.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include <QwtIntervalSymbol>
+#include <QwtPlotCanvas>
+#include <QwtPlotGrid>
+#include <QwtPlotHistogram>
+#include <QwtPlotIntervalCurve>
+#include <QwtPlotMarker>
+
+#include "gui/Theme.h"
+#include "gui/plot/CartesianPlot.h"
+#include "gui/plot/PlotLook.h"
+#include "gui/tools/RankingBars.h"
+#include "irsg/radiometry/Quantity.h"
+
+namespace smat::gui {
+
+namespace {
+
+/// "Contrast intensity (W·sr⁻¹)" of the quantity that was asked for.
+QString quantityTitle(const MonteCarloData& data) {
+    const ResultColumn column{data.analysis.table.provenance.value("quantity"), data.unit, {}};
+    return QString::fromStdString(column.axisTitle());
+}
+
+QString abscissaTitle(const MonteCarloData& data) {
+    const ResultColumn column{data.abscissaKey, data.abscissaUnit, {}};
+    return QString::fromStdString(column.axisTitle());
+}
+
+/// A cell of the table by its column, in the order of the abscissae.
+std::vector<double> columnOf(const MonteCarloData& data, const std::string& key) {
+    const ResultColumn* found = data.analysis.table.find(key);
+    return found == nullptr ? std::vector<double>{} : found->values;
+}
+
+/// A part of the plot between two columns.
+QwtPlotIntervalCurve* bandBetween(const std::vector<double>& x, const std::vector<double>& low,
+                                  const std::vector<double>& high, const QString& title,
+                                  QColor color, int alpha) {
+    QVector<QwtIntervalSample> samples;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        samples.append(QwtIntervalSample(x[i], low[i], high[i]));
+    auto* band = new QwtPlotIntervalCurve(title);
+    band->setSamples(samples);
+    band->setStyle(QwtPlotIntervalCurve::Tube);
+    band->setPen(Qt::NoPen);
+    color.setAlpha(alpha);
+    band->setBrush(color);
+    band->setZ(5.0);
+    band->setItemAttribute(QwtPlotItem::Legend, true);
+    return band;
+}
+
+} // namespace
+
+MonteCarloPlots::MonteCarloPlots(QWidget* parent) : QWidget(parent) {
+    setObjectName("monteCarloPlots");
+    columns_ = new QSplitter(Qt::Vertical, this);
+    below_ = new QSplitter(Qt::Horizontal, columns_);
+    histogramPart_ = new QWidget(below_);
+    histogramPart_->setAutoFillBackground(true);
+    auto* histogramColumn = new QVBoxLayout(histogramPart_);
+    histogramColumn->setContentsMargins(8, 0, 8, 8);
+    auto* placeRow = new QHBoxLayout;
+    place_ = new QSlider(Qt::Horizontal, histogramPart_);
+    place_->setObjectName("histogramPlace");
+    place_->setToolTip(tr("Where in the sweep the histogram is taken"));
+    placeText_ = new QLabel(histogramPart_);
+    placeText_->setObjectName("histogramPlaceText");
+    placeText_->setMinimumWidth(110);
+    placeRow->addWidget(place_, 1);
+    placeRow->addWidget(placeText_);
+    histogramColumn->addLayout(placeRow);
+    ranking_ = new RankingBars(below_);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(columns_);
+    connect(place_, &QSlider::valueChanged, this, [this] {
+        drawBands();
+        drawHistogram();
+    });
+    makePlots();
+}
+
+void MonteCarloPlots::makePlots() {
+    const PlotStyle style = PlotStyle::screen(palette());
+    delete bands_;
+    bands_ = new CartesianPlot(style, this);
+    bands_->setObjectName("monteCarloBands");
+    columns_->insertWidget(0, bands_);
+    columns_->setStretchFactor(0, 3);
+    columns_->setStretchFactor(1, 2);
+    delete histogram_;
+    histogram_ = new QwtPlot(histogramPart_);
+    histogram_->setObjectName("monteCarloHistogram");
+    auto* canvas = new QwtPlotCanvas(histogram_);
+    canvas->setFrameStyle(QFrame::NoFrame);
+    histogram_->setCanvas(canvas);
+    histogram_->setCanvasBackground(style.canvas);
+    dressPlot(*histogram_, style);
+    static_cast<QVBoxLayout*>(histogramPart_->layout())->insertWidget(0, histogram_, 1);
+    QPalette sheet = histogramPart_->palette();
+    sheet.setColor(QPalette::Window, style.background);
+    histogramPart_->setPalette(sheet);
+    drawBands();
+    drawHistogram();
+    drawRanking();
+}
+
+void MonteCarloPlots::setData(const MonteCarloData& data) {
+    data_ = data;
+    const bool hasPlaces = !data_.abscissae.empty();
+    {
+        const QSignalBlocker quiet(place_);
+        place_->setRange(0, std::max(static_cast<int>(data_.abscissae.size()) - 1, 0));
+        // Where the spread is largest.
+        std::size_t widest = 0;
+        double most = -1.0;
+        for (std::size_t k = 0; k < data_.values.size(); ++k)
+            if (const double sigma = standardDeviationOf(data_.values[k]); sigma > most) {
+                most = sigma;
+                widest = k;
+            }
+        place_->setValue(static_cast<int>(widest));
+    }
+    place_->setEnabled(hasPlaces && data_.abscissae.size() > 1);
+    drawBands();
+    drawHistogram();
+    drawRanking();
+}
+
+void MonteCarloPlots::showHistogramAt(int abscissa) {
+    place_->setValue(abscissa);
+}
+
+void MonteCarloPlots::drawBands() {
+    bands_->detachItems(QwtPlotItem::Rtti_PlotIntervalCurve, true);
+    bands_->detachItems(QwtPlotItem::Rtti_PlotMarker, true);
+    PlotData plot;
+    plot.title = tr("Spread over the scales");
+    if (data_.abscissae.empty()) {
+        bands_->setData(plot);
+        return;
+    }
+    plot.xTitle = abscissaTitle(data_);
+    plot.yTitle = quantityTitle(data_);
+    const std::vector<double>& x = data_.abscissae;
+    plot.curves.push_back({tr("nominal"), x, data_.nominal});
+    plot.curves.push_back({tr("mean"), x, columnOf(data_, "mean")});
+    // The outermost percentiles as lines, so that the axis holds them and a crosshair reads them.
+    std::vector<std::string> keys;
+    for (const double percent : data_.options.percentiles)
+        keys.push_back("p" + irsg::numberText(percent));
+    for (const std::string& key : keys)
+        plot.curves.push_back({QString::fromStdString(key), x, columnOf(data_, key)});
+    bands_->setData(std::move(plot));
+
+    const PlotStyle style = PlotStyle::screen(palette());
+    const int pairs = static_cast<int>(keys.size() / 2);
+    for (int i = 0; i < pairs; ++i) {
+        const std::string& low = keys[static_cast<std::size_t>(i)];
+        const std::string& high = keys[keys.size() - 1 - static_cast<std::size_t>(i)];
+        bandBetween(x, columnOf(data_, low), columnOf(data_, high),
+                    QString::fromStdString(low) + " – " + QString::fromStdString(high),
+                    style.curve(1), 40 + 120 * (i + 1) / std::max(pairs, 1) / 2)
+            ->attach(bands_);
+    }
+    auto* here = new QwtPlotMarker;
+    here->setLineStyle(QwtPlotMarker::VLine);
+    here->setLinePen(style.faintText, 1.0, Qt::DashLine);
+    here->setXValue(x[static_cast<std::size_t>(place_->value())]);
+    here->attach(bands_);
+    bands_->replot();
+}
+
+void MonteCarloPlots::drawHistogram() {
+    histogram_->detachItems(QwtPlotItem::Rtti_PlotItem, true);
+    const PlotStyle style = PlotStyle::screen(palette());
+    histogram_->setTitle(plotTitle(tr("Histogram"), style));
+    histogram_->setAxisTitle(QwtPlot::yLeft, axisText(tr("Draws"), style));
+    if (data_.values.empty()) {
+        placeText_->clear();
+        histogram_->replot();
+        return;
+    }
+    const auto k = static_cast<std::size_t>(place_->value());
+    placeText_->setText(QString::number(data_.abscissae[k], 'g', 6) + " " +
+                        QString::fromStdString(data_.abscissaUnit));
+    histogram_->setAxisTitle(QwtPlot::xBottom, axisText(quantityTitle(data_), style));
+    auto* grid = new QwtPlotGrid;
+    grid->setMajorPen(style.grid, 1.0);
+    grid->enableX(false);
+    grid->attach(histogram_);
+
+    const SampleHistogram counted = histogramOf(data_.values[k]);
+    QVector<QwtIntervalSample> samples;
+    double most = 1.0;
+    for (std::size_t bin = 0; bin < counted.counts.size(); ++bin) {
+        const double count = static_cast<double>(counted.counts[bin]);
+        const double from = counted.least + static_cast<double>(bin) * counted.width;
+        samples.append(QwtIntervalSample(count, from, from + counted.width));
+        most = std::max(most, count);
+    }
+    auto* bars = new QwtPlotHistogram;
+    bars->setStyle(QwtPlotHistogram::Columns);
+    QColor fill = style.curve(0);
+    bars->setPen(fill.darker(120), 1.0);
+    fill.setAlpha(150);
+    bars->setBrush(fill);
+    bars->setSamples(samples);
+    bars->attach(histogram_);
+    const double low = std::min(counted.least, data_.nominal[k]);
+    const double high =
+        std::max(counted.least + counted.width * static_cast<double>(counted.counts.size()),
+                 data_.nominal[k]);
+    const double pad = high > low ? 0.03 * (high - low) : std::max(std::abs(high), 1.0) * 0.1;
+    histogram_->setAxisScale(QwtPlot::xBottom, low - pad, high + pad);
+    histogram_->setAxisScale(QwtPlot::yLeft, 0.0, 1.12 * most);
+
+    const auto mark = [&](double at, const QString& text, const QColor& color, Qt::Alignment side) {
+        auto* line = new QwtPlotMarker;
+        line->setLineStyle(QwtPlotMarker::VLine);
+        line->setLinePen(color, 1.6);
+        QwtText label(text);
+        label.setColor(color);
+        label.setFont(plotFont(0.9));
+        line->setLabel(label);
+        line->setLabelAlignment(side | Qt::AlignTop);
+        line->setXValue(at);
+        line->attach(histogram_);
+    };
+    const double mean = meanOf(data_.values[k]);
+    const bool meanIsRight = mean >= data_.nominal[k];
+    mark(data_.nominal[k], tr("nominal"), style.text, meanIsRight ? Qt::AlignLeft : Qt::AlignRight);
+    mark(mean, tr("mean"), style.curve(1), meanIsRight ? Qt::AlignRight : Qt::AlignLeft);
+    histogram_->replot();
+}
+
+void MonteCarloPlots::drawRanking() {
+    std::vector<RankingBar> bars;
+    for (const RankedScaling& one : data_.ranking)
+        bars.push_back(
+            {QString::fromStdString(data_.scalings[one.scaling].name), one.firstOrder, one.total});
+    ranking_->setHint(data_.values.empty() ? tr("The scales that matter most are shown here.")
+                                           : tr("Ask for the ranking to see which scales matter."));
+    ranking_->setBars(std::move(bars));
+}
+
+void MonteCarloPlots::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && bands_ != nullptr)
+        makePlots();
+}
+
+} // namespace smat::gui

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QWidget>
+
+#include "smatcore/analysis/MonteCarlo.h"
+
+class QLabel;
+class QSlider;
+class QSplitter;
+class QwtPlot;
+
+namespace smat::gui {
+
+class CartesianPlot;
+class RankingBars;
+
+/// What a Monte Carlo analysis found: bands over the abscissa, the histogram at one abscissa, and
+/// the ranking of the scales.
+class MonteCarloPlots : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit MonteCarloPlots(QWidget* parent = nullptr);
+
+    void setData(const MonteCarloData& data);
+    const MonteCarloData& data() const { return data_; }
+    /// Chooses the abscissa of the histogram by its number.
+    void showHistogramAt(int abscissa);
+    const CartesianPlot* bands() const { return bands_; }
+
+  protected:
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void makePlots();
+    void drawBands();
+    void drawHistogram();
+    void drawRanking();
+
+    MonteCarloData data_;
+    QSplitter* columns_ = nullptr;
+    QSplitter* below_ = nullptr;
+    CartesianPlot* bands_ = nullptr;
+    QWidget* histogramPart_ = nullptr;
+    QwtPlot* histogram_ = nullptr;
+    QSlider* place_ = nullptr;
+    QLabel* placeText_ = nullptr;
+    RankingBars* ranking_ = nullptr;
+};
+
+} // namespace smat::gui

@@ -1,0 +1,200 @@
+#include "gui/tools/MonteCarloPage.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QTest>
+#include <QTreeWidget>
+#include <gtest/gtest.h>
+
+#include "gui/plot/CartesianPlot.h"
+#include "gui/tools/MonteCarloPlots.h"
+#include "gui/tools/RankingBars.h"
+#include "smatcore/project/ProjectFile.h"
+#include "tests/gui/WindowFixture.h"
+
+namespace smat::gui {
+namespace {
+
+using namespace test;
+
+/// A project of the sample aircraft with scaling files, in a folder of its own.
+class MonteCarloPageTest : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        const std::filesystem::path samples = std::filesystem::path(SMAT_SOURCE_DIR) / "samples";
+        Project project;
+        project.title = "Turboprop";
+        project.models = {{.file = "turboprop4.flt", .database = "turboprop4.sigdb"}};
+        for (const char* name : {"turboprop4.flt", "turboprop4.sigdb"})
+            std::filesystem::copy(samples / "turboprop4" / name, folder / name);
+        for (const auto kind : {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity})
+            std::filesystem::copy(
+                irsg::scalingFile(samples / "turboprop4" / "turboprop4.flt", kind),
+                irsg::scalingFile(folder / "turboprop4.flt", kind));
+        project.settings.set("sensor.fov", "4");
+        project.settings.set("state.power", "0.7");
+        project.settings.set("polar.step", "30");
+        project.settings.set("render.antialiasing", "3");
+        project.analyses = {{.name = "turn", .kind = AnalysisKind::polar},
+                            {.name = "picture", .kind = AnalysisKind::image}};
+        file = folder / "turboprop4.smat";
+        saveProject(project, file);
+    }
+    void makePage() {
+        workbench.open(file);
+        Dialogs dialogs;
+        dialogs.tell = [this](QWidget*, const QString&, const QStringList& sentences) {
+            told += sentences;
+        };
+        page = std::make_unique<MonteCarloPage>(workbench, dialogs);
+        page->resize(1280, 860);
+        page->show();
+        QTest::qWait(30);
+    }
+    template <typename Widget>
+    Widget* get(const char* name) {
+        auto* found = page->findChild<Widget*>(name);
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    void runToTheEnd() {
+        get<QPushButton>("run")->click();
+        ASSERT_TRUE(page->isRunning());
+        ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }, 120.0));
+        QTest::qWait(30);
+    }
+
+    std::filesystem::path folder = freshFolder("montecarlo");
+    std::filesystem::path file;
+    Workbench workbench;
+    QStringList told;
+    std::unique_ptr<MonteCarloPage> page;
+};
+
+} // namespace
+
+TEST_F(MonteCarloPageTest, showsBandsHistogramAndRankingOfTheSampleAircraft) {
+    makePage();
+    EXPECT_EQ(get<QComboBox>("analysis")->itemText(0), "turn (polar)");
+    EXPECT_EQ(get<QComboBox>("analysis")->findText("picture (image)"), -1);
+    EXPECT_EQ(get<QTreeWidget>("scales")->topLevelItemCount(), 15);
+    EXPECT_FALSE(get<QPushButton>("writeScalingFiles")->isVisible());
+    get<QSpinBox>("samples")->setValue(512);
+    get<QSpinBox>("pairs")->setValue(128);
+    get<QSpinBox>("phases")->setValue(2);
+    runToTheEnd();
+    ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    const MonteCarloData& data = page->plots().data();
+    EXPECT_EQ(data.draws(), 512u);
+    EXPECT_EQ(data.abscissae.size(), 12u);
+    // Nominal, mean and five percentiles; four scales are fixed or have no effect.
+    EXPECT_EQ(page->plots().bands()->data().curves.size(), 7u);
+    EXPECT_EQ(get<RankingBars>("rankingBars")->bars().size(), 11u);
+    EXPECT_TRUE(get<QLabel>("summary")->text().contains("Draws: 512"));
+    get<QSlider>("histogramPlace")->setValue(3);
+    EXPECT_EQ(get<QLabel>("histogramPlaceText")->text(), "90 deg");
+
+    applyTheme(*qApp, ThemeMode::light);
+    QTest::qWait(50);
+    keepScreenshot(*page, "montecarlo-light");
+    applyTheme(*qApp, ThemeMode::dark);
+    QTest::qWait(50);
+    keepScreenshot(*page, "montecarlo-dark");
+    applyTheme(*qApp, ThemeMode::light);
+    EXPECT_EQ(page->plots().bands()->data().curves.size(), 7u);
+
+    for (const char* name : {"mc.csv", "mc-ranking.csv", "mc.json", "mc.svg", "mc.pdf", "mc.png"}) {
+        if (std::string(name) != "mc-ranking.csv")
+            page->exportTo(folder / name);
+        EXPECT_GT(std::filesystem::file_size(folder / name), 100u) << name;
+    }
+}
+
+TEST_F(MonteCarloPageTest, saysTheCommandThatDoesTheSame) {
+    makePage();
+    get<QSpinBox>("samples")->setValue(2048);
+    get<QSpinBox>("seed")->setValue(7);
+    get<QCheckBox>("stops")->setChecked(true);
+    get<QComboBox>("sequence")->setCurrentIndex(1);
+    const QString command = get<QLineEdit>("command")->text();
+    for (const char* part :
+         {"smat-batch montecarlo '", "--analysis 'turn'", "--samples 2048 --seed 7",
+          "--sequence plain", "--standard-error 0.001", "--ranking"})
+        EXPECT_TRUE(command.contains(part)) << part << " in " << command.toStdString();
+}
+
+TEST_F(MonteCarloPageTest, refusesFieldsThatSayNothingUsable) {
+    makePage();
+    EXPECT_TRUE(get<QPushButton>("run")->isEnabled());
+    for (const char* wrong : {"5, x", "50, 5", "5, 500"}) {
+        get<QLineEdit>("percentiles")->setText(wrong);
+        EXPECT_FALSE(get<QPushButton>("run")->isEnabled()) << wrong;
+        EXPECT_TRUE(get<QLabel>("problem")->isVisible()) << wrong;
+    }
+    get<QLineEdit>("percentiles")->setText("10, 90");
+    EXPECT_TRUE(get<QPushButton>("run")->isEnabled());
+    EXPECT_FALSE(get<QLabel>("problem")->isVisible());
+}
+
+TEST_F(MonteCarloPageTest, writesTheScalingFilesWhereThereAreNone) {
+    for (const auto kind : {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity})
+        std::filesystem::remove(irsg::scalingFile(folder / "turboprop4.flt", kind));
+    makePage();
+    EXPECT_FALSE(get<QPushButton>("run")->isEnabled());
+    EXPECT_TRUE(get<QPushButton>("writeScalingFiles")->isVisible());
+    get<QPushButton>("writeScalingFiles")->click();
+    EXPECT_TRUE(irsg::hasScalingFiles(folder / "turboprop4.flt"));
+    EXPECT_GE(get<QTreeWidget>("scales")->topLevelItemCount(), 14);
+    // All of them are 1 still: the run says so.
+    runToTheEnd();
+    EXPECT_TRUE(told.join(' ').contains("no scale that varies")) << told.join('\n').toStdString();
+    keepScreenshot(*page, "montecarlo-empty");
+}
+
+TEST_F(MonteCarloPageTest, keepsTheDrawsOfARunThatIsCancelled) {
+    makePage();
+    get<QSpinBox>("samples")->setValue(2'000'000);
+    get<QSpinBox>("phases")->setValue(1);
+    get<QPushButton>("run")->click();
+    EXPECT_FALSE(get<QPushButton>("run")->isEnabled());
+    QTest::qWait(300);
+    QElapsedTimer clock;
+    clock.start();
+    get<QPushButton>("cancel")->click();
+    EXPECT_FALSE(get<QPushButton>("cancel")->isEnabled());
+    ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }, 60.0));
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    EXPECT_GE(page->plots().data().draws(), 256u);
+    EXPECT_EQ(page->plots().data().analysis.state, AnalysisState::partial);
+    EXPECT_TRUE(get<QPushButton>("run")->isEnabled());
+}
+
+TEST_F(MonteCarloPageTest, endsItsThreadWithThePage) {
+    makePage();
+    get<QSpinBox>("samples")->setValue(2'000'000);
+    get<QPushButton>("run")->click();
+    QTest::qWait(50);
+    page.reset();
+    QTest::qWait(20);
+}
+
+class MonteCarloMenu : public WindowFixture {};
+
+TEST_F(MonteCarloMenu, opensThePageAsATab) {
+    openSample();
+    auto* action = window->findChild<QAction*>("monteCarlo");
+    ASSERT_NE(action, nullptr);
+    action->trigger();
+    QTest::qWait(30);
+    EXPECT_NE(window->findChild<MonteCarloPage*>(), nullptr);
+}
+
+} // namespace smat::gui
