@@ -50,9 +50,9 @@ QString plain(QString text) {
     return text.remove('&').remove(QStringLiteral("…"));
 }
 
-QString keyRows(const QMenu* menu) {
+QString keyRows(const QList<QAction*>& actions) {
     QString rows;
-    for (const auto* action : menu->actions()) {
+    for (const auto* action : actions) {
         QStringList keys;
         for (const auto& sequence : action->shortcuts())
             keys << sequence.toString(QKeySequence::NativeText);
@@ -61,7 +61,7 @@ QString keyRows(const QMenu* menu) {
                                  ? action->property("listedAs").toString()
                                  : plain(action->text());
         if (action->menu() != nullptr)
-            rows += keyRows(action->menu());
+            rows += keyRows(action->menu()->actions());
         else if (!keys.isEmpty())
             rows += row(keys.join(QStringLiteral(" / ")), text.toHtmlEscaped());
     }
@@ -93,16 +93,19 @@ AboutDialog::AboutDialog(const QString& viewRenderer, const QString& sceneRender
     lay(*this, label);
 }
 
-ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, QWidget* parent) : QDialog(parent) {
+ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, const QList<QAction*>& ofResults,
+                                 QWidget* parent)
+    : QDialog(parent) {
     setObjectName("shortcutsDialog");
     setWindowTitle(tr("Keys and mouse"));
     // The keys of each menu, from its actions, so that the list is never wrong.
     QString keys;
     for (const auto* menu : menus.actions()) {
-        const QString rows = keyRows(menu->menu());
+        const QString rows = keyRows(menu->menu()->actions());
         if (!rows.isEmpty())
             keys += heading(plain(menu->text())) + rows;
     }
+    keys += heading(tr("Results")) + keyRows(ofResults);
     const QString mouse =
         heading(tr("Running analysis")) + row("Esc", tr("Cancel it, keeping what is done")) +
         heading(tr("3-D view")) +

@@ -2,6 +2,7 @@
 
 #include <QDialog>
 
+class QAction;
 class QMenuBar;
 
 namespace smat::gui {
@@ -15,12 +16,14 @@ class AboutDialog : public QDialog {
                 QWidget* parent = nullptr);
 };
 
-/// Every key and mouse action of the windows: keys as the actions of a menu bar have them.
+/// Every key and mouse action of the windows: keys as the actions of a menu bar and of the results
+/// have them.
 class ShortcutsDialog : public QDialog {
     Q_OBJECT
 
   public:
-    explicit ShortcutsDialog(const QMenuBar& menus, QWidget* parent = nullptr);
+    ShortcutsDialog(const QMenuBar& menus, const QList<QAction*>& ofResults,
+                    QWidget* parent = nullptr);
 };
 
 } // namespace smat::gui

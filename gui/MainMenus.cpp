@@ -7,9 +7,11 @@
 #include "gui/HelpDialogs.h"
 #include "gui/MainWindow.h"
 #include "gui/Theme.h"
+#include "gui/analysis/ResultsDock.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/tools/AirTools.h"
+#include "gui/tools/MonteCarloPage.h"
 #include "gui/view/ModelPage.h"
 #include "gui/view/SceneView.h"
 
@@ -68,7 +70,7 @@ void MainWindow::makeFileMenu(QMenu* menu) {
     menu->addSeparator();
     addAction(menu, "openDatabase", "database", tr("Open &database…"), {},
               [this] { databaseDock_->openDatabase(); });
-    addAction(menu, "saveDatabase", {}, tr("Save da&tabase"),
+    addAction(menu, "saveDatabase", {}, tr("Save data&base"),
               QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { databaseDock_->save(); });
     addAction(menu, "saveDatabaseAs", {}, tr("Save database as…"), {},
               [this] { databaseDock_->saveAs(); });
@@ -169,7 +171,7 @@ void MainWindow::makeToolsMenu(QMenu* menu) {
 
 void MainWindow::makeHelpMenu(QMenu* menu) {
     auto* keys = addAction(menu, "showShortcuts", "keyboard", tr("&Keys and mouse"), {}, [this] {
-        ShortcutsDialog dialog(*menuBar(), this);
+        ShortcutsDialog dialog(*menuBar(), results_->commands(), this);
         dialogs_.run(dialog);
     });
     keys->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)});

@@ -130,7 +130,7 @@ void ResultsDock::makeActions() {
         QKeySequence(Qt::CTRL | Qt::Key_L), &ResultsDock::overlay);
     add("subtractResults", "difference", tr("Difference"),
         tr("Subtract the second of two selected results from the first"),
-        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), &ResultsDock::subtract);
+        QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_D), &ResultsDock::subtract);
     line();
     add("rerunResult", "rerun", tr("Run again"), tr("Run the same analysis again"),
         QKeySequence(Qt::Key_F5), &ResultsDock::runAgain);
@@ -141,7 +141,7 @@ void ResultsDock::makeActions() {
         QKeySequence(Qt::Key_F2), &ResultsDock::rename);
     add("showCommandLine", "terminal", tr("Show command line…"),
         tr("The command line that makes this result, and all that is known of it"),
-        QKeySequence(Qt::CTRL | Qt::Key_I), &ResultsDock::showDetails);
+        QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_I), &ResultsDock::showDetails);
     line();
     add("openResult", "open", tr("Open saved result…"),
         tr("Open a saved result (.csv, .json, .exr) as a result again"), QKeySequence(),
@@ -151,6 +151,10 @@ void ResultsDock::makeActions() {
     line();
     add("removeResult", "remove", tr("Remove"), tr("Take the selected results off the list"),
         QKeySequence(Qt::Key_Delete), &ResultsDock::removeSelected);
+}
+
+QList<QAction*> ResultsDock::commands() const {
+    return list_->actions();
 }
 
 QWidget* ResultsDock::makeButtons() {

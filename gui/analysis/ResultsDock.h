@@ -26,6 +26,8 @@ class ResultsDock : public QDockWidget {
     ResultsDock(Workbench& workbench, Dialogs dialogs, QWidget* parent = nullptr);
 
     QList<int> selectedResults() const;
+    /// What can be done with them, with their keys.
+    QList<QAction*> commands() const;
     /// Opens a result file (.csv, .json, .exr) as a result again; what is wrong is told.
     bool openResult(const std::filesystem::path& file);
 

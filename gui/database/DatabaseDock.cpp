@@ -20,6 +20,7 @@
 #include "gui/database/TemperaturePanel.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/Model.h"
+#include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SpectrumCsv.h"
 
 namespace smat::gui {
@@ -279,6 +280,19 @@ void DatabaseDock::save() {
         return;
     }
     attempt(tr("This database cannot be saved"), [&] { session.save(); });
+    if (!session.isDirty())
+        createScalings();
+}
+
+void DatabaseDock::createScalings() {
+    // Each only where it is not there: what somebody wrote is never touched.
+    const auto& models = context_.workbench().project().models;
+    if (models.empty())
+        return;
+    attempt(tr("The scaling files cannot be written"), [&] {
+        const auto& project = context_.workbench().project();
+        irsg::createScalingFiles(project.resolve(models.front().file), context_.session().value());
+    });
 }
 
 void DatabaseDock::saveAs() {

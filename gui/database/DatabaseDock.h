@@ -66,6 +66,8 @@ class DatabaseDock : public QDockWidget {
     void addPage(EntryKind kind, EntryPanel* panel, const QString& title, const QString& icon);
     QWidget* makeHeader();
     void refresh();
+    /// The two scaling files beside the model, where they are not there.
+    void createScalings();
     void attempt(const QString& title, const std::function<void()>& act);
     void takeEntries(irsg::SignatureDatabase source, const QString& title, const QString& step);
 

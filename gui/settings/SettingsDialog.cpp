@@ -21,7 +21,7 @@ std::vector<SettingsPage> SettingsDialog::optionPages() {
         {tr("Antialiasing"),
          "image",
          {"render.antialiasing", "render.supersampling", "render.zoom", "render.pointSource",
-          "render.layers"}},
+          "render.hotParts", "render.layers"}},
         {tr("Background"),
          "range",
          {"render.backgroundRows", "render.backgroundColumns", "render.sunDisc"}},
@@ -33,7 +33,8 @@ std::vector<SettingsPage> SettingsDialog::optionPages() {
          {"environment.terrain", "environment.terrainSlope", "environment.terrainOffset",
           "environment.terrainEast", "environment.terrainNorth", "environment.terrainAltitude",
           "render.terrainHides"}},
-        {tr("Atmosphere"), "air", {"environment.atmospheres", "environment.ambientTemperature"}}};
+        {tr("Atmosphere"), "air", {"environment.atmospheres", "environment.ambientTemperature"}},
+        {tr("Scalings"), "montecarlo", {"scaling.use", "scaling.seed"}}};
 }
 
 std::vector<SettingsPage> SettingsDialog::analysisPages() {

@@ -59,8 +59,8 @@ TEST(ResultTable, AValueThatIsNotThereIsNan) {
 
 TEST(ResultTable, ColumnsKnowTheirAxisTitle) {
     EXPECT_EQ(someTable().columns()[1].axisTitle(), "Contrast intensity (W·sr⁻¹)");
-    const ResultColumn foreign{"error_total", "W", {}};
-    EXPECT_EQ(foreign.axisTitle(), "error_total (W)");
+    EXPECT_EQ((ResultColumn{"total_power", "W", {}}.axisTitle()), "total_power (W)");
+    EXPECT_EQ((ResultColumn{"error_total", "W", {}}.axisTitle()), "Error of total (W)");
 }
 
 TEST(ResultTable, ARowOfAnotherLengthIsOurOwnFault) {

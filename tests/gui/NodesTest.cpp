@@ -133,7 +133,8 @@ TEST_F(NodeEditorTest, TypingChecksTheAxisBeforeItIsTaken) {
     QTest::keyClicks(cell, "4,2");
     EXPECT_EQ(problem, "");
     QTest::keyClick(cell, Qt::Key_Return);
-    EXPECT_EQ(words, QStringList{"at 4.2 um"});
+    QTest::qWait(10); // a cell is taken after its key was handled
+    ASSERT_EQ(words, QStringList{"at 4.2 um"});
     EXPECT_EQ(taken[1], (Node{4.2, 0.6}));
 }
 

@@ -272,13 +272,13 @@ TEST_F(ProjectFilesTest, TakesWhatIsDropped) {
     drop(sample("ship.flt"));
     EXPECT_TRUE(workbench.project().file.empty());
     QStringList opened;
-    window->openWith({"exr", "csv"}, [&](const std::filesystem::path& path) {
+    window->openWith({"ir1", "ir2"}, [&](const std::filesystem::path& path) {
         opened << QString::fromStdString(path.filename().string());
         return true;
     });
-    drop(folder / "a.exr");
-    drop(folder / "b.CSV");
-    EXPECT_EQ(opened, (QStringList{"a.exr", "b.CSV"}));
+    drop(folder / "a.ir1");
+    drop(folder / "b.IR2");
+    EXPECT_EQ(opened, (QStringList{"a.ir1", "b.IR2"}));
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     drop(folder / "notes.xyz");
     EXPECT_EQ(told.size(), 1);

@@ -118,7 +118,7 @@ TEST_F(SceneTreeTest, MarksFilesThatAreMissingAndTakesOthers) {
     EXPECT_TRUE(window->tree().index().front().modelProblem.isEmpty());
     EXPECT_FALSE(window->tree().index().front().hasMissing());
     EXPECT_EQ(workbench.undoStack().count(), 2);
-    EXPECT_EQ(workbench.undoStack().undoText(), "Take database ship.sigdb");
+    EXPECT_EQ(workbench.undoStack().undoText(), "Use database ship.sigdb");
 }
 
 TEST_F(SceneTreeTest, FollowsADatabaseThatIsEdited) {

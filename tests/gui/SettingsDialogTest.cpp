@@ -200,6 +200,9 @@ TEST_F(SettingsDialogTest, TheListOfKeysIsThatOfTheActions) {
         for (const auto& keys : action->shortcuts()) {
             const QString name = keys.toString(QKeySequence::NativeText);
             EXPECT_TRUE(text.contains(name)) << name.toStdString();
+            // A key of one widget alone may be another's, too.
+            if (action->shortcutContext() == Qt::WidgetShortcut)
+                continue;
             EXPECT_FALSE(seen.contains(name)) << name.toStdString() << " does two things";
             seen << name;
         }
