@@ -76,7 +76,8 @@ void FindingsPanel::look() {
         emit countsChanged();
         return;
     }
-    irsg::LintScope scope{.band = context_.band()};
+    irsg::LintScope scope;
+    scope.bands.push_back(context_.band());
     if (context_.knowsModel())
         scope.models.push_back(context_.modelUse());
     for (const auto& finding : irsg::lint(context_.session().value(), scope)) {

@@ -53,7 +53,7 @@ QwtPlotIntervalCurve* bandBetween(const std::vector<double>& x, const std::vecto
     auto* band = new QwtPlotIntervalCurve(title);
     band->setSamples(samples);
     band->setStyle(QwtPlotIntervalCurve::Tube);
-    band->setPen(Qt::NoPen);
+    band->setPen(QPen(Qt::NoPen));
     color.setAlpha(alpha);
     band->setBrush(color);
     band->setZ(5.0);

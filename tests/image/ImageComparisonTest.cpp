@@ -342,12 +342,15 @@ TEST(ComparisonFigures, SayEverythingAndTheDifferenceImageKeepsIt) {
     std::string keys;
     for (const ComparisonFigure& figure : comparisonFigures(compared, options)) {
         keys += figure.key + " ";
-        if (figure.key == "max_error")
+        if (figure.key == "max_error") {
             EXPECT_THAT(figure.detail, HasSubstr("at (1, 2), A 2.81, B 1.81")) << figure.detail;
-        if (figure.key == "psnr")
+        }
+        if (figure.key == "psnr") {
             EXPECT_THAT(figure.detail, HasSubstr("peak 12.99"));
-        if (figure.key == "rel_mse")
+        }
+        if (figure.key == "rel_mse") {
             EXPECT_THAT(figure.detail, HasSubstr("epsilon "));
+        }
     }
     for (const char* key :
          {"mean_error", "mean_absolute_error", "rms_error", "psnr", "rel_mse", "max_relative_error",
