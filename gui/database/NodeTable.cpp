@@ -261,8 +261,11 @@ void NodeTable::insertRow() {
     // Halfway to the row before, or as far before the first as the second is behind it.
     Node between = nodes[row];
     if (row > 0) {
-        between = {(nodes[row - 1].x + nodes[row].x) / 2.0,
-                   (nodes[row - 1].y + nodes[row].y) / 2.0};
+        // In twelve digits, so that 0.6 and 0.7 give 0.65 and not 0.6499999999999999.
+        const auto middle = [](double a, double b) {
+            return QString::number((a + b) / 2.0, 'g', 12).toDouble();
+        };
+        between = {middle(nodes[row - 1].x, nodes[row].x), middle(nodes[row - 1].y, nodes[row].y)};
     } else {
         between.x -= nodes.size() > 1 ? nodes[1].x - nodes[0].x : model_.rules().xStep;
         if (!model_.rules().problemOfX(between.x).isEmpty())

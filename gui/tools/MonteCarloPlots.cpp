@@ -258,8 +258,10 @@ void MonteCarloPlots::drawRanking() {
 
 void MonteCarloPlots::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
+    // Later: Qt still goes through the widgets that are there, and new plots take their place.
     if (event->type() == QEvent::PaletteChange && bands_ != nullptr)
-        makePlots();
+        QMetaObject::invokeMethod(
+            this, [this] { makePlots(); }, Qt::QueuedConnection);
 }
 
 } // namespace smat::gui

@@ -32,7 +32,8 @@ class MonteCarloPageTest : public ::testing::Test {
         const std::filesystem::path samples = std::filesystem::path(SMAT_SOURCE_DIR) / "samples";
         Project project;
         project.title = "Turboprop";
-        project.models = {{.file = "turboprop4.flt", .database = "turboprop4.sigdb"}};
+        project.models = {
+            {.file = folder / "turboprop4.flt", .database = folder / "turboprop4.sigdb"}};
         for (const char* name : {"turboprop4.flt", "turboprop4.sigdb"})
             std::filesystem::copy(samples / "turboprop4" / name, folder / name);
         for (const auto kind : {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity})

@@ -4,7 +4,9 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
@@ -178,6 +180,7 @@ TEST_F(SettingsDialogTest, PreferencesAreKeptInAReadableFile) {
 }
 
 TEST_F(SettingsDialogTest, WrongPreferencesAreNamedAndReplacedByDefaults) {
+    QDir().mkpath(QFileInfo(Preferences::file()).path());
     QFile file(Preferences::file());
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write("[General]\ntheme=pink\ncolorMap=plaid\nrecoveryDelay_s=soon\n");
