@@ -3,10 +3,12 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTabWidget>
 #include <QTimer>
@@ -70,6 +72,7 @@ QStringList Photographer::photograph() {
         return told_;
     settle();
     keep(window_, "window");
+    keepDatabase();
 
     for (QAction* action : window_.menuBar()->actions())
         if (action->menu() != nullptr)
@@ -115,6 +118,7 @@ void Photographer::trigger(QAction& action) {
     const QWidget* shown = tabs->currentWidget();
     action.trigger();
     settle();
+    fill(tabs->currentWidget());
     if (tabs->count() != before || tabs->currentWidget() != shown)
         keep(window_, current_ + "-page");
     for (QWidget* other : QApplication::topLevelWidgets())
@@ -123,6 +127,45 @@ void Photographer::trigger(QAction& action) {
             keep(*other, current_ + "-window");
             other->close();
         }
+}
+
+void Photographer::fill(QWidget* page) {
+    // A comparison gets its images; a tool is told to do its work.
+    if (current_ == "compareImages" && images_.size() == 2) {
+        window_.compareImages(images_);
+        settle();
+    }
+    for (const char* name : {"compute"})
+        if (auto* button = page->findChild<QPushButton*>(name);
+            button != nullptr && button->isEnabled()) {
+            button->click();
+            constexpr int longest_ms = 30000, step_ms = 200;
+            wait_ms(step_ms);
+            for (int waited_ms = 0; !button->isEnabled() && waited_ms < longest_ms;
+                 waited_ms += step_ms)
+                wait_ms(step_ms);
+            settle();
+        }
+}
+
+void Photographer::keepDatabase() {
+    auto* dock = window_.findChild<QDockWidget*>("databaseDock");
+    if (dock == nullptr)
+        return;
+    dock->show();
+    dock->raise();
+    settle();
+    for (auto* tabs : dock->findChildren<QTabWidget*>())
+        for (int i = 0; i < tabs->count(); ++i) {
+            if (!tabs->isVisible() || !tabs->isTabVisible(i))
+                continue;
+            tabs->setCurrentIndex(i);
+            settle();
+            const QString title = QString(tabs->tabText(i)).remove('&').section(' ', 0, 0);
+            keep(window_, "database-" + title.toLower());
+        }
+    if (auto* results = window_.findChild<QDockWidget*>("resultsDock"))
+        results->raise();
 }
 
 void Photographer::showAs(QAction& action) {

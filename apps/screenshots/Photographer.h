@@ -30,6 +30,10 @@ class Photographer {
     void goThrough(QMenu& menu);
     void trigger(QAction& action);
     void showAs(QAction& action);
+    /// Gives a page that was just opened something to show.
+    void fill(QWidget* page);
+    /// Every tab of the editor of signature databases.
+    void keepDatabase();
     /// Lets a job end and the window be painted.
     void settle();
 

@@ -78,6 +78,7 @@ TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
           std::pair("spectrum.resolution", "200")})
         tiny.set(key, text);
     workbench.set(tiny);
+    workbench.save(); // else a recovery copy is made on the way, with a lock of its own
     const auto runOne = [&](int number) {
         const AnalysisKind kind = allAnalysisKinds[number % 5];
         workbench.start(AnalysisData::of(workbench.project(), kind, workbench.settings()));
