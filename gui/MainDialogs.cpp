@@ -3,6 +3,7 @@
 
 #include "gui/HelpDialogs.h"
 #include "gui/MainWindow.h"
+#include "gui/Sentences.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/project/ConvertModelDialog.h"
 #include "gui/project/NamedAnalyses.h"

@@ -2,6 +2,7 @@
 #include <QTabWidget>
 
 #include "gui/MainWindow.h"
+#include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageView.h"
@@ -89,10 +90,7 @@ void MainWindow::openImages(const QStringList& files) {
             try {
                 std::rethrow_exception(thrown);
             } catch (const irsg::InputError& error) {
-                QStringList sentences;
-                for (const auto& offence : error.offences())
-                    sentences << QString::fromStdString(offence.message());
-                dialogs_.tell(this, tr("This image cannot be read"), sentences);
+                dialogs_.tell(this, tr("This image cannot be read"), sentencesOf(error));
             }
         });
 }

@@ -13,6 +13,7 @@
 
 #include "gui/Exportable.h"
 #include "gui/ManipulatorsDock.h"
+#include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"

@@ -4,6 +4,7 @@
 
 #include <QSettings>
 
+#include "gui/Sentences.h"
 #include "gui/image/ImageView.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SignatureFile.h"
@@ -298,8 +299,7 @@ void Workbench::followDatabase(bool anew) {
     try {
         database_->open(file);
     } catch (const irsg::InputError& error) {
-        for (const auto& offence : error.offences())
-            databaseProblem_ << QString::fromStdString(offence.message());
+        databaseProblem_ << sentencesOf(error);
         try {
             changedOutside_ =
                 !irsg::loadSignatureFile(file, irsg::OutsideChanges::accept).changedOutside.empty();

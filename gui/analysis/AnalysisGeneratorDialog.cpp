@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/project/SceneBuilder.h"
@@ -145,8 +146,7 @@ QStringList AnalysisGeneratorDialog::problems() const {
         try {
             work();
         } catch (const irsg::InputError& error) {
-            for (const auto& offence : error.offences())
-                list << QString::fromStdString(offence.message());
+            list << sentencesOf(error);
         }
     };
     const AnalysisData asked = data();

@@ -4,6 +4,7 @@
 
 #include <QTimer>
 
+#include "gui/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 
@@ -87,8 +88,7 @@ void AnalysisJob::work(std::stop_token stop) {
             },
             stop);
     } catch (const irsg::InputError& error) {
-        for (const auto& offence : error.offences())
-            outcome.sentences << QString::fromStdString(offence.message());
+        outcome.sentences << sentencesOf(error);
     } catch (const std::exception& error) {
         outcome.ourFault = true;
         outcome.sentences << QString::fromLocal8Bit(error.what());

@@ -2,6 +2,7 @@
 
 #include <QTabWidget>
 
+#include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/FloatingPages.h"
@@ -53,10 +54,7 @@ void ResultPages::show(const QList<int>& ids) {
         tabs_->setCurrentIndex(tabs_->addTab(page, icon(word), title));
         say(entries.back().id);
     } catch (const irsg::InputError& error) {
-        QStringList sentences;
-        for (const auto& offence : error.offences())
-            sentences << QString::fromStdString(offence.message());
-        dialogs_.tell(tabs_, tr("These results cannot be shown"), sentences);
+        dialogs_.tell(tabs_, tr("These results cannot be shown"), sentencesOf(error));
     }
 }
 

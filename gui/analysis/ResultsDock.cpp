@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
@@ -20,13 +21,6 @@
 
 namespace smat::gui {
 namespace {
-
-QStringList sentencesOf(const irsg::InputError& error) {
-    QStringList sentences;
-    for (const auto& offence : error.offences())
-        sentences << QString::fromStdString(offence.message());
-    return sentences;
-}
 
 /// What an analysis was asked, without what came out.
 AnalysisData askedOf(const ResultEntry& entry) {

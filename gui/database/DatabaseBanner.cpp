@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -49,10 +50,7 @@ void DatabaseBanner::attempt(const std::function<void()>& act) {
     try {
         act();
     } catch (const irsg::InputError& error) {
-        QStringList sentences;
-        for (const auto& offence : error.offences())
-            sentences << QString::fromStdString(offence.message());
-        context_.dialogs().tell(context_.window, tr("The signature database"), sentences);
+        context_.dialogs().tell(context_.window, tr("The signature database"), sentencesOf(error));
     }
     refresh();
 }

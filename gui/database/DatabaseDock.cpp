@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/database/CopyEntriesDialog.h"
 #include "gui/database/DatabaseBanner.h"
@@ -190,10 +191,7 @@ void DatabaseDock::attempt(const QString& title, const std::function<void()>& ac
     try {
         act();
     } catch (const irsg::InputError& error) {
-        QStringList sentences;
-        for (const auto& offence : error.offences())
-            sentences << QString::fromStdString(offence.message());
-        context_.dialogs().tell(context_.window, title, sentences);
+        context_.dialogs().tell(context_.window, title, sentencesOf(error));
     }
 }
 

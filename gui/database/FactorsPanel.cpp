@@ -12,6 +12,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/database/NodeEditor.h"
 #include "gui/database/NodePlot.h"
@@ -233,10 +234,8 @@ void FactorsPanel::importTable() {
              time ? tr("time factors to those of a file") : tr("angle factors to those of a file"));
         emit gestureEnded();
     } catch (const irsg::InputError& error) {
-        QStringList sentences;
-        for (const auto& offence : error.offences())
-            sentences << QString::fromStdString(offence.message());
-        context_.dialogs().tell(context_.window, tr("This table cannot be imported"), sentences);
+        context_.dialogs().tell(context_.window, tr("This table cannot be imported"),
+                                sentencesOf(error));
     }
 }
 

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/database/Nodes.h"
 #include "irsg/radiometry/Errors.h"
@@ -110,10 +111,7 @@ void ImportSpectrumDialog::read() {
             words += "\n" + tr("That is outside 200 to 4000 K: is the unit right?");
         spectrum_ = std::move(read);
     } catch (const irsg::InputError& error) {
-        QStringList sentences;
-        for (const auto& offence : error.offences())
-            sentences << QString::fromStdString(offence.message());
-        words = sentences.mid(0, 6).join("\n");
+        words = sentencesOf(error).mid(0, 6).join("\n");
     }
     outcome_->setText(words);
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(spectrum_.has_value());

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QLabel>
 
+#include "gui/Sentences.h"
 #include "gui/image/ComparisonPanes.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageExport.h"
@@ -20,14 +21,11 @@ namespace {
 
 constexpr std::size_t quickPixels = 512 * 512;
 
-QStringList sentencesOf(const std::exception_ptr& thrown) {
+QStringList sentencesOfThrown(const std::exception_ptr& thrown) {
     try {
         std::rethrow_exception(thrown);
     } catch (const irsg::InputError& error) {
-        QStringList sentences;
-        for (const auto& offence : error.offences())
-            sentences << QString::fromStdString(offence.message());
-        return sentences;
+        return sentencesOf(error);
     } catch (const std::exception& error) {
         return {QString::fromUtf8(error.what())};
     }
@@ -89,7 +87,7 @@ void ComparisonWindow::openFiles(const QStringList& files, std::optional<int> si
         },
         [this](const std::exception_ptr& thrown) {
             showReadout(pixel_);
-            dialogs_.tell(this, tr("This image cannot be read"), sentencesOf(thrown));
+            dialogs_.tell(this, tr("This image cannot be read"), sentencesOfThrown(thrown));
         });
 }
 
@@ -265,7 +263,7 @@ void ComparisonWindow::compare() {
         return;
     }
     const auto refuse = [this](const std::exception_ptr& thrown) {
-        refusal_ = sentencesOf(thrown).join('\n');
+        refusal_ = sentencesOfThrown(thrown).join('\n');
         showVerdict();
     };
     if (a->pixelCount() <= quickPixels) {
@@ -327,7 +325,7 @@ void ComparisonWindow::askAndExport(const QString& filter) {
         exportTo(file.toStdString());
     } catch (const irsg::InputError&) {
         dialogs_.tell(this, tr("The difference cannot be written"),
-                      sentencesOf(std::current_exception()));
+                      sentencesOfThrown(std::current_exception()));
     }
 }
 

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "gui/Sentences.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageInspector.h"
@@ -187,10 +188,7 @@ void ImageView::askAndExport(const QString& filter, bool withColorBar) {
     try {
         exportImage(*image_, shownChannel(), pictureOptions(withColorBar), file.toStdString());
     } catch (const irsg::InputError& error) {
-        QStringList sentences;
-        for (const auto& offence : error.offences())
-            sentences << QString::fromStdString(offence.message());
-        dialogs_.tell(this, tr("The image cannot be written"), sentences);
+        dialogs_.tell(this, tr("The image cannot be written"), sentencesOf(error));
     }
 }
 

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include "gui/Sentences.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -130,8 +131,7 @@ void ThresholdForm::read() {
         try {
             options.check();
         } catch (const irsg::InputError& error) {
-            for (const auto& offence : error.offences())
-                wrong << QString::fromStdString(offence.message());
+            wrong << sentencesOf(error);
         }
     }
     wrong_->setText(wrong.join('\n'));

@@ -17,6 +17,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/project/ProjectFiles.h"
 #include "irsg/scene/ModelConverter.h"

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QWidget>
 
+#include "gui/Sentences.h"
 #include "gui/Workbench.h"
 #include "gui/project/NewProjectDialog.h"
 #include "gui/settings/Preferences.h"
@@ -25,13 +26,6 @@ std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::
 }
 
 } // namespace
-
-QStringList sentencesOf(const irsg::InputError& error) {
-    QStringList sentences;
-    for (const auto& offence : error.offences())
-        sentences << QString::fromStdString(offence.message());
-    return sentences;
-}
 
 ProjectFiles::ProjectFiles(Workbench& workbench, Dialogs& dialogs, const Preferences& preferences,
                            QWidget* window)

@@ -70,7 +70,4 @@ class ProjectFiles : public QObject {
         written_; ///< of the project's file, as we know it
 };
 
-/// "x.smat: line 3: found ..., expected ..." for each offence.
-QStringList sentencesOf(const irsg::InputError& error);
-
 } // namespace smat::gui

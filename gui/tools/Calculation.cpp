@@ -1,5 +1,6 @@
 #include "gui/tools/Calculation.h"
 
+#include "gui/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
@@ -21,8 +22,7 @@ void Calculation::start(Work work) {
              try {
                  take = work();
              } catch (const irsg::InputError& error) {
-                 for (const auto& offence : error.offences())
-                     sentences << QString::fromStdString(offence.message());
+                 sentences << sentencesOf(error);
              } catch (const std::exception& error) {
                  sentences << tr("Internal error: %1").arg(error.what());
              }

@@ -14,6 +14,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "gui/Sentences.h"
 #include "gui/Workbench.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotData.h"
@@ -23,17 +24,6 @@
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
-
-namespace {
-
-QStringList sentencesOf(const irsg::InputError& error) {
-    QStringList sentences;
-    for (const irsg::Offence& offence : error.offences())
-        sentences << QString::fromStdString(offence.message());
-    return sentences;
-}
-
-} // namespace
 
 MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, ImageSourceFactory makeSource,
                                QWidget* parent)

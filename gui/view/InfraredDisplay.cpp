@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gui/Sentences.h"
 #include "gui/view/InfraredScene.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -73,8 +74,7 @@ void InfraredDisplay::work(const std::stop_token& stop) {
                 scene.emplace();
             picture = scene->draw(request);
         } catch (const irsg::InputError& error) {
-            for (const auto& offence : error.offences())
-                sentences << QString::fromStdString(offence.message());
+            sentences << sentencesOf(error);
         } catch (const std::exception& error) {
             ourFault = true;
             sentences << QString::fromLocal8Bit(error.what());
