@@ -12,23 +12,21 @@
 
 int main(int argc, char** argv) {
     using namespace irsg::study;
-    const irsg::bench::Sections<Options> sections = {{"errors", measureErrors},
-                                                     {"times", measureTimes},
-                                                     {"ranges", measureRanges},
-                                                     {"parts", measureParts},
-                                                     {"profile", profile}};
+    const irsg::bench::Sections<Options> sections = {
+        {"errors", measureErrors}, {"angles", measureAngles}, {"times", measureTimes},
+        {"ranges", measureRanges}, {"parts", measureParts},   {"profile", profile}};
 
     CLI::App app{"Measures how true and how fast every antialiasing mode is."};
     Options options;
     std::vector<std::string> wanted;
-    app.add_option("sections", wanted, "errors, times, ranges, parts, profile; none: all")
+    app.add_option("sections", wanted, "errors, angles, times, ranges, parts, profile; none: all")
         ->check(CLI::IsMember(irsg::bench::namesOf(sections)));
     app.add_option("--out", options.folder, "folder for the results as CSV")
         ->required()
         ->check(CLI::ExistingDirectory);
     app.add_option("--phases", options.phases, "pixel phases along either axis (16)")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--rounds", options.rounds, "frames that a median time is taken of (9)")
+    app.add_option("--rounds", options.rounds, "frames that a median time is taken of (15)")
         ->check(CLI::Range(1, 10000));
     app.add_option("--body", options.bodies, "only this body; may be repeated");
     CLI11_PARSE(app, argc, argv);

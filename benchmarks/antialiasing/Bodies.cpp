@@ -122,6 +122,11 @@ Entity greyEntity(const test::Mesh& mesh) {
     return test::entityOf(test::modelOf(mesh), test::greyDatabase(emissivity, temperature_K));
 }
 
+Vec3 phaseShift_m(const Viewpoint& camera, double pixel_m, int step) {
+    return camera.right * (std::fmod(step * 0.61803398875, 1.0) * pixel_m) +
+           camera.up * (std::fmod(step * 0.41421356237, 1.0) * pixel_m);
+}
+
 test::Mesh cornerMarks(const Viewpoint& camera, const Vec3& origin_m, int width_px, int height_px) {
     const double pixel_m = pixel_rad * length(camera.position_m - origin_m);
     const Vec3 right = camera.right * pixel_m, up = camera.up * pixel_m;

@@ -36,6 +36,9 @@ double solidAngleByLines_sr(const test::Mesh& mesh, const Viewpoint& camera, con
 double greyRadiance_W_m2_sr();
 Entity greyEntity(const test::Mesh& mesh);
 
+/// A shift by parts of a pixel, another for every step, irrational to any lattice of samples.
+Vec3 phaseShift_m(const Viewpoint& camera, double pixel_m, int step);
+
 /// Two specks in opposite corners of a frame that looks at the origin: a model that holds them is
 /// drawn over the whole frame.
 test::Mesh cornerMarks(const Viewpoint& camera, const Vec3& origin_m, int width_px, int height_px);

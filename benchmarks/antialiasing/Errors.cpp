@@ -6,6 +6,7 @@
 #include "benchmarks/antialiasing/Bodies.h"
 #include "benchmarks/antialiasing/Study.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
 
 namespace irsg::study {
 
@@ -60,6 +61,32 @@ void checkTruth(const Body& body, const Viewpoint& camera, const Phase& phase) {
                          std::to_string(ratio - 1.0));
 }
 
+struct ErrorOverPhases {
+    double rms_percent = 0.0, largest_percent = 0.0;
+};
+
+/// Of the contrast intensity that a method finds, as the generator looks.
+ErrorOverPhases errorOf(Irsg& irsg, const std::vector<Phase>& phases, const Method& method) {
+    irsg.setSettings(method.settings());
+    double squares = 0.0, largest = 0.0;
+    for (const Phase& phase : phases) {
+        irsg.setPose(0, phase.pose);
+        const double error =
+            irsg.render().report.all.contrastIntensity_W_sr / phase.intensity_W_sr - 1.0;
+        squares += error * error;
+        largest = std::max(largest, std::abs(error));
+    }
+    const double rms = std::sqrt(squares / static_cast<double>(phases.size()));
+    return {100.0 * rms, 100.0 * largest};
+}
+
+/// Phases of a body that is `size_px` wide; the generator looks at it.
+std::vector<Phase> look(Irsg& irsg, const Body& body, double size_px, int phases) {
+    irsg.setPose(0, {{0, 0, test::standingAltitude_m}, {}});
+    lookAt(irsg, body, size_px);
+    return phasesOf(body, irsg.viewpoint(), phases);
+}
+
 } // namespace
 
 void measureErrors(const Options& options) {
@@ -73,32 +100,53 @@ void measureErrors(const Options& options) {
             continue;
         irsg.setEntities({greyEntity(body.mesh)});
         for (double size_px : sizes_px()) {
-            irsg.setPose(0, {{0, 0, test::standingAltitude_m}, {}});
-            lookAt(irsg, body, size_px);
-            const std::vector<Phase> phases = phasesOf(body, irsg.viewpoint(), options.phases);
+            const std::vector<Phase> phases = look(irsg, body, size_px, options.phases);
             checkTruth(body, irsg.viewpoint(), phases.front());
             for (const Method& method : methods()) {
                 if (method.wholeFrame) // the same samples as in the object's window
                     continue;
-                irsg.setSettings(method.settings());
-                double squares = 0.0, largest = 0.0;
-                for (const Phase& phase : phases) {
-                    irsg.setPose(0, phase.pose);
-                    const double error =
-                        irsg.render().report.all.contrastIntensity_W_sr / phase.intensity_W_sr -
-                        1.0;
-                    squares += error * error;
-                    largest = std::max(largest, std::abs(error));
-                }
-                const double rms = std::sqrt(squares / static_cast<double>(phases.size()));
+                const ErrorOverPhases error = errorOf(irsg, phases, method);
                 char row[160];
                 std::snprintf(row, sizeof row, "%s,%.6g,%s,%d,%.4g,%.4g\n", body.name.c_str(),
-                              size_px, method.strategy.c_str(), method.mode, 100.0 * rms,
-                              100.0 * largest);
+                              size_px, method.strategy.c_str(), method.mode, error.rms_percent,
+                              error.largest_percent);
                 file << row << std::flush;
             }
         }
     }
+}
+
+void measureAngles(const Options& options) {
+    constexpr int phases = 6;
+    constexpr double first_deg = 5.0, last_deg = 85.5, step_deg = 0.5, bound_percent = 0.1;
+    std::ofstream file(options.folder / "angles.csv");
+    file << "angle [deg],size [px],rms_error [%],largest_error [%]\n";
+
+    Irsg irsg;
+    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
+    Body body = bodies()[1];
+    irsg.setEntities({greyEntity(body.mesh)});
+    int cases = 0, above = 0;
+    ErrorOverPhases worst;
+    double worst_deg = 0.0;
+    for (double angle_deg = first_deg; angle_deg <= last_deg; angle_deg += step_deg)
+        for (const double size_px : {53.0, 5.9, 0.61, 0.067}) {
+            body.attitude = Attitude{0.0, 0.0, radians(angle_deg)};
+            const ErrorOverPhases error =
+                errorOf(irsg, look(irsg, body, size_px, phases), {"aligned", 4, false});
+            file << angle_deg << "," << size_px << "," << error.rms_percent << ","
+                 << error.largest_percent << "\n";
+            ++cases;
+            above += error.rms_percent > bound_percent ? 1 : 0;
+            if (error.rms_percent > worst.rms_percent)
+                worst_deg = angle_deg;
+            worst = {std::max(worst.rms_percent, error.rms_percent),
+                     std::max(worst.largest_percent, error.largest_percent)};
+        }
+    std::printf("L turned by %g to %g degrees, mode 4: RMS above %g %% in %d of %d cases, worst "
+                "%.3f %% (%g degrees), largest error %.3f %%\n",
+                first_deg, last_deg, bound_percent, above, cases, worst.rms_percent, worst_deg,
+                worst.largest_percent);
 }
 
 } // namespace irsg::study

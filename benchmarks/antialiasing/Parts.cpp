@@ -55,11 +55,8 @@ void place(Irsg& irsg, double azimuth_rad, double range_m, int phase) {
                       .width_px = 640,
                       .height_px = 512,
                       .fieldOfView_rad = 2.0 * std::atan(320.0 * pixelOfSensor_rad)});
-    const Viewpoint& camera = irsg.viewpoint();
-    const double pixel_m = pixelOfSensor_rad * range_m;
     irsg.setPose(0, {Vec3{0, 0, test::standingAltitude_m} +
-                         camera.right * (std::fmod(phase * 0.61803398875, 1.0) * pixel_m) +
-                         camera.up * (std::fmod(phase * 0.41421356237, 1.0) * pixel_m),
+                         phaseShift_m(irsg.viewpoint(), pixelOfSensor_rad * range_m, phase),
                      {}});
 }
 

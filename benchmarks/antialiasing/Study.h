@@ -24,7 +24,7 @@ std::vector<Method> methods();
 struct Options {
     std::filesystem::path folder; ///< of the CSV files
     int phases = 16;              ///< along either axis
-    int rounds = 9;               ///< frames that a median is taken of
+    int rounds = 15;              ///< frames that a median is taken of
     std::vector<std::string> bodies;
 };
 
@@ -33,6 +33,9 @@ std::vector<double> sizes_px();
 
 /// errors.csv: RMS and largest error of contrast intensity over phases.
 void measureErrors(const Options& options);
+/// angles.csv: the same for the L-shaped plate in mode 4, turned in steps of half a degree. Prints
+/// how many turns fall to the lattice of samples.
+void measureAngles(const Options& options);
 /// times.csv: median time of a frame of 640 x 512 pixels for the same bodies and sizes.
 void measureTimes(const Options& options);
 /// The report's two plots: time of the four-engined aircraft and contrast intensity of the sphere

@@ -62,8 +62,26 @@ class TimedScene {
         }
     }
 
-    /// Median time of each method, taken in turns so that a busy moment meets all.
-    std::vector<FrameTime> times(double range_m, int rounds) {
+    /// Median time by range and method. The methods take turns, and all ranges are gone through
+    /// several times, so that a busy moment of the machine meets every one of them.
+    std::vector<std::vector<FrameTime>> times(const std::vector<double>& ranges_m, int rounds) {
+        constexpr int passes = 5;
+        std::vector<std::vector<std::vector<FrameTime>>> taken(
+            ranges_m.size(), std::vector<std::vector<FrameTime>>(generators_.size()));
+        for (int pass = 0; pass < passes; ++pass)
+            for (std::size_t r = 0; r < ranges_m.size(); ++r)
+                take(ranges_m[r], (rounds + passes - 1) / passes, taken[r]);
+
+        std::vector<std::vector<FrameTime>> result;
+        for (const auto& ofRange : taken)
+            for (std::vector<FrameTime>& medians = result.emplace_back(); const auto& all : ofRange)
+                medians.push_back(median(all));
+        return result;
+    }
+
+  private:
+    /// Appends the times of some frames, by method.
+    void take(double range_m, int rounds, std::vector<std::vector<FrameTime>>& taken) {
         const std::vector<Method> all = methods();
         for (std::size_t m = 0; m < all.size(); ++m) {
             generators_[m]->setPose(0, entity_.pose);
@@ -73,15 +91,11 @@ class TimedScene {
         }
 
         const Viewpoint camera = generators_.front()->viewpoint();
-        const double pixel_m = pixel_rad * range_m;
-        std::vector<std::vector<FrameTime>> taken(all.size());
         for (int round = 0; round <= rounds; ++round) {
             Pose pose = entity_.pose;
-            pose.position_m = pose.position_m +
-                              camera.right * (std::fmod(round * 0.61803398875, 1.0) * pixel_m) +
-                              camera.up * (std::fmod(round * 0.41421356237, 1.0) * pixel_m);
+            pose.position_m = pose.position_m + phaseShift_m(camera, range_m * pixel_rad, round);
             for (std::size_t m = 0; m < all.size(); ++m) {
-                if (all[m].wholeFrame && round > (rounds + 1) / 2)
+                if (all[m].wholeFrame && round > 1) // ten to a hundred times as long
                     continue;
                 generators_[m]->setPose(0, pose);
                 const FrameTime time = timeOf(*generators_[m]);
@@ -89,13 +103,8 @@ class TimedScene {
                     taken[m].push_back(time);
             }
         }
-        std::vector<FrameTime> result;
-        for (const auto& times : taken)
-            result.push_back(median(times));
-        return result;
     }
 
-  private:
     void lookAt(Irsg& irsg, double range_m) const {
         test::look(irsg, {.range_m = range_m,
                           .azimuth_rad = azimuth_rad_,
@@ -161,17 +170,20 @@ void measureTimes(const Options& options) {
         Entity entity = greyEntity(body.mesh);
         entity.pose.attitude = body.attitude;
         TimedScene scene(entity, body.azimuth_rad, body.elevation_rad);
-        for (double size_px : sizes_px()) {
-            const auto times = scene.times(rangeOf_m(body, size_px), options.rounds);
-            const auto all = methods();
+        std::vector<double> ranges_m;
+        for (const double size_px : sizes_px())
+            ranges_m.push_back(rangeOf_m(body, size_px));
+        const auto times = scene.times(ranges_m, options.rounds);
+        const auto all = methods();
+        for (std::size_t size = 0; size < ranges_m.size(); ++size)
             for (std::size_t m = 0; m < all.size(); ++m) {
                 char row[200];
                 std::snprintf(row, sizeof row, "%s,%.6g,%s,%d,%d,%.4g,%.4g\n", body.name.c_str(),
-                              size_px, all[m].strategy.c_str(), all[m].mode,
-                              all[m].wholeFrame ? 1 : 0, times[m].wall_ms, times[m].processor_ms);
+                              sizes_px()[size], all[m].strategy.c_str(), all[m].mode,
+                              all[m].wholeFrame ? 1 : 0, times[size][m].wall_ms,
+                              times[size][m].processor_ms);
                 file << row << std::flush;
             }
-        }
     }
 }
 
@@ -187,12 +199,11 @@ void measureRanges(const Options& options) {
     }
 
     TimedScene scene(aircraft(), radians(60.0), radians(15.0));
-    for (double range_m : ranges_m()) {
-        const auto times = scene.times(range_m, options.rounds);
+    const auto times = scene.times(ranges_m(), options.rounds);
+    for (std::size_t r = 0; r < times.size(); ++r)
         for (std::size_t m = 0; m < all.size(); ++m)
-            time[m] << range_m << "," << times[m].wall_ms << "," << times[m].processor_ms << "\n"
-                    << std::flush;
-    }
+            time[m] << ranges_m()[r] << "," << times[r][m].wall_ms << ","
+                    << times[r][m].processor_ms << "\n";
 
     // The sphere of 1 m radius moves across the pixels as it recedes; finely stepped, so that what
     // a mode makes of its phase is seen.
@@ -207,11 +218,8 @@ void measureRanges(const Options& options) {
                           .width_px = 64,
                           .height_px = 64,
                           .fieldOfView_rad = 2.0 * std::atan(32.0 * pixel_rad)});
-        const Viewpoint& camera = irsg.viewpoint();
-        const double pixel_m = pixel_rad * range_m;
         irsg.setPose(0, {Vec3{0, 0, test::standingAltitude_m} +
-                             camera.right * (std::fmod(i * 0.61803398875, 1.0) * pixel_m) +
-                             camera.up * (std::fmod(i * 0.41421356237, 1.0) * pixel_m),
+                             phaseShift_m(irsg.viewpoint(), pixel_rad * range_m, i),
                          {}});
         std::size_t file = 0;
         for (const Method& method : all) {
