@@ -58,12 +58,12 @@ void printErrors(const AtmosphereSmart& air, const Band& band) {
     std::printf("\n| %s, altitude, field |", band.name().c_str());
     for (const int rows : rowCounts)
         std::printf(" %d rows |", rows);
-    std::printf(" one line of sight |\n|---|");
-    for (std::size_t i = 0; i <= std::size(rowCounts); ++i)
+    std::printf(" as needed (rows) | one line of sight |\n|---|");
+    for (std::size_t i = 0; i < std::size(rowCounts) + 2; ++i)
         std::printf("---|");
     std::printf("\n");
     const Profile profile(air, band);
-    for (const double altitude_m : {2.0, 1000.0, 10000.0})
+    for (const double altitude_m : {2.0, 1000.0, 3000.0, 10000.0, 18000.0})
         for (const double field_deg : {2.0, 10.0, 40.0}) {
             const double horizon_rad = air.horizonElevation_rad(altitude_m);
             const Sensor sensor = sensorOf(field_deg);
@@ -87,6 +87,10 @@ void printErrors(const AtmosphereSmart& air, const Band& band) {
                 const BackgroundGrid grid(sensor, view, horizon_rad, rows, 1, profile);
                 std::printf(" %.3f %% |", worstOf([&](const Vec3& d) { return grid.at(d); }));
             }
+            const BackgroundGrid needed(sensor, view, horizon_rad, BackgroundGrid::asManyAsNeeded,
+                                        1, profile);
+            std::printf(" %.3f %% (%zu) |", worstOf([&](const Vec3& d) { return needed.at(d); }),
+                        needed.elevations_rad().size());
             const double centre = profile({altitude_m, horizon_rad, 0.0});
             std::printf(" %.3g %% |\n", worstOf([&](const Vec3&) { return centre; }));
             std::fflush(stdout);

@@ -75,7 +75,8 @@ struct RenderSettings {
     BackgroundMode background = BackgroundMode::environment;
     double background_W_m2_sr = 0.0;
     /// Lines of sight over the field that the environment is asked for its background: 1 x 1 is
-    /// uniform, the one at the field's centre; see BackgroundGrid.
+    /// uniform, the one at the field's centre, 0 rows are as many as half a percent needs; see
+    /// BackgroundGrid.
     int backgroundRows = 1, backgroundColumns = 1;
     /// The sun is seen as a disc, see SunDisc.
     bool sunDisc = false;

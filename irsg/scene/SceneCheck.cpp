@@ -151,12 +151,13 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
     if (settings.maximumLayers < 1)
         offences.push_back(
             {"settings", "maximum layers", std::to_string(settings.maximumLayers), "at least 1"});
-    if (settings.backgroundRows < 1 || settings.backgroundRows > largestBackgroundGrid ||
+    if (settings.backgroundRows < 0 || settings.backgroundRows > largestBackgroundGrid ||
         settings.backgroundColumns < 1 || settings.backgroundColumns > largestBackgroundGrid)
         offences.push_back({"settings", "background rows and columns",
                             std::to_string(settings.backgroundRows) + " x " +
                                 std::to_string(settings.backgroundColumns),
-                            "1 to " + std::to_string(largestBackgroundGrid) + " each"});
+                            "1 to " + std::to_string(largestBackgroundGrid) +
+                                " each, or 0 rows for as many as are needed"});
     for (const TextureScale& scale : {settings.skybox, settings.terrain})
         if (!std::isfinite(scale.slope_W_m2_sr) || !std::isfinite(scale.offset))
             offences.push_back({"settings", "slope and offset of a texture",

@@ -238,11 +238,12 @@ void addRendering(std::vector<SettingInfo>& table) {
                        "the line of sight at the field's centre, or along rows and columns of "
                        "them; none is 0, a number is an in-band radiance. Skybox, sun and terrain "
                        "come on top."));
-    table.push_back(integer("render.backgroundRows", "--background-rows", "Background rows", "", 1,
+    table.push_back(integer("render.backgroundRows", "--background-rows", "Background rows", "", 0,
                             1024, "1",
                             "Rows of lines of sight over the field that a smart background is "
                             "asked along, on both sides of the horizon where it is in the field. "
-                            "One row and one column is a uniform background."));
+                            "One row and one column is a uniform background; 0 is as many rows as "
+                            "half a percent of the radiance needs."));
     table.push_back(integer("render.backgroundColumns", "--background-columns",
                             "Background columns", "", 1, 1024, "1",
                             "Columns of the same: one does unless the sun makes the sky change "

@@ -12,6 +12,9 @@ double switchOf(bool isOn) {
     return isOn ? 1.0 : 0.0;
 }
 
+/// The file has no word for as many rows as are needed; so many do below 10 km.
+constexpr double rowsInPlaceOfAsNeeded = 32.0;
+
 } // namespace
 
 ImagingSensorSettings settingsOf(const ImagingSensorParameters& parameters) {
@@ -62,7 +65,7 @@ ImagingSensorParameters imagingSensorParametersOf(const Settings& settings) {
     parameters.antialiasingMode = settings.integer("render.antialiasing");
     parameters.isUniformBackground = switchOf(rows == 1 && columns == 1);
     parameters.numberOfBackgroundColumns = columns;
-    parameters.numberOfBackgroundRows = rows;
+    parameters.numberOfBackgroundRows = rows > 0 ? rows : rowsInPlaceOfAsNeeded;
     parameters.useSkyboxBackground = switchOf(!settings.paths("environment.skybox").empty());
     parameters.useTerrainBackground = switchOf(!settings.paths("environment.terrain").empty());
     parameters.skyboxTextureRadianceSlope = settings.real("environment.skyboxSlope");

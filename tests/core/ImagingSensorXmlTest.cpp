@@ -166,6 +166,14 @@ TEST(ImagingSensorSettings, aUniformBackgroundIsOneLineOfSightWhateverItsNumbers
     EXPECT_EQ(set.settings.integer("render.backgroundRows"), 1);
 }
 
+TEST(ImagingSensorSettings, asManyRowsAsAreNeededBecomeANumberOfTheFile) {
+    Settings settings;
+    settings.set("render.backgroundRows", "0");
+    const ImagingSensorParameters parameters = imagingSensorParametersOf(settings);
+    EXPECT_EQ(parameters.numberOfBackgroundRows, 32.0);
+    EXPECT_EQ(parameters.isUniformBackground, 0.0);
+}
+
 TEST(ImagingSensorSettings, scatteringThatIsNotThereIsSaidPlainly) {
     const ImagingSensorSettings set = settingsOf({.useAtmosphereScattering = 1});
     ASSERT_EQ(set.warnings.size(), 1u);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
@@ -122,7 +123,7 @@ TEST(BackgroundGrid, PutsARowOnEachSideOfTheHorizon) {
         EXPECT_EQ(grid.azimuths_rad().size(), 3u);
         EXPECT_NEAR(grid.azimuths_rad()[1], radians(20.0), 1e-9);
     }
-    EXPECT_THROW(BackgroundGrid(sensorOf(4, 4, 10.0), looking(0, 0), 0.0, 0, 1,
+    EXPECT_THROW(BackgroundGrid(sensorOf(4, 4, 10.0), looking(0, 0), 0.0, -1, 1,
                                 [](const LineOfSight&) { return 1.0; }),
                  LogicError);
 }
@@ -193,6 +194,51 @@ TEST(BackgroundGrid, IsWithinHalfAPercentOfAClearSkyAtSixteenRows) {
             before = std::max(worst, 1e-12);
         }
     }
+}
+
+TEST(BackgroundGrid, TakesAsManyRowsAsHalfAPercentNeeds) {
+    // Air that ends at layers: radiances with kinks of the limb beside smooth ones.
+    const auto layered = [](double elevation_rad) {
+        double radiance = clearSky(elevation_rad, 0.1);
+        for (const double layer_deg : {0.7, 1.1, 2.4, 3.1})
+            radiance /= 1.0 + 0.7 * std::max(degrees(elevation_rad) - layer_deg, 0.0);
+        return radiance;
+    };
+    const auto smooth = [](double elevation_rad) { return clearSky(elevation_rad, 0.3); };
+    const auto constant = [](double) { return 3.0; };
+    const Sensor sensor = sensorOf(64, 256, 5.0);
+    const Viewpoint view = looking(0.0, 2.0);
+    const FieldRays rays(sensor, view);
+    std::vector<std::size_t> rowsTaken;
+    for (const std::function<double(double)>& profile :
+         {std::function<double(double)>(constant), std::function<double(double)>(smooth),
+          std::function<double(double)>(layered)}) {
+        int asked = 0;
+        const BackgroundGrid grid(sensor, view, 0.0, BackgroundGrid::asManyAsNeeded, 1,
+                                  [&](const LineOfSight& sight) {
+                                      ++asked;
+                                      return profile(sight.elevation_rad);
+                                  });
+        for (int i = 1; i < 2000; ++i) {
+            const Vec3 d = rays.at(0.0, rays.v(sensor.height_px * i / 2000.0));
+            ASSERT_NEAR(grid.at(d) / profile(elevationOf_rad(d)), 1.0, BackgroundGrid::needed)
+                << degrees(elevationOf_rad(d)) << " deg, " << grid.elevations_rad().size() << " rows";
+        }
+        rowsTaken.push_back(grid.elevations_rad().size());
+        EXPECT_EQ(static_cast<std::size_t>(asked), rowsTaken.back()) << "no row is asked twice";
+    }
+    EXPECT_EQ(rowsTaken[0], 18u);
+    EXPECT_GT(rowsTaken[1], rowsTaken[0]);
+    EXPECT_GT(rowsTaken[2], rowsTaken[1]);
+
+    // A sky that no number of rows describes ends at the most, a black one at the fewest.
+    int asked = 0;
+    const BackgroundGrid noise(sensor, view, 0.0, BackgroundGrid::asManyAsNeeded, 3,
+                               [&](const LineOfSight&) { return ++asked % 2; });
+    EXPECT_EQ(noise.elevations_rad().size(), 2u * BackgroundGrid::mostRows);
+    const BackgroundGrid black(sensor, view, 0.0, BackgroundGrid::asManyAsNeeded, 1,
+                               [](const LineOfSight&) { return 0.0; });
+    EXPECT_EQ(black.elevations_rad().size(), 18u);
 }
 
 TEST(BackgroundGrid, MixesSkyAndGroundOnlyInThePixelThatHoldsTheHorizon) {

@@ -186,7 +186,7 @@ TEST_F(BackgroundScene, AsksAGridWhereThereAreRowsAndIsUniformWithOne) {
 }
 
 TEST_F(BackgroundScene, RefusesSettingsThatMeanNothing) {
-    settings.backgroundRows = 0;
+    settings.backgroundRows = -1;
     EXPECT_THROW(render(), InputError);
     settings.backgroundRows = 4000;
     EXPECT_THROW(render(), InputError);

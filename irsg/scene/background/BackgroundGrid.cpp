@@ -50,7 +50,7 @@ BackgroundGrid::BackgroundGrid(const Sensor& sensor, const Viewpoint& viewpoint,
       horizon_(rays_, horizon_rad),
       altitude_m_(std::max(viewpoint.position_m.z, 0.0)),
       middleAzimuth_rad_(azimuthOf_rad(rays_.forward)) {
-    if (rows < 1 || columns < 1)
+    if (rows < 0 || columns < 1)
         throw LogicError("a background grid needs a row and a column");
     const FieldExtent extent = FieldExtent::of(rays_, middleAzimuth_rad_);
     fullCircle_ = extent.allAround;
@@ -58,9 +58,17 @@ BackgroundGrid::BackgroundGrid(const Sensor& sensor, const Viewpoint& viewpoint,
     azimuthStep_rad_ = extent.right_rad - extent.left_rad;
     placeColumns(columns);
 
-    // Rows in proportion to what each side spans in their coordinate.
     const double above_rad = extent.highest_rad - horizon_rad;
     const double below_rad = horizon_rad - extent.lowest_rad;
+    if (rows == asManyAsNeeded) {
+        if (above_rad > 0.0)
+            sky_ = sideAsNeeded(1.0, std::max(-below_rad, 0.0), above_rad, radiance_W_m2_sr);
+        if (below_rad > 0.0)
+            ground_ = sideAsNeeded(-1.0, std::max(-above_rad, 0.0), below_rad, radiance_W_m2_sr);
+        return;
+    }
+
+    // Rows in proportion to what each side spans in their coordinate.
     if (below_rad <= 0.0) {
         sky_ = side(1.0, -below_rad, above_rad, rows, radiance_W_m2_sr);
     } else if (above_rad <= 0.0) {
@@ -89,7 +97,8 @@ void BackgroundGrid::placeColumns(int columns) {
 }
 
 BackgroundGrid::Side BackgroundGrid::side(double sign, double nearest_rad, double farthest_rad,
-                                          int rows, const Radiance& radiance) const {
+                                          int rows, const Radiance& radiance,
+                                          const Side* coarser) const {
     Side result;
     result.sign = sign;
     result.first = result.coordinate(nearest_rad);
@@ -102,6 +111,13 @@ BackgroundGrid::Side BackgroundGrid::side(double sign, double nearest_rad, doubl
         const double angle_rad =
             std::max(result.angleAt(result.first + r * result.perRow), besideHorizon_rad);
         result.angles.push_back(angle_rad);
+        if (coarser && r % 2 == 0) {
+            const auto known = coarser->radiance.begin() +
+                               static_cast<std::ptrdiff_t>(azimuths_rad_.size()) * (r / 2);
+            result.radiance.insert(result.radiance.end(), known,
+                                   known + static_cast<std::ptrdiff_t>(azimuths_rad_.size()));
+            continue;
+        }
         LineOfSight sight;
         sight.sensorAltitude_m = altitude_m_;
         sight.elevation_rad =
@@ -114,6 +130,40 @@ BackgroundGrid::Side BackgroundGrid::side(double sign, double nearest_rad, doubl
     if (rows > 2)
         fitCurves(result);
     return result;
+}
+
+BackgroundGrid::Side BackgroundGrid::sideAsNeeded(double sign, double nearest_rad,
+                                                  double farthest_rad,
+                                                  const Radiance& radiance) const {
+    constexpr int fewest = 5;
+    Side coarser = side(sign, nearest_rad, farthest_rad, fewest, radiance);
+    for (int rows = 2 * fewest - 1; rows <= mostRows; rows = 2 * rows - 1) {
+        Side finer = side(sign, nearest_rad, farthest_rad, rows, radiance, &coarser);
+        const double change = changeBy(finer, coarser);
+        coarser = std::move(finer);
+        if (change <= 0.5 * needed)
+            break;
+    }
+    return coarser;
+}
+
+double BackgroundGrid::changeBy(const Side& finer, const Side& coarser) const {
+    // What is nearly black beside the rest of its side need not be known as well.
+    constexpr double black = 1e-4;
+    double brightest = 0.0, change = 0.0;
+    for (const double radiance : finer.radiance)
+        brightest = std::max(brightest, std::abs(radiance));
+    if (brightest == 0.0)
+        return 0.0;
+    const std::size_t columns = azimuths_rad_.size();
+    for (std::size_t r = 1; r < finer.angles.size(); r += 2)
+        for (std::size_t c = 0; c < columns; ++c) {
+            const double found = finer.radiance[r * columns + c];
+            const double promised = valueIn(cellAt(coarser, finer.angles[r]), coarser, c);
+            change = std::max(change, std::abs(promised - found) /
+                                          std::max(std::abs(found), black * brightest));
+        }
+    return change;
 }
 
 void BackgroundGrid::fitCurves(Side& side) const {
@@ -143,41 +193,46 @@ double BackgroundGrid::column(double azimuth_rad) const {
     return azimuthStep_rad_ > 0.0 ? (azimuth_rad - firstAzimuth_rad_) / azimuthStep_rad_ : 0.0;
 }
 
-double BackgroundGrid::interpolated(const Side& side, double angle_rad, double column) const {
-    const std::size_t columns = azimuths_rad_.size();
-
-    // The cell and the way through it, as weights of its ends and of their slopes.
-    std::size_t row = 0;
-    double way = 0.0, ofLow = 0.0, ofHigh = 0.0;
-    const bool single = side.angles.size() == 1, curved = !side.slopes.empty();
-    if (curved) {
+BackgroundGrid::Cell BackgroundGrid::cellAt(const Side& side, double angle_rad) {
+    Cell cell;
+    if (!side.slopes.empty()) {
         const double place = (side.coordinate(angle_rad) - side.first) / side.perRow;
-        row = static_cast<std::size_t>(
+        cell.row = static_cast<std::size_t>(
             std::clamp(place, 0.0, static_cast<double>(side.angles.size() - 2)));
-        const double t = std::clamp(place - static_cast<double>(row), 0.0, 1.0);
-        way = t * t * (3.0 - 2.0 * t);
-        ofLow = t * (1.0 - t) * (1.0 - t);
-        ofHigh = -t * t * (1.0 - t);
-    } else if (!single) {
+        const double t = std::clamp(place - static_cast<double>(cell.row), 0.0, 1.0);
+        cell.way = t * t * (3.0 - 2.0 * t);
+        cell.ofLow = t * (1.0 - t) * (1.0 - t);
+        cell.ofHigh = -t * t * (1.0 - t);
+    } else if (side.angles.size() > 1) {
         const double width = side.angles[1] - side.angles[0];
-        way = width > 0.0 ? std::clamp((angle_rad - side.angles[0]) / width, 0.0, 1.0) : 0.0;
+        cell.way = width > 0.0 ? std::clamp((angle_rad - side.angles[0]) / width, 0.0, 1.0) : 0.0;
     }
-    const auto between = [&](std::size_t c) {
-        const std::size_t low = row * columns + c, high = low + columns;
-        if (single)
-            return side.radiance[low];
-        const double straight =
-            side.radiance[low] + way * (side.radiance[high] - side.radiance[low]);
-        return curved ? straight + ofLow * side.slopes[low] + ofHigh * side.slopes[high] : straight;
-    };
+    return cell;
+}
+
+double BackgroundGrid::valueIn(const Cell& cell, const Side& side, std::size_t column) const {
+    const std::size_t columns = azimuths_rad_.size();
+    const std::size_t low = cell.row * columns + column, high = low + columns;
+    if (side.angles.size() == 1)
+        return side.radiance[low];
+    const double straight =
+        side.radiance[low] + cell.way * (side.radiance[high] - side.radiance[low]);
+    return side.slopes.empty()
+               ? straight
+               : straight + cell.ofLow * side.slopes[low] + cell.ofHigh * side.slopes[high];
+}
+
+double BackgroundGrid::interpolated(const Side& side, double angle_rad, double column) const {
+    const Cell cell = cellAt(side, angle_rad);
+    const std::size_t columns = azimuths_rad_.size();
     if (columns == 1)
-        return between(0);
+        return valueIn(cell, side, 0);
 
     const double last = static_cast<double>(fullCircle_ ? columns : columns - 1);
     const double place = std::clamp(column, 0.0, last);
     const std::size_t left =
         std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(last) - 1);
-    const double a = between(left), b = between((left + 1) % columns);
+    const double a = valueIn(cell, side, left), b = valueIn(cell, side, (left + 1) % columns);
     return a + (place - static_cast<double>(left)) * (b - a);
 }
 

@@ -22,8 +22,14 @@ class BackgroundGrid {
   public:
     using Radiance = std::function<double(const LineOfSight&)>;
 
-    /// At least one row and one column (LogicError). `horizon_rad` is the apparent elevation of the
-    /// horizon.
+    /// In place of a number of rows: on either side of the horizon they are doubled until the rows
+    /// between change what the others promised by half of `needed` at most, or there are `mostRows`.
+    static constexpr int asManyAsNeeded = 0;
+    static constexpr double needed = 0.005; ///< relative error of the radiance
+    static constexpr int mostRows = 257;    ///< of one side
+
+    /// One row or more or `asManyAsNeeded`, one column or more (LogicError). `horizon_rad` is the
+    /// apparent elevation of the horizon.
     BackgroundGrid(const Sensor& sensor, const Viewpoint& viewpoint, double horizon_rad, int rows,
                    int columns, const Radiance& radiance_W_m2_sr);
 
@@ -48,10 +54,22 @@ class BackgroundGrid {
         double coordinate(double angle_rad) const;
         double angleAt(double coordinate) const;
     };
+    /// `coarser` has every other row of it already.
     Side side(double sign, double nearest_rad, double farthest_rad, int rows,
-              const Radiance& radiance) const;
+              const Radiance& radiance, const Side* coarser = nullptr) const;
+    Side sideAsNeeded(double sign, double nearest_rad, double farthest_rad,
+                      const Radiance& radiance) const;
+    /// What the rows between change, relative to them.
+    double changeBy(const Side& finer, const Side& coarser) const;
     void placeColumns(int columns);
     void fitCurves(Side& side) const;
+    /// The rows beside an angle, and the way between them as weights of the rows and their slopes.
+    struct Cell {
+        std::size_t row = 0; ///< the lower of the two
+        double way = 0.0, ofLow = 0.0, ofHigh = 0.0;
+    };
+    static Cell cellAt(const Side& side, double angle_rad);
+    double valueIn(const Cell& cell, const Side& side, std::size_t column) const;
     double interpolated(const Side& side, double angle_rad, double column) const;
     /// Column coordinate of a direction whose azimuth is relative to the middle of the field.
     double column(double azimuth_rad) const;

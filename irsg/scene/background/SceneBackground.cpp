@@ -43,7 +43,7 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
     layers_ = {};
     const FieldRays rays(sensor, viewpoint);
     const double altitude_m = std::max(viewpoint.position_m.z, 0.0);
-    const bool grid = settings.asksEnvironment && settings.rows * settings.columns > 1;
+    const bool grid = settings.asksEnvironment && settings.rows * settings.columns != 1;
     if (!grid && !settings.sunDisc && !skybox_ && !terrain_)
         return FrameBackground(settings.uniform_W_m2_sr);
 
