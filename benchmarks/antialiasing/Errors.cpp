@@ -130,7 +130,7 @@ void measureAngles(const Options& options) {
     ErrorOverPhases worst;
     double worst_deg = 0.0;
     for (double angle_deg = first_deg; angle_deg <= last_deg; angle_deg += step_deg)
-        for (const double size_px : {53.0, 5.9, 0.61, 0.067}) {
+        for (const double size_px : {53.0, 5.9, 0.61, 0.067, 0.0097}) {
             body.attitude = Attitude{0.0, 0.0, radians(angle_deg)};
             const ErrorOverPhases error =
                 errorOf(irsg, look(irsg, body, size_px, phases), {"aligned", 4, false});

@@ -76,6 +76,62 @@ def by_size(rows, body, quantity, text):
                  [[title(m)] + [text(cells[m, size]) for size in sizes] for m in methods])
 
 
+def largest_rise(times):
+    """By method and body: how much longer than at any larger size a frame takes, at most."""
+    bodies = ordered(row["body"] for row in times)
+    result = []
+    for method in ordered(method_of(row) for row in times):
+        cells = []
+        for body in bodies:
+            rise, quickest = 0.0, float("inf")
+            for row in times: # sizes descend
+                if row["body"] == body and method_of(row) == method:
+                    now = float(row["time [ms]"])
+                    rise, quickest = max(rise, now / quickest - 1.0), min(quickest, now)
+            cells.append(f"{100 * rise:.0f}")
+        result.append([title(method)] + cells)
+    return table(["largest rise of the time as the body shrinks, %"] + bodies, result)
+
+
+def against_supersampling(times):
+    """Time of mode 4 over that of mode 2, the whole frame and the object's window."""
+    bodies = ordered(row["body"] for row in times)
+    result = []
+    for name, other in (("the whole frame", "supersampling 2 whole frame"),
+                        ("the object's window", "supersampling 2")):
+        cells = []
+        for body in bodies:
+            mine = {method_of(r): {} for r in times}
+            for row in times:
+                if row["body"] == body:
+                    mine[method_of(row)][row["size [px]"]] = float(row["time [ms]"])
+            ratios = [mine["aligned 4"][size] / mine[other][size] for size in mine[other]]
+            cells.append(f"{min(ratios):.2g} to {max(ratios):.2g}")
+        result.append([name] + cells)
+    return table(["time of mode 4 in terms of mode 2 over"] + bodies, result)
+
+
+def parts_table(parts):
+    result = []
+    for way in ordered(row["way"] for row in parts):
+        mine = [row for row in parts if row["way"] == way]
+        errors = [float(row["error [%]"]) for row in mine]
+        rms = (sum(error * error for error in errors) / len(errors)) ** 0.5
+        time = sum(float(row["time [ms]"]) for row in mine) / len(mine)
+        result.append([way, percent(rms), percent(max(map(abs, errors))), f"{time:.1f}"])
+    return table(["four-engined aircraft, 200 to 12.5 pixels", "RMS, %", "largest, %",
+                  "ms a frame"], result)
+
+
+def angles_sentence(angles):
+    errors = [float(row["rms_error [%]"]) for row in angles]
+    above = [row for row in angles if float(row["rms_error [%]"]) > 0.1]
+    worst = max(angles, key=lambda row: float(row["rms_error [%]"]))
+    return (f"The L turned in steps of half a degree, mode 4: RMS above 0.1 % in {len(above)} of "
+            f"{len(errors)} cases, at worst {percent(float(worst['rms_error [%]']))} % "
+            f"({worst['angle [deg]']}° at {worst['size [px]']} pixels).\n")
+
+
 def plot(smat, files, quantity, output, *options):
     subprocess.run([smat, "plot", *map(str, files), "--quantity", quantity, *options,
                     "-o", str(FIGURES / output)], check=True)
@@ -98,6 +154,7 @@ def curves_of(errors, body, folder):
 def main():
     results, smat = Path(sys.argv[1]), sys.argv[2]
     errors, times = rows_of(results / "errors.csv"), rows_of(results / "times.csv")
+    parts, angles = rows_of(results / "parts.csv"), rows_of(results / "angles.csv")
 
     for body, name in DRAWN_BODIES.items():
         plot(smat, curves_of(errors, body, results / "curves" / name), "rms_error",
@@ -112,6 +169,10 @@ def main():
 
     number = lambda ms: f"{ms:.2f}" if ms < 10 else f"{ms:.0f}"
     tables = "\n".join([worst_table(errors),
+                        against_supersampling(times),
+                        largest_rise(times),
+                        parts_table(parts),
+                        angles_sentence(angles),
                         "RMS error, %:\n",
                         *(by_size(errors, body, "rms_error [%]", percent)
                           for body in ordered(row["body"] for row in errors)),

@@ -42,13 +42,16 @@ SampleWindow sampleWindow(const ImageRectangle& extent, int size) {
 
 /// The window, or two of them one above the other: a tile has whole numbers of samples, and where
 /// that leaves much of the window's size unused, the upper one has one more row in every tile.
-/// Time then does not depend on how pixels divide the size.
+/// Time then does not depend on how pixels divide the size; what a second window costs is not worth
+/// the samples of a small one.
 std::vector<SampleWindow> evenly(const SampleWindow& window, int size) {
     const double perTile = static_cast<double>(size) / std::max(window.tilesWide, window.tilesHigh);
     const double down = perTile * perTile / window.samplesAcross;
-    constexpr double little = 0.9;
+    const double unused = 1.0 - window.samplesDown / down;
+    constexpr double little = 0.1, worthAWindow = 6500.0; // samples
     const int finer = static_cast<int>(std::lround((down - window.samplesDown) * window.tilesHigh));
-    if (window.samplesDown >= little * down || finer <= 0 || finer >= window.tilesHigh)
+    if (unused <= little || unused * size * size < worthAWindow || finer <= 0 ||
+        finer >= window.tilesHigh)
         return {window};
     SampleWindow upper = window, lower = window;
     upper.tilesHigh = finer;
