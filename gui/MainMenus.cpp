@@ -68,8 +68,8 @@ void MainWindow::makeFileMenu(QMenu* menu) {
                                     QKeySequence(Qt::ALT | Qt::Key_Return),
                                     [this] { showProjectProperties(); }));
     menu->addSeparator();
-    addAction(menu, "openDatabase", "database", tr("Open &database…"), {},
-              [this] { databaseDock_->openDatabase(); });
+    ofProjectFile_.append(addAction(menu, "openDatabase", "database", tr("Open &database…"), {},
+                                    [this] { databaseDock_->openDatabase(); }));
     addAction(menu, "saveDatabase", {}, tr("Save data&base"),
               QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { databaseDock_->save(); });
     addAction(menu, "saveDatabaseAs", {}, tr("Save database as…"), {},
@@ -119,10 +119,11 @@ void MainWindow::makeViewMenu(QMenu* menu) {
     if (view_ != nullptr) {
         page_->fillMenu(menu);
         auto* whole = menu->addAction(icon("home"), tr("Show the whole &model"), this, [this] {
-            if (workbench_.hasProject())
-                view_->showWholeModel();
+            tabs_->setCurrentIndex(0);
+            view_->showWholeModel();
         });
         whole->setObjectName("showWholeModel");
+        ofProjectFile_.append(whole);
         menu->addSeparator();
     }
     for (auto* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))

@@ -111,6 +111,9 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::settingsChanged, this, &MainWindow::onSettingsChanged);
     connect(&workbench_, &Workbench::jobStarted, this, &MainWindow::refreshActions);
     connect(&workbench_, &Workbench::jobEnded, this, &MainWindow::refreshActions);
+    connect(&workbench_.database(), &DatabaseSession::stateChanged, this,
+            &MainWindow::refreshActions);
+    connect(&workbench_.database(), &DatabaseSession::opened, this, &MainWindow::refreshActions);
     connect(&workbench_, &Workbench::resultAdded, this, [this](int id) {
         sceneRenderer_ = QString::fromStdString(workbench_.result(id)->data.renderer);
     });
@@ -299,8 +302,10 @@ ResultPage* MainWindow::currentPage() const {
 
 void MainWindow::exportShown() {
     const auto* page = dynamic_cast<Exportable*>(tabs_->currentWidget());
-    if (page == nullptr || page->exportFilters().isEmpty())
+    if (page == nullptr || page->exportFilters().isEmpty()) {
+        statusBar()->showMessage(tr("This page has nothing to export yet"), 8000);
         return;
+    }
     const QString file = dialogs_.saveFile(this, tr("Export"), page->exportFilters(), {});
     if (file.isEmpty())
         return;
@@ -319,6 +324,11 @@ void MainWindow::refreshActions() {
                               currentPage()->resultIds().size() == 1);
     for (auto* action : ofProjectFile_)
         action->setEnabled(workbench_.hasProject());
+    const DatabaseSession& database = workbench_.database();
+    findChild<QAction*>("saveDatabase")
+        ->setEnabled(database.isOpen() && database.isDirty() &&
+                     database.access() == DatabaseSession::Access::edit);
+    findChild<QAction*>("saveDatabaseAs")->setEnabled(database.isOpen());
     const bool ready = workbench_.hasProject() && !workbench_.isRunning();
     for (const auto& [kind, action] : analyses_)
         action->setEnabled(ready);

@@ -1,0 +1,162 @@
+#include <set>
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPointer>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTabWidget>
+
+#include "tests/gui/WindowFixture.h"
+
+namespace smat::gui {
+namespace {
+
+/// Chooses every entry of the menus, as somebody does who looks what a new program can do.
+class EveryActionTest : public test::WindowFixture {
+  protected:
+    void SetUp() override {
+        WindowFixture::SetUp();
+        // Files of other tests would be opened again, and saved.
+        QSettings(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench")
+            .remove("recentFiles");
+        onDialog = [this](QDialog&) { ++noticed; };
+        accept = false;
+        people.openFile = [this](QWidget*, const QString&, const QStringList&) {
+            ++noticed;
+            return chosen;
+        };
+        people.saveFile = [this](QWidget*, const QString&, const QStringList&, const QString&) {
+            ++noticed;
+            return QString();
+        };
+        people.tell = [this](QWidget*, const QString&, const QStringList& sentences) {
+            ++noticed;
+            told += sentences;
+        };
+        people.ask = [this](QWidget*, const QString&, const QString&, const QStringList&) {
+            ++noticed;
+            return -1;
+        };
+        makeWindow();
+    }
+
+    static void collect(const QMenu& menu, const QString& path,
+                        std::vector<QPointer<QAction>>& entries, std::vector<QString>& paths) {
+        for (QAction* action : menu.actions()) {
+            const QString name = path + " > " + QString(action->text()).remove('&');
+            if (action->isSeparator())
+                continue;
+            if (action->menu()) {
+                emit action->menu()->aboutToShow();
+                collect(*action->menu(), name, entries, paths);
+                continue;
+            }
+            entries.push_back(action);
+            paths.push_back(path + " > " + action->property("listedAs").toString());
+            if (!action->property("listedAs").isValid())
+                paths.back() = name;
+        }
+    }
+
+    /// All that a person can see of the window and its clipboard, in short.
+    std::vector<QByteArray> sight() {
+        std::vector<QByteArray> result;
+        for (QWidget* top : QApplication::topLevelWidgets())
+            if (top->isVisible()) {
+                const QImage picture = top->grab().toImage().convertToFormat(QImage::Format_RGB32);
+                result.emplace_back(reinterpret_cast<const char*>(picture.constBits()),
+                                    picture.sizeInBytes());
+            }
+        result.push_back(QApplication::clipboard()->text().toUtf8());
+        result.push_back(QByteArray::number(workbench.undoStack().index()));
+        for (const auto* action : window->findChildren<QAction*>())
+            if (action->isChecked())
+                result.push_back(action->objectName().toUtf8() + action->text().toUtf8());
+        std::ranges::sort(result);
+        return result;
+    }
+
+    /// Chooses what can be chosen, one after another; entries that did nothing at all.
+    QStringList chooseAll() {
+        QStringList dead;
+        std::vector<QPointer<QAction>> entries;
+        std::vector<QString> paths;
+        for (const QAction* menu : window->menuBar()->actions())
+            collect(*menu->menu(), QString(menu->text()).remove('&'), entries, paths);
+        // The page that is shown stays for all, so it is closed last.
+        auto* tabs = window->findChild<QTabWidget*>("tabs");
+        const QPointer<QWidget> page = tabs->currentWidget();
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            if (entries[i]->objectName() != "closeResult" && entries[i]->objectName() != "quit")
+                order.push_back(i);
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            if (entries[i]->objectName() == "closeResult")
+                order.push_back(i);
+        for (const std::size_t i : order) {
+            if (page)
+                tabs->setCurrentWidget(page);
+            if (!entries[i] || !entries[i]->isEnabled())
+                continue;
+            chosenEntries.insert(paths[i]);
+            QApplication::clipboard()->clear();
+            noticed = 0;
+            window->statusBar()->clearMessage();
+            const auto before = sight();
+            entries[i]->trigger();
+            QTest::qWait(30);
+            // One of several kinds that is chosen already may stay as it is.
+            const bool isChosen =
+                entries[i] && entries[i]->actionGroup() && entries[i]->isChecked();
+            if (noticed == 0 && !workbench.isRunning() && !isChosen && sight() == before)
+                dead << paths[i];
+            EXPECT_TRUE(test::waitUntil([this] { return !workbench.isRunning(); }))
+                << paths[i].toStdString();
+            closeOthers();
+        }
+        seen.insert(paths.begin(), paths.end());
+        return dead;
+    }
+    void closeOthers() {
+        for (QWidget* top : QApplication::topLevelWidgets())
+            if (top != window.get() && top->isVisible())
+                top->close();
+        QTest::qWait(10);
+    }
+
+    int noticed = 0;
+    std::set<QString> seen, chosenEntries;
+};
+
+TEST_F(EveryActionTest, NoEntryOfTheMenusIsDead) {
+    const QStringList empty = chooseAll();
+    EXPECT_TRUE(empty.isEmpty()) << "without a project:\n" << empty.join('\n').toStdString();
+
+    // What shows or saves a state has nothing to do where it is that state already.
+    openSample();
+    chosen.clear();
+    QStringList dead = chooseAll();
+    accept = true;
+    for (const char* analysis : {"polar", "image"})
+        runAnalysis(analysis);
+    accept = false;
+    workbench.saveDatabaseAs(folder / "ship.sigdb"); // the sample stays as it is
+    workbench.database().edit("name it", [](auto& database) { database.title = "another"; });
+    const QStringList ran = chooseAll();
+    dead.removeIf([&](const QString& path) { return !ran.contains(path); });
+    EXPECT_TRUE(dead.isEmpty()) << dead.join('\n').toStdString();
+
+    QStringList never;
+    for (const QString& path : seen)
+        if (!chosenEntries.contains(path) && path != "File > Quit" &&
+            path != "File > Open recent > No files yet")
+            never << path;
+    EXPECT_TRUE(never.isEmpty()) << never.join('\n').toStdString();
+}
+
+} // namespace
+} // namespace smat::gui
