@@ -56,6 +56,11 @@ std::string ResultColumn::axisTitle() const {
     }
     const irsg::QuantityInfo* quantity = quantityOf(rest);
     std::string name(quantity != nullptr ? quantity->label : rest);
+    if (quantity == nullptr && !name.empty()) {
+        // A key of somebody else's file is read as words: "time_per_frame" is "Time per frame".
+        std::ranges::replace(name, '_', ' ');
+        name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+    }
     if (!label.empty() && !name.empty()) {
         name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
     }

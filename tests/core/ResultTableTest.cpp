@@ -59,7 +59,7 @@ TEST(ResultTable, AValueThatIsNotThereIsNan) {
 
 TEST(ResultTable, ColumnsKnowTheirAxisTitle) {
     EXPECT_EQ(someTable().columns()[1].axisTitle(), "Contrast intensity (W·sr⁻¹)");
-    EXPECT_EQ((ResultColumn{"total_power", "W", {}}.axisTitle()), "total_power (W)");
+    EXPECT_EQ((ResultColumn{"total_power", "W", {}}.axisTitle()), "Total power (W)");
     EXPECT_EQ((ResultColumn{"error_total", "W", {}}.axisTitle()), "Error of total (W)");
 }
 
