@@ -44,7 +44,7 @@ CopyEntriesDialog::CopyEntriesDialog(const EditorContext& context, irsg::Signatu
     plot_->setReadOnly(true);
     NodeRules rules;
     rules.xName = tr("wavelength");
-    rules.xUnit = tr("um");
+    rules.xUnit = tr("µm");
     rules.yName = tr("emissivity");
     plot_->setRules(rules);
     plot_->setCurveColors(1, {0});

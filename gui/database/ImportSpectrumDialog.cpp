@@ -53,7 +53,7 @@ ImportSpectrumDialog::ImportSpectrumDialog(const EditorContext& context,
     auto* form = new QFormLayout;
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Unit of the values"), unit_);
-    form->addRow(tr("Reference distance [m]"), distance_);
+    form->addRow(tr("Reference distance (m)"), distance_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 14);
     column->setSpacing(12);

@@ -97,7 +97,7 @@ QVariant NodeTableModel::headerData(int section, Qt::Orientation orientation, in
     if (role != Qt::DisplayRole)
         return QAbstractTableModel::headerData(section, orientation, role);
     if (orientation == Qt::Horizontal)
-        return section == 0 ? rules_.xTitle() : rules_.yTitle();
+        return QString(section == 0 ? rules_.xTitle() : rules_.yTitle()).replace(" (", "\n(");
     return section < static_cast<int>(nodes_.size()) ? QVariant(section + 1) : QVariant("+");
 }
 

@@ -17,7 +17,7 @@ QString tr(const char* text) {
 }
 
 QString titled(const QString& name, const QString& unit) {
-    return unit.isEmpty() ? name : name + " [" + unit + "]";
+    return unit.isEmpty() ? name : name + " (" + unit + ")";
 }
 
 QString withUnit(double value, const QString& unit) {

@@ -89,7 +89,7 @@ void SpectralProperty::setValue(const irsg::Spectrum& value, const irsg::Spectru
         const bool emission = which_ == Which::emissivity;
         NodeRules rules;
         rules.xName = tr("wavelength");
-        rules.xUnit = tr("um");
+        rules.xUnit = tr("µm");
         rules.yName = emission ? tr("emissivity") : tr("transmissivity");
         rules.xPositive = true;
         rules.yMinimum = 0.0;

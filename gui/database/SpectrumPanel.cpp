@@ -105,7 +105,7 @@ void SpectrumPanel::refresh() {
         counted(static_cast<long>(spectrum.components.size()), tr("component"), tr("components"));
     if (!spectrum.components.empty()) {
         const auto& axis = spectrum.components.front().radiance.wavelengths_um();
-        caption += tr(", %1 nodes from %2 to %3 um")
+        caption += tr(", %1 nodes from %2 to %3 µm")
                        .arg(axis.size())
                        .arg(axis.front(), 0, 'g', 4)
                        .arg(axis.back(), 0, 'g', 4);
@@ -118,7 +118,7 @@ void SpectrumPanel::refresh() {
         return;
     shown_ = spectrum;
     model_->setSpectrum(spectrum);
-    PlotData data{{}, tr("wavelength [um]"), tr("radiance [W m-2 sr-1 um-1]"), {}};
+    PlotData data{{}, tr("wavelength (µm)"), tr("radiance (W·m⁻²·sr⁻¹·µm⁻¹)"), {}};
     for (const auto& component : spectrum.components)
         data.curves.push_back({QString::fromStdString(component.name),
                                component.radiance.wavelengths_um(), component.radiance.values()});

@@ -37,12 +37,12 @@ QVariant SpectrumTableModel::data(const QModelIndex& index, int role) const {
 
 QVariant SpectrumTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (role == Qt::ToolTipRole && orientation == Qt::Horizontal && section > 0)
-        return tr("W/(m² sr um)");
+        return tr("W·m⁻²·sr⁻¹·µm⁻¹");
     if (role != Qt::DisplayRole)
         return {};
     if (orientation == Qt::Vertical)
         return section + 1;
-    return section == 0 ? tr("wavelength [um]")
+    return section == 0 ? tr("wavelength\n(µm)")
                         : QString::fromStdString(
                               spectrum_.components[static_cast<std::size_t>(section) - 1].name);
 }
@@ -51,7 +51,7 @@ QString SpectrumTableModel::spreadsheetText() const {
     QString text;
     for (int column = 0; column < columnCount(); ++column)
         text += (column == 0 ? QString() : "\t") +
-                headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+                headerData(column, Qt::Horizontal, Qt::DisplayRole).toString().replace("\n", " ");
     text += "\n";
     for (int row = 0; row < rowCount(); ++row) {
         for (int column = 0; column < columnCount(); ++column)

@@ -98,9 +98,9 @@ QWidget* TemperaturePanel::makeEmission() {
     emitted_->setReadOnly(true);
     NodeRules rules;
     rules.xName = tr("wavelength");
-    rules.xUnit = tr("um");
+    rules.xUnit = tr("µm");
     rules.yName = tr("emitted radiance now");
-    rules.yUnit = tr("W/(m² sr um)");
+    rules.yUnit = tr("W·m⁻²·sr⁻¹·µm⁻¹");
     emitted_->setRules(rules);
     emission_ = new QStackedWidget(this);
     emission_->addWidget(result_);
