@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QPointer>
 #include <QShortcut>
 #include <QTabBar>
 #include <QTabWidget>
@@ -56,6 +57,10 @@ class FloatingPages::Window : public QWidget {
             close();
         });
     }
+    ~Window() override {
+        if (page_)
+            page_->disconnect(this); // it goes with what is left of this window, and takes nothing
+    }
     QWidget* page() const { return page_; }
     /// Gives the page away.
     void release() {
@@ -64,7 +69,7 @@ class FloatingPages::Window : public QWidget {
     }
 
   private:
-    QWidget* page_;
+    QPointer<QWidget> page_;
     FloatingPages& owner_;
 };
 
