@@ -1,6 +1,8 @@
 // The 3-D view as a hand feels it: times between frames while the sample aircraft is dragged, and
-// how long the infrared display takes to follow a drag, an edited database and a setting. Run it on
-// an idle machine under a display (xvfb-run will do); the load is printed beside the figures.
+// how long the infrared display takes to follow a drag, an edited database and a setting; at the
+// end from a key in a field of the database editor to the new picture on the screen. "Computed" is
+// the time that all threads of the program have worked for one of them. Run it on an idle machine
+// under a display (xvfb-run will do); the load is printed beside the figures.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -10,11 +12,18 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QLineEdit>
+#include <QMainWindow>
 #include <QMouseEvent>
+#include <QTabWidget>
+#include <QTemporaryDir>
 #include <QThread>
 #include <sys/resource.h>
 
 #include "gui/Theme.h"
+#include "gui/Workbench.h"
+#include "gui/database/DatabaseDock.h"
+#include "gui/database/DatabasePreview.h"
 #include "gui/view/SceneView.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/ProjectFile.h"
@@ -92,6 +101,65 @@ std::vector<double> drag(SceneView& view, int steps, const std::function<bool()>
     }
     move(view, QEvent::MouseButtonRelease, {300, 300});
     return times_ms;
+}
+
+/// From a key in the editor's field of T0 until the picture of the new value is on the screen: the
+/// window with view and editor, on a copy of the sample.
+void editInTheWindow(const std::filesystem::path& sample) {
+    namespace fs = std::filesystem;
+    const QTemporaryDir folder;
+    const fs::path copy = fs::path(folder.path().toStdString()) / "sample";
+    fs::copy(sample.parent_path(), copy, fs::copy_options::recursive);
+    Workbench workbench;
+    workbench.open(copy / sample.filename());
+    QMainWindow window;
+    auto* view = new SceneView(&window);
+    window.setCentralWidget(view);
+    auto* dock = new DatabaseDock(workbench, Dialogs{}, &window);
+    window.addDockWidget(Qt::RightDockWidgetArea, dock);
+    new DatabasePreview(workbench, *dock, *view, &window);
+    window.resize(width_px + 440, height_px + 40);
+    view->setScene(loadDisplayScene(workbench.project(), workbench.settings()));
+    view->setProject(workbench.project(), workbench.settings());
+    window.show();
+    view->showWholeModel();
+    dock->select(
+        {EntryKind::temperature, workbench.database().value().temperatures.begin()->first});
+    dock->findChild<QTabWidget*>("temperatureTabs")->setCurrentIndex(1);
+    auto* field = dock->findChild<QLineEdit*>("base_K");
+    std::printf("\nin the window, view %d x %d\n", view->width(), view->height());
+    bool shown = false, swapped = false;
+    QObject::connect(view, &SceneView::pictureShown, [&] {
+        shown = true;
+        swapped = false;
+    });
+    QObject::connect(view, &QOpenGLWidget::frameSwapped, [&] { swapped = true; });
+    const auto press = [&](double pause_s) {
+        std::vector<double> times_ms;
+        for (int i = 0; i < 40; ++i) {
+            waitFor([] { return false; }, pause_s);
+            shown = swapped = false;
+            QElapsedTimer clock;
+            clock.start();
+            QKeyEvent key(QEvent::KeyPress, Qt::Key_Up, Qt::NoModifier);
+            QApplication::sendEvent(field, &key);
+            waitFor([&] { return shown && swapped; });
+            times_ms.push_back(milliseconds(clock));
+        }
+        return times_ms;
+    };
+    for (const auto quantity :
+         {InfraredQuantity::radiance, InfraredQuantity::apparentTemperature}) {
+        view->setQuantity(quantity);
+        view->setDisplay(ViewDisplay::infrared);
+        waitFor([&] { return view->isUpToDate() && view->shownPicture() != nullptr; });
+        const char* word = quantity == InfraredQuantity::radiance ? "radiance" : "temperature";
+        print((std::string("key to screen, after a pause, ") + word).c_str(),
+              [&] { return press(0.6); });
+        print((std::string("key to screen, key held down, ") + word).c_str(),
+              [&] { return press(0.03); });
+    }
+    workbench.database().discard();
 }
 
 } // namespace
@@ -200,6 +268,8 @@ int main(int argc, char** argv) {
         };
         print((std::string("infrared, the sun moved, ") + word).c_str(), moveSun);
     }
+    view.hide();
+    editInTheWindow(sample);
     std::printf("load %s\n", load().c_str());
     return 0;
 }

@@ -15,6 +15,7 @@
 #include "gui/ManipulatorsDock.h"
 #include "gui/Sentences.h"
 #include "gui/Theme.h"
+#include "gui/UnsavedNote.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultPages.h"
@@ -86,6 +87,20 @@ void MainWindow::makeDocks() {
         else
             files_->chooseDatabaseFile(static_cast<std::size_t>(model));
     });
+    // The target's entries are edited here; those of other models are only marked.
+    const auto edit = [this](IndexKind kind, int index, int model) {
+        if (model == 0)
+            databaseDock_->select(
+                {kind == IndexKind::temperature ? EntryKind::temperature : EntryKind::material,
+                 index});
+    };
+    connect(tree_, &SceneTreeDock::indexSelected, databaseDock_, edit);
+    connect(tree_, &SceneTreeDock::indexActivated, databaseDock_,
+            [this, edit](IndexKind kind, int index, int model) {
+                edit(kind, index, model);
+                databaseDock_->show();
+                databaseDock_->raise();
+            });
     if (view_ != nullptr) {
         joinTreeAndView();
         new DatabasePreview(workbench_, *databaseDock_, *view_, this);
@@ -292,6 +307,7 @@ void MainWindow::newAnalysis(AnalysisKind kind, const Settings& settings, const 
         return;
     AnalysisGeneratorDialog dialog(workbench_.project(), settings, kind, fileChooser(), this);
     dialog.setName(name);
+    dialog.setUnsavedNote(unsavedNote(workbench_));
     if (dialogs_.run(dialog))
         workbench_.start(dialog.data());
 }

@@ -46,19 +46,54 @@ irsg::SignatureDatabase read(const LintOptions& options, Context& context) {
     return loaded.database;
 }
 
-irsg::LintScope scopeOf(const LintOptions& options) {
+/// What the database is checked against: models with bands and states, and the scales beside them.
+struct Surroundings {
     irsg::LintScope scope;
+    std::vector<std::pair<irsg::ModelUse, irsg::ScalingUse>> scalings;
+
+    std::vector<Finding> findings(const irsg::SignatureDatabase& database) const {
+        std::vector<Finding> all = irsg::lint(database, scope);
+        for (const auto& [model, use] : scalings) {
+            const std::vector<Finding> more = irsg::lintScalings(database, model, use);
+            all.insert(all.end(), more.begin(), more.end());
+        }
+        return all;
+    }
+};
+
+Surroundings surroundingsOf(const LintOptions& options) {
+    Surroundings around;
+    const auto addScalings = [&](const irsg::ModelUse& use, const irsg::Model& model,
+                                 const std::filesystem::path& file) {
+        around.scalings.emplace_back(use, irsg::scalingUseOf(model, file));
+    };
     if (!options.project.empty()) {
         SceneBuilder builder;
-        scope = lintScopeOf(loadProject(options.project), options.file, builder);
+        const Project project = loadProject(options.project);
+        around.scope = lintScopeOf(project, options.file, builder);
+        // The scope has the models with this database in the order of the project.
+        auto use = around.scope.models.begin();
+        for (const ProjectModel& one : project.models) {
+            std::error_code failure;
+            if (use != around.scope.models.end() && !one.database.empty() &&
+                std::filesystem::equivalent(project.resolve(one.database), options.file, failure)) {
+                const auto file = project.resolve(one.file);
+                addScalings(*use++,
+                            *builder.model(file, {.noseAxis = one.noseAxis,
+                                                  .forceTwoSided = one.forceTwoSided}),
+                            file);
+            }
+        }
     }
-    for (const std::string& model : options.models) {
-        scope.models.push_back(irsg::useOf(*irsg::Model::load(model)));
+    for (const std::string& file : options.models) {
+        const auto model = irsg::Model::load(file);
+        around.scope.models.push_back(irsg::useOf(*model));
+        addScalings(around.scope.models.back(), *model, file);
     }
     if (!options.band.empty()) {
-        scope.bands = {irsg::Band::fromText(options.band).range()};
+        around.scope.bands = {irsg::Band::fromText(options.band).range()};
     }
-    return scope;
+    return around;
 }
 
 nlohmann::ordered_json jsonOf(const std::vector<Finding>& findings) {
@@ -114,10 +149,10 @@ int lint(const LintOptions& options, Context& context) {
     checkOptions(options);
     irsg::SignatureDatabase database = read(options, context);
     const StageTimer::Scope timed(&context.timer, "lint");
-    const irsg::LintScope scope = scopeOf(options);
+    const Surroundings around = surroundingsOf(options);
     const std::vector<Finding> mended =
-        options.repair ? irsg::repairAll(database, scope) : std::vector<Finding>{};
-    const std::vector<Finding> left = irsg::lint(database, scope);
+        options.repair ? irsg::repairAll(database, around.scope) : std::vector<Finding>{};
+    const std::vector<Finding> left = around.findings(database);
     const int exitCode = exitCodeOf(left);
 
     // What cannot be opened again is not written.
@@ -159,7 +194,8 @@ void addDatabaseLint(CLI::App& database, Context& context) {
         ->type_name("");
     command
         ->add_option("--model", options->models,
-                     "Model whose codes must have an entry; may be given more than once")
+                     "Model whose codes must have an entry, and whose scaling files must suit the "
+                     "database; may be given more than once")
         ->type_name("MODEL")
         ->expected(1)
         ->take_all();

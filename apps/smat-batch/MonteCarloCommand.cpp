@@ -47,6 +47,11 @@ class MonteCarloCommand {
                         "Analysis of the project that is repeated; the first that is no image "
                         "without it")
             ->type_name("NAME");
+        command
+            .add_option("--kind", kind_,
+                        "polar, range, time or spectrum with the project's own settings, in place "
+                        "of --analysis")
+            ->type_name("WORD");
         numbers_.add("--samples", "N", "Draws at most, 1024 by default");
         command.add_option("--sequence", sequence_, "sobol (default) or plain draws")
             ->type_name("WORD");
@@ -148,6 +153,16 @@ class MonteCarloCommand {
     }
 
     AnalysisData started(const Project& project) const {
+        if (!kind_.empty()) {
+            const auto kind = analysisKindFromName(kind_);
+            if (!kind || *kind == AnalysisKind::image) {
+                throw refusal("--kind", kind_, "polar, range, time or spectrum");
+            }
+            if (!analysis_.empty()) {
+                throw refusal("--kind", kind_, "nothing beside --analysis");
+            }
+            return AnalysisData::of(project, *kind);
+        }
         if (!analysis_.empty()) {
             return AnalysisData::of(project, analysis_);
         }
@@ -216,8 +231,8 @@ class MonteCarloCommand {
     SettingOptions settings_;
     NumberOptions numbers_;
     std::vector<std::string> files_;
-    std::string analysis_, sequence_ = "sobol", quantity_ = "contrast_intensity",
-                           statistic_ = "mean", percentiles_;
+    std::string analysis_, kind_, sequence_ = "sobol", quantity_ = "contrast_intensity",
+                                  statistic_ = "mean", percentiles_;
     bool ranking_ = false;
 };
 

@@ -37,6 +37,15 @@ void complain(const irsg::InputError& error) {
     }
 }
 
+void checkFolderGiven(const std::string& folder, const std::string& what) {
+    if (folder.empty()) {
+        throw irsg::InputError(irsg::Offence{.file = "--out",
+                                             .position = "",
+                                             .value = "nothing",
+                                             .expected = "a folder for " + what});
+    }
+}
+
 ProgressLine::~ProgressLine() {
     if (width_ > 0) {
         fmt::print(stderr, "\r{:{}}\r", "", width_);

@@ -14,6 +14,9 @@ namespace smat::batch {
 void warn(const std::string& sentence);
 void complain(const irsg::InputError& error);
 
+/// Throws InputError where `--out` names no folder for `what`.
+void checkFolderGiven(const std::string& folder, const std::string& what);
+
 /// One line on a terminal that is written over and over, nothing elsewhere.
 class ProgressLine {
   public:

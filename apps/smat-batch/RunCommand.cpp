@@ -1,10 +1,11 @@
 #include <algorithm>
-#include <system_error>
 
 #include "apps/smat-batch/Analyses.h"
+#include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/ProjectInput.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/support/Folders.h"
 
 namespace smat::batch {
 
@@ -24,11 +25,8 @@ class RunCommand {
     }
 
     int run(Context& context) const {
-        if (folder_.empty() && !dryRun_) {
-            throw irsg::InputError(irsg::Offence{.file = "--out",
-                                                 .position = "",
-                                                 .value = "nothing",
-                                                 .expected = "a folder for the results"});
+        if (!dryRun_) {
+            checkFolderGiven(folder_, "the results");
         }
         std::vector<Job> jobs;
         {
@@ -38,7 +36,7 @@ class RunCommand {
         if (dryRun_) {
             return describeJobs(jobs, context);
         }
-        makeFolder();
+        makeFolder(folder_, "the results");
         return runJobs(std::move(jobs), context);
     }
 
@@ -68,17 +66,6 @@ class RunCommand {
             jobs.push_back(std::move(job));
         }
         return jobs;
-    }
-
-    void makeFolder() const {
-        std::error_code failure;
-        std::filesystem::create_directories(folder_, failure);
-        if (failure || !std::filesystem::is_directory(folder_)) {
-            throw irsg::InputError(irsg::Offence{.file = folder_,
-                                                 .position = "",
-                                                 .value = "a place where no folder can be made",
-                                                 .expected = "a folder for the results"});
-        }
     }
 
     ProjectInput project_;

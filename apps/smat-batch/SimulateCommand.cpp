@@ -47,11 +47,8 @@ class SimulateCommand {
     }
 
     int run(Context& context) const {
-        if (folder_.empty() && !dryRun_) {
-            throw irsg::InputError(irsg::Offence{.file = "--out",
-                                                 .position = "",
-                                                 .value = "nothing",
-                                                 .expected = "a folder for the frames"});
+        if (!dryRun_) {
+            checkFolderGiven(folder_, "the frames");
         }
         numbers_.check();
         SceneBuilder builder;

@@ -83,6 +83,11 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
     auto* same = new QLabel(tr("The same from a terminal"), this);
     same->setForegroundRole(QPalette::PlaceholderText);
 
+    unsaved_ = new QLabel(this);
+    unsaved_->setObjectName("unsavedNote");
+    unsaved_->setWordWrap(true);
+    unsaved_->hide();
+
     buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("Run"));
     for (auto* button : buttons_->buttons())
@@ -107,6 +112,7 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
     column->addWidget(problems_);
     column->addWidget(same);
     column->addLayout(terminal);
+    column->addWidget(unsaved_);
     column->addWidget(buttons_);
     connect(name_, &QLineEdit::textChanged, this, &AnalysisGeneratorDialog::refresh);
     refresh();
@@ -133,6 +139,11 @@ void AnalysisGeneratorDialog::addPage(const QString& title,
 
 void AnalysisGeneratorDialog::setName(const QString& name) {
     name_->setText(name);
+}
+
+void AnalysisGeneratorDialog::setUnsavedNote(const QString& note) {
+    unsaved_->setText(note);
+    unsaved_->setVisible(!note.isEmpty());
 }
 
 QStringList AnalysisGeneratorDialog::problems() const {

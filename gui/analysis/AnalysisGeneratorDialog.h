@@ -26,6 +26,8 @@ class AnalysisGeneratorDialog : public QDialog {
                             FileChooser chooseFile, QWidget* parent = nullptr);
 
     void setName(const QString& name);
+    /// A sentence under the command; none where it is empty.
+    void setUnsavedNote(const QString& note);
 
     /// What the forms say now; only while acceptable.
     AnalysisData data() const;
@@ -46,6 +48,7 @@ class AnalysisGeneratorDialog : public QDialog {
     QLineEdit* command_ = nullptr;
     QLabel* problems_ = nullptr;
     QLabel* plan_ = nullptr;
+    QLabel* unsaved_ = nullptr;
     QDialogButtonBox* buttons_ = nullptr;
 };
 

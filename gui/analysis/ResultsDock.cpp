@@ -12,6 +12,7 @@
 
 #include "gui/Sentences.h"
 #include "gui/Theme.h"
+#include "gui/UnsavedNote.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/JobPanel.h"
@@ -288,6 +289,7 @@ void ResultsDock::editAndRun() {
                                    chooser, this);
     if (entry->data.name != name(entry->data.kind))
         dialog.setName(QString::fromStdString(entry->data.name));
+    dialog.setUnsavedNote(unsavedNote(workbench_));
     if (dialogs_.run(dialog) && dialog.isAcceptable())
         workbench_.start(dialog.data());
 }

@@ -266,6 +266,15 @@ void DatabaseDock::save() {
     auto& session = context_.session();
     if (!session.isOpen())
         return;
+    QStringList problem;
+    if (!session.isChangedOnDisk()) {
+        try {
+            session.save();
+        } catch (const irsg::InputError& error) {
+            problem = sentencesOf(error);
+        }
+    }
+    // It may have changed a moment ago, while the save began.
     if (session.isChangedOnDisk()) {
         QuestionDialog question(tr("The file has changed"),
                                 tr("Another program has changed this file since it was read."),
@@ -277,7 +286,8 @@ void DatabaseDock::save() {
                 [&] { question.answer() == 0 ? session.overwrite() : session.reload(); });
         return;
     }
-    attempt(tr("This database cannot be saved"), [&] { session.save(); });
+    if (!problem.isEmpty())
+        context_.dialogs().tell(context_.window, tr("This database cannot be saved"), problem);
     if (!session.isDirty())
         createScalings();
 }

@@ -218,14 +218,10 @@ void DatabaseSession::lock() {
 }
 
 void DatabaseSession::save() {
+    value();
     if (isChangedOnDisk())
         throw irsg::InputError({file_.string(), "", "a file that another program has changed",
                                 "the content that was read, or a decision whose version stays"});
-    overwrite();
-}
-
-void DatabaseSession::overwrite() {
-    value();
     lock();
     if (access_ == Access::openElsewhere)
         throw irsg::InputError({file_.string(), "",
@@ -234,6 +230,20 @@ void DatabaseSession::overwrite() {
                                 "another name"});
     writeTo(file_);
     refresh();
+}
+
+void DatabaseSession::overwrite() {
+    value();
+    try {
+        // What is there now is known, and given up.
+        saved_ = std::make_shared<const irsg::SignatureDatabase>(
+            irsg::loadSignatureFile(file_, irsg::OutsideChanges::accept, irsg::LintErrors::accept)
+                .database);
+        isNew_ = false;
+    } catch (const irsg::InputError&) {
+        // Nothing is there, or nothing that can be read: saving says so.
+    }
+    save();
 }
 
 void DatabaseSession::saveAs(const fs::path& file) {
@@ -253,7 +263,11 @@ void DatabaseSession::saveAs(const fs::path& file) {
 }
 
 void DatabaseSession::writeTo(const fs::path& file) {
-    irsg::saveSignatureFile(*value_, file);
+    // Another program may have saved since the last look at the file: its own then refuses.
+    if (file == file_ && !isNew_)
+        irsg::saveSignatureFile(*value_, file, *saved_);
+    else
+        irsg::saveSignatureFile(*value_, file);
     saved_ = value_;
     isNew_ = acceptedOutside_ = false;
     stamp_ = stampOf(file);

@@ -8,7 +8,8 @@
 #include <QVBoxLayout>
 
 #include "gui/Theme.h"
-#include "irsg/signature/Lint.h"
+#include "irsg/scene/Model.h"
+#include "irsg/scene/ModelUse.h"
 
 namespace smat::gui {
 namespace {
@@ -67,6 +68,24 @@ FindingsPanel::FindingsPanel(EditorContext& context, QWidget* parent)
     look();
 }
 
+void FindingsPanel::readScalings() {
+    const Project& project = context_.workbench().project();
+    const ProjectModel& target = project.models.front();
+    const auto file = project.resolve(target.file);
+    if (file != scaledModel_ || !scalings_) {
+        scalings_ =
+            irsg::scalingUseOf(*irsg::Model::load(file, {.noseAxis = target.noseAxis,
+                                                         .forceTwoSided = target.forceTwoSided}),
+                               file);
+        scaledModel_ = file;
+        return;
+    }
+    // The files may be other ones since; the model stays.
+    auto carried = std::move(scalings_->temperaturesOfMaterial);
+    scalings_ = irsg::scalingUseOf(file);
+    scalings_->temperaturesOfMaterial = std::move(carried);
+}
+
 void FindingsPanel::look() {
     timer_->stop();
     list_->clear();
@@ -80,14 +99,21 @@ void FindingsPanel::look() {
     scope.bands.push_back(context_.band());
     if (context_.knowsModel())
         scope.models.push_back(context_.modelUse());
-    for (const auto& finding : irsg::lint(context_.session().value(), scope)) {
+    const auto& database = context_.session().value();
+    auto findings = irsg::lint(database, scope);
+    if (context_.knowsModel()) {
+        readScalings();
+        const auto more = irsg::lintScalings(database, context_.modelUse(), *scalings_);
+        findings.insert(findings.end(), more.begin(), more.end());
+    }
+    for (const auto& finding : findings) {
         const bool error = finding.isError();
         ++(error ? errors_ : warnings_);
         auto* item = new QTreeWidgetItem({QString::fromStdString(finding.place),
                                           QString::fromStdString(finding.value),
                                           QString::fromStdString(finding.reason)});
         item->setIcon(0, icon(error ? "error" : "warning"));
-        item->setData(0, Qt::UserRole, item->text(0));
+        item->setData(0, Qt::UserRole, QString::fromStdString(finding.entry));
         item->setData(0, repairRole, QString::fromStdString(finding.repair));
         for (int i = 0; i < 3; ++i)
             item->setToolTip(i, item->text(i));

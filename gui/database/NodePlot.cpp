@@ -173,6 +173,22 @@ void NodePlot::fitAxes() {
     updateAxes();
 }
 
+/// Axes reach to the chosen node, wherever it is dragged.
+void NodePlot::growAxes() {
+    const Node& node = nodes_[static_cast<std::size_t>(selected_)];
+    const auto reach = [this](QwtAxisId axis, double value) {
+        const QwtInterval now = axisInterval(axis);
+        if (now.contains(value))
+            return;
+        const double pad = 0.05 * now.width();
+        setAxisScale(axis, std::min(now.minValue(), value - pad),
+                     std::max(now.maxValue(), value + pad));
+    };
+    reach(xBottom, node.x);
+    reach(yLeft, node.y);
+    updateAxes();
+}
+
 void NodePlot::drawNodes() {
     QList<QPointF> points;
     for (const auto& node : nodes_)
@@ -247,9 +263,10 @@ Node NodePlot::underMouse(const QPointF& at) const {
         const double step = std::pow(10.0, std::floor(std::log10(std::abs(perPixel))));
         return QString::number(std::round(value / step) * step, 'g', 6).toDouble();
     };
-    const double dx = axisInterval(xBottom).width() / std::max(canvas()->width(), 1);
-    const double dy = axisInterval(yLeft).width() / std::max(canvas()->height(), 1);
-    return {rounded(invTransform(xBottom, at.x()), dx), rounded(invTransform(yLeft, at.y()), dy)};
+    const QwtScaleMap x = dragging_ ? dragX_ : canvasMap(xBottom);
+    const QwtScaleMap y = dragging_ ? dragY_ : canvasMap(yLeft);
+    return {rounded(x.invTransform(at.x()), x.sDist() / std::max(x.pDist(), 1.0)),
+            rounded(y.invTransform(at.y()), y.sDist() / std::max(y.pDist(), 1.0))};
 }
 
 void NodePlot::move(Node wanted) {
@@ -258,6 +275,7 @@ void NodePlot::move(Node wanted) {
     if (moved == nodes_[index])
         return;
     nodes_[index] = moved;
+    growAxes();
     drawNodes();
     emit edited(nodes_, moved.x);
 }
@@ -305,6 +323,8 @@ bool NodePlot::handleMouse(QEvent* event) {
         if (mouse->button() != Qt::LeftButton)
             return false;
         selectNode(nodeNear(mouse->position()));
+        dragX_ = canvasMap(xBottom);
+        dragY_ = canvasMap(yLeft);
         dragging_ = selected_ >= 0 && nodeNear(mouse->position()) == selected_;
         return true;
     }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include <QwtPlot>
+#include <QwtScaleMap>
 
 #include "gui/database/Nodes.h"
 #include "gui/plot/PlotData.h"
@@ -56,6 +57,7 @@ class NodePlot : public QwtPlot {
     void dress();
     void drawNodes();
     void fitAxes();
+    void growAxes();
     int nodeNear(const QPointF& at) const;
     Node underMouse(const QPointF& at) const;
     void move(Node wanted);
@@ -70,6 +72,7 @@ class NodePlot : public QwtPlot {
     int editedColor_ = 0;
     std::optional<Interval> leastX_, leastY_;
     bool readOnly_ = false, dragging_ = false;
+    QwtScaleMap dragX_, dragY_; ///< from where the drag began: axes that grow pull nothing along
     int selected_ = -1;
     QwtPlotGrid* grid_ = nullptr;
     QwtPlotCurve *line_ = nullptr, *heldBefore_ = nullptr, *heldAfter_ = nullptr, *dots_ = nullptr,

@@ -1,5 +1,6 @@
 #include "gui/project/SceneTreeDock.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include <QHeaderView>
@@ -56,6 +57,18 @@ QString textOf(const std::string& text) {
     return QString::fromStdString(text);
 }
 
+bool saysTheSame(const ModelIndex& a, const ModelIndex& b) {
+    const auto equal = [](const auto& x, const auto& y) {
+        return std::ranges::equal(x, y, [](const auto& one, const auto& other) {
+            return one.first == other.first && one.second.name == other.second.name &&
+                   one.second.hasEntry == other.second.hasEntry &&
+                   one.second.isReplaced == other.second.isReplaced;
+        });
+    };
+    return a.databaseProblem == b.databaseProblem && equal(a.temperatures, b.temperatures) &&
+           equal(a.materials, b.materials);
+}
+
 } // namespace
 
 struct SceneTreeDock::Loading {
@@ -81,13 +94,18 @@ SceneTreeDock::SceneTreeDock(Workbench& workbench, QWidget* parent)
     tree_->setContextMenuPolicy(Qt::CustomContextMenu);
     tree_->setMinimumWidth(300);
     setWidget(tree_);
+    const auto followDatabase = [this] {
+        if (!index_.empty() && workbench_.database().isOpen())
+            setDatabase(0, workbench_.database().value());
+    };
     watch_.setInterval(20);
-    connect(&watch_, &QTimer::timeout, this, [this] {
+    connect(&watch_, &QTimer::timeout, this, [this, followDatabase] {
         if (!loading_->done)
             return;
         watch_.stop();
         index_ = std::move(std::exchange(loading_, nullptr)->index);
         fill();
+        followDatabase();
     });
     connect(tree_, &QTreeWidget::itemSelectionChanged, this, &SceneTreeDock::onSelected);
     connect(tree_, &QTreeWidget::itemActivated, this, &SceneTreeDock::onActivated);
@@ -95,6 +113,7 @@ SceneTreeDock::SceneTreeDock(Workbench& workbench, QWidget* parent)
     connect(&workbench_, &Workbench::projectOpened, this, &SceneTreeDock::load);
     connect(&workbench_, &Workbench::projectChanged, this, &SceneTreeDock::onProjectChanged);
     connect(&workbench_, &Workbench::settingsChanged, this, &SceneTreeDock::refreshSettings);
+    connect(&workbench_.database(), &DatabaseSession::changed, this, followDatabase);
 }
 
 SceneTreeDock::~SceneTreeDock() = default;
@@ -137,6 +156,7 @@ void SceneTreeDock::setDatabase(int model, const irsg::SignatureDatabase& databa
     if (isLoading())
         return;
     ModelIndex& one = index_.at(static_cast<std::size_t>(model));
+    const ModelIndex before = one;
     for (auto* uses : {&one.temperatures, &one.materials}) {
         std::erase_if(*uses, [](const auto& use) { return use.second.faces == 0; });
         for (auto& [index, use] : *uses)
@@ -155,7 +175,19 @@ void SceneTreeDock::setDatabase(int model, const irsg::SignatureDatabase& databa
             use.isReplaced = !use.hasEntry && fallback && from->contains(*fallback);
     }
     one.databaseProblem.clear();
+    // Most edits change values, which are not shown here.
+    if (saysTheSame(one, before))
+        return;
+    const auto* selected = tree_->currentItem();
+    if (selected == nullptr || partOf(selected) != Part::index) {
+        fill();
+        return;
+    }
+    const auto kind = static_cast<IndexKind>(selected->data(0, kindRole).toInt());
+    const int number = selected->data(0, numberRole).toInt();
+    const int ofModel = selected->data(0, modelRole).toInt();
     fill();
+    showIndex(kind, number, ofModel);
 }
 
 void SceneTreeDock::fill() {

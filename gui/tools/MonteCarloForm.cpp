@@ -107,6 +107,11 @@ QWidget* MonteCarloPage::makeForm() {
     command_->setObjectName("command");
     command_->setReadOnly(true);
     column->addWidget(command_);
+    unsaved_ = new QLabel(panel);
+    unsaved_->setObjectName("unsavedNote");
+    unsaved_->setWordWrap(true);
+    unsaved_->hide();
+    column->addWidget(unsaved_);
 
     auto* scroll = new QScrollArea(this);
     scroll->setWidgetResizable(true);
@@ -175,7 +180,7 @@ void MonteCarloPage::addRanking(QFormLayout* form) {
     ranks_->setChecked(true);
     ranks_->setToolTip(tr("First-order Sobol' indices over the whole sweep: the share of the "
                           "variance that would go if the scale were known"));
-    pairs_ = wholeNumber("pairs", 64, 1'000'000, 1024, this);
+    pairs_ = wholeNumber("pairs", 256, 1'000'000, 1024, this);
     pairs_->setSingleStep(256);
     form->addRow(ranks_);
     form->addRow(tr("Pairs of draws"), pairs_);

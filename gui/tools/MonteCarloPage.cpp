@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "gui/Sentences.h"
+#include "gui/UnsavedNote.h"
 #include "gui/Workbench.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotData.h"
@@ -72,6 +73,7 @@ MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, ImageSourc
     connect(&workbench_, &Workbench::projectOpened, this, reload);
     connect(&workbench_, &Workbench::projectChanged, this, reload);
     connect(&workbench_, &Workbench::settingsChanged, this, &MonteCarloPage::refresh);
+    connect(&workbench_.database(), &DatabaseSession::stateChanged, this, &MonteCarloPage::refresh);
     clockTick_.setInterval(200);
     connect(&clockTick_, &QTimer::timeout, this, [this] {
         progress_->setFormat(QString("%1  %2 s")
@@ -153,11 +155,13 @@ void MonteCarloPage::fillScales() {
 
 void MonteCarloPage::writeScalingFiles() {
     try {
+        SceneBuilder scenes;
+        scenes.setDatabaseOverrides(workbench_.editedDatabases());
         for (const ProjectModel& one : workbench_.project().models)
             if (!one.database.empty())
                 irsg::createScalingFiles(
                     workbench_.project().resolve(one.file),
-                    *scenes_.database(workbench_.project().resolve(one.database)));
+                    *scenes.database(workbench_.project().resolve(one.database)));
     } catch (const irsg::InputError& error) {
         dialogs_.tell(this, tr("Scaling files"), sentencesOf(error));
     }
@@ -176,6 +180,8 @@ MonteCarloData MonteCarloPage::asked() const {
         data.analysis = AnalysisData::of(project, *kind);
     else
         throw irsg::InputError({"", tr("Analysis").toStdString(), "nothing", "an analysis"});
+    // Its command tells what differs from the file.
+    data.analysis.project = workbench_.project();
     data.analysis.settings.set("scaling.seed", seed_->value());
 
     MonteCarloOptions& options = data.options;
@@ -226,26 +232,17 @@ void MonteCarloPage::refresh() {
 void MonteCarloPage::refreshCommand() {
     if (!workbench_.hasProject()) {
         command_->clear();
+        unsaved_->hide();
         return;
     }
-    const std::filesystem::path& file = workbench_.project().file;
-    QStringList words{"smat-batch montecarlo",
-                      file.empty() ? "PROJECT.smat"
-                                   : "'" + QString::fromStdString(file.string()) + "'"};
-    const QString analysis = analysis_->currentData().toString();
-    if (analysis.startsWith("analysis:"))
-        words << "--analysis '" + analysis.section(':', 1) + "'";
-    words << QString("--samples %1 --seed %2").arg(samples_->value()).arg(seed_->value())
-          << "--sequence " + sequence_->currentData().toString()
-          << "--quantity " + quantity_->currentData().toString()
-          << "--statistic " + statistic_->currentData().toString();
-    if (stops_->isChecked())
-        words << QString("--standard-error %1").arg(standardError_->value() / 100.0);
-    words << "--percentiles " + percentiles_->text().remove(' ')
-          << QString("--phases %1").arg(phases_->value());
-    if (ranks_->isChecked())
-        words << QString("--ranking --ranking-pairs %1").arg(pairs_->value());
-    command_->setText(words.join(' ') + " --out montecarlo.csv");
+    const QString note = unsavedNote(workbench_);
+    unsaved_->setText(note);
+    unsaved_->setVisible(!note.isEmpty());
+    try {
+        command_->setText(QString::fromStdString(asked().equivalentCommand("montecarlo.csv")));
+    } catch (const irsg::InputError&) {
+        command_->clear(); // the fields say what is wrong
+    }
     command_->setCursorPosition(0);
     command_->setToolTip(command_->text());
 }
@@ -262,6 +259,8 @@ void MonteCarloPage::run() {
     }
     if (thread_.joinable())
         thread_.join();
+    scenes_.setDatabaseOverrides(workbench_.editedDatabases());
+    data.analysis.commandLine = data.equivalentCommand("montecarlo.csv");
     running_ = true;
     doing_ = tr("starting");
     progress_->setValue(0);

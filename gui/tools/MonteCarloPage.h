@@ -83,7 +83,7 @@ class MonteCarloPage : public QWidget, public Exportable {
     QDoubleSpinBox* standardError_ = nullptr;
     QLineEdit *percentiles_ = nullptr, *command_ = nullptr;
     QTreeWidget* scales_ = nullptr;
-    QLabel *scalesNote_ = nullptr, *problem_ = nullptr, *summary_ = nullptr;
+    QLabel *scalesNote_ = nullptr, *unsaved_ = nullptr, *problem_ = nullptr, *summary_ = nullptr;
     QPushButton *write_ = nullptr, *run_ = nullptr, *cancel_ = nullptr;
     QProgressBar* progress_ = nullptr;
     MonteCarloPlots* plots_ = nullptr;

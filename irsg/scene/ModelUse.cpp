@@ -17,4 +17,12 @@ ModelUse useOf(const Model& model) {
     return use;
 }
 
+ScalingUse scalingUseOf(const Model& model, const std::filesystem::path& file) {
+    ScalingUse use = scalingUseOf(file);
+    for (const auto& [codes, carried] : model.codes()) {
+        use.temperaturesOfMaterial[codes.material].insert(codes.temperature);
+    }
+    return use;
+}
+
 } // namespace irsg

@@ -1,6 +1,7 @@
 #include "smatcore/analysis/AnalysisData.h"
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/CommandSettings.h"
 #include "smatcore/support/ShellText.h"
 
 namespace smat {
@@ -58,25 +59,32 @@ AnalysisData AnalysisData::of(const Project& project, AnalysisKind kind,
 std::string AnalysisData::equivalentCommand(const std::string& outputFile) const {
     std::string command = "smat-batch " + smat::name(kind) + " ";
     command += shellQuoted(project.file.empty() ? "PROJECT.smat" : project.file.string());
+    // What the project file says is not said again.
+    command += settingOptions(project, settings, project.settings, kind);
+    return command + " --out " + shellQuoted(outputFile);
+}
 
-    // What the project file says is not said again; analysis sections of other kinds do not matter.
+std::string settingOptions(const Project& project, const Settings& now, const Settings& known,
+                           AnalysisKind kind, bool assigned) {
+    std::string options;
     for (const SettingInfo& setting : settingTable()) {
-        const std::string& text = settings.text(setting.key);
+        const std::string& text = now.text(setting.key);
         const bool concerns =
-            !isAnalysisSection(setting.section()) || setting.section() == smat::name(kind);
-        if (!concerns || text == project.settings.text(setting.key)) {
+            !isAnalysisSection(setting.section()) || setting.section() == name(kind);
+        if (!concerns || text == known.text(setting.key)) {
             continue;
         }
-        if (setting.kind == SettingKind::boolean && text == "true") {
-            command += " " + setting.option;
+        if (setting.kind == SettingKind::boolean && text == "true" && !assigned) {
+            options += " " + setting.option;
         } else if (setting.kind == SettingKind::boolean) {
-            command += " --set " + setting.key + "=false";
+            options += " --set " + setting.key + "=" + text;
         } else {
-            command +=
-                " " + setting.option + "=" + shellQuoted(commandValue(project, settings, setting));
+            const std::string value = commandValue(project, now, setting);
+            options += assigned ? " --set " + shellQuoted(setting.key + "=" + value)
+                                : " " + setting.option + "=" + shellQuoted(value);
         }
     }
-    return command + " --out " + shellQuoted(outputFile);
+    return options;
 }
 
 } // namespace smat

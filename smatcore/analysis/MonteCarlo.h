@@ -31,7 +31,7 @@ struct MonteCarloOptions {
     /// its own: their spread is the numerical error. 1 leaves it out.
     int phases = 4;
     bool ranking = false;
-    std::size_t rankingPairs = 1024; ///< draws with companions, 64 to 1e6
+    std::size_t rankingPairs = 1024; ///< draws with companions, 256 to 1e6
     /// Where the ranking looks, in the unit of the abscissa (wavelength in um for spectra): the
     /// nearest one; the whole sweep where it is not set.
     std::optional<double> rankingAt;
@@ -64,6 +64,8 @@ struct MonteCarloData {
     bool reachedStandardError = false;
 
     std::size_t draws() const { return values.empty() ? 0 : values.front().size(); }
+    /// The command that does the same from a terminal.
+    std::string equivalentCommand(const std::string& outputFile) const;
     /// The abscissa nearest to a number.
     std::size_t nearest(double abscissa) const;
 };

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/CommandSettings.h"
 #include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/support/ShellText.h"
 #include "smatcore/support/TextFile.h"
 
 namespace smat {
@@ -56,8 +58,8 @@ void MonteCarloOptions::check() const {
             "a part above 0 and below 1 of the statistic's largest magnitude");
     require(phases >= 1 && phases <= 64, "phases", std::to_string(phases),
             "a whole number from 1 to 64");
-    require(rankingPairs >= 64 && rankingPairs <= 1'000'000, "ranking pairs",
-            std::to_string(rankingPairs), "a whole number from 64 to 1e6");
+    require(rankingPairs >= 256 && rankingPairs <= 1'000'000, "ranking pairs",
+            std::to_string(rankingPairs), "a whole number from 256 to 1e6");
     require(!rankingAt || std::isfinite(*rankingAt), "ranking at", "no number",
             "an abscissa of the analysis");
     if (!offences.empty()) {
@@ -148,6 +150,41 @@ ResultTable rankingTable(const MonteCarloData& data) {
         place += 1.0;
     }
     return table;
+}
+
+std::string MonteCarloData::equivalentCommand(const std::string& outputFile) const {
+    const Project& project = analysis.project;
+    const NamedAnalysis* named = project.find(analysis.name);
+    const bool isNamed = named != nullptr && named->kind == analysis.kind;
+    const Settings known = isNamed ? AnalysisData::of(project, analysis.name).settings
+                                   : AnalysisData::of(project, analysis.kind).settings;
+    std::string command = fmt::format(
+        "smat-batch montecarlo {} {}",
+        shellQuoted(project.file.empty() ? "PROJECT.smat" : project.file.string()),
+        isNamed ? "--analysis " + shellQuoted(analysis.name) : "--kind " + name(analysis.kind));
+    command += fmt::format(" --samples {} --seed {} --sequence {} --quantity {} --statistic {}",
+                           options.samples, analysis.settings.integer("scaling.seed"),
+                           name(options.sequence), name(options.quantity), name(options.statistic));
+    if (options.standardError) {
+        command += " --standard-error " + irsg::numberText(*options.standardError);
+    }
+    command += " --percentiles ";
+    for (std::size_t i = 0; i < options.percentiles.size(); ++i) {
+        command += (i == 0 ? "" : ",") + irsg::numberText(options.percentiles[i]);
+    }
+    command += fmt::format(" --phases {}", options.phases);
+    if (options.ranking) {
+        command += fmt::format(" --ranking --ranking-pairs {}", options.rankingPairs);
+    }
+    if (options.ranking && options.rankingAt) {
+        command += " --ranking-at " + irsg::numberText(*options.rankingAt);
+    }
+    Settings seeded = known;
+    for (const char* ownOption : {"scaling.seed", "scaling.use"}) {
+        seeded.set(ownOption, analysis.settings.text(ownOption));
+    }
+    return command + settingOptions(project, analysis.settings, seeded, analysis.kind, true) +
+           " --out " + shellQuoted(outputFile);
 }
 
 std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,

@@ -42,21 +42,44 @@ double PickFreeze::indexOf(const Sums& sums) {
     return variance > 0.0 ? covariance / variance : 0.0;
 }
 
+Estimate PickFreeze::withError(double value, double error, std::size_t degreesOfFreedom) {
+    // The index is a correlation: Fisher's transform makes its error symmetric, and keeps the
+    // interval between -1 and 1.
+    const double slope = 1.0 - value * value;
+    if (slope <= 1e-12) {
+        return {value, error, value, value};
+    }
+    const Estimate z = Estimate::withStudent(std::atanh(value), error / slope, degreesOfFreedom);
+    return {value, error, std::tanh(z.low95), std::tanh(z.high95)};
+}
+
+PickFreeze::Sums PickFreeze::without(const Sums& all, const Sums& part) {
+    Sums rest = all;
+    rest.count -= part.count;
+    for (std::size_t k = 0; k < rest.sum.size(); ++k) {
+        rest.sum[k] -= part.sum[k];
+        rest.square[k] -= part.square[k];
+        rest.product[k] -= part.product[k];
+    }
+    return rest;
+}
+
 Estimate PickFreeze::index(bool byReplicates) const {
     const double value = indexOf(all_);
     if (byReplicates) {
+        // Jackknife: the index of one replicate alone, a ratio of few values, would be biased.
         std::vector<double> indices;
         for (const Sums& sums : replicates_) {
-            if (sums.count >= 2.0) {
-                indices.push_back(indexOf(sums));
+            if (sums.count > 0.0 && sums.count < all_.count) {
+                indices.push_back(indexOf(without(all_, sums)));
             }
         }
         if (indices.size() < 2) {
             return {value, 0.0, value, value};
         }
-        return Estimate::withStudent(
-            value, standardDeviationOf(indices) / std::sqrt(static_cast<double>(indices.size())),
-            indices.size() - 1);
+        const double count = static_cast<double>(indices.size());
+        return withError(value, standardDeviationOf(indices) * (count - 1.0) / std::sqrt(count),
+                         indices.size() - 1);
     }
 
     // Delta method: the derivative of the ratio with respect to each pair's own share.
@@ -77,7 +100,7 @@ Estimate PickFreeze::index(bool byReplicates) const {
     const double error = variance > 0.0 ? standardDeviationOf(shares) /
                                               (variance * std::sqrt(static_cast<double>(count)))
                                         : 0.0;
-    return Estimate::withStudent(value, error, count - 1);
+    return withError(value, error, count - 1);
 }
 
 std::vector<RankedScaling> rankScalings(const ScalingDraws& draws, DrawSequence sequence,

@@ -37,6 +37,8 @@ class PickFreeze {
         std::vector<double> sum, square, product; ///< of both values, halved; per abscissa
     };
     static double indexOf(const Sums& sums);
+    static Sums without(const Sums& all, const Sums& part);
+    static Estimate withError(double value, double error, std::size_t degreesOfFreedom);
 
     std::vector<std::vector<double>> first_, second_; ///< all pairs, less the very first value
     std::vector<double> origin_;

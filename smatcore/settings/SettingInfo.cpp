@@ -14,7 +14,8 @@ namespace smat {
 
 namespace {
 
-std::string numberText(double value) {
+/// 100000 where irsg::numberText, the shortest text, gives 1e+05: settings are read by people.
+std::string plainNumber(double value) {
     return fmt::format("{}", value);
 }
 
@@ -32,7 +33,7 @@ std::optional<std::string> canonicalNumber(const SettingInfo& setting, std::stri
         return std::nullopt;
     }
     if (setting.kind != SettingKind::integer) {
-        return numberText(*value == 0.0 ? 0.0 : *value); // -0 and 0 are one value
+        return plainNumber(*value == 0.0 ? 0.0 : *value); // -0 and 0 are one value
     }
     if (*value != std::floor(*value) || std::abs(*value) > std::numeric_limits<int>::max()) {
         return std::nullopt;
@@ -43,7 +44,7 @@ std::optional<std::string> canonicalNumber(const SettingInfo& setting, std::stri
 std::optional<std::string> canonicalBand(std::string_view text) {
     try {
         const irsg::SpectralRange range = irsg::Band::fromText(std::string(text)).range();
-        return numberText(range.min_um) + "-" + numberText(range.max_um);
+        return plainNumber(range.min_um) + "-" + plainNumber(range.max_um);
     } catch (const irsg::InputError&) {
         return std::nullopt;
     }
@@ -72,7 +73,7 @@ std::string SettingInfo::section() const {
 std::string SettingInfo::expected() const {
     const std::string suffix = unit.empty() ? "" : " " + unit;
     const std::string range =
-        " from " + numberText(minimum) + " to " + numberText(maximum) + suffix;
+        " from " + plainNumber(minimum) + " to " + plainNumber(maximum) + suffix;
     switch (kind) {
     case SettingKind::real:
         return "a number" + range;

@@ -1,7 +1,6 @@
 #include "smatcore/simulate/FrameFiles.h"
 
 #include <algorithm>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 #include "irsg/radiometry/Units.h"
 #include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
+#include "smatcore/support/Folders.h"
 
 namespace smat {
 
@@ -57,14 +57,7 @@ std::vector<std::string> FrameFiles::makeFolders(const std::vector<std::size_t>&
     std::vector<std::string> sentences;
     for (const std::size_t sensor : sensors) {
         const std::filesystem::path folder = frameFile(sensor, 0, "").parent_path();
-        std::error_code failure;
-        std::filesystem::create_directories(folder, failure);
-        if (failure || !std::filesystem::is_directory(folder)) {
-            throw irsg::InputError(irsg::Offence{.file = folder.string(),
-                                                 .position = "",
-                                                 .value = "a place where no folder can be made",
-                                                 .expected = "a folder for frames"});
-        }
+        makeFolder(folder, "frames");
         const auto count = std::count_if(std::filesystem::directory_iterator(folder), {},
                                          [](const auto& entry) { return isFrame(entry.path()); });
         if (count > 0) {

@@ -59,7 +59,7 @@ class SmatBatchMonteCarlo : public testing::Test {
 
 TEST_F(SmatBatchMonteCarlo, writesBandsAndRankingOfTheFirstAnalysisThatIsNoImage) {
     const Ran ran = run({"--samples", "300", "--seed", "5", "--phases", "2", "--ranking-pairs",
-                         "64", "--percentiles", "10,90", "--out", "mc.csv", "--out", "mc.json"});
+                         "256", "--percentiles", "10,90", "--out", "mc.csv", "--out", "mc.json"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("turn (polar): complete"));
     EXPECT_THAT(ran.out, HasSubstr("Draws"));
@@ -75,6 +75,16 @@ TEST_F(SmatBatchMonteCarlo, writesBandsAndRankingOfTheFirstAnalysisThatIsNoImage
     EXPECT_EQ(json["draws"], 300);
     EXPECT_EQ(json["ranking"].size(), 11u);
     EXPECT_EQ(json["scales"][0]["distribution"], "normal");
+}
+
+TEST_F(SmatBatchMonteCarlo, repeatsAKindWithTheSettingsOfTheProject) {
+    const Ran ran = run({"--kind", "range", "--samples", "64", "--phases", "1", "--set",
+                         "range.points=3", "--out", "mc.csv"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_EQ(ResultTable::load(folder / "mc.csv").rowCount(), 3u);
+    EXPECT_THAT(run({"--kind", "image", "--out", "mc.csv"}).err, HasSubstr("polar, range, time"));
+    EXPECT_THAT(run({"--kind", "polar", "--analysis", "turn", "--out", "mc.csv"}).err,
+                HasSubstr("nothing beside --analysis"));
 }
 
 TEST_F(SmatBatchMonteCarlo, givesTheSameBytesTwiceAndOthersWithAnotherSeed) {

@@ -287,7 +287,7 @@ TEST_F(MonteCarloTest, repeatsSpectraWavelengthByWavelength) {
 
 TEST_F(MonteCarloTest, savesWhatReadsBack) {
     data.options.ranking = true;
-    data.options.rankingPairs = 64;
+    data.options.rankingPairs = 256;
     run();
     const std::filesystem::path folder = ownFolder();
     EXPECT_THAT(saveMonteCarlo(data, folder / "mc.csv"),
@@ -298,6 +298,30 @@ TEST_F(MonteCarloTest, savesWhatReadsBack) {
     EXPECT_EQ(ResultTable::load(folder / "mc.json"), data.analysis.table);
     EXPECT_THAT(refusalOf([&] { saveMonteCarlo(data, folder / "mc.txt"); }),
                 HasSubstr("one of .csv, .json"));
+}
+
+TEST_F(MonteCarloTest, saysTheCommandThatDoesTheSame) {
+    data.options.standardError = 0.001;
+    data.options.percentiles = {2.5, 97.5};
+    data.options.ranking = true;
+    data.options.rankingAt = 90.0;
+    data.analysis.settings.set("state.power", "0.25");
+    const std::string command = data.equivalentCommand("mc.csv");
+    EXPECT_THAT(command, HasSubstr("smat-batch montecarlo PROJECT.smat --kind polar --samples "));
+    for (const char* part : {"--sequence sobol", "--standard-error 0.001", "--percentiles 2.5,97.5",
+                             "--ranking-at 90", "--set state.power=0.25", "--out mc.csv"})
+        EXPECT_THAT(command, HasSubstr(part));
+    EXPECT_THAT(command, testing::Not(HasSubstr("scaling.")));
+
+    // A named analysis has its own settings, which the file says.
+    NamedAnalysis named;
+    named.name = "turn";
+    named.kind = AnalysisKind::polar;
+    named.settings.set("state.power", "0.25");
+    data.analysis.project.analyses = {named};
+    data.analysis.name = "turn";
+    EXPECT_THAT(data.equivalentCommand("mc.csv"), HasSubstr("--analysis turn"));
+    EXPECT_THAT(data.equivalentCommand("mc.csv"), testing::Not(HasSubstr("state.power")));
 }
 
 TEST_F(MonteCarloTest, refusesWhatCannotBe) {
@@ -313,7 +337,7 @@ TEST_F(MonteCarloTest, refusesWhatCannotBe) {
     expect("ascending numbers", [&] { data.options.percentiles = {50.0, 50.0}; });
     expect("standard error", [&] { data.options.standardError = 0.0; });
     expect("from 1 to 64", [&] { data.options.phases = 0; });
-    expect("from 64 to 1e6", [&] { data.options.rankingPairs = 3; });
+    expect("from 256 to 1e6", [&] { data.options.rankingPairs = 3; });
     expect("an image",
            [&] { data.analysis = AnalysisData::of(data.analysis.project, AnalysisKind::image); });
     expect("at most 50000000 values in all", [&] {

@@ -1,3 +1,5 @@
+#include <fstream>
+
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
@@ -275,73 +277,73 @@ TEST_F(DatabaseEditorTest, AsksBeforeUnsavedEditsAreLost) {
     onDialog = nullptr;
 }
 
-/// What a person does on the first day: paint an aircraft, heat its engines, see it.
-class FirstStepsTest : public test::DatabaseFixture {};
-
-TEST_F(FirstStepsTest, PaintAnAircraftHeatItsEnginesAndSeeIt) {
-    openCopy("turboprop4",
-             {{"sensor.width", "320"},
-              {"sensor.height", "256"},
-              {"sensor.fov", "3"},
-              {"camera.azimuth", "60"},
-              {"camera.elevation", "12"},
-              {"camera.range", "900"},
-              {"target.altitude", "1500"},
-              {"render.antialiasing", "0"},
-              {"state.power", "1"}},
-             false);
-    EXPECT_FALSE(session().isOpen());
-    test::keepScreenshot(*window, "first-steps-1-no-database");
-
-    const auto file = folder / "mine.sigdb";
-    chosen = QString::fromStdString(file.string());
-    find<QPushButton>("newDatabase")->click();
-    ASSERT_TRUE(session().isOpen()) << told.join('\n').toStdString();
-    EXPECT_TRUE(session().isDirty());
-    EXPECT_GE(session().value().materials.size(), 4U);
-    runAnalysis("image");
-    const auto cold = workbench.results().back().data.image.primary().values;
-    window->findChild<QTabWidget*>("tabs")->setCurrentIndex(0);
-
-    // Paint: the grey of the library in place of material 1.
-    onDialog = [&](QDialog& dialog) {
-        dialog.findChild<QLineEdit*>("copyFilter")->setText("aircraft");
-        auto& copy = dynamic_cast<CopyEntriesDialog&>(dialog);
-        for (const auto& [index, material] : copy.source().materials) {
-            if (material.name != "grey aircraft paint, matt")
-                continue;
-            copy.choose({EntryKind::material, index});
-            auto* list = copy.findChild<QTreeWidget*>("copyList");
-            static_cast<QLineEdit*>(list->itemWidget(list->currentItem(), 2))->setText("1");
-            static_cast<QComboBox*>(list->itemWidget(list->currentItem(), 3))->setCurrentIndex(1);
-        }
-        test::keepScreenshot(dialog, "first-steps-2-library");
+TEST_F(DatabaseEditorTest, AsksWhoseVersionStaysWhereAnotherProgramSaved) {
+    const auto file = folder / "turboprop4.sigdb";
+    auto theirs = session().value();
+    theirs.title = "theirs";
+    const auto mine = [this](const char* title) {
+        session().edit("title", [&](auto& database) { database.title = title; });
     };
-    find<QToolButton>("addFromLibrary")->click();
+    QString question;
+    int answer = 0;
+    const auto answers = [&](QDialog& dialog) {
+        for (const auto* label : dialog.findChildren<QLabel*>())
+            question += label->text() + " ";
+        dialog.findChild<QPushButton*>(QString("answer%1").arg(answer))->click();
+    };
+
+    // A person who wants to think about it loses nothing.
+    mine("mine");
+    irsg::saveSignatureFile(theirs, file);
+    accept = false;
+    onDialog = [](QDialog&) {};
+    dock().save();
+    EXPECT_EQ(session().value().title, "mine");
+    EXPECT_TRUE(session().isDirty());
+    EXPECT_EQ(irsg::loadSignatureFile(file).database, theirs);
+
+    accept = true;
+    onDialog = answers;
+    answer = 0;
+    dock().save();
+    EXPECT_TRUE(question.contains("Another program has changed this file"))
+        << question.toStdString();
+    EXPECT_EQ(irsg::loadSignatureFile(file).database.title, "mine");
+    EXPECT_FALSE(session().isDirty());
+
+    mine("mine again");
+    irsg::saveSignatureFile(theirs, file);
+    answer = 1;
+    dock().save();
+    EXPECT_EQ(session().value(), theirs);
+    EXPECT_EQ(irsg::loadSignatureFile(file).database, theirs);
+    EXPECT_FALSE(session().isDirty());
     onDialog = nullptr;
-    EXPECT_EQ(session().value().materials.at(1).name, "grey aircraft paint, matt");
-    test::keepScreenshot(*window, "first-steps-3-painted");
+}
 
-    // Heat: 250 K more at full power for the exhaust pipes, number 5.
-    const int engine = 5;
-    dock().select({EntryKind::temperature, engine});
-    type("entryName", "engine", find<QWidget>("temperaturePanel"));
-    chooseTab("temperatureTabs", "Equation terms");
-    find<QTabBar>("termTables")->setCurrentIndex(1);
-    fill(find<QWidget>("termsPanel"), {{0, 0}, {1, 250}});
-    test::keepScreenshot(*window, "first-steps-4-heated");
-
-    // See it, and keep it.
-    runAnalysis("image");
-    test::keepScreenshot(*window, "first-steps-5-seen");
-    const auto hot = workbench.results().back().data.image.primary().values;
-    EXPECT_GT(*std::max_element(hot.begin(), hot.end()),
-              2.0F * *std::max_element(cold.begin(), cold.end()));
-    window->findChild<QAction*>("saveDatabase")->trigger();
-    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
-    EXPECT_EQ(irsg::loadSignatureFile(file).database, session().value());
-    runAnalysis("image");
-    EXPECT_EQ(workbench.results().back().data.image.primary().values, hot);
+TEST_F(DatabaseEditorTest, FindsFaultWithTheScalesBesideTheModel) {
+    auto* list = find<QTreeWidget>("findings");
+    ASSERT_EQ(list->topLevelItemCount(), 0);
+    const int material = session().value().materials.begin()->first;
+    irsg::ScalingTable table;
+    table[material].distribution = irsg::Distribution(irsg::DistributionKind::uniform, 0.5, 20.0);
+    table[4711].distribution = irsg::Distribution(irsg::DistributionKind::uniform, 0.9, 1.1);
+    std::ofstream(irsg::scalingFile(folder / "turboprop4.flt", irsg::ScalingKind::emissivity))
+        << irsg::scalingXml(table);
+    // Looked at with the next edit.
+    session().edit("title", [](auto& database) { database.title = "x"; });
+    ASSERT_TRUE(test::waitUntil([&] { return list->topLevelItemCount() > 0; }, 5.0));
+    ASSERT_EQ(list->topLevelItemCount(), 2);
+    EXPECT_TRUE(list->topLevelItem(0)->text(0).contains("(emissivitiesScalings).xml"));
+    EXPECT_TRUE(list->topLevelItem(0)->text(1).contains("times 20"));
+    EXPECT_TRUE(list->topLevelItem(1)->text(2).contains("that the database has"));
+    // A double click goes to the entry.
+    dock().tabs()->setCurrentIndex(3);
+    emit list->itemActivated(list->topLevelItem(0), 0);
+    ASSERT_TRUE(dock().current().has_value());
+    EXPECT_EQ(*dock().current(), (EntryKey{EntryKind::material, material}));
+    test::keepScreenshot(*window, "database-findings-scales");
+    session().discard();
 }
 
 } // namespace

@@ -217,6 +217,36 @@ TEST_F(DatabaseSessionTest, SeesThatAnotherProgramChangedTheFile) {
     EXPECT_FALSE(session.isChangedOnDisk());
 }
 
+TEST_F(DatabaseSessionTest, AChangeThatTheClockDoesNotTellIsSeenByTheSaveItself) {
+    // Another program saves the same number of bytes and puts the time of the file back.
+    const auto time = fs::last_write_time(file);
+    auto changed = before;
+    changed.title = std::string(before.title.rbegin(), before.title.rend());
+    ASSERT_NE(changed.title, before.title);
+    irsg::saveSignatureFile(changed, file);
+    fs::last_write_time(file, time);
+    ASSERT_FALSE(session.isChangedOnDisk()) << "time and size are as they were";
+    heat(333.0);
+    const auto edited = session.value();
+    EXPECT_THROW(session.save(), irsg::InputError);
+    EXPECT_EQ(irsg::loadSignatureFile(file).database, changed) << "nothing is lost there";
+    EXPECT_EQ(session.value(), edited) << "nor here";
+    EXPECT_TRUE(session.isDirty());
+    session.overwrite();
+    EXPECT_EQ(irsg::loadSignatureFile(file).database, edited);
+}
+
+TEST_F(DatabaseSessionTest, ANewDatabaseIsNotPutOverAFileThatAppearedMeanwhile) {
+    session.create(folder / "new.sigdb", before);
+    auto other = before;
+    other.title = "another window's";
+    irsg::saveSignatureFile(other, folder / "new.sigdb");
+    EXPECT_THROW(session.save(), irsg::InputError);
+    EXPECT_EQ(irsg::loadSignatureFile(folder / "new.sigdb").database, other);
+    EXPECT_TRUE(session.isDirty());
+    session.discard();
+}
+
 TEST_F(DatabaseSessionTest, AWriteProtectedFileIsSavedUnderAnotherName) {
     fs::permissions(file, fs::perms::owner_read | fs::perms::group_read);
     session.reload();
@@ -328,9 +358,9 @@ TEST(DatabaseEditsTest, FindsTheEntryThatAPlaceLiesIn) {
 
 TEST(MaterialLibraryTest, HoldsDocumentedMaterialsThatCloseTheirSum) {
     const auto& library = materialLibrary();
-    EXPECT_GE(library.materials.size(), 15U);
+    EXPECT_EQ(library.materials.size(), 30U);
     for (const auto& finding : irsg::lint(library))
-        EXPECT_FALSE(finding.isError()) << finding.place << ": " << finding.reason;
+        ADD_FAILURE() << finding.place << ": " << finding.value << ": " << finding.reason;
     for (const auto& [index, material] : library.materials) {
         EXPECT_FALSE(material.name.empty()) << index;
         EXPECT_NE(material.notes.find("Origin: "), std::string::npos) << material.name;

@@ -89,7 +89,7 @@ TEST_F(MonteCarloPageTest, showsBandsHistogramAndRankingOfTheSampleAircraft) {
     EXPECT_EQ(get<QTreeWidget>("scales")->topLevelItemCount(), 15);
     EXPECT_FALSE(get<QPushButton>("writeScalingFiles")->isVisible());
     get<QSpinBox>("samples")->setValue(512);
-    get<QSpinBox>("pairs")->setValue(128);
+    get<QSpinBox>("pairs")->setValue(256);
     get<QSpinBox>("phases")->setValue(2);
     runToTheEnd();
     ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
@@ -127,9 +127,51 @@ TEST_F(MonteCarloPageTest, saysTheCommandThatDoesTheSame) {
     get<QComboBox>("sequence")->setCurrentIndex(1);
     const QString command = get<QLineEdit>("command")->text();
     for (const char* part :
-         {"smat-batch montecarlo '", "--analysis 'turn'", "--samples 2048 --seed 7",
+         {"smat-batch montecarlo /", "--analysis turn", "--samples 2048 --seed 7",
           "--sequence plain", "--standard-error 0.001", "--ranking"})
         EXPECT_TRUE(command.contains(part)) << part << " in " << command.toStdString();
+    // What was changed in the window, and an analysis that has no name in the file.
+    workbench.set("state.mach", "0.4");
+    get<QComboBox>("analysis")->setCurrentIndex(get<QComboBox>("analysis")->count() - 1);
+    const QString changed = get<QLineEdit>("command")->text();
+    for (const char* part : {"--kind ", "--set state.mach=0.4"})
+        EXPECT_TRUE(changed.contains(part)) << part << " in " << changed.toStdString();
+}
+
+TEST_F(MonteCarloPageTest, countsEditsOfTheDatabaseThatAreNotSaved) {
+    makePage();
+    get<QSpinBox>("samples")->setValue(64);
+    get<QSpinBox>("phases")->setValue(1);
+    get<QCheckBox>("ranks")->setChecked(false);
+    EXPECT_FALSE(get<QLabel>("unsavedNote")->isVisible());
+    runToTheEnd();
+    const MonteCarloData saved = page->plots().data();
+    EXPECT_EQ(saved.analysis.table.provenance.value("database"), "turboprop4.sigdb");
+
+    // The pipes 100 K hotter, in memory alone.
+    workbench.database().edit("heat", [](irsg::SignatureDatabase& database) {
+        database.temperatures.at(5).terms.base_K += 100.0;
+    });
+    EXPECT_TRUE(get<QLabel>("unsavedNote")->isVisible());
+    EXPECT_TRUE(get<QLabel>("unsavedNote")->text().contains("turboprop4.sigdb"))
+        << get<QLabel>("unsavedNote")->text().toStdString();
+    runToTheEnd();
+    ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    const MonteCarloData edited = page->plots().data();
+    EXPECT_EQ(edited.analysis.table.provenance.value("database"),
+              "turboprop4.sigdb, with edits that are not saved");
+    const std::size_t behind = edited.nearest(180.0);
+    EXPECT_GT(edited.nominal[behind], 1.05 * saved.nominal[behind]);
+
+    // Saved, it is the same numbers and no note; without the edit it is what it was.
+    workbench.database().save();
+    EXPECT_FALSE(get<QLabel>("unsavedNote")->isVisible());
+    runToTheEnd();
+    EXPECT_EQ(page->plots().data().values, edited.values);
+    workbench.undoStack().undo();
+    runToTheEnd();
+    EXPECT_EQ(page->plots().data().values, saved.values);
+    workbench.database().discard();
 }
 
 TEST_F(MonteCarloPageTest, refusesFieldsThatSayNothingUsable) {

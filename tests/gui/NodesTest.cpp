@@ -1,8 +1,11 @@
 #include "gui/database/Nodes.h"
 
+#include <limits>
+
 #include <QApplication>
 #include <QClipboard>
 #include <QTest>
+#include <QwtInterval>
 #include <gtest/gtest.h>
 
 #include "gui/database/NodeEditor.h"
@@ -205,6 +208,33 @@ TEST_F(NodeEditorTest, ADragMovesANodeWithinItsLimitsAsOneGesture) {
     EXPECT_GT(taken[1].y, 0.7);
     EXPECT_LE(taken[1].y, 0.8) << "what is left of 1 beyond 4 um";
     EXPECT_EQ(editor.table()->model()->index(1, 0).data().toString(), textOf(taken[1].x));
+}
+
+TEST_F(NodeEditorTest, TheAxisGrowsWithANodeThatIsDraggedPastIt) {
+    NodeRules rules = emissivityRules();
+    rules.yMaximum = std::numeric_limits<double>::infinity();
+    rules.yMaximumAt = nullptr;
+    editor.setRules(rules);
+    auto* plot = editor.plot();
+    const double top = plot->axisInterval(QwtPlot::yLeft).maxValue();
+    const QPoint from = plot->positionOf(1).toPoint();
+    QTest::mousePress(plot->canvas(), Qt::LeftButton, {}, from);
+    double before = editor.nodes()[1].y;
+    for (const int above : {20, 60, 120}) {
+        QTest::mouseMove(plot->canvas(), QPoint(from.x(), -above));
+        EXPECT_GT(taken[1].y, before) << "it goes on with the mouse";
+        before = taken[1].y;
+        EXPECT_GT(plot->axisInterval(QwtPlot::yLeft).maxValue(), before) << "and stays in sight";
+        EXPECT_GT(plot->positionOf(1).y(), 0.0);
+        EXPECT_LT(plot->positionOf(1).y(), plot->canvas()->height());
+    }
+    EXPECT_GT(before, top);
+    // A mouse that rests does not pull it further.
+    QTest::mouseMove(plot->canvas(), QPoint(from.x(), -121));
+    QTest::mouseMove(plot->canvas(), QPoint(from.x(), -120));
+    EXPECT_EQ(taken[1].y, before);
+    QTest::mouseRelease(plot->canvas(), Qt::LeftButton, {}, QPoint(from.x(), -120));
+    EXPECT_EQ(gestures, 1);
 }
 
 TEST_F(NodeEditorTest, ADoubleClickAddsANodeAndDeleteRemovesIt) {

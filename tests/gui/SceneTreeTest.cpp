@@ -3,6 +3,7 @@
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
+#include "gui/database/DatabaseDock.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/ProjectFile.h"
 #include "tests/gui/WindowFixture.h"
@@ -87,6 +88,73 @@ TEST_F(SceneTreeTest, SelectingAnIndexTellsWhichAndPickingSelectsIt) {
     window->tree().showIndex(IndexKind::temperature, temperature);
     EXPECT_EQ(selected.size(), 1U);
     EXPECT_TRUE(find("Temperatures")->child(0)->isSelected());
+}
+
+TEST_F(SceneTreeTest, AnIndexIsSelectedInTheEditorAndItsFacesAreMarked) {
+    openSample();
+    wait();
+    auto& editor = window->databaseEditor();
+    SceneView& view = *window->sceneView();
+    const auto check = [&](const char* group, EntryKind kind) {
+        auto* branch = find(group);
+        for (int i = 0; i < branch->childCount(); ++i) {
+            const int number = branch->child(i)->text(0).section(' ', 0, 0).toInt();
+            branch->treeWidget()->setCurrentItem(branch->child(i));
+            ASSERT_TRUE(editor.current().has_value());
+            EXPECT_EQ(*editor.current(), (EntryKey{kind, number})) << group;
+            const FaceSelection marked = view.highlighted();
+            EXPECT_EQ(kind == EntryKind::material ? marked.material : marked.temperature, number);
+            EXPECT_EQ(marked.model, 0);
+        }
+    };
+    check("Temperatures", EntryKind::temperature);
+    check("Materials", EntryKind::material);
+
+    // Enter brings the editor to the front.
+    editor.hide();
+    emit find("Materials")->treeWidget()->itemActivated(find("Materials")->child(0), 0);
+    EXPECT_TRUE(editor.isVisible());
+
+    // A face that is picked: tree, both lists of the editor, and the mark name the same.
+    view.showWholeModel();
+    QTest::qWait(50);
+    const auto hits = view.facesAt(view.rect().center());
+    ASSERT_FALSE(hits.empty());
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.rect().center());
+    QTest::qWait(20);
+    const auto codes = hits.front().codes;
+    EXPECT_EQ(view.highlighted(), (FaceSelection{codes.temperature, codes.material, 0}));
+    EXPECT_TRUE(find("Temperatures")
+                    ->treeWidget()
+                    ->currentItem()
+                    ->text(0)
+                    .startsWith(QString::number(codes.temperature) + " "));
+    for (const auto& [kind, index] : {std::pair(EntryKind::material, codes.material),
+                                      std::pair(EntryKind::temperature, codes.temperature)}) {
+        editor.tabs()->setCurrentIndex(static_cast<int>(kind));
+        EXPECT_EQ(*editor.current(), (EntryKey{kind, index}));
+    }
+}
+
+TEST_F(SceneTreeTest, ShowsTheEntriesAsTheyAreEdited) {
+    // A copy: editing writes beside the file.
+    const auto ship = std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship";
+    for (const char* name : {"ship.flt", "ship.sigdb"})
+        std::filesystem::copy_file(ship / name, folder / name);
+    saveProject(projectOfModel(folder / "ship.flt", folder / "ship.sigdb"), folder / "ship.smat");
+    ASSERT_TRUE(window->open(folder / "ship.smat"));
+    wait();
+    auto& session = workbench.database();
+    const int number = session.value().materials.begin()->first;
+    window->findChild<QTreeWidget*>("sceneTree")->setCurrentItem(find("Materials")->child(1));
+    const QString chosenText = find("Materials")->child(1)->text(0);
+    session.edit("rename", [&](auto& database) { database.materials[number].name = "fresh"; });
+    EXPECT_NE(find(QString("%1  fresh").arg(number)), nullptr);
+    EXPECT_EQ(window->findChild<QTreeWidget*>("sceneTree")->currentItem()->text(0), chosenText)
+        << "what is selected stays";
+    workbench.undoStack().undo();
+    EXPECT_EQ(find(QString("%1  fresh").arg(number)), nullptr);
+    session.discard();
 }
 
 TEST_F(SceneTreeTest, MarksFilesThatAreMissingAndTakesOthers) {
