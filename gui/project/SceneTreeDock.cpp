@@ -12,6 +12,8 @@
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/image/ImageView.h"
+#include "irsg/radiometry/Units.h"
+#include "smatcore/project/EnvironmentInput.h"
 
 namespace smat::gui {
 namespace {
@@ -308,9 +310,11 @@ void SceneTreeDock::refreshSettings() {
         airs << textOf(file.filename().string());
     atmosphere_->setText(0, airs.isEmpty() ? tr("No atmosphere")
                                            : tr("Atmosphere %1").arg(airs.join(", ")));
+    // As analyses take it: an Environment file may give it.
+    const irsg::SunPosition sun = sunOf(workbench_.project(), settings);
     sun_->setText(0, tr("Sun %1° azimuth, %2° elevation")
-                         .arg(textOf(settings.text("environment.sunAzimuth")),
-                              textOf(settings.text("environment.sunElevation"))));
+                         .arg(irsg::degrees(sun.azimuth_rad), 0, 'g', 6)
+                         .arg(irsg::degrees(sun.elevation_rad), 0, 'g', 6));
     for (auto* item : {sensor_, atmosphere_, sun_}) {
         item->setFirstColumnSpanned(true);
         item->setToolTip(0, tr("Press Enter or double-click to change it"));

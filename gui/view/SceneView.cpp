@@ -18,6 +18,7 @@
 #include "gui/view/ViewBackground.h"
 #include "gui/view/ViewHud.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/project/EnvironmentInput.h"
 
 namespace smat::gui {
 
@@ -209,7 +210,9 @@ void SceneView::setScene(DisplayScene scene) {
     parts_->marked.reset();
     look_.selection = {};
     lastPick_.reset();
-    edited_.clear();
+    // What is being edited stands in for files of the new models, too.
+    for (const auto& [file, database] : edited_)
+        parts_->scene.setSignature(file, database);
     projectMap_ = false;
     dropPicture();
     arrange();
@@ -236,8 +239,8 @@ void SceneView::setProject(const Project& project, const Settings& settings) {
     camera_ = {settings.real("camera.azimuth"), settings.real("camera.elevation"),
                settings.real("camera.range")};
     targetYaw_rad_ = irsg::radians(settings.real("target.yaw"));
-    towardsSun_ = irsg::direction(irsg::radians(settings.real("environment.sunAzimuth")),
-                                  irsg::radians(settings.real("environment.sunElevation")));
+    const irsg::SunPosition sun = sunOf(project, settings);
+    towardsSun_ = irsg::direction(sun.azimuth_rad, sun.elevation_rad);
     sceneChanged();
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "irsg/atmosphere/Environment.h"
+#include "smatcore/project/Project.h"
 
 namespace smat {
 
@@ -18,5 +19,10 @@ namespace smat {
 std::optional<irsg::SunPosition> addAir(irsg::Environment& environment,
                                         const std::filesystem::path& input,
                                         std::optional<int> resolution_cm = {});
+
+/// The sun alone of environmentOf (see SceneBuilder.h): what the settings do not set comes from the
+/// first Environment file they list. Reads no other air, and throws nothing: a file that cannot be
+/// read says nothing here.
+irsg::SunPosition sunOf(const Project& project, const Settings& settings);
 
 } // namespace smat

@@ -1,4 +1,5 @@
 #include "irsg/atmosphere/Vacuum.h"
+#include "irsg/atmosphere/import/EnvironmentXml.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/AtmosphereInput.h"
@@ -7,10 +8,42 @@
 
 namespace smat {
 
+namespace {
+
+/// What the project sets itself goes before the sun of an Environment file.
+irsg::SunPosition sunFrom(const Settings& settings, const std::optional<irsg::SunPosition>& file) {
+    irsg::SunPosition sun{.azimuth_rad = irsg::radians(settings.real("environment.sunAzimuth")),
+                          .elevation_rad =
+                              irsg::radians(settings.real("environment.sunElevation"))};
+    if (file && !settings.isSet("environment.sunAzimuth")) {
+        sun.azimuth_rad = file->azimuth_rad;
+    }
+    if (file && !settings.isSet("environment.sunElevation")) {
+        sun.elevation_rad = file->elevation_rad;
+    }
+    return sun;
+}
+
+} // namespace
+
+irsg::SunPosition sunOf(const Project& project, const Settings& settings) {
+    std::optional<irsg::SunPosition> ofFile;
+    for (const std::filesystem::path& listed : settings.paths("environment.atmospheres")) {
+        const auto file = project.resolve(listed);
+        if (ofFile || isNoAir(listed) || !irsg::isEnvironmentXml(file)) {
+            continue;
+        }
+        try {
+            ofFile = irsg::environmentFromKarma(irsg::KarmaXml::read(file)).parameters.sun;
+        } catch (const irsg::InputError&) {
+            // The analysis says what is wrong with the file.
+        }
+    }
+    return sunFrom(settings, ofFile);
+}
+
 irsg::Environment environmentOf(const Project& project, const Settings& settings) {
     irsg::Environment environment;
-    environment.sun = {.azimuth_rad = irsg::radians(settings.real("environment.sunAzimuth")),
-                       .elevation_rad = irsg::radians(settings.real("environment.sunElevation"))};
     environment.defaultAmbient_K = settings.real("environment.ambientTemperature");
 
     std::vector<irsg::Offence> offences;
@@ -27,13 +60,7 @@ irsg::Environment environmentOf(const Project& project, const Settings& settings
     if (!offences.empty()) {
         throw irsg::InputError(offences);
     }
-    // What the project sets itself goes before the sun of an Environment file.
-    if (sun && !settings.isSet("environment.sunAzimuth")) {
-        environment.sun.azimuth_rad = sun->azimuth_rad;
-    }
-    if (sun && !settings.isSet("environment.sunElevation")) {
-        environment.sun.elevation_rad = sun->elevation_rad;
-    }
+    environment.sun = sunFrom(settings, sun);
     if (environment.atmospheres().empty()) {
         environment.add(std::make_shared<irsg::Vacuum>());
     }

@@ -1,10 +1,13 @@
 #include "smatcore/project/EnvironmentInput.h"
 
+#include <numbers>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/project/SceneBuilder.h"
 #include "smatcore/tools/RadiativeOutput.h"
 #include "tests/atmosphere/KarmaSupport.h"
 #include "tests/support/BinComparison.h"
@@ -95,6 +98,49 @@ TEST_F(EnvironmentInput, TheFirstSunAndDefaultBackgroundAreGivenBack) {
     EXPECT_FALSE(addAir(environment, haze()).has_value());
     EXPECT_EQ(addAir(environment, world)->elevation_rad, 0.25);
     EXPECT_EQ(environment.defaultBackground->at(4.0), 2.0);
+}
+
+TEST_F(EnvironmentInput, TheSunAloneIsThatOfTheWholeEnvironment) {
+    const auto world =
+        written("world.xml", irsg::environmentXml(irsg::numberXml("SunAzimuth", "4.0") +
+                                                  irsg::numberXml("SunElevation", "0.25")));
+    const auto other =
+        written("other.xml", irsg::environmentXml(irsg::numberXml("SunAzimuth", "1.0") +
+                                                  irsg::numberXml("SunElevation", "1.25")));
+    const auto both = haze().string() + ";" + world.string() + ";" + other.string();
+    Project project;
+    struct Row {
+        const char* name;
+        std::string air;
+        const char *azimuth_deg, *elevation_deg; ///< null where the project does not set it
+        double azimuth_rad, elevation_rad;
+    };
+    const double degree = std::numbers::pi / 180.0;
+    for (const Row& row :
+         {Row{"settings alone", "none", "30", "10", 30 * degree, 10 * degree},
+          Row{"defaults", haze().string(), nullptr, nullptr, 180 * degree, 45 * degree},
+          Row{"the first file", both, nullptr, nullptr, 4.0, 0.25},
+          Row{"own azimuth", both, "30", nullptr, 30 * degree, 0.25},
+          Row{"own elevation", both, nullptr, "10", 4.0, 10 * degree}}) {
+        Settings settings;
+        settings.set("environment.atmospheres", row.air);
+        if (row.azimuth_deg != nullptr)
+            settings.set("environment.sunAzimuth", row.azimuth_deg);
+        if (row.elevation_deg != nullptr)
+            settings.set("environment.sunElevation", row.elevation_deg);
+        const irsg::SunPosition sun = sunOf(project, settings);
+        EXPECT_NEAR(sun.azimuth_rad, row.azimuth_rad, 1e-12) << row.name;
+        EXPECT_NEAR(sun.elevation_rad, row.elevation_rad, 1e-12) << row.name;
+        const irsg::SunPosition whole = smat::environmentOf(project, settings).sun;
+        EXPECT_EQ(sun.azimuth_rad, whole.azimuth_rad) << row.name;
+        EXPECT_EQ(sun.elevation_rad, whole.elevation_rad) << row.name;
+    }
+    // A file that cannot be read says nothing of the sun; the analysis says what is wrong with it.
+    Settings broken;
+    broken.set(
+        "environment.atmospheres",
+        written("broken.xml", irsg::environmentXml(irsg::numberXml("SunAzimuth", "9"))).string());
+    EXPECT_NEAR(sunOf(project, broken).elevation_rad, 45 * degree, 1e-12);
 }
 
 TEST_F(EnvironmentInput, WideBinsAreTheMeansOfTheNarrowOnesInside) {

@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "gui/Theme.h"
+#include "irsg/atmosphere/import/EnvironmentXml.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/project/SceneBuilder.h"
 #include "tests/gui/ViewFixture.h"
 
 namespace smat::gui {
@@ -36,11 +38,14 @@ class ViewOverlayTest : public test::ViewFixture {
         return {0.5 * view.width() + focal_px * irsg::dot(arrow_m, axes.r) / depth_m,
                 0.5 * view.height() - focal_px * irsg::dot(arrow_m, axes.u) / depth_m};
     }
+    /// Within a pixel of the view, of which the picture may have several of its own.
     static bool has(const QImage& picture, const QPointF& at, const QColor& color) {
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
-                const QPoint pixel(static_cast<int>(std::floor(at.x())) + dx,
-                                   static_cast<int>(std::floor(at.y())) + dy);
+        const double ratio = picture.devicePixelRatio();
+        const int reach = static_cast<int>(std::ceil(ratio));
+        for (int dy = -reach; dy <= reach; ++dy)
+            for (int dx = -reach; dx <= reach; ++dx) {
+                const QPoint pixel(static_cast<int>(std::floor(ratio * at.x())) + dx,
+                                   static_cast<int>(std::floor(ratio * at.y())) + dy);
                 if (picture.rect().contains(pixel) && apart(picture.pixelColor(pixel), color) < 40)
                     return true;
             }
@@ -101,6 +106,37 @@ TEST_F(ViewOverlayTest, TheSunVectorPointsToTheSunFromEightDirections) {
         // On the other side of the centre there is none.
         EXPECT_LE(seenOf(seen, centre(), centre() - (tip - centre()), yellow), 1);
     }
+}
+
+TEST_F(ViewOverlayTest, TheSunVectorPointsToTheSunOfAnEnvironmentFileAsThePictureHasIt) {
+    const auto folder = test::freshFolder("environment-sun");
+    irsg::toKarma(
+        {.sun = {irsg::radians(250.0), irsg::radians(20.0)}, .background = {}, .composition = {}})
+        .write(folder / "world.xml");
+    Project shown = sample("ship");
+    shown.settings.reset("environment.sunAzimuth");
+    shown.settings.reset("environment.sunElevation");
+    shown.settings.set("environment.atmospheres", (folder / "world.xml").string());
+    shown.settings.set("camera.range", 700);
+    shown.settings.set("target.altitude", 2000);
+    ASSERT_NO_FATAL_FAILURE(show(shown));
+    view.setSunVectorVisible(true);
+    lookFrom(20, 10);
+    const auto tipFor = [this](double azimuth_rad, double elevation_rad) {
+        return seenAt(irsg::direction(azimuth_rad, elevation_rad) * (1.3 * axis_m()));
+    };
+    const irsg::SunPosition ofPicture = environmentOf(project, project.settings).sun;
+    EXPECT_NEAR(irsg::degrees(ofPicture.azimuth_rad), 250.0, 1e-9);
+    const QPointF tip = tipFor(ofPicture.azimuth_rad, ofPicture.elevation_rad);
+    EXPECT_GE(seenOf(picture(), centre(), tip, yellow), 11);
+
+    // What the project sets itself goes before it, for both.
+    set("environment.sunAzimuth", "100");
+    EXPECT_LE(seenOf(picture(), centre(), tip, yellow), 3);
+    const irsg::SunPosition own = environmentOf(project, project.settings).sun;
+    EXPECT_NEAR(irsg::degrees(own.elevation_rad), 20.0, 1e-9);
+    EXPECT_GE(seenOf(picture(), centre(), tipFor(irsg::radians(100.0), own.elevation_rad), yellow),
+              11);
 }
 
 TEST_F(ViewOverlayTest, TheModelsAxesTurnWithItFromEightDirections) {
