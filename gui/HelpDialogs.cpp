@@ -1,20 +1,17 @@
 #include "gui/HelpDialogs.h"
 
-#include <algorithm>
-
 #include <OpenEXRConfig.h>
-#include <QDialogButtonBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
-#include <QPushButton>
-#include <QScrollArea>
+#include <QTabWidget>
 #include <QVBoxLayout>
 #include <osg/Version>
 #include <qwt_global.h>
 #include <sqlite3.h>
 
+#include "gui/DialogButtons.h"
+#include "gui/SideScroll.h"
 #include "gui/Theme.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageView.h"
@@ -24,9 +21,7 @@ namespace smat::gui {
 namespace {
 
 void lay(QDialog& dialog, QWidget* body) {
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, &dialog);
-    buttons->button(QDialogButtonBox::Close)->setIcon({});
-    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    auto* buttons = closeAlone(dialog);
     auto* column = new QVBoxLayout(&dialog);
     column->setContentsMargins(24, 20, 24, 16);
     column->setSpacing(16);
@@ -126,23 +121,19 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, const QList<QAction*>& o
     images += heading(tr("Comparing images"));
     for (const auto& [hint, what] : comparisonKeys())
         images += row(hint, what);
-    auto* body = new QWidget(this);
-    auto* columns = new QHBoxLayout(body);
-    columns->setContentsMargins(0, 0, 0, 0);
-    columns->setSpacing(40);
-    int number = 0;
-    for (const auto& text : {keys, mouse, images}) {
-        auto* label = new QLabel("<table>" + text + "</table>", body);
-        label->setObjectName(QStringList{"keyList", "mouseList", "imageList"}[number++]);
-        columns->addWidget(label, 0, Qt::AlignTop);
-    }
-    auto* scroll = new QScrollArea(this);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(body);
-    lay(*this, scroll);
-    resize(std::min(body->sizeHint().width() + 80, 1000),
-           std::min(body->sizeHint().height() + 110, 720));
+    auto* tabs = new QTabWidget(this);
+    tabs->setDocumentMode(true);
+    const auto add = [&](const QString& title, const QString& name, const QString& rows) {
+        auto* label = new QLabel("<table>" + rows + "</table>");
+        label->setObjectName(name);
+        label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+        tabs->addTab(new SideScroll(label, tabs), title);
+    };
+    add(tr("Menus and results"), "keyList", keys);
+    add(tr("View, plots and mouse"), "mouseList", mouse);
+    add(tr("Images"), "imageList", images);
+    lay(*this, tabs);
+    resize(sizeHint().expandedTo({560, 680}));
 }
 
 } // namespace smat::gui

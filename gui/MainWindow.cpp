@@ -1,5 +1,7 @@
 #include "gui/MainWindow.h"
 
+#include <algorithm>
+
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -7,9 +9,12 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
+#include <QProgressBar>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QThreadPool>
 
 #include "gui/Exportable.h"
 #include "gui/ManipulatorsDock.h"
@@ -26,6 +31,7 @@
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/SceneTreeDock.h"
 #include "gui/view/ModelPage.h"
+#include "gui/view/SceneLoader.h"
 #include "gui/view/SceneView.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/SceneBuilder.h"
@@ -35,6 +41,7 @@ namespace {
 
 /// Of the docks there are: a layout that knows others is not taken.
 constexpr int layoutVersion = 2;
+constexpr int poolThreads = 12;
 
 QSettings layoutMemory() {
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench");
@@ -49,6 +56,9 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     setWindowIcon(icon("smat"));
     setAcceptDrops(true);
     resize(1360, 840);
+    // Qt paints with the threads of this pool, too: work that takes its time must leave it some.
+    auto* pool = QThreadPool::globalInstance();
+    pool->setMaxThreadCount(std::max(pool->maxThreadCount(), poolThreads));
     QStringList problems;
     preferences_ = Preferences::load(&problems);
     files_ = new ProjectFiles(workbench_, dialogs_, preferences_, this);
@@ -102,6 +112,7 @@ void MainWindow::makeDocks() {
                 databaseDock_->raise();
             });
     if (view_ != nullptr) {
+        makeLoader();
         joinTreeAndView();
         new DatabasePreview(workbench_, *databaseDock_, *view_, this);
     }
@@ -172,7 +183,15 @@ void MainWindow::makeCentre() {
     }
     for (const auto side : {QTabBar::LeftSide, QTabBar::RightSide})
         tabs_->tabBar()->setTabButton(0, side, nullptr);
-    setCentralWidget(tabs_);
+    // A page that needs more room than there is scrolls; the window keeps its size.
+    auto* centre = new QScrollArea(this);
+    centre->setObjectName("centre");
+    centre->setFrameShape(QFrame::NoFrame);
+    centre->setWidgetResizable(true);
+    centre->setFocusPolicy(Qt::NoFocus);
+    centre->setMinimumSize(380, 300);
+    centre->setWidget(tabs_);
+    setCentralWidget(centre);
     connect(tabs_, &QTabWidget::tabCloseRequested, this, [this](int index) {
         if (index > 0)
             delete tabs_->widget(index);
@@ -286,14 +305,42 @@ void MainWindow::refreshTitle() {
 void MainWindow::showModel() {
     view_->setScene({});
     shownModels_ = workbench_.project().models;
-    try {
-        auto scene = loadDisplayScene(workbench_.project(), workbench_.settings());
-        for (const auto& remark : scene.remarks)
-            statusBar()->showMessage(remark, 8000);
-        view_->setScene(std::move(scene));
-    } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("The model cannot be shown"), sentencesOf(error));
+    loader_->load(workbench_.project(), workbench_.settings());
+}
+
+bool MainWindow::isLoadingModel() const {
+    return loader_ != nullptr && loader_->isBusy();
+}
+
+void MainWindow::makeLoader() {
+    loader_ = new SceneLoader(this);
+    auto* words = new QLabel(this);
+    words->setObjectName("loadingWords");
+    auto* busy = new QProgressBar(this);
+    busy->setObjectName("loadingBusy");
+    busy->setRange(0, 0);
+    busy->setTextVisible(false);
+    busy->setFixedSize(110, 12);
+    for (QWidget* widget : {static_cast<QWidget*>(words), static_cast<QWidget*>(busy)}) {
+        statusBar()->addPermanentWidget(widget);
+        widget->hide();
     }
+    connect(loader_, &SceneLoader::waiting, this, [words, busy](const QString& sentence) {
+        words->setText(sentence);
+        words->setVisible(!sentence.isEmpty());
+        busy->setVisible(!sentence.isEmpty());
+    });
+    connect(loader_, &SceneLoader::loaded, this,
+            [this](const std::shared_ptr<DisplayScene>& scene) {
+                for (const auto& remark : scene->remarks)
+                    statusBar()->showMessage(remark, 8000);
+                view_->setScene(std::move(*scene));
+                // Settings may have changed in the meantime.
+                view_->setTargetPose(targetPoseOf(workbench_.settings()));
+            });
+    connect(loader_, &SceneLoader::failed, this, [this](const QStringList& sentences) {
+        dialogs_.tell(this, tr("The model cannot be shown"), sentences);
+    });
 }
 
 void MainWindow::onSettingsChanged() {

@@ -28,6 +28,7 @@ class ModelPage;
 class ProjectFiles;
 class ResultPage;
 class ResultsDock;
+class SceneLoader;
 class SceneTreeDock;
 class SceneView;
 struct SettingsPage;
@@ -57,6 +58,8 @@ class MainWindow : public QMainWindow {
     SceneTreeDock& tree() { return *tree_; }
     /// Null where the desktop has no OpenGL.
     SceneView* sceneView() const { return view_; }
+    /// While the models of the view are being read, off this thread.
+    bool isLoadingModel() const;
     DatabaseDock& databaseEditor() { return *databaseDock_; }
     /// The page that is shown; null for the 3-D view.
     ResultPage* currentPage() const;
@@ -116,6 +119,7 @@ class MainWindow : public QMainWindow {
     void onProjectOpened();
     void onProjectChanged();
     void refreshTitle();
+    void makeLoader();
     void showModel();
     void onSettingsChanged();
     void refreshActions();
@@ -131,6 +135,7 @@ class MainWindow : public QMainWindow {
     QToolBar* bar_ = nullptr;
     ModelPage* page_ = nullptr;
     SceneView* view_ = nullptr; ///< of the page
+    SceneLoader* loader_ = nullptr;
     ResultsDock* results_ = nullptr;
     DatabaseDock* databaseDock_ = nullptr;
     QAction* export_ = nullptr;

@@ -20,9 +20,9 @@ struct Shades {
     const char *window, *base, *alternate, *button, *text, *faint, *accent, *tip, *link;
 };
 constexpr Shades lightShades{"#f4f5f7", "#ffffff", "#f0f2f5", "#fafbfc", "#1f2430",
-                             "#9aa1ad", "#2f6fde", "#ffffff", "#1d5bc4"};
+                             "#697080", "#2f6fde", "#ffffff", "#1d5bc4"};
 constexpr Shades darkShades{"#23262d", "#1b1d23", "#22252c", "#2d3139", "#e6e8ec",
-                            "#7c828e", "#4c8dff", "#31353e", "#7fb0ff"};
+                            "#949ba8", "#4c8dff", "#31353e", "#7fb0ff"};
 
 QPalette makePalette(const Shades& shades) {
     QPalette palette{QColor(shades.button), QColor(shades.window)};
@@ -100,7 +100,13 @@ void applyTheme(QApplication& application, ThemeMode mode) {
     application.setStyleSheet(
         QStringLiteral("QToolTip { padding: 4px; color: %1; background: %2; border: 1px solid %3; }"
                        "QToolBar { border: 0; padding: 4px; spacing: 4px; }"
+                       "QDockWidget { titlebar-close-icon: url(:/icons/close-%7.svg);"
+                       "              titlebar-normal-icon: url(:/icons/float-%7.svg); }"
                        "QDockWidget::title { padding: 6px 8px; }"
+                       "QDockWidget::close-button, QDockWidget::float-button"
+                       " { border: 0; padding: 0; icon-size: 14px; }"
+                       "QTabBar::close-button { image: url(:/icons/close-%7.svg); }"
+                       "QTabBar::close-button:hover { background: %4; border-radius: 3px; }"
                        "QTabWidget::pane { border: 0; border-top: 1px solid %4; }"
                        "QTabBar::tab { padding: 7px 14px; border: 0; color: %3;"
                        "               border-bottom: 2px solid transparent; }"
@@ -112,7 +118,7 @@ void applyTheme(QApplication& application, ThemeMode mode) {
                        "                               image: url(:/icons/check.svg); }"
                        "QStatusBar::item { border: 0; }")
             .arg(shades.text, shades.tip, shades.faint, dark ? "#3a3f49" : "#d9dde4", shades.accent,
-                 shades.base));
+                 shades.base, dark ? "dark" : "light"));
 }
 
 QIcon icon(const QString& name, const QPalette& palette) {

@@ -4,7 +4,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QDialogButtonBox>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,6 +14,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/DialogButtons.h"
 #include "gui/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisPlan.h"
@@ -88,13 +88,8 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
     unsaved_->setWordWrap(true);
     unsaved_->hide();
 
-    buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons_->button(QDialogButtonBox::Ok)->setText(tr("Run"));
-    for (auto* button : buttons_->buttons())
-        button->setIcon({});
+    buttons_ = okAndCancel(*this, tr("Run"));
     buttons_->button(QDialogButtonBox::Ok)->setObjectName("run");
-    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
     auto* top = new QHBoxLayout;
     top->addWidget(heading);

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QDialogButtonBox>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -12,6 +11,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "gui/DialogButtons.h"
 #include "gui/analysis/ResultStore.h"
 
 namespace smat::gui {
@@ -55,9 +55,7 @@ ResultDetailsDialog::ResultDetailsDialog(const ResultEntry& entry, QWidget* pare
         item->setToolTip(1, item->text(1));
         list->addTopLevelItem(item);
     }
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    buttons->button(QDialogButtonBox::Close)->setIcon({});
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* buttons = closeAlone(*this);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 14, 16, 14);

@@ -73,6 +73,7 @@ void ResultPage::showPlot(Dialogs dialogs) {
     const ResultTable& table = results_.front().data.table;
     quantity_ = new QComboBox(this);
     quantity_->setObjectName("quantity");
+    quantity_->setMinimumWidth(90); // long titles give way where the page is narrow
     quantity_->setToolTip(tr("Quantity that is drawn"));
     for (const auto& key : plottableQuantities(table))
         quantity_->addItem(QString::fromStdString(table.find(key)->axisTitle()),

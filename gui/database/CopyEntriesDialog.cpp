@@ -1,7 +1,6 @@
 #include "gui/database/CopyEntriesDialog.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -10,6 +9,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "gui/DialogButtons.h"
 #include "gui/database/NodePlot.h"
 
 namespace smat::gui {
@@ -67,10 +67,7 @@ CopyEntriesDialog::CopyEntriesDialog(const EditorContext& context, irsg::Signatu
     split->setStretchFactor(1, 2);
     verdict_ = new QLabel(this);
     verdict_->setObjectName("copyVerdict");
-    buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons_->button(QDialogButtonBox::Ok)->setText(tr("Add"));
-    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    buttons_ = okAndCancel(*this, tr("Add"));
     auto* bottom = new QHBoxLayout;
     bottom->addWidget(verdict_, 1);
     bottom->addWidget(buttons_);

@@ -2,6 +2,8 @@
 
 #include <QLabel>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QToolButton>
@@ -49,9 +51,9 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     tabs_->setIconSize(QSize(16, 16));
     tabs_->setStyleSheet("QTabBar::tab { padding: 7px 8px; }");
     temperature_ = new TemperaturePanel(context_, this);
-    addPage(EntryKind::material, new MaterialPanel(context_, this), tr("Material"), "material");
-    addPage(EntryKind::temperature, temperature_, tr("Temperature"), "thermometer");
-    addPage(EntryKind::spectrum, new SpectrumPanel(context_, this), tr("Spectrum"), "spectrum");
+    addPage(EntryKind::material, new MaterialPanel(context_, this), tr("Material"));
+    addPage(EntryKind::temperature, temperature_, tr("Temperature"));
+    addPage(EntryKind::spectrum, new SpectrumPanel(context_, this), tr("Spectrum"));
     findings_ = new FindingsPanel(context_, this);
     tabs_->addTab(findings_, icon("check-physics"), tr("Findings"));
 
@@ -74,7 +76,16 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     column->addWidget(tabs_, 1);
     column->addStretch(0);
     body->setMinimumWidth(430);
-    setWidget(body);
+    // Behind another dock it takes no room from the view; in front it is as wide as it needs.
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(body);
+    setWidget(scroll);
+    connect(this, &QDockWidget::visibilityChanged, scroll, [scroll, body](bool inFront) {
+        const int bar = scroll->verticalScrollBar()->sizeHint().width();
+        scroll->setMinimumWidth(inFront ? body->minimumWidth() + bar : 0);
+    });
 
     connect(&context_.session(), &DatabaseSession::stateChanged, this, &DatabaseDock::refresh);
     connect(&context_.session(), &DatabaseSession::opened, this, &DatabaseDock::refresh);
@@ -107,8 +118,7 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     refresh();
 }
 
-void DatabaseDock::addPage(EntryKind kind, EntryPanel* panel, const QString& title,
-                           const QString& picture) {
+void DatabaseDock::addPage(EntryKind kind, EntryPanel* panel, const QString& title) {
     auto* page = new QWidget(this);
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 8, 0, 0);
@@ -123,7 +133,7 @@ void DatabaseDock::addPage(EntryKind kind, EntryPanel* panel, const QString& tit
     split->setSizes({230, 420});
     column->addWidget(split, 1);
     pageOf(kind) = {list, panel, split};
-    tabs_->addTab(page, icon(picture), title);
+    tabs_->addTab(page, title);
     connect(list, &EntryList::currentChanged, this, [this, list, panel] {
         panel->show(list->current());
         emit currentChanged(current());

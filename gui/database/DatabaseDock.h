@@ -63,7 +63,7 @@ class DatabaseDock : public QDockWidget {
         QSplitter* split = nullptr;
     };
     Page& pageOf(EntryKind kind) { return pages_[static_cast<std::size_t>(kind)]; }
-    void addPage(EntryKind kind, EntryPanel* panel, const QString& title, const QString& icon);
+    void addPage(EntryKind kind, EntryPanel* panel, const QString& title);
     QWidget* makeHeader();
     void refresh();
     /// The two scaling files beside the model, where they are not there.

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "gui/DialogButtons.h"
 #include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/database/Nodes.h"
@@ -43,10 +43,7 @@ ImportSpectrumDialog::ImportSpectrumDialog(const EditorContext& context,
     outcome_->setWordWrap(true);
     outcome_->setMinimumSize(460, 90);
     outcome_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons_->button(QDialogButtonBox::Ok)->setText(tr("Import"));
-    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    buttons_ = okAndCancel(*this, tr("Import"));
     connect(name_, &QLineEdit::textChanged, this, &ImportSpectrumDialog::read);
     connect(unit_, &QComboBox::currentIndexChanged, this, &ImportSpectrumDialog::read);
     connect(distance_, &QLineEdit::textChanged, this, &ImportSpectrumDialog::read);

@@ -94,7 +94,8 @@ QVariant NodeTableModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant NodeTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (role != Qt::DisplayRole)
+    const bool isTitle = orientation == Qt::Horizontal && role == Qt::ToolTipRole;
+    if (role != Qt::DisplayRole && !isTitle)
         return QAbstractTableModel::headerData(section, orientation, role);
     if (orientation == Qt::Horizontal)
         return QString(section == 0 ? rules_.xTitle() : rules_.yTitle()).replace(" (", "\n(");
@@ -171,11 +172,13 @@ NodeTable::NodeTable(NodeTableModel& model, QWidget* parent) : QTableView(parent
     setFrameShape(QFrame::NoFrame);
     setShowGrid(false);
     setTabKeyNavigation(false);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
+    horizontalHeader()->setTextElideMode(Qt::ElideRight);
     horizontalHeader()->setHighlightSections(false);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
     verticalHeader()->setDefaultAlignment(Qt::AlignCenter);
-    setMinimumWidth(180);
+    setMinimumWidth(215);
 }
 
 void NodeTable::report(const QString& sentence) {

@@ -1,11 +1,12 @@
 #include "gui/database/RenumberDialog.h"
 
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include "gui/DialogButtons.h"
 
 namespace smat::gui {
 
@@ -27,10 +28,7 @@ RenumberDialog::RenumberDialog(const EditorContext& context, const EntryKey& ent
     consequence_->setMinimumSize(400, 60);
     consequence_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     consequence_->setForegroundRole(QPalette::PlaceholderText);
-    buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons_->button(QDialogButtonBox::Ok)->setText(byName ? tr("Rename") : tr("Renumber"));
-    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    buttons_ = okAndCancel(*this, byName ? tr("Rename") : tr("Renumber"));
     connect(field_, &QLineEdit::textChanged, this, &RenumberDialog::judge);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 14);

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "gui/Theme.h"
+#include "gui/WrappingBar.h"
 #include "gui/image/ComparisonPanes.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/FiguresTable.h"
@@ -104,17 +105,14 @@ QWidget* ComparisonWindow::makeBar() {
     connect(fit, &QToolButton::clicked, panes_, &ComparisonPanes::fit);
     connect(actual, &QToolButton::clicked, panes_, &ComparisonPanes::showActualSize);
 
-    auto* bar = new QWidget(this);
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* bar = new WrappingBar(this);
     for (QWidget* widget :
          {static_cast<QWidget*>(openA), static_cast<QWidget*>(openB), static_cast<QWidget*>(swap_),
           static_cast<QWidget*>(plane_), static_cast<QWidget*>(colors_),
           static_cast<QWidget*>(modeBox_), static_cast<QWidget*>(mark_)})
-        row->addWidget(widget);
-    row->addStretch(1);
+        bar->first()->addWidget(widget);
     for (QWidget* button : {worst_, copy_, export_, fit, actual})
-        row->addWidget(button);
+        bar->second()->addWidget(button);
     return bar;
 }
 

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <optional>
 
-#include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "gui/DialogButtons.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -54,11 +54,7 @@ AxisLimitsDialog::AxisLimitsDialog(const std::vector<Axis>& axes, QWidget* paren
     problems_ = new QLabel(this);
     problems_->setObjectName("problems");
     problems_->setWordWrap(true);
-    buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    for (auto* button : buttons_->buttons())
-        button->setIcon({});
-    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    buttons_ = okAndCancel(*this);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 14, 16, 14);

@@ -1,7 +1,6 @@
 #include "gui/project/NewProjectDialog.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -11,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/DialogButtons.h"
 #include "gui/Theme.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/ProjectPropertiesDialog.h"
@@ -45,14 +45,9 @@ NewProjectDialog::NewProjectDialog(Dialogs& dialogs, QWidget* parent)
     remark_->setForegroundRole(QPalette::PlaceholderText);
     remark_->setWordWrap(true);
 
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    auto* buttons = okAndCancel(*this, tr("Create"));
     create_ = buttons->button(QDialogButtonBox::Ok);
-    create_->setText(tr("Create"));
     create_->setObjectName("create");
-    for (auto* button : buttons->buttons())
-        button->setIcon({});
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 14);
     column->setSpacing(14);

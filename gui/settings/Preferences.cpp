@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QImage>
 #include <QLabel>
@@ -12,6 +11,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "gui/DialogButtons.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -127,11 +127,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
                                  this));
     auto* place = explanation(tr("Kept in %1").arg(Preferences::file()), this);
     place->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    for (auto* button : buttons->buttons())
-        button->setIcon({});
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* buttons = okAndCancel(*this);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 14);
     column->setSpacing(14);

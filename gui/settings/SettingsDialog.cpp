@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <QCheckBox>
-#include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -11,6 +10,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
+#include "gui/DialogButtons.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
 
@@ -87,15 +87,11 @@ SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const
         });
     }));
     connect(experts_, &QCheckBox::toggled, this, &SettingsDialog::showExperts);
-    buttons_ = new QDialogButtonBox(
-        QDialogButtonBox::Ok | QDialogButtonBox::Apply | QDialogButtonBox::Cancel, this);
-    for (auto* button : buttons_->buttons())
-        button->setIcon({});
-    buttons_->button(QDialogButtonBox::Apply)->setObjectName("apply");
-    connect(buttons_, &QDialogButtonBox::accepted, this, &SettingsDialog::accept);
-    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(buttons_->button(QDialogButtonBox::Apply), &QPushButton::clicked, this,
-            &SettingsDialog::apply);
+    buttons_ = okAndCancel(*this);
+    auto* apply = buttons_->addButton(QDialogButtonBox::Apply);
+    apply->setObjectName("apply");
+    apply->setIcon({});
+    connect(apply, &QPushButton::clicked, this, &SettingsDialog::apply);
 
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(16, 14, 16, 14);

@@ -8,10 +8,10 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/SideScroll.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/ResultPage.h"
 
@@ -78,12 +78,7 @@ AirToolPage::AirToolPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     column->addWidget(same);
     column->addLayout(terminal);
 
-    auto* scroll = new QScrollArea(this);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(side);
-    scroll->setFixedWidth(360);
+    auto* scroll = new SideScroll(side, this);
     auto* right = new QWidget(this);
     answer_ = new QVBoxLayout(right);
     answer_->setContentsMargins(0, 0, 0, 0);

@@ -8,11 +8,10 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
+#include "gui/SideScroll.h"
 #include "gui/Workbench.h"
 #include "gui/tools/MonteCarloPage.h"
 
@@ -88,10 +87,10 @@ QWidget* MonteCarloPage::makeForm() {
     problem_->hide();
     column->addWidget(problem_);
     auto* buttons = new QHBoxLayout;
-    run_ = new QPushButton(icon("check"), tr("Run"), panel);
+    run_ = new QPushButton(tr("Run"), panel);
     run_->setObjectName("run");
     run_->setDefault(true);
-    cancel_ = new QPushButton(icon("cancel"), tr("Cancel"), panel);
+    cancel_ = new QPushButton(tr("Cancel"), panel);
     cancel_->setObjectName("cancel");
     cancel_->setToolTip(tr("Stops and keeps the draws there are"));
     buttons->addWidget(run_, 1);
@@ -113,13 +112,7 @@ QWidget* MonteCarloPage::makeForm() {
     unsaved_->hide();
     column->addWidget(unsaved_);
 
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(panel);
-    scroll->setMinimumWidth(330);
-    return scroll;
+    return new SideScroll(panel, this);
 }
 
 void MonteCarloPage::addWhat(QFormLayout* form) {

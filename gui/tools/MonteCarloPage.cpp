@@ -1,6 +1,8 @@
 #include "gui/tools/MonteCarloPage.h"
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -23,8 +25,22 @@
 #include "gui/tools/MonteCarloPlots.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
+
+namespace {
+
+constexpr int patience_ms = 100; ///< with a drawing, after a cancel
+
+} // namespace
+
+struct MonteCarloPage::Worker {
+    std::unique_ptr<ImageSource> source; ///< made by the first run, in its thread
+    SceneBuilder scenes;
+    std::atomic<bool> done = true;
+    std::jthread thread; ///< last: ends before the rest goes
+};
 
 MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, ImageSourceFactory makeSource,
                                QWidget* parent)
@@ -84,9 +100,8 @@ MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, ImageSourc
 }
 
 MonteCarloPage::~MonteCarloPage() {
-    thread_.request_stop();
-    if (thread_.joinable())
-        thread_.join();
+    for (auto& worker : workers_)
+        worker->thread.request_stop();
 }
 
 void MonteCarloPage::fillAnalyses() {
@@ -225,7 +240,7 @@ void MonteCarloPage::refresh() {
     problem_->setText(problems.join('\n'));
     problem_->setVisible(!problems.isEmpty());
     run_->setEnabled(problems.isEmpty() && !running_);
-    cancel_->setEnabled(running_);
+    cancel_->setEnabled(running_ && !cancelled_);
     refreshCommand();
 }
 
@@ -257,37 +272,64 @@ void MonteCarloPage::run() {
         dialogs_.tell(this, tr("Monte Carlo"), sentencesOf(error));
         return;
     }
-    if (thread_.joinable())
-        thread_.join();
-    scenes_.setDatabaseOverrides(workbench_.editedDatabases());
+    std::erase_if(workers_,
+                  [this](const auto& worker) { return worker->done && worker != workers_.back(); });
+    if (workers_.empty() || !workers_.back()->done)
+        workers_.push_back(std::make_unique<Worker>());
+    Worker& worker = *workers_.back();
+    if (worker.thread.joinable())
+        worker.thread.join();
+    worker.done = false;
+    worker.scenes.setDatabaseOverrides(workbench_.editedDatabases());
     data.analysis.commandLine = data.equivalentCommand("montecarlo.csv");
     running_ = true;
+    cancelled_ = false;
     doing_ = tr("starting");
     progress_->setValue(0);
     clock_.start();
     clockTick_.start();
     refresh();
-    thread_ = std::jthread(
-        [this, data = std::move(data)](std::stop_token stop) { work(data, std::move(stop)); });
+    worker.thread = std::jthread(
+        [this, &worker, number = ++number_, data = std::move(data)](std::stop_token stop) {
+            work(worker, number, data, std::move(stop));
+            worker.done = true;
+        });
 }
 
 void MonteCarloPage::cancel() {
     if (!running_)
         return;
-    thread_.request_stop();
-    doing_ = tr("cancelling");
+    workers_.back()->thread.request_stop();
+    cancelled_ = true;
     cancel_->setEnabled(false);
+    QTimer::singleShot(patience_ms, this, [this, number = number_] {
+        if (running_ && number == number_)
+            answerCancel();
+    });
 }
 
-void MonteCarloPage::work(const MonteCarloData& asked, std::stop_token stop) {
+void MonteCarloPage::answerCancel() {
+    rest();
+    progress_->setFormat(tr("cancelled; the drawing under way is being ended"));
+    refresh();
+}
+
+void MonteCarloPage::rest() {
+    running_ = false;
+    clockTick_.stop();
+}
+
+void MonteCarloPage::work(Worker& worker, int number, const MonteCarloData& asked,
+                          std::stop_token stop) {
     auto data = std::make_shared<MonteCarloData>(asked);
     QStringList sentences;
     try {
-        if (!source_)
-            source_ = makeSource_();
-        MonteCarlo monteCarlo(*source_, [this](const Project& project, const Settings& settings) {
-            return scenes_.build(project, settings);
-        });
+        if (!worker.source)
+            worker.source = makeSource_();
+        MonteCarlo monteCarlo(*worker.source,
+                              [&worker](const Project& project, const Settings& settings) {
+                                  return worker.scenes.build(project, settings);
+                              });
         QElapsedTimer sinceSaid;
         sinceSaid.start();
         bool first = true;
@@ -300,7 +342,12 @@ void MonteCarloPage::work(const MonteCarloData& asked, std::stop_token stop) {
                 first = false;
                 sinceSaid.restart();
                 QMetaObject::invokeMethod(
-                    this, [this, now] { onProgress(now); }, Qt::QueuedConnection);
+                    this,
+                    [this, now, number] {
+                        if (number == number_)
+                            onProgress(now);
+                    },
+                    Qt::QueuedConnection);
             },
             stop);
     } catch (const irsg::InputError& error) {
@@ -310,21 +357,24 @@ void MonteCarloPage::work(const MonteCarloData& asked, std::stop_token stop) {
                          .arg(QString::fromLocal8Bit(error.what()));
     }
     QMetaObject::invokeMethod(
-        this, [this, data, sentences] { onEnd(data, sentences); }, Qt::QueuedConnection);
+        this,
+        [this, data, sentences, number] {
+            if (number == number_)
+                onEnd(data, sentences);
+        },
+        Qt::QueuedConnection);
 }
 
 void MonteCarloPage::onProgress(const Progress& progress) {
-    if (!running_)
+    if (!running_ || cancelled_)
         return;
     progress_->setValue(static_cast<int>(1000.0 * progress.fraction()));
-    if (cancel_->isEnabled())
-        doing_ = QString::fromStdString(progress.what);
+    doing_ = QString::fromStdString(progress.what);
 }
 
 void MonteCarloPage::onEnd(std::shared_ptr<const MonteCarloData> data,
                            const QStringList& sentences) {
-    running_ = false;
-    clockTick_.stop();
+    rest();
     if (sentences.isEmpty()) {
         progress_->setValue(1000);
         progress_->setFormat(

@@ -2,7 +2,8 @@
 
 #include <memory>
 #include <optional>
-#include <thread>
+#include <stop_token>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -12,7 +13,6 @@
 #include "gui/Exportable.h"
 #include "gui/analysis/AnalysisJob.h"
 #include "smatcore/analysis/MonteCarlo.h"
-#include "smatcore/project/SceneBuilder.h"
 
 class QCheckBox;
 class QComboBox;
@@ -50,6 +50,8 @@ class MonteCarloPage : public QWidget, public Exportable {
 
   public slots:
     void run();
+    /// Answered within a moment: a drawing under way ends by itself, and what was drawn until then
+    /// is shown when it has, unless the next run has begun.
     void cancel();
 
   signals:
@@ -66,15 +68,17 @@ class MonteCarloPage : public QWidget, public Exportable {
     void writeScalingFiles();
     void refresh();
     void refreshCommand();
-    void work(const MonteCarloData& asked, std::stop_token stop);
+    /// A thread with a renderer and files of its own, which serve run after run.
+    struct Worker;
+    void work(Worker& worker, int number, const MonteCarloData& asked, std::stop_token stop);
     void onProgress(const Progress& progress);
+    void answerCancel();
     void onEnd(std::shared_ptr<const MonteCarloData> data, const QStringList& sentences);
+    void rest();
 
     Workbench& workbench_;
     Dialogs dialogs_;
     ImageSourceFactory makeSource_;
-    std::unique_ptr<ImageSource> source_; ///< made by the first run, in its thread
-    SceneBuilder scenes_;
 
     QComboBox *analysis_ = nullptr, *quantity_ = nullptr, *sequence_ = nullptr,
               *statistic_ = nullptr;
@@ -88,11 +92,14 @@ class MonteCarloPage : public QWidget, public Exportable {
     QProgressBar* progress_ = nullptr;
     MonteCarloPlots* plots_ = nullptr;
 
-    bool running_ = false;
+    bool running_ = false, cancelled_ = false;
+    int number_ = 0; ///< of the run that is heard of
     QTimer clockTick_;
     QElapsedTimer clock_;
     QString doing_;
-    std::jthread thread_; ///< last: stops before the rest goes
+    /// The one in use is the last; those before it were cancelled and end by themselves. Last of
+    /// the members: they stop before the rest goes.
+    std::vector<std::unique_ptr<Worker>> workers_;
 };
 
 } // namespace smat::gui

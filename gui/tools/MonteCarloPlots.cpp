@@ -77,7 +77,7 @@ MonteCarloPlots::MonteCarloPlots(QWidget* parent) : QWidget(parent) {
     place_->setToolTip(tr("Where in the sweep the histogram is taken"));
     placeText_ = new QLabel(histogramPart_);
     placeText_->setObjectName("histogramPlaceText");
-    placeText_->setMinimumWidth(110);
+    placeText_->setMinimumWidth(80);
     placeRow->addWidget(place_, 1);
     placeRow->addWidget(placeText_);
     histogramColumn->addLayout(placeRow);
@@ -97,12 +97,14 @@ void MonteCarloPlots::makePlots() {
     delete bands_;
     bands_ = new CartesianPlot(style, this);
     bands_->setObjectName("monteCarloBands");
+    bands_->setMinimumSize(240, 200);
     columns_->insertWidget(0, bands_);
     columns_->setStretchFactor(0, 3);
     columns_->setStretchFactor(1, 2);
     delete histogram_;
     histogram_ = new QwtPlot(histogramPart_);
     histogram_->setObjectName("monteCarloHistogram");
+    histogram_->setMinimumSize(150, 130);
     auto* canvas = new QwtPlotCanvas(histogram_);
     canvas->setFrameStyle(QFrame::NoFrame);
     histogram_->setCanvas(canvas);

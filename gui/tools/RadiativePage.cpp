@@ -14,6 +14,7 @@
 #include "gui/settings/SettingForm.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/tools/RadiativeOutput.h"
 #include "smatcore/tools/ViewerGeometry.h"
@@ -45,6 +46,18 @@ QString figuresOf(const RadiativeOutput& output) {
     for (const auto& warning : output.warnings)
         lines << RadiativePage::tr("Note: %1").arg(QString::fromStdString(warning));
     return lines.join('\n');
+}
+
+/// Empty where there is none: a command names one atmosphere, or one Environment file of several.
+std::string commandFor(const Project& project, const Settings& asked,
+                       const std::vector<std::string>& words, const AirGeometryInput& geometry) {
+    const auto files = asked.paths("environment.atmospheres");
+    if (files.size() > 1)
+        return {};
+    const std::string air = files.empty() ? "none" : project.resolve(files[0]).string();
+    return radiativeCommand(air, words, geometry,
+                            irsg::Band::fromText(asked.text("sensor.band")).range(),
+                            sunOf(project, asked), "radiative.csv");
 }
 
 } // namespace
@@ -90,7 +103,29 @@ RadiativePage::RadiativePage(Workbench& workbench, Dialogs dialogs, QWidget* par
     connect(take, &QPushButton::clicked, this, &RadiativePage::takeFromProject);
     connect(form_, &SettingForm::edited, this, &RadiativePage::refresh);
     connect(form_, &SettingForm::validityChanged, this, &RadiativePage::refresh);
+    for (const auto signal : {&Workbench::projectOpened, &Workbench::projectChanged})
+        connect(&this->workbench(), signal, this, &RadiativePage::locate);
+    connect(&this->workbench(), &Workbench::settingsChanged, this, &RadiativePage::refresh);
+    locate();
     takeFromProject();
+}
+
+void RadiativePage::locate() {
+    const Project& project = workbench().project();
+    if (project.models == located_)
+        return;
+    located_ = project.models;
+    referencePoint_m_.reset();
+    locating_.run<irsg::Vec3>(
+        [project] {
+            SceneBuilder scenes;
+            return targetReferencePoint(project, scenes);
+        },
+        [this](const irsg::Vec3& point_m) {
+            referencePoint_m_ = point_m;
+            refresh();
+        });
+    refresh();
 }
 
 void RadiativePage::takeFromProject() {
@@ -122,9 +157,16 @@ void RadiativePage::refresh() {
     setProblems(problems);
     if (!problems.isEmpty())
         return;
-    // The reference point lies off the model's origin by what the thread finds out; the command of
-    // the answer has it.
-    setCommand(tr("Compute gives the command line"));
+    if (!referencePoint_m_) {
+        setCommand(tr("reading the model…"));
+        return;
+    }
+    const auto asked = settings();
+    const Project& project = workbench().project();
+    const std::string command =
+        commandFor(project, asked, words(), viewerGeometry(project, asked, *referencePoint_m_));
+    setCommand(command.empty() ? tr("One command asks one atmosphere; the project lists several")
+                               : QString::fromStdString(command));
 }
 
 Calculation::Work RadiativePage::work() {
@@ -136,28 +178,22 @@ Calculation::Work RadiativePage::work() {
         const irsg::Environment environment = environmentOf(project, asked);
         RadiativeRequest request;
         request.band = irsg::Band::fromText(asked.text("sensor.band")).range();
-        request.geometry = viewerGeometry(project, asked, targetReferencePoint(project, scenes));
+        const irsg::Vec3 point_m = targetReferencePoint(project, scenes);
+        request.geometry = viewerGeometry(project, asked, point_m);
         request.leaveOutMissing = words.front() == "all";
         for (const RadiativeQuantity& known : radiativeQuantities()) {
             if (request.leaveOutMissing ||
                 std::find(words.begin(), words.end(), known.word) != words.end())
                 request.quantities.push_back(known.property);
         }
-        // A command line names one atmosphere; that of several is an Environment file.
-        const auto files = asked.paths("environment.atmospheres");
-        std::string command;
-        if (files.size() < 2) {
-            const std::string air = files.empty() ? "none" : project.resolve(files[0]).string();
-            command = radiativeCommand(air, words, request.geometry, request.band, environment.sun,
-                                       "radiative.csv");
-        }
-        request.commandLine = command;
+        request.commandLine = commandFor(project, asked, words, request.geometry);
         const auto output = radiativeOutput(environment, request);
-        return [this, output, command] {
+        return [this, output, point_m, models = project.models] {
             showTable(output.table, tr("Radiative output"), figuresOf(output));
-            setCommand(command.empty()
-                           ? tr("One command asks one atmosphere; the project lists several")
-                           : QString::fromStdString(command));
+            if (models == located_) {
+                referencePoint_m_ = point_m;
+                refresh();
+            }
         };
     };
 }

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "gui/image/LatestTask.h"
 #include "gui/tools/AirToolPage.h"
 #include "irsg/atmosphere/Atmosphere.h"
+#include "smatcore/project/Project.h"
 #include "smatcore/settings/Settings.h"
 
 class QCheckBox;
-class QLabel;
 
 namespace smat::gui {
 
@@ -30,13 +32,17 @@ class RadiativePage : public AirToolPage {
 
   private:
     void refresh();
+    /// Finds where the camera looks, off this thread.
+    void locate();
     Settings settings() const;
     std::vector<std::string> words() const;
     void useInProject();
 
     SettingForm* form_ = nullptr;
-    QLabel* air_ = nullptr;
     std::vector<QCheckBox*> quantities_;
+    std::optional<irsg::Vec3> referencePoint_m_; ///< none while the model is being read
+    std::vector<ProjectModel> located_;          ///< whose reference point it is
+    LatestTask locating_;
 };
 
 } // namespace smat::gui

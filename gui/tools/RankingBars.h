@@ -28,7 +28,7 @@ class RankingBars : public QWidget {
     void setHint(const QString& hint);
 
     QSize sizeHint() const override { return {360, 240}; }
-    QSize minimumSizeHint() const override { return {220, 120}; }
+    QSize minimumSizeHint() const override { return {130, 120}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

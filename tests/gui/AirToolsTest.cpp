@@ -91,6 +91,26 @@ TEST_F(AirToolsTest, RadiativeOutputEqualsTheCommandLine) {
     EXPECT_EQ(workbench.settings().text("camera.range"), "500");
 }
 
+TEST_F(AirToolsTest, TheCommandLineFollowsTheFormBeforeAnythingIsComputed) {
+    auto* page = opened<RadiativePage>("radiativeOutput");
+    auto* command = page->findChild<QLineEdit*>("commandLine");
+    ASSERT_TRUE(test::waitUntil([&] { return command->text().startsWith("smat-batch"); }));
+    for (const char* text : {"2000", "750"}) {
+        auto* range = page->findChild<QLineEdit*>("camera.range");
+        range->selectAll();
+        QTest::keyClicks(range, text);
+        EXPECT_TRUE(command->text().contains(QString("--range=") + text))
+            << command->text().toStdString();
+    }
+    page->findChild<QCheckBox*>("sun")->setChecked(false);
+    const QString before = command->text();
+    const ResultTable ofTerminal = fromTerminal(*page, "radiative.csv");
+    compute(*page);
+    EXPECT_EQ(command->text(), before);
+    EXPECT_EQ(page->table().columns(), ofTerminal.columns());
+    EXPECT_EQ(page->table().provenance.value("range [m]"), "750");
+}
+
 TEST_F(AirToolsTest, TheProjectLooksTheSameInItsOwnExportedAir) {
     const AnalysisData before = image();
     auto* page = opened<RadiativePage>("radiativeOutput");

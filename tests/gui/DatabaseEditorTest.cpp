@@ -235,7 +235,7 @@ TEST_F(DatabaseEditorTest, TellsWhatCannotBeOpenedAndOffersWhatCanBeDone) {
     session().close();
     std::filesystem::copy_file(file, folder / "kept.sigdb");
     std::filesystem::remove(file);
-    ASSERT_TRUE(window->open(folder / "turboprop4.smat"));
+    ASSERT_TRUE(opens(folder / "turboprop4.smat"));
     EXPECT_FALSE(session().isOpen());
     EXPECT_TRUE(dock().banner()->text().contains("no such file"))
         << dock().banner()->text().toStdString();
@@ -252,7 +252,7 @@ TEST_F(DatabaseEditorTest, OffersTheEditsThatAWindowLeft) {
     std::filesystem::copy_file(recovery, copy);
     session().discard();
     std::filesystem::copy_file(copy, recovery);
-    ASSERT_TRUE(window->open(folder / "turboprop4.smat"));
+    ASSERT_TRUE(opens(folder / "turboprop4.smat"));
     QTest::qWait(20);
     EXPECT_TRUE(dock().banner()->isVisible());
     test::keepScreenshot(*window, "editor-recovery");

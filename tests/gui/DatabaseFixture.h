@@ -32,7 +32,7 @@ class DatabaseFixture : public WindowFixture {
         for (const auto& [key, value] : settings)
             project.settings.set(key, value);
         saveProject(project, folder / (sample + ".smat"));
-        ASSERT_TRUE(window->open(folder / (sample + ".smat")));
+        ASSERT_TRUE(opens(folder / (sample + ".smat")));
         dock().raise();
         QTest::qWait(30);
         ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();

@@ -182,7 +182,7 @@ TEST_F(FacePickingTest, TheSceneTreeAndTheViewNameTheSameFaces) {
     ASSERT_TRUE(window.open(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.smat"));
     auto* tree = window.findChild<SceneTreeDock*>();
     SceneView& seen = *window.sceneView();
-    ASSERT_TRUE(test::waitUntil([&] { return !tree->isLoading(); }));
+    ASSERT_TRUE(test::waitUntil([&] { return !tree->isLoading() && !window.isLoadingModel(); }));
     emit tree->indexSelected(IndexKind::material, 2, 0);
     EXPECT_EQ(seen.highlighted(), (FaceSelection{{}, 2, 0}));
     emit tree->nothingSelected();

@@ -208,8 +208,8 @@ TEST_F(MainWindowTest, OffersTheAnalysesOfAProjectInADarkThemeToo) {
     applyTheme(*qApp, ThemeMode::dark);
     window.reset();
     makeWindow();
-    ASSERT_TRUE(window->open(std::filesystem::path(SMAT_SOURCE_DIR) /
-                             "samples/turboprop4/turboprop4.smat"));
+    ASSERT_TRUE(
+        opens(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/turboprop4/turboprop4.smat"));
     QTest::qWait(100);
     test::keepScreenshot(*window, "window-dark-model");
     auto* menu = window->findChild<QMenu*>("projectAnalyses");

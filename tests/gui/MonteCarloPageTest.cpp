@@ -1,5 +1,9 @@
 #include "gui/tools/MonteCarloPage.h"
 
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -25,6 +29,54 @@ namespace {
 
 using namespace test;
 
+/// Holds drawings until it is opened.
+struct Gate {
+    std::atomic<bool> open = false;
+    std::atomic<int> waiting = 0; ///< drawings that came to it
+};
+
+/// The renderer, whose drawings take as long as a gate is closed.
+class WaitingSource : public ImageSource {
+  public:
+    explicit WaitingSource(Gate& gate) : gate_(gate), source_(makeIrsgImageSource()) {}
+    void configure(const SceneDescription& scene) override { source_->configure(scene); }
+    irsg::Vec3 referencePointInModel(std::size_t entity) override {
+        return source_->referencePointInModel(entity);
+    }
+    void setPose(std::size_t entity, const irsg::Pose& pose) override {
+        source_->setPose(entity, pose);
+    }
+    void setState(std::size_t entity, const irsg::EntityState& state) override {
+        source_->setState(entity, state);
+    }
+    void setViewpoint(const irsg::Viewpoint& viewpoint) override {
+        source_->setViewpoint(viewpoint);
+    }
+    irsg::RenderedImage render() override { return source_->render(); }
+    irsg::RenderReport measure() override {
+        if (!gate_.open)
+            ++gate_.waiting;
+        while (!gate_.open)
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        return source_->measure();
+    }
+    irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) override {
+        return source_->measureSpectrum(wavenumbers_cm1);
+    }
+    std::unique_ptr<const irsg::ScaledView>
+    scaledView(const std::vector<irsg::ScalingInput>& inputs,
+               const std::vector<double>& wavenumbers_cm1) override {
+        return source_->scaledView(inputs, wavenumbers_cm1);
+    }
+    std::string rendererDescription() override { return source_->rendererDescription(); }
+    irsg::StageTimes stageTimes() const override { return source_->stageTimes(); }
+    void resetStageTimes() override { source_->resetStageTimes(); }
+
+  private:
+    Gate& gate_;
+    std::unique_ptr<ImageSource> source_;
+};
+
 /// A project of the sample aircraft with scaling files, in a folder of its own.
 class MonteCarloPageTest : public ::testing::Test {
   protected:
@@ -49,13 +101,13 @@ class MonteCarloPageTest : public ::testing::Test {
         file = folder / "turboprop4.smat";
         saveProject(project, file);
     }
-    void makePage() {
+    void makePage(ImageSourceFactory makeSource = makeIrsgImageSource) {
         workbench.open(file);
         Dialogs dialogs;
         dialogs.tell = [this](QWidget*, const QString&, const QStringList& sentences) {
             told += sentences;
         };
-        page = std::make_unique<MonteCarloPage>(workbench, dialogs);
+        page = std::make_unique<MonteCarloPage>(workbench, dialogs, std::move(makeSource));
         page->resize(1280, 860);
         page->show();
         QTest::qWait(30);
@@ -214,10 +266,51 @@ TEST_F(MonteCarloPageTest, keepsTheDrawsOfARunThatIsCancelled) {
     get<QPushButton>("cancel")->click();
     EXPECT_FALSE(get<QPushButton>("cancel")->isEnabled());
     ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }, 60.0));
+    ASSERT_TRUE(waitUntil([this] { return page->plots().data().draws() > 0; }, 60.0));
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     EXPECT_GE(page->plots().data().draws(), 256u);
     EXPECT_EQ(page->plots().data().analysis.state, AnalysisState::partial);
     EXPECT_TRUE(get<QPushButton>("run")->isEnabled());
+}
+
+TEST_F(MonteCarloPageTest, answersACancelWhileADrawingTakesItsTime) {
+    Gate gate;
+    makePage([&gate] { return std::make_unique<WaitingSource>(gate); });
+    get<QSpinBox>("samples")->setValue(2048);
+    get<QCheckBox>("ranks")->setChecked(false);
+    get<QPushButton>("run")->click();
+    ASSERT_TRUE(waitUntil([&] { return gate.waiting > 0; }));
+    get<QPushButton>("cancel")->click();
+    // The drawing has not ended, and the page is free again.
+    ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }));
+    EXPECT_EQ(gate.waiting, 1);
+    EXPECT_TRUE(get<QPushButton>("run")->isEnabled());
+    EXPECT_FALSE(get<QPushButton>("cancel")->isEnabled());
+    // What was drawn comes when it has ended.
+    EXPECT_EQ(page->plots().data().draws(), 0u);
+    gate.open = true;
+    ASSERT_TRUE(waitUntil([this] { return page->plots().data().draws() > 0; }, 60.0));
+    EXPECT_EQ(page->plots().data().analysis.state, AnalysisState::partial);
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+}
+
+TEST_F(MonteCarloPageTest, runsAgainWhileACancelledRunEndsByItself) {
+    Gate gate;
+    makePage([&gate] { return std::make_unique<WaitingSource>(gate); });
+    get<QSpinBox>("samples")->setValue(2048);
+    get<QCheckBox>("ranks")->setChecked(false);
+    get<QPushButton>("run")->click();
+    ASSERT_TRUE(waitUntil([&] { return gate.waiting > 0; }));
+    get<QPushButton>("cancel")->click();
+    ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }));
+    get<QSpinBox>("samples")->setValue(300);
+    get<QPushButton>("run")->click();
+    EXPECT_TRUE(page->isRunning());
+    gate.open = true;
+    ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }, 60.0));
+    // The second run alone is heard of.
+    EXPECT_EQ(page->plots().data().draws(), 300u);
+    EXPECT_EQ(page->plots().data().analysis.state, AnalysisState::complete);
 }
 
 TEST_F(MonteCarloPageTest, endsItsThreadWithThePage) {

@@ -90,7 +90,7 @@ TEST_F(ProjectFilesTest, AskedToStayItOpensNothingElse) {
     EXPECT_EQ(workbench.project().file, file());
     EXPECT_EQ(workbench.settings().text("camera.range"), "1234");
     answer = 1;
-    EXPECT_TRUE(window->open(other));
+    EXPECT_TRUE(opens(other));
     EXPECT_EQ(workbench.project().file, other);
 }
 
@@ -145,7 +145,7 @@ TEST_F(ProjectFilesTest, OffersWhatACrashLeftBehind) {
 TEST_F(ProjectFilesTest, ADamagedRecoveryCopyIsToldAndTheSavedProjectOpened) {
     const auto project = test::writeSampleProject(folder);
     std::ofstream(RecoveryCopy::pathFor(project)) << "{ not a project";
-    EXPECT_TRUE(window->open(project));
+    EXPECT_TRUE(opens(project));
     ASSERT_FALSE(told.isEmpty());
     EXPECT_TRUE(told.front().contains("ship.smat.recovery"));
     EXPECT_TRUE(asked.isEmpty());
@@ -221,7 +221,7 @@ TEST_F(ProjectFilesTest, RecentFilesThatAreGoneAreShownAsSuch) {
     openSample();
     const auto gone = folder / "gone & away.smat";
     std::filesystem::copy_file(file(), gone);
-    EXPECT_TRUE(window->open(gone));
+    EXPECT_TRUE(opens(gone));
     std::filesystem::remove(gone);
     auto* menu = window->findChild<QMenu*>("recentFiles");
     emit menu->aboutToShow();

@@ -30,7 +30,7 @@ class RobustnessTest : public test::WindowFixture {
 };
 
 TEST_F(RobustnessTest, AModelThatVanishesWhileItIsOpenIsTold) {
-    ASSERT_TRUE(window->open(writeOwnProject()));
+    ASSERT_TRUE(opens(writeOwnProject()));
     workbench.set("camera.azimuth", "5");
     std::filesystem::remove(folder / "ship.flt");
     trigger("new-image");
@@ -83,7 +83,7 @@ TEST_F(RobustnessTest, AFullDiskLeavesTheOldFileWhole) {
     const auto file = mount / "ship.smat";
     std::filesystem::copy_file(test::writeSampleProject(folder), file);
     const std::string before = readTextFile(file);
-    window->open(file);
+    opens(file);
     told.clear(); // relative paths of the copy lead nowhere
     std::ofstream filler(mount / "filler", std::ios::binary);
     for (int i = 0; i < 200 && filler; ++i)

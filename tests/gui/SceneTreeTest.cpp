@@ -51,8 +51,8 @@ class SceneTreeTest : public test::WindowFixture {
 };
 
 TEST_F(SceneTreeTest, ShowsModelsIndicesSensorAirAndAnalyses) {
-    ASSERT_TRUE(window->open(std::filesystem::path(SMAT_SOURCE_DIR) /
-                             "samples/turboprop4/turboprop4.smat"));
+    ASSERT_TRUE(
+        opens(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/turboprop4/turboprop4.smat"));
     wait();
     const auto database = irsg::loadSignatureFile(std::filesystem::path(SMAT_SOURCE_DIR) /
                                                   "samples/turboprop4/turboprop4.sigdb")
@@ -164,7 +164,7 @@ TEST_F(SceneTreeTest, MarksFilesThatAreMissingAndTakesOthers) {
     project.models.front().file = "vanished.flt";
     project.models.front().database = "vanished.sigdb";
     saveProject(project, file);
-    window->open(file);
+    opens(file);
     wait();
     EXPECT_FALSE(told.isEmpty());
     EXPECT_TRUE(told.join(' ').contains("vanished.flt"));

@@ -170,7 +170,7 @@ TEST_F(SettingsDialogTest, PreferencesAreKeptInAReadableFile) {
     EXPECT_TRUE(text.contains("recoveryDelay_s=30"));
     // A project that is begun has the map; one that has a file keeps its own.
     makeWindow();
-    EXPECT_TRUE(window->open(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.flt"));
+    EXPECT_TRUE(opens(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.flt"));
     EXPECT_EQ(workbench.settings().text("display.colorMap"), "ironbow");
     EXPECT_FALSE(workbench.isModified());
     openSample();

@@ -69,7 +69,7 @@ TEST_F(WindowAndBatchTest, EveryAnalysisEqualsItsCommandLineByteForByte) {
 
 TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
     std::filesystem::copy(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/box", folder / "box");
-    ASSERT_TRUE(window->open(folder / "box" / "box.smat")) << told.join('\n').toStdString();
+    ASSERT_TRUE(opens(folder / "box" / "box.smat")) << told.join('\n').toStdString();
     Settings tiny = workbench.settings();
     for (const auto& [key, text] :
          {std::pair("sensor.width", "24"), std::pair("sensor.height", "20"),

@@ -55,9 +55,15 @@ class WindowFixture : public ::testing::Test {
     void openSample() {
         chosen = QString::fromStdString(writeSampleProject(folder).string());
         window->findChild<QAction*>("openProject")->trigger();
+        ASSERT_TRUE(waitForModel());
         QTest::qWait(50);
         ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
         ASSERT_TRUE(workbench.hasProject());
+    }
+    /// Opens a file and waits until its models are shown, or told of.
+    bool opens(const std::filesystem::path& file) { return window->open(file) && waitForModel(); }
+    bool waitForModel() {
+        return waitUntil([this] { return !window->isLoadingModel(); });
     }
     void trigger(const char* action) { window->findChild<QAction*>(action)->trigger(); }
     void runAnalysis(const char* word) {

@@ -1,0 +1,38 @@
+#include "gui/SideScroll.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QScrollBar>
+
+namespace smat::gui {
+namespace {
+
+constexpr int leastWidth_px = 330, leastHeight_px = 120;
+
+} // namespace
+
+SideScroll::SideScroll(QWidget* body, QWidget* parent) : QScrollArea(parent) {
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    setWidget(body);
+}
+
+QSize SideScroll::sizeHint() const {
+    return {minimumSizeHint().width(), QScrollArea::sizeHint().height()};
+}
+
+QSize SideScroll::minimumSizeHint() const {
+    const int bar = verticalScrollBar()->sizeHint().width();
+    return {std::max(leastWidth_px, widget()->minimumSizeHint().width() + bar), leastHeight_px};
+}
+
+bool SideScroll::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest)
+        updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+}
+
+} // namespace smat::gui

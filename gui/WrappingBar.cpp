@@ -1,0 +1,38 @@
+#include "gui/WrappingBar.h"
+
+#include <algorithm>
+
+#include <QHBoxLayout>
+
+namespace smat::gui {
+
+WrappingBar::WrappingBar(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    both_ = new QBoxLayout(QBoxLayout::LeftToRight, this);
+    both_->setContentsMargins(0, 0, 0, 0);
+    first_ = new QHBoxLayout;
+    second_ = new QHBoxLayout;
+    both_->addLayout(first_);
+    both_->addStretch(1);
+    both_->addLayout(second_);
+    both_->setAlignment(first_, Qt::AlignLeft | Qt::AlignVCenter);
+    both_->setAlignment(second_, Qt::AlignRight | Qt::AlignVCenter);
+}
+
+QSize WrappingBar::minimumSizeHint() const {
+    return {std::max(first_->minimumSize().width(), second_->minimumSize().width()),
+            both_->minimumSize().height()};
+}
+
+void WrappingBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const int needed =
+        first_->minimumSize().width() + second_->minimumSize().width() + 2 * both_->spacing();
+    const auto direction = width() < needed ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+    if (direction == both_->direction())
+        return;
+    both_->setDirection(direction);
+    updateGeometry();
+}
+
+} // namespace smat::gui

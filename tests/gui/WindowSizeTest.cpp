@@ -1,0 +1,81 @@
+#include <QDockWidget>
+#include <QListWidget>
+#include <QScrollArea>
+#include <QTabWidget>
+
+#include "gui/database/DatabaseDock.h"
+#include "gui/tools/AirToolPage.h"
+#include "tests/gui/WindowFixture.h"
+
+namespace smat::gui {
+namespace {
+
+constexpr QSize smallScreen(1280, 800);
+
+class WindowSizeTest : public test::WindowFixture {
+  protected:
+    bool fits(const char* page) {
+        QTest::qWait(30);
+        const QSize least = window->minimumSizeHint();
+        EXPECT_LE(least.width(), smallScreen.width()) << page;
+        EXPECT_LE(least.height(), smallScreen.height()) << page;
+        EXPECT_EQ(window->size(), smallScreen) << page;
+        return least.width() <= smallScreen.width() && window->size() == smallScreen;
+    }
+};
+
+TEST_F(WindowSizeTest, EveryPageAndDockFitsASmallScreen) {
+    window->resize(smallScreen);
+    fits("empty");
+    openSample();
+    fits("model");
+    for (const char* word : {"image", "spectrum", "polar", "time", "range"}) {
+        runAnalysis(word);
+        fits(word);
+    }
+    for (const char* tool :
+         {"compareImages", "radiativeOutput", "temperatureProfile", "monteCarlo"}) {
+        trigger(tool);
+        fits(tool);
+        test::keepScreenshot(*window, std::string("small-") + tool);
+    }
+    auto* radiative = window->findChild<AirToolPage*>("radiativePage");
+    radiative->compute();
+    ASSERT_TRUE(test::waitUntil([&] { return !radiative->isRunning(); }));
+    window->findChild<QTabWidget*>("tabs")->setCurrentWidget(radiative);
+    fits("radiative output with its plot");
+    test::keepScreenshot(*window, "small-radiative-plot");
+    for (auto* dock : window->findChildren<QDockWidget*>()) {
+        dock->show();
+        dock->raise();
+        fits(dock->objectName().toUtf8().constData());
+    }
+    auto& editor = window->databaseEditor();
+    editor.raise();
+    for (int i = 0; i < editor.tabs()->count(); ++i) {
+        editor.tabs()->setCurrentIndex(i);
+        fits("editor");
+        test::keepScreenshot(*window, "small-editor-" + std::to_string(i));
+    }
+}
+
+TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingAcrossOnASmallScreen) {
+    window->resize(smallScreen);
+    openSample();
+    auto* centre = window->findChild<QScrollArea*>("centre");
+    ASSERT_NE(centre, nullptr);
+    for (const char* tool : {"radiativeOutput", "temperatureProfile", "monteCarlo"}) {
+        trigger(tool);
+        QTest::qWait(30);
+        EXPECT_LE(centre->widget()->minimumSizeHint().width(), centre->viewport()->width()) << tool;
+        for (auto* side :
+             window->findChild<QTabWidget*>("tabs")->currentWidget()->findChildren<QScrollArea*>())
+            if (side->isVisible() && side->widget() != nullptr) {
+                EXPECT_LE(side->widget()->minimumSizeHint().width(), side->viewport()->width())
+                    << tool;
+            }
+    }
+}
+
+} // namespace
+} // namespace smat::gui
