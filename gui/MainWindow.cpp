@@ -196,7 +196,14 @@ void MainWindow::makeCentre() {
         if (index > 0)
             delete tabs_->widget(index);
     });
-    connect(tabs_, &QTabWidget::currentChanged, this, &MainWindow::refreshActions);
+    connect(tabs_, &QTabWidget::currentChanged, this, [this](int shown) {
+        // Pages that are not shown ask for no room.
+        for (int i = 0; i < tabs_->count(); ++i) {
+            const auto policy = i == shown ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+            tabs_->widget(i)->setSizePolicy(policy, policy);
+        }
+        refreshActions();
+    });
 }
 
 void MainWindow::joinTreeAndView() {

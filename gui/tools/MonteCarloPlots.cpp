@@ -26,6 +26,8 @@ namespace smat::gui {
 
 namespace {
 
+constexpr int narrow_px = 560;
+
 /// "Contrast intensity (W·sr⁻¹)" of the quantity that was asked for.
 QString quantityTitle(const MonteCarloData& data) {
     const ResultColumn column{data.analysis.table.provenance.value("quantity"), data.unit, {}};
@@ -256,6 +258,12 @@ void MonteCarloPlots::drawRanking() {
     ranking_->setHint(data_.values.empty() ? tr("The scales that matter most are shown here.")
                                            : tr("Ask for the ranking to see which scales matter."));
     ranking_->setBars(std::move(bars));
+}
+
+void MonteCarloPlots::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    // Too narrow for both beside each other, they stand one below the other.
+    below_->setOrientation(width() < narrow_px ? Qt::Vertical : Qt::Horizontal);
 }
 
 void MonteCarloPlots::changeEvent(QEvent* event) {

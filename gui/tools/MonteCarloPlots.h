@@ -30,6 +30,7 @@ class MonteCarloPlots : public QWidget {
 
   protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void makePlots();
