@@ -6,12 +6,15 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTabWidget>
 #include <QTimer>
+
+#include "gui/view/SceneView.h"
 
 namespace smat::gui {
 namespace {
@@ -42,9 +45,15 @@ Photographer::Photographer(std::filesystem::path folder, std::filesystem::path p
 Dialogs Photographer::dialogs() {
     Dialogs answers = Dialogs::ofDesktop();
     answers.openFile = [this](QWidget*, const QString&, const QStringList& filters) {
-        const bool wantsImage = filters.join(' ').contains("exr");
-        return wantsImage && !images_.isEmpty() ? images_[nextImage_++ % images_.size()]
-                                                : QString();
+        const QString wanted = filters.join(' ');
+        const auto beside = [this](const char* name) {
+            return QString::fromStdString((project_.parent_path() / name).string());
+        };
+        if (wanted.contains("exr") && !images_.isEmpty())
+            return images_[nextImage_++ % images_.size()];
+        if (wanted.contains("sigdb"))
+            return beside("turboprop4.sigdb");
+        return wanted.contains("*.csv *.txt") ? beside("plume core.csv") : QString();
     };
     answers.saveFile = [](QWidget*, const QString&, const QStringList&, const QString&) {
         return QString();
@@ -77,6 +86,11 @@ QStringList Photographer::photograph() {
     for (QAction* action : window_.menuBar()->actions())
         if (action->menu() != nullptr)
             goThrough(*action->menu());
+    keepProjectAnalyses();
+    keepResults();
+    keepComparison();
+    keepDatabaseDialogs();
+    keepMessages();
     window_.close(); // what the looking around has changed is discarded
     return told_;
 }
@@ -129,25 +143,6 @@ void Photographer::trigger(QAction& action) {
         }
 }
 
-void Photographer::fill(QWidget* page) {
-    // A comparison gets its images; a tool is told to do its work.
-    if (current_ == "compareImages" && images_.size() == 2) {
-        window_.compareImages(images_);
-        settle();
-    }
-    for (const char* name : {"compute"})
-        if (auto* button = page->findChild<QPushButton*>(name);
-            button != nullptr && button->isEnabled()) {
-            button->click();
-            constexpr int longest_ms = 30000, step_ms = 200;
-            wait_ms(step_ms);
-            for (int waited_ms = 0; !button->isEnabled() && waited_ms < longest_ms;
-                 waited_ms += step_ms)
-                wait_ms(step_ms);
-            settle();
-        }
-}
-
 void Photographer::keepDatabase() {
     auto* dock = window_.findChild<QDockWidget*>("databaseDock");
     if (dock == nullptr)
@@ -164,8 +159,11 @@ void Photographer::keepDatabase() {
             const QString title = QString(tabs->tabText(i)).remove('&').section(' ', 0, 0);
             keep(window_, "database-" + title.toLower());
         }
-    if (auto* results = window_.findChild<QDockWidget*>("resultsDock"))
+    if (auto* results = window_.findChild<QDockWidget*>("resultsDock")) {
         results->raise();
+        settle();
+        window_.resizeDocks({results}, {280}, Qt::Horizontal);
+    }
 }
 
 void Photographer::showAs(QAction& action) {
@@ -182,6 +180,12 @@ void Photographer::keepDialog(QDialog& dialog) {
     dialog.show();
     wait_ms(150);
     keep(dialog, current_);
+    for (auto* pages : dialog.findChildren<QListWidget*>("pageList"))
+        for (int i = 1; i < pages->count(); ++i) {
+            pages->setCurrentRow(i);
+            wait_ms(50);
+            keep(dialog, QString("%1-%2").arg(current_).arg(i + 1));
+        }
     for (auto* tabs : dialog.findChildren<QTabWidget*>())
         for (int i = 1; i < tabs->count(); ++i) {
             tabs->setCurrentIndex(i);
@@ -195,18 +199,31 @@ void Photographer::keep(QWidget& widget, const QString& name) {
     for (int i = 2; !taken_.insert(unique).second; ++i)
         unique = QString("%1-%2").arg(name).arg(i);
     const auto file = folder_ / (unique.toStdString() + ".png");
-    if (!widget.grab().save(QString::fromStdString(file.string())))
+    constexpr int smallest = 0; // of the file, not of what is seen
+    const QImage picture = widget.grab().toImage().convertToFormat(QImage::Format_RGB888);
+    if (!picture.save(QString::fromStdString(file.string()), "PNG", smallest))
         told_ << QString("%1 cannot be written").arg(QString::fromStdString(file.string()));
 }
 
 void Photographer::settle() {
-    constexpr int longest_ms = 60000;
+    waitWhile([this] {
+        return workbench_.isRunning() || window_.isLoadingModel() ||
+               (window_.sceneView() != nullptr && window_.sceneView()->isVisible() &&
+                window_.sceneView()->display() == ViewDisplay::infrared &&
+                !window_.sceneView()->isUpToDate());
+    });
+    wait_ms(200);
+}
+
+void Photographer::waitWhile(const std::function<bool()>& busy) {
+    constexpr int longest_ms = 120000, step_ms = 50;
     QElapsedTimer clock;
     clock.start();
     do
-        wait_ms(200);
-    while (workbench_.isRunning() && clock.elapsed() < longest_ms);
-    wait_ms(300);
+        wait_ms(step_ms);
+    while (busy() && clock.elapsed() < longest_ms);
+    if (busy())
+        told_ << QString("%1: still busy after %2 s").arg(current_).arg(longest_ms / 1000);
 }
 
 } // namespace smat::gui

@@ -34,6 +34,16 @@ class Photographer {
     void fill(QWidget* page);
     /// Every tab of the editor of signature databases.
     void keepDatabase();
+    // PhotographerPages.cpp
+    void keepDatabaseDialogs();
+    void keepProjectAnalyses();
+    /// Plots and images in all their ways, and what is known of a result.
+    void keepResults();
+    void keepFloating();
+    void keepComparison();
+    void keepMessages();
+    /// Longer than two minutes is told of as a fault.
+    void waitWhile(const std::function<bool()>& busy);
     /// Lets a job end and the window be painted.
     void settle();
 
