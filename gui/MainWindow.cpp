@@ -151,6 +151,7 @@ void MainWindow::connectWorkbench() {
             });
     auto* pages = new ResultPages(workbench_, dialogs_, tabs_);
     connect(results_, &ResultsDock::showRequested, pages, &ResultPages::show);
+    connect(results_, &ResultsDock::comparisonRequested, this, &MainWindow::compareResults);
     connect(pages, &ResultPages::said, this,
             [this](const QString& sentence) { statusBar()->showMessage(sentence); });
     openWith({"csv", "json", "exr"},

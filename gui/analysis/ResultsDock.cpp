@@ -124,7 +124,7 @@ void ResultsDock::makeActions() {
     add("overlayResults", "overlay", tr("Overlay"), tr("Draw the selected results on one plot"),
         QKeySequence(Qt::CTRL | Qt::Key_L), &ResultsDock::overlay);
     add("subtractResults", "difference", tr("Difference"),
-        tr("Subtract the second of two selected results from the first"),
+        tr("Subtract the second of two selected results from the first; two images are compared"),
         QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_D), &ResultsDock::subtract);
     line();
     add("rerunResult", "rerun", tr("Run again"), tr("Run the same analysis again"),
@@ -240,14 +240,15 @@ const ResultEntry* ResultsDock::onlySelected() const {
 void ResultsDock::refreshActions() {
     const auto ids = selectedResults();
     const ResultEntry* one = onlySelected();
-    const bool plots = std::none_of(ids.begin(), ids.end(), [this](int id) {
+    const auto images = std::count_if(ids.begin(), ids.end(), [this](int id) {
         const auto* entry = workbench_.result(id);
-        return entry == nullptr || entry->isImage();
+        return entry != nullptr && entry->isImage();
     });
+    const bool plots = images == 0;
     const bool again = one != nullptr && one->canRunAgain() && !workbench_.isRunning();
     actions_.at("showResult")->setEnabled(!ids.isEmpty());
     actions_.at("overlayResults")->setEnabled(plots && ids.size() > 1);
-    actions_.at("subtractResults")->setEnabled(plots && ids.size() == 2);
+    actions_.at("subtractResults")->setEnabled(ids.size() == 2 && (plots || images == 2));
     actions_.at("rerunResult")->setEnabled(again);
     actions_.at("editResult")->setEnabled(again);
     for (const char* name : {"renameResult", "showCommandLine", "saveResult"})
@@ -266,6 +267,11 @@ void ResultsDock::overlay() {
 
 void ResultsDock::subtract() {
     const auto ids = selectedResults();
+    const ResultEntry* first = workbench_.result(ids.at(0));
+    if (first != nullptr && first->isImage()) {
+        emit comparisonRequested(ids.at(0), ids.at(1));
+        return;
+    }
     try {
         workbench_.resultStore().addDifference(ids.at(0), ids.at(1));
     } catch (const irsg::InputError& error) {

@@ -34,6 +34,8 @@ class ResultsDock : public QDockWidget {
   signals:
     /// The user wants to see these; several belong on one plot.
     void showRequested(const QList<int>& ids);
+    /// The user wants to see two images and their difference.
+    void comparisonRequested(int a, int b);
 
   private:
     QAction* add(const QString& name, const QString& iconName, const QString& text,

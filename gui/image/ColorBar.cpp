@@ -186,6 +186,22 @@ void ColorBar::readLimits() {
     edit({low, high});
 }
 
+FoundLimits limitsOf(const std::vector<SharedValues>& planes,
+                     const std::optional<irsg::DisplayLimits>& known, LimitMode mode,
+                     std::pair<double, double> percentiles) {
+    std::vector<const std::vector<float>*> values;
+    for (const SharedValues& plane : planes)
+        values.push_back(plane.get());
+    FoundLimits found{known ? *known : automaticLimits(values, mode, percentiles), {}};
+    for (const auto* plane : values) {
+        const OutOfRange one = countOutOfRange(*plane, found.limits);
+        found.outside.below += one.below;
+        found.outside.above += one.above;
+        found.outside.nan += one.nan;
+    }
+    return found;
+}
+
 OutOfRange countOutOfRange(const std::vector<float>& values, const irsg::DisplayLimits& limits) {
     OutOfRange count;
     for (const float value : values) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <QList>
 #include <QWidget>
 
+#include "gui/image/ColoredPlane.h"
 #include "irsg/image/ColorMap.h"
 
 class QComboBox;
@@ -81,6 +83,17 @@ class ColorBar : public QWidget {
     QDoubleSpinBox* lowPercent_ = nullptr;
     QDoubleSpinBox* highPercent_ = nullptr;
 };
+
+/// Limits of colours with what lies outside of them.
+struct FoundLimits {
+    irsg::DisplayLimits limits;
+    OutOfRange outside;
+};
+/// Those of planes that share their colours: `known` ones, or as the rule says, see
+/// automaticLimits.
+FoundLimits limitsOf(const std::vector<SharedValues>& planes,
+                     const std::optional<irsg::DisplayLimits>& known, LimitMode mode,
+                     std::pair<double, double> percentiles);
 
 /// Counted in one sweep.
 OutOfRange countOutOfRange(const std::vector<float>& values, const irsg::DisplayLimits& limits);

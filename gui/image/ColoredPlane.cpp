@@ -34,24 +34,29 @@ QColor ColoredPlane::markColor(Mark mark) {
 void ColoredPlane::setValues(int width, int height, SharedValues values) {
     if (values->size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
         throw irsg::LogicError("a plane is not as large as its picture");
+    if (width != width_ || height != height_)
+        levels_.reset();
     width_ = width;
     height_ = height;
     values_ = std::move(values);
-    marks_.clear();
-    levels_.clear();
+    marks_.reset();
+    stale_ = true;
 }
 
 void ColoredPlane::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits) {
     map_ = &map;
     limits_ = limits;
-    levels_.clear();
+    stale_ = true;
 }
 
 void ColoredPlane::setMarks(std::vector<std::uint8_t> marks) {
     if (!marks.empty() && (isEmpty() || marks.size() != values_->size()))
         throw irsg::LogicError("marks are not as many as pixels");
-    marks_ = std::move(marks);
-    levels_.clear();
+    if (marks.empty() && !marks_)
+        return;
+    marks_ = marks.empty() ? nullptr
+                           : std::make_shared<const std::vector<std::uint8_t>>(std::move(marks));
+    stale_ = true;
 }
 
 float ColoredPlane::at(int x, int y) const {
@@ -60,10 +65,31 @@ float ColoredPlane::at(int x, int y) const {
 }
 
 const QImage& ColoredPlane::picture() const {
-    return level(0).picture;
+    if (stale_ || !levels_)
+        color();
+    return levels_->front().picture;
 }
 
-void ColoredPlane::recolor() const {
+QColor ColoredPlane::shownColorAt(int x, int y) const {
+    return levels_ ? levels_->front().picture.pixelColor(x, y) : QColor();
+}
+
+void ColoredPlane::showPictureOf(const ColoredPlane& other) {
+    if (width_ == other.width_ && height_ == other.height_ && other.levels_)
+        levels_ = other.levels_;
+}
+
+void ColoredPlane::color() const {
+    if (isEmpty() || map_ == nullptr)
+        throw irsg::LogicError("a plane without values or colours has no picture");
+    std::vector<Level> levels{colored()};
+    while (levels.back().picture.width() > 1 || levels.back().picture.height() > 1)
+        levels.push_back(halved(levels.back()));
+    levels_ = std::make_shared<const std::vector<Level>>(std::move(levels));
+    stale_ = false;
+}
+
+ColoredPlane::Level ColoredPlane::colored() const {
     // The map as it is written into the picture.
     std::array<QRgb, irsg::ColorMap::size> table;
     std::ranges::transform(map_->table(), table.begin(), rgbOf);
@@ -73,7 +99,8 @@ void ColoredPlane::recolor() const {
     const double low = limits_.low, high = limits_.high;
     const double scale = static_cast<double>(table.size() - 1) / (high - low);
 
-    Level first{QImage(width_, height_, QImage::Format_RGB32), marks_};
+    Level first{QImage(width_, height_, QImage::Format_RGB32),
+                marks_ ? *marks_ : std::vector<std::uint8_t>()};
     const float* next = values_->data();
     for (int y = 0; y < height_; ++y) {
         auto* line = reinterpret_cast<QRgb*>(first.picture.scanLine(y));
@@ -85,10 +112,11 @@ void ColoredPlane::recolor() const {
                 line[x] = std::isnan(value) ? hole : value < low ? below : above;
         }
     }
-    for (std::size_t i = 0; i < marks_.size(); ++i)
-        if (marks_[i] != unmarked)
-            reinterpret_cast<QRgb*>(first.picture.bits())[i] = marked[marks_[i]];
-    levels_.push_back(std::move(first));
+    auto* pixels = reinterpret_cast<QRgb*>(first.picture.bits());
+    for (std::size_t i = 0; i < first.marks.size(); ++i)
+        if (first.marks[i] != unmarked)
+            pixels[i] = marked[first.marks[i]];
+    return first;
 }
 
 ColoredPlane::Level ColoredPlane::halved(const Level& from) {
@@ -123,20 +151,10 @@ ColoredPlane::Level ColoredPlane::halved(const Level& from) {
     return result;
 }
 
-const ColoredPlane::Level& ColoredPlane::level(std::size_t index) const {
-    if (isEmpty() || map_ == nullptr)
-        throw irsg::LogicError("a plane without values or colours has no picture");
-    if (levels_.empty())
-        recolor();
-    while (levels_.size() <= index)
-        levels_.push_back(halved(levels_.back()));
-    return levels_[index];
-}
-
 void ColoredPlane::draw(QPainter& painter, const QRectF& target, const QRectF& clip,
                         double pixelRatio) const {
     const QRectF seen = target & clip;
-    if (isEmpty() || seen.isEmpty())
+    if (isEmpty() || seen.isEmpty() || !levels_)
         return;
 
     // The level whose pixels are a half to one device pixel, the plane itself when enlarged.
@@ -145,7 +163,7 @@ void ColoredPlane::draw(QPainter& painter, const QRectF& target, const QRectF& c
     for (double at = zoom; at <= 0.5 && ((width_ >> reduction) > 1 || (height_ >> reduction) > 1);
          at *= 2.0)
         ++reduction;
-    const QImage& picture = level(reduction).picture;
+    const QImage& picture = levels_->at(std::min(reduction, levels_->size() - 1)).picture;
 
     // Whole pixels around what is seen of it. A level of odd size is a half pixel too wide.
     const auto factor = static_cast<double>(1U << reduction);

@@ -28,6 +28,18 @@ irsg::DisplayLimits aroundOne(const std::vector<float>& values, double percent) 
     return {1.0 + limits.low, 1.0 + limits.high};
 }
 
+irsg::DisplayLimits differenceLimits(const std::vector<float>& values, irsg::DifferenceMode mode,
+                                     double percent) {
+    switch (mode) {
+    case irsg::DifferenceMode::absolute:
+        return {0.0, irsg::symmetricLimits(values, percent).high};
+    case irsg::DifferenceMode::ratio:
+        return aroundOne(values, percent);
+    default:
+        return irsg::symmetricLimits(values, percent);
+    }
+}
+
 /// Takes the height it is given: lines that wrap in it would else make its row the higher one.
 class Beside : public QWidget {
   public:
@@ -184,6 +196,7 @@ void ComparisonPanes::setDifference(SharedValues values, irsg::DifferenceMode mo
     mode_ = mode;
     difference_->setTitle(title);
     if (!differenceValues_) {
+        differenceTask_.cancel();
         canvases_[2]->clear();
     } else {
         canvases_[2]->setPlane(planes_[0].width, planes_[0].height, differenceValues_);
@@ -207,51 +220,80 @@ void ComparisonPanes::setColorMap(const std::string& name) {
     updateDifferenceColors();
 }
 
-void ComparisonPanes::updateSharedColors() {
-    std::vector<const std::vector<float>*> planes;
-    for (const ComparedPlane& plane : planes_)
-        if (plane.values)
-            planes.push_back(plane.values.get());
-    irsg::DisplayLimits limits = shared_->limits();
-    if (shared_->mode() != LimitMode::locked)
-        limits = automaticLimits(planes, shared_->mode(), shared_->percentiles());
-    shared_->setColors(*map_, limits);
-    OutOfRange outside;
-    for (const auto* values : planes) {
-        const OutOfRange one = countOutOfRange(*values, limits);
-        outside.below += one.below;
-        outside.above += one.above;
-        outside.nan += one.nan;
-    }
-    shared_->setOutOfRange(outside);
-    for (const int i : {0, 1})
-        canvas(i)->setColors(*map_, limits);
+bool ComparisonPanes::isBusy() const {
+    return sharedTask_.isBusy() || differenceTask_.isBusy() ||
+           std::any_of(canvases_.begin(), canvases_.end(),
+                       [](const ImageCanvas* canvas) { return canvas->isBusy(); });
 }
 
-irsg::DisplayLimits ComparisonPanes::differenceLimits() const {
-    const double percent =
-        difference_->mode() == LimitMode::percentile ? difference_->percentiles().second : 100.0;
-    switch (mode_) {
-    case irsg::DifferenceMode::absolute:
-        return {0.0, irsg::symmetricLimits(*differenceValues_, percent).high};
-    case irsg::DifferenceMode::ratio:
-        return aroundOne(*differenceValues_, percent);
-    default:
-        return irsg::symmetricLimits(*differenceValues_, percent);
+void ComparisonPanes::find(LatestTask& task, const std::vector<ImageCanvas*>& waiting,
+                           std::size_t pixels, const std::function<FoundLimits()>& work,
+                           const std::function<void(FoundLimits)>& use) {
+    task.cancel();
+    if (pixels <= quickPixels) {
+        use(work());
+        return;
     }
+    for (ImageCanvas* canvas : waiting)
+        canvas->awaitColors();
+    task.run<FoundLimits>(work, use);
+}
+
+void ComparisonPanes::updateSharedColors() {
+    std::vector<SharedValues> planes;
+    std::vector<ImageCanvas*> waiting;
+    std::size_t pixels = 0;
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+        if (!planes_[i].values)
+            continue;
+        planes.push_back(planes_[i].values);
+        waiting.push_back(canvases_[i]);
+        pixels = std::max(pixels, planes_[i].values->size());
+    }
+    std::optional<irsg::DisplayLimits> known;
+    if (shared_->mode() == LimitMode::locked)
+        known = shared_->limits();
+    find(
+        sharedTask_, waiting, pixels,
+        [planes, known, mode = shared_->mode(), percentiles = shared_->percentiles()] {
+            return limitsOf(planes, known, mode, percentiles);
+        },
+        [this](const FoundLimits& found) { useShared(found); });
+}
+
+void ComparisonPanes::useShared(const FoundLimits& found) {
+    shared_->setColors(*map_, found.limits);
+    shared_->setOutOfRange(found.outside);
+    for (const int i : {0, 1})
+        canvas(i)->setColors(*map_, found.limits);
 }
 
 void ComparisonPanes::updateDifferenceColors() {
     if (!differenceValues_)
         return;
+    std::optional<irsg::DisplayLimits> known;
+    if (difference_->mode() == LimitMode::locked)
+        known = difference_->limits();
+    const double percent =
+        difference_->mode() == LimitMode::percentile ? difference_->percentiles().second : 100.0;
+    find(
+        differenceTask_, {canvases_[2]}, differenceValues_->size(),
+        [values = differenceValues_, mode = mode_, known, percent] {
+            const irsg::DisplayLimits limits =
+                known ? *known : differenceLimits(*values, mode, percent);
+            return FoundLimits{limits, countOutOfRange(*values, limits)};
+        },
+        [this](const FoundLimits& found) { useDifference(found); });
+}
+
+void ComparisonPanes::useDifference(const FoundLimits& found) {
     // What has a sign diverges from its middle; a size does not.
     const irsg::ColorMap& map =
         mode_ == irsg::DifferenceMode::absolute ? *map_ : irsg::ColorMap::named("diverging");
-    const irsg::DisplayLimits limits =
-        difference_->mode() == LimitMode::locked ? difference_->limits() : differenceLimits();
-    difference_->setColors(map, limits);
-    difference_->setOutOfRange(countOutOfRange(*differenceValues_, limits));
-    canvases_[2]->setColors(map, limits);
+    difference_->setColors(map, found.limits);
+    difference_->setOutOfRange(found.outside);
+    canvases_[2]->setColors(map, found.limits);
+    emit differenceLimitsFound(found.limits);
 }
 
 void ComparisonPanes::showTitles() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -8,6 +9,7 @@
 
 #include "gui/image/ColorBar.h"
 #include "gui/image/ColoredPlane.h"
+#include "gui/image/LatestTask.h"
 #include "irsg/image/ImageComparison.h"
 
 class QCheckBox;
@@ -62,8 +64,11 @@ class ComparisonPanes : public QWidget {
     void setCompanion(QWidget* companion);
     /// Colour bar and colours of the difference follow the limits' rule again.
     void updateDifferenceColors();
+    bool isBusy() const;
 
   signals:
+    /// Limits of the difference's colours that were found.
+    void differenceLimitsFound(const irsg::DisplayLimits& limits);
     void hovered(std::optional<QPoint> pixel);
     void selectionChanged();
 
@@ -71,8 +76,13 @@ class ComparisonPanes : public QWidget {
     QWidget* makeTitle(int index);
     void link(ImageCanvas* canvas);
     void updateSharedColors();
+    void useShared(const FoundLimits& found);
+    void useDifference(const FoundLimits& found);
+    /// At once for small planes, in another thread for large ones, whose canvases wait for it.
+    void find(LatestTask& task, const std::vector<ImageCanvas*>& waiting, std::size_t pixels,
+              const std::function<FoundLimits()>& work,
+              const std::function<void(FoundLimits)>& use);
     void showTitles();
-    irsg::DisplayLimits differenceLimits() const;
 
     std::array<ImageCanvas*, 3> canvases_{};
     std::array<QLabel*, 3> titles_{};
@@ -86,6 +96,7 @@ class ComparisonPanes : public QWidget {
     QSlider* wipeAt_ = nullptr;
     QGridLayout* grid_ = nullptr;
     bool flickering_ = false;
+    LatestTask sharedTask_, differenceTask_;
 };
 
 /// "A − B", "|A − B|", "(A − B) / mean", "A / B".

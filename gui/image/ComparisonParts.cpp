@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "gui/Theme.h"
+#include "gui/Widgets.h"
 #include "gui/WrappingBar.h"
 #include "gui/image/ComparisonPanes.h"
 #include "gui/image/ComparisonWindow.h"
@@ -19,18 +20,6 @@
 #include "gui/image/ThresholdForm.h"
 
 namespace smat::gui {
-namespace {
-
-QToolButton* textButton(const QString& text, const QString& name, const QString& tip) {
-    auto* button = new QToolButton;
-    button->setText(text);
-    button->setObjectName(name);
-    button->setToolTip(tip);
-    return button;
-}
-
-} // namespace
-
 void ComparisonWindow::build() {
     setObjectName("comparisonWindow");
     setAcceptDrops(true);
@@ -168,9 +157,8 @@ void ComparisonWindow::connectParts() {
         inspector_->setRectangle(panes_->selection());
         compareRectangle();
     });
-    const auto showLimits = [this] { inspector_->setLimits(panes_->differenceBar()->limits()); };
-    connect(panes_->differenceBar(), &ColorBar::limitsEdited, this, showLimits);
-    connect(panes_->differenceBar(), &ColorBar::modeChosen, this, showLimits);
+    connect(panes_, &ComparisonPanes::differenceLimitsFound, inspector_,
+            &ImageInspector::setLimits);
 }
 
 QList<std::pair<QString, QString>> comparisonKeys() {

@@ -128,7 +128,7 @@ QString ComparisonWindow::readoutAt(int x, int y) const {
         text += QStringLiteral("          %1  %2 %3")
                     .arg(i == 0 ? "A" : "B", readableNumber(values[i]), readableUnit(plane->unit));
     }
-    if (difference_)
+    if (difference_ && !differenceTask_.isBusy())
         text += QStringLiteral("          %1  %2 %3")
                     .arg(differenceName(mode_),
                          readableNumber(irsg::difference(values[0], values[1], mode_)),

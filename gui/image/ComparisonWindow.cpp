@@ -19,8 +19,6 @@
 namespace smat::gui {
 namespace {
 
-constexpr std::size_t quickPixels = 512 * 512;
-
 QStringList sentencesOfThrown(const std::exception_ptr& thrown) {
     try {
         std::rethrow_exception(thrown);
@@ -93,7 +91,7 @@ void ComparisonWindow::openFiles(const QStringList& files, std::optional<int> si
 
 bool ComparisonWindow::isBusy() const {
     return readTask_.isBusy() || compareTask_.isBusy() || partTask_.isBusy() ||
-           inspector_->isBusy();
+           differenceTask_.isBusy() || panes_->isBusy() || inspector_->isBusy();
 }
 
 void ComparisonWindow::onSidesChanged() {
@@ -170,28 +168,44 @@ void ComparisonWindow::showPlanes() {
 void ComparisonWindow::showDifference() {
     const irsg::ImageChannel* a = planeOf(0);
     const irsg::ImageChannel* b = planeOf(1);
-    difference_.reset();
+    differenceTask_.cancel();
     const bool sameSize = a != nullptr && b != nullptr &&
                           sides_[0].image->width() == sides_[1].image->width() &&
                           sides_[0].image->height() == sides_[1].image->height();
-    if (!sameSize) {
+    const bool keeps = sameSize && difference_ != nullptr &&
+                       difference_->width() == sides_[0].image->width() &&
+                       difference_->height() == sides_[0].image->height();
+    if (!keeps) {
+        difference_.reset();
         panes_->setDifference(nullptr, mode_, {});
         inspector_->clear();
-        return;
     }
-    irsg::ImageChannel plane = irsg::differencePlane(*a, *b, mode_);
-    auto image = std::make_shared<irsg::RadianceImage>(
-        sides_[0].image->width(), sides_[0].image->height(), plane.name, plane.unit);
-    image->primary().values = std::move(plane.values);
-    difference_ = std::move(image);
+    if (!sameSize)
+        return;
+    using Image = std::shared_ptr<const irsg::RadianceImage>;
+    const auto work = [imageA = sides_[0].image, imageB = sides_[1].image, a, b, mode = mode_] {
+        irsg::ImageChannel plane = irsg::differencePlane(*a, *b, mode);
+        auto image = std::make_shared<irsg::RadianceImage>(imageA->width(), imageA->height(),
+                                                           plane.name, plane.unit);
+        image->primary().values = std::move(plane.values);
+        return Image(std::move(image));
+    };
+    if (sides_[0].image->pixelCount() <= quickPixels)
+        useDifference(work());
+    else
+        differenceTask_.run<Image>(work, [this](const Image& image) { useDifference(image); });
+}
+
+void ComparisonWindow::useDifference(std::shared_ptr<const irsg::RadianceImage> difference) {
+    difference_ = std::move(difference);
     const QString unit = readableUnit(difference_->primary().unit);
     const QString title = differenceName(mode_) + (unit.isEmpty() ? QString() : " (" + unit + ")");
     panes_->setDifference(shareValues(difference_, difference_->primary()), mode_, title);
     inspector_->show(difference_, difference_->primary(), title, unit);
     inspector_->setRectangle(panes_->selection());
-    inspector_->setLimits(panes_->differenceBar()->limits());
     showMarks();
     showReadout(pixel_);
+    showVerdict();
 }
 
 void ComparisonWindow::setDifferenceMode(irsg::DifferenceMode mode) {

@@ -114,6 +114,7 @@ class ComparisonWindow : public QWidget, public Exportable {
     const irsg::ImageChannel* planeOf(std::size_t index) const;
     void showPlanes();
     void showDifference();
+    void useDifference(std::shared_ptr<const irsg::RadianceImage> difference);
     void compare();
     /// After another rectangle: what is known of the whole stays.
     void compareRectangle();
@@ -155,7 +156,7 @@ class ComparisonWindow : public QWidget, public Exportable {
     QLabel* verdict_ = nullptr;
     QLabel* sentence_ = nullptr;
     QLabel* readout_ = nullptr;
-    LatestTask readTask_, compareTask_, partTask_;
+    LatestTask readTask_, compareTask_, partTask_, differenceTask_;
 };
 
 /// Keys of the comparison and what they do, beside those of images.

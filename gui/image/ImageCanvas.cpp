@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -38,6 +39,7 @@ void ImageCanvas::setPlane(int width, int height, SharedValues values) {
     plane_.setValues(width, height, std::move(values));
     plane_.setColors(*map_, limits_);
     if (!sameSize) {
+        colorTask_.cancel();
         second_ = {};
         secondShown_ = false;
         cursor_.reset();
@@ -45,7 +47,7 @@ void ImageCanvas::setPlane(int width, int height, SharedValues values) {
         selection_.reset();
         fit();
     }
-    update();
+    onChanged();
 }
 
 void ImageCanvas::setPlane(int width, int height, const std::vector<float>& values) {
@@ -55,9 +57,11 @@ void ImageCanvas::setPlane(int width, int height, const std::vector<float>& valu
 void ImageCanvas::clear() {
     plane_ = second_ = {};
     secondShown_ = false;
+    awaitsColors_ = false;
+    colorTask_.cancel();
     cursor_.reset();
     selection_.reset();
-    update();
+    onChanged();
 }
 
 void ImageCanvas::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits) {
@@ -65,18 +69,57 @@ void ImageCanvas::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits
     limits_ = limits;
     plane_.setColors(map, limits);
     second_.setColors(map, limits);
-    update();
+    awaitsColors_ = false;
+    onChanged();
 }
 
 void ImageCanvas::setMarks(std::vector<std::uint8_t> marks) {
     plane_.setMarks(std::move(marks));
-    update();
+    onChanged();
 }
 
 void ImageCanvas::setSecond(SharedValues values) {
     second_.setValues(plane_.width(), plane_.height(), std::move(values));
     second_.setColors(*map_, limits_);
+    onChanged();
+}
+
+void ImageCanvas::onChanged() {
+    ++revision_;
     update();
+}
+
+bool ImageCanvas::isStale() const {
+    return plane_.isStale() || second_.isStale();
+}
+
+bool ImageCanvas::isBusy() const {
+    return awaitsColors_ || colorTask_.isBusy() || (isVisible() && isStale());
+}
+
+void ImageCanvas::refreshColors() {
+    if (!isStale() || awaitsColors_ || colorTask_.isBusy())
+        return;
+    using Planes = std::pair<ColoredPlane, ColoredPlane>;
+    const auto work = [first = plane_, second = second_] {
+        for (const ColoredPlane* plane : {&first, &second})
+            if (plane->isStale())
+                plane->color();
+        return Planes(first, second);
+    };
+    if (plane_.pixelCount() <= quickPixels) {
+        std::tie(plane_, second_) = work();
+        return;
+    }
+    // Changes that come meanwhile are coloured next; a picture of the last but one is soon enough
+    // to be worth showing.
+    colorTask_.run<Planes>(work, [this, asked = revision_](const Planes& colored) {
+        if (asked == revision_)
+            std::tie(plane_, second_) = colored;
+        else
+            plane_.showPictureOf(colored.first), second_.showPictureOf(colored.second);
+        update();
+    });
 }
 
 void ImageCanvas::setSecondShown(bool shown) {
@@ -179,8 +222,8 @@ void ImageCanvas::printValues(QPainter& painter) const {
             const QRectF box(widgetPoint(QPointF(x, y)), QSizeF(zoom_, zoom_));
             const bool right = wiping && box.center().x() >= *wipe_ * width();
             const ColoredPlane& plane = right ? second_ : shown();
-            painter.setPen(plane.colorAt(x, y).lightness() > 140 ? QColor("#101010")
-                                                                 : QColor("#f4f4f4"));
+            painter.setPen(plane.shownColorAt(x, y).lightness() > 140 ? QColor("#101010")
+                                                                      : QColor("#f4f4f4"));
             painter.drawText(box, Qt::AlignCenter, printed(static_cast<double>(plane.at(x, y))));
         }
 }
@@ -190,6 +233,7 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), isDark(palette()) ? QColor("#14161a") : QColor("#e3e6eb"));
     if (!hasImage())
         return;
+    refreshColors();
     shown().draw(painter, imageRect(), rect(), devicePixelRatioF());
     if (wipe_ && !second_.isEmpty()) {
         // The second plane from the line on.

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "gui/image/ColoredPlane.h"
+#include "gui/image/LatestTask.h"
 #include "irsg/image/ImageStatistics.h"
 
 namespace smat::gui {
@@ -19,7 +20,8 @@ struct CanvasView {
 /// One plane of an image in false colours, top row at the top. The wheel zooms at the cursor, the
 /// right button (or the left with Shift) pans, a drag of the left button selects a rectangle, a
 /// double click fits the image into the window. Pixels stay squares when enlarged, and when there
-/// is room their values are printed on them.
+/// is room their values are printed on them. A large plane is coloured in another thread: until
+/// then the canvas shows what it showed, and nothing where that was of another size.
 ///
 /// Keys: the arrows move the pixel cursor (with Shift they draw a rectangle, with Ctrl they pan),
 /// + and - zoom, F fits, A shows one image pixel per screen pixel, Escape drops the rectangle.
@@ -34,6 +36,10 @@ class ImageCanvas : public QWidget {
     /// Nothing to show.
     void clear();
     void setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits);
+    /// Nothing is coloured anew before the next setColors: its limits are still to be found.
+    void awaitColors() { awaitsColors_ = true; }
+    /// Whether colours are awaited or in the making.
+    bool isBusy() const;
     void setMarks(std::vector<std::uint8_t> marks);
     /// Another plane of the same size, to be shown in place of the first, or beside it.
     void setSecond(SharedValues values);
@@ -86,6 +92,9 @@ class ImageCanvas : public QWidget {
   private:
     const ColoredPlane& shown() const { return secondShown_ ? second_ : plane_; }
     QRectF imageRect() const;
+    void onChanged();
+    bool isStale() const;
+    void refreshColors();
     void drawFrame(QPainter& painter, const QRectF& pixels) const;
     void printValues(QPainter& painter) const;
     void zoomAt(const QPointF& point, double zoom);
@@ -98,6 +107,9 @@ class ImageCanvas : public QWidget {
     const irsg::ColorMap* map_ = nullptr;
     irsg::DisplayLimits limits_;
     bool secondShown_ = false;
+    bool awaitsColors_ = false;
+    unsigned revision_ = 0; ///< of values, colours and marks
+    LatestTask colorTask_;
     std::optional<double> wipe_;
     double zoom_ = 1.0;
     QPointF corner_; ///< of the image's top left in the widget

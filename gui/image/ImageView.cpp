@@ -18,8 +18,6 @@
 namespace smat::gui {
 namespace {
 
-/// Up to here what is derived of an image is worked out at once, above in another thread.
-constexpr std::size_t quickPixels = 512 * 512;
 constexpr double exposureStep = 0.25, offsetStep = 0.05;
 
 } // namespace
@@ -77,18 +75,44 @@ void ImageView::showPlane() {
 }
 
 void ImageView::updateColors() {
-    if (colorBar_->mode() == LimitMode::locked)
-        colorBar_->setColors(*map_, colorBar_->limits());
-    else
-        colorBar_->setColors(
-            *map_, automaticLimits({&plane().values}, colorBar_->mode(), colorBar_->percentiles()));
-    recolor();
+    if (colorBar_->mode() == LimitMode::locked) {
+        recolor();
+        return;
+    }
+    findLimits(std::nullopt);
 }
 
 void ImageView::recolor() {
-    colorBar_->setOutOfRange(countOutOfRange(plane().values, colorBar_->limits()));
-    canvas_->setColors(*map_, colorBar_->limits());
-    inspector_->setLimits(colorBar_->limits());
+    // The limits are known and shown at once, what lies outside of them is counted.
+    useLimits({colorBar_->limits(), {}});
+    findLimits(colorBar_->limits());
+}
+
+void ImageView::findLimits(const std::optional<irsg::DisplayLimits>& known) {
+    const auto work = [values = shareValues(image_, plane()), known, mode = colorBar_->mode(),
+                       percentiles = colorBar_->percentiles()] {
+        return limitsOf({values}, known, mode, percentiles);
+    };
+    limitsTask_.cancel();
+    if (image_->pixelCount() <= quickPixels) {
+        useLimits(work());
+        return;
+    }
+    if (!known)
+        canvas_->awaitColors();
+    limitsTask_.run<FoundLimits>(work, [this, known](const FoundLimits& found) {
+        if (known)
+            colorBar_->setOutOfRange(found.outside);
+        else
+            useLimits(found);
+    });
+}
+
+void ImageView::useLimits(const FoundLimits& found) {
+    colorBar_->setColors(*map_, found.limits);
+    colorBar_->setOutOfRange(found.outside);
+    canvas_->setColors(*map_, found.limits);
+    inspector_->setLimits(found.limits);
 }
 
 void ImageView::setColorMap(const std::string& name) {
@@ -157,7 +181,8 @@ void ImageView::updateStatistics() {
 }
 
 bool ImageView::isBusy() const {
-    return figuresTask_.isBusy() || temperatureTask_.isBusy() || inspector_->isBusy();
+    return figuresTask_.isBusy() || temperatureTask_.isBusy() || limitsTask_.isBusy() ||
+           canvas_->isBusy() || inspector_->isBusy();
 }
 
 QStringList ImageView::exportFilters() const {

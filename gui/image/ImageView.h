@@ -23,6 +23,7 @@ namespace smat::gui {
 class ColorBar;
 class ImageCanvas;
 class ImageInspector;
+struct FoundLimits;
 struct PlaneFigures;
 
 /// An infrared image: one of its planes in false colours beside the colour bar, a read-out of the
@@ -74,6 +75,9 @@ class ImageView : public QWidget, public Exportable {
     void showPlane();
     void updateColors();
     void recolor();
+    /// Of the plane that is shown, or only what lies outside of `known` ones.
+    void findLimits(const std::optional<irsg::DisplayLimits>& known);
+    void useLimits(const FoundLimits& found);
     void updateStatistics();
     void adopt(std::shared_ptr<const irsg::RadianceImage> image);
     void askAndExport(const QString& filter, bool withColorBar);
@@ -93,7 +97,7 @@ class ImageView : public QWidget, public Exportable {
     QToolButton* histogram_ = nullptr;
     QLabel* readout_ = nullptr;
     QLabel* statistics_ = nullptr;
-    LatestTask figuresTask_, temperatureTask_;
+    LatestTask figuresTask_, temperatureTask_, limitsTask_;
 };
 
 /// Keys of images and what they do, as a list of keys and mouse shows them.

@@ -6,24 +6,13 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/Widgets.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ImageView.h"
 
 namespace smat::gui {
-namespace {
-
-QToolButton* textButton(const QString& text, const QString& name, const QString& tip) {
-    auto* button = new QToolButton;
-    button->setText(text);
-    button->setObjectName(name);
-    button->setToolTip(tip);
-    return button;
-}
-
-} // namespace
-
 ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     : QWidget(parent), dialogs_(std::move(dialogs)) {
     setObjectName("imageView");

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <QObject>
+#include <QThread>
 #include <QThreadPool>
 
 namespace smat::gui {
@@ -16,7 +17,7 @@ namespace smat::gui {
 /// returns at once, and what still runs is not heard of again.
 class LatestTask {
   public:
-    LatestTask() : state_(new State, [](State* state) { state->deleteLater(); }) {}
+    LatestTask() : state_(new State, release) {}
     ~LatestTask() { cancel(); }
     LatestTask(const LatestTask&) = delete;
     LatestTask& operator=(const LatestTask&) = delete;
@@ -38,12 +39,15 @@ class LatestTask {
             } catch (...) {
                 thrown = std::current_exception();
             }
+            // The answer is sent to the state and must not own it: an answer that nobody fetches is
+            // thrown away with the queue it waits in, where nothing can be posted any more.
             QMetaObject::invokeMethod(
                 state.get(),
-                [state, mine, result, thrown, use, fail] {
+                [state = state.get(), mine, result, thrown, use, fail] {
                     if (state->wanted != mine)
                         return;
                     state->finished = mine;
+                    const Answering answering(*state);
                     if (!thrown)
                         use(std::move(**result));
                     else if (fail)
@@ -61,8 +65,23 @@ class LatestTask {
   private:
     struct State : QObject {
         std::atomic<unsigned> wanted = 0;
-        unsigned finished = 0; ///< of the thread of the window alone
+        unsigned finished = 0;  ///< of the thread of the window alone
+        bool answering = false; ///< so is this
     };
+    struct Answering {
+        explicit Answering(State& of) : state(of) { state.answering = true; }
+        ~Answering() { state.answering = false; }
+        Answering(const Answering&) = delete;
+        Answering& operator=(const Answering&) = delete;
+        State& state;
+    };
+    /// At once where it is safe: after the last turn of the event loop there is no later.
+    static void release(State* state) {
+        if (state->thread() == QThread::currentThread() && !state->answering)
+            delete state;
+        else
+            state->deleteLater();
+    }
     std::shared_ptr<State> state_;
 };
 

@@ -1,6 +1,5 @@
 #include "gui/plot/AxisLimitsDialog.h"
 
-#include <cmath>
 #include <optional>
 
 #include <QGridLayout>
@@ -10,19 +9,10 @@
 #include <QVBoxLayout>
 
 #include "gui/DialogButtons.h"
-#include "irsg/radiometry/CsvTable.h"
+#include "gui/Widgets.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
-namespace {
-
-std::optional<double> numberIn(const QLineEdit* field) {
-    const auto number = irsg::parseNumber(field->text().trimmed().toStdString());
-    return number && std::isfinite(*number) ? number : std::nullopt;
-}
-
-} // namespace
-
 AxisLimitsDialog::AxisLimitsDialog(const std::vector<Axis>& axes, QWidget* parent)
     : QDialog(parent) {
     setObjectName("axisLimitsDialog");

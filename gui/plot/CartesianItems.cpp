@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <QPainter>
-#include <QwtClipper>
 #include <QwtScaleMap>
 
 #include "gui/plot/CurveDrawing.h"
@@ -54,8 +53,7 @@ void SampledCurve::drawSeries(QPainter* painter, const QwtScaleMap& xMap, const 
         }
         painter->setPen(pen());
         painter->setBrush(Qt::NoBrush);
-        for (const QPolygonF& part : clipped(thinned(line, column), area))
-            drawLine(*painter, part);
+        drawLine(*painter, thinned(line, column), area);
     }
     painter->restore();
 }
@@ -95,10 +93,9 @@ void SampledCurve::drawBand(QPainter& painter, const QwtScaleMap& xMap, const Qw
             upper << QPointF(x, yMap.transform(curve_.y[i] + curve_.error[i]));
             lower << QPointF(x, yMap.transform(logarithmic && low <= 0.0 ? bottom : low));
         }
-        QPolygonF band = thinned(upper, column);
-        const QPolygonF below = thinned(lower, column);
-        band.append(QPolygonF(below.rbegin(), below.rend()));
-        painter.drawPolygon(QwtClipper::clippedPolygonF(area, band, true));
+        // The y of the canvas grows downwards.
+        smat::gui::drawBand(painter, edgeOf(upper, column, Edge::lowest),
+                            edgeOf(lower, column, Edge::highest), area);
     }
 }
 

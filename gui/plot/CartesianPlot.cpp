@@ -15,6 +15,7 @@
 
 #include "gui/plot/CartesianItems.h"
 #include "gui/plot/CrosshairOverlay.h"
+#include "gui/plot/CurveDrawing.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/PlotNavigator.h"
 #include "irsg/radiometry/Errors.h"
@@ -266,6 +267,11 @@ CartesianPlot* CartesianPlot::makePaperTwin() const {
             twin->setCurveVisible(static_cast<int>(i), false);
     }
     return twin;
+}
+
+void CartesianPlot::drawCanvas(QPainter* painter) {
+    drawOnPicture(*painter, canvas()->size(), style_.canvas,
+                  [this](QPainter& inside) { QwtPlot::drawCanvas(&inside); });
 }
 
 void CartesianPlot::keyPressEvent(QKeyEvent* event) {

@@ -70,6 +70,7 @@ class CartesianPlot : public QwtPlot, public PlotSurface {
     void readoutChanged(const QString& text);
 
   protected:
+    void drawCanvas(QPainter* painter) override;
     void keyPressEvent(QKeyEvent* event) override;
 
   private:

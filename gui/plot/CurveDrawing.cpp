@@ -4,8 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include <QImage>
 #include <QPaintEngine>
 #include <QPainter>
+#include <QwtClipper>
+
+#include "gui/plot/LineRaster.h"
 
 namespace smat::gui {
 namespace {
@@ -17,54 +21,63 @@ class Column {
 
     void add(const QPointF& point) {
         const double column = std::floor(point.x() / width_);
-        if (count_ > 0 && column != column_)
-            flush();
+        if (count_ > 0 && column != column_) {
+            const bool next = std::abs(column - column_) == 1.0;
+            flush(next);
+            fromNext_ = next;
+        }
         column_ = column;
-        if (count_ == 0)
+        if (count_ == 0) {
+            first_ = lowestPoint_ = highestPoint_ = point;
             lowest_ = highest_ = 0;
-        if (count_ == 0 || point.y() < lowestPoint_.y()) {
+        } else if (point.y() < lowestPoint_.y()) {
             lowest_ = count_;
             lowestPoint_ = point;
-        }
-        if (count_ == 0 || point.y() > highestPoint_.y()) {
+        } else if (point.y() > highestPoint_.y()) {
             highest_ = count_;
             highestPoint_ = point;
         }
-        if (count_ == 0)
-            first_ = point;
         last_ = point;
         ++count_;
     }
-    void flush() {
+    void flush(bool toNext) {
         if (count_ == 0)
             return;
-        out_ << first_;
-        const bool lowFirst = lowest_ < highest_;
-        take(lowFirst ? lowest_ : highest_, lowFirst ? lowestPoint_ : highestPoint_);
-        if (lowest_ != highest_)
-            take(lowFirst ? highest_ : lowest_, lowFirst ? highestPoint_ : lowestPoint_);
-        if (count_ > 1)
+        const int early = std::min(lowest_, highest_), late = std::max(lowest_, highest_);
+        if (early > 0 && !fromNext_)
+            out_ << first_;
+        out_ << (early == lowest_ ? lowestPoint_ : highestPoint_);
+        if (late > early)
+            out_ << (late == lowest_ ? lowestPoint_ : highestPoint_);
+        if (late < count_ - 1 && !toNext)
             out_ << last_;
         count_ = 0;
     }
 
   private:
-    void take(int index, const QPointF& point) {
-        if (index > 0 && index < count_ - 1)
-            out_ << point;
-    }
-
     QPolygonF& out_;
     double width_, column_ = 0.0;
     int count_ = 0, lowest_ = 0, highest_ = 0;
+    bool fromNext_ = false; ///< the line comes from the column beside this one
     QPointF first_, last_, lowestPoint_, highestPoint_;
 };
 
-/// The part of a segment inside a rectangle (Liang and Barsky 1984), as parameters from 0 to 1.
-struct Part {
-    double from = 0.0, to = 1.0;
-};
+/// Where lines can be drawn pixel by pixel: the picture that a painter draws into, if it does so
+/// without turning or shearing.
+QImage* pictureOf(const QPainter& painter) {
+    auto* device = painter.device();
+    const QTransform& way = painter.deviceTransform();
+    const bool upright = way.type() <= QTransform::TxScale && way.m11() == way.m22();
+    if (device == nullptr || device->devType() != QInternal::Image || !upright)
+        return nullptr;
+    auto* picture = static_cast<QImage*>(device);
+    return LineRaster::canDrawInto(*picture) ? picture : nullptr;
+}
+
+} // namespace
+
 std::optional<Part> insideOf(const QPointF& a, const QPointF& b, const QRectF& area) {
+    // Liang and Barsky 1984.
     const QPointF d = b - a;
     const std::array<std::array<double, 2>, 4> sides{{{-d.x(), a.x() - area.left()},
                                                       {d.x(), area.right() - a.x()},
@@ -84,8 +97,6 @@ std::optional<Part> insideOf(const QPointF& a, const QPointF& b, const QRectF& a
     return part.from <= part.to ? std::optional(part) : std::nullopt;
 }
 
-} // namespace
-
 double finestColumn(const QPainter& painter) {
     const auto* engine = painter.paintEngine();
     if (engine == nullptr || engine->type() != QPaintEngine::Raster)
@@ -102,7 +113,7 @@ QPolygonF thinned(const QPolygonF& line, double columnWidth) {
     Column column(result, columnWidth);
     for (const QPointF& point : line)
         column.add(point);
-    column.flush();
+    column.flush(false);
     return result;
 }
 
@@ -134,16 +145,67 @@ std::vector<QPolygonF> clipped(const QPolygonF& line, const QRectF& area) {
     return parts;
 }
 
-void drawLine(QPainter& painter, const QPolygonF& line) {
-    constexpr qsizetype piece = 12;
-    if (finestColumn(painter) <= 0.0 || line.size() <= 2 * piece) {
-        painter.drawPolyline(line);
+void drawLine(QPainter& painter, const QPolygonF& line, const QRectF& area) {
+    QImage* picture = pictureOf(painter);
+    if (picture == nullptr) {
+        for (const QPolygonF& part : clipped(line, area))
+            painter.drawPolyline(part);
         return;
     }
-    // Pieces share a segment, so that corners between them are joined as all others are.
-    for (qsizetype from = 0; from + 1 < line.size(); from += piece - 2)
-        painter.drawPolyline(line.constData() + from,
-                             static_cast<int>(std::min(piece, line.size() - from)));
+    const QTransform toPixels = painter.deviceTransform();
+    const QRect seen = toPixels.mapRect(area).toAlignedRect();
+    LineRaster raster(*picture, seen, painter.pen().widthF() * toPixels.m11());
+    for (qsizetype i = 1; i < line.size(); ++i)
+        raster.add(toPixels.map(line[i - 1]), toPixels.map(line[i]));
+    raster.paint(painter.pen().color(),
+                 painter.hasClipping() ? toPixels.map(painter.clipRegion()) : QRegion(seen));
+}
+
+QPolygonF edgeOf(const QPolygonF& line, double columnWidth, Edge edge) {
+    if (columnWidth <= 0.0)
+        return line;
+    QPolygonF result;
+    double column = 0.0;
+    for (const QPointF& point : line) {
+        const double here = std::floor(point.x() / columnWidth);
+        if (result.isEmpty() || here != column)
+            result << point;
+        else if (edge == Edge::lowest ? point.y() < result.back().y()
+                                      : point.y() > result.back().y())
+            result.back().setY(point.y());
+        column = here;
+    }
+    return result;
+}
+
+void drawBand(QPainter& painter, const QPolygonF& upper, const QPolygonF& lower,
+              const QRectF& area) {
+    // In pieces: what a large polygon takes to fill grows faster than its size.
+    const qsizetype piece = finestColumn(painter) > 0.0 ? 64 : upper.size();
+    for (qsizetype from = 0; from + 1 < upper.size(); from += piece) {
+        const qsizetype count = std::min(piece + 1, upper.size() - from);
+        QPolygonF band = upper.mid(from, count);
+        const QPolygonF below = lower.mid(from, count);
+        band.append(QPolygonF(below.rbegin(), below.rend()));
+        painter.drawPolygon(QwtClipper::clippedPolygonF(area, band, true));
+    }
+}
+
+void drawOnPicture(QPainter& painter, const QSize& size, const QColor& background,
+                   const std::function<void(QPainter&)>& draw) {
+    const int kind = painter.device()->devType();
+    if (kind != QInternal::Pixmap && kind != QInternal::Widget) {
+        draw(painter); // a picture already, or paper
+        return;
+    }
+    const double ratio = painter.device()->devicePixelRatioF();
+    QImage picture((QSizeF(size) * ratio).toSize(), QImage::Format_RGB32);
+    picture.setDevicePixelRatio(ratio);
+    picture.fill(background);
+    QPainter inside(&picture);
+    draw(inside);
+    inside.end();
+    painter.drawImage(QPointF(0.0, 0.0), picture);
 }
 
 std::vector<SampleRun> runsOf(int count, const std::function<bool(int)>& drawable) {

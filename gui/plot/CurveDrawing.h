@@ -7,7 +7,9 @@
 #include <QPolygonF>
 #include <QRectF>
 
+class QColor;
 class QPainter;
+class QSize;
 
 namespace smat::gui {
 
@@ -18,17 +20,41 @@ namespace smat::gui {
 /// painter; 0 for devices that are scaled later (SVG, PDF): there every point counts.
 double finestColumn(const QPainter& painter);
 
-/// The same line with at most four points in each column of `columnWidth`: the first, the lowest,
-/// the highest and the last, in their order. Keeps every point where `columnWidth` is 0 and where
-/// the line turns back.
+/// The same line with at most four points in each column of `columnWidth`: the lowest and the
+/// highest in their order, and the first and the last where the line comes from further off than
+/// the next column, or goes there. Between neighbours nothing is lost by leaving them out: what
+/// joins two columns passes every height that lies between. Keeps every point where `columnWidth`
+/// is 0.
 QPolygonF thinned(const QPolygonF& line, double columnWidth);
+
+/// The edge of a band: of each column of `columnWidth` the lowest point alone, or the highest; all
+/// of them where `columnWidth` is 0. Both edges of a band have points in the same columns.
+enum class Edge { lowest, highest };
+QPolygonF edgeOf(const QPolygonF& line, double columnWidth, Edge edge);
+
+/// A part of a segment, as parameters from 0 to 1.
+struct Part {
+    double from = 0.0, to = 1.0;
+};
+/// The part that lies inside a rectangle.
+std::optional<Part> insideOf(const QPointF& a, const QPointF& b, const QRectF& area);
 
 /// The parts of a line inside a rectangle; ends lie on its border.
 std::vector<QPolygonF> clipped(const QPolygonF& line, const QRectF& area);
 
-/// Draws a line with the painter's pen. On a screen it is cut into short pieces that overlap: the
-/// time that one long restless line takes to fill grows faster than its length.
-void drawLine(QPainter& painter, const QPolygonF& line);
+/// Draws what lies in `area` of a line with the painter's pen, which is solid. In a picture as
+/// LineRaster does, on other devices (SVG, PDF) with all of its points, cut at the area.
+void drawLine(QPainter& painter, const QPolygonF& line, const QRectF& area);
+
+/// Fills the band between two edges of equally many points with the painter's brush.
+void drawBand(QPainter& painter, const QPolygonF& upper, const QPolygonF& lower,
+              const QRectF& area);
+
+/// Lets `draw` draw on a sheet of `size` in `background` at the painter's finest, and puts it at
+/// the painter's origin: in such a picture drawLine is at its fastest. A painter of a picture or of
+/// paper is handed on as it is.
+void drawOnPicture(QPainter& painter, const QSize& size, const QColor& background,
+                   const std::function<void(QPainter&)>& draw);
 
 /// Index ranges [first, last] of samples that can be drawn, without the gaps between them.
 struct SampleRun {

@@ -62,10 +62,8 @@ PlotPanel::PlotPanel(PlotKind kind, Dialogs dialogs, QWidget* parent)
 QAction* PlotPanel::add(const QString& name, const QString& iconName, const QString& text) {
     auto* action = new QAction(text, this);
     action->setObjectName(name);
-    if (!iconName.isEmpty()) {
+    if (!iconName.isEmpty())
         action->setIcon(icon(iconName));
-        icons_[action] = iconName;
-    }
     actions_[name] = action;
     return action;
 }
@@ -274,12 +272,6 @@ void PlotPanel::changeEvent(QEvent* event) {
         return;
     const PlotStyle style = PlotStyle::screen(palette());
     cartesian_ != nullptr ? cartesian_->setLook(style) : polar_->setLook(style);
-    for (const auto& [action, name] : icons_)
-        action->setIcon(icon(name));
-    for (const auto& [button, name] : {std::pair("copyPlot", "copy"), {"exportPlot", "export"}}) {
-        if (auto* tool = findChild<QToolButton*>(button))
-            tool->setIcon(icon(name));
-    }
 }
 
 } // namespace smat::gui

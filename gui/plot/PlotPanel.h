@@ -63,7 +63,6 @@ class PlotPanel : public QWidget {
     PlotSurface* surface_ = nullptr;
     QHBoxLayout* front_ = nullptr;
     std::map<QString, QAction*> actions_;
-    std::map<QAction*, QString> icons_;
 };
 
 } // namespace smat::gui

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include <QPainter>
-#include <QwtClipper>
 #include <QwtScaleMap>
 #include <QwtText>
 
@@ -40,20 +39,28 @@ void GappedPolarCurve::draw(QPainter* painter, const QwtScaleMap& azimuthMap,
     const double margin = column > 0.0 ? 4.0 : 0.0;
     const QRectF area = canvasRect.adjusted(-margin, -margin, margin, margin);
 
-    // Lines are thinned where they are unrolled: along the outermost circle and along the radius.
-    const double outer = std::max(1.0, radialMap.transform(radialMap.s2()));
+    // Lines are thinned where they are unrolled: along the circle that a run reaches, or the canvas
+    // does, and along the radius.
+    double farthest = 1.0;
+    for (const QPointF& corner :
+         {area.topLeft(), area.topRight(), area.bottomLeft(), area.bottomRight()})
+        farthest = std::max(farthest, std::hypot(corner.x() - pole.x(), corner.y() - pole.y()));
+    double outer = 1.0;
     const auto unrolled = [&](const PolarSample& sample, double value) {
-        return QPointF(outer * azimuthMap.transform(sample.angle_deg),
+        return QPointF(azimuthMap.transform(sample.angle_deg),
                        std::max(0.0, radialMap.transform(value)));
     };
-    const auto rolled = [&](const QPolygonF& line) {
-        QPolygonF result;
-        result.reserve(line.size());
-        for (const QPointF& p : thinned(line, column)) {
+    const auto stretched = [&](QPolygonF line) {
+        for (QPointF& p : line)
+            p.rx() *= outer;
+        return line;
+    };
+    const auto rolled = [&](QPolygonF line) {
+        for (QPointF& p : line) {
             const double angle = p.x() / outer;
-            result << pole + QPointF(p.y() * std::cos(angle), -p.y() * std::sin(angle));
+            p = pole + QPointF(p.y() * std::cos(angle), -p.y() * std::sin(angle));
         }
-        return result;
+        return line;
     };
     const auto drawable = [&](int i) {
         return std::isfinite(samples_[static_cast<std::size_t>(i)].radius);
@@ -63,30 +70,37 @@ void GappedPolarCurve::draw(QPainter* painter, const QwtScaleMap& azimuthMap,
     fill.setAlphaF(0.22F);
     for (const SampleRun& run : runsOf(static_cast<int>(samples_.size()), drawable)) {
         QPolygonF line, low, high;
+        outer = 1.0;
         for (int i = run.first; i <= run.last; ++i) {
             const PolarSample& sample = samples_[static_cast<std::size_t>(i)];
             line << unrolled(sample, sample.radius);
+            outer = std::max(outer, line.back().y());
+            if (!hasBand_ || !bandVisible_)
+                continue;
             low << unrolled(sample, sample.low);
             high << unrolled(sample, sample.high);
         }
-        if (hasBand_ && bandVisible_) {
-            QPolygonF band = rolled(high);
-            const QPolygonF below = rolled(low);
-            band.append(QPolygonF(below.rbegin(), below.rend()));
-            painter->setPen(run.first == run.last ? QPen(fill, 3.0) : QPen(Qt::NoPen));
-            painter->setBrush(fill);
-            painter->drawPolygon(QwtClipper::clippedPolygonF(area, band, true));
-        }
+        outer = std::min(outer, farthest);
+        line = stretched(std::move(line));
         if (run.first == run.last) {
+            if (!low.isEmpty()) {
+                painter->setPen(QPen(fill, 3.0));
+                drawLine(*painter, rolled(stretched(low + high)), area);
+            }
             painter->setPen(Qt::NoPen);
             painter->setBrush(pen().color());
             painter->drawEllipse(rolled(line).front(), 3.0, 3.0);
             continue;
         }
+        if (!low.isEmpty()) {
+            painter->setPen(Qt::NoPen);
+            painter->setBrush(fill);
+            drawBand(*painter, rolled(edgeOf(stretched(std::move(high)), column, Edge::highest)),
+                     rolled(edgeOf(stretched(std::move(low)), column, Edge::lowest)), area);
+        }
         painter->setPen(pen());
         painter->setBrush(Qt::NoBrush);
-        for (const QPolygonF& part : clipped(rolled(line), area))
-            drawLine(*painter, part);
+        drawLine(*painter, rolled(thinned(line, column)), area);
     }
     painter->restore();
 }

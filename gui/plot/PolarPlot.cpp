@@ -16,6 +16,7 @@
 #include <QwtScaleMap>
 
 #include "gui/plot/CrosshairOverlay.h"
+#include "gui/plot/CurveDrawing.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/PlotNavigator.h"
 #include "gui/plot/PolarItems.h"
@@ -375,6 +376,11 @@ void PolarPlot::zoomTo(const QRectF& part) {
 void PolarPlot::panBy(const QPointF& offset) {
     if (zoomFactor() < 1.0)
         placePole(plotRect().center() + offset, zoomFactor());
+}
+
+void PolarPlot::drawCanvas(QPainter* painter, const QRectF& canvasRect) const {
+    drawOnPicture(*painter, canvas()->size(), style_.canvas,
+                  [&](QPainter& inside) { QwtPolarPlot::drawCanvas(&inside, canvasRect); });
 }
 
 void PolarPlot::keyPressEvent(QKeyEvent* event) {

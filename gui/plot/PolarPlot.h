@@ -88,6 +88,7 @@ class PolarPlot : public QwtPolarPlot, public PlotSurface {
     void readoutChanged(const QString& text);
 
   protected:
+    void drawCanvas(QPainter* painter, const QRectF& canvasRect) const override;
     void keyPressEvent(QKeyEvent* event) override;
 
   private:

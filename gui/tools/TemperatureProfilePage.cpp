@@ -1,29 +1,18 @@
 #include "gui/tools/TemperatureProfilePage.h"
 
-#include <cmath>
-
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include "gui/Widgets.h"
 #include "gui/Workbench.h"
-#include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/support/ShellText.h"
 
 namespace smat::gui {
-namespace {
-
-std::optional<double> numberIn(const QLineEdit* field) {
-    const auto number = irsg::parseNumber(field->text().trimmed().toStdString());
-    return number && std::isfinite(*number) ? number : std::nullopt;
-}
-
-} // namespace
-
 TemperatureProfilePage::TemperatureProfilePage(Workbench& workbench, Dialogs dialogs,
                                                QWidget* parent)
     : AirToolPage(workbench, std::move(dialogs), parent) {

@@ -102,6 +102,43 @@ TEST_F(CartesianPlotTest, ReadoutNamesEveryVisibleCurve) {
     EXPECT_TRUE(plot.readoutAt(QPointF(-50.0, 0.0)).isEmpty());
 }
 
+/// The highest row of the canvas in which the curve's colour is seen near a column.
+int topOfCurve(CartesianPlot& plot, int column) {
+    const QImage seen = plot.canvas()->grab().toImage().convertToFormat(QImage::Format_RGB32);
+    const QColor line = plot.look().curve(0);
+    for (int y = 0; y < seen.height(); ++y) {
+        for (int x = std::max(0, column - 1); x <= std::min(seen.width() - 1, column + 1); ++x) {
+            const QColor pixel = seen.pixelColor(x, y);
+            if (std::abs(pixel.red() - line.red()) + std::abs(pixel.green() - line.green()) +
+                    std::abs(pixel.blue() - line.blue()) <
+                60)
+                return y;
+        }
+    }
+    return -1;
+}
+
+TEST_F(CartesianPlotTest, ASpikeOfOneSampleIsSeenAtEveryZoom) {
+    PlotData data{.title = "", .xTitle = "x", .yTitle = "y", .curves = {Curve{"spike", {}, {}}}};
+    for (int i = 0; i < 10000; ++i) {
+        data.curves[0].x.push_back(1.0 + i);
+        data.curves[0].y.push_back(i == 6180 ? 100.0 : 10.0 + i % 3);
+    }
+    const double at = 6181.0;
+    for (const bool logarithmic : {false, true}) {
+        plot.setData(data);
+        plot.setLogarithmic(QwtPlot::xBottom, logarithmic);
+        for (const double width : {9999.0, 5000.0, 1000.0, 100.0, 10.0, 1.0}) {
+            // The spike lies a fifth of the way into the view, but for the whole.
+            const double from = width > 9000.0 ? 1.0 : at - 0.2 * width;
+            plot.setView({{from, from + width}, {0.0, 120.0}});
+            const int column = static_cast<int>(plot.transform(QwtPlot::xBottom, at));
+            EXPECT_NEAR(topOfCurve(plot, column), plot.transform(QwtPlot::yLeft, 100.0), 4.0)
+                << width << (logarithmic ? " logarithmic" : "");
+        }
+    }
+}
+
 TEST_F(CartesianPlotTest, LogarithmicAxesHoldPositiveValuesOnly) {
     auto data = twoCurves();
     data.curves[0].y[3] = -5.0;

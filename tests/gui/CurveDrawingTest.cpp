@@ -31,8 +31,18 @@ QImage drawn(const QPolygonF& line) {
     picture.fill(Qt::white);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(Qt::black, 2.0));
+    painter.setPen(QPen(Qt::black, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(line);
+    return picture;
+}
+
+/// The same line as plots draw it.
+QImage drawnFast(const QPolygonF& line, double columnWidth) {
+    QImage picture(400, 220, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    painter.setPen(QPen(Qt::black, 2.0));
+    drawLine(painter, thinned(line, columnWidth), QRectF(picture.rect()));
     return picture;
 }
 
@@ -56,14 +66,76 @@ TEST(CurveDrawingTest, ThinningChangesNothingThatIsSeen) {
     const QPolygonF thin = thinned(line, 0.5);
     EXPECT_LE(thin.size(), 4 * 2 * 400);
     const auto [far, mean] = difference(drawn(line), drawn(thin));
-    EXPECT_LT(mean, 0.5);
-    EXPECT_LT(far, 5e-4); // the very tips of spikes
+    EXPECT_LT(mean, 1.0);
+    EXPECT_LT(far, 2e-3); // the very tips of spikes
 
     // One of three points alone would lose the spikes.
     QPolygonF careless;
     for (qsizetype i = 0; i < line.size(); i += 12)
         careless << line[i];
     EXPECT_GT(difference(drawn(line), drawn(careless)).second, 4.0 * mean);
+}
+
+TEST(CurveDrawingTest, PixelsAreWhatQtDrawsOfTheWholeLine) {
+    // Restless, smooth, steep, far beyond the picture, to and fro.
+    QPolygonF smooth, back;
+    for (int i = 0; i <= 60; ++i) {
+        smooth << QPointF(7.0 * i, 110.0 + 90.0 * std::sin(i / 7.0));
+        back << QPointF(200.0 + 150.0 * std::cos(i / 10.0), 110.0 + 90.0 * std::sin(i / 6.0));
+    }
+    const QPolygonF beyond{
+        {-1e7, 30.0}, {150.0, 100.0}, {170.0, 1e9}, {180.0, -1e9}, {900.0, 120.0}};
+    for (const QPolygonF& line :
+         {restless(20000, 399.0), restless(300, 399.0), smooth, back, beyond}) {
+        const auto [far, mean] = difference(drawn(line), drawnFast(line, 0.5));
+        EXPECT_LT(mean, 2.5) << line.size();
+        EXPECT_LT(far, 1e-2) << line.size();
+    }
+}
+
+TEST(CurveDrawingTest, LinesStayInTheirAreaAndInTheClip) {
+    QImage picture(100, 100, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    painter.setPen(QPen(Qt::black, 6.0));
+    painter.setClipRegion(QRegion(0, 0, 100, 50));
+    drawLine(painter, {{-10.0, 45.0}, {200.0, 55.0}}, QRectF(20.0, 0.0, 30.0, 100.0));
+    QRect dark;
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x)
+            if (qGray(picture.pixel(x, y)) < 200)
+                dark |= QRect(x, y, 1, 1);
+    EXPECT_EQ(dark.left(), 20);
+    EXPECT_EQ(dark.right(), 49);
+    EXPECT_EQ(dark.bottom(), 49);
+    EXPECT_GT(dark.top(), 40);
+}
+
+TEST(CurveDrawingTest, ALineCoversAPixelOnceHoweverOftenItPasses) {
+    QImage picture(20, 20, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    painter.setPen(QPen(QColor(0, 0, 0, 100), 4.0));
+    QPolygonF line;
+    for (int i = 0; i < 50; ++i)
+        line << QPointF(i % 2 == 0 ? 2.0 : 18.0, 10.0);
+    drawLine(painter, line, QRectF(picture.rect()));
+    EXPECT_NEAR(qGray(picture.pixel(10, 10)), 155, 2);
+}
+
+TEST(CurveDrawingTest, EdgesOfBandsKeepTheirExtremes) {
+    const QPolygonF line = restless(5000, 100.0);
+    const QPolygonF low = edgeOf(line, 1.0, Edge::lowest), high = edgeOf(line, 1.0, Edge::highest);
+    ASSERT_EQ(low.size(), high.size());
+    EXPECT_LE(low.size(), 101);
+    const auto byHeight = [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); };
+    EXPECT_EQ(std::min_element(line.begin(), line.end(), byHeight)->y(),
+              std::min_element(low.begin(), low.end(), byHeight)->y());
+    EXPECT_EQ(std::max_element(line.begin(), line.end(), byHeight)->y(),
+              std::max_element(high.begin(), high.end(), byHeight)->y());
+    for (qsizetype i = 0; i < low.size(); ++i)
+        EXPECT_LE(low[i].y(), high[i].y());
+    EXPECT_EQ(edgeOf(line, 0.0, Edge::lowest), line);
 }
 
 TEST(CurveDrawingTest, ThinningKeepsEveryExtreme) {
@@ -81,6 +153,12 @@ TEST(CurveDrawingTest, ThinningKeepsEveryExtreme) {
 TEST(CurveDrawingTest, ThinningLeavesFewPointsAlone) {
     const QPolygonF line{{0.0, 1.0}, {10.0, 3.0}, {20.0, 2.0}};
     EXPECT_EQ(thinned(line, 0.5), line);
+    // A crowd keeps the points that a long way leads to and from.
+    const QPolygonF crowd{{0.0, 5.0},  {10.1, 3.0}, {10.2, 9.0},
+                          {10.3, 1.0}, {10.4, 4.0}, {20.0, 5.0}};
+    EXPECT_EQ(
+        thinned(crowd, 0.5),
+        (QPolygonF{{0.0, 5.0}, {10.1, 3.0}, {10.2, 9.0}, {10.3, 1.0}, {10.4, 4.0}, {20.0, 5.0}}));
     EXPECT_EQ(thinned(restless(300, 10.0), 0.0).size(), 300);
 }
 

@@ -28,6 +28,7 @@ QImage drawn(const ColoredPlane& plane, int width, int height) {
     QImage image(width, height, QImage::Format_RGB32);
     image.fill(Qt::black);
     QPainter painter(&image);
+    plane.color();
     plane.draw(painter, image.rect(), image.rect(), 1.0);
     return image;
 }

@@ -2,6 +2,7 @@
 
 #include <QDropEvent>
 #include <QLabel>
+#include <QListWidget>
 #include <QMimeData>
 #include <QTabWidget>
 
@@ -71,6 +72,41 @@ TEST_F(ImagePages, TwoResultsThatAreImagesAreCompared) {
     EXPECT_TRUE(page->comparison()->totalIsIntensity);
     EXPECT_EQ(tabs()->currentWidget(), page);
     EXPECT_EQ(window->compareResults(results[0].id, 4711), nullptr);
+}
+
+TEST_F(ImagePages, TheDifferenceOfTwoImageResultsIsAComparison) {
+    openSample();
+    runAnalysis("image");
+    workbench.set("sensor.band", "8-12");
+    runAnalysis("image");
+    runAnalysis("polar");
+    auto* list = window->findChild<QListWidget*>("resultList");
+    auto* difference = window->findChild<QAction*>("subtractResultsAction");
+    const auto choose = [&](const QList<int>& rows) {
+        list->clearSelection();
+        for (const int row : rows)
+            list->item(row)->setSelected(true);
+    };
+    choose({0, 2}); // an image and a plot have no difference
+    EXPECT_FALSE(difference->isEnabled());
+    choose({0});
+    EXPECT_FALSE(difference->isEnabled());
+    choose({0, 1});
+    ASSERT_TRUE(difference->isEnabled());
+    difference->trigger();
+
+    auto* page = qobject_cast<ComparisonWindow*>(tabs()->currentWidget());
+    ASSERT_NE(page, nullptr);
+    const auto& results = workbench.results();
+    ASSERT_EQ(results.size(), 3U); // nothing was added to them
+    for (const int i : {0, 1}) {
+        EXPECT_EQ(page->side(i).name, results[static_cast<std::size_t>(i)].title);
+        EXPECT_EQ(page->side(i).image->primary().values,
+                  results[static_cast<std::size_t>(i)].data.image.primary().values);
+    }
+    ASSERT_TRUE(test::waitUntil([&] { return !page->isBusy(); }));
+    ASSERT_TRUE(page->comparison());
+    EXPECT_NE(page->comparison()->meanError, 0.0);
 }
 
 TEST_F(ImagePages, ADroppedImageIsATabWithItsTemperatures) {

@@ -75,6 +75,41 @@ void setMode(ImageView& view, LimitMode mode) {
     emit box->activated(box->currentIndex());
 }
 
+TEST_F(ImageViewTest, ALargeImageIsColouredInAnotherThreadWhileTheOldPictureStays) {
+    irsg::RadianceImage large(700, 600);
+    for (int y = 0; y < 600; ++y)
+        for (int x = 0; x < 700; ++x)
+            large.primary().values[large.offset(x, y)] = static_cast<float>(1 + x / 7);
+    view.setImage(large);
+    EXPECT_TRUE(view.isBusy());
+    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
+    const auto limits = view.colorBar()->limits();
+    EXPECT_LT(limits.low, limits.high);
+    EXPECT_LE(limits.high, 100.0);
+    const auto middle = [&] {
+        const QImage seen = view.canvas()->grab().toImage();
+        return seen.pixelColor(seen.width() / 2, seen.height() / 2);
+    };
+    const QColor before = middle();
+    EXPECT_EQ(before, view.canvas()->picture().pixelColor(350, 300));
+
+    // Locked limits count at once in the bar, the picture follows.
+    view.colorBar()->edit({200.0, 300.0});
+    EXPECT_EQ(middle(), before);
+    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
+    const irsg::Rgb below = view.colorMap().below();
+    EXPECT_EQ(middle(), QColor(below.red, below.green, below.blue));
+    EXPECT_EQ(view.colorBar()->outOfRange().below, 700U * 600U);
+
+    // A rule that takes its time gives the same as it does at once.
+    setMode(view, LimitMode::percentile);
+    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
+    const auto found = automaticLimits({&large.primary().values}, LimitMode::percentile,
+                                       view.colorBar()->percentiles());
+    EXPECT_EQ(view.colorBar()->limits().low, found.low);
+    EXPECT_EQ(view.colorBar()->limits().high, found.high);
+}
+
 TEST_F(ImageViewTest, TopRowOfTheImageIsAtTheTop) {
     const QImage seen = view.canvas()->grab().toImage();
     const auto colorAt = [&](int x, int y) {

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <QColor>
+#include <QImage>
+#include <QPointF>
+#include <QRect>
+#include <QRegion>
+
+namespace smat::gui {
+
+/// Draws one line into a picture pixel by pixel. What QPainter needs for a line grows faster than
+/// its length, and a restless line covers most of its pixels many times: here a pixel is covered by
+/// the nearest part of the line alone, once for all of its segments.
+///
+/// A segment that stays within half a pixel of one that was drawn just before is left out: a
+/// restless line goes the same way up and down.
+///
+/// Ends and corners are round. Coordinates are those of the picture, a pixel being 1 wide with its
+/// centre at 0.5. Lines are antialiased: of a pixel is covered what its distance from the middle of
+/// the line says, exact but for corners of pixels.
+class LineRaster {
+  public:
+    /// Whether pictures of this format can be drawn into: 32 bits a pixel, alpha premultiplied or
+    /// none.
+    static bool canDrawInto(const QImage& picture);
+
+    /// A line of `width_px`, of which what lies in `clip` is drawn. LogicError for a picture that
+    /// cannot be drawn into.
+    LineRaster(QImage& picture, const QRect& clip, double width_px);
+
+    /// A segment; its ends are finite and may lie anywhere.
+    void add(const QPointF& from, const QPointF& to);
+    /// Colours what was added since the last time, within `region`.
+    void paint(const QColor& color, const QRegion& region);
+
+  private:
+    struct Segment {
+        float ax, ay, bx, by;
+    };
+    /// Whether it lies on what was drawn last.
+    bool isCovered(const Segment& segment) const;
+    void cover(const Segment& segment);
+    void coverRows(const Segment& segment, int top, int bottom);
+    /// Cover of a pixel at a distance from the middle of the line.
+    std::uint8_t coverAt(float distance) const;
+    /// The row of the covers, of which columns are about to be changed.
+    std::uint8_t* touch(int y, int first, int last);
+    void blend(int y, int from, int to, const QColor& color);
+
+    QImage& picture_;
+    QRect clip_;
+    float half_, reach_; ///< half the width; how far from its middle the line colours pixels
+    /// Cover of each pixel of the clip, 0 to 255, and of each row the columns that have any.
+    std::vector<std::uint8_t>& covers_;
+    struct Columns {
+        int first, last;
+    };
+    std::vector<Columns> rows_;
+    std::vector<std::uint8_t> upright_; ///< covers of a row of a segment that stands upright
+    std::optional<Segment> drawn_;      ///< the last one
+};
+
+} // namespace smat::gui
