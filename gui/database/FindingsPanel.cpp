@@ -7,7 +7,9 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "gui/Sentences.h"
 #include "gui/Theme.h"
+#include "irsg/radiometry/Errors.h"
 #include "irsg/scene/Model.h"
 #include "irsg/scene/ModelUse.h"
 
@@ -101,10 +103,16 @@ void FindingsPanel::look() {
         scope.models.push_back(context_.modelUse());
     const auto& database = context_.session().value();
     auto findings = irsg::lint(database, scope);
+    QString unread; // a model that went while it is shown
     if (context_.knowsModel()) {
-        readScalings();
-        const auto more = irsg::lintScalings(database, context_.modelUse(), *scalings_);
-        findings.insert(findings.end(), more.begin(), more.end());
+        try {
+            readScalings();
+            const auto more = irsg::lintScalings(database, context_.modelUse(), *scalings_);
+            findings.insert(findings.end(), more.begin(), more.end());
+        } catch (const irsg::InputError& error) {
+            scalings_.reset();
+            unread = tr(" The scales were not looked at: %1").arg(sentencesOf(error).join("; "));
+        }
     }
     for (const auto& finding : findings) {
         const bool error = finding.isError();
@@ -139,14 +147,15 @@ void FindingsPanel::look() {
     list_->setColumnWidth(0, std::min(list_->columnWidth(0), 220));
     list_->setColumnWidth(1, std::min(list_->columnWidth(1), 160));
     list_->setColumnWidth(3, std::clamp(list_->columnWidth(3), 80, 150));
-    summary_->setText(errors_ + warnings_ == 0
-                          ? tr("Nothing to find fault with: the physics closes in the band %1 to "
-                               "%2 um.")
-                                .arg(context_.band().min_um)
-                                .arg(context_.band().max_um)
-                          : tr("%1 and %2. A database with errors cannot be saved.")
-                                .arg(counted(errors_, tr("error"), tr("errors")),
-                                     counted(warnings_, tr("warning"), tr("warnings"))));
+    summary_->setText((errors_ + warnings_ == 0
+                           ? tr("Nothing to find fault with: the physics closes in the band %1 to "
+                                "%2 µm.")
+                                 .arg(context_.band().min_um)
+                                 .arg(context_.band().max_um)
+                           : tr("%1 and %2. A database with errors cannot be saved.")
+                                 .arg(counted(errors_, tr("error"), tr("errors")),
+                                      counted(warnings_, tr("warning"), tr("warnings")))) +
+                      unread);
     if (list_->topLevelItemCount() > 0)
         list_->setCurrentItem(list_->topLevelItem(0));
     emit countsChanged();

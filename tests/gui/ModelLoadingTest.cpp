@@ -22,7 +22,7 @@ Project large(std::size_t models = 40) {
 
 Project small() {
     Project project;
-    project.models = {{.file = samples / "ship/ship.flt"}};
+    project.models = {{.file = samples / "ship/ship.flt", .database = {}}};
     return project;
 }
 
@@ -50,8 +50,8 @@ TEST(SceneLoaderTest, TellsOfAllModelsThatCannotBeRead) {
     QStringList sentences;
     QObject::connect(&loader, &SceneLoader::failed, [&](const QStringList& s) { sentences = s; });
     Project project = small();
-    project.models.push_back({.file = "/nowhere/gone.flt"});
-    project.models.push_back({.file = "/nowhere/away.flt"});
+    project.models.push_back({.file = "/nowhere/gone.flt", .database = {}});
+    project.models.push_back({.file = "/nowhere/away.flt", .database = {}});
     loader.load(project, {});
     ASSERT_TRUE(test::waitUntil([&] { return !loader.isBusy(); }));
     EXPECT_TRUE(sentences.join(' ').contains("gone.flt"));
