@@ -48,6 +48,7 @@ QwtText plotTitle(const QString& text, const PlotStyle& style) {
     QwtText result(text, QwtText::PlainText);
     result.setFont(plotFont(1.1, true));
     result.setColor(style.text);
+    result.setRenderFlags(Qt::AlignCenter | Qt::TextWordWrap); // in a narrow window
     return result;
 }
 

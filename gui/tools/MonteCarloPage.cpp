@@ -19,6 +19,7 @@
 #include "gui/Sentences.h"
 #include "gui/UnsavedNote.h"
 #include "gui/Workbench.h"
+#include "gui/image/ImageExport.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotData.h"
 #include "gui/plot/PlotExport.h"
@@ -385,7 +386,7 @@ void MonteCarloPage::onEnd(std::shared_ptr<const MonteCarloData> data,
             if (item.label.find("index of") == std::string::npos)
                 lines << QString("%1: %2 %3")
                              .arg(QString::fromStdString(item.label), readableNumber(item.value),
-                                  QString::fromStdString(item.unit))
+                                  readableUnit(item.unit))
                              .trimmed();
         for (const std::string& warning : data->analysis.warnings)
             lines << tr("note: %1").arg(QString::fromStdString(warning));

@@ -17,6 +17,7 @@
 #include <QwtPlotMarker>
 
 #include "gui/Theme.h"
+#include "gui/image/ImageExport.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/tools/RankingBars.h"
@@ -199,7 +200,7 @@ void MonteCarloPlots::drawHistogram() {
     }
     const auto k = static_cast<std::size_t>(place_->value());
     placeText_->setText(QString::number(data_.abscissae[k], 'g', 6) + " " +
-                        QString::fromStdString(data_.abscissaUnit));
+                        readableUnit(data_.abscissaUnit));
     histogram_->setAxisTitle(QwtPlot::xBottom, axisText(quantityTitle(data_), style));
     auto* grid = new QwtPlotGrid;
     grid->setMajorPen(style.grid, 1.0);

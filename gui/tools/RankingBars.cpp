@@ -87,7 +87,7 @@ void RankingBars::paintEvent(QPaintEvent*) {
         painter.drawText(QRectF(xOf(share) - 30, bottom + 2, 60, 16), Qt::AlignCenter,
                          QString::number(100.0 * share, 'f', 0));
     }
-    painter.drawText(QRectF(left, bottom + 18, right - left, 18), Qt::AlignCenter,
+    painter.drawText(QRectF(margin, bottom + 18, width() - 2.0 * margin, 18), Qt::AlignCenter,
                      tr("Sobol' index (% of the variance)"));
 
     for (int i = 0; i < rows; ++i) {
