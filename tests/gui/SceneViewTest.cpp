@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include <QTest>
+#include <QThreadPool>
 #include <gtest/gtest.h>
 
 #include "gui/Workbench.h"
@@ -157,7 +158,8 @@ TEST_F(SceneViewTest, AnalysesAndRedrawsLeaveEachOthersPicturesRight) {
     const auto firstImage = render();
     const QImage firstView = view.grabFramebuffer();
     const int threads = threadCount();
-    for (int i = 0; i < 20; ++i) {
+    const int pictures = 10 + QThreadPool::globalInstance()->maxThreadCount();
+    for (int i = 0; i < pictures; ++i) {
         view.setCamera({60.0 + i, 15.0, view.camera().range_m}, 0.0);
         QTest::qWait(5);
         ASSERT_EQ(render(), firstImage) << i;
@@ -165,7 +167,9 @@ TEST_F(SceneViewTest, AnalysesAndRedrawsLeaveEachOthersPicturesRight) {
     view.setCamera({60.0, 15.0, view.camera().range_m}, 0.0);
     QTest::qWait(20);
     EXPECT_EQ(view.grabFramebuffer(), firstView);
-    EXPECT_LE(threadCount(), threads);
+    // The pool that paints may begin its threads late; one of ours for each of the pictures is
+    // more.
+    EXPECT_LE(threadCount(), threads + QThreadPool::globalInstance()->maxThreadCount());
 }
 
 } // namespace
