@@ -8,7 +8,7 @@
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/ModelUse.h"
-#include "irsg/signature/Lint.h"
+#include "irsg/signature/LintScalings.h"
 #include "smatcore/analysis/ProjectLint.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/support/TextFile.h"
@@ -63,10 +63,6 @@ struct Surroundings {
 
 Surroundings surroundingsOf(const LintOptions& options) {
     Surroundings around;
-    const auto addScalings = [&](const irsg::ModelUse& use, const irsg::Model& model,
-                                 const std::filesystem::path& file) {
-        around.scalings.emplace_back(use, irsg::scalingUseOf(model, file));
-    };
     if (!options.project.empty()) {
         SceneBuilder builder;
         const Project project = loadProject(options.project);
@@ -76,19 +72,13 @@ Surroundings surroundingsOf(const LintOptions& options) {
         for (const ProjectModel& one : project.models) {
             std::error_code failure;
             if (use != around.scope.models.end() && !one.database.empty() &&
-                std::filesystem::equivalent(project.resolve(one.database), options.file, failure)) {
-                const auto file = project.resolve(one.file);
-                addScalings(*use++,
-                            *builder.model(file, {.noseAxis = one.noseAxis,
-                                                  .forceTwoSided = one.forceTwoSided}),
-                            file);
-            }
+                std::filesystem::equivalent(project.resolve(one.database), options.file, failure))
+                around.scalings.emplace_back(*use++, irsg::scalingUseOf(project.resolve(one.file)));
         }
     }
     for (const std::string& file : options.models) {
-        const auto model = irsg::Model::load(file);
-        around.scope.models.push_back(irsg::useOf(*model));
-        addScalings(around.scope.models.back(), *model, file);
+        around.scope.models.push_back(irsg::useOf(*irsg::Model::load(file)));
+        around.scalings.emplace_back(around.scope.models.back(), irsg::scalingUseOf(file));
     }
     if (!options.band.empty()) {
         around.scope.bands = {irsg::Band::fromText(options.band).range()};

@@ -7,11 +7,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/Sentences.h"
 #include "gui/Theme.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/Model.h"
-#include "irsg/scene/ModelUse.h"
+#include "irsg/signature/LintScalings.h"
 
 namespace smat::gui {
 namespace {
@@ -70,24 +67,6 @@ FindingsPanel::FindingsPanel(EditorContext& context, QWidget* parent)
     look();
 }
 
-void FindingsPanel::readScalings() {
-    const Project& project = context_.workbench().project();
-    const ProjectModel& target = project.models.front();
-    const auto file = project.resolve(target.file);
-    if (file != scaledModel_ || !scalings_) {
-        scalings_ =
-            irsg::scalingUseOf(*irsg::Model::load(file, {.noseAxis = target.noseAxis,
-                                                         .forceTwoSided = target.forceTwoSided}),
-                               file);
-        scaledModel_ = file;
-        return;
-    }
-    // The files may be other ones since; the model stays.
-    auto carried = std::move(scalings_->temperaturesOfMaterial);
-    scalings_ = irsg::scalingUseOf(file);
-    scalings_->temperaturesOfMaterial = std::move(carried);
-}
-
 void FindingsPanel::look() {
     timer_->stop();
     list_->clear();
@@ -103,16 +82,11 @@ void FindingsPanel::look() {
         scope.models.push_back(context_.modelUse());
     const auto& database = context_.session().value();
     auto findings = irsg::lint(database, scope);
-    QString unread; // a model that went while it is shown
     if (context_.knowsModel()) {
-        try {
-            readScalings();
-            const auto more = irsg::lintScalings(database, context_.modelUse(), *scalings_);
-            findings.insert(findings.end(), more.begin(), more.end());
-        } catch (const irsg::InputError& error) {
-            scalings_.reset();
-            unread = tr(" The scales were not looked at: %1").arg(sentencesOf(error).join("; "));
-        }
+        const Project& project = context_.workbench().project();
+        const auto scalings = irsg::scalingUseOf(project.resolve(project.models.front().file));
+        const auto more = irsg::lintScalings(database, context_.modelUse(), scalings);
+        findings.insert(findings.end(), more.begin(), more.end());
     }
     for (const auto& finding : findings) {
         const bool error = finding.isError();
@@ -147,15 +121,14 @@ void FindingsPanel::look() {
     list_->setColumnWidth(0, std::min(list_->columnWidth(0), 220));
     list_->setColumnWidth(1, std::min(list_->columnWidth(1), 160));
     list_->setColumnWidth(3, std::clamp(list_->columnWidth(3), 80, 150));
-    summary_->setText((errors_ + warnings_ == 0
-                           ? tr("Nothing to find fault with: the physics closes in the band %1 to "
-                                "%2 µm.")
-                                 .arg(context_.band().min_um)
-                                 .arg(context_.band().max_um)
-                           : tr("%1 and %2. A database with errors cannot be saved.")
-                                 .arg(counted(errors_, tr("error"), tr("errors")),
-                                      counted(warnings_, tr("warning"), tr("warnings")))) +
-                      unread);
+    summary_->setText(errors_ + warnings_ == 0
+                          ? tr("Nothing to find fault with: the physics closes in the band %1 to "
+                               "%2 µm.")
+                                .arg(context_.band().min_um)
+                                .arg(context_.band().max_um)
+                          : tr("%1 and %2. A database with errors cannot be saved.")
+                                .arg(counted(errors_, tr("error"), tr("errors")),
+                                     counted(warnings_, tr("warning"), tr("warnings"))));
     if (list_->topLevelItemCount() > 0)
         list_->setCurrentItem(list_->topLevelItem(0));
     emit countsChanged();

@@ -1,12 +1,8 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-
 #include <QWidget>
 
 #include "gui/database/EditorContext.h"
-#include "irsg/signature/LintScalings.h"
 
 class QLabel;
 class QTimer;
@@ -33,11 +29,7 @@ class FindingsPanel : public QWidget {
     void placeRequested(const QString& place);
 
   private:
-    void readScalings();
-
     EditorContext& context_;
-    std::filesystem::path scaledModel_;
-    std::optional<irsg::ScalingUse> scalings_; ///< beside that model
     QTimer* timer_ = nullptr;
     QLabel* summary_ = nullptr;
     QTreeWidget* list_ = nullptr;

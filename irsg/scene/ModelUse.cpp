@@ -8,19 +8,12 @@ ModelUse useOf(const Model& model) {
     for (const auto& [codes, carried] : model.codes()) {
         use.temperatureFaces[codes.temperature] += carried.faces;
         use.materialFaces[codes.material] += carried.faces;
+        use.temperaturesOfMaterial[codes.material].insert(codes.temperature);
     }
     for (const std::string& remark : model.remarks()) {
         if (remark.find("LOD") != std::string::npos) {
             use.levelsOfDetail.push_back(remark);
         }
-    }
-    return use;
-}
-
-ScalingUse scalingUseOf(const Model& model, const std::filesystem::path& file) {
-    ScalingUse use = scalingUseOf(file);
-    for (const auto& [codes, carried] : model.codes()) {
-        use.temperaturesOfMaterial[codes.material].insert(codes.temperature);
     }
     return use;
 }

@@ -1,15 +1,12 @@
 #pragma once
 
 #include "irsg/scene/Model.h"
-#include "irsg/signature/LintScalings.h"
+#include "irsg/signature/Lint.h"
 
 namespace irsg {
 
 /// What a model asks of its database: the faces of each code, and what its loader did about levels
 /// of detail, whose ranges would empty a picture in programs that obey them (F25).
 ModelUse useOf(const Model& model);
-
-/// The scaling files beside the file of a model.
-ScalingUse scalingUseOf(const Model& model, const std::filesystem::path& file);
 
 } // namespace irsg

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct ModelUse {
     std::string name;                    ///< the model's file, for messages
     std::map<int, int> temperatureFaces; ///< faces that carry each temperature index
     std::map<int, int> materialFaces;
+    std::map<int, std::set<int>> temperaturesOfMaterial = {}; ///< that its faces carry
     std::optional<int> fallbackTemperature = {}; ///< entries that stand in for codes without one
     std::optional<int> fallbackMaterial = {};
     /// What the loader had to do about levels of detail: a range of a level that ends before the

@@ -33,7 +33,6 @@ class ScalingLint {
                 ScalingKind kind, std::vector<Finding>& findings)
         : database_(database),
           model_(model),
-          use_(use),
           kind_(kind),
           file_(kind == ScalingKind::temperature ? use.temperatureFile : use.emissivityFile),
           findings_(findings) {}
@@ -81,8 +80,8 @@ class ScalingLint {
     /// Whether all faces of the material emit a user-defined spectrum, which is multiplied as it
     /// is.
     bool emitsSpectraAlone() const {
-        const auto of = use_.temperaturesOfMaterial.find(index_);
-        return of != use_.temperaturesOfMaterial.end() &&
+        const auto of = model_.temperaturesOfMaterial.find(index_);
+        return of != model_.temperaturesOfMaterial.end() &&
                std::ranges::all_of(of->second, [this](int temperature) {
                    const auto entry = database_.temperatures.find(temperature);
                    return entry != database_.temperatures.end() &&
@@ -166,7 +165,6 @@ class ScalingLint {
 
     const SignatureDatabase& database_;
     const ModelUse& model_;
-    const ScalingUse& use_;
     ScalingKind kind_;
     const std::string& file_;
     std::vector<Finding>& findings_;

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -17,8 +15,6 @@ struct ScalingUse {
     std::string temperatureFile, emissivityFile; ///< their names, for messages
     Scalings scalings;
     std::vector<Offence> offences;
-    /// Temperature indices that the faces of a material carry, where the model is known.
-    std::map<int, std::set<int>> temperaturesOfMaterial = {};
 };
 
 /// Reads the files beside a model; those that are not there scale nothing.

@@ -26,7 +26,7 @@ class LintScalings : public testing::Test {
         use.name = "ship.flt";
         use.temperatureFaces = {{1, 10}, {4, 2}};
         use.materialFaces = {{1, 8}, {2, 4}};
-        scalings = ScalingUse{temperatureScales, emissivityScales, {}, {}, {}};
+        scalings = ScalingUse{temperatureScales, emissivityScales, {}, {}};
     }
     void heat(int index, double min, double max,
               DistributionKind kind = DistributionKind::uniform) {
@@ -81,9 +81,9 @@ TEST_F(LintScalings, NameAnEmissivityThatLeavesOne) {
     EXPECT_THAT(found.reason, HasSubstr("at most 0.4, one less transmissivity"));
     EXPECT_THAT(found.repair, HasSubstr("1.3333"));
 
-    scalings.temperaturesOfMaterial[2] = {4};
+    use.temperaturesOfMaterial[2] = {4};
     EXPECT_TRUE(findings().empty()) << "a user-defined spectrum is multiplied as it is";
-    scalings.temperaturesOfMaterial[2] = {1, 4};
+    use.temperaturesOfMaterial[2] = {1, 4};
     EXPECT_EQ(findings().size(), 1U);
 
     scalings.scalings.emissivities.clear();
