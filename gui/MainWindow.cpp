@@ -14,7 +14,6 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
-#include <QThreadPool>
 
 #include "gui/Exportable.h"
 #include "gui/ManipulatorsDock.h"
@@ -41,7 +40,6 @@ namespace {
 
 /// Of the docks there are: a layout that knows others is not taken.
 constexpr int layoutVersion = 2;
-constexpr int poolThreads = 12;
 
 QSettings layoutMemory() {
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench");
@@ -56,9 +54,6 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     setWindowIcon(icon("smat"));
     setAcceptDrops(true);
     resize(1360, 840);
-    // Qt paints with the threads of this pool, too: work that takes its time must leave it some.
-    auto* pool = QThreadPool::globalInstance();
-    pool->setMaxThreadCount(std::max(pool->maxThreadCount(), poolThreads));
     QStringList problems;
     preferences_ = Preferences::load(&problems);
     files_ = new ProjectFiles(workbench_, dialogs_, preferences_, this);

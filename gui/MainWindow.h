@@ -9,8 +9,8 @@
 #include <QMainWindow>
 
 #include "gui/Dialogs.h"
+#include "gui/LatestTask.h"
 #include "gui/Workbench.h"
-#include "gui/image/LatestTask.h"
 #include "gui/project/SceneIndex.h"
 #include "gui/settings/Preferences.h"
 #include "gui/settings/SettingForm.h"

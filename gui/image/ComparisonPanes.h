@@ -7,9 +7,9 @@
 
 #include <QWidget>
 
+#include "gui/LatestTask.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ColoredPlane.h"
-#include "gui/image/LatestTask.h"
 #include "irsg/image/ImageComparison.h"
 
 class QCheckBox;

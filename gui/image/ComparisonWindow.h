@@ -8,7 +8,7 @@
 
 #include "gui/Dialogs.h"
 #include "gui/Exportable.h"
-#include "gui/image/LatestTask.h"
+#include "gui/LatestTask.h"
 #include "irsg/image/ImageComparison.h"
 #include "irsg/image/PngView.h"
 #include "irsg/image/RadianceImage.h"

@@ -4,8 +4,8 @@
 
 #include <QWidget>
 
+#include "gui/LatestTask.h"
 #include "gui/image/ColoredPlane.h"
-#include "gui/image/LatestTask.h"
 #include "irsg/image/ImageStatistics.h"
 
 namespace smat::gui {

@@ -7,8 +7,8 @@
 
 #include "gui/Dialogs.h"
 #include "gui/Exportable.h"
+#include "gui/LatestTask.h"
 #include "gui/image/ImageExport.h"
-#include "gui/image/LatestTask.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/image/RadianceImage.h"
 #include "irsg/radiometry/Band.h"

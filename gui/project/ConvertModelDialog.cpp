@@ -13,10 +13,10 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QThreadPool>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/BackgroundPool.h"
 #include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/project/ProjectFiles.h"
@@ -162,7 +162,7 @@ void ConvertModelDialog::start() {
     written_.clear();
     report_->clear();
     work_ = std::make_shared<Work>();
-    QThreadPool::globalInstance()->start(
+    backgroundPool().start(
         [work = work_, in = input_->text().trimmed().toStdString(), to = out.toStdString()] {
             try {
                 work->report = irsg::convertModel(in, to);

@@ -5,10 +5,10 @@
 
 #include <QHeaderView>
 #include <QMenu>
-#include <QThreadPool>
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
+#include "gui/BackgroundPool.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/image/ImageView.h"
@@ -147,7 +147,7 @@ void SceneTreeDock::load() {
     loading_ = std::make_shared<Loading>();
     index_.assign(workbench_.project().models.size(), {});
     fill();
-    QThreadPool::globalInstance()->start([work = loading_, project = workbench_.project()] {
+    backgroundPool().start([work = loading_, project = workbench_.project()] {
         work->index = loadSceneIndex(project);
         work->done = true;
     });

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "gui/image/LatestTask.h"
+#include "gui/LatestTask.h"
 #include "gui/tools/AirToolPage.h"
 #include "irsg/atmosphere/Atmosphere.h"
 #include "smatcore/project/Project.h"

@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <QTimer>
 
-#include "gui/image/LatestTask.h"
+#include "gui/LatestTask.h"
 #include "gui/view/DisplayScene.h"
 
 namespace smat::gui {

@@ -1,4 +1,4 @@
-#include "gui/image/LatestTask.h"
+#include "gui/LatestTask.h"
 
 #include <cstdlib>
 
@@ -23,7 +23,7 @@ TEST(LatestTaskTest, OnlyTheLastAnswerCounts) {
     EXPECT_EQ(heard, std::vector{4});
     task.run<int>([] { return 5; }, [&](int answer) { heard.push_back(answer); });
     task.cancel();
-    QThreadPool::globalInstance()->waitForDone();
+    backgroundPool().waitForDone();
     QTest::qWait(10);
     EXPECT_EQ(heard.size(), 1U);
 }
@@ -43,7 +43,7 @@ TEST(LatestTaskTest, AnAnswerThatNobodyFetchesDoesNotHoldUpTheEnd) {
             alarm(60); // a program that hangs is ended by a signal
             auto task = std::make_unique<LatestTask>();
             task->run<int>([] { return 1; }, [](int) {});
-            QThreadPool::globalInstance()->waitForDone();
+            backgroundPool().waitForDone();
             task.reset();
             delete QApplication::instance();
             std::_Exit(0);

@@ -40,7 +40,7 @@ TEST(SceneLoaderTest, AnotherProjectSupersedesTheOneThatIsBeingRead) {
     loader.load(small(), {});
     ASSERT_TRUE(test::waitUntil([&] { return !loader.isBusy(); }));
     // What the first one still reads is dropped when it comes.
-    QThreadPool::globalInstance()->waitForDone();
+    backgroundPool().waitForDone();
     QTest::qWait(20);
     EXPECT_EQ(counts, std::vector<std::size_t>{1});
     EXPECT_TRUE(failed.isEmpty());
@@ -102,7 +102,7 @@ TEST_F(ModelLoadingTest, ASecondProjectTakesThePlaceOfTheFirst) {
     EXPECT_TRUE(window->isLoadingModel());
     openSample();
     EXPECT_TRUE(window->windowTitle().startsWith("ship.smat"));
-    QThreadPool::globalInstance()->waitForDone();
+    backgroundPool().waitForDone();
     QTest::qWait(20);
     window->sceneView()->showWholeModel();
     QTest::qWait(20);
@@ -117,7 +117,7 @@ TEST_F(ModelLoadingTest, ClosingWhileAModelIsReadIsClean) {
     ASSERT_TRUE(window->open(folder / "large.smat"));
     EXPECT_TRUE(window->close());
     window.reset();
-    QThreadPool::globalInstance()->waitForDone();
+    backgroundPool().waitForDone();
     QTest::qWait(20);
 }
 

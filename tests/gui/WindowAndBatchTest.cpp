@@ -1,12 +1,16 @@
 #include <fstream>
+#include <thread>
 
 #include <malloc.h>
 
 #include <QPixmapCache>
+#include <QSemaphore>
 #include <QTest>
+#include <QThreadPool>
 
 #include "smatcore/project/ProjectFile.h"
 #include "tests/cli/Program.h"
+#include "tests/gui/ProcessCounts.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -22,21 +26,17 @@ std::vector<std::string> argumentsOf(const std::string& command) {
     return list;
 }
 
-long fromStatus(const std::string& key) {
+/// What this process has of the memory of the machine.
+long residentMemory_kB() {
     std::ifstream status("/proc/self/status");
     for (std::string word; status >> word;) {
-        if (word == key) {
+        if (word == "VmRSS:") {
             long value = 0;
             status >> value;
             return value;
         }
     }
     return -1;
-}
-
-long openFiles() {
-    const std::filesystem::directory_iterator folder("/proc/self/fd");
-    return std::distance(begin(folder), end(folder));
 }
 
 class WindowAndBatchTest : public test::WindowFixture {};
@@ -70,6 +70,22 @@ TEST_F(WindowAndBatchTest, EveryAnalysisEqualsItsCommandLineByteForByte) {
     EXPECT_FALSE(smat::test::contentOf(folder / "polar.csv") == before);
 }
 
+TEST(ProcessCountsTest, CountThreadsButThoseOfPools) {
+    const smat::test::ProcessCounts before = smat::test::processCounts();
+    QThreadPool pool;
+    pool.setMaxThreadCount(3);
+    QSemaphore leave;
+    for (int i = 0; i < 3; ++i)
+        pool.start([&leave] { leave.acquire(); });
+    EXPECT_TRUE(test::waitUntil([&] { return pool.activeThreadCount() == 3; }));
+    QTest::qWait(20); // a thread begins before it has its name
+    EXPECT_EQ(smat::test::processCounts().threads, before.threads);
+    EXPECT_EQ(smat::test::processCounts().files, before.files);
+    std::jthread ours([&] { leave.acquire(); });
+    EXPECT_EQ(smat::test::processCounts().threads, before.threads + 1);
+    leave.release(4);
+}
+
 TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
     std::filesystem::copy(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/box", folder / "box");
     ASSERT_TRUE(opens(folder / "box" / "box.smat")) << told.join('\n').toStdString();
@@ -93,21 +109,21 @@ TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
     for (int number = 0; number < 40; ++number)
         runOne(number);
     QTest::qWait(50);
-    const long threads = fromStatus("Threads:");
-    const long files = openFiles();
+    const smat::test::ProcessCounts before = smat::test::processCounts();
     // Not counted is what Qt keeps of drawn buttons (up to 10 MB) and what the C library keeps of
     // memory that was given back: together some 30 MB after 200 analyses.
     const auto memory_kB = [] {
         QPixmapCache::clear();
         malloc_trim(0);
-        return fromStatus("VmRSS:");
+        return residentMemory_kB();
     };
     const long before_kB = memory_kB();
     for (int number = 0; number < 200; ++number)
         runOne(number);
     QTest::qWait(50);
-    EXPECT_LE(fromStatus("Threads:"), threads);
-    EXPECT_LE(openFiles(), files);
+    const smat::test::ProcessCounts after = smat::test::processCounts();
+    EXPECT_LE(after.threads, before.threads);
+    EXPECT_LE(after.files, before.files);
     EXPECT_LT(memory_kB() - before_kB, 12L * 1024);
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
 }

@@ -8,7 +8,8 @@
 
 #include <QObject>
 #include <QThread>
-#include <QThreadPool>
+
+#include "gui/BackgroundPool.h"
 
 namespace smat::gui {
 
@@ -28,8 +29,8 @@ class LatestTask {
     void run(std::function<Result()> work, std::function<void(Result)> use,
              std::function<void(std::exception_ptr)> fail = {}) {
         const unsigned mine = ++state_->wanted;
-        QThreadPool::globalInstance()->start([state = state_, mine, work = std::move(work),
-                                              use = std::move(use), fail = std::move(fail)] {
+        backgroundPool().start([state = state_, mine, work = std::move(work), use = std::move(use),
+                                fail = std::move(fail)] {
             if (state->wanted != mine)
                 return;
             auto result = std::make_shared<std::optional<Result>>();

@@ -1,0 +1,15 @@
+#pragma once
+
+namespace smat::test {
+
+/// What this process holds, but for the threads of Qt's pools and the one file that each of them
+/// opens: a pool begins and ends its few threads when it likes.
+struct ProcessCounts {
+    int threads = 0;
+    int files = 0;
+};
+
+/// Of /proc/self, now.
+ProcessCounts processCounts();
+
+} // namespace smat::test
