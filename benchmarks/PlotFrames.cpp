@@ -14,6 +14,7 @@
 #include <QApplication>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <QWindow>
 
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
@@ -77,6 +78,17 @@ Data withErrors(Data data) {
 
 void send(QWidget* to, QEvent&& event) {
     QCoreApplication::sendEvent(to, &event);
+}
+
+/// A window that is not there yet does not paint.
+void show(QWidget& window) {
+    window.resize(1000, 700);
+    window.show();
+    const auto begun = Clock::now();
+    while (since_ms(begun) < 5000.0 &&
+           (window.windowHandle() == nullptr || !window.windowHandle()->isExposed()))
+        QApplication::processEvents(QEventLoop::AllEvents, 20);
+    QApplication::processEvents();
 }
 
 void drive(const char* name, PlotSurface& surface) {
@@ -158,9 +170,7 @@ int main(int argc, char** argv) {
         around.curves.push_back(restless(i, points, 0.0, 360.0));
     }
     cartesian.setData(data);
-    cartesian.resize(1000, 700);
-    cartesian.show();
-    QApplication::processEvents();
+    show(cartesian);
     drive("Cartesian", cartesian);
     cartesian.setLogarithmic(QwtPlot::yLeft, true);
     drive("Cartesian, logarithmic", cartesian);
@@ -170,9 +180,7 @@ int main(int argc, char** argv) {
     cartesian.hide();
     PolarPlot polar(PlotStyle::screen(QApplication::palette()));
     polar.setData(around);
-    polar.resize(1000, 700);
-    polar.show();
-    QApplication::processEvents();
+    show(polar);
     drive("Polar", polar);
     polar.setData(withErrors(around));
     drive("Polar with bands", polar);

@@ -39,11 +39,11 @@ void SampledCurve::drawSeries(QPainter* painter, const QwtScaleMap& xMap, const 
         const SampleRun seen = visiblePart(curve_.x, run, xLow, xHigh);
         if (bandVisible_ && !curve_.error.empty())
             drawBand(*painter, xMap, yMap, area, seen.first, seen.last, column);
-        QPolygonF line;
-        line.reserve(seen.last - seen.first + 1);
-        for (int i = seen.first; i <= seen.last; ++i)
-            line << QPointF(xMap.transform(curve_.x[static_cast<std::size_t>(i)]),
-                            yMap.transform(curve_.y[static_cast<std::size_t>(i)]));
+        QPolygonF line(seen.last - seen.first + 1);
+        std::transform(curve_.x.begin() + seen.first, curve_.x.begin() + seen.last + 1,
+                       curve_.y.begin() + seen.first, line.begin(), [&](double x, double y) {
+                           return QPointF(xMap.transform(x), yMap.transform(y));
+                       });
         if (run.first == run.last) {
             painter->setPen(Qt::NoPen);
             painter->setBrush(pen().color());
@@ -53,7 +53,7 @@ void SampledCurve::drawSeries(QPainter* painter, const QwtScaleMap& xMap, const 
         }
         painter->setPen(pen());
         painter->setBrush(Qt::NoBrush);
-        drawLine(*painter, thinned(line, column), area);
+        drawLine(*painter, chosen(line, pointsOf(line, column)), area);
     }
     painter->restore();
 }
@@ -85,17 +85,18 @@ void SampledCurve::drawBand(QPainter& painter, const QwtScaleMap& xMap, const Qw
             painter.setPen(Qt::NoPen);
             continue;
         }
-        QPolygonF upper, lower;
+        QPolygonF upper(run.last - run.first + 1), lower(upper.size());
+        QPointF *above = upper.data(), *below = lower.data();
         for (int k = run.first; k <= run.last; ++k) {
             const auto i = static_cast<std::size_t>(from + k);
             const double x = xMap.transform(curve_.x[i]);
             const double low = curve_.y[i] - curve_.error[i];
-            upper << QPointF(x, yMap.transform(curve_.y[i] + curve_.error[i]));
-            lower << QPointF(x, yMap.transform(logarithmic && low <= 0.0 ? bottom : low));
+            *above++ = QPointF(x, yMap.transform(curve_.y[i] + curve_.error[i]));
+            *below++ = QPointF(x, yMap.transform(logarithmic && low <= 0.0 ? bottom : low));
         }
         // The y of the canvas grows downwards.
-        smat::gui::drawBand(painter, edgeOf(upper, column, Edge::lowest),
-                            edgeOf(lower, column, Edge::highest), area);
+        smat::gui::drawBand(painter, chosen(upper, pointsOfEdge(upper, column, Edge::lowest)),
+                            chosen(lower, pointsOfEdge(lower, column, Edge::highest)), area);
     }
 }
 

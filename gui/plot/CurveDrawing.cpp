@@ -3,66 +3,78 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include <QImage>
 #include <QPaintEngine>
 #include <QPainter>
 #include <QwtClipper>
 
+#include "gui/plot/AreaRaster.h"
 #include "gui/plot/LineRaster.h"
+#include "gui/plot/Rounding.h"
 
 namespace smat::gui {
 namespace {
 
+/// Lines are two pixels wide and blur what is finer.
+constexpr double columnWidth_px = 1.0;
+
 /// Gathers the points of one column.
 class Column {
   public:
-    Column(QPolygonF& out, double width) : out_(out), width_(width) {}
+    Column(std::vector<qsizetype>& out, double width) : out_(out), perWidth_(1.0 / width) {}
 
-    void add(const QPointF& point) {
-        const double column = std::floor(point.x() / width_);
-        if (count_ > 0 && column != column_) {
-            const bool next = std::abs(column - column_) == 1.0;
+    void add(qsizetype index, const QPointF& point) {
+        const std::int64_t column = floorOf(point.x() * perWidth_);
+        if (first_ >= 0 && column != column_) {
+            const bool next = std::abs(column - column_) == 1;
             flush(next);
             fromNext_ = next;
         }
         column_ = column;
-        if (count_ == 0) {
-            first_ = lowestPoint_ = highestPoint_ = point;
-            lowest_ = highest_ = 0;
-        } else if (point.y() < lowestPoint_.y()) {
-            lowest_ = count_;
-            lowestPoint_ = point;
-        } else if (point.y() > highestPoint_.y()) {
-            highest_ = count_;
-            highestPoint_ = point;
+        if (first_ < 0) {
+            first_ = lowest_ = highest_ = index;
+            low_ = high_ = point.y();
+        } else if (point.y() < low_) {
+            lowest_ = index;
+            low_ = point.y();
+        } else if (point.y() > high_) {
+            highest_ = index;
+            high_ = point.y();
         }
-        last_ = point;
-        ++count_;
+        last_ = index;
     }
     void flush(bool toNext) {
-        if (count_ == 0)
+        if (first_ < 0)
             return;
-        const int early = std::min(lowest_, highest_), late = std::max(lowest_, highest_);
-        if (early > 0 && !fromNext_)
-            out_ << first_;
-        out_ << (early == lowest_ ? lowestPoint_ : highestPoint_);
+        const qsizetype early = std::min(lowest_, highest_), late = std::max(lowest_, highest_);
+        if (early > first_ && !fromNext_)
+            out_.push_back(first_);
+        out_.push_back(early);
         if (late > early)
-            out_ << (late == lowest_ ? lowestPoint_ : highestPoint_);
-        if (late < count_ - 1 && !toNext)
-            out_ << last_;
-        count_ = 0;
+            out_.push_back(late);
+        if (late < last_ && !toNext)
+            out_.push_back(last_);
+        first_ = -1;
     }
 
   private:
-    QPolygonF& out_;
-    double width_, column_ = 0.0;
-    int count_ = 0, lowest_ = 0, highest_ = 0;
+    std::vector<qsizetype>& out_;
+    double perWidth_;
+    std::int64_t column_ = 0;
+    qsizetype first_ = -1, lowest_ = 0, highest_ = 0, last_ = 0; ///< points; no first one: empty
+    double low_ = 0.0, high_ = 0.0;
     bool fromNext_ = false; ///< the line comes from the column beside this one
-    QPointF first_, last_, lowestPoint_, highestPoint_;
 };
 
-/// Where lines can be drawn pixel by pixel: the picture that a painter draws into, if it does so
+std::vector<qsizetype> allOf(const QPolygonF& line) {
+    std::vector<qsizetype> all(static_cast<std::size_t>(line.size()));
+    std::iota(all.begin(), all.end(), qsizetype(0));
+    return all;
+}
+
+/// Where pixels can be drawn one by one: the picture that a painter draws into, if it does so
 /// without turning or shearing.
 QImage* pictureOf(const QPainter& painter) {
     auto* device = painter.device();
@@ -71,7 +83,7 @@ QImage* pictureOf(const QPainter& painter) {
     if (device == nullptr || device->devType() != QInternal::Image || !upright)
         return nullptr;
     auto* picture = static_cast<QImage*>(device);
-    return LineRaster::canDrawInto(*picture) ? picture : nullptr;
+    return Coverage::canDrawInto(*picture) ? picture : nullptr;
 }
 
 } // namespace
@@ -102,18 +114,52 @@ double finestColumn(const QPainter& painter) {
     if (engine == nullptr || engine->type() != QPaintEngine::Raster)
         return 0.0;
     const double scale = std::abs(painter.deviceTransform().m11());
-    return scale > 0.0 ? 0.5 / scale : 0.0;
+    return scale > 0.0 ? columnWidth_px / scale : 0.0;
 }
 
-QPolygonF thinned(const QPolygonF& line, double columnWidth) {
+std::vector<qsizetype> pointsOf(const QPolygonF& line, double columnWidth) {
     if (columnWidth <= 0.0)
-        return line;
-    QPolygonF result;
-    result.reserve(line.size());
+        return allOf(line);
+    std::vector<qsizetype> result;
+    result.reserve(static_cast<std::size_t>(line.size()));
     Column column(result, columnWidth);
-    for (const QPointF& point : line)
-        column.add(point);
+    for (qsizetype i = 0; i < line.size(); ++i)
+        column.add(i, line[i]);
     column.flush(false);
+    return result;
+}
+
+std::vector<qsizetype> pointsOfEdge(const QPolygonF& line, double columnWidth, Edge edge) {
+    if (columnWidth <= 0.0 || line.size() < 3)
+        return allOf(line);
+    std::vector<qsizetype> result{0};
+    const double sign = edge == Edge::lowest ? 1.0 : -1.0;
+    const double perWidth = 1.0 / columnWidth;
+    std::int64_t column = floorOf(line[0].x() * perWidth);
+    qsizetype best = 0;
+    for (qsizetype i = 1; i < line.size(); ++i) {
+        const std::int64_t here = floorOf(line[i].x() * perWidth);
+        if (here == column) {
+            if (sign * line[i].y() < sign * line[best].y())
+                best = i;
+            continue;
+        }
+        if (best > result.back())
+            result.push_back(best);
+        column = here;
+        best = i;
+    }
+    for (const qsizetype end : {best, line.size() - 1})
+        if (end > result.back())
+            result.push_back(end);
+    return result;
+}
+
+QPolygonF chosen(const QPolygonF& line, const std::vector<qsizetype>& points) {
+    QPolygonF result;
+    result.reserve(static_cast<qsizetype>(points.size()));
+    for (const qsizetype point : points)
+        result << line[point];
     return result;
 }
 
@@ -155,40 +201,33 @@ void drawLine(QPainter& painter, const QPolygonF& line, const QRectF& area) {
     const QTransform toPixels = painter.deviceTransform();
     const QRect seen = toPixels.mapRect(area).toAlignedRect();
     LineRaster raster(*picture, seen, painter.pen().widthF() * toPixels.m11());
-    for (qsizetype i = 1; i < line.size(); ++i)
-        raster.add(toPixels.map(line[i - 1]), toPixels.map(line[i]));
+    const QPolygonF pixels = toPixels.map(line);
+    for (qsizetype i = 1; i < pixels.size(); ++i)
+        raster.add(pixels[i - 1], pixels[i]);
     raster.paint(painter.pen().color(),
                  painter.hasClipping() ? toPixels.map(painter.clipRegion()) : QRegion(seen));
 }
 
-QPolygonF edgeOf(const QPolygonF& line, double columnWidth, Edge edge) {
-    if (columnWidth <= 0.0)
-        return line;
-    QPolygonF result;
-    double column = 0.0;
-    for (const QPointF& point : line) {
-        const double here = std::floor(point.x() / columnWidth);
-        if (result.isEmpty() || here != column)
-            result << point;
-        else if (edge == Edge::lowest ? point.y() < result.back().y()
-                                      : point.y() > result.back().y())
-            result.back().setY(point.y());
-        column = here;
-    }
-    return result;
-}
-
 void drawBand(QPainter& painter, const QPolygonF& upper, const QPolygonF& lower,
               const QRectF& area) {
-    // In pieces: what a large polygon takes to fill grows faster than its size.
-    const qsizetype piece = finestColumn(painter) > 0.0 ? 64 : upper.size();
-    for (qsizetype from = 0; from + 1 < upper.size(); from += piece) {
-        const qsizetype count = std::min(piece + 1, upper.size() - from);
-        QPolygonF band = upper.mid(from, count);
-        const QPolygonF below = lower.mid(from, count);
-        band.append(QPolygonF(below.rbegin(), below.rend()));
-        painter.drawPolygon(QwtClipper::clippedPolygonF(area, band, true));
+    QImage* picture = pictureOf(painter);
+    if (picture == nullptr) {
+        const QPolygonF outline = upper + QPolygonF(lower.rbegin(), lower.rend());
+        painter.drawPolygon(QwtClipper::clippedPolygonF(area, outline, true), Qt::WindingFill);
+        return;
     }
+    const QTransform toPixels = painter.deviceTransform();
+    const QRect seen = toPixels.mapRect(area).toAlignedRect();
+    AreaRaster raster(*picture, seen);
+    const QPolygonF there = toPixels.map(upper), back = toPixels.map(lower);
+    for (qsizetype i = 1; i < there.size(); ++i)
+        raster.add(there[i - 1], there[i]);
+    raster.add(there.back(), back.back());
+    for (qsizetype i = back.size() - 1; i > 0; --i)
+        raster.add(back[i], back[i - 1]);
+    raster.add(back.front(), there.front());
+    raster.paint(painter.brush().color(),
+                 painter.hasClipping() ? toPixels.map(painter.clipRegion()) : QRegion(seen));
 }
 
 void drawOnPicture(QPainter& painter, const QSize& size, const QColor& background,
@@ -199,7 +238,10 @@ void drawOnPicture(QPainter& painter, const QSize& size, const QColor& backgroun
         return;
     }
     const double ratio = painter.device()->devicePixelRatioF();
-    QImage picture((QSizeF(size) * ratio).toSize(), QImage::Format_RGB32);
+    // Kept for the next frame: fresh memory is slow.
+    thread_local QImage picture;
+    if (const QSize pixels = (QSizeF(size) * ratio).toSize(); picture.size() != pixels)
+        picture = QImage(pixels, QImage::Format_RGB32);
     picture.setDevicePixelRatio(ratio);
     picture.fill(background);
     QPainter inside(&picture);

@@ -20,17 +20,20 @@ namespace smat::gui {
 /// painter; 0 for devices that are scaled later (SVG, PDF): there every point counts.
 double finestColumn(const QPainter& painter);
 
-/// The same line with at most four points in each column of `columnWidth`: the lowest and the
-/// highest in their order, and the first and the last where the line comes from further off than
-/// the next column, or goes there. Between neighbours nothing is lost by leaving them out: what
-/// joins two columns passes every height that lies between. Keeps every point where `columnWidth`
-/// is 0.
-QPolygonF thinned(const QPolygonF& line, double columnWidth);
+/// Which points of a line are enough to draw it: at most four of each column of `columnWidth`, the
+/// lowest and the highest in their order, and the first and the last where the line comes from
+/// further off than the next column, or goes there. Between neighbours nothing is lost by leaving
+/// them out: what joins two columns passes every height that lies between. Every point where
+/// `columnWidth` is 0.
+std::vector<qsizetype> pointsOf(const QPolygonF& line, double columnWidth);
 
-/// The edge of a band: of each column of `columnWidth` the lowest point alone, or the highest; all
-/// of them where `columnWidth` is 0. Both edges of a band have points in the same columns.
+/// The points of a line that are enough for an edge of a band: of each column of `columnWidth` the
+/// lowest alone, or the highest, and both ends of the line. Every point where `columnWidth` is 0.
 enum class Edge { lowest, highest };
-QPolygonF edgeOf(const QPolygonF& line, double columnWidth, Edge edge);
+std::vector<qsizetype> pointsOfEdge(const QPolygonF& line, double columnWidth, Edge edge);
+
+/// A line of these points alone.
+QPolygonF chosen(const QPolygonF& line, const std::vector<qsizetype>& points);
 
 /// A part of a segment, as parameters from 0 to 1.
 struct Part {
@@ -46,7 +49,9 @@ std::vector<QPolygonF> clipped(const QPolygonF& line, const QRectF& area);
 /// LineRaster does, on other devices (SVG, PDF) with all of its points, cut at the area.
 void drawLine(QPainter& painter, const QPolygonF& line, const QRectF& area);
 
-/// Fills the band between two edges of equally many points with the painter's brush.
+/// Fills what lies in `area` of the band between two edges that are not empty with the painter's
+/// brush, which is solid. In a picture as AreaRaster does, on other devices as one outline with all
+/// of its points.
 void drawBand(QPainter& painter, const QPolygonF& upper, const QPolygonF& lower,
               const QRectF& area);
 

@@ -2,61 +2,57 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "gui/plot/CurveDrawing.h"
-#include "irsg/radiometry/Errors.h"
+#include "gui/plot/Rounding.h"
 
 namespace smat::gui {
 namespace {
 
-/// Zeros between two lines, kept so that a plot of many curves does not ask for memory for each.
-std::vector<std::uint8_t>& sharedCovers() {
-    thread_local std::vector<std::uint8_t> covers;
-    return covers;
-}
-
-/// a · b / 255, rounded.
-std::uint32_t part(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t product = a * b + 128U;
-    return (product + (product >> 8U)) >> 8U;
+/// Cover of a pixel at a distance from the middle of a line that reaches so far.
+std::uint8_t coverAt(float distance, float reach) {
+    return static_cast<std::uint8_t>(std::clamp((reach - distance) * 255.0F + 0.5F, 0.0F, 255.0F));
 }
 
 } // namespace
 
-bool LineRaster::canDrawInto(const QImage& picture) {
-    return picture.format() == QImage::Format_RGB32 ||
-           picture.format() == QImage::Format_ARGB32_Premultiplied;
+LineRaster::LineRaster(QImage& picture, const QRect& clip, double width_px)
+    : coverage_(picture, clip),
+      origin_(QPointF(coverage_.clip().topLeft()) + QPointF(0.5, 0.5)),
+      half_(static_cast<float>(0.5 * width_px)),
+      reach_(half_ + 0.5F) {
+    const double margin = static_cast<double>(reach_) + 2.0;
+    reached_ = QRectF(coverage_.clip()).adjusted(-margin, -margin, margin, margin);
 }
 
-LineRaster::LineRaster(QImage& picture, const QRect& clip, double width_px)
-    : picture_(picture),
-      clip_(clip & picture.rect()),
-      half_(static_cast<float>(0.5 * width_px)),
-      reach_(half_ + 0.5F),
-      covers_(sharedCovers()) {
-    if (!canDrawInto(picture))
-        throw irsg::LogicError("lines cannot be drawn into a picture of this format");
-    const auto pixels = static_cast<std::size_t>(std::max(0, clip_.width())) *
-                        static_cast<std::size_t>(std::max(0, clip_.height()));
-    if (covers_.size() < pixels)
-        covers_.resize(pixels);
-    rows_.assign(static_cast<std::size_t>(std::max(0, clip_.height())),
-                 {std::numeric_limits<int>::max(), -1});
+bool LineRaster::isSeen(const QPointF& point) const {
+    return point.x() >= reached_.left() && point.x() <= reached_.right() &&
+           point.y() >= reached_.top() && point.y() <= reached_.bottom();
+}
+
+bool LineRaster::isBeside(const QPointF& from, const QPointF& to) const {
+    return std::max(from.x(), to.x()) < reached_.left() ||
+           std::min(from.x(), to.x()) > reached_.right() ||
+           std::max(from.y(), to.y()) < reached_.top() ||
+           std::min(from.y(), to.y()) > reached_.bottom();
 }
 
 void LineRaster::add(const QPointF& from, const QPointF& to) {
     // What is far away is cut off where its end is not seen: small numbers are exact ones.
-    const double margin = static_cast<double>(reach_) + 2.0;
-    const QRectF area = QRectF(clip_).adjusted(-margin, -margin, margin, margin);
-    const bool whole = area.contains(from) && area.contains(to);
-    const auto kept = whole ? std::optional(Part{}) : insideOf(from, to, area);
-    if (!kept)
+    QPointF a = from, b = to;
+    if (isBeside(from, to))
         return;
-    const QPointF origin = QPointF(clip_.topLeft()) + QPointF(0.5, 0.5);
-    const QPointF way = to - from;
-    const QPointF a = (kept->from > 0.0 ? from + way * kept->from : from) - origin;
-    const QPointF b = (kept->to < 1.0 ? from + way * kept->to : to) - origin;
+    if (!isSeen(from) || !isSeen(to)) {
+        const auto kept = insideOf(from, to, reached_);
+        if (!kept)
+            return;
+        if (kept->from > 0.0)
+            a = from + (to - from) * kept->from;
+        if (kept->to < 1.0)
+            b = from + (to - from) * kept->to;
+    }
+    a -= origin_;
+    b -= origin_;
     const Segment segment{static_cast<float>(a.x()), static_cast<float>(a.y()),
                           static_cast<float>(b.x()), static_cast<float>(b.y())};
     if (isCovered(segment))
@@ -82,25 +78,13 @@ bool LineRaster::isCovered(const Segment& segment) const {
     return isNear(segment.bx, segment.by) && isNear(segment.ax, segment.ay);
 }
 
-std::uint8_t LineRaster::coverAt(float distance) const {
-    return static_cast<std::uint8_t>(std::clamp((reach_ - distance) * 255.0F + 0.5F, 0.0F, 255.0F));
-}
-
-std::uint8_t* LineRaster::touch(int y, int first, int last) {
-    Columns& touched = rows_[static_cast<std::size_t>(y)];
-    touched.first = std::min(touched.first, first);
-    touched.last = std::max(touched.last, last);
-    return covers_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(clip_.width());
-}
-
 void LineRaster::cover(const Segment& segment) {
     const auto [ax, ay, bx, by] = segment;
-    const int top = std::max(0, static_cast<int>(std::ceil(std::min(ay, by) - reach_)));
-    const int bottom =
-        std::min(clip_.height() - 1, static_cast<int>(std::floor(std::max(ay, by) + reach_)));
+    const int top = std::max(0, ceilOf(std::min(ay, by) - reach_));
+    const int bottom = std::min(coverage_.height() - 1, floorOf(std::max(ay, by) + reach_));
     // Most segments of a restless line stand upright, and all rows between their ends are alike.
-    const int high = std::max(top, static_cast<int>(std::ceil(std::min(ay, by))));
-    const int low = std::min(bottom, static_cast<int>(std::floor(std::max(ay, by))));
+    const int high = std::max(top, ceilOf(std::min(ay, by)));
+    const int low = std::min(bottom, floorOf(std::max(ay, by)));
     constexpr float upright = 0.5F;
     if (std::abs(bx - ax) > upright || high >= low) {
         coverRows(segment, top, bottom);
@@ -109,17 +93,17 @@ void LineRaster::cover(const Segment& segment) {
     coverRows(segment, top, high - 1);
     coverRows(segment, low + 1, bottom);
     const float middle = 0.5F * (ax + bx);
-    const int first = std::max(0, static_cast<int>(std::ceil(middle - reach_)));
-    const int last = std::min(clip_.width() - 1, static_cast<int>(std::floor(middle + reach_)));
+    const int first = std::max(0, ceilOf(middle - reach_));
+    const int last = std::min(coverage_.width() - 1, floorOf(middle + reach_));
     if (first > last)
         return;
     upright_.clear();
     for (int x = first; x <= last; ++x)
-        upright_.push_back(coverAt(std::abs(static_cast<float>(x) - middle)));
+        upright_.push_back(coverAt(std::abs(static_cast<float>(x) - middle), reach_));
     const std::uint8_t* covers = upright_.data();
     const int count = last - first + 1;
     for (int y = high; y <= low; ++y) {
-        std::uint8_t* row = touch(y, first, last) + first;
+        std::uint8_t* row = coverage_.touch(y, first, last) + first;
         for (int i = 0; i < count; ++i)
             row[i] = std::max(row[i], covers[i]);
     }
@@ -128,92 +112,69 @@ void LineRaster::cover(const Segment& segment) {
 void LineRaster::coverRows(const Segment& segment, int top, int bottom) {
     const auto [ax, ay, bx, by] = segment;
     const float dx = bx - ax, dy = by - ay;
-    const float length2 = dx * dx + dy * dy;
-    const float perLength2 = length2 > 0.0F ? 1.0F / length2 : 0.0F;
-    const float perLength = std::sqrt(perLength2);
-    const float left = std::min(ax, bx) - reach_, right = std::max(ax, bx) + reach_;
-    // How far along a row the line of a slope reaches to either side of its middle.
+    const float reach = reach_;
+    const float length = std::sqrt(dx * dx + dy * dy);
+    const float left = std::min(ax, bx) - reach, right = std::max(ax, bx) + reach;
+    // How far along a row the line of a slope reaches to either side of its middle, and how much
+    // nearer to the line each pixel is than the one on its left.
     const bool flat = std::abs(dy) < 1e-3F;
     const float perRow = flat ? 0.0F : dx / dy;
-    const float across = flat ? 0.0F : reach_ * std::sqrt(1.0F + perRow * perRow);
+    const float across = flat ? 0.0F : reach * std::sqrt(1.0F + perRow * perRow);
+    const float perColumn = length > 0.0F ? dy / length : 0.0F;
+    const bool upright = std::abs(dx) < 1e-3F;
+    const float perWidth = upright ? 0.0F : 1.0F / dx;
+    // The rows all of whose pixels lie beside the segment.
+    const float ends = flat ? 0.0F : across * std::abs(dx) / length * std::abs(perColumn);
+    const float insideFrom = std::min(0.0F, dy) + ends, insideTo = std::max(0.0F, dy) - ends;
 
     for (int y = top; y <= bottom; ++y) {
         const float py = static_cast<float>(y) - ay;
         const float middle = ax + py * perRow;
         const float from = flat ? left : std::max(left, middle - across);
         const float to = flat ? right : std::min(right, middle + across);
-        const int first = std::max(0, static_cast<int>(std::ceil(from)));
-        const int last = std::min(clip_.width() - 1, static_cast<int>(std::floor(to)));
+        const int first = std::max(0, ceilOf(from));
+        const int last = std::min(coverage_.width() - 1, floorOf(to));
         if (first > last)
             continue;
-        std::uint8_t* row = touch(y, first, last);
+        std::uint8_t* row = coverage_.touch(y, first, last);
 
-        // Where along the segment the ends of the row lie: beside it, or around one of its ends.
-        const float firstX = static_cast<float>(first) - ax, lastX = static_cast<float>(last) - ax;
-        const float atFirst = (firstX * dx + py * dy) * perLength2;
-        const float atLast = (lastX * dx + py * dy) * perLength2;
-        if (length2 > 0.0F && std::min(atFirst, atLast) >= 0.0F &&
-            std::max(atFirst, atLast) <= 1.0F) {
-            const float step = dy * perLength;
-            float beside = (firstX * dy - py * dx) * perLength;
-            for (int x = first; x <= last; ++x, beside += step)
-                row[x] = std::max(row[x], coverAt(std::abs(beside)));
+        // Pixels between the lines through the ends at right angles lie beside the segment, the
+        // others around one of its ends.
+        int besideFrom = first, besideTo = last;
+        const bool inside = !flat && py >= insideFrom && py <= insideTo;
+        if (!inside && !upright) {
+            const float atA = ax - py * dy * perWidth, atB = bx - (py - dy) * dy * perWidth;
+            const float low = std::max(std::min(atA, atB), left);
+            const float high = std::min(std::max(atA, atB), right);
+            besideFrom = low < to ? std::max(first, ceilOf(low)) : last + 1;
+            besideTo = high > from ? std::min(last, floorOf(high)) : first - 1;
+        } else if (!inside) {
+            const bool besideAnEnd = length == 0.0F || py * dy < 0.0F || (py - dy) * dy > 0.0F;
+            besideFrom = besideAnEnd ? last + 1 : first;
+        }
+        const auto coverAround = [&](int x0, int x1) {
+            for (int x = x0; x <= x1; ++x) {
+                const float px = static_cast<float>(x) - ax;
+                const bool atEnd = px * dx + py * dy > 0.0F;
+                const float ex = atEnd ? px - dx : px, ey = atEnd ? py - dy : py;
+                row[x] = std::max(row[x], coverAt(std::sqrt(ex * ex + ey * ey), reach));
+            }
+        };
+        if (besideFrom > besideTo) {
+            coverAround(first, last);
             continue;
         }
-        for (int x = first; x <= last; ++x) {
-            const float px = static_cast<float>(x) - ax;
-            const float along = std::clamp((px * dx + py * dy) * perLength2, 0.0F, 1.0F);
-            const float ex = px - along * dx, ey = py - along * dy;
-            row[x] = std::max(row[x], coverAt(std::sqrt(ex * ex + ey * ey)));
-        }
+        coverAround(first, besideFrom - 1);
+        float beside = flat ? py : (static_cast<float>(besideFrom) - middle) * perColumn;
+        for (int x = besideFrom; x <= besideTo; ++x, beside += perColumn)
+            row[x] = std::max(row[x], coverAt(std::abs(beside), reach));
+        coverAround(besideTo + 1, last);
     }
 }
 
 void LineRaster::paint(const QColor& color, const QRegion& region) {
-    for (const QRect& rectangle : region) {
-        const QRect seen = (rectangle & clip_).translated(-clip_.topLeft());
-        for (int y = seen.top(); y <= seen.bottom(); ++y) {
-            const Columns touched = rows_[static_cast<std::size_t>(y)];
-            blend(y, std::max(touched.first, seen.left()), std::min(touched.last, seen.right()),
-                  color);
-        }
-    }
-    for (int y = 0; y < clip_.height(); ++y) {
-        Columns& touched = rows_[static_cast<std::size_t>(y)];
-        if (touched.first <= touched.last) {
-            std::uint8_t* row = covers_.data() + static_cast<std::size_t>(y) *
-                                                     static_cast<std::size_t>(clip_.width());
-            std::fill(row + touched.first, row + touched.last + 1, std::uint8_t(0));
-        }
-        touched = {std::numeric_limits<int>::max(), -1};
-    }
+    coverage_.paint(color, region);
     drawn_.reset();
-}
-
-void LineRaster::blend(int y, int from, int to, const QColor& color) {
-    const std::uint8_t* covers =
-        covers_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(clip_.width());
-    auto* pixels = reinterpret_cast<QRgb*>(picture_.scanLine(clip_.top() + y)) + clip_.left();
-    const QRgb opaque = color.rgb();
-    const auto alpha = static_cast<std::uint32_t>(color.alpha());
-    const auto red = static_cast<std::uint32_t>(color.red());
-    const auto green = static_cast<std::uint32_t>(color.green());
-    const auto blue = static_cast<std::uint32_t>(color.blue());
-    for (int x = from; x <= to; ++x) {
-        if (covers[x] == 0)
-            continue;
-        const std::uint32_t over = alpha == 255U ? covers[x] : part(covers[x], alpha);
-        if (over == 255U) {
-            pixels[x] = opaque;
-            continue;
-        }
-        const std::uint32_t under = 255U - over;
-        const QRgb below = pixels[x];
-        pixels[x] = (over + part((below >> 24U) & 0xFFU, under)) << 24U |
-                    (part(red, over) + part((below >> 16U) & 0xFFU, under)) << 16U |
-                    (part(green, over) + part((below >> 8U) & 0xFFU, under)) << 8U |
-                    (part(blue, over) + part(below & 0xFFU, under));
-    }
 }
 
 } // namespace smat::gui

@@ -4,11 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include <QColor>
-#include <QImage>
 #include <QPointF>
-#include <QRect>
-#include <QRegion>
+#include <QRectF>
+
+#include "gui/plot/Coverage.h"
 
 namespace smat::gui {
 
@@ -24,12 +23,8 @@ namespace smat::gui {
 /// the line says, exact but for corners of pixels.
 class LineRaster {
   public:
-    /// Whether pictures of this format can be drawn into: 32 bits a pixel, alpha premultiplied or
-    /// none.
-    static bool canDrawInto(const QImage& picture);
-
     /// A line of `width_px`, of which what lies in `clip` is drawn. LogicError for a picture that
-    /// cannot be drawn into.
+    /// Coverage cannot draw into.
     LineRaster(QImage& picture, const QRect& clip, double width_px);
 
     /// A segment; its ends are finite and may lie anywhere.
@@ -41,25 +36,18 @@ class LineRaster {
     struct Segment {
         float ax, ay, bx, by;
     };
+    bool isSeen(const QPointF& point) const;
+    /// Whether a segment lies on one side of all that is seen.
+    bool isBeside(const QPointF& from, const QPointF& to) const;
     /// Whether it lies on what was drawn last.
     bool isCovered(const Segment& segment) const;
     void cover(const Segment& segment);
     void coverRows(const Segment& segment, int top, int bottom);
-    /// Cover of a pixel at a distance from the middle of the line.
-    std::uint8_t coverAt(float distance) const;
-    /// The row of the covers, of which columns are about to be changed.
-    std::uint8_t* touch(int y, int first, int last);
-    void blend(int y, int from, int to, const QColor& color);
 
-    QImage& picture_;
-    QRect clip_;
+    Coverage coverage_;
+    QPointF origin_;     ///< middle of the first pixel
     float half_, reach_; ///< half the width; how far from its middle the line colours pixels
-    /// Cover of each pixel of the clip, 0 to 255, and of each row the columns that have any.
-    std::vector<std::uint8_t>& covers_;
-    struct Columns {
-        int first, last;
-    };
-    std::vector<Columns> rows_;
+    QRectF reached_;     ///< where what is drawn colours pixels of the clip
     std::vector<std::uint8_t> upright_; ///< covers of a row of a segment that stands upright
     std::optional<Segment> drawn_;      ///< the last one
 };

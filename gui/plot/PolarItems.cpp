@@ -39,29 +39,11 @@ void GappedPolarCurve::draw(QPainter* painter, const QwtScaleMap& azimuthMap,
     const double margin = column > 0.0 ? 4.0 : 0.0;
     const QRectF area = canvasRect.adjusted(-margin, -margin, margin, margin);
 
-    // Lines are thinned where they are unrolled: along the circle that a run reaches, or the canvas
-    // does, and along the radius.
     double farthest = 1.0;
     for (const QPointF& corner :
          {area.topLeft(), area.topRight(), area.bottomLeft(), area.bottomRight()})
         farthest = std::max(farthest, std::hypot(corner.x() - pole.x(), corner.y() - pole.y()));
-    double outer = 1.0;
-    const auto unrolled = [&](const PolarSample& sample, double value) {
-        return QPointF(azimuthMap.transform(sample.angle_deg),
-                       std::max(0.0, radialMap.transform(value)));
-    };
-    const auto stretched = [&](QPolygonF line) {
-        for (QPointF& p : line)
-            p.rx() *= outer;
-        return line;
-    };
-    const auto rolled = [&](QPolygonF line) {
-        for (QPointF& p : line) {
-            const double angle = p.x() / outer;
-            p = pole + QPointF(p.y() * std::cos(angle), -p.y() * std::sin(angle));
-        }
-        return line;
-    };
+
     const auto drawable = [&](int i) {
         return std::isfinite(samples_[static_cast<std::size_t>(i)].radius);
     };
@@ -69,40 +51,88 @@ void GappedPolarCurve::draw(QPainter* painter, const QwtScaleMap& azimuthMap,
     QColor fill = pen().color();
     fill.setAlphaF(0.22F);
     for (const SampleRun& run : runsOf(static_cast<int>(samples_.size()), drawable)) {
-        QPolygonF line, low, high;
-        outer = 1.0;
-        for (int i = run.first; i <= run.last; ++i) {
-            const PolarSample& sample = samples_[static_cast<std::size_t>(i)];
-            line << unrolled(sample, sample.radius);
-            outer = std::max(outer, line.back().y());
-            if (!hasBand_ || !bandVisible_)
-                continue;
-            low << unrolled(sample, sample.low);
-            high << unrolled(sample, sample.high);
-        }
-        outer = std::min(outer, farthest);
-        line = stretched(std::move(line));
+        const bool withBand = hasBand_ && bandVisible_;
+        const auto [nearest, reach] = radiiOf(run, radialMap, withBand);
+        if (nearest > farthest)
+            continue; // beyond the corners
+        // Points are chosen where lines are unrolled: along the circle that a run reaches, or the
+        // canvas does, and along the radius.
+        const double outer = std::clamp(reach, 1.0, farthest);
+        const auto unrolled = [&](double PolarSample::*value) {
+            QPolygonF line(run.last - run.first + 1);
+            std::transform(samples_.begin() + run.first, samples_.begin() + run.last + 1,
+                           line.begin(), [&](const PolarSample& sample) {
+                               return QPointF(azimuthMap.transform(sample.angle_deg) * outer,
+                                              std::max(0.0, radialMap.transform(sample.*value)));
+                           });
+            return line;
+        };
+        const auto rolled = [&](const QPolygonF& line, const std::vector<qsizetype>& points) {
+            const std::vector<QPointF>& directions = directionsFor(azimuthMap);
+            QPolygonF result(static_cast<qsizetype>(points.size()));
+            std::transform(points.begin(), points.end(), result.begin(), [&](qsizetype point) {
+                return pole +
+                       directions[static_cast<std::size_t>(run.first + point)] * line[point].y();
+            });
+            return result;
+        };
+        const QPolygonF line = unrolled(&PolarSample::radius);
         if (run.first == run.last) {
-            if (!low.isEmpty()) {
+            if (withBand) {
                 painter->setPen(QPen(fill, 3.0));
-                drawLine(*painter, rolled(stretched(low + high)), area);
+                drawLine(*painter,
+                         rolled(unrolled(&PolarSample::low), {0}) +
+                             rolled(unrolled(&PolarSample::high), {0}),
+                         area);
             }
             painter->setPen(Qt::NoPen);
             painter->setBrush(pen().color());
-            painter->drawEllipse(rolled(line).front(), 3.0, 3.0);
+            painter->drawEllipse(rolled(line, {0}).front(), 3.0, 3.0);
             continue;
         }
-        if (!low.isEmpty()) {
+        if (withBand) {
+            const QPolygonF low = unrolled(&PolarSample::low);
+            const QPolygonF high = unrolled(&PolarSample::high);
             painter->setPen(Qt::NoPen);
             painter->setBrush(fill);
-            drawBand(*painter, rolled(edgeOf(stretched(std::move(high)), column, Edge::highest)),
-                     rolled(edgeOf(stretched(std::move(low)), column, Edge::lowest)), area);
+            drawBand(*painter, rolled(high, pointsOfEdge(high, column, Edge::highest)),
+                     rolled(low, pointsOfEdge(low, column, Edge::lowest)), area);
         }
         painter->setPen(pen());
         painter->setBrush(Qt::NoBrush);
-        drawLine(*painter, rolled(thinned(line, column)), area);
+        drawLine(*painter, rolled(line, pointsOf(line, column)), area);
     }
     painter->restore();
+}
+
+std::pair<double, double>
+GappedPolarCurve::radiiOf(const SampleRun& run, const QwtScaleMap& radialMap, bool withBand) const {
+    double nearest = std::numeric_limits<double>::max(),
+           reach = std::numeric_limits<double>::lowest(), step_deg = 0.0;
+    for (int i = run.first; i <= run.last; ++i) {
+        const PolarSample& sample = samples_[static_cast<std::size_t>(i)];
+        nearest = std::min(nearest, withBand ? sample.low : sample.radius);
+        reach = std::max(reach, sample.radius);
+        if (i > run.first)
+            step_deg = std::max(step_deg, std::abs(sample.angle_deg - (&sample)[-1].angle_deg));
+    }
+    // Between two samples the line comes nearer.
+    const double nearer = std::cos(std::min(0.5 * step_deg, 90.0) * std::numbers::pi / 180.0);
+    return {std::max(radialMap.transform(nearest), 0.0) * nearer, radialMap.transform(reach)};
+}
+
+const std::vector<QPointF>& GappedPolarCurve::directionsFor(const QwtScaleMap& azimuthMap) const {
+    const std::array<double, 4> turn{azimuthMap.s1(), azimuthMap.s2(), azimuthMap.p1(),
+                                     azimuthMap.p2()};
+    if (directions_.size() != samples_.size() || turn != turn_) {
+        turn_ = turn;
+        directions_.clear();
+        for (const PolarSample& sample : samples_) {
+            const double angle = azimuthMap.transform(sample.angle_deg);
+            directions_.emplace_back(std::cos(angle), -std::sin(angle));
+        }
+    }
+    return directions_;
 }
 
 QwtText AngleLabels::label(double value) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include <QwtPolarCurve>
@@ -7,6 +9,7 @@
 #include <QwtRoundScaleDraw>
 
 #include "gui/Theme.h"
+#include "gui/plot/CurveDrawing.h"
 
 namespace smat::gui {
 
@@ -30,8 +33,17 @@ class GappedPolarCurve : public QwtPolarCurve {
               const QPointF& pole, double radius, const QRectF& canvasRect) const override;
 
   private:
+    /// How near to the middle lines and bands of a run come, and how far out the line goes, in
+    /// pixels of the canvas.
+    std::pair<double, double> radiiOf(const SampleRun& run, const QwtScaleMap& radialMap,
+                                      bool withBand) const;
+    /// Where on the canvas each sample lies from the middle, at the distance 1.
+    const std::vector<QPointF>& directionsFor(const QwtScaleMap& azimuthMap) const;
+
     std::vector<PolarSample> samples_;
     bool hasBand_, bandVisible_ = true;
+    mutable std::array<double, 4> turn_{}; ///< ends of the map that the directions are of
+    mutable std::vector<QPointF> directions_;
 };
 
 /// "0°" to "330°"; 360 is 0.
