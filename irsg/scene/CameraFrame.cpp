@@ -97,6 +97,13 @@ std::optional<ImageRectangle> CameraFrame::extentOf(const BoundingBox& box,
     return extent;
 }
 
+std::optional<std::pair<double, double>> CameraFrame::placeOf(const Vec3& world_m) const {
+    const Vec3 eye = toEye(world_m - viewpoint_.position_m);
+    if (-eye.z <= nearestFraction * length(eye))
+        return std::nullopt;
+    return std::pair{column(eye.x / -eye.z), row(eye.y / -eye.z)};
+}
+
 std::optional<ImageRectangle> CameraFrame::extentOfBall(const Vec3& centre_m,
                                                         double radius_m) const {
     const Vec3 eye = toEye(centre_m - viewpoint_.position_m);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include <osg/Matrixd>
 
@@ -34,7 +35,10 @@ class CameraFrame {
     /// The part of the image plane in which a box standing at `pose` is seen, inside the frame or
     /// not; nothing when the box reaches behind the camera.
     std::optional<ImageRectangle> extentOf(const BoundingBox& box, const Pose& pose) const;
-    /// The same of a ball in the world.
+    /// Where a point of the world is seen, pixels to the right and down of the frame's corner,
+    /// inside the frame or not; nothing when it is not before the camera.
+    std::optional<std::pair<double, double>> placeOf(const Vec3& world_m) const;
+    /// The extent of a ball in the world.
     std::optional<ImageRectangle> extentOfBall(const Vec3& centre_m, double radius_m) const;
     /// Depths the box spans, or nothing when all of it is behind the camera.
     std::optional<DepthRange> depthOf(const BoundingBox& box, const Pose& pose) const;

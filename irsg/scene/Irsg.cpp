@@ -63,11 +63,14 @@ void Irsg::setEntities(std::vector<Entity> entities) {
     parts_->drawItems.clear();
     parts_->balls.clear();
     parts_->hotParts.assign(parts_->entities.size(), {});
+    parts_->longEdges.clear();
     parts_->referencePoints.resize(parts_->entities.size());
     for (std::size_t e = 0; e < parts_->entities.size(); ++e) {
         const Model& model = *parts_->entities[e].model;
         parts_->drawItems.push_back(collectDrawItems(model));
         parts_->balls.push_back(boundingBall(parts_->drawItems.back(), model.bounds()));
+        parts_->longEdges.push_back(
+            longEdges(parts_->drawItems.back(), parts_->balls.back().radius_m));
         parts_->prepareEntity(e);
     }
 }

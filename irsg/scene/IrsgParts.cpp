@@ -192,6 +192,18 @@ std::vector<ImageRectangle> Irsg::Parts::detailsOf(const Frame& frame, const Cam
     return hotParts[entity].seenBy(camera, entities[entity].pose, drawItems[entity], hot);
 }
 
+std::vector<ImageEdge> Irsg::Parts::edgesOf(const CameraFrame& camera, std::size_t entity) const {
+    const Pose& pose = entities[entity].pose;
+    std::vector<ImageEdge> seen;
+    for (const ModelEdge& edge : longEdges[entity]) {
+        const auto from = camera.placeOf(pose.toWorld(edge.from_m));
+        const auto to = camera.placeOf(pose.toWorld(edge.to_m));
+        if (from && to)
+            seen.push_back({to->first - from->first, to->second - from->second});
+    }
+    return seen;
+}
+
 void Irsg::Parts::fillItems(Frame& frame) {
     frame.hot.assign(frame.radiometry.keys().size(), false);
     if (settings.hotParts && settings.zoomWindow > 0 &&
@@ -207,6 +219,7 @@ void Irsg::Parts::fillItems(Frame& frame) {
             continue;
         frame.seen.push_back(*seen);
         frame.seen.back().details = detailsOf(frame, frame.camera, e);
+        frame.seen.back().edges = edgesOf(frame.camera, e);
 
         for (const DrawItem& item : drawItems[e]) {
             const int row = frame.radiometry.row(static_cast<int>(e), item.codes);

@@ -12,6 +12,7 @@
 #include "irsg/scene/FrameReduction.h"
 #include "irsg/scene/HotParts.h"
 #include "irsg/scene/Irsg.h"
+#include "irsg/scene/LongEdges.h"
 #include "irsg/scene/OffscreenContext.h"
 #include "irsg/scene/SceneCheck.h"
 #include "irsg/scene/SceneRadiometry.h"
@@ -36,10 +37,11 @@ struct Irsg::Parts {
     std::vector<Entity> entities;
     Viewpoint viewpoint;
 
-    std::vector<std::vector<DrawItem>> drawItems; // by entity
-    std::vector<BoundingBall> balls;              // by entity
-    std::vector<Vec3> referencePoints;            // in model axes, by entity
-    std::vector<HotParts> hotParts;               // by entity
+    std::vector<std::vector<DrawItem>> drawItems;  // by entity
+    std::vector<BoundingBall> balls;               // by entity
+    std::vector<Vec3> referencePoints;             // in model axes, by entity
+    std::vector<HotParts> hotParts;                // by entity
+    std::vector<std::vector<ModelEdge>> longEdges; // by entity
     ZoomAntialiasingManager antialiasing;
     PointSources pointSources;
     SceneBackground background;
@@ -129,6 +131,8 @@ struct Irsg::Parts {
     /// Where a camera sees the hot parts of an entity.
     std::vector<ImageRectangle> detailsOf(const Frame& frame, const CameraFrame& camera,
                                           std::size_t entity);
+    /// Where a camera sees the long edges of an entity; those that reach behind it are left out.
+    std::vector<ImageEdge> edgesOf(const CameraFrame& camera, std::size_t entity) const;
 
     /// Largest side of one drawing, samples.
     int largestDrawing() const;

@@ -81,6 +81,7 @@ const ProjectedFactors& Irsg::Parts::pointFactors(const Frame& frame,
         FactorAccumulator accumulator(zoom.sensor(), none, frame.radiometry);
         if (seen) {
             seen->details = detailsOf(frame, zoom, static_cast<std::size_t>(object.entity));
+            seen->edges = edgesOf(zoom, static_cast<std::size_t>(object.entity));
             onContext([&](osg::RenderInfo& info) {
                 FactorSamples samples;
                 const PixelAlignedStrategy strategy(settings.zoomWindow * 3 / 2);

@@ -61,6 +61,27 @@ std::vector<SampleWindow> evenly(const SampleWindow& window, int size) {
     return {upper, lower};
 }
 
+/// The window with the lattice that suits the edges best.
+SampleWindow bestFor(const std::vector<ImageEdge>& edges, const SampleWindow& window, int size) {
+    if (edges.empty())
+        return window;
+    const std::vector<ImageEdge> different = withEqualsCounted(edges, window);
+    SampleWindow best = window;
+    double least = std::numeric_limits<double>::infinity();
+    for (const SampleWindow& lattice : latticesNear(window, size)) {
+        double variance = 0.0;
+        for (const SampleWindow& part : evenly(lattice, size)) {
+            const double share = static_cast<double>(part.tilesHigh) / window.tilesHigh;
+            variance += share * varianceOfEdges_px4(part, different, least / share);
+        }
+        if (variance < least) {
+            least = variance;
+            best = lattice;
+        }
+    }
+    return best;
+}
+
 /// What is this many times finer than the window around it is drawn apart.
 constexpr double refinementFrom = 2.0;
 /// The same for details: a finer window is worth its drawing the sooner the more shines from it.
@@ -80,7 +101,10 @@ PixelAlignedStrategy::windows(const std::vector<ZoomEntityInfo>& objects) const 
 }
 
 std::vector<SampleWindow> PixelAlignedStrategy::windowsOf(const EntityGroup& group) const {
-    std::vector<SampleWindow> windows{sampleWindow(group.extent, size_)};
+    std::vector<ImageEdge> edges;
+    for (const ZoomEntityInfo& member : group.members)
+        edges.insert(edges.end(), member.edges.begin(), member.edges.end());
+    std::vector<SampleWindow> windows{bestFor(edges, sampleWindow(group.extent, size_), size_)};
     windows.front().entities = group.entities();
     refine(windows, 0, partsOf(group));
     if (windows.size() == 1)

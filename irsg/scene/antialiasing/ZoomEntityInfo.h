@@ -5,6 +5,7 @@
 
 #include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/DrawList.h"
+#include "irsg/scene/antialiasing/SampleLattice.h"
 
 namespace irsg {
 
@@ -18,6 +19,8 @@ struct ZoomEntityInfo {
     double radius_m = 0.0;
     /// Parts of the extent that are worth samples of their own (HotParts).
     std::vector<ImageRectangle> details{};
+    /// Its long straight edges as they are seen (LongEdges).
+    std::vector<ImageEdge> edges{};
 };
 
 /// The extent of a model at `pose` is the intersection of those of its box and its ball. Nothing

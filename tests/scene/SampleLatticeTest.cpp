@@ -1,0 +1,130 @@
+#include "irsg/scene/antialiasing/SampleLattice.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "irsg/radiometry/Units.h"
+#include "irsg/scene/antialiasing/PixelAlignedStrategy.h"
+
+using namespace irsg;
+
+namespace {
+
+/// A rectangle, turned.
+struct Bar {
+    double angle_rad;
+    double long_px = 14.3, short_px = 3.1;
+
+    std::vector<ImageEdge> edges() const {
+        const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+        const ImageEdge along{long_px * c, long_px * s}, across{-short_px * s, short_px * c};
+        return {along, across, along, across};
+    }
+    bool holds(double right_px, double down_px) const {
+        const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+        return std::abs(c * right_px + s * down_px) < 0.5 * long_px &&
+               std::abs(c * down_px - s * right_px) < 0.5 * short_px;
+    }
+};
+
+SampleWindow windowOf(int across, int down, int shearRows) {
+    SampleWindow window;
+    window.tilesWide = window.tilesHigh = 20;
+    window.samplesAcross = across;
+    window.samplesDown = down;
+    window.shearRows = shearRows;
+    return window;
+}
+
+/// Of the area that the samples of a window find, counted one by one at many phases.
+double countedVariance_px4(const SampleWindow& window, const Bar& bar) {
+    constexpr int phases = 30;
+    const double wide_px = window.cellWidth_px(), high_px = window.cellHeight_px();
+    double squares = 0.0;
+    for (int i = 0; i < phases; ++i) {
+        const double right_px = 10.0 + std::fmod(i * 0.7548776662, 1.0) * wide_px;
+        const double down_px = 10.0 + std::fmod(i * 0.5698402910, 1.0) * high_px;
+        int inside = 0;
+        window.forEachRun([&](std::size_t first, int count, int, int, double) {
+            const int drawn = static_cast<int>(first);
+            const int row = window.height() - 1 - drawn / window.width();
+            for (int s = 0; s < count; ++s) {
+                const double column = drawn % window.width() + s + 0.5 - window.shift(row);
+                inside += bar.holds(column * wide_px - right_px, (row + 0.5) * high_px - down_px);
+            }
+        });
+        const double error = inside * wide_px * high_px - bar.long_px * bar.short_px;
+        squares += error * error;
+    }
+    return squares / phases;
+}
+
+TEST(SampleLattice, KnowsTheErrorThatCountingFinds) {
+    for (const SampleWindow& window : {windowOf(10, 16, 26), windowOf(8, 12, 24)}) {
+        double counted = 0.0, computed = 0.0;
+        for (double angle_deg = 2.5; angle_deg < 180.0; angle_deg += 5.0) {
+            // Equal edges add up or cancel, as far apart as they are.
+            double found = 0.0, said = 0.0;
+            for (const double apart_px : {2.83, 3.01, 3.14, 3.37}) {
+                const Bar bar{radians(angle_deg), 14.3, apart_px};
+                found += countedVariance_px4(window, bar);
+                said += varianceOfEdges_px4(window, bar.edges());
+            }
+            if (found > 1.6e-3) { // 0.05 % of the area
+                EXPECT_NEAR(std::log2(said / found), 0.0, 2.0) << angle_deg;
+            }
+            counted += found;
+            computed += said;
+        }
+        EXPECT_NEAR(computed / counted, 1.0, 0.3);
+    }
+}
+
+TEST(SampleLattice, HasOthersNearItOfWhichOneSuitsAnyEdge) {
+    const SampleWindow window = windowOf(10, 16, 26);
+    const std::vector<SampleWindow> lattices = latticesNear(window, 256);
+    EXPECT_EQ(lattices.front().shearRows, 26);
+    for (const SampleWindow& lattice : lattices) {
+        EXPECT_GE(lattice.samplesAcross * lattice.samplesDown, 10 * 16);
+        EXPECT_LE(lattice.samplesAcross * lattice.samplesDown * 20 * 20, 256 * 256);
+        EXPECT_EQ(lattice.rectangle().right, window.rectangle().right);
+    }
+    double worst = 0.0, worstOfBest = 0.0;
+    for (double angle_deg = 5.0; angle_deg <= 85.0; angle_deg += 0.5) {
+        const std::vector<ImageEdge> edges = Bar{radians(angle_deg)}.edges();
+        double best = varianceOfEdges_px4(window, edges);
+        worst = std::max(worst, best);
+        for (const SampleWindow& lattice : lattices)
+            best = std::min(best, varianceOfEdges_px4(lattice, edges));
+        worstOfBest = std::max(worstOfBest, best);
+    }
+    EXPECT_LT(worstOfBest, worst / 16.0);
+    EXPECT_EQ(varianceOfEdges_px4(window, {{0.0, 0.0}}), 0.0);
+}
+
+TEST(SampleLattice, CountsEqualEdgesOnce) {
+    const std::vector<ImageEdge> edges = {{3.0, 1.0}, {-3.0, -1.0}, {3.001, 1.001}, {1.0, 3.0}};
+    const SampleWindow window = windowOf(10, 16, 26);
+    const std::vector<ImageEdge> counted = withEqualsCounted(edges, window);
+    ASSERT_EQ(counted.size(), 2u);
+    EXPECT_EQ(counted.front().count, 3);
+    const double each = varianceOfEdges_px4(window, edges);
+    EXPECT_NEAR(varianceOfEdges_px4(window, counted), each, 0.02 * each);
+}
+
+TEST(SampleLattice, OfAWindowIsTheOneForItsEdges) {
+    ZoomEntityInfo bar{.entity = 0, .extent = {2.2, 2.3, 17.1, 16.2}, .centre_m = {}};
+    double before = 0.0, after = 0.0;
+    for (double angle_deg = 5.0; angle_deg <= 85.0; angle_deg += 0.5) {
+        const std::vector<ImageEdge> edges = Bar{radians(angle_deg)}.edges();
+        const PixelAlignedStrategy strategy(256);
+        bar.edges.clear();
+        before = std::max(before, varianceOfEdges_px4(strategy.windows({bar}).front(), edges));
+        bar.edges = edges;
+        after = std::max(after, varianceOfEdges_px4(strategy.windows({bar}).front(), edges));
+    }
+    EXPECT_LT(after, before / 16.0);
+}
+
+} // namespace
