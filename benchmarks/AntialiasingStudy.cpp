@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
         ->check(CLI::ExistingDirectory);
     app.add_option("--phases", options.phases, "pixel phases along either axis (16)")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--rounds", options.rounds, "frames that a median time is taken of (15)")
+    app.add_option("--rounds", options.rounds, "frames that a median time is taken of (105)")
         ->check(CLI::Range(1, 10000));
     app.add_option("--body", options.bodies, "only this body; may be repeated");
     CLI11_PARSE(app, argc, argv);

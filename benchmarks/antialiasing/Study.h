@@ -24,7 +24,7 @@ std::vector<Method> methods();
 struct Options {
     std::filesystem::path folder; ///< of the CSV files
     int phases = 16;              ///< along either axis
-    int rounds = 15;              ///< frames that a median is taken of
+    int rounds = 105;             ///< frames that a median is taken of
     std::vector<std::string> bodies;
 };
 

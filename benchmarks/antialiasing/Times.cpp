@@ -63,14 +63,16 @@ class TimedScene {
     }
 
     /// Median time by range and method. The methods take turns, and all ranges are gone through
-    /// several times, so that a busy moment of the machine meets every one of them.
+    /// again and again with a few frames each, so that a busy moment of the machine meets every one
+    /// of them.
     std::vector<std::vector<FrameTime>> times(const std::vector<double>& ranges_m, int rounds) {
-        constexpr int passes = 5;
+        constexpr int roundsOfPass = 5;
+        const int passes = (rounds + roundsOfPass - 1) / roundsOfPass;
         std::vector<std::vector<std::vector<FrameTime>>> taken(
             ranges_m.size(), std::vector<std::vector<FrameTime>>(generators_.size()));
         for (int pass = 0; pass < passes; ++pass)
             for (std::size_t r = 0; r < ranges_m.size(); ++r)
-                take(ranges_m[r], (rounds + passes - 1) / passes, taken[r]);
+                take(ranges_m[r], roundsOfPass, taken[r]);
 
         std::vector<std::vector<FrameTime>> result;
         for (const auto& ofRange : taken)

@@ -108,7 +108,13 @@ TEST(SampleLattice, CountsEqualEdgesOnce) {
     const SampleWindow window = windowOf(10, 16, 26);
     const std::vector<ImageEdge> counted = withEqualsCounted(edges, window);
     ASSERT_EQ(counted.size(), 2u);
-    EXPECT_EQ(counted.front().count, 3);
+    EXPECT_EQ(counted.back().count, 3);
+    const std::vector<ImageEdge> backwards =
+        withEqualsCounted({edges.rbegin(), edges.rend()}, window);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(backwards[i].right_px, counted[i].right_px);
+        EXPECT_EQ(backwards[i].count, counted[i].count);
+    }
     const double each = varianceOfEdges_px4(window, edges);
     EXPECT_NEAR(varianceOfEdges_px4(window, counted), each, 0.02 * each);
 }

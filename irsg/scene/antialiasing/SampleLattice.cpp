@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "irsg/radiometry/Units.h"
 
@@ -83,15 +84,21 @@ double varianceOfEdges_px4(const SampleWindow& window, const std::vector<ImageEd
 
 std::vector<ImageEdge> withEqualsCounted(const std::vector<ImageEdge>& edges,
                                          const SampleWindow& window) {
+    // Both ways along an edge are the same edge.
+    std::vector<ImageEdge> sorted = edges;
+    for (ImageEdge& edge : sorted)
+        if (edge.right_px < 0.0 || (edge.right_px == 0.0 && edge.down_px < 0.0))
+            edge = {-edge.right_px, -edge.down_px, edge.count};
+    std::ranges::sort(sorted, [](const ImageEdge& a, const ImageEdge& b) {
+        return std::pair{a.right_px, a.down_px} < std::pair{b.right_px, b.down_px};
+    });
+
     const double near_px = 0.1 * std::min(window.cellWidth_px(), window.cellHeight_px());
     std::vector<ImageEdge> different;
-    for (const ImageEdge& edge : edges) {
+    for (const ImageEdge& edge : sorted) {
         const auto equal = std::ranges::find_if(different, [&](const ImageEdge& other) {
-            const auto isNear = [&](double sign) {
-                return std::abs(edge.right_px - sign * other.right_px) < near_px &&
-                       std::abs(edge.down_px - sign * other.down_px) < near_px;
-            };
-            return isNear(1.0) || isNear(-1.0);
+            return std::abs(edge.right_px - other.right_px) < near_px &&
+                   std::abs(edge.down_px - other.down_px) < near_px;
         });
         if (equal == different.end())
             different.push_back(edge);

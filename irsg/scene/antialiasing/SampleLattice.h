@@ -25,7 +25,8 @@ struct ImageEdge {
 double varianceOfEdges_px4(const SampleWindow& window, const std::vector<ImageEdge>& edges,
                            double enough_px4 = std::numeric_limits<double>::infinity());
 
-/// The same edges, those that go the same way to within a tenth of the window's cells as one.
+/// The same edges, those that go the same way to within a tenth of the window's cells as one;
+/// equal in whatever order they are given.
 std::vector<ImageEdge> withEqualsCounted(const std::vector<ImageEdge>& edges,
                                          const SampleWindow& window);
 
