@@ -119,9 +119,12 @@ std::size_t addApparentTemperature(RadianceImage& image, const Band& band) {
     if (high > 0.0)
         table.emplace(band, low, high);
 
+    // Pixels of a background are often as bright as their neighbours: those are looked up once.
     std::size_t missing = 0;
+    double temperature_K = notANumber;
     for (std::size_t i = 0; i < radiances.size(); ++i) {
-        const double temperature_K = isBright(radiances[i]) ? table->at(radiances[i]) : notANumber;
+        if (i == 0 || radiances[i] != radiances[i - 1])
+            temperature_K = isBright(radiances[i]) ? table->at(radiances[i]) : notANumber;
         missing += std::isnan(temperature_K) ? 1 : 0;
         target.values[i] = static_cast<float>(temperature_K);
     }
