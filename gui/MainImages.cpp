@@ -80,7 +80,7 @@ void MainWindow::openImages(const QStringList& files) {
         [this, file = files.front()](const Image& image) {
             auto* view = new ImageView(nullptr, dialogs_);
             view->setAutoFillBackground(true);
-            view->setBackgroundRole(QPalette::Base);
+            view->setBackgroundRole(QPalette::Window);
             view->setTitle(QFileInfo(file).completeBaseName());
             const auto band = bandOf(*image);
             view->setImage(std::move(*image), band);

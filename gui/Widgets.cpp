@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include <QLineEdit>
+#include <QMenu>
+#include <QTabWidget>
 #include <QToolButton>
 
 #include "irsg/radiometry/CsvTable.h"
@@ -15,6 +17,39 @@ QToolButton* textButton(const QString& text, const QString& objectName, const QS
     button->setObjectName(objectName);
     button->setToolTip(toolTip);
     return button;
+}
+
+namespace {
+
+/// Leaves room for the arrow in its corner.
+class MenuButton : public QToolButton {
+  public:
+    using QToolButton::QToolButton;
+    QSize sizeHint() const override { return QToolButton::sizeHint() + QSize(16, 0); }
+    QSize minimumSizeHint() const override { return sizeHint(); }
+};
+
+} // namespace
+
+QToolButton* menuButton(const QString& text, const QString& objectName, const QString& toolTip) {
+    auto* button = new MenuButton;
+    button->setText(text);
+    button->setObjectName(objectName);
+    button->setToolTip(toolTip);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setMenu(new QMenu(button));
+    return button;
+}
+
+void letShownPageAloneAskForRoom(QTabWidget& tabs) {
+    const auto ask = [&tabs](int shown) {
+        for (int i = 0; i < tabs.count(); ++i) {
+            const auto policy = i == shown ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+            tabs.widget(i)->setSizePolicy(policy, policy);
+        }
+    };
+    ask(tabs.currentIndex());
+    QObject::connect(&tabs, &QTabWidget::currentChanged, &tabs, ask);
 }
 
 std::optional<double> numberIn(const QLineEdit* field) {

@@ -20,14 +20,17 @@ WrappingBar::WrappingBar(QWidget* parent) : QWidget(parent) {
 }
 
 QSize WrappingBar::minimumSizeHint() const {
-    return {std::max(first_->minimumSize().width(), second_->minimumSize().width()),
+    const QMargins around = both_->contentsMargins();
+    return {std::max(first_->minimumSize().width(), second_->minimumSize().width()) +
+                around.left() + around.right(),
             both_->minimumSize().height()};
 }
 
 void WrappingBar::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const int needed =
-        first_->minimumSize().width() + second_->minimumSize().width() + 2 * both_->spacing();
+    const QMargins around = both_->contentsMargins();
+    const int needed = first_->sizeHint().width() + second_->sizeHint().width() +
+                       2 * both_->spacing() + around.left() + around.right();
     const auto direction = width() < needed ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
     if (direction == both_->direction())
         return;

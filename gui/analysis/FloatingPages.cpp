@@ -25,7 +25,7 @@ class FloatingPages::Window : public QWidget {
         setObjectName("floatingPage");
         setAttribute(Qt::WA_DeleteOnClose);
         setAutoFillBackground(true);
-        setBackgroundRole(QPalette::Base);
+        setBackgroundRole(QPalette::Window);
         setWindowTitle(title);
         setWindowIcon(pageIcon);
         auto* back = new QToolButton(this);

@@ -67,6 +67,7 @@ void ResultPage::showImage(Dialogs dialogs) {
     image_->setImage(entry.data.image, bandOf(entry));
     image_->setColorMap(entry.data.settings.text("display.colorMap"));
     layout()->addWidget(image_);
+    setBackgroundRole(QPalette::Window); // so that fields stand out in the dark, too
 }
 
 void ResultPage::showPlot(Dialogs dialogs) {

@@ -127,9 +127,16 @@ void ColorBar::setPercentiles(double low, double high) {
     highPercent_->setValue(high);
 }
 
+void ColorBar::askUpperPercentileAlone() {
+    upperAlone_ = true;
+    highPercent_->setToolTip(tr("Part of the pixels that the colours hold"));
+    showPercentiles();
+}
+
 void ColorBar::showPercentiles() {
-    for (QWidget* box : {lowPercent_, highPercent_})
-        box->setVisible(mode() == LimitMode::percentile);
+    const bool used = mode() == LimitMode::percentile;
+    lowPercent_->setVisible(used && !upperAlone_);
+    highPercent_->setVisible(used);
 }
 
 void ColorBar::readPercentiles() {

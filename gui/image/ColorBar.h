@@ -53,6 +53,8 @@ class ColorBar : public QWidget {
     /// Percentiles of the rule `percentile`, the lower one first.
     std::pair<double, double> percentiles() const;
     void setPercentiles(double low, double high);
+    /// For limits that are symmetric: the lower percentile is not asked.
+    void askUpperPercentileAlone();
     /// Locks these limits as if they had been typed in. LogicError unless low < high, both finite.
     void edit(const irsg::DisplayLimits& limits);
     /// Multiplies the exposure by 2^stops: the upper limit comes nearer to the lower one, or both
@@ -82,6 +84,7 @@ class ColorBar : public QWidget {
     QComboBox* mode_ = nullptr;
     QDoubleSpinBox* lowPercent_ = nullptr;
     QDoubleSpinBox* highPercent_ = nullptr;
+    bool upperAlone_ = false;
 };
 
 /// Limits of colours with what lies outside of them.

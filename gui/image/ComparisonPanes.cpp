@@ -40,11 +40,19 @@ irsg::DisplayLimits differenceLimits(const std::vector<float>& values, irsg::Dif
     }
 }
 
-/// Takes the height it is given: lines that wrap in it would else make its row the higher one.
+constexpr double usualPercent = 99.5; ///< of the differences have colours of the map
+constexpr int leastCompanionWidth_px = 150;
+
+/// Takes the size it is given: what it holds would else make its column the wider one, and lines
+/// that wrap in it its row the higher one.
 class Beside : public QWidget {
   public:
     using QWidget::QWidget;
     bool hasHeightForWidth() const override { return false; }
+    QSize minimumSizeHint() const override {
+        return {leastCompanionWidth_px, QWidget::minimumSizeHint().height()};
+    }
+    QSize sizeHint() const override { return minimumSizeHint(); }
 };
 
 } // namespace
@@ -69,9 +77,11 @@ ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
     shared_ = new ColorBar(this);
     shared_->setObjectName("sharedBar");
     shared_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
-    difference_ = new ColorBar(this, {LimitMode::full, LimitMode::percentile, LimitMode::locked});
+    // A few pixels at edges differ by much; the rest shows only where they do not set the limits.
+    difference_ = new ColorBar(this, {LimitMode::percentile, LimitMode::full, LimitMode::locked});
     difference_->setObjectName("differenceBar");
-    difference_->setPercentiles(0.0, 99.0);
+    difference_->setPercentiles(0.0, usualPercent);
+    difference_->askUpperPercentileAlone();
     static const char* const names[] = {"canvasA", "canvasB", "canvasDifference"};
     for (std::size_t i = 0; i < canvases_.size(); ++i) {
         canvases_[i] = new ImageCanvas(this);
@@ -80,6 +90,9 @@ ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
         canvases_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
         link(canvases_[i]);
     }
+    canvases_[0]->setHint(tr("Open image A, or drop it here"));
+    canvases_[1]->setHint(tr("Open image B, or drop it here"));
+    canvases_[2]->setHint(tr("The difference of two images of the same size"));
 
     grid_ = new QGridLayout(this);
     grid_->setContentsMargins(0, 0, 0, 0);
@@ -96,6 +109,7 @@ ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
         grid_->setRowStretch(row, 1);
     for (const int column : {0, 1})
         grid_->setColumnStretch(column, 1);
+    makeWipe();
     setCompanion(new QWidget(this));
 
     connect(wipe_, &QCheckBox::toggled, this, &ComparisonPanes::setWipe);
@@ -106,32 +120,38 @@ ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
     connect(difference_, &ColorBar::modeChosen, this, &ComparisonPanes::updateDifferenceColors);
 }
 
-QWidget* ComparisonPanes::makeTitle(int index) {
-    auto* title = new QWidget(this);
-    auto* row = new QHBoxLayout(title);
-    row->setContentsMargins(2, 0, 2, 0);
-    auto* label = new QLabel(title);
+QLabel* ComparisonPanes::makeTitle(int index) {
+    auto* label = new QLabel(this);
     static const char* const names[] = {"titleA", "titleB", "titleDifference"};
     label->setObjectName(names[index]);
-    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    label->setContentsMargins(2, 0, 2, 0);
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     titles_[static_cast<std::size_t>(index)] = label;
-    row->addWidget(label, 1);
-    if (index == 0) {
-        wipe_ = new QCheckBox(tr("Wipe"), title);
-        wipe_->setObjectName("wipe");
-        wipe_->setToolTip(tr("A on the left of the line, B on its right (V)"));
-        wipeAt_ = new QSlider(Qt::Horizontal, title);
-        wipeAt_->setObjectName("wipeAt");
-        wipeAt_->setRange(0, wipeSteps);
-        wipeAt_->setValue(wipeSteps / 2);
-        wipeAt_->setFixedWidth(130);
-        wipeAt_->setEnabled(false);
-        wipeAt_->setToolTip(tr("Place of the line between A and B"));
-        row->addWidget(wipe_);
-        row->addWidget(wipeAt_);
-    }
-    title->setFixedHeight(std::max(title->sizeHint().height(), 26));
-    return title;
+    return label;
+}
+
+void ComparisonPanes::makeWipe() {
+    wipeControl_ = new QWidget(this);
+    wipe_ = new QCheckBox(tr("Wipe"), wipeControl_);
+    wipe_->setObjectName("wipe");
+    wipe_->setToolTip(tr("A on the left of the line, B on its right (V)"));
+    wipeAt_ = new QSlider(Qt::Horizontal, wipeControl_);
+    wipeAt_->setObjectName("wipeAt");
+    wipeAt_->setRange(0, wipeSteps);
+    wipeAt_->setValue(wipeSteps / 2);
+    wipeAt_->setFixedWidth(90);
+    wipeAt_->setEnabled(false);
+    wipeAt_->setToolTip(tr("Place of the line between A and B"));
+    wipeControl_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    auto* row = new QHBoxLayout(wipeControl_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(wipe_);
+    row->addWidget(wipeAt_);
+}
+
+void ComparisonPanes::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showTitles();
 }
 
 void ComparisonPanes::setCompanion(QWidget* companion) {
@@ -192,7 +212,7 @@ void ComparisonPanes::setDifference(SharedValues values, irsg::DifferenceMode mo
                                     const QString& title) {
     differenceValues_ = std::move(values);
     if (mode != mode_ && difference_->mode() == LimitMode::locked)
-        difference_->setMode(LimitMode::full); // limits of another quantity
+        difference_->setMode(LimitMode::percentile); // limits of another quantity
     mode_ = mode;
     difference_->setTitle(title);
     if (!differenceValues_) {
@@ -297,19 +317,29 @@ void ComparisonPanes::useDifference(const FoundLimits& found) {
 }
 
 void ComparisonPanes::showTitles() {
-    const auto line = [](const QString& letter, const QString& name) {
-        return QStringLiteral("<b>%1</b>&nbsp;&nbsp;%2").arg(letter, name.toHtmlEscaped());
+    // Names that are too long lose their middle: numbers and endings tell files apart.
+    const auto show = [this](std::size_t i, const QString& letter, const QString& name) {
+        QLabel* label = titles_[i];
+        QFont bold = label->font();
+        bold.setBold(true);
+        const int gap = 10;
+        const int room = canvases_[i]->width() - QFontMetrics(bold).horizontalAdvance(letter) - gap;
+        const QString shown = label->fontMetrics().elidedText(name, Qt::ElideMiddle, room);
+        label->setText(
+            QStringLiteral("<b>%1</b>&nbsp;&nbsp;%2").arg(letter, shown.toHtmlEscaped()));
+        label->setToolTip(name);
     };
     const QString& a = planes_[0].name;
     const QString& b = planes_[1].name;
-    titles_[0]->setText(flickering_  ? line("B", b)
-                        : isWiping() ? line(QStringLiteral("A | B"), a + " | " + b)
-                                     : line("A", a));
-    titles_[1]->setText(line("B", b));
-    titles_[2]->setText(differenceValues_ ? line(tr("Difference"), differenceName(mode_))
-                                          : line(tr("Difference"), ""));
-    for (const auto i : {0, 1})
-        titles_[static_cast<std::size_t>(i)]->setToolTip(planes_[static_cast<std::size_t>(i)].name);
+    show(0,
+         flickering_  ? QStringLiteral("B")
+         : isWiping() ? QStringLiteral("A | B")
+                      : QStringLiteral("A"),
+         flickering_  ? b
+         : isWiping() ? a + " | " + b
+                      : a);
+    show(1, QStringLiteral("B"), b);
+    show(2, tr("Difference"), differenceValues_ ? differenceName(mode_) : QString());
 }
 
 void ComparisonPanes::setFlicker(bool on) {

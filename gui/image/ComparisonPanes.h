@@ -60,6 +60,8 @@ class ComparisonPanes : public QWidget {
     /// The bar of the canvas that has the focus.
     ColorBar* activeBar() const;
     std::optional<irsg::PixelRectangle> selection() const;
+    /// Box and slider of the line between A and B, for a bar of somebody else's.
+    QWidget* wipeControl() const { return wipeControl_; }
     /// Puts a widget beside the difference, below B.
     void setCompanion(QWidget* companion);
     /// Colour bar and colours of the difference follow the limits' rule again.
@@ -72,8 +74,12 @@ class ComparisonPanes : public QWidget {
     void hovered(std::optional<QPoint> pixel);
     void selectionChanged();
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
-    QWidget* makeTitle(int index);
+    QLabel* makeTitle(int index);
+    void makeWipe();
     void link(ImageCanvas* canvas);
     void updateSharedColors();
     void useShared(const FoundLimits& found);
@@ -92,6 +98,7 @@ class ComparisonPanes : public QWidget {
     const irsg::ColorMap* map_ = nullptr;
     ColorBar* shared_ = nullptr;
     ColorBar* difference_ = nullptr;
+    QWidget* wipeControl_ = nullptr;
     QCheckBox* wipe_ = nullptr;
     QSlider* wipeAt_ = nullptr;
     QGridLayout* grid_ = nullptr;

@@ -24,7 +24,7 @@ void ComparisonWindow::build() {
     setObjectName("comparisonWindow");
     setAcceptDrops(true);
     setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
+    setBackgroundRole(QPalette::Window); // so that its fields stand out in the dark, too
     panes_ = new ComparisonPanes(this);
     panes_->setCompanion(makePanel());
     readout_ = new QLabel(this);
@@ -73,12 +73,6 @@ QWidget* ComparisonWindow::makeBar() {
                          "the warning, pink over the failure threshold"));
     worst_ = textButton(tr("Worst pixel"), "worstPixel",
                         tr("Go to the pixel with the largest |A − B| (W)"));
-    const auto menuButton = [](const QString& text, const QString& name, const QString& tip) {
-        auto* button = textButton(text, name, tip);
-        button->setPopupMode(QToolButton::InstantPopup);
-        button->setMenu(new QMenu(button));
-        return button;
-    };
     copy_ = menuButton(tr("Copy"), "copyComparison", tr("Copy to other programs"));
     copy_->menu()->addAction(tr("Numbers"), this, [this] { numbers_->copy(); });
     copy_->menu()->addAction(tr("Picture of the difference"), this, &ComparisonWindow::copyPicture);
@@ -94,14 +88,18 @@ QWidget* ComparisonWindow::makeBar() {
     connect(fit, &QToolButton::clicked, panes_, &ComparisonPanes::fit);
     connect(actual, &QToolButton::clicked, panes_, &ComparisonPanes::showActualSize);
 
+    for (QComboBox* box : {plane_, colors_, modeBox_})
+        box->setMinimumWidth(80); // long names give way where the page is narrow
     auto* bar = new WrappingBar(this);
-    for (QWidget* widget :
-         {static_cast<QWidget*>(openA), static_cast<QWidget*>(openB), static_cast<QWidget*>(swap_),
-          static_cast<QWidget*>(plane_), static_cast<QWidget*>(colors_),
-          static_cast<QWidget*>(modeBox_), static_cast<QWidget*>(mark_)})
+    for (QWidget* widget : {static_cast<QWidget*>(openA), static_cast<QWidget*>(openB),
+                            static_cast<QWidget*>(swap_), static_cast<QWidget*>(plane_),
+                            static_cast<QWidget*>(colors_), static_cast<QWidget*>(modeBox_)})
         bar->first()->addWidget(widget);
-    for (QWidget* button : {worst_, copy_, export_, fit, actual})
-        bar->second()->addWidget(button);
+    for (QWidget* widget :
+         {panes_->wipeControl(), static_cast<QWidget*>(mark_), static_cast<QWidget*>(worst_),
+          static_cast<QWidget*>(copy_), static_cast<QWidget*>(export_), static_cast<QWidget*>(fit),
+          static_cast<QWidget*>(actual)})
+        bar->second()->addWidget(widget);
     return bar;
 }
 
@@ -121,6 +119,7 @@ QWidget* ComparisonWindow::makePanel() {
     tabs_ = new QTabWidget(this);
     tabs_->setObjectName("comparisonTabs");
     tabs_->setDocumentMode(true);
+    tabs_->setStyleSheet("QTabBar::tab { padding: 7px 8px; }"); // beside narrow images, too
     tabs_->addTab(numbers_, tr("Numbers"));
     tabs_->addTab(thresholds_, tr("Thresholds"));
     tabs_->addTab(inspector_, tr("Histogram"));

@@ -1,5 +1,7 @@
 #include "gui/image/FiguresTable.h"
 
+#include <algorithm>
+
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHeaderView>
@@ -24,7 +26,6 @@ FiguresTable::FiguresTable(QWidget* parent) : QTableWidget(parent) {
 }
 
 void FiguresTable::setFigures(const QStringList& headings, const QList<QStringList>& rows) {
-    const bool sameShape = headings.size() == columnCount() && rows.size() == rowCount();
     setColumnCount(static_cast<int>(headings.size()));
     setHorizontalHeaderLabels(headings);
     setRowCount(static_cast<int>(rows.size()));
@@ -41,10 +42,25 @@ void FiguresTable::setFigures(const QStringList& headings, const QList<QStringLi
             cell->setToolTip(rows[r][c]);
         }
     }
-    if (!sameShape)
-        resizeColumnsToContents();
+    fitColumns();
+}
+
+void FiguresTable::fitColumns() {
+    constexpr double namesShare = 0.42;
     for (int c = 0; c + 1 < columnCount(); ++c)
-        setColumnWidth(c, std::max(columnWidth(c), sizeHintForColumn(c)));
+        setColumnWidth(c, std::max(sizeHintForColumn(c), horizontalHeader()->sectionSizeHint(c)));
+    int others = 0;
+    for (int c = 1; c < columnCount(); ++c)
+        others += std::max(sizeHintForColumn(c), horizontalHeader()->sectionSizeHint(c));
+    const int width = viewport()->width();
+    if (columnCount() > 1)
+        setColumnWidth(0, std::min(columnWidth(0),
+                                   std::max(static_cast<int>(namesShare * width), width - others)));
+}
+
+void FiguresTable::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    fitColumns();
 }
 
 QString FiguresTable::allText() const {

@@ -22,6 +22,11 @@ class FiguresTable : public QTableWidget {
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    /// In a narrow table the names in the first column give way to the numbers.
+    void fitColumns();
 };
 
 } // namespace smat::gui

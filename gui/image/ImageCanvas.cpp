@@ -231,8 +231,12 @@ void ImageCanvas::printValues(QPainter& painter) const {
 void ImageCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), isDark(palette()) ? QColor("#14161a") : QColor("#e3e6eb"));
-    if (!hasImage())
+    if (!hasImage()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
+                         hint_);
         return;
+    }
     refreshColors();
     shown().draw(painter, imageRect(), rect(), devicePixelRatioF());
     if (wipe_ && !second_.isEmpty()) {

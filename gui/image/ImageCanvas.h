@@ -33,8 +33,10 @@ class ImageCanvas : public QWidget {
 
     void setPlane(int width, int height, SharedValues values);
     void setPlane(int width, int height, const std::vector<float>& values);
-    /// Nothing to show.
+    /// Nothing to show but the hint.
     void clear();
+    /// What is to be done for an image to appear.
+    void setHint(const QString& hint) { hint_ = hint; }
     void setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits);
     /// Nothing is coloured anew before the next setColors: its limits are still to be found.
     void awaitColors() { awaitsColors_ = true; }
@@ -106,6 +108,7 @@ class ImageCanvas : public QWidget {
     ColoredPlane plane_, second_;
     const irsg::ColorMap* map_ = nullptr;
     irsg::DisplayLimits limits_;
+    QString hint_;
     bool secondShown_ = false;
     bool awaitsColors_ = false;
     unsigned revision_ = 0; ///< of values, colours and marks

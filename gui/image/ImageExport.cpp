@@ -1,11 +1,13 @@
 #include "gui/image/ImageExport.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 
 #include <QPainter>
 #include <QPixmap>
+#include <QRegularExpression>
 
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/CsvImage.h"
@@ -78,6 +80,22 @@ QString readableUnit(const std::string& unit) {
                                      static_cast<qsizetype>(info.prettyUnit.size()));
     }
     return QString::fromStdString(unit);
+}
+
+QString withReadableUnits(QString sentence) {
+    // Longer units first: some begin like shorter ones.
+    std::vector<std::pair<QString, QString>> units;
+    for (int i = 0; i < static_cast<int>(irsg::Quantity::dimensionless); ++i) {
+        const std::string unit(irsg::info(static_cast<irsg::Quantity>(i)).unit);
+        if (const QString plain = QString::fromStdString(unit); readableUnit(unit) != plain)
+            units.emplace_back(plain, readableUnit(unit));
+    }
+    std::ranges::sort(units, {}, [](const auto& unit) { return -unit.first.size(); });
+    for (const auto& [plain, readable] : units)
+        sentence.replace(QRegularExpression("(?<=[0-9.]|\\bin) " +
+                                            QRegularExpression::escape(plain) + "(?![\\w-])"),
+                         (readable == "°" ? "" : " ") + readable);
+    return sentence.replace(QRegularExpression("(?<=\\d) x (?=\\d)"), " × ");
 }
 
 QString titleWithUnit(const irsg::ImageChannel& channel) {

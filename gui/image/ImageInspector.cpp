@@ -55,6 +55,7 @@ ImageInspector::ImageInspector(QWidget* parent) : QWidget(parent) {
     table_->setObjectName("imageFigures");
     scope_ = new QLabel(this);
     scope_->setObjectName("histogramScope");
+    scope_->setWordWrap(true);
     logarithmicCounts_ = new QCheckBox(tr("log pixels"), this);
     logarithmicCounts_->setObjectName("logCounts");
     logarithmicCounts_->setChecked(true);

@@ -70,7 +70,6 @@ class ImageView : public QWidget, public Exportable {
 
   private:
     QHBoxLayout* makeBar();
-    QToolButton* makeMenuButton(const QString& text, const QString& name);
     void connectParts();
     void showPlane();
     void updateColors();

@@ -31,6 +31,7 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
         label->setMinimumWidth(0);
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     }
+    statistics_->setWordWrap(true);
 
     auto* picture = new QWidget(this);
     auto* middle = new QHBoxLayout(picture);
@@ -71,11 +72,11 @@ QHBoxLayout* ImageView::makeBar() {
     }
     histogram_ = textButton(tr("Histogram"), "showHistogram", tr("Histogram and statistics (H)"));
     histogram_->setCheckable(true);
-    auto* copy = makeMenuButton(tr("Copy"), "copyImage");
+    auto* copy = menuButton(tr("Copy"), "copyImage", tr("Copy to other programs"));
     copy->menu()->addAction(tr("Picture with colour bar"), this, [this] { copyPicture(true); });
     copy->menu()->addAction(tr("Picture"), this, [this] { copyPicture(false); });
     copy->menu()->addAction(tr("Values"), this, &ImageView::copyValues);
-    auto* write = makeMenuButton(tr("Export"), "exportImage");
+    auto* write = menuButton(tr("Export"), "exportImage", tr("Write the image to a file"));
     const auto format = [&](const QString& text, const QString& filter, bool withBar) {
         write->menu()->addAction(text, this,
                                  [this, filter, withBar] { askAndExport(filter, withBar); });
@@ -98,13 +99,6 @@ QHBoxLayout* ImageView::makeBar() {
     for (QToolButton* button : {histogram_, copy, write, fit, actual})
         bar->addWidget(button);
     return bar;
-}
-
-QToolButton* ImageView::makeMenuButton(const QString& text, const QString& name) {
-    auto* button = textButton(text, name, text);
-    button->setPopupMode(QToolButton::InstantPopup);
-    button->setMenu(new QMenu(button));
-    return button;
 }
 
 void ImageView::connectParts() {

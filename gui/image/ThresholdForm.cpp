@@ -29,6 +29,9 @@ ThresholdForm::ThresholdForm(QWidget* parent) : QWidget(parent) {
     setObjectName("thresholds");
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(10);
+    grid->setColumnStretch(0, 1);
+    for (const int column : {1, 2})
+        grid->setColumnStretch(column, 1);
     grid->setVerticalSpacing(6);
     const QString titles[] = {tr("Failure"), tr("Warning")};
     for (int c = 0; c < 2; ++c)
@@ -41,6 +44,7 @@ ThresholdForm::ThresholdForm(QWidget* parent) : QWidget(parent) {
         tr("This many pixels may be over the threshold")};
     for (std::size_t r = 0; r < rowCount; ++r) {
         names_[r] = new QLabel(this);
+        names_[r]->setWordWrap(true);
         grid->addWidget(names_[r], static_cast<int>(r) + 1, 0);
         for (std::size_t c = 0; c < 2; ++c) {
             auto* field = new QLineEdit(this);

@@ -199,7 +199,9 @@ DisplayLimits symmetricLimits(std::span<const float> values, double percent) {
     std::vector<float> finite = finiteOf(values);
     for (float& value : finite)
         value = std::abs(value);
-    const double largest = finite.empty() ? 0.0 : percentileOfFinite(finite, percent);
+    double largest = finite.empty() ? 0.0 : percentileOfFinite(finite, percent);
+    if (!(largest > 0.0) && !finite.empty())
+        largest = *std::ranges::max_element(finite);
     return largest > 0.0 ? DisplayLimits{-largest, largest} : DisplayLimits{-1.0, 1.0};
 }
 

@@ -65,7 +65,7 @@ DisplayLimits percentileLimits(std::span<const float> values, double lowPercent 
 /// hold it; else those of the whole plane. A few glowing pixels do not turn the rest of a target
 /// black.
 DisplayLimits objectLimits(std::span<const float> values);
-/// Limits symmetric about 0 for signed differences: the percentile of the absolute values.
+/// Symmetric about 0: the percentile of the absolute values, or the largest where that is 0.
 DisplayLimits symmetricLimits(std::span<const float> values, double percent = 100.0);
 
 } // namespace irsg

@@ -195,6 +195,49 @@ TEST_F(ComparisonTest, TheReadoutFollowsTheKindOfDifference) {
     EXPECT_DOUBLE_EQ(window->panes()->differenceBar()->limits().high, 0.5);
 }
 
+TEST_F(ComparisonTest, AFewLargeDifferencesDoNotHideTheSmallOnes) {
+    // 100 of 1200 pixels differ by a tenth, one by 100.
+    irsg::RadianceImage other = scene();
+    for (int i = 0; i < 100; ++i)
+        other.primary().values[static_cast<std::size_t>(i)] += 0.1F;
+    other.primary().values.back() += 100.0F;
+    open(scene(), other);
+    auto* bar = window->panes()->differenceBar();
+    EXPECT_EQ(bar->mode(), LimitMode::percentile);
+    EXPECT_NEAR(bar->limits().high, 0.1, 1e-6);
+    EXPECT_NEAR(bar->limits().low, -0.1, 1e-6);
+    EXPECT_EQ(bar->outOfRange().below, 1U);
+    bar->setMode(LimitMode::full);
+    emit bar->modeChosen(LimitMode::full);
+    EXPECT_NEAR(bar->limits().high, 100.0, 1e-4);
+}
+
+TEST_F(ComparisonTest, AllThreeImagesAreEquallyLargeAndNamedInFullOrWithoutTheirMiddle) {
+    open(changed(31, 7, 3.0F), scene());
+    for (const int width : {1200, 700, 620}) {
+        window->resize(width, 600);
+        QTest::qWait(20);
+        const auto* panes = window->panes();
+        EXPECT_NEAR(panes->canvas(0)->width(), panes->canvas(1)->width(), 1) << width;
+        EXPECT_NEAR(panes->canvas(0)->width(), panes->canvas(2)->width(), 1) << width;
+        EXPECT_NEAR(panes->canvas(0)->height(), panes->canvas(2)->height(), 1) << width;
+        EXPECT_GT(panes->canvas(0)->width(), 180) << width;
+        for (const char* title : {"titleA", "titleB", "titleDifference"}) {
+            const auto* label = window->findChild<QLabel*>(title);
+            EXPECT_LE(label->sizeHint().width(), label->width() + 2) << title << width;
+        }
+        // The box and the slider of the wipe cover nothing.
+        const auto* wipe = window->findChild<QCheckBox*>("wipe");
+        const QRect box(wipe->mapTo(window.get(), QPoint()), wipe->size());
+        for (int i = 0; i < 3; ++i) {
+            const auto* canvas = panes->canvas(i);
+            EXPECT_FALSE(
+                QRect(canvas->mapTo(window.get(), QPoint()), canvas->size()).intersects(box));
+        }
+    }
+    test::keepScreenshot(*window, "comparison-narrow");
+}
+
 TEST_F(ComparisonTest, SpaceShowsBInThePlaceOfAWhileItIsHeld) {
     open(changed(31, 7, 3.0F), scene());
     window->panes()->setColorMap("white-hot");

@@ -166,6 +166,9 @@ TEST(DisplayLimits, OfDifferencesAreSymmetric) {
     EXPECT_EQ(symmetricLimits(std::vector<float>{1, -4, nanValue}), (DisplayLimits{-4, 4}));
     EXPECT_EQ(symmetricLimits(std::vector<float>{0}), (DisplayLimits{-1, 1}));
     EXPECT_EQ(symmetricLimits(std::vector<float>{1, -2, 3}, 50), (DisplayLimits{-2, 2}));
+    // Where most values are 0, the few others are still shown.
+    EXPECT_EQ(symmetricLimits(std::vector<float>{0, 0, 0, 0, 0, -3, 1}, 50),
+              (DisplayLimits{-3, 3}));
 }
 
 } // namespace
