@@ -132,9 +132,10 @@ void Photographer::trigger(QAction& action) {
     const QWidget* shown = tabs->currentWidget();
     action.trigger();
     settle();
-    fill(tabs->currentWidget());
-    if (tabs->count() != before || tabs->currentWidget() != shown)
+    if (tabs->count() != before || tabs->currentWidget() != shown) {
+        fill(tabs->currentWidget());
         keep(window_, current_ + "-page");
+    }
     for (QWidget* other : QApplication::topLevelWidgets())
         if (other != &window_ && other->isWindow() && other->isVisible() &&
             qobject_cast<QMenu*>(other) == nullptr) {
@@ -150,15 +151,32 @@ void Photographer::keepDatabase() {
     dock->show();
     dock->raise();
     settle();
-    for (auto* tabs : dock->findChildren<QTabWidget*>())
-        for (int i = 0; i < tabs->count(); ++i) {
-            if (!tabs->isVisible() || !tabs->isTabVisible(i))
-                continue;
-            tabs->setCurrentIndex(i);
-            settle();
-            const QString title = QString(tabs->tabText(i)).remove('&').section(' ', 0, 0);
-            keep(window_, "database-" + title.toLower());
+    auto* pages = dock->findChild<QTabWidget*>("databaseTabs");
+    for (int i = 0; i < pages->count(); ++i) {
+        pages->setCurrentIndex(i);
+        settle();
+        const QString name =
+            "database-" + pages->tabText(i).remove('&').section(' ', 0, 0).toLower();
+        keep(window_, name);
+        for (auto* tabs : pages->currentWidget()->findChildren<QTabWidget*>()) {
+            for (int k = 1; k < tabs->count(); ++k) {
+                if (!tabs->isTabVisible(k))
+                    continue;
+                tabs->setCurrentIndex(k);
+                settle();
+                keep(window_, name + "-" + QString::number(k + 1));
+            }
+            tabs->setCurrentIndex(0);
         }
+    }
+    // As a window of its own it has its entries beside their list.
+    pages->setCurrentIndex(0);
+    dock->setFloating(true);
+    dock->resize(1000, 640);
+    settle();
+    keep(*dock, "database-floating");
+    dock->setFloating(false);
+    dock->raise();
     if (auto* results = window_.findChild<QDockWidget*>("resultsDock")) {
         results->raise();
         settle();
@@ -216,7 +234,7 @@ void Photographer::settle() {
 }
 
 void Photographer::waitWhile(const std::function<bool()>& busy) {
-    constexpr int longest_ms = 120000, step_ms = 50;
+    constexpr int longest_ms = 600000, step_ms = 50;
     QElapsedTimer clock;
     clock.start();
     do

@@ -42,7 +42,7 @@ class Photographer {
     void keepFloating();
     void keepComparison();
     void keepMessages();
-    /// Longer than two minutes is told of as a fault.
+    /// Longer than ten minutes is told of as a fault.
     void waitWhile(const std::function<bool()>& busy);
     /// Lets a job end and the window be painted.
     void settle();

@@ -92,10 +92,16 @@ void Photographer::keepComparison() {
 void Photographer::keepProjectAnalyses() {
     accept_ = true;
     for (QAction* action : window_.findChild<QMenu*>("projectAnalyses")->actions()) {
-        current_ = "analysis-" + QString(action->text()).remove(QChar(0x2026));
+        current_ = "analysis-" + QString(action->text()).remove(QChar(0x2026)).replace(' ', '-');
+        // Another run than the one there is, for overlays and differences.
+        const bool again = current_ == "analysis-polar";
+        if (again)
+            workbench_.set("state.power", "0.2");
         action->trigger();
         settle();
         keep(window_, current_ + "-page");
+        if (again)
+            workbench_.undoStack().undo();
     }
 }
 
