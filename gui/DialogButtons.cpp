@@ -8,8 +8,6 @@ namespace {
 
 QDialogButtonBox* buttonsOf(QDialog& dialog, QDialogButtonBox::StandardButtons which) {
     auto* buttons = new QDialogButtonBox(which, &dialog);
-    for (auto* button : buttons->buttons())
-        button->setIcon({});
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     return buttons;

@@ -45,7 +45,6 @@ Dialogs Dialogs::ofDesktop() {
             box.addButton(answer, QMessageBox::ActionRole);
         // Escape and the frame of the box give no answer; so does this button.
         auto* none = box.addButton(QMessageBox::Cancel);
-        none->setIcon({});
         box.setDefaultButton(qobject_cast<QPushButton*>(box.buttons().value(0)));
         box.exec();
         const auto number = box.buttons().indexOf(box.clickedButton());

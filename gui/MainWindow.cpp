@@ -20,6 +20,7 @@
 #include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/UnsavedNote.h"
+#include "gui/Widgets.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultPages.h"
@@ -81,7 +82,7 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(results_, databaseDock_);
     results_->raise();
     files_->addSettler([this] { return databaseDock_->mayClose(); });
-    resizeDocks({tree_, manipulators}, {340, 380}, Qt::Vertical);
+    resizeDocks({tree_, manipulators}, {310, 410}, Qt::Vertical);
 
     connect(tree_, &SceneTreeDock::modelFileWanted, this,
             [this](int model) { files_->chooseModelFile(static_cast<std::size_t>(model)); });
@@ -192,14 +193,8 @@ void MainWindow::makeCentre() {
         if (index > 0)
             delete tabs_->widget(index);
     });
-    connect(tabs_, &QTabWidget::currentChanged, this, [this](int shown) {
-        // Pages that are not shown ask for no room.
-        for (int i = 0; i < tabs_->count(); ++i) {
-            const auto policy = i == shown ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-            tabs_->widget(i)->setSizePolicy(policy, policy);
-        }
-        refreshActions();
-    });
+    letShownPageAloneAskForRoom(*tabs_);
+    connect(tabs_, &QTabWidget::currentChanged, this, &MainWindow::refreshActions);
 }
 
 void MainWindow::joinTreeAndView() {

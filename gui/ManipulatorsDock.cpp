@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -66,6 +67,7 @@ ManipulatorsDock::ManipulatorsDock(Workbench& workbench, QWidget* parent)
     form_ =
         new SettingForm({"target.altitude", "state.time", "state.power", "state.mach"}, {}, body);
     form_->layout()->setContentsMargins(0, 6, 0, 0);
+    static_cast<QFormLayout*>(form_->layout())->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     connect(form_, &SettingForm::edited, this,
             [this](const std::string& key) { workbench_.set(key, form_->value(key)); });
     auto* column = new QVBoxLayout(body);

@@ -112,10 +112,14 @@ void applyTheme(QApplication& application, ThemeMode mode) {
                        "               border-bottom: 2px solid transparent; }"
                        "QTabBar::tab:hover { color: %1; }"
                        "QTabBar::tab:selected { color: %1; border-bottom: 2px solid %5; }"
-                       "QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid %3;"
-                       "                       border-radius: 3px; background: %6; }"
-                       "QCheckBox::indicator:checked { background: %5; border-color: %5;"
-                       "                               image: url(:/icons/check.svg); }"
+                       "QCheckBox::indicator, QTreeView::indicator"
+                       " { width: 14px; height: 14px; border: 1px solid %3;"
+                       "   border-radius: 3px; background: %6; }"
+                       "QCheckBox::indicator:checked, QTreeView::indicator:checked"
+                       " { background: %5; border-color: %5; image: url(:/icons/check.svg); }"
+                       "QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }"
+                       "QTabBar { qproperty-drawBase: 0; }"
+                       "QTreeView::item { padding: 1px 0; }"
                        "QStatusBar::item { border: 0; }")
             .arg(shades.text, shades.tip, shades.faint, dark ? "#3a3f49" : "#d9dde4", shades.accent,
                  shades.base, dark ? "dark" : "light"));

@@ -10,12 +10,14 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "gui/DialogButtons.h"
 #include "gui/Sentences.h"
+#include "gui/image/ImageExport.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/project/SceneBuilder.h"
@@ -40,7 +42,6 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
       chooseFile_(std::move(chooseFile)) {
     setObjectName("analysisGeneratorDialog");
     setWindowTitle(tr("New analysis – %1").arg(QString::fromStdString(title(kind))));
-    resize(560, 600);
 
     auto* heading = new QLabel(QString::fromStdString(title(kind)), this);
     QFont font = heading->font();
@@ -111,6 +112,10 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
     column->addWidget(buttons_);
     connect(name_, &QLineEdit::textChanged, this, &AnalysisGeneratorDialog::refresh);
     refresh();
+    // As wide as the titles of all pages.
+    constexpr int usualWidth_px = 560, usualHeight_px = 700;
+    tabs->tabBar()->ensurePolished();
+    resize(std::max(usualWidth_px, tabs->tabBar()->sizeHint().width() + 40), usualHeight_px);
 }
 
 void AnalysisGeneratorDialog::addPage(const QString& title,
@@ -157,8 +162,8 @@ QStringList AnalysisGeneratorDialog::problems() const {
     };
     const AnalysisData asked = data();
     collect([&] {
-        plan_->setText(QString::fromStdString(
-            planAnalysis(asked.kind, asked.project, asked.settings).description));
+        plan_->setText(withReadableUnits(QString::fromStdString(
+            planAnalysis(asked.kind, asked.project, asked.settings).description)));
     });
     collect([&] { sensorOf(asked.project, asked.settings); });
     return list;

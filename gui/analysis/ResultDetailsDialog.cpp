@@ -13,6 +13,7 @@
 
 #include "gui/DialogButtons.h"
 #include "gui/analysis/ResultStore.h"
+#include "gui/image/ImageExport.h"
 
 namespace smat::gui {
 
@@ -50,8 +51,11 @@ ResultDetailsDialog::ResultDetailsDialog(const ResultEntry& entry, QWidget* pare
     list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     for (const QString& line : describe(entry).mid(1)) {
         const qsizetype colon = line.indexOf(": ");
-        auto* item = colon > 0 ? new QTreeWidgetItem({line.left(colon), line.mid(colon + 2)})
-                               : new QTreeWidgetItem({tr("Made"), line});
+        const QString what = line.left(colon), value = line.mid(colon + 2);
+        auto* item =
+            colon > 0 ? new QTreeWidgetItem({withReadableUnits(what),
+                                             what == "command" ? value : withReadableUnits(value)})
+                      : new QTreeWidgetItem({tr("Made"), line});
         item->setToolTip(1, item->text(1));
         list->addTopLevelItem(item);
     }

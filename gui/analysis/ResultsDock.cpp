@@ -18,6 +18,7 @@
 #include "gui/analysis/JobPanel.h"
 #include "gui/analysis/ResultDetailsDialog.h"
 #include "gui/analysis/ResultItemDelegate.h"
+#include "gui/image/ImageExport.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
@@ -199,7 +200,7 @@ void ResultsDock::refreshItem(int id) {
     if (entry->canRunAgain() && entry->data.state == AnalysisState::partial)
         words << stateOf(*entry);
     words << askedWords(*entry);
-    item->setData(ResultItemDelegate::detailRole, words.join(" · "));
+    item->setData(ResultItemDelegate::detailRole, withReadableUnits(words.join(" · ")));
 
     // The first lines are the figures; the whole provenance has a dialog.
     constexpr int shown = 9;

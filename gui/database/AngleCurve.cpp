@@ -28,7 +28,7 @@ void AngleCurve::paintEvent(QPaintEvent*) {
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.88);
     painter.setFont(small);
-    const QRectF area = QRectF(rect()).adjusted(36, 10, -14, -36);
+    const QRectF area = QRectF(rect()).adjusted(52, 10, -14, -36);
     painter.setPen(QPen(style.grid, 1.0));
     painter.setBrush(style.canvas);
     painter.drawRect(area);
@@ -41,8 +41,15 @@ void AngleCurve::paintEvent(QPaintEvent*) {
     painter.drawText(QRectF(area.left(), area.bottom() + 17, area.width(), 16), Qt::AlignCenter,
                      tr("viewing angle"));
     for (const double level : {0.0, 0.5, 1.0})
-        painter.drawText(QRectF(0, area.bottom() - level * area.height() - 8, 31, 16),
+        painter.drawText(QRectF(16, area.bottom() - level * area.height() - 8, 31, 16),
                          Qt::AlignRight | Qt::AlignVCenter, QString::number(level));
+
+    painter.save();
+    painter.translate(9.0, area.center().y());
+    painter.rotate(-90.0);
+    painter.drawText(QRectF(-area.height() / 2.0, -8.0, area.height(), 16.0), Qt::AlignCenter,
+                     tr("part of that along the normal"));
+    painter.restore();
 
     const auto curve = [&](double factor) {
         QPainterPath path;

@@ -11,6 +11,7 @@
 
 #include "gui/Sentences.h"
 #include "gui/Theme.h"
+#include "gui/Widgets.h"
 #include "gui/database/CopyEntriesDialog.h"
 #include "gui/database/DatabaseBanner.h"
 #include "gui/database/EntryList.h"
@@ -56,6 +57,7 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     addPage(EntryKind::spectrum, new SpectrumPanel(context_, this), tr("Spectrum"));
     findings_ = new FindingsPanel(context_, this);
     tabs_->addTab(findings_, icon("check-physics"), tr("Findings"));
+    letShownPageAloneAskForRoom(*tabs_);
 
     connect(pageOf(EntryKind::material)
                 .list->addButton("library", "addFromLibrary",

@@ -63,6 +63,7 @@ QWidget* EntryPanel::makeHeading() {
     caption_->setObjectName("entryCaption");
     caption_->setForegroundRole(QPalette::PlaceholderText);
     if (kind_ == EntryKind::spectrum) {
+        caption_->setWordWrap(true);
         row->addWidget(caption_, 1);
         return holder;
     }

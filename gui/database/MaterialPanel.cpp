@@ -5,6 +5,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "gui/Widgets.h"
 #include "gui/database/AngleCurve.h"
 #include "gui/database/NumberField.h"
 #include "gui/database/SpectralProperty.h"
@@ -27,6 +28,7 @@ MaterialPanel::MaterialPanel(EditorContext& context, QWidget* parent)
     column->setSpacing(4);
     column->addWidget(makeHeading());
     tabs_->addTab(makeNotes(), tr("Notes"));
+    letShownPageAloneAskForRoom(*tabs_);
     column->addWidget(tabs_, 1);
 }
 

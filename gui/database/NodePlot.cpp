@@ -63,6 +63,15 @@ NodePlot::NodePlot(QWidget* parent) : QwtPlot(parent) {
 
 NodePlot::~NodePlot() = default;
 
+void NodePlot::resizeEvent(QResizeEvent* event) {
+    QwtPlot::resizeEvent(event);
+    // As many numbers as there is room for.
+    constexpr int number_px = 40, line_px = 26;
+    setAxisMaxMajor(xBottom, std::clamp(canvas()->width() / number_px, 3, 8));
+    setAxisMaxMajor(yLeft, std::clamp(canvas()->height() / line_px, 3, 8));
+    replot();
+}
+
 void NodePlot::dress() {
     const PlotStyle style = PlotStyle::screen(QApplication::palette());
     setCanvasBackground(style.canvas);

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "gui/Theme.h"
+#include "gui/Widgets.h"
 #include "gui/database/NumberField.h"
 #include "gui/database/SpectrumTableModel.h"
 #include "gui/plot/CartesianPlot.h"
@@ -72,6 +73,7 @@ SpectrumPanel::SpectrumPanel(EditorContext& context, QWidget* parent)
     column->addWidget(makeHeading());
     column->addLayout(form);
     tabs_->addTab(makeNotes(), tr("Notes"));
+    letShownPageAloneAskForRoom(*tabs_);
     column->addWidget(tabs_, 1);
     connect(distance_, &NumberField::edited, this, [this](double value) {
         edit(tr("Set reference distance of %1").arg(context_.title(*key_)), "referenceDistance",
@@ -87,6 +89,7 @@ SpectrumPanel::SpectrumPanel(EditorContext& context, QWidget* parent)
 void SpectrumPanel::makePlot() {
     delete plot_;
     plot_ = new CartesianPlot(PlotStyle::screen(QApplication::palette()), plotPage_);
+    plot_->setMinimumSize(200, 150);
     plotPage_->layout()->addWidget(plot_);
 }
 

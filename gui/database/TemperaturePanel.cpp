@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "gui/Theme.h"
+#include "gui/Widgets.h"
 #include "gui/database/FactorsPanel.h"
 #include "gui/database/NodePlot.h"
 #include "gui/database/TemperatureResult.h"
@@ -66,6 +67,7 @@ TemperaturePanel::TemperaturePanel(EditorContext& context, QWidget* parent)
     column->addWidget(makeHeading());
     column->addLayout(row);
     tabs_->addTab(makeNotes(), tr("Notes"));
+    letShownPageAloneAskForRoom(*tabs_);
     column->addWidget(tabs_, 1);
 
     connect(mode_, &QComboBox::activated, this, &TemperaturePanel::chooseMode);

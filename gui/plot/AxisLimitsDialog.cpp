@@ -13,6 +13,16 @@
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
+namespace {
+
+/// What is in a field: the exact end that it began with, whose digits are not all shown, or what
+/// has been typed; nothing where that is no number.
+std::optional<double> endIn(const QLineEdit* field, double before) {
+    return field->text() == readableNumber(before) ? before : numberIn(field);
+}
+
+} // namespace
+
 AxisLimitsDialog::AxisLimitsDialog(const std::vector<Axis>& axes, QWidget* parent)
     : QDialog(parent) {
     setObjectName("axisLimitsDialog");
@@ -28,7 +38,7 @@ AxisLimitsDialog::AxisLimitsDialog(const std::vector<Axis>& axes, QWidget* paren
     for (const Axis& axis : axes) {
         const int line = static_cast<int>(rows_.size()) + 1;
         const auto field = [&](double value, const char* end, int column) {
-            auto* edit = new QLineEdit(QString::fromStdString(irsg::numberText(value)), this);
+            auto* edit = new QLineEdit(readableNumber(value), this);
             edit->setObjectName(QStringLiteral("limit%1%2").arg(line).arg(end));
             edit->setMinimumWidth(130);
             connect(edit, &QLineEdit::textChanged, this, &AxisLimitsDialog::refresh);
@@ -59,8 +69,8 @@ AxisLimitsDialog::AxisLimitsDialog(const std::vector<Axis>& axes, QWidget* paren
 QStringList AxisLimitsDialog::problems() const {
     QStringList list;
     for (const Row& row : rows_) {
-        const auto from = numberIn(row.from);
-        const auto to = numberIn(row.to);
+        const auto from = endIn(row.from, row.axis.limits.minimum);
+        const auto to = endIn(row.to, row.axis.limits.maximum);
         if (!from || !to)
             list << tr("%1: two numbers, such as 0.5 and 1e4").arg(row.axis.title);
         else if (!(*from < *to))
@@ -74,7 +84,8 @@ QStringList AxisLimitsDialog::problems() const {
 std::vector<Interval> AxisLimitsDialog::limits() const {
     std::vector<Interval> list;
     for (const Row& row : rows_)
-        list.push_back({numberIn(row.from).value_or(0.0), numberIn(row.to).value_or(1.0)});
+        list.push_back({endIn(row.from, row.axis.limits.minimum).value_or(0.0),
+                        endIn(row.to, row.axis.limits.maximum).value_or(1.0)});
     return list;
 }
 

@@ -56,6 +56,7 @@ QwtText axisText(const QString& text, const PlotStyle& style) {
     QwtText result(text, QwtText::PlainText);
     result.setFont(plotFont());
     result.setColor(style.text);
+    result.setRenderFlags(Qt::AlignHCenter | Qt::TextWordWrap); // along a short axis
     return result;
 }
 

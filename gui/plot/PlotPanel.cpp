@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/WrappingBar.h"
 #include "gui/plot/AxisLimitsDialog.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotNavigator.h"
@@ -118,23 +119,23 @@ void PlotPanel::makeCopyAndSaveActions() {
 }
 
 void PlotPanel::makeBar() {
-    auto* bar = new QHBoxLayout;
-    bar->setContentsMargins(10, 8, 10, 0);
-    bar->setSpacing(2);
-    front_ = new QHBoxLayout;
+    auto* strip = new WrappingBar(this);
+    strip->layout()->setContentsMargins(10, 8, 10, 0);
+    front_ = strip->first();
     front_->setSpacing(8);
-    bar->addLayout(front_);
-    bar->addStretch(1);
+    auto* bar = strip->second();
+    bar->setSpacing(2);
     const auto button = [&](const QString& name, const QString& text = {}) {
         if (actions_.find(name) == actions_.end())
             return;
         auto* tool = new QToolButton(this);
+        tool->setObjectName(name);
         tool->setDefaultAction(actions_.at(name));
         tool->setAutoRaise(true);
         tool->setIconSize(QSize(18, 18));
         tool->setToolTip(actions_.at(name)->text());
         if (!text.isEmpty())
-            tool->setText(text);
+            actions_.at(name)->setIconText(text);
         bar->addWidget(tool);
     };
     button("logX", tr("log x"));
@@ -163,7 +164,7 @@ void PlotPanel::makeBar() {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addLayout(bar);
+    column->addWidget(strip);
     column->addWidget(surface_->widget(), 1);
 }
 

@@ -67,7 +67,10 @@ PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent)
         grid_->showAxis(axis, axis == QwtPolar::AxisAzimuth || axis == QwtPolar::AxisRight);
     grid_->setFont(plotFont(0.9));
     grid_->setAzimuthScaleDraw(new AngleLabels);
-    grid_->setScaleDraw(QwtPolar::AxisRight, new NumberLabels);
+    // Numbers end at their circle, so that the last one does not run into 90°.
+    auto* radii = new NumberLabels;
+    radii->setLabelAlignment(Qt::AlignLeft | Qt::AlignBottom);
+    grid_->setScaleDraw(QwtPolar::AxisRight, radii);
     grid_->setDisplayFlag(QwtPolarGrid::HideMaxRadiusLabel, false);
     grid_->setDisplayFlag(QwtPolarGrid::SmartOriginLabel, true);
     grid_->attach(this);

@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -22,12 +23,25 @@ QString textOf(const std::string& text) {
     return QString::fromStdString(text);
 }
 
+/// What a field takes, with long powers of ten as 10⁹.
+QString expectedText(const SettingInfo& info) {
+    QString text = withReadableUnits(textOf(info.expected()));
+    static const QRegularExpression power("\\b1(0{6,})\\b");
+    for (auto found = power.match(text); found.hasMatch(); found = power.match(text)) {
+        QString exponent = QString::number(found.capturedLength(1));
+        for (QChar& digit : exponent)
+            digit = QString("⁰¹²³⁴⁵⁶⁷⁸⁹").at(digit.digitValue());
+        text.replace(found.capturedStart(), found.capturedLength(), "10" + exponent);
+    }
+    return text;
+}
+
 } // namespace
 
 QString SettingForm::helpText(const SettingInfo& info) {
     return QStringLiteral("<p style='white-space:normal'>%1</p><p><i>%2</i></p>")
         .arg(textOf(info.help).toHtmlEscaped(),
-             (textOf(info.expected()) + "; " + textOf(info.key)).toHtmlEscaped());
+             (expectedText(info) + "; " + textOf(info.key)).toHtmlEscaped());
 }
 
 SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser chooseFile,
@@ -58,7 +72,7 @@ SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser choos
             form->addRow(label, row);
             continue;
         }
-        QString expected = textOf(info.expected());
+        QString expected = expectedText(info);
         expected.replace(0, 1, expected.left(1).toUpper());
         auto* help =
             new QLabel(QStringLiteral("%1 <i>%2.</i>")
@@ -217,7 +231,7 @@ QStringList SettingForm::problems() const {
     for (const auto& [key, field] : fields_) {
         const SettingInfo& info = settingInfo(key);
         if (!field.valid)
-            list << textOf(info.label) + ": " + textOf(info.expected());
+            list << textOf(info.label) + ": " + expectedText(info);
     }
     return list;
 }

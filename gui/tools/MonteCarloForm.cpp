@@ -63,7 +63,7 @@ QWidget* MonteCarloPage::makeForm() {
     scales_->setHeaderLabels({tr("Scale"), tr("Distribution"), tr("Range")});
     scales_->setRootIsDecorated(false);
     scales_->setAlternatingRowColors(true);
-    scales_->setMinimumHeight(150);
+    scales_->setMinimumHeight(120);
     scales_->header()->setStretchLastSection(false);
     scales_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     scales_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -81,6 +81,20 @@ QWidget* MonteCarloPage::makeForm() {
     scalesColumn->addWidget(write_);
     column->addWidget(scalesBox, 1);
 
+    auto* side = new QWidget(this);
+    side->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    auto* all = new QVBoxLayout(side);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(0);
+    all->addWidget(new SideScroll(panel, side), 1);
+    all->addWidget(makeFoot());
+    return side;
+}
+
+QWidget* MonteCarloPage::makeFoot() {
+    auto* panel = new QWidget(this);
+    auto* column = new QVBoxLayout(panel);
+    column->setContentsMargins(10, 4, 10, 10);
     problem_ = new QLabel(panel);
     problem_->setObjectName("problem");
     problem_->setWordWrap(true);
@@ -111,8 +125,7 @@ QWidget* MonteCarloPage::makeForm() {
     unsaved_->setWordWrap(true);
     unsaved_->hide();
     column->addWidget(unsaved_);
-
-    return new SideScroll(panel, this);
+    return panel;
 }
 
 void MonteCarloPage::addWhat(QFormLayout* form) {

@@ -385,8 +385,8 @@ void MonteCarloPage::onEnd(std::shared_ptr<const MonteCarloData> data,
         for (const SummaryItem& item : data->analysis.summary)
             if (item.label.find("index of") == std::string::npos)
                 lines << QString("%1: %2 %3")
-                             .arg(QString::fromStdString(item.label), readableNumber(item.value),
-                                  readableUnit(item.unit))
+                             .arg(withReadableUnits(QString::fromStdString(item.label)),
+                                  readableNumber(item.value), readableUnit(item.unit))
                              .trimmed();
         for (const std::string& warning : data->analysis.warnings)
             lines << tr("note: %1").arg(QString::fromStdString(warning));

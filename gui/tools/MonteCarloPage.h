@@ -60,6 +60,7 @@ class MonteCarloPage : public QWidget, public Exportable {
 
   private:
     QWidget* makeForm();
+    QWidget* makeFoot();
     void addWhat(QFormLayout* form);
     void addWhen(QFormLayout* form);
     void addRanking(QFormLayout* form);

@@ -60,7 +60,7 @@ QwtPlotIntervalCurve* bandBetween(const std::vector<double>& x, const std::vecto
     color.setAlpha(alpha);
     band->setBrush(color);
     band->setZ(5.0);
-    band->setItemAttribute(QwtPlotItem::Legend, true);
+    band->setItemAttribute(QwtPlotItem::Legend, false); // the lines at its edges are named
     return band;
 }
 
@@ -85,9 +85,19 @@ MonteCarloPlots::MonteCarloPlots(QWidget* parent) : QWidget(parent) {
     placeRow->addWidget(placeText_);
     histogramColumn->addLayout(placeRow);
     ranking_ = new RankingBars(below_);
+    empty_ = new QLabel(tr("Run shows the bands of the percentiles, a histogram and the scales "
+                           "that matter most here."),
+                        this);
+    empty_->setObjectName("nothingYet");
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setWordWrap(true);
+    empty_->setMargin(24);
+    empty_->setForegroundRole(QPalette::PlaceholderText);
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(empty_);
     all->addWidget(columns_);
+    columns_->hide();
     connect(place_, &QSlider::valueChanged, this, [this] {
         drawBands();
         drawHistogram();
@@ -124,6 +134,8 @@ void MonteCarloPlots::makePlots() {
 
 void MonteCarloPlots::setData(const MonteCarloData& data) {
     data_ = data;
+    empty_->setVisible(data_.values.empty());
+    columns_->setVisible(!data_.values.empty());
     const bool hasPlaces = !data_.abscissae.empty();
     {
         const QSignalBlocker quiet(place_);
@@ -199,8 +211,8 @@ void MonteCarloPlots::drawHistogram() {
         return;
     }
     const auto k = static_cast<std::size_t>(place_->value());
-    placeText_->setText(QString::number(data_.abscissae[k], 'g', 6) + " " +
-                        readableUnit(data_.abscissaUnit));
+    placeText_->setText(withReadableUnits(QString::number(data_.abscissae[k], 'g', 6) + " " +
+                                          QString::fromStdString(data_.abscissaUnit)));
     histogram_->setAxisTitle(QwtPlot::xBottom, axisText(quantityTitle(data_), style));
     auto* grid = new QwtPlotGrid;
     grid->setMajorPen(style.grid, 1.0);
@@ -256,8 +268,7 @@ void MonteCarloPlots::drawRanking() {
     for (const RankedScaling& one : data_.ranking)
         bars.push_back(
             {QString::fromStdString(data_.scalings[one.scaling].name), one.firstOrder, one.total});
-    ranking_->setHint(data_.values.empty() ? tr("The scales that matter most are shown here.")
-                                           : tr("Ask for the ranking to see which scales matter."));
+    ranking_->setHint(tr("Ask for the ranking to see which scales matter."));
     ranking_->setBars(std::move(bars));
 }
 

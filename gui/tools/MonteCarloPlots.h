@@ -46,6 +46,7 @@ class MonteCarloPlots : public QWidget {
     QwtPlot* histogram_ = nullptr;
     QSlider* place_ = nullptr;
     QLabel* placeText_ = nullptr;
+    QLabel* empty_ = nullptr; ///< in the place of the plots before the first run
     RankingBars* ranking_ = nullptr;
 };
 

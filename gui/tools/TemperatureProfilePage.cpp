@@ -33,6 +33,7 @@ TemperatureProfilePage::TemperatureProfilePage(Workbench& workbench, Dialogs dia
         edit->setToolTip(tip);
         connect(edit, &QLineEdit::textChanged, this, &TemperatureProfilePage::refresh);
         auto* row = new QHBoxLayout;
+        row->setSpacing(8);
         row->addWidget(edit, 1);
         auto* unit = new QLabel(tr("m"), this);
         unit->setForegroundRole(QPalette::PlaceholderText);

@@ -6,6 +6,8 @@
 #include <QTest>
 #include <QWheelEvent>
 #include <QwtPlotCanvas>
+#include <QwtScaleWidget>
+#include <QwtText>
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Errors.h"
@@ -51,6 +53,19 @@ class CartesianPlotTest : public ::testing::Test {
     }
     CartesianPlot plot;
 };
+
+TEST_F(CartesianPlotTest, WrapsTheTitleOfAShortAxis) {
+    const auto* scale = plot.axisWidget(QwtPlot::yLeft);
+    const int wide = scale->width();
+    plot.resize(420, 230);
+    QTest::qWait(20);
+    const double length = scale->title().textSize(scale->title().font()).width();
+    ASSERT_GT(length, scale->height()); // it cannot stand there in one line
+    EXPECT_GE(scale->width(), wide + plot.fontMetrics().height() - 2);
+    // In every direction the title takes no more than the axis has.
+    EXPECT_LE(scale->title().heightForWidth(scale->height()), scale->width());
+    test::keepScreenshot(plot, "plot-low");
+}
 
 TEST_F(CartesianPlotTest, ShowsAllOfItsCurvesAtFirst) {
     const auto view = plot.view();

@@ -153,7 +153,7 @@ TEST_F(MonteCarloPageTest, showsBandsHistogramAndRankingOfTheSampleAircraft) {
     EXPECT_EQ(get<RankingBars>("rankingBars")->bars().size(), 11u);
     EXPECT_TRUE(get<QLabel>("summary")->text().contains("Draws: 512"));
     get<QSlider>("histogramPlace")->setValue(3);
-    EXPECT_EQ(get<QLabel>("histogramPlaceText")->text(), "90 °");
+    EXPECT_EQ(get<QLabel>("histogramPlaceText")->text(), "90°");
 
     applyTheme(*qApp, ThemeMode::light);
     QTest::qWait(50);

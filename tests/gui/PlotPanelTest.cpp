@@ -12,6 +12,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QTest>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <QwtPolarCanvas>
 #include <gtest/gtest.h>
@@ -179,6 +180,30 @@ TEST_F(PlotPanelTest, AxisLimitsAreTakenToEveryDigit) {
     EXPECT_EQ(polar->polar()->canvasPoint(90.0, 5.0), pole);
     polar->action("undoZoom")->trigger();
     EXPECT_EQ(polar->polar()->radiusLimits().minimum, 0.0);
+}
+
+TEST_F(PlotPanelTest, LimitsThatAreNotTypedStayExactThoughFewerDigitsAreShown) {
+    const CartesianPlot::View view{{1.0 / 3.0, 2000.0 / 3.0}, {1e-18 / 7.0, 8.0 / 7.0}};
+    cartesian->cartesian()->setView(view);
+    onDialog = [](QDialog& dialog) {
+        for (const char* name : {"limit1From", "limit1To", "limit2From", "limit2To"})
+            EXPECT_LE(dialog.findChild<QLineEdit*>(name)->text().size(), 11) << name;
+    };
+    cartesian->action("axisLimits")->trigger();
+    EXPECT_EQ(cartesian->cartesian()->view(), view);
+}
+
+TEST_F(PlotPanelTest, ButtonsOfAxesKeepTheirShortWords) {
+    for (const auto& [panel, name, word] :
+         {std::tuple(cartesian.get(), "logX", "log x"),
+          std::tuple(cartesian.get(), "logY", "log y"), std::tuple(polar.get(), "decibel", "dB")}) {
+        auto* button = panel->findChild<QToolButton*>(name);
+        ASSERT_NE(button, nullptr) << name;
+        EXPECT_EQ(button->text(), word);
+        button->click();
+        EXPECT_TRUE(panel->action(name)->isChecked());
+        EXPECT_EQ(button->text(), word);
+    }
 }
 
 TEST_F(PlotPanelTest, LogarithmicAxesRefuseLimitsThatHaveNoLogarithm) {

@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QToolBar>
@@ -20,6 +21,13 @@ class ThemeTest : public test::WindowFixture {
         QTest::qWait(20);
     }
 };
+
+TEST_F(ThemeTest, ButtonsOfMessagesAndDialogsHaveNoIcons) {
+    QMessageBox box(QMessageBox::Warning, "title", "text",
+                    QMessageBox::Ok | QMessageBox::Cancel | QMessageBox::Discard, window.get());
+    for (const auto* button : box.buttons())
+        EXPECT_TRUE(button->icon().isNull()) << button->text().toStdString();
+}
 
 /// Mean lightness of what an icon draws, 0 to 255; 128 for nothing.
 double lightnessOf(const QIcon& icon) {

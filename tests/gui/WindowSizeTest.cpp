@@ -1,6 +1,7 @@
 #include <QDockWidget>
 #include <QListWidget>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTabWidget>
 
 #include "gui/database/DatabaseDock.h"
@@ -55,7 +56,6 @@ TEST_F(WindowSizeTest, EveryPageAndDockFitsASmallScreen) {
     for (int i = 0; i < editor.tabs()->count(); ++i) {
         editor.tabs()->setCurrentIndex(i);
         fits("editor");
-        test::keepScreenshot(*window, "small-editor-" + std::to_string(i));
     }
 }
 
@@ -64,7 +64,8 @@ TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingAcrossOnASmallScreen) {
     openSample();
     auto* centre = window->findChild<QScrollArea*>("centre");
     ASSERT_NE(centre, nullptr);
-    for (const char* tool : {"radiativeOutput", "temperatureProfile", "monteCarlo"}) {
+    for (const char* tool :
+         {"compareImages", "radiativeOutput", "temperatureProfile", "monteCarlo"}) {
         trigger(tool);
         QTest::qWait(30);
         EXPECT_LE(centre->widget()->minimumSizeHint().width(), centre->viewport()->width()) << tool;
@@ -75,6 +76,35 @@ TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingAcrossOnASmallScreen) {
                     << tool;
             }
     }
+}
+
+TEST_F(WindowSizeTest, TheDatabaseEditorNeedsNoScrollingOnASmallScreen) {
+    window->resize(smallScreen);
+    openSample();
+    auto& editor = window->databaseEditor();
+    editor.show();
+    editor.raise();
+    const auto* scroll = qobject_cast<QScrollArea*>(editor.widget());
+    ASSERT_NE(scroll, nullptr);
+    const auto fitsEditor = [&](const QString& page) {
+        QTest::qWait(30);
+        EXPECT_EQ(scroll->verticalScrollBar()->maximum(), 0) << page.toStdString();
+        EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0) << page.toStdString();
+    };
+    int pages = 0;
+    for (int i = 0; i < editor.tabs()->count(); ++i) {
+        editor.tabs()->setCurrentIndex(i);
+        fitsEditor(editor.tabs()->tabText(i));
+        for (auto* inner : editor.tabs()->currentWidget()->findChildren<QTabWidget*>())
+            for (int k = 0; k < inner->count(); ++k) {
+                if (!inner->isTabVisible(k))
+                    continue;
+                inner->setCurrentIndex(k);
+                fitsEditor(editor.tabs()->tabText(i) + ", " + inner->tabText(k));
+                test::keepScreenshot(*window, "small-editor-" + std::to_string(++pages));
+            }
+    }
+    EXPECT_GE(pages, 8);
 }
 
 } // namespace
