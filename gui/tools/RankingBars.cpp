@@ -39,7 +39,8 @@ void RankingBars::setHint(const QString& hint) {
 
 int RankingBars::rowHeight() const {
     const int room = height() - 2 * margin - titleHeight - axisHeight;
-    return std::clamp(room / std::max(static_cast<int>(bars_.size()), 1), 12, 30);
+    return std::clamp(room / std::max(static_cast<int>(bars_.size()), 1), fontMetrics().height(),
+                      30);
 }
 
 void RankingBars::paintEvent(QPaintEvent*) {
