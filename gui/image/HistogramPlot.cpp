@@ -85,6 +85,7 @@ void HistogramPlot::draw() {
 void HistogramPlot::dress() {
     const auto style = PlotStyle::screen(palette());
     dressPlot(*this, style);
+    setCanvasBackground(style.canvas);
     if (auto* frame = qobject_cast<QFrame*>(canvas()))
         frame->setFrameStyle(QFrame::NoFrame);
     setContentsMargins(4, 4, 8, 2);
