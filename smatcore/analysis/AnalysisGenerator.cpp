@@ -10,20 +10,13 @@
 #include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/support/Log.h"
+#include "smatcore/support/NewSentences.h"
 
 namespace smat {
 
 namespace {
 
 using irsg::Quantity;
-
-void addNew(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
-    for (const std::string& sentence : more) {
-        if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) {
-            sentences.push_back(sentence);
-        }
-    }
-}
 
 void takeReport(AnalysisData& data, const irsg::RenderReport& report) {
     addNew(data.answeredBy, report.answeredBy);

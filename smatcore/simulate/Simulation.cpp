@@ -8,6 +8,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/support/Log.h"
+#include "smatcore/support/NewSentences.h"
 
 namespace smat {
 
@@ -18,14 +19,6 @@ using irsg::Quantity;
 constexpr Quantity entityQuantities[] = {Quantity::range, Quantity::intensity,
                                          Quantity::contrastIntensity, Quantity::irradiance,
                                          Quantity::pixels};
-
-void addNew(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
-    for (const std::string& sentence : more) {
-        if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) {
-            sentences.push_back(sentence);
-        }
-    }
-}
 
 SensorResult resultOf(const LoadedScenario& loaded, std::size_t sensor) {
     SensorResult result{.sensor = sensor,

@@ -1,0 +1,149 @@
+#include "smatcore/analysis/MonteCarloViews.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "smatcore/analysis/CaseChecks.h"
+#include "smatcore/analysis/SceneRestorer.h"
+#include "smatcore/support/NewSentences.h"
+
+namespace smat {
+
+namespace {
+
+using Asked = MonteCarloOptions::Quantity;
+
+/// The camera turned by a part of a pixel, another one for every phase.
+irsg::Viewpoint atPhase(const irsg::Viewpoint& viewpoint, const irsg::Sensor& sensor, int phase) {
+    const double pitch = sensor.pixelPitch();
+    const double u = std::fmod(0.7548776662466927 * phase, 1.0) - 0.5;
+    const double v = std::fmod(0.5698402909980532 * phase, 1.0) - 0.5;
+    const irsg::Vec3 ahead = viewpoint.position_m + viewpoint.forward() +
+                             viewpoint.right * (u * pitch) + viewpoint.up * (v * pitch);
+    return irsg::Viewpoint::lookAt(viewpoint.position_m, ahead, viewpoint.up, viewpoint.right);
+}
+
+const std::vector<double>& column(const irsg::ScaledValues& values, Asked asked) {
+    return asked == Asked::intensity           ? values.intensity
+           : asked == Asked::contrastIntensity ? values.contrastIntensity
+                                               : values.irradiance;
+}
+
+double number(const irsg::ObjectRadiometry& all, Asked asked) {
+    return asked == Asked::intensity           ? all.intensity_W_sr
+           : asked == Asked::contrastIntensity ? all.contrastIntensity_W_sr
+                                               : all.irradiance_W_m2;
+}
+
+const std::vector<double>& column(const irsg::IntensitySpectrum& spectrum, Asked asked) {
+    return asked == Asked::intensity           ? spectrum.intensity_W_sr_um
+           : asked == Asked::contrastIntensity ? spectrum.contrastIntensity_W_sr_um
+                                               : spectrum.irradiance_W_m2_um;
+}
+
+} // namespace
+
+void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
+    AnalysisData& analysis = data_.analysis;
+    source_.configure(scene_);
+    std::vector<irsg::Vec3> inModel;
+    for (std::size_t i = 0; i < scene_.entities.size(); ++i)
+        inModel.push_back(source_.referencePointInModel(i));
+    analysis.renderer = source_.rendererDescription();
+    source_.resetStageTimes();
+    const irsg::Pose standing = scene_.entities.front().pose;
+    const irsg::Vec3 referencePoint = standing.toWorld(inModel.front());
+    const AnalysisCase home =
+        planAnalysis(AnalysisKind::image, analysis.project, analysis.settings).cases.front();
+    const SceneRestorer restore(source_, scene_, home.viewpoint(referencePoint));
+
+    std::size_t beyondFrame = 0;
+    for (const AnalysisCase& one : plan_.cases) {
+        if (!views_.empty() && stop.stop_requested())
+            break;
+        const irsg::Pose pose = one.pose(standing, inModel.front());
+        const irsg::Viewpoint viewpoint = one.viewpoint(referencePoint);
+        source_.setPose(0, pose);
+        beyondFrame +=
+            reachesBeyondFrame(scene_.entities.front(), pose, viewpoint, scene_.sensor) ? 1 : 0;
+        for (std::size_t i = 0; i < scene_.entities.size(); ++i) {
+            irsg::EntityState state = scene_.entities[i].state;
+            state.time_s = one.time_s;
+            source_.setState(i, state);
+            const irsg::Pose& at = i == 0 ? pose : scene_.entities[i].pose;
+            addNew(analysis.warnings, heldTables(scene_.entities[i], state, at,
+                                                 at.toWorld(inModel[i]), viewpoint.position_m));
+        }
+        drawPhases(one, viewpoint, tell, stop);
+    }
+    if (beyondFrame > 0)
+        analysis.warnings.push_back(
+            fmt::format("the target's bounding box reaches beyond the frame in {} of the cases; "
+                        "what lies outside is not in the sums",
+                        beyondFrame));
+    if (!areAll())
+        analysis.warnings.push_back(
+            fmt::format("stopped after {} of {} cases", views_.size(), plan_.cases.size()));
+}
+
+MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one) {
+    const Asked asked = data_.options.quantity;
+    if (plan_.kind == AnalysisKind::spectrum) {
+        const irsg::IntensitySpectrum spectrum = source_.measureSpectrum(plan_.wavenumbers_cm1);
+        return {spectrum.wavelengths_um, column(spectrum, asked), {}, spectrum.warnings};
+    }
+    const irsg::RenderReport report = source_.measure();
+    return {{one.coordinate}, {number(report.all, asked)}, report.answeredBy, report.warnings};
+}
+
+void MonteCarloViews::drawPhases(const AnalysisCase& one, const irsg::Viewpoint& viewpoint,
+                                 const Telling& tell, const std::stop_token& stop) {
+    const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
+        all.insert(all.end(), more.begin(), more.end());
+    };
+    std::vector<std::vector<double>> atPhases;
+    const std::size_t caseNumber = views_.size() + 1;
+    for (int phase = 0; phase < data_.options.phases; ++phase) {
+        tell(fmt::format("case {} of {}, phase {} of {}", caseNumber, plan_.cases.size(), phase + 1,
+                         data_.options.phases));
+        source_.setViewpoint(phase == 0 ? viewpoint : atPhase(viewpoint, scene_.sensor, phase));
+        Drawing drawing = drawOne(one);
+        if (phase == 0) {
+            append(data_.abscissae, drawing.abscissae);
+            append(data_.nominal, drawing.values);
+            addNew(data_.analysis.answeredBy, drawing.answeredBy);
+            addNew(data_.analysis.warnings, drawing.warnings);
+            std::vector<irsg::ScalingInput> inputs;
+            for (const SceneScaling& scaling : data_.scalings)
+                inputs.push_back(scaling.input);
+            views_.push_back(source_.scaledView(inputs, plan_.wavenumbers_cm1));
+        }
+        atPhases.push_back(std::move(drawing.values));
+        if (stop.stop_requested())
+            break;
+    }
+    addNumericalError(atPhases);
+}
+
+void MonteCarloViews::addNumericalError(const std::vector<std::vector<double>>& atPhases) {
+    for (std::size_t k = 0; k < atPhases.front().size(); ++k) {
+        std::vector<double> same;
+        for (const auto& values : atPhases)
+            same.push_back(values[k]);
+        data_.numericalError.push_back(standardDeviationOf(same));
+    }
+}
+
+std::vector<double> MonteCarloViews::valuesAt(const std::vector<double>& scales) {
+    std::vector<double> all;
+    all.reserve(data_.abscissae.size());
+    for (const auto& view : views_) {
+        view->evaluate(scales, scratch_);
+        const std::vector<double>& values = column(scratch_, data_.options.quantity);
+        all.insert(all.end(), values.begin(), values.end());
+    }
+    return all;
+}
+
+} // namespace smat

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/MonteCarlo.h"
+
+namespace smat {
+
+/// The cases of a Monte Carlo analysis, each drawn once and from then on a function of the scales.
+class MonteCarloViews {
+  public:
+    /// Is told of every drawing before it begins: "case 2 of 5, phase 1 of 4".
+    using Telling = std::function<void(std::string)>;
+
+    /// All must outlive it.
+    MonteCarloViews(ImageSource& source, const AnalysisPlan& plan, const SceneDescription& scene,
+                    MonteCarloData& data)
+        : source_(source), plan_(plan), scene_(scene), data_(data) {}
+
+    /// Draws the cases and, for the numerical error, their phases; puts target and viewpoint back.
+    /// Abscissae, nominal values, numerical errors and warnings go to the data. A stop ends it
+    /// after the first drawing.
+    void draw(const Telling& tell, const std::stop_token& stop);
+    bool areAll() const { return views_.size() == plan_.cases.size(); }
+    /// The quantity at every abscissa that was drawn.
+    std::vector<double> valuesAt(const std::vector<double>& scales);
+
+  private:
+    struct Drawing {
+        std::vector<double> abscissae, values;
+        std::vector<std::string> answeredBy, warnings;
+    };
+    Drawing drawOne(const AnalysisCase& one);
+    void drawPhases(const AnalysisCase& one, const irsg::Viewpoint& viewpoint, const Telling& tell,
+                    const std::stop_token& stop);
+    void addNumericalError(const std::vector<std::vector<double>>& atPhases);
+
+    ImageSource& source_;
+    const AnalysisPlan& plan_;
+    const SceneDescription& scene_;
+    MonteCarloData& data_;
+    std::vector<std::unique_ptr<const irsg::ScaledView>> views_;
+    irsg::ScaledValues scratch_;
+};
+
+} // namespace smat
