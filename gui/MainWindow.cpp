@@ -307,11 +307,11 @@ void MainWindow::showModel() {
 }
 
 bool MainWindow::isLoadingModel() const {
-    return loader_ != nullptr && loader_->isBusy();
+    return databaseDock_->isReadingModel() || (loader_ != nullptr && loader_->isBusy());
 }
 
 void MainWindow::makeLoader() {
-    loader_ = new SceneLoader(this);
+    loader_ = new SceneLoader(workbench_.models(), this);
     auto* words = new QLabel(this);
     words->setObjectName("loadingWords");
     auto* busy = new QProgressBar(this);

@@ -69,9 +69,11 @@ Project movedTo(const Project& project, const std::filesystem::path& file) {
 
 } // namespace
 
-Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent)
+Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent,
+                     std::shared_ptr<ModelStore> models)
     : QObject(parent),
       database_(std::make_unique<DatabaseSession>(undoStack_)),
+      models_(std::move(models)),
       engine_(std::make_shared<AnalysisEngine>()) {
     engine_->makeSource = std::move(makeSource);
     connect(&results_, &ResultStore::added, this, &Workbench::resultAdded);
@@ -119,9 +121,17 @@ void Workbench::take(const Project& project, const Project& saved) {
     settings_ = project.settings;
     project_->settings = saved_.settings;
     followDatabase(true);
+    keepModels();
     emit projectOpened();
     emit settingsChanged();
     emit modifiedChanged();
+}
+
+void Workbench::keepModels() {
+    std::vector<ModelKey> keys;
+    for (const ProjectModel& model : project_->models)
+        keys.push_back(ModelKey::of(*project_, model));
+    models_->keepOnly(keys);
 }
 
 const Project& Workbench::project() const {
@@ -223,8 +233,10 @@ void Workbench::apply(const Project& edited) {
     const bool projectDiffers = now != *project_;
     project_ = std::move(now);
     followDatabase(false);
-    if (projectDiffers)
+    if (projectDiffers) {
+        keepModels();
         emit projectChanged();
+    }
     if (settingsDiffer)
         emit settingsChanged();
     emit modifiedChanged();

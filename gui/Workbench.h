@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QUndoStack>
 
+#include "gui/ModelStore.h"
 #include "gui/analysis/AnalysisJob.h"
 #include "gui/analysis/ResultStore.h"
 #include "gui/database/DatabaseSession.h"
@@ -24,7 +25,8 @@ class Workbench : public QObject {
 
   public:
     explicit Workbench(ImageSourceFactory makeSource = makeIrsgImageSource,
-                       QObject* parent = nullptr);
+                       QObject* parent = nullptr,
+                       std::shared_ptr<ModelStore> models = std::make_shared<ModelStore>());
     ~Workbench() override;
 
     /// Opens a `.smat` project, or a model with defaults as a project without a file. Forgets the
@@ -84,6 +86,9 @@ class Workbench : public QObject {
     /// in view and analyses.
     SceneBuilder::DatabaseOverrides editedDatabases() const;
 
+    /// The models of the project that is open; never null.
+    const std::shared_ptr<ModelStore>& models() const { return models_; }
+
     OrbitCamera camera() const;
     void setCamera(const OrbitCamera& camera);
 
@@ -123,6 +128,8 @@ class Workbench : public QObject {
     void push(const Project& after, const QString& step, const std::string& mergeKey);
     void apply(const Project& edited);
     void take(const Project& project, const Project& saved);
+    /// Lets go of models that the project no longer names.
+    void keepModels();
     /// Path of the target's database; empty where it has none.
     std::filesystem::path databaseFile() const;
     void followDatabase(bool anew);
@@ -141,6 +148,7 @@ class Workbench : public QObject {
     QTimer stepEnd_;
     bool stepHeld_ = false;
     int step_ = 0;
+    std::shared_ptr<ModelStore> models_;
     std::shared_ptr<AnalysisEngine> engine_;
     ResultStore results_;
     std::unique_ptr<AnalysisJob> job_;

@@ -254,18 +254,25 @@ void DatabaseDock::newDatabase() {
     auto& workbench = context_.workbench();
     if (!workbench.hasProject() || !mayClose())
         return;
+    if (context_.isReadingModel()) {
+        context_.dialogs().tell(context_.window, tr("The model is still being read"),
+                                {tr("A new database has an entry for every index of the model. "
+                                    "Try again in a moment.")});
+        return;
+    }
     const Project& project = workbench.project();
-    const auto model = project.resolve(project.models.front().file);
+    const ModelKey key = ModelKey::of(project, project.models.front());
+    const auto& model = key.file;
     const QString file = context_.dialogs().saveFile(
         context_.window, tr("New signature database"), databaseFilters(),
         QString::fromStdString(std::filesystem::path(model).replace_extension(".sigdb").string()));
     if (file.isEmpty())
         return;
     attempt(tr("This model cannot be read"), [&] {
-        const auto codes = irsg::Model::load(model)->codes();
+        const auto target = workbench.models()->model(key);
         irsg::SignatureDatabase database;
         database.title = model.stem().string();
-        for (const auto& [pair, use] : codes) {
+        for (const auto& [pair, use] : target->codes()) {
             database.temperatures[pair.temperature].name =
                 "temperature " + std::to_string(pair.temperature);
             database.materials[pair.material].name = "material " + std::to_string(pair.material);

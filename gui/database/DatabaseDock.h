@@ -34,6 +34,8 @@ class DatabaseDock : public QDockWidget {
     void selectCodes(int temperature, int material);
     /// False where a person wants to go on editing what is not saved.
     bool mayClose();
+    /// The faces of the target are not known yet.
+    bool isReadingModel() const { return context_.isReadingModel(); }
 
     QTabWidget* tabs() const { return tabs_; }
     FindingsPanel* findings() const { return findings_; }

@@ -11,37 +11,61 @@ EditorContext::EditorContext(Workbench& workbench, DatabaseSession& session, Dia
                              QObject* parent)
     : QObject(parent), workbench_(workbench), session_(session), dialogs_(std::move(dialogs)) {
     connect(&workbench_, &Workbench::projectOpened, this, [this] {
-        modelKey_.clear();
+        target_.reset();
         readModel();
         readSettings();
     });
+    connect(&workbench_, &Workbench::projectChanged, this, &EditorContext::readModel);
     connect(&workbench_, &Workbench::settingsChanged, this, &EditorContext::readSettings);
     readModel();
     readSettings();
 }
 
 void EditorContext::readModel() {
-    if (!workbench_.hasProject() || workbench_.project().models.empty())
+    if (!workbench_.hasProject())
         return;
-    const Project& project = workbench_.project();
-    const ProjectModel& target = project.models.front();
-    const auto file = project.resolve(target.file);
-    if (file.string() == modelKey_)
-        return;
-    modelKey_ = file.string();
-    use_ = {};
-    try {
-        const auto model = irsg::Model::load(
-            file, {.noseAxis = target.noseAxis, .forceTwoSided = target.forceTwoSided});
-        use_ = irsg::useOf(*model);
-        use_.fallbackTemperature = target.fallbackTemperature;
-        use_.fallbackMaterial = target.fallbackMaterial;
-        knowsModel_ = true;
-    } catch (const irsg::InputError&) {
-        // The 3-D view has said what is wrong with it; the database can be edited all the same.
+    if (workbench_.project().models.empty()) {
+        target_.reset();
+        reading_.cancel();
+        use_ = {};
         knowsModel_ = false;
+        return;
     }
+    const ProjectModel& target = workbench_.project().models.front();
+    const ModelKey key = ModelKey::of(workbench_.project(), target);
+    const bool isKnown = target_ == key;
+    if (isKnown && use_.fallbackTemperature == target.fallbackTemperature &&
+        use_.fallbackMaterial == target.fallbackMaterial)
+        return;
+    if (!isKnown) {
+        use_ = {};
+        knowsModel_ = false;
+        target_ = key;
+        read(key);
+    }
+    use_.fallbackTemperature = target.fallbackTemperature;
+    use_.fallbackMaterial = target.fallbackMaterial;
     emit surroundingsChanged();
+}
+
+void EditorContext::read(const ModelKey& key) {
+    reading_.run<irsg::ModelUse>(
+        [key, models = workbench_.models()] { return irsg::useOf(*models->model(key)); },
+        [this](irsg::ModelUse use) {
+            use.fallbackTemperature = use_.fallbackTemperature;
+            use.fallbackMaterial = use_.fallbackMaterial;
+            use_ = std::move(use);
+            knowsModel_ = true;
+            emit surroundingsChanged();
+        },
+        [this](const std::exception_ptr& thrown) {
+            try {
+                std::rethrow_exception(thrown);
+            } catch (const irsg::InputError&) {
+                // The 3-D view says what is wrong with it; the database can be edited all the same.
+                emit surroundingsChanged();
+            }
+        });
 }
 
 void EditorContext::readSettings() {

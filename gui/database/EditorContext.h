@@ -6,6 +6,7 @@
 #include <QObject>
 
 #include "gui/Dialogs.h"
+#include "gui/LatestTask.h"
 #include "gui/Workbench.h"
 #include "gui/database/DatabaseEdits.h"
 #include "gui/database/DatabaseSession.h"
@@ -34,8 +35,9 @@ class EditorContext : public QObject {
     const irsg::ModelUse& modelUse() const { return use_; }
     /// Indices of the target's faces that the database has no entry for.
     std::vector<EntryKey> missing() const;
-    /// False where the model could not be read.
+    /// False where the model could not be read, or is not read yet.
     bool knowsModel() const { return knowsModel_; }
+    bool isReadingModel() const { return reading_.isBusy(); }
     const irsg::SpectralRange& band() const { return band_; }
     /// Of the target as the project's settings have it, in the air of its atmosphere.
     const irsg::EntityState& state() const { return state_; }
@@ -51,6 +53,7 @@ class EditorContext : public QObject {
 
   private:
     void readModel();
+    void read(const ModelKey& key);
     void readSettings();
 
     Workbench& workbench_;
@@ -58,9 +61,11 @@ class EditorContext : public QObject {
     Dialogs dialogs_;
     bool knowsModel_ = false;
     irsg::ModelUse use_;
-    std::string modelKey_, airKey_, settingsKey_;
+    std::optional<ModelKey> target_; ///< that use_ is of
+    std::string airKey_, settingsKey_;
     irsg::SpectralRange band_;
     irsg::EntityState state_;
+    LatestTask reading_;
 };
 
 /// "1 face", "12 faces".

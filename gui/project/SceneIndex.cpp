@@ -46,17 +46,14 @@ ModelIndex makeModelIndex(const ProjectModel& model, const ModelCodes& codes,
     return index;
 }
 
-std::vector<ModelIndex> loadSceneIndex(const Project& project) {
+std::vector<ModelIndex> loadSceneIndex(const Project& project, ModelStore& models) {
     std::vector<ModelIndex> indices;
     for (const auto& model : project.models) {
         ModelCodes codes;
         irsg::SignatureDatabase database;
         QString modelProblem, databaseProblem;
         try {
-            codes = irsg::Model::load(
-                        project.resolve(model.file),
-                        {.noseAxis = model.noseAxis, .forceTwoSided = model.forceTwoSided})
-                        ->codes();
+            codes = models.model(ModelKey::of(project, model))->codes();
         } catch (const irsg::InputError& error) {
             modelProblem = problemOf(error);
         }

@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include "gui/ModelStore.h"
 #include "irsg/signature/SignatureDatabase.h"
 #include "smatcore/project/Project.h"
 
@@ -36,6 +37,6 @@ ModelIndex makeModelIndex(const ProjectModel& model, const ModelCodes& codes,
                           const irsg::SignatureDatabase& database);
 
 /// Reads the files of all models; takes its time. Nothing is thrown: what is wrong is in the index.
-std::vector<ModelIndex> loadSceneIndex(const Project& project);
+std::vector<ModelIndex> loadSceneIndex(const Project& project, ModelStore& models);
 
 } // namespace smat::gui

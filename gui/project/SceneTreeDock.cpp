@@ -147,8 +147,9 @@ void SceneTreeDock::load() {
     loading_ = std::make_shared<Loading>();
     index_.assign(workbench_.project().models.size(), {});
     fill();
-    backgroundPool().start([work = loading_, project = workbench_.project()] {
-        work->index = loadSceneIndex(project);
+    backgroundPool().start([work = loading_, project = workbench_.project(),
+                              models = workbench_.models()] {
+        work->index = loadSceneIndex(project, *models);
         work->done = true;
     });
     watch_.start();

@@ -117,8 +117,8 @@ void RadiativePage::locate() {
     located_ = project.models;
     referencePoint_m_.reset();
     locating_.run<irsg::Vec3>(
-        [project] {
-            SceneBuilder scenes;
+        [project, models = workbench().models()] {
+            SceneBuilder scenes(ModelStore::loader(models));
             return targetReferencePoint(project, scenes);
         },
         [this](const irsg::Vec3& point_m) {
@@ -173,8 +173,9 @@ Calculation::Work RadiativePage::work() {
     const auto project = workbench().project();
     const auto asked = settings();
     const auto words = this->words();
-    return [this, project, asked, words]() -> std::function<void()> {
-        SceneBuilder scenes;
+    return [this, project, asked, words,
+            models = workbench().models()]() -> std::function<void()> {
+        SceneBuilder scenes(ModelStore::loader(models));
         const irsg::Environment environment = environmentOf(project, asked);
         RadiativeRequest request;
         request.band = irsg::Band::fromText(asked.text("sensor.band")).range();

@@ -103,14 +103,15 @@ void DisplayScene::findReference() {
     referenceInModel_m = opaque.valid() ? opaque.centre() : entity.model->bounds().centre();
 }
 
-DisplayScene loadDisplayScene(const Project& project, const Settings& settings) {
+DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
+                              const SceneBuilder::ModelLoader& models) {
     DisplayScene scene;
     scene.root = new osg::Group;
-    SceneBuilder builder;
+    SceneBuilder builder(models);
     std::vector<irsg::Offence> offences;
     for (std::size_t i = 0; i < project.models.size(); ++i) {
         const ProjectModel& given = project.models[i];
-        const ModelKey key{project.resolve(given.file), given.noseAxis, given.forceTwoSided};
+        const ModelKey key = ModelKey::of(project, given);
         irsg::LoadedGraph loaded;
         try {
             loaded = irsg::loadGraph(key.file, irsg::LoadPurpose::visible);

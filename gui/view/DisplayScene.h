@@ -46,13 +46,16 @@ struct DisplayScene {
                       std::shared_ptr<const irsg::SignatureDatabase> signature);
 
   private:
-    friend DisplayScene loadDisplayScene(const Project& project, const Settings& settings);
+    friend DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
+                                         const SceneBuilder::ModelLoader& models);
     void findReference();
     ProjectModel target_;
 };
 
 /// Loads the models of a project and puts them at the poses that `settings` give. Throws
-/// irsg::InputError with the offences of all models.
-DisplayScene loadDisplayScene(const Project& project, const Settings& settings);
+/// irsg::InputError with the offences of all models. The infrared models come from `models`, or
+/// from their files where it is empty.
+DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
+                              const SceneBuilder::ModelLoader& models = {});
 
 } // namespace smat::gui

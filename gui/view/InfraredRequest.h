@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,26 +10,17 @@
 #include <QMetaType>
 #include <QSize>
 
+#include "gui/ModelStore.h"
 #include "gui/image/ColorBar.h"
 #include "gui/view/OrbitCamera.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/image/RadianceImage.h"
-#include "irsg/scene/Model.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
 
 /// What the infrared display shows of a pixel.
 enum class InfraredQuantity { radiance, apparentTemperature };
-
-/// Models that are loaded already.
-struct ModelKey {
-    std::filesystem::path file;
-    irsg::NoseAxis noseAxis = irsg::NoseAxis::plusY;
-    bool forceTwoSided = false;
-    auto operator<=>(const ModelKey&) const = default;
-};
-using LoadedModels = std::map<ModelKey, std::shared_ptr<const irsg::Model>>;
 
 /// One picture that the infrared display is asked for. The project's atmosphere, sun, band and
 /// rendering settings apply; size and field of view are the view's own.

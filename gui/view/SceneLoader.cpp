@@ -10,7 +10,8 @@ constexpr int tick_ms = 100, patience_ms = 250;
 
 } // namespace
 
-SceneLoader::SceneLoader(QObject* parent) : QObject(parent) {
+SceneLoader::SceneLoader(std::shared_ptr<ModelStore> models, QObject* parent)
+    : QObject(parent), models_(std::move(models)) {
     tick_.setInterval(tick_ms);
     connect(&tick_, &QTimer::timeout, this, &SceneLoader::tell);
 }
@@ -29,8 +30,9 @@ void SceneLoader::load(const Project& project, const Settings& settings) {
         emit waiting({});
     };
     task_.run<Loaded>(
-        [project, settings] {
-            return std::make_shared<DisplayScene>(loadDisplayScene(project, settings));
+        [project, settings, models = models_] {
+            return std::make_shared<DisplayScene>(
+                loadDisplayScene(project, settings, ModelStore::loader(models)));
         },
         [this, end](const Loaded& scene) {
             end();

@@ -18,7 +18,7 @@ class SceneLoader : public QObject {
     Q_OBJECT
 
   public:
-    explicit SceneLoader(QObject* parent = nullptr);
+    explicit SceneLoader(std::shared_ptr<ModelStore> models, QObject* parent = nullptr);
 
     /// Returns at once; one of loaded and failed follows.
     void load(const Project& project, const Settings& settings);
@@ -34,6 +34,7 @@ class SceneLoader : public QObject {
   private:
     void tell();
 
+    std::shared_ptr<ModelStore> models_;
     LatestTask task_;
     QTimer tick_;
     QElapsedTimer clock_;

@@ -28,7 +28,7 @@ Project small() {
 }
 
 TEST(SceneLoaderTest, AnotherProjectSupersedesTheOneThatIsBeingRead) {
-    SceneLoader loader;
+    SceneLoader loader(std::make_shared<ModelStore>());
     std::vector<std::size_t> counts;
     QObject::connect(&loader, &SceneLoader::loaded,
                      [&](const std::shared_ptr<DisplayScene>& scene) {
@@ -47,7 +47,7 @@ TEST(SceneLoaderTest, AnotherProjectSupersedesTheOneThatIsBeingRead) {
 }
 
 TEST(SceneLoaderTest, TellsOfAllModelsThatCannotBeRead) {
-    SceneLoader loader;
+    SceneLoader loader(std::make_shared<ModelStore>());
     QStringList sentences;
     QObject::connect(&loader, &SceneLoader::failed, [&](const QStringList& s) { sentences = s; });
     Project project = small();
