@@ -62,7 +62,7 @@ InfraredPicture InfraredScene::draw(const InfraredRequest& request) {
             const irsg::Stopwatch watch(picture.radiance_s);
             image_.reset();
             update(request);
-            image_ = std::make_shared<irsg::RadianceImage>(irsg_.render().image);
+            image_ = std::make_shared<irsg::RadianceImage>(irsg_.picture());
         } else if (request.quantity == InfraredQuantity::apparentTemperature) {
             image_ = std::make_shared<irsg::RadianceImage>(*image_);
         }

@@ -57,7 +57,10 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_
     // Transparent faces mix with what lies behind them; the widget itself stays opaque.
     parts_->root->getOrCreateStateSet()->setAttribute(new osg::ColorMask(true, true, true, false));
     map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
-    hud_ = new CrosshairOverlay(this, [this](QPainter& painter) { hud().paint(painter); });
+    hud_ = new CrosshairOverlay(this, [this](QPainter& painter) {
+        parts_->hud = hud();
+        parts_->hud->paint(painter);
+    });
     hud_->show();
 
     infrared_ = new InfraredDisplay(this);
@@ -275,17 +278,17 @@ void SceneView::setWireframe(bool on) {
 
 void SceneView::setViewAxesVisible(bool on) {
     viewAxes_ = on;
-    hud_->update();
+    refreshHud();
 }
 
 void SceneView::setModelAxesVisible(bool on) {
     modelAxes_ = on;
-    hud_->update();
+    refreshHud();
 }
 
 void SceneView::setSunVectorVisible(bool on) {
     sunVector_ = on;
-    hud_->update();
+    refreshHud();
 }
 
 void SceneView::setHighlighted(const FaceSelection& selection) {
@@ -318,7 +321,12 @@ void SceneView::sceneChanged() {
 
 void SceneView::redraw() {
     update();
-    hud_->update();
+    refreshHud();
+}
+
+void SceneView::refreshHud() {
+    if (parts_->hud != hud())
+        hud_->update();
 }
 
 void SceneView::resizeEvent(QResizeEvent* event) {

@@ -123,6 +123,8 @@ class SceneView : public QOpenGLWidget {
     void aim();
     void userMoved();
     void redraw();
+    /// Paints what is written over the picture where it differs.
+    void refreshHud();
     /// Something that is seen has changed.
     void sceneChanged();
     void arrange();

@@ -74,6 +74,7 @@ void SceneView::setLimits(const irsg::DisplayLimits& limits) {
 
 void SceneView::setEditedDatabase(const std::filesystem::path& file,
                                   std::shared_ptr<const irsg::SignatureDatabase> database) {
+    const irsg::Vec3 referenceBefore = parts_->scene.referencePoint_m;
     if (database) {
         edited_[file] = database;
         parts_->scene.setSignature(file, database);
@@ -87,7 +88,18 @@ void SceneView::setEditedDatabase(const std::filesystem::path& file,
         }
         parts_->scene.setSignature(file, std::move(ofFile));
     }
-    sceneChanged();
+    // Nothing but the infrared picture changes, which is there in a moment: what is drawn until
+    // then would only take its time. It is a sum over what is known of the view, so that it need
+    // not be coarse, however quickly edits follow each other.
+    if (display_ != ViewDisplay::infrared || parts_->scene.referencePoint_m != referenceBefore)
+        redraw();
+    if (display_ != ViewDisplay::infrared)
+        return;
+    ++revision_;
+    if (isVisible()) {
+        rest_.stop();
+        sendRequest(false);
+    }
 }
 
 bool SceneView::showsPicture() const {

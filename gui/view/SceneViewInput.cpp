@@ -87,7 +87,7 @@ void SceneView::hover(const std::optional<QPointF>& point) {
     if (words == readout_)
         return;
     readout_ = words;
-    hud_->update();
+    refreshHud();
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {

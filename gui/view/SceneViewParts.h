@@ -7,6 +7,7 @@
 #include "gui/view/FaceOverlay.h"
 #include "gui/view/InfraredSheet.h"
 #include "gui/view/SceneView.h"
+#include "gui/view/ViewHud.h"
 
 namespace smat::gui {
 
@@ -20,6 +21,7 @@ struct SceneView::Parts {
     InfraredSheet sheet;
     DisplayScene scene;
     std::optional<OverlayLook> marked; ///< as the scene's marks are now
+    std::optional<ViewHud> hud;        ///< as it is on the screen
     bool isLitter = false;             ///< GL objects wait to be deleted
     QMetaObject::Connection contextGoes;
 };

@@ -28,6 +28,7 @@ struct ViewHud {
     QStringList problem; ///< why there is no infrared picture
 
     void paint(QPainter& painter) const;
+    bool operator==(const ViewHud&) const = default;
     /// Length of the model's axes, m: beyond the model, but neither a few pixels nor out of sight.
     double axisLength_m() const;
     /// Of the yellow line, m.

@@ -22,6 +22,12 @@ double fieldOfViewOf(const ViewFrame& frame, const QSizeF& window) {
     return 2.0 * std::atan(std::tan(frame.horizontalFieldOfView_rad / 2.0) * wider);
 }
 
+bool ViewProjection::operator==(const ViewProjection& other) const {
+    return eye.position_m == other.eye.position_m && eye.right == other.eye.right &&
+           eye.up == other.eye.up && eye.backward == other.eye.backward && window == other.window &&
+           focalLength_px == other.focalLength_px;
+}
+
 ViewProjection ViewProjection::of(const irsg::Viewpoint& eye, const QSizeF& window,
                                   double horizontalFieldOfView_rad) {
     return {eye, window, 0.5 * window.width() / std::tan(0.5 * horizontalFieldOfView_rad)};

@@ -40,6 +40,8 @@ struct ViewProjection {
     std::optional<QLineF> line(const irsg::Vec3& from, const irsg::Vec3& to) const;
     /// Unit vector into the world through a point of the window.
     irsg::Vec3 ray(const QPointF& point) const;
+
+    bool operator==(const ViewProjection& other) const;
 };
 
 } // namespace smat::gui

@@ -44,6 +44,7 @@ void Irsg::setTerrain(std::shared_ptr<const Terrain> terrain) {
         return;
     parts_->background.setTerrain(std::move(terrain));
     parts_->factorFingerprint.clear();
+    parts_->pixelView = {};
 }
 void Irsg::setViewpoint(const Viewpoint& viewpoint) {
     parts_->viewpoint = viewpoint;

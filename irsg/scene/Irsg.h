@@ -202,6 +202,10 @@ class Irsg {
 
     /// Radiance image in W m-2 sr-1 with its report.
     RenderedImage render();
+    /// The image of render() alone, for a window that follows what is edited. For the second picture
+    /// of a view what each pixel takes of each surface is drawn and kept; from then on another time,
+    /// temperature, spectrum or air is a sum, equal to render() within the rounding of float.
+    RadianceImage picture();
     /// The report alone, in double from the projected factors. These are kept and drawn anew only
     /// when geometry, viewpoint, sensor raster, transparency or N change; another time, power,
     /// band, temperature or spectrum is a dot product.

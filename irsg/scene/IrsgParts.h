@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "irsg/scene/Irsg.h"
 #include "irsg/scene/LongEdges.h"
 #include "irsg/scene/OffscreenContext.h"
+#include "irsg/scene/PixelFactors.h"
 #include "irsg/scene/SceneCheck.h"
 #include "irsg/scene/SceneRadiometry.h"
 #include "irsg/scene/Stopwatch.h"
@@ -52,6 +54,13 @@ struct Irsg::Parts {
     std::vector<std::shared_ptr<const Model>> factorModels;
     FrameBackground factorBackground;
     ProjectedFactors factors;
+
+    /// The last view of a picture, and once it was asked for twice what its pixels are made of.
+    struct PixelView {
+        std::vector<double> fingerprint;
+        std::vector<std::shared_ptr<const Model>> models;
+        std::optional<PixelFactors> factors;
+    } pixelView;
 
     // Wideband terms, latest first, kept while environment, band and surface spectra stay.
     std::vector<std::unique_ptr<const WidebandTerms>> widebandTerms;
@@ -152,6 +161,9 @@ struct Irsg::Parts {
         double distance_m, solidAngle_sr, cosOffAxis;
     };
     PointPixel pixelOf(const Frame& frame, const ZoomEntityInfo& object) const;
+
+    /// The pixels of the objects: drawn, or a sum where the view is that of the last picture.
+    FrameReduction pixelsOf(const Frame& frame);
 
     /// Draws the objects with the strategy that the settings ask for.
     FrameReduction drawObjects(const Frame& frame, RenderReport& report);

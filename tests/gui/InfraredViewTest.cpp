@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <set>
 
 #include <QOpenGLContext>
@@ -203,6 +204,34 @@ TEST_F(InfraredViewTest, TheLatestOfManyRequestsIsTheOneThatStays) {
     EXPECT_LT(shown.count(), 20);
     const auto& eye = view.shownPicture()->eye.position_m;
     EXPECT_NEAR(irsg::degrees(std::atan2(eye.x, eye.y)), 99.0, 0.5);
+}
+
+TEST_F(InfraredViewTest, EditsInQuickSuccessionAreAllInFullAndGoBackToTheSame) {
+    ASSERT_NO_FATAL_FAILURE(show(sample("turboprop4")));
+    ASSERT_TRUE(showInfrared());
+    const auto sum = [this] {
+        const auto& values = view.shownPicture()->plane().values;
+        return std::accumulate(values.begin(), values.end(), 0.0);
+    };
+    const double before = sum();
+    const auto file = project.resolve(project.models.front().database);
+    irsg::SignatureDatabase database = irsg::loadSignatureFile(file).database;
+    bool coarse = false;
+    QObject::connect(&view, &SceneView::pictureShown, &view,
+                     [&] { coarse = coarse || view.shownPicture()->coarse; });
+    double last = before;
+    for (int i = 0; i < 6; ++i) {
+        for (auto& [index, entry] : database.temperatures)
+            entry.terms.base_K += 10.0;
+        view.setEditedDatabase(file, std::make_shared<const irsg::SignatureDatabase>(database));
+        ASSERT_TRUE(waitForPicture());
+        EXPECT_GT(sum(), 1.001 * last) << i;
+        last = sum();
+    }
+    EXPECT_FALSE(coarse);
+    view.setEditedDatabase(file, nullptr);
+    ASSERT_TRUE(waitForPicture());
+    EXPECT_NEAR(sum() / before, 1.0, 1e-6);
 }
 
 TEST_F(InfraredViewTest, LimitsFollowTheTargetOrStayLocked) {

@@ -1,0 +1,145 @@
+// Irsg::picture(): the image of render() for a window that follows edits.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "irsg/scene/Irsg.h"
+#include "tests/support/SceneFixtures.h"
+
+using namespace irsg;
+using namespace irsg::test;
+
+namespace {
+
+Environment brightAir() {
+    ConstantAir air;
+    air.transmittanceValue = 0.7;
+    air.pathRadianceValue = 0.2;
+    air.backgroundValue = 0.4;
+    air.sunValue = 3.0;
+    air.upValue = 2.0;
+    air.downValue = 1.0;
+    return environmentOf(air, {.azimuth_rad = 0.4, .elevation_rad = 0.6});
+}
+
+SignatureDatabase glazing() {
+    SignatureDatabase database;
+    database.temperatures[1] = fixedTemperature(300.0);
+    database.temperatures[2] = fixedTemperature(600.0);
+    database.temperatures[3] = fixedTemperature(290.0);
+    database.materials[1] = greyMaterial(0.6);
+    database.materials[2] = greyMaterial(0.9);
+    database.materials[2].nAngleFactor = 1.0;
+    database.materials[3] = greyMaterial(0.3, 0.6);
+    return database;
+}
+
+/// A sphere and a hot plate inside a transparent box: of it three layers lie before each other.
+class PictureTest : public testing::Test {
+  protected:
+    PictureTest() {
+        const Mesh mesh = joined(joined(sphereMesh(0.8, 24, 48, {1, 1}),
+                                        plateMesh({0, 1.2, 0}, {0.3, 0, 0}, {0, 0, 0.3}, {2, 2})),
+                                 boxMesh({1.5, 1.5, 1.5}, std::vector<IrCodes>(6, IrCodes{3, 3})));
+        irsg.setEnvironment(brightAir());
+        irsg.setEntities({entityOf(modelOf(mesh), glazing())});
+        // Windows that do not follow the temperatures, so that drawings can be counted.
+        RenderSettings settings;
+        settings.hotParts = false;
+        irsg.setSettings(settings);
+        look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5, .elevation_rad = 0.2});
+    }
+    void edit(const SignatureDatabase& database) {
+        irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(database));
+    }
+    long callsOf(const char* stage) const {
+        for (const auto& known : irsg.stageTimes().stages)
+            if (known.name == stage)
+                return known.calls;
+        return 0;
+    }
+    void expectThatOfRender(const char* what) {
+        const RadianceImage found = irsg.picture();
+        const RadianceImage expected = irsg.render().image;
+        ASSERT_EQ(found.width(), expected.width());
+        double worst = 0.0;
+        for (std::size_t i = 0; i < found.primary().values.size(); ++i) {
+            const double a = static_cast<double>(found.primary().values[i]);
+            const double b = static_cast<double>(expected.primary().values[i]);
+            worst = std::max(worst, std::abs(a - b) / b);
+        }
+        EXPECT_LT(worst, 4e-6) << what;
+        EXPECT_EQ(found.attributes, expected.attributes) << what;
+    }
+
+    Irsg irsg;
+};
+
+TEST_F(PictureTest, FollowsEveryEditAsRenderDoesAndDrawsTheViewOnce) {
+    expectThatOfRender("as it is");
+    SignatureDatabase database = glazing();
+    for (int i = 0; i < 5; ++i) {
+        database.temperatures[1] = fixedTemperature(310.0 + 40.0 * i);
+        database.temperatures[3] = fixedTemperature(280.0 + 9.0 * i);
+        database.materials[1] = greyMaterial(0.3 + 0.1 * i);
+        database.materials[3] = greyMaterial(0.2 + 0.05 * i, 0.5 - 0.1 * i);
+        edit(database);
+        expectThatOfRender("edited");
+    }
+    EXPECT_EQ(callsOf("factors of pixels"), 1);
+    EXPECT_EQ(callsOf("sums of pixels"), 5);
+}
+
+TEST_F(PictureTest, DrawsAnewWhatAnEditMakesOfTheGeometry) {
+    irsg.picture();
+    irsg.picture();
+    ASSERT_EQ(callsOf("factors of pixels"), 1);
+    SignatureDatabase database = glazing();
+    database.materials[3] = greyMaterial(0.9); // the box hides what is inside
+    edit(database);
+    expectThatOfRender("opaque");
+    database.materials[3].nAngleFactor = 2.0;
+    edit(database);
+    expectThatOfRender("another N");
+    expectThatOfRender("another N again");
+    EXPECT_EQ(callsOf("factors of pixels"), 2);
+}
+
+TEST_F(PictureTest, FollowsTheViewTheFieldTheSunAndThePose) {
+    for (int twice = 0; twice < 2; ++twice)
+        irsg.picture();
+    Environment moved = brightAir();
+    moved.sun.azimuth_rad = 2.0;
+    irsg.setEnvironment(moved);
+    expectThatOfRender("sun");
+    look(irsg, {.range_m = 90.0, .azimuth_rad = 0.6, .elevation_rad = 0.2});
+    expectThatOfRender("view");
+    irsg.setPose(0, {.position_m = {0.0, 0.0, 0.0}, .attitude = {.yaw_rad = 0.3}});
+    expectThatOfRender("pose");
+    Sensor sensor = irsg.sensor();
+    sensor.horizontalFieldOfView_rad *= 1.3;
+    irsg.setSensor(sensor);
+    expectThatOfRender("field");
+    EXPECT_EQ(callsOf("sums of pixels"), 1);
+    expectThatOfRender("the same again");
+    EXPECT_EQ(callsOf("sums of pixels"), 2);
+}
+
+TEST_F(PictureTest, IsThatOfRenderWhateverTheAntialiasing) {
+    for (const int zoomWindow : {0, 128}) {
+        for (const ZoomStrategy strategy : {ZoomStrategy::aligned, ZoomStrategy::sills}) {
+            RenderSettings settings;
+            settings.zoomWindow = zoomWindow;
+            settings.zoomStrategy = strategy;
+            irsg.setSettings(settings);
+            for (int times = 0; times < 3; ++times)
+                expectThatOfRender("near");
+        }
+    }
+    irsg.setSettings({});
+    look(irsg, {.range_m = 1e6});
+    for (int times = 0; times < 3; ++times)
+        expectThatOfRender("a point");
+}
+
+} // namespace
