@@ -33,7 +33,7 @@ void MainWindow::keepShownAnalysis() {
     const auto* entry = page != nullptr ? workbench_.result(page->resultIds().first()) : nullptr;
     if (entry == nullptr || !workbench_.hasProject())
         return;
-    workbench_.edit(withAnalysis(workbench_.project(), workbench_.settings(), entry->data),
+    workbench_.edit(withAnalysis(workbench_.project(), workbench_.settings(), *entry->data),
                     tr("Keep an analysis"));
     statusBar()->showMessage(tr("Kept; find it in the scene tree and under Analysis"), 8000);
 }

@@ -46,12 +46,10 @@ bool MainWindow::areImages(const QStringList& files) {
 ComparisonWindow* MainWindow::compareResults(int a, int b) {
     const ResultEntry* const first = workbench_.result(a);
     const ResultEntry* const second = workbench_.result(b);
-    if (first == nullptr || second == nullptr || first->data.image.empty() ||
-        second->data.image.empty())
+    if (first == nullptr || second == nullptr || !first->isImage() || !second->isImage())
         return nullptr;
     auto* page = compareImages();
-    page->setSides(ComparisonSide::of(first->data.image, first->title),
-                   ComparisonSide::of(second->data.image, second->title));
+    page->setSides({first->image(), first->title}, {second->image(), second->title});
     return page;
 }
 
@@ -72,26 +70,22 @@ void MainWindow::openImages(const QStringList& files) {
         compareImages(files);
         return;
     }
-    using Image = std::shared_ptr<irsg::RadianceImage>;
+    using Image = std::shared_ptr<const irsg::RadianceImage>;
     imageTask_.run<Image>(
         [file = files.front()] {
-            return std::make_shared<irsg::RadianceImage>(irsg::readImageFile(file.toStdString()));
+            return std::make_shared<const irsg::RadianceImage>(
+                irsg::readImageFile(file.toStdString()));
         },
         [this, file = files.front()](const Image& image) {
             auto* view = new ImageView(nullptr, dialogs_);
             view->setAutoFillBackground(true);
             view->setBackgroundRole(QPalette::Window);
             view->setTitle(QFileInfo(file).completeBaseName());
-            const auto band = bandOf(*image);
-            view->setImage(std::move(*image), band);
+            view->setImage(image, bandOf(*image));
             addPage(view, icon("image"), QFileInfo(file).fileName());
         },
         [this](const std::exception_ptr& thrown) {
-            try {
-                std::rethrow_exception(thrown);
-            } catch (const irsg::InputError& error) {
-                dialogs_.tell(this, tr("This image cannot be read"), sentencesOf(error));
-            }
+            dialogs_.tell(this, tr("This image cannot be read"), sentencesOf(thrown));
         });
 }
 

@@ -137,7 +137,7 @@ void MainWindow::connectWorkbench() {
             &MainWindow::refreshActions);
     connect(&workbench_.database(), &DatabaseSession::opened, this, &MainWindow::refreshActions);
     connect(&workbench_, &Workbench::resultAdded, this, [this](int id) {
-        sceneRenderer_ = QString::fromStdString(workbench_.result(id)->data.renderer);
+        sceneRenderer_ = QString::fromStdString(workbench_.result(id)->data->renderer);
     });
     connect(&workbench_, &Workbench::jobFailed, this,
             [this](const QStringList& sentences, bool ourFault) {

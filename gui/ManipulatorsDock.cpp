@@ -14,9 +14,9 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
+#include "gui/Readable.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
-#include "gui/image/ImageView.h"
 #include "gui/settings/SettingForm.h"
 #include "irsg/radiometry/Errors.h"
 

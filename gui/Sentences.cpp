@@ -11,4 +11,14 @@ QStringList sentencesOf(const irsg::InputError& error) {
     return sentences;
 }
 
+QStringList sentencesOf(const std::exception_ptr& thrown) {
+    try {
+        std::rethrow_exception(thrown);
+    } catch (const irsg::InputError& error) {
+        return sentencesOf(error);
+    } catch (const std::exception& error) {
+        return {QString::fromLocal8Bit(error.what())};
+    }
+}
+
 } // namespace smat::gui

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <exception>
+
 #include <QStringList>
 
 namespace irsg {
@@ -10,5 +12,8 @@ namespace smat::gui {
 
 /// What is wrong, for a person: "x.smat: line 3: found ..., expected ..." for each offence.
 QStringList sentencesOf(const irsg::InputError& error);
+/// The same of what work in another thread has thrown; of another fault than that of an input its
+/// own words.
+QStringList sentencesOf(const std::exception_ptr& thrown);
 
 } // namespace smat::gui

@@ -4,8 +4,8 @@
 
 #include <QSettings>
 
+#include "gui/Readable.h"
 #include "gui/Sentences.h"
-#include "gui/image/ImageView.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/ProjectFile.h"
@@ -397,10 +397,11 @@ void Workbench::start(AnalysisData data) {
         if (job == job_.get())
             emit jobProgressed(progress);
     });
-    connect(job, &AnalysisJob::finished, this, [this](const AnalysisData& result) {
-        endJob();
-        results_.add(result);
-    });
+    connect(job, &AnalysisJob::finished, this,
+            [this](const std::shared_ptr<const AnalysisData>& result) {
+                endJob();
+                results_.add(result);
+            });
     connect(job, &AnalysisJob::failed, this,
             [this, job](const QStringList& sentences, bool ourFault) {
                 const bool cancelled = job->isCancelled() && !ourFault;

@@ -113,7 +113,7 @@ void Photographer::keepResults() {
         for (int i = 0, chosen = 0; i < list->count() && chosen < number; ++i) {
             const auto id = list->item(i)->data(Qt::UserRole).toInt();
             const ResultEntry* entry = workbench_.result(id);
-            if (entry == nullptr || entry->data.kind != kind || entry->data.table.empty())
+            if (entry == nullptr || entry->data->kind != kind || entry->data->table.empty())
                 continue;
             list->item(i)->setSelected(true);
             ++chosen;

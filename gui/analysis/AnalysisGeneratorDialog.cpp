@@ -16,8 +16,8 @@
 #include <QVBoxLayout>
 
 #include "gui/DialogButtons.h"
+#include "gui/Readable.h"
 #include "gui/Sentences.h"
-#include "gui/image/ImageExport.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/project/SceneBuilder.h"

@@ -101,10 +101,10 @@ void AnalysisJob::work(std::stop_token stop) {
     // Over to the thread of the window.
     QMetaObject::invokeMethod(
         this,
-        [this, outcome = std::move(outcome)] {
+        [this, outcome = std::make_shared<Outcome>(std::move(outcome))] {
             working_ = false;
             if (!answered_)
-                answer(outcome);
+                answer(std::move(*outcome));
             emit ended();
         },
         Qt::QueuedConnection);
@@ -137,10 +137,10 @@ AnalysisJob::Outcome AnalysisJob::keptSoFar() {
     return outcome;
 }
 
-void AnalysisJob::answer(const Outcome& outcome) {
+void AnalysisJob::answer(Outcome outcome) {
     answered_ = true;
     if (outcome.sentences.isEmpty())
-        emit finished(outcome.data);
+        emit finished(std::make_shared<const AnalysisData>(std::move(outcome.data)));
     else
         emit failed(outcome.sentences, outcome.ourFault);
 }

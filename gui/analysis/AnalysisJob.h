@@ -54,7 +54,7 @@ class AnalysisJob : public QObject {
     void progressed(const smat::Progress& progress);
     /// The answer, one of these two: complete, or partial after a cancel with at least one case
     /// done.
-    void finished(const smat::AnalysisData& data);
+    void finished(const std::shared_ptr<const smat::AnalysisData>& data);
     /// Nothing came out: refused (a sentence an offence), failed, or cancelled before the first
     /// case.
     void failed(const QStringList& sentences, bool ourFault);
@@ -77,7 +77,7 @@ class AnalysisJob : public QObject {
     void work(std::stop_token stop);
     void keep(const AnalysisData& data, const Progress& now);
     Outcome keptSoFar();
-    void answer(const Outcome& outcome);
+    void answer(Outcome outcome);
 
     AnalysisData asked_;
     std::shared_ptr<AnalysisEngine> engine_;

@@ -12,8 +12,8 @@
 #include <QVBoxLayout>
 
 #include "gui/DialogButtons.h"
+#include "gui/Readable.h"
 #include "gui/analysis/ResultStore.h"
-#include "gui/image/ImageExport.h"
 
 namespace smat::gui {
 
@@ -23,7 +23,7 @@ ResultDetailsDialog::ResultDetailsDialog(const ResultEntry& entry, QWidget* pare
     setWindowTitle(tr("How this result was made – %1").arg(entry.title));
     resize(680, 560);
 
-    const QString command = QString::fromStdString(entry.data.commandLine);
+    const QString command = QString::fromStdString(entry.data->commandLine);
     auto* text = new QPlainTextEdit(this);
     text->setObjectName("commandLine");
     text->setReadOnly(true);

@@ -22,7 +22,7 @@ namespace {
 std::vector<NamedResult> named(const std::vector<ResultEntry>& results) {
     std::vector<NamedResult> list;
     for (const auto& entry : results)
-        list.push_back({entry.title, &entry.data.table});
+        list.push_back({entry.title, &entry.data->table});
     return list;
 }
 
@@ -31,8 +31,8 @@ std::vector<NamedResult> named(const std::vector<ResultEntry>& results) {
 std::optional<irsg::Band> bandOf(const ResultEntry& entry) {
     try {
         if (entry.canRunAgain())
-            return sensorOf(entry.data.project, entry.data.settings).band;
-        const std::string said = entry.data.table.provenance.value("band");
+            return sensorOf(entry.data->project, entry.data->settings).band;
+        const std::string said = entry.data->table.provenance.value("band");
         const QString text = QString::fromStdString(said.substr(0, said.find(' ')));
         if (!text.isEmpty())
             return irsg::Band::fromText(text.toStdString());
@@ -64,14 +64,14 @@ ResultPage::ResultPage(const std::vector<ResultEntry>& results, Dialogs dialogs,
 void ResultPage::showImage(Dialogs dialogs) {
     const ResultEntry& entry = results_.front();
     image_ = new ImageView(this, std::move(dialogs));
-    image_->setImage(entry.data.image, bandOf(entry));
-    image_->setColorMap(entry.data.settings.text("display.colorMap"));
+    image_->setImage(entry.image(), bandOf(entry));
+    image_->setColorMap(entry.data->settings.text("display.colorMap"));
     layout()->addWidget(image_);
     setBackgroundRole(QPalette::Window); // so that fields stand out in the dark, too
 }
 
 void ResultPage::showPlot(Dialogs dialogs) {
-    const ResultTable& table = results_.front().data.table;
+    const ResultTable& table = results_.front().data->table;
     quantity_ = new QComboBox(this);
     quantity_->setObjectName("quantity");
     quantity_->setMinimumWidth(90); // long titles give way where the page is narrow
@@ -139,10 +139,10 @@ void ResultPage::exportTo(const std::filesystem::path& file) const {
         options.title = results_.front().title.toStdString();
         irsg::writePngView(image_->image(), file, options, image_->shownChannel());
     } else if (image_ != nullptr) {
-        saveResult(results_.front().data, file);
+        saveResult(*results_.front().data, file);
     } else if (results_.size() == 1 && (suffix == ".json" || suffix == ".csv")) {
         // The data with its provenance, rather than what is visible of it.
-        results_.front().data.table.save(file);
+        results_.front().data->table.save(file);
     } else {
         panel_->exportTo(file);
     }

@@ -48,7 +48,7 @@ void ResultPages::show(const QList<int>& ids) {
         return;
     try {
         auto* page = new ResultPage(entries, dialogs_);
-        const QString word = QString::fromStdString(name(entries.front().data.kind));
+        const QString word = QString::fromStdString(name(entries.front().data->kind));
         const QString title =
             entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
         tabs_->setCurrentIndex(tabs_->addTab(page, icon(word), title));
@@ -61,10 +61,10 @@ void ResultPages::show(const QList<int>& ids) {
 void ResultPages::say(int id) {
     const ResultEntry* entry = workbench_.result(id);
     QStringList notes;
-    for (const auto& warning : entry->data.warnings)
+    for (const auto& warning : entry->data->warnings)
         notes << QString::fromStdString(warning);
     if (notes.isEmpty())
-        notes << (entry->canRunAgain() ? tr("Done in %1").arg(durationText(entry->data.elapsed_s))
+        notes << (entry->canRunAgain() ? tr("Done in %1").arg(durationText(entry->data->elapsed_s))
                                        : entry->title + ": " + stateOf(*entry));
     emit said(notes.join("   "));
 }

@@ -7,6 +7,13 @@
 #include "smatcore/data/ResultDifference.h"
 
 namespace smat::gui {
+namespace {
+
+std::shared_ptr<const AnalysisData> shared(AnalysisData data) {
+    return std::make_shared<const AnalysisData>(std::move(data));
+}
+
+} // namespace
 
 const ResultEntry* ResultStore::find(int id) const {
     const auto found = std::find_if(entries_.begin(), entries_.end(),
@@ -24,18 +31,17 @@ int ResultStore::keep(ResultEntry entry) {
     return id;
 }
 
-int ResultStore::add(const AnalysisData& data) {
-    const bool unnamed = data.name.empty() || data.name == name(data.kind);
-    QString what = QString::fromStdString(unnamed ? title(data.kind) : data.name);
-    if (data.state == AnalysisState::partial)
+int ResultStore::add(std::shared_ptr<const AnalysisData> data) {
+    const bool unnamed = data->name.empty() || data->name == name(data->kind);
+    QString what = QString::fromStdString(unnamed ? title(data->kind) : data->name);
+    if (data->state == AnalysisState::partial)
         what += tr(" (partial)");
-    return keep({.title = what, .data = data, .origin = ResultEntry::Origin::run});
+    return keep({.title = what, .data = std::move(data), .origin = ResultEntry::Origin::run});
 }
 
 int ResultStore::open(const std::filesystem::path& file) {
-    const AnalysisData data = loadResult(file);
     return keep({.title = QString::fromStdString(file.filename().string()),
-                 .data = data,
+                 .data = shared(loadResult(file)),
                  .origin = ResultEntry::Origin::file,
                  .file = file});
 }
@@ -51,13 +57,13 @@ int ResultStore::addDifference(int first, int second) {
                                 "two plots; images are compared in Tools, Compare "
                                 "images"});
     AnalysisData data;
-    data.kind = a->data.kind;
+    data.kind = a->data->kind;
     data.state = AnalysisState::complete;
-    data.table = differenceOf({a->title.toStdString(), &a->data.table},
-                              {b->title.toStdString(), &b->data.table});
+    data.table = differenceOf({a->title.toStdString(), &a->data->table},
+                              {b->title.toStdString(), &b->data->table});
     data.name = data.table.provenance.value("name");
     return keep({.title = QStringLiteral("%1 − %2").arg(first).arg(second),
-                 .data = data,
+                 .data = shared(std::move(data)),
                  .origin = ResultEntry::Origin::difference});
 }
 
@@ -68,7 +74,8 @@ int ResultStore::addTable(const QString& title, const ResultTable& table) {
     data.name = title.toStdString();
     data.table = table;
     data.commandLine = table.provenance.value("command");
-    return keep({.title = title, .data = data, .origin = ResultEntry::Origin::tool});
+    return keep(
+        {.title = title, .data = shared(std::move(data)), .origin = ResultEntry::Origin::tool});
 }
 
 void ResultStore::rename(int id, const QString& title) {
@@ -106,8 +113,8 @@ QString stateOf(const ResultEntry& entry) {
     case ResultEntry::Origin::run:
         break;
     }
-    return entry.data.state == AnalysisState::partial ? ResultStore::tr("partial")
-                                                      : ResultStore::tr("complete");
+    return entry.data->state == AnalysisState::partial ? ResultStore::tr("partial")
+                                                       : ResultStore::tr("complete");
 }
 
 QStringList describe(const ResultEntry& entry) {
@@ -115,15 +122,15 @@ QStringList describe(const ResultEntry& entry) {
     QString made =
         QLocale::system().toString(entry.madeAt, QLocale::ShortFormat) + ", " + stateOf(entry);
     if (entry.canRunAgain())
-        made += ResultStore::tr(", %1").arg(durationText(entry.data.elapsed_s));
+        made += ResultStore::tr(", %1").arg(durationText(entry.data->elapsed_s));
     lines << made;
-    for (const auto& figure : entry.data.summary)
+    for (const auto& figure : entry.data->summary)
         lines << QStringLiteral("%1: %2 %3")
                      .arg(QString::fromStdString(figure.label))
                      .arg(figure.value, 0, 'g', 6)
                      .arg(QString::fromStdString(figure.unit))
                      .trimmed();
-    for (const auto& [key, value] : entry.data.table.provenance.entries)
+    for (const auto& [key, value] : entry.data->table.provenance.entries)
         lines << QString::fromStdString(key) + ": " + QString::fromStdString(value);
     return lines;
 }

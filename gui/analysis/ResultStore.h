@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include <QDateTime>
@@ -21,14 +22,16 @@ struct ResultEntry {
 
     int id = 0;
     QString title = {}; ///< "1  Polar plot", or what the user called it
-    AnalysisData data = {};
+    /// Copies of the entry share it: an image is large.
+    std::shared_ptr<const AnalysisData> data = std::make_shared<const AnalysisData>();
     Origin origin = Origin::run;
     QDateTime madeAt = {};
     std::filesystem::path file = {}; ///< of an opened one
 
     /// What it was asked is known in full.
     bool canRunAgain() const { return origin == Origin::run; }
-    bool isImage() const { return !data.image.empty(); }
+    bool isImage() const { return !data->image.empty(); }
+    std::shared_ptr<const irsg::RadianceImage> image() const { return {data, &data->image}; }
 };
 
 /// The results of a session in the order they came.
@@ -42,7 +45,7 @@ class ResultStore : public QObject {
     /// Null where there is none.
     const ResultEntry* find(int id) const;
 
-    int add(const AnalysisData& data);
+    int add(std::shared_ptr<const AnalysisData> data);
     /// Reads a result file (.csv, .json or .exr) and adds it with its provenance. Throws
     /// irsg::InputError.
     int open(const std::filesystem::path& file);

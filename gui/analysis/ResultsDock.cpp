@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/Readable.h"
 #include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/UnsavedNote.h"
@@ -18,7 +19,6 @@
 #include "gui/analysis/JobPanel.h"
 #include "gui/analysis/ResultDetailsDialog.h"
 #include "gui/analysis/ResultItemDelegate.h"
-#include "gui/image/ImageExport.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
@@ -27,11 +27,11 @@ namespace {
 /// What an analysis was asked, without what came out.
 AnalysisData askedOf(const ResultEntry& entry) {
     AnalysisData data;
-    data.name = entry.data.name;
-    data.kind = entry.data.kind;
-    data.project = entry.data.project;
-    data.settings = entry.data.settings;
-    data.commandLine = entry.data.commandLine;
+    data.name = entry.data->name;
+    data.kind = entry.data->kind;
+    data.project = entry.data->project;
+    data.settings = entry.data->settings;
+    data.commandLine = entry.data->commandLine;
     return data;
 }
 
@@ -41,10 +41,10 @@ QString askedWords(const ResultEntry& entry) {
         return stateOf(entry);
     try {
         const QString words = QString::fromStdString(
-            planAnalysis(entry.data.kind, entry.data.project, entry.data.settings).description);
+            planAnalysis(entry.data->kind, entry.data->project, entry.data->settings).description);
         return words.mid(words.indexOf(": ") + 2);
     } catch (const irsg::InputError&) {
-        return QString::fromStdString(title(entry.data.kind));
+        return QString::fromStdString(title(entry.data->kind));
     }
 }
 
@@ -193,11 +193,11 @@ void ResultsDock::refreshItem(int id) {
         return;
     const QSignalBlocker quiet(list_);
     item->setText(entry->title);
-    item->setIcon(icon(QString::fromStdString(name(entry->data.kind))));
+    item->setIcon(icon(QString::fromStdString(name(entry->data->kind))));
     QStringList words{QLocale::system().toString(entry->madeAt.time(), QLocale::ShortFormat)};
     if (entry->canRunAgain())
-        words << durationText(entry->data.elapsed_s);
-    if (entry->canRunAgain() && entry->data.state == AnalysisState::partial)
+        words << durationText(entry->data->elapsed_s);
+    if (entry->canRunAgain() && entry->data->state == AnalysisState::partial)
         words << stateOf(*entry);
     words << askedWords(*entry);
     item->setData(ResultItemDelegate::detailRole, withReadableUnits(words.join(" · ")));
@@ -205,7 +205,7 @@ void ResultsDock::refreshItem(int id) {
     // The first lines are the figures; the whole provenance has a dialog.
     constexpr int shown = 9;
     QStringList lines = describe(*entry).mid(0, shown);
-    for (const auto& warning : entry->data.warnings)
+    for (const auto& warning : entry->data->warnings)
         lines << tr("Note: %1").arg(QString::fromStdString(warning));
     item->setToolTip(lines.join('\n'));
 }
@@ -292,10 +292,10 @@ void ResultsDock::editAndRun() {
     const FileChooser chooser = [this](const QString& title, const QString& filter) {
         return dialogs_.openFile(this, title, {filter});
     };
-    AnalysisGeneratorDialog dialog(entry->data.project, entry->data.settings, entry->data.kind,
+    AnalysisGeneratorDialog dialog(entry->data->project, entry->data->settings, entry->data->kind,
                                    chooser, this);
-    if (entry->data.name != name(entry->data.kind))
-        dialog.setName(QString::fromStdString(entry->data.name));
+    if (entry->data->name != name(entry->data->kind))
+        dialog.setName(QString::fromStdString(entry->data->name));
     dialog.setUnsavedNote(unsavedNote(workbench_));
     if (dialogs_.run(dialog) && dialog.isAcceptable())
         workbench_.start(dialog.data());
@@ -322,15 +322,15 @@ void ResultsDock::save() {
                                        tr("Picture (*.png)"), tr("Row of sums (*.json)")}
                          : QStringList{tr("Values as text (*.csv)"), tr("Values as JSON (*.json)")};
     const QString file = dialogs_.saveFile(this, tr("Save result"), filters,
-                                           QString::fromStdString(name(entry->data.kind)));
+                                           QString::fromStdString(name(entry->data->kind)));
     if (file.isEmpty())
         return;
     try {
         // A table is one whatever it was measured for, also the sums of an image.
         if (!entry->isImage())
             checkResultFile(AnalysisKind::range, file.toStdString());
-        entry->isImage() ? saveResult(entry->data, file.toStdString())
-                         : entry->data.table.save(file.toStdString());
+        entry->isImage() ? saveResult(*entry->data, file.toStdString())
+                         : entry->data->table.save(file.toStdString());
     } catch (const irsg::InputError& error) {
         dialogs_.tell(this, tr("This cannot be saved"), sentencesOf(error));
     }

@@ -10,8 +10,8 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include "gui/Readable.h"
 #include "gui/image/ColorBarScale.h"
-#include "gui/plot/PlotData.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

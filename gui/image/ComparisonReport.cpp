@@ -3,12 +3,12 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "gui/Readable.h"
 #include "gui/image/ComparisonPanes.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/FiguresTable.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/ThresholdForm.h"
-#include "gui/plot/PlotData.h"
 #include "irsg/image/ComparisonFigures.h"
 
 namespace smat::gui {
@@ -32,9 +32,9 @@ QString detail(const irsg::ComparisonFigure& figure, const irsg::Comparison& com
 
 } // namespace
 
-void ComparisonWindow::take(const Answer& answer) {
-    marks_ = answer.marks;
-    use(answer.whole, answer.part);
+void ComparisonWindow::take(Answer answer) {
+    marks_ = std::move(answer.marks);
+    use(std::move(answer.whole), std::move(answer.part));
     showMarks();
 }
 

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QLabel>
 
+#include "gui/Readable.h"
 #include "gui/Sentences.h"
 #include "gui/image/ComparisonPanes.h"
 #include "gui/image/ImageCanvas.h"
@@ -18,16 +19,6 @@
 
 namespace smat::gui {
 namespace {
-
-QStringList sentencesOfThrown(const std::exception_ptr& thrown) {
-    try {
-        std::rethrow_exception(thrown);
-    } catch (const irsg::InputError& error) {
-        return sentencesOf(error);
-    } catch (const std::exception& error) {
-        return {QString::fromUtf8(error.what())};
-    }
-}
 
 QString quoted(const QString& name) {
     return name.contains(' ') ? "\"" + name + "\"" : name;
@@ -85,7 +76,7 @@ void ComparisonWindow::openFiles(const QStringList& files, std::optional<int> si
         },
         [this](const std::exception_ptr& thrown) {
             showReadout(pixel_);
-            dialogs_.tell(this, tr("This image cannot be read"), sentencesOfThrown(thrown));
+            dialogs_.tell(this, tr("This image cannot be read"), sentencesOf(thrown));
         });
 }
 
@@ -277,7 +268,7 @@ void ComparisonWindow::compare() {
         return;
     }
     const auto refuse = [this](const std::exception_ptr& thrown) {
-        refusal_ = sentencesOfThrown(thrown).join('\n');
+        refusal_ = sentencesOf(thrown).join('\n');
         showVerdict();
     };
     if (a->pixelCount() <= quickPixels) {
@@ -290,7 +281,7 @@ void ComparisonWindow::compare() {
     }
     compareTask_.run<Answer>([a, b, options = options_,
                               part = panes_->selection()] { return work(*a, *b, options, part); },
-                             [this](const Answer& answer) { take(answer); }, refuse);
+                             [this](Answer answer) { take(std::move(answer)); }, refuse);
     showVerdict();
 }
 
@@ -337,9 +328,8 @@ void ComparisonWindow::askAndExport(const QString& filter) {
         return;
     try {
         exportTo(file.toStdString());
-    } catch (const irsg::InputError&) {
-        dialogs_.tell(this, tr("The difference cannot be written"),
-                      sentencesOfThrown(std::current_exception()));
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("The difference cannot be written"), sentencesOf(error));
     }
 }
 

@@ -120,7 +120,7 @@ class ComparisonWindow : public QWidget, public Exportable {
     void compareRectangle();
 
     // ComparisonReport.cpp
-    void take(const Answer& answer);
+    void take(Answer answer);
     void use(std::optional<irsg::Comparison> whole, std::optional<irsg::Comparison> part);
     void showVerdict();
     void showMarks();

@@ -7,13 +7,12 @@
 
 #include <QPainter>
 #include <QPixmap>
-#include <QRegularExpression>
 
+#include "gui/Readable.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Quantity.h"
 
 namespace smat::gui {
 
@@ -70,32 +69,6 @@ QString planeTitle(const irsg::ImageChannel& channel) {
     if (!words.isEmpty())
         words[0] = words[0].toUpper();
     return words;
-}
-
-QString readableUnit(const std::string& unit) {
-    for (int i = 0; i <= static_cast<int>(irsg::Quantity::dimensionless); ++i) {
-        const auto& info = irsg::info(static_cast<irsg::Quantity>(i));
-        if (info.unit == unit)
-            return QString::fromUtf8(info.prettyUnit.data(),
-                                     static_cast<qsizetype>(info.prettyUnit.size()));
-    }
-    return QString::fromStdString(unit);
-}
-
-QString withReadableUnits(QString sentence) {
-    // Longer units first: some begin like shorter ones.
-    std::vector<std::pair<QString, QString>> units;
-    for (int i = 0; i < static_cast<int>(irsg::Quantity::dimensionless); ++i) {
-        const std::string unit(irsg::info(static_cast<irsg::Quantity>(i)).unit);
-        if (const QString plain = QString::fromStdString(unit); readableUnit(unit) != plain)
-            units.emplace_back(plain, readableUnit(unit));
-    }
-    std::ranges::sort(units, {}, [](const auto& unit) { return -unit.first.size(); });
-    for (const auto& [plain, readable] : units)
-        sentence.replace(QRegularExpression("(?<=[0-9.]|\\bin) " +
-                                            QRegularExpression::escape(plain) + "(?![\\w-])"),
-                         (readable == "°" ? "" : " ") + readable);
-    return sentence.replace(QRegularExpression("(?<=\\d) x (?=\\d)"), " × ");
 }
 
 QString titleWithUnit(const irsg::ImageChannel& channel) {

@@ -28,11 +28,6 @@ QString valuesText(const irsg::RadianceImage& image, const irsg::ImageChannel& p
 
 /// "Radiance" of channel L, "Apparent temperature", else the channel's own name in words.
 QString planeTitle(const irsg::ImageChannel& channel);
-/// "W m-2 sr-1" as "W·m⁻²·sr⁻¹".
-QString readableUnit(const std::string& unit);
-/// The same for units behind numbers in a sentence: "0 to 350°, 640 × 512 px" for
-/// "0 to 350 deg, 640 x 512 px".
-QString withReadableUnits(QString sentence);
 /// "Radiance (W·m⁻²·sr⁻¹)".
 QString titleWithUnit(const irsg::ImageChannel& channel);
 /// A strip of the colours, for a list of maps.

@@ -7,11 +7,11 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "gui/Readable.h"
 #include "gui/Sentences.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageInspector.h"
-#include "gui/plot/PlotData.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -28,24 +28,28 @@ const irsg::ImageChannel& ImageView::plane() const {
 }
 
 void ImageView::setImage(irsg::RadianceImage image, const std::optional<irsg::Band>& band) {
-    if (image.empty())
+    setImage(std::make_shared<const irsg::RadianceImage>(std::move(image)), band);
+}
+
+void ImageView::setImage(std::shared_ptr<const irsg::RadianceImage> image,
+                         const std::optional<irsg::Band>& band) {
+    if (image == nullptr || image->empty())
         throw irsg::LogicError("an image view needs an image");
     temperatureTask_.cancel();
-    const bool hasTemperature = band && image.primary().name == "L";
-    if (hasTemperature && image.pixelCount() <= quickPixels)
-        irsg::addApparentTemperature(image, *band);
+    const auto withTemperature = [base = image, band] {
+        auto with = std::make_shared<irsg::RadianceImage>(*base);
+        irsg::addApparentTemperature(*with, *band);
+        return std::shared_ptr<const irsg::RadianceImage>(std::move(with));
+    };
+    const bool hasTemperature = band && image->primary().name == "L";
+    const bool quick = image->pixelCount() <= quickPixels;
     plane_->setCurrentIndex(0);
-    adopt(std::make_shared<const irsg::RadianceImage>(std::move(image)));
+    adopt(hasTemperature && quick ? withTemperature() : std::move(image));
     readout_->setText(tr("Move the mouse over the image, or press the arrows, to read its pixels"));
     showPlane();
-
-    if (hasTemperature && image_->pixelCount() > quickPixels)
+    if (hasTemperature && !quick)
         temperatureTask_.run<std::shared_ptr<const irsg::RadianceImage>>(
-            [base = image_, band = *band] {
-                auto with = std::make_shared<irsg::RadianceImage>(*base);
-                irsg::addApparentTemperature(*with, band);
-                return std::shared_ptr<const irsg::RadianceImage>(std::move(with));
-            },
+            withTemperature,
             [this](std::shared_ptr<const irsg::RadianceImage> with) { adopt(std::move(with)); });
 }
 

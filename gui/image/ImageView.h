@@ -37,6 +37,8 @@ class ImageView : public QWidget, public Exportable {
 
     /// With the band of a radiance image, apparent temperatures are shown, too; those of a large
     /// image follow when they are worked out. LogicError for an empty image.
+    void setImage(std::shared_ptr<const irsg::RadianceImage> image,
+                  const std::optional<irsg::Band>& band = {});
     void setImage(irsg::RadianceImage image, const std::optional<irsg::Band>& band = {});
     const irsg::RadianceImage& image() const { return *image_; }
     /// A line over exported pictures, and the name that is suggested for files.

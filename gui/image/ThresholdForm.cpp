@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include "gui/Readable.h"
 #include "gui/Sentences.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
@@ -18,10 +19,6 @@ namespace {
 
 const char* const columnNames[] = {"fail", "warn"};
 const char* const rowNames[] = {"Absolute", "Relative", "Percent", "Hard", "Allowed"};
-
-QString numberOrNothing(double value) {
-    return std::isfinite(value) ? QString::fromStdString(irsg::numberText(value)) : QString();
-}
 
 } // namespace
 
@@ -90,8 +87,8 @@ void ThresholdForm::setLevels(const irsg::ComparisonLevel& fail,
 void ThresholdForm::write() {
     for (std::size_t c = 0; c < 2; ++c) {
         const irsg::ComparisonLevel& level = levels_[c];
-        const QString texts[] = {numberOrNothing(level.absolute), numberOrNothing(level.relative),
-                                 numberOrNothing(level.percent), numberOrNothing(level.hard),
+        const QString texts[] = {exactNumber(level.absolute), exactNumber(level.relative),
+                                 exactNumber(level.percent), exactNumber(level.hard),
                                  QString::number(level.allowed)};
         for (std::size_t r = 0; r < rowCount; ++r)
             fields_[c][r]->setText(texts[r]);
@@ -152,7 +149,7 @@ QString ThresholdForm::options() const {
         const QString word = columnNames[c];
         const auto add = [&](const QString& option, double value, double usual) {
             if (value != usual)
-                text += " --" + option + " " + numberOrNothing(value);
+                text += " --" + option + " " + exactNumber(value);
         };
         add(word, levels_[c].absolute, none.absolute);
         add(word + "-relative", levels_[c].relative, none.relative);

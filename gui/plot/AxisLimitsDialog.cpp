@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "gui/DialogButtons.h"
+#include "gui/Readable.h"
 #include "gui/Widgets.h"
 #include "irsg/radiometry/Errors.h"
 

@@ -10,7 +10,7 @@
 
 namespace smat::gui {
 
-SampledCurve::SampledCurve(const Curve& curve) : QwtPlotCurve(curve.name), curve_(curve) {
+SampledCurve::SampledCurve(const Curve& curve) : CurveItemOf(curve.name), curve_(curve) {
     setRenderHint(QwtPlotItem::RenderAntialiased);
     setLegendAttribute(QwtPlotCurve::LegendShowLine);
     setLegendIconSize(QSize(22, 12));
@@ -37,7 +37,7 @@ void SampledCurve::drawSeries(QPainter* painter, const QwtScaleMap& xMap, const 
     painter->save();
     for (const SampleRun& run : runsOf(static_cast<int>(curve_.x.size()), drawable)) {
         const SampleRun seen = visiblePart(curve_.x, run, xLow, xHigh);
-        if (bandVisible_ && !curve_.error.empty())
+        if (isBandVisible() && !curve_.error.empty())
             drawBand(*painter, xMap, yMap, area, seen.first, seen.last, column);
         QPolygonF line(seen.last - seen.first + 1);
         std::transform(curve_.x.begin() + seen.first, curve_.x.begin() + seen.last + 1,

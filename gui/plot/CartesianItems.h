@@ -2,18 +2,18 @@
 
 #include <QwtPlotCurve>
 
+#include "gui/plot/CurveItem.h"
 #include "gui/plot/PlotData.h"
 
 namespace smat::gui {
 
 /// Draws the samples of a Curve: nothing for missing points, a dot for one between gaps, a band
 /// where the curve has errors.
-class SampledCurve : public QwtPlotCurve {
+class SampledCurve : public CurveItemOf<QwtPlotCurve> {
   public:
     /// Keeps a reference to `curve`, which outlives it.
     explicit SampledCurve(const Curve& curve);
 
-    void setBandVisible(bool visible) { bandVisible_ = visible; }
     void drawSeries(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
                     const QRectF& canvasRect, int from, int to) const override;
 
@@ -22,7 +22,6 @@ class SampledCurve : public QwtPlotCurve {
                   const QRectF& area, int from, int to, double column) const;
 
     const Curve& curve_;
-    bool bandVisible_ = true;
 };
 
 } // namespace smat::gui

@@ -13,8 +13,8 @@
 #include <QwtScaleWidget>
 #include <QwtText>
 
+#include "gui/Readable.h"
 #include "gui/plot/CartesianItems.h"
-#include "gui/plot/CrosshairOverlay.h"
 #include "gui/plot/CurveDrawing.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/PlotNavigator.h"
@@ -47,7 +47,7 @@ bool isUsable(const Interval& range) {
 } // namespace
 
 CartesianPlot::CartesianPlot(const PlotStyle& style, QWidget* parent)
-    : QwtPlot(parent), style_(style) {
+    : QwtPlot(parent), CurvePlot(style) {
     setObjectName("cartesianPlot");
     setFocusPolicy(Qt::StrongFocus);
     setAutoReplot(false);
@@ -64,7 +64,9 @@ CartesianPlot::CartesianPlot(const PlotStyle& style, QWidget* parent)
 
     auto* legend = new QwtLegend;
     insertLegend(legend, QwtPlot::BottomLegend);
-    connect(legend, &QwtLegend::clicked, this, &CartesianPlot::onLegendClicked);
+    connect(legend, &QwtLegend::clicked, this, [this](const QVariant& item, int) {
+        toggle(dynamic_cast<const CurveItem*>(infoToItem(item)));
+    });
 
     navigator_ = std::make_unique<PlotNavigator>(*this);
     connect(navigator_.get(), &PlotNavigator::readoutChanged, this, &CartesianPlot::readoutChanged);
@@ -85,10 +87,7 @@ void CartesianPlot::applyLook() {
     setTitle(plotTitle(data_.title, style_));
     setAxisTitle(xBottom, axisText(data_.xTitle, style_));
     setAxisTitle(yLeft, axisText(data_.yTitle, style_));
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-        curves_[i]->setPen(style_.curve(static_cast<int>(i)), 2.0);
-        setCurveVisible(static_cast<int>(i), curves_[i]->isVisible());
-    }
+    dressItems();
 }
 
 void CartesianPlot::setLook(const PlotStyle& style) {
@@ -105,7 +104,7 @@ void CartesianPlot::setData(PlotData data) {
     for (const auto& curve : data.curves)
         curve.check();
     detachItems(QwtPlotItem::Rtti_PlotCurve, true);
-    curves_.clear();
+    forgetItems();
     data_ = std::move(data);
 
     setTitle(plotTitle(data_.title, style_));
@@ -113,11 +112,9 @@ void CartesianPlot::setData(PlotData data) {
     setAxisTitle(yLeft, axisText(data_.yTitle, style_));
     for (std::size_t i = 0; i < data_.curves.size(); ++i) {
         auto* item = new SampledCurve(data_.curves[i]);
-        item->setPen(style_.curve(static_cast<int>(i)), 2.0);
-        item->setBandVisible(errorBands_);
         item->setZ(10.0 + static_cast<double>(i));
         item->attach(this);
-        curves_.push_back(item);
+        adopt(item);
     }
     if (legend() != nullptr)
         legend()->setVisible(!data_.curves.empty());
@@ -148,39 +145,6 @@ void CartesianPlot::setLogarithmic(QwtPlot::Axis axis, bool on) {
 
 bool CartesianPlot::isLogarithmic(QwtPlot::Axis axis) const {
     return axis == xBottom ? data_.xLogarithmic : data_.yLogarithmic;
-}
-
-void CartesianPlot::setCurveVisible(int curve, bool visible) {
-    auto* item = curves_.at(static_cast<std::size_t>(curve));
-    item->setVisible(visible);
-    QwtText text(data_.curves[static_cast<std::size_t>(curve)].name);
-    text.setColor(visible ? style_.text : style_.faintText);
-    item->setTitle(text);
-    replot();
-}
-
-bool CartesianPlot::isCurveVisible(int curve) const {
-    return curves_.at(static_cast<std::size_t>(curve))->isVisible();
-}
-
-void CartesianPlot::onLegendClicked(const QVariant& item, int) {
-    const auto found = std::find(curves_.begin(), curves_.end(), infoToItem(item));
-    if (found == curves_.end())
-        return;
-    const int index = static_cast<int>(found - curves_.begin());
-    setCurveVisible(index, !isCurveVisible(index));
-}
-
-bool CartesianPlot::hasErrors() const {
-    return std::any_of(data_.curves.begin(), data_.curves.end(),
-                       [](const Curve& curve) { return !curve.error.empty(); });
-}
-
-void CartesianPlot::setErrorBandsVisible(bool visible) {
-    errorBands_ = visible;
-    for (auto* curve : curves_)
-        curve->setBandVisible(visible);
-    replot();
 }
 
 CartesianPlot::View CartesianPlot::fullView() const {
@@ -249,23 +213,14 @@ QString CartesianPlot::readoutAt(const QPointF& canvasPoint) const {
     if (!QRectF(canvas()->rect()).contains(canvasPoint))
         return {};
     const double x = invTransform(xBottom, canvasPoint.x());
-    QString text = data_.xTitle + ": " + readableNumber(x);
-    for (std::size_t i = 0; i < data_.curves.size(); ++i) {
-        if (curves_[i]->isVisible())
-            text += "   " + data_.curves[i].name + ": " + data_.curves[i].readoutAt(x);
-    }
-    return text;
+    return data_.xTitle + ": " + readableNumber(x) + readoutsAt(x, 0.0);
 }
 
 CartesianPlot* CartesianPlot::makePaperTwin() const {
     auto* twin = new CartesianPlot(PlotStyle::paper());
     twin->setData(data_);
     twin->setView(view());
-    twin->setErrorBandsVisible(errorBands_);
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-        if (!curves_[i]->isVisible())
-            twin->setCurveVisible(static_cast<int>(i), false);
-    }
+    twin->showAsIn(*this);
     return twin;
 }
 
@@ -286,19 +241,12 @@ void CartesianPlot::paintCrosshair(QPainter& painter, const QPointF& point) cons
     painter.drawLine(QPointF(0.0, point.y()), QPointF(area.right(), point.y()));
 
     const double x = invTransform(xBottom, point.x());
-    std::vector<ReadoutLine> lines{{QColor(), data_.xTitle + "  " + readableNumber(x)}};
-    for (std::size_t i = 0; i < data_.curves.size(); ++i) {
-        const auto value = data_.curves[i].valueAt(x);
-        if (!curves_[i]->isVisible() || !value)
-            continue;
-        const QColor color = style_.curve(static_cast<int>(i));
-        painter.setPen(QPen(style_.canvas, 1.5));
-        painter.setBrush(color);
-        if (!data_.yLogarithmic || *value > 0.0)
-            painter.drawEllipse(QPointF(point.x(), transform(yLeft, *value)), 4.5, 4.5);
-        lines.push_back({color, data_.curves[i].name + "  " + data_.curves[i].readoutAt(x)});
-    }
-    drawReadoutBox(painter, point, area, lines, style_.background, style_.frame, style_.text);
+    paintReadouts(painter, point, data_.xTitle + "  " + readableNumber(x), x, 0.0,
+                  [&](double value) -> std::optional<QPointF> {
+                      if (data_.yLogarithmic && !(value > 0.0))
+                          return std::nullopt;
+                      return QPointF(point.x(), transform(yLeft, value));
+                  });
 }
 
 } // namespace smat::gui

@@ -5,9 +5,7 @@
 
 #include <QwtPlot>
 
-#include "gui/Theme.h"
-#include "gui/plot/PlotData.h"
-#include "gui/plot/PlotSurface.h"
+#include "gui/plot/CurvePlot.h"
 #include "gui/plot/ViewHistory.h"
 
 class QwtPlotGrid;
@@ -15,11 +13,10 @@ class QwtPlotGrid;
 namespace smat::gui {
 
 class PlotNavigator;
-class SampledCurve;
 
 /// Curves over a linear or logarithmic axis; the mouse as PlotNavigator says, and a click on the
 /// legend hides a curve. Logarithmic axes go with positive values alone.
-class CartesianPlot : public QwtPlot, public PlotSurface {
+class CartesianPlot : public QwtPlot, public CurvePlot {
     Q_OBJECT
 
   public:
@@ -48,7 +45,6 @@ class CartesianPlot : public QwtPlot, public PlotSurface {
 
     QWidget* widget() override { return this; }
     QWidget* sheet() const override;
-    const PlotStyle& look() const override { return style_; }
     void zoomAt(const QPointF& point, double factor) override;
     /// Nothing happens where an axis could no longer tell its ends apart.
     void zoomTo(const QRectF& canvasRect) override;
@@ -57,11 +53,6 @@ class CartesianPlot : public QwtPlot, public PlotSurface {
     void rememberView() override;
     bool canUndoZoom() const override { return !history_.empty(); }
     void undoZoom() override;
-    int curveCount() const override { return static_cast<int>(curves_.size()); }
-    void setCurveVisible(int curve, bool visible) override;
-    bool isCurveVisible(int curve) const override;
-    bool hasErrors() const override;
-    void setErrorBandsVisible(bool visible) override;
     QString readoutAt(const QPointF& canvasPoint) const override;
     void paintCrosshair(QPainter& painter, const QPointF& point) const override;
 
@@ -70,6 +61,8 @@ class CartesianPlot : public QwtPlot, public PlotSurface {
     void readoutChanged(const QString& text);
 
   protected:
+    const std::vector<Curve>& curves() const override { return data_.curves; }
+    void redraw() override { replot(); }
     void drawCanvas(QPainter* painter) override;
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -78,15 +71,11 @@ class CartesianPlot : public QwtPlot, public PlotSurface {
     void applyAxes();
     View fullView() const;
     QRectF seenRect() const;
-    void onLegendClicked(const QVariant& item, int index);
 
-    PlotStyle style_;
     PlotData data_;
-    std::vector<SampledCurve*> curves_;
     QwtPlotGrid* grid_ = nullptr;
     std::unique_ptr<PlotNavigator> navigator_;
     ViewHistory<View> history_;
-    bool errorBands_ = true;
 };
 
 } // namespace smat::gui

@@ -27,44 +27,47 @@ class Column {
 
     void add(qsizetype index, const QPointF& point) {
         const std::int64_t column = floorOf(point.x() * perWidth_);
-        if (first_ >= 0 && column != column_) {
+        if (count_ > 0 && column != column_) {
             const bool next = std::abs(column - column_) == 1;
             flush(next);
             fromNext_ = next;
         }
         column_ = column;
-        if (first_ < 0) {
-            first_ = lowest_ = highest_ = index;
-            low_ = high_ = point.y();
-        } else if (point.y() < low_) {
-            lowest_ = index;
-            low_ = point.y();
-        } else if (point.y() > high_) {
-            highest_ = index;
-            high_ = point.y();
-        }
-        last_ = index;
+        last_ = {index, point.y()};
+        if (count_ == 0)
+            first_ = lowest_ = highest_ = last_;
+        else if (point.y() < lowest_.y)
+            lowest_ = last_;
+        else if (point.y() > highest_.y)
+            highest_ = last_;
+        ++count_;
     }
     void flush(bool toNext) {
-        if (first_ < 0)
+        if (count_ == 0)
             return;
-        const qsizetype early = std::min(lowest_, highest_), late = std::max(lowest_, highest_);
-        if (early > first_ && !fromNext_)
-            out_.push_back(first_);
-        out_.push_back(early);
-        if (late > early)
-            out_.push_back(late);
-        if (late < last_ && !toNext)
-            out_.push_back(last_);
-        first_ = -1;
+        const bool lowFirst = lowest_.index < highest_.index;
+        const Point& early = lowFirst ? lowest_ : highest_;
+        const Point& late = lowFirst ? highest_ : lowest_;
+        if (!fromNext_ && first_.index < early.index)
+            out_.push_back(first_.index);
+        out_.push_back(early.index);
+        if (late.index != early.index)
+            out_.push_back(late.index);
+        if (!toNext && last_.index > late.index)
+            out_.push_back(last_.index);
+        count_ = 0;
     }
 
   private:
+    struct Point {
+        qsizetype index = 0;
+        double y = 0.0;
+    };
     std::vector<qsizetype>& out_;
     double perWidth_;
     std::int64_t column_ = 0;
-    qsizetype first_ = -1, lowest_ = 0, highest_ = 0, last_ = 0; ///< points; no first one: empty
-    double low_ = 0.0, high_ = 0.0;
+    int count_ = 0; ///< points of the column
+    Point first_, lowest_, highest_, last_;
     bool fromNext_ = false; ///< the line comes from the column beside this one
 };
 

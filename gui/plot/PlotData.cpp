@@ -5,6 +5,7 @@
 
 #include <QStringList>
 
+#include "gui/Readable.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
@@ -104,10 +105,6 @@ QString quoted(QString text) {
     return '"' + text + '"';
 }
 
-QString exactNumber(double value) {
-    return std::isfinite(value) ? QString::fromStdString(irsg::numberText(value)) : QString();
-}
-
 } // namespace
 
 QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QString& yTitle,
@@ -149,10 +146,6 @@ QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QSt
             lines << cells.join(separator);
     }
     return lines.join('\n') + '\n';
-}
-
-QString readableNumber(double value) {
-    return std::isfinite(value) ? QString::number(value, 'g', 6) : QStringLiteral("no value");
 }
 
 } // namespace smat::gui

@@ -57,7 +57,4 @@ std::optional<Interval> rangeWithErrors(const std::vector<Curve>& curves, bool p
 QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QString& yTitle,
               std::optional<Interval> within = {}, QChar separator = ',');
 
-/// "1.2346e+05": six significant digits for read-outs.
-QString readableNumber(double value);
-
 } // namespace smat::gui

@@ -16,7 +16,7 @@ namespace smat::gui {
 
 GappedPolarCurve::GappedPolarCurve(const QString& title, std::vector<PolarSample> samples,
                                    bool hasBand)
-    : QwtPolarCurve(title), samples_(std::move(samples)), hasBand_(hasBand) {
+    : CurveItemOf(title), samples_(std::move(samples)), hasBand_(hasBand) {
     setStyle(QwtPolarCurve::Lines);
     setLegendAttribute(QwtPolarCurve::LegendShowLine, true);
     setLegendIconSize(QSize(22, 12));
@@ -51,13 +51,13 @@ void GappedPolarCurve::draw(QPainter* painter, const QwtScaleMap& azimuthMap,
     QColor fill = pen().color();
     fill.setAlphaF(0.22F);
     for (const SampleRun& run : runsOf(static_cast<int>(samples_.size()), drawable)) {
-        const bool withBand = hasBand_ && bandVisible_;
+        const bool withBand = hasBand_ && isBandVisible();
         const auto [nearest, reach] = radiiOf(run, radialMap, withBand);
         if (nearest > farthest)
             continue; // beyond the corners
-        // Points are chosen where lines are unrolled: along the circle that a run reaches, or the
-        // canvas does, and along the radius.
-        const double outer = std::clamp(reach, 1.0, farthest);
+        // Points are chosen where lines are unrolled, along a circle and along the radius. On the
+        // circle that a run reaches, or the canvas does, a column is one and a half pixels wide.
+        const double outer = std::clamp(reach, 1.0, farthest) / (column > 0.0 ? 1.5 : 1.0);
         const auto unrolled = [&](double PolarSample::*value) {
             QPolygonF line(run.last - run.first + 1);
             std::transform(samples_.begin() + run.first, samples_.begin() + run.last + 1,

@@ -10,6 +10,7 @@
 
 #include "gui/Theme.h"
 #include "gui/plot/CurveDrawing.h"
+#include "gui/plot/CurveItem.h"
 
 namespace smat::gui {
 
@@ -23,12 +24,11 @@ struct PolarSample {
 /// Draws runs of finite samples one by one, so that a missing point leaves a gap; a dot for a
 /// single one, and a band where the curve has errors. A radius below the scale is drawn in the
 /// middle.
-class GappedPolarCurve : public QwtPolarCurve {
+class GappedPolarCurve : public CurveItemOf<QwtPolarCurve> {
   public:
     using QwtPolarCurve::draw;
     GappedPolarCurve(const QString& title, std::vector<PolarSample> samples, bool hasBand);
 
-    void setBandVisible(bool visible) { bandVisible_ = visible; }
     void draw(QPainter* painter, const QwtScaleMap& azimuthMap, const QwtScaleMap& radialMap,
               const QPointF& pole, double radius, const QRectF& canvasRect) const override;
 
@@ -41,7 +41,7 @@ class GappedPolarCurve : public QwtPolarCurve {
     const std::vector<QPointF>& directionsFor(const QwtScaleMap& azimuthMap) const;
 
     std::vector<PolarSample> samples_;
-    bool hasBand_, bandVisible_ = true;
+    bool hasBand_;
     mutable std::array<double, 4> turn_{}; ///< ends of the map that the directions are of
     mutable std::vector<QPointF> directions_;
 };

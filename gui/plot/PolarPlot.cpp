@@ -15,7 +15,7 @@
 #include <QwtScaleEngine>
 #include <QwtScaleMap>
 
-#include "gui/plot/CrosshairOverlay.h"
+#include "gui/Readable.h"
 #include "gui/plot/CurveDrawing.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/PlotNavigator.h"
@@ -48,7 +48,7 @@ bool goesRound(const Curve& curve) {
 } // namespace
 
 PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent)
-    : QwtPolarPlot(parent), style_(style) {
+    : QwtPolarPlot(parent), CurvePlot(style) {
     setObjectName("polarPlot");
     setFocusPolicy(Qt::StrongFocus);
     setAutoReplot(false);
@@ -78,10 +78,7 @@ PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent)
     auto* legend = new QwtLegend;
     insertLegend(legend, QwtPolarPlot::BottomLegend);
     connect(legend, &QwtLegend::clicked, this, [this](const QVariant& item, int) {
-        const auto found = std::find(curves_.begin(), curves_.end(), infoToItem(item));
-        const int index = static_cast<int>(found - curves_.begin());
-        if (found != curves_.end())
-            setCurveVisible(index, !isCurveVisible(index));
+        toggle(dynamic_cast<const CurveItem*>(infoToItem(item)));
     });
     navigator_ = std::make_unique<PlotNavigator>(*this);
     connect(navigator_.get(), &PlotNavigator::readoutChanged, this, &PolarPlot::readoutChanged);
@@ -163,10 +160,10 @@ double PolarPlot::radiusOf(double value) const {
 
 void PolarPlot::rebuild() {
     std::vector<bool> visible;
-    for (const auto* curve : curves_)
-        visible.push_back(curve->isVisible());
+    for (int i = 0; i < curveCount(); ++i)
+        visible.push_back(isCurveVisible(i));
     detachItems(QwtPolarItem::Rtti_PolarCurve, true);
-    curves_.clear();
+    forgetItems();
 
     setRadiusAxis();
     for (std::size_t i = 0; i < data_.curves.size(); ++i)
@@ -180,10 +177,9 @@ void PolarPlot::rebuild() {
     notes_ = std::make_unique<PolarNotes>(style_, data_.directionNote, data_.clockwise, radius);
     notes_->attach(this);
 
-    for (std::size_t i = 0; i < visible.size() && i < curves_.size(); ++i) {
-        if (!visible[i])
-            setCurveVisible(static_cast<int>(i), false);
-    }
+    for (int i = 0; i < std::min(static_cast<int>(visible.size()), curveCount()); ++i)
+        if (!visible[static_cast<std::size_t>(i)])
+            setCurveVisible(i, false);
     showWhole();
 }
 
@@ -229,11 +225,9 @@ void PolarPlot::addCurve(std::size_t index) {
     if (goesRound(curve))
         add(curve.x.front() + turn_deg, 0);
     auto* item = new GappedPolarCurve(curve.name, std::move(samples), !curve.error.empty());
-    item->setPen(QPen(style_.curve(static_cast<int>(index)), 2.0));
-    item->setBandVisible(errorBands_);
     item->setZ(10.0 + static_cast<double>(index));
     item->attach(this);
-    curves_.push_back(item);
+    adopt(item);
 }
 
 int PolarPlot::samplesLeftOut() const {
@@ -244,31 +238,6 @@ int PolarPlot::samplesLeftOut() const {
         count += static_cast<int>(
             std::count_if(curve.y.begin(), curve.y.end(), [](double v) { return v <= 0.0; }));
     return count;
-}
-
-void PolarPlot::setCurveVisible(int curve, bool visible) {
-    auto* item = curves_.at(static_cast<std::size_t>(curve));
-    item->setVisible(visible);
-    QwtText text(data_.curves[static_cast<std::size_t>(curve)].name);
-    text.setColor(visible ? style_.text : style_.faintText);
-    item->setTitle(text);
-    replot();
-}
-
-bool PolarPlot::isCurveVisible(int curve) const {
-    return curves_.at(static_cast<std::size_t>(curve))->isVisible();
-}
-
-bool PolarPlot::hasErrors() const {
-    return std::any_of(data_.curves.begin(), data_.curves.end(),
-                       [](const Curve& curve) { return !curve.error.empty(); });
-}
-
-void PolarPlot::setErrorBandsVisible(bool visible) {
-    errorBands_ = visible;
-    for (auto* curve : curves_)
-        curve->setBandVisible(visible);
-    replot();
 }
 
 void PolarPlot::showWhole() {
@@ -323,25 +292,15 @@ double PolarPlot::angleAt(const QPointF& point) const {
 
 QString PolarPlot::readoutAt(const QPointF& point) const {
     const double angle = angleAt(point);
-    QString text = QStringLiteral("%1°").arg(angle, 0, 'f', 1);
-    for (std::size_t i = 0; i < data_.curves.size(); ++i) {
-        if (curves_[i]->isVisible())
-            text +=
-                "   " + data_.curves[i].name + ": " + data_.curves[i].readoutAt(angle, turn_deg);
-    }
-    return text;
+    return QStringLiteral("%1°").arg(angle, 0, 'f', 1) + readoutsAt(angle, turn_deg);
 }
 
 PolarPlot* PolarPlot::makePaperTwin() const {
     auto* twin = new PolarPlot(PlotStyle::paper());
     twin->radiusScale_ = radiusScale_;
     twin->limits_ = limits_;
-    twin->errorBands_ = errorBands_;
     twin->setData(data_);
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-        if (!curves_[i]->isVisible())
-            twin->setCurveVisible(static_cast<int>(i), false);
-    }
+    twin->showAsIn(*this);
     return twin;
 }
 
@@ -402,21 +361,12 @@ void PolarPlot::paintCrosshair(QPainter& painter, const QPointF& cursor) const {
     painter.drawLine(pole, pole + offset * (radius / distance));
 
     const double angle = angleAt(cursor);
-    std::vector<ReadoutLine> lines{{QColor(), QStringLiteral("%1°").arg(angle, 0, 'f', 1)}};
-    for (std::size_t i = 0; i < data_.curves.size(); ++i) {
-        const auto value = data_.curves[i].valueAt(angle, turn_deg);
-        if (!curves_[i]->isVisible() || !value)
-            continue;
-        const QColor color = style_.curve(static_cast<int>(i));
-        painter.setPen(QPen(style_.canvas, 1.5));
-        painter.setBrush(color);
-        if (std::isfinite(radiusOf(*value)))
-            painter.drawEllipse(canvasPoint(angle, *value), 4.5, 4.5);
-        lines.push_back(
-            {color, data_.curves[i].name + "  " + data_.curves[i].readoutAt(angle, turn_deg)});
-    }
-    drawReadoutBox(painter, cursor, canvas()->rect(), lines, style_.background, style_.frame,
-                   style_.text);
+    paintReadouts(painter, cursor, QStringLiteral("%1°").arg(angle, 0, 'f', 1), angle, turn_deg,
+                  [&](double value) -> std::optional<QPointF> {
+                      if (!std::isfinite(radiusOf(value)))
+                          return std::nullopt;
+                      return canvasPoint(angle, value);
+                  });
 }
 
 } // namespace smat::gui

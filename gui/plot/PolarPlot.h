@@ -7,16 +7,13 @@
 #include <QwtPointPolar>
 #include <QwtPolarPlot>
 
-#include "gui/Theme.h"
-#include "gui/plot/PlotData.h"
-#include "gui/plot/PlotSurface.h"
+#include "gui/plot/CurvePlot.h"
 #include "gui/plot/ViewHistory.h"
 
 class QwtPolarGrid;
 
 namespace smat::gui {
 
-class GappedPolarCurve;
 class PlotNavigator;
 
 enum class RadiusScale {
@@ -27,7 +24,7 @@ enum class RadiusScale {
 /// Curves around a model: 0 degrees (the nose) at the top, a grid of 30 degrees, the direction in
 /// which the angle grows written beside it. A curve that goes round is closed. The mouse as
 /// PlotNavigator says, and a click on the legend hides a curve.
-class PolarPlot : public QwtPolarPlot, public PlotSurface {
+class PolarPlot : public QwtPolarPlot, public CurvePlot {
     Q_OBJECT
 
   public:
@@ -66,7 +63,6 @@ class PolarPlot : public QwtPolarPlot, public PlotSurface {
 
     QWidget* widget() override { return this; }
     QWidget* sheet() const override;
-    const PlotStyle& look() const override { return style_; }
     /// All of the circle is the most that is shown.
     void zoomAt(const QPointF& point, double factor) override;
     void zoomTo(const QRectF& part) override;
@@ -75,11 +71,6 @@ class PolarPlot : public QwtPolarPlot, public PlotSurface {
     void rememberView() override;
     bool canUndoZoom() const override { return !history_.empty(); }
     void undoZoom() override;
-    int curveCount() const override { return static_cast<int>(curves_.size()); }
-    void setCurveVisible(int curve, bool visible) override;
-    bool isCurveVisible(int curve) const override;
-    bool hasErrors() const override;
-    void setErrorBandsVisible(bool visible) override;
     QString readoutAt(const QPointF& canvasPoint) const override;
     void paintCrosshair(QPainter& painter, const QPointF& point) const override;
 
@@ -88,6 +79,8 @@ class PolarPlot : public QwtPolarPlot, public PlotSurface {
     void readoutChanged(const QString& text);
 
   protected:
+    const std::vector<Curve>& curves() const override { return data_.curves; }
+    void redraw() override { replot(); }
     void drawCanvas(QPainter* painter, const QRectF& canvasRect) const override;
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -101,17 +94,14 @@ class PolarPlot : public QwtPolarPlot, public PlotSurface {
     double angleAt(const QPointF& canvasPoint) const;
     void placePole(const QPointF& pole, double factor);
 
-    PlotStyle style_;
     PolarData data_;
     RadiusScale radiusScale_ = RadiusScale::linear;
     std::optional<Interval> limits_;
     double largest_ = 1.0;
-    std::vector<GappedPolarCurve*> curves_;
     std::unique_ptr<QwtPolarItem> notes_;
     QwtPolarGrid* grid_ = nullptr;
     std::unique_ptr<PlotNavigator> navigator_;
     ViewHistory<View> history_;
-    bool errorBands_ = true;
 };
 
 } // namespace smat::gui

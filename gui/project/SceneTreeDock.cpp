@@ -9,9 +9,9 @@
 #include <QTreeWidgetItemIterator>
 
 #include "gui/BackgroundPool.h"
+#include "gui/Readable.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
-#include "gui/image/ImageView.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/EnvironmentInput.h"
 

@@ -13,8 +13,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/Readable.h"
 #include "gui/Theme.h"
-#include "gui/image/ImageView.h"
 
 namespace smat::gui {
 namespace {

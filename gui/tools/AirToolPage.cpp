@@ -157,11 +157,13 @@ void AirToolPage::showTable(const ResultTable& table, const QString& title,
     title_ = title;
     figures_->setText(figures);
     figures_->setVisible(!figures.isEmpty());
+    AnalysisData data;
+    data.kind = AnalysisKind::spectrum;
+    data.table = table;
     ResultEntry entry;
     entry.title = title;
     entry.origin = ResultEntry::Origin::tool;
-    entry.data.kind = AnalysisKind::spectrum;
-    entry.data.table = table;
+    entry.data = std::make_shared<const AnalysisData>(std::move(data));
     delete page_;
     page_ = new ResultPage({entry}, dialogs_);
     empty_->hide();

@@ -16,12 +16,12 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "gui/Readable.h"
 #include "gui/Sentences.h"
 #include "gui/UnsavedNote.h"
 #include "gui/Workbench.h"
 #include "gui/image/ImageExport.h"
 #include "gui/plot/CartesianPlot.h"
-#include "gui/plot/PlotData.h"
 #include "gui/plot/PlotExport.h"
 #include "gui/tools/MonteCarloPlots.h"
 #include "irsg/radiometry/CsvTable.h"

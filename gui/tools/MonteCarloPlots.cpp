@@ -16,6 +16,7 @@
 #include <QwtPlotIntervalCurve>
 #include <QwtPlotMarker>
 
+#include "gui/Readable.h"
 #include "gui/Theme.h"
 #include "gui/image/ImageExport.h"
 #include "gui/plot/CartesianPlot.h"

@@ -9,8 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "gui/Readable.h"
 #include "gui/Workbench.h"
-#include "gui/image/ImageView.h"
 #include "gui/settings/SettingForm.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Errors.h"

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include "gui/Readable.h"
 #include "gui/Widgets.h"
 #include "gui/Workbench.h"
 #include "irsg/radiometry/Errors.h"
@@ -28,7 +29,7 @@ TemperatureProfilePage::TemperatureProfilePage(Workbench& workbench, Dialogs dia
     const TemperatureProfileRequest usual;
     const auto field = [&](const char* name, const QString& label, double value,
                            const QString& tip) {
-        auto* edit = new QLineEdit(QString::fromStdString(irsg::numberText(value)), this);
+        auto* edit = new QLineEdit(exactNumber(value), this);
         edit->setObjectName(name);
         edit->setToolTip(tip);
         connect(edit, &QLineEdit::textChanged, this, &TemperatureProfilePage::refresh);

@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/Readable.h"
 #include "gui/Theme.h"
 #include "gui/image/ImageView.h"
 #include "irsg/radiometry/Errors.h"

@@ -1,7 +1,6 @@
 #include "gui/view/SceneLoader.h"
 
 #include "gui/Sentences.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 namespace {
@@ -40,11 +39,7 @@ void SceneLoader::load(const Project& project, const Settings& settings) {
         },
         [this, end](const std::exception_ptr& thrown) {
             end();
-            try {
-                std::rethrow_exception(thrown);
-            } catch (const irsg::InputError& error) {
-                emit failed(sentencesOf(error));
-            }
+            emit failed(sentencesOf(thrown));
         });
 }
 

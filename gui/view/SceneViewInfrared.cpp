@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/Readable.h"
 #include "gui/image/ImageView.h"
-#include "gui/plot/PlotData.h"
 #include "gui/view/InfraredDisplay.h"
 #include "gui/view/SceneViewParts.h"
 #include "irsg/radiometry/Errors.h"

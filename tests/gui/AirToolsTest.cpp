@@ -144,7 +144,7 @@ TEST_F(AirToolsTest, KeepsItsAnswerAmongTheResults) {
     compute(*page);
     page->findChild<QPushButton*>("keepResult")->click();
     ASSERT_EQ(workbench.results().size(), 1U);
-    EXPECT_EQ(workbench.results()[0].data.table, page->table());
+    EXPECT_EQ(workbench.results()[0].data->table, page->table());
     EXPECT_EQ(workbench.results()[0].origin, ResultEntry::Origin::tool);
     page->exportTo(folder / "kept.json");
     EXPECT_EQ(loadResult(folder / "kept.json").table, page->table());

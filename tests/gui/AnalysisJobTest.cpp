@@ -85,7 +85,7 @@ TEST_F(AnalysisJobTest, CancelIsAnsweredWhileADrawingIsUnderWayAndKeepsWhatIsDon
     // The fourth drawing cannot end before the gate opens, and yet there is an answer.
     ASSERT_TRUE(settle());
     ASSERT_EQ(workbench->results().size(), 1U);
-    const AnalysisData& kept = workbench->results().front().data;
+    const AnalysisData& kept = *workbench->results().front().data;
     EXPECT_EQ(kept.state, AnalysisState::partial);
     EXPECT_EQ(kept.table.rowCount(), 3U);
     EXPECT_EQ(kept.table.provenance.value("state"), "partial");
@@ -107,7 +107,7 @@ TEST_F(AnalysisJobTest, TheNextAnalysisStartsBesideADrawingThatWasLeft) {
     gate.drawings(1 << 30);
     ASSERT_TRUE(settle());
     ASSERT_EQ(workbench->results().size(), 1U);
-    EXPECT_EQ(workbench->results().front().data.state, AnalysisState::complete);
+    EXPECT_EQ(workbench->results().front().data->state, AnalysisState::complete);
     // The one that was left goes with its renderer.
     EXPECT_TRUE(test::waitUntil([this] { return gate.renderers == 1; }));
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
@@ -121,7 +121,7 @@ TEST_F(AnalysisJobTest, AShortDrawingEndsTheRunItself) {
     gate.drawings(1 << 30);
     ASSERT_TRUE(settle());
     ASSERT_EQ(workbench->results().size(), 1U);
-    EXPECT_EQ(workbench->results().front().data.table.rowCount(), 3U);
+    EXPECT_EQ(workbench->results().front().data->table.rowCount(), 3U);
     EXPECT_EQ(gate.renderers, 1);
     startPolar();
     ASSERT_TRUE(settle());

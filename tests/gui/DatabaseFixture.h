@@ -75,7 +75,7 @@ class DatabaseFixture : public WindowFixture {
     /// The middle of an image analysis run from the window, W m-2 sr-1.
     double middlePixel() {
         runAnalysis("image");
-        const auto& image = workbench.results().back().data.image;
+        const auto& image = workbench.results().back().data->image;
         const auto& values = image.primary().values;
         return static_cast<double>(values[values.size() / 2]);
     }

@@ -270,17 +270,17 @@ TEST_F(DatabasePictureTest, EditsShowAtOnceInTheViewAndPickingSelects) {
 TEST_F(DatabasePictureTest, ProvenanceSaysWhetherEditsWereSaved) {
     const auto database = [this] {
         runAnalysis("image");
-        return workbench.results().back().data.table.provenance.value("database");
+        return workbench.results().back().data->table.provenance.value("database");
     };
     EXPECT_EQ(database(), "box.sigdb");
     chooseTab("temperatureTabs", "Equation terms");
     type("base_K", "333");
     EXPECT_EQ(database(), "box.sigdb, with edits that are not saved");
-    const auto unsaved = workbench.results().back().data.image.primary().values;
+    const auto unsaved = workbench.results().back().data->image.primary().values;
     window->findChild<QAction*>("saveDatabase")->trigger();
     EXPECT_FALSE(session().isDirty());
     EXPECT_EQ(database(), "box.sigdb");
-    EXPECT_EQ(workbench.results().back().data.image.primary().values, unsaved);
+    EXPECT_EQ(workbench.results().back().data->image.primary().values, unsaved);
     EXPECT_EQ(irsg::loadSignatureFile(folder / "box.sigdb").database, session().value());
 }
 

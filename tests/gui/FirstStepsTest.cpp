@@ -1,3 +1,5 @@
+#include <map>
+
 #include <QComboBox>
 #include <QPushButton>
 #include <QTabBar>
@@ -13,20 +15,21 @@ namespace smat::gui {
 namespace {
 
 /// What a person does on the first day: paint an aircraft, heat its engines, see it.
-class FirstStepsTest : public test::DatabaseFixture {};
+class FirstStepsTest : public test::DatabaseFixture {
+  protected:
+    /// A copy of the sample aircraft in a small picture from ahead and above.
+    void openAircraft(const std::map<std::string, std::string>& more, bool withDatabase) {
+        std::map<std::string, std::string> settings{
+            {"sensor.width", "320"},     {"sensor.height", "256"},    {"sensor.fov", "3"},
+            {"camera.azimuth", "60"},    {"camera.elevation", "12"},  {"camera.range", "900"},
+            {"target.altitude", "1500"}, {"render.antialiasing", "0"}};
+        settings.insert(more.begin(), more.end());
+        openCopy("turboprop4", settings, withDatabase);
+    }
+};
 
 TEST_F(FirstStepsTest, PaintAnAircraftHeatItsEnginesAndSeeIt) {
-    openCopy("turboprop4",
-             {{"sensor.width", "320"},
-              {"sensor.height", "256"},
-              {"sensor.fov", "3"},
-              {"camera.azimuth", "60"},
-              {"camera.elevation", "12"},
-              {"camera.range", "900"},
-              {"target.altitude", "1500"},
-              {"render.antialiasing", "0"},
-              {"state.power", "1"}},
-             false);
+    openAircraft({{"state.power", "1"}}, false);
     EXPECT_FALSE(session().isOpen());
     test::keepScreenshot(*window, "first-steps-1-no-database");
 
@@ -37,7 +40,7 @@ TEST_F(FirstStepsTest, PaintAnAircraftHeatItsEnginesAndSeeIt) {
     EXPECT_TRUE(session().isDirty());
     EXPECT_GE(session().value().materials.size(), 4U);
     runAnalysis("image");
-    const auto cold = workbench.results().back().data.image.primary().values;
+    const auto cold = workbench.results().back().data->image.primary().values;
     window->findChild<QTabWidget*>("tabs")->setCurrentIndex(0);
 
     // Paint: the grey of the library in place of material 1.
@@ -71,28 +74,19 @@ TEST_F(FirstStepsTest, PaintAnAircraftHeatItsEnginesAndSeeIt) {
     // See it, and keep it.
     runAnalysis("image");
     test::keepScreenshot(*window, "first-steps-5-seen");
-    const auto hot = workbench.results().back().data.image.primary().values;
+    const auto hot = workbench.results().back().data->image.primary().values;
     EXPECT_GT(*std::max_element(hot.begin(), hot.end()),
               2.0F * *std::max_element(cold.begin(), cold.end()));
     window->findChild<QAction*>("saveDatabase")->trigger();
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     EXPECT_EQ(irsg::loadSignatureFile(file).database, session().value());
     runAnalysis("image");
-    EXPECT_EQ(workbench.results().back().data.image.primary().values, hot);
+    EXPECT_EQ(workbench.results().back().data->image.primary().values, hot);
 }
 
 /// The first page of the user guide, docs/user-guide/first-signature.md, step by step.
 TEST_F(FirstStepsTest, TheFirstPageOfTheGuide) {
-    openCopy("turboprop4", {{"sensor.width", "320"},
-                            {"sensor.height", "256"},
-                            {"sensor.fov", "3"},
-                            {"camera.azimuth", "60"},
-                            {"camera.elevation", "12"},
-                            {"camera.range", "900"},
-                            {"target.altitude", "1500"},
-                            {"render.antialiasing", "0"},
-                            {"polar.step", "90"},
-                            {"state.power", "0.7"}});
+    openAircraft({{"polar.step", "90"}, {"state.power", "0.7"}}, true);
     SceneView& view = *window->sceneView();
     const auto sum = [&] {
         EXPECT_TRUE(test::waitUntil([&] { return view.isUpToDate(); }));
@@ -154,7 +148,7 @@ TEST_F(FirstStepsTest, TheFirstPageOfTheGuide) {
 
     // Plot it, and keep it.
     runAnalysis("polar");
-    EXPECT_EQ(workbench.results().back().data.table.rowCount(), 4U);
+    EXPECT_EQ(workbench.results().back().data->table.rowCount(), 4U);
     trigger("saveDatabase");
     trigger("saveProject");
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();

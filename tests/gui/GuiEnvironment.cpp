@@ -47,6 +47,23 @@ void keepScreenshot(QWidget& widget, const std::string& name) {
     widget.grab().save(QString::fromStdString((folder / (name + ".png")).string()));
 }
 
+bool showsColorAt(QWidget& widget, const QPointF& point, const QColor& wanted) {
+    const QImage picture = widget.grab().toImage();
+    const QPoint middle = (point * picture.devicePixelRatio()).toPoint();
+    for (int dy = -3; dy <= 3; ++dy)
+        for (int dx = -3; dx <= 3; ++dx) {
+            const QPoint at = middle + QPoint(dx, dy);
+            if (!picture.valid(at))
+                continue;
+            const QColor color = picture.pixelColor(at);
+            if (std::abs(color.red() - wanted.red()) + std::abs(color.green() - wanted.green()) +
+                    std::abs(color.blue() - wanted.blue()) <
+                60)
+                return true;
+        }
+    return false;
+}
+
 std::filesystem::path freshFolder(const std::string& name) {
     static const smat::test::TemporaryFolder process;
     std::filesystem::remove_all(process / name);

@@ -3,12 +3,17 @@
 #include <filesystem>
 #include <string>
 
+#include <QColor>
+#include <QPointF>
 #include <QWidget>
 
 namespace smat::gui::test {
 
 /// Keeps a picture of a window for a person to look at: screenshots/NAME.png in the build folder.
 void keepScreenshot(QWidget& widget, const std::string& name);
+
+/// Whether a widget shows a colour, or one much like it, within three pixels of a point.
+bool showsColorAt(QWidget& widget, const QPointF& point, const QColor& wanted);
 
 /// A folder of its own for each test, emptied first.
 std::filesystem::path freshFolder(const std::string& name);

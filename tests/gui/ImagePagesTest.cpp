@@ -72,6 +72,9 @@ TEST_F(ImagePages, TwoResultsThatAreImagesAreCompared) {
     EXPECT_TRUE(page->comparison()->totalIsIntensity);
     EXPECT_EQ(tabs()->currentWidget(), page);
     EXPECT_EQ(window->compareResults(results[0].id, 4711), nullptr);
+    // Large as they may be, neither is copied.
+    for (const int i : {0, 1})
+        EXPECT_EQ(page->side(i).image.get(), &results[static_cast<std::size_t>(i)].data->image);
 }
 
 TEST_F(ImagePages, TheDifferenceOfTwoImageResultsIsAComparison) {
@@ -102,7 +105,7 @@ TEST_F(ImagePages, TheDifferenceOfTwoImageResultsIsAComparison) {
     for (const int i : {0, 1}) {
         EXPECT_EQ(page->side(i).name, results[static_cast<std::size_t>(i)].title);
         EXPECT_EQ(page->side(i).image->primary().values,
-                  results[static_cast<std::size_t>(i)].data.image.primary().values);
+                  results[static_cast<std::size_t>(i)].data->image.primary().values);
     }
     ASSERT_TRUE(test::waitUntil([&] { return !page->isBusy(); }));
     ASSERT_TRUE(page->comparison());

@@ -1,6 +1,7 @@
 #include "gui/image/ImageView.h"
 
 #include <limits>
+#include <set>
 
 #include <QClipboard>
 #include <QComboBox>
@@ -305,6 +306,31 @@ TEST_F(ImageViewTest, ALargeImageIsShownAtOnceAndItsTemperaturesFollow) {
     gone->setImage(large, irsg::Band::topHat(3.0, 5.0));
     gone.reset();
     QTest::qWait(50);
+}
+
+TEST_F(ImageViewTest, ALargeImageIsNotCopiedAndNothingElseIsSeenBeforeIt) {
+    auto large = std::make_shared<irsg::RadianceImage>(700, 600);
+    for (std::size_t i = 0; i < large->pixelCount(); ++i)
+        large->primary().values[i] = 1.0F + 1e-5F * static_cast<float>(i);
+    ImageView fresh;
+    fresh.resize(760, 560);
+    fresh.setImage(std::shared_ptr<const irsg::RadianceImage>(large));
+    EXPECT_EQ(&fresh.image(), large.get());
+    fresh.show();
+    // Nothing comes from other threads before the next turn of the event loop.
+    const auto colours = [&] {
+        const QImage seen = fresh.canvas()->grab().toImage();
+        std::set<QRgb> found;
+        for (int y = 0; y < seen.height(); y += 7)
+            for (int x = 0; x < seen.width(); x += 7)
+                found.insert(seen.pixel(x, y));
+        return found;
+    };
+    EXPECT_EQ(colours().size(), 1U);
+    EXPECT_TRUE(fresh.isBusy());
+    ASSERT_TRUE(test::waitUntil([&] { return !fresh.isBusy(); }));
+    EXPECT_GT(colours().size(), 50U);
+    EXPECT_EQ(&fresh.image(), large.get());
 }
 
 TEST_F(ImageViewTest, LivesWithPixelsThatAreNoNumbersAndWithOnePixel) {

@@ -49,7 +49,7 @@ TEST_F(MainWindowTest, ImageFromTheWindowEqualsTheGeneratorsOwn) {
     onDialog = [](QDialog& dialog) { test::keepScreenshot(dialog, "dialog-image"); };
     runAnalysis("image");
     ASSERT_EQ(workbench.results().size(), 1U);
-    const AnalysisData& shown = workbench.results().front().data;
+    const AnalysisData& shown = *workbench.results().front().data;
     const AnalysisData direct = runDirectly(shown);
     EXPECT_EQ(shown.image.primary().values, direct.image.primary().values);
     EXPECT_EQ(shown.table.columns(), direct.table.columns());
@@ -64,7 +64,7 @@ TEST_F(MainWindowTest, PolarPlotFromTheWindowEqualsTheGeneratorsOwn) {
     onDialog = [](QDialog& dialog) { test::keepScreenshot(dialog, "dialog-polar"); };
     runAnalysis("polar");
     ASSERT_EQ(workbench.results().size(), 1U);
-    const AnalysisData& shown = workbench.results().front().data;
+    const AnalysisData& shown = *workbench.results().front().data;
     EXPECT_EQ(shown.table.columns(), runDirectly(shown).table.columns());
     ASSERT_NE(window->currentPage()->polarPlot(), nullptr);
     EXPECT_EQ(window->currentPage()->polarPlot()->data().curves.at(0).y,
@@ -136,7 +136,7 @@ TEST_F(MainWindowTest, CancelKeepsWhatIsDone) {
     window->findChild<QToolButton*>("cancelJob")->click();
     ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
     ASSERT_EQ(workbench.results().size(), 1U);
-    const auto& data = workbench.results().front().data;
+    const auto& data = *workbench.results().front().data;
     EXPECT_EQ(data.state, AnalysisState::partial);
     EXPECT_GE(data.table.rowCount(), 3U);
     EXPECT_LT(data.table.rowCount(), 7200U);

@@ -101,6 +101,17 @@ class MonteCarloPageTest : public ::testing::Test {
         file = folder / "turboprop4.smat";
         saveProject(project, file);
     }
+    /// Runs and cancels while the first drawing waits for the gate.
+    void cancelWhileDrawing(Gate& gate) {
+        makePage([&gate] { return std::make_unique<WaitingSource>(gate); });
+        get<QSpinBox>("samples")->setValue(2048);
+        get<QCheckBox>("ranks")->setChecked(false);
+        get<QPushButton>("run")->click();
+        EXPECT_TRUE(waitUntil([&] { return gate.waiting > 0; }));
+        get<QPushButton>("cancel")->click();
+        // The drawing has not ended, and the page is free again.
+        EXPECT_TRUE(waitUntil([this] { return !page->isRunning(); }));
+    }
     void makePage(ImageSourceFactory makeSource = makeIrsgImageSource) {
         workbench.open(file);
         Dialogs dialogs;
@@ -275,14 +286,7 @@ TEST_F(MonteCarloPageTest, keepsTheDrawsOfARunThatIsCancelled) {
 
 TEST_F(MonteCarloPageTest, answersACancelWhileADrawingTakesItsTime) {
     Gate gate;
-    makePage([&gate] { return std::make_unique<WaitingSource>(gate); });
-    get<QSpinBox>("samples")->setValue(2048);
-    get<QCheckBox>("ranks")->setChecked(false);
-    get<QPushButton>("run")->click();
-    ASSERT_TRUE(waitUntil([&] { return gate.waiting > 0; }));
-    get<QPushButton>("cancel")->click();
-    // The drawing has not ended, and the page is free again.
-    ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }));
+    cancelWhileDrawing(gate);
     EXPECT_EQ(gate.waiting, 1);
     EXPECT_TRUE(get<QPushButton>("run")->isEnabled());
     EXPECT_FALSE(get<QPushButton>("cancel")->isEnabled());
@@ -296,13 +300,7 @@ TEST_F(MonteCarloPageTest, answersACancelWhileADrawingTakesItsTime) {
 
 TEST_F(MonteCarloPageTest, runsAgainWhileACancelledRunEndsByItself) {
     Gate gate;
-    makePage([&gate] { return std::make_unique<WaitingSource>(gate); });
-    get<QSpinBox>("samples")->setValue(2048);
-    get<QCheckBox>("ranks")->setChecked(false);
-    get<QPushButton>("run")->click();
-    ASSERT_TRUE(waitUntil([&] { return gate.waiting > 0; }));
-    get<QPushButton>("cancel")->click();
-    ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }));
+    cancelWhileDrawing(gate);
     get<QSpinBox>("samples")->setValue(300);
     get<QPushButton>("run")->click();
     EXPECT_TRUE(page->isRunning());

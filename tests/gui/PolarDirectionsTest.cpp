@@ -59,21 +59,7 @@ class PolarDirectionsTest : public ::testing::Test {
         const double radius = std::abs(plot.canvasPoint(0.0, intensity(side)).y() - pole.y());
         const double turn = fromTop_deg * std::numbers::pi / 180.0;
         const QPointF at = pole + QPointF(radius * std::sin(turn), -radius * std::cos(turn));
-        const QImage picture = plot.canvas()->grab().toImage();
-        const QColor wanted = PlotStyle::screen(plot.palette()).curve(0);
-        for (int dy = -3; dy <= 3; ++dy) {
-            for (int dx = -3; dx <= 3; ++dx) {
-                const QPoint p = at.toPoint() + QPoint(dx, dy);
-                if (!picture.valid(p))
-                    continue;
-                const QColor c = picture.pixelColor(p);
-                if (std::abs(c.red() - wanted.red()) + std::abs(c.green() - wanted.green()) +
-                        std::abs(c.blue() - wanted.blue()) <
-                    60)
-                    return true;
-            }
-        }
-        return false;
+        return test::showsColorAt(*plot.canvas(), at, PlotStyle::screen(plot.palette()).curve(0));
     }
     /// All four at once, at right angles: what is at the top, right, bottom and left of the plot.
     void expectAround(const Side& above, const Side& right, const Side& below, const Side& left) {

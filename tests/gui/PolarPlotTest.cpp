@@ -41,22 +41,8 @@ class PolarPlotTest : public ::testing::Test {
     }
     /// Whether the picture holds the first curve's colour near a point of the canvas.
     bool drawnAt(const QPointF& canvasPoint) {
-        const QImage picture = plot.canvas()->grab().toImage();
-        const double scale = picture.devicePixelRatio();
-        const QColor wanted = PlotStyle::screen(plot.palette()).curve(0);
-        for (int dy = -3; dy <= 3; ++dy) {
-            for (int dx = -3; dx <= 3; ++dx) {
-                const QPoint p = (canvasPoint * scale).toPoint() + QPoint(dx, dy);
-                if (!picture.valid(p))
-                    continue;
-                const QColor c = picture.pixelColor(p);
-                if (std::abs(c.red() - wanted.red()) + std::abs(c.green() - wanted.green()) +
-                        std::abs(c.blue() - wanted.blue()) <
-                    60)
-                    return true;
-            }
-        }
-        return false;
+        return test::showsColorAt(*plot.canvas(), canvasPoint,
+                                  PlotStyle::screen(plot.palette()).curve(0));
     }
     PolarPlot plot;
 };

@@ -63,7 +63,7 @@ TEST_F(ResultsDockTest, RunsAgainAndGivesTheSameNumbers) {
     action("rerunResult")->trigger();
     settle();
     ASSERT_EQ(workbench.results().size(), 2U);
-    EXPECT_EQ(workbench.results()[0].data.table, workbench.results()[1].data.table);
+    EXPECT_EQ(workbench.results()[0].data->table, workbench.results()[1].data->table);
 }
 
 TEST_F(ResultsDockTest, EditsWhatWasAskedAndRunsAgain) {
@@ -77,7 +77,7 @@ TEST_F(ResultsDockTest, EditsWhatWasAskedAndRunsAgain) {
     action("editResult")->trigger();
     settle();
     ASSERT_EQ(workbench.results().size(), 2U);
-    EXPECT_EQ(workbench.results()[1].data.table.rowCount(), 4U);
+    EXPECT_EQ(workbench.results()[1].data->table.rowCount(), 4U);
     EXPECT_EQ(workbench.settings().text("polar.step"), "30");
 }
 
@@ -136,15 +136,15 @@ TEST_F(ResultsDockTest, SavesInEveryFormAndOpensAsAResultAgain) {
         EXPECT_EQ(opened.origin, ResultEntry::Origin::file) << name;
         ASSERT_NE(window->currentPage(), nullptr) << name;
         if (*name == 'p') {
-            EXPECT_EQ(opened.data.table, workbench.results()[0].data.table) << name;
+            EXPECT_EQ(opened.data->table, workbench.results()[0].data->table) << name;
             EXPECT_NE(window->currentPage()->polarPlot(), nullptr) << name;
         } else {
-            EXPECT_EQ(opened.data.image.primary().values,
-                      workbench.results()[1].data.image.primary().values)
+            EXPECT_EQ(opened.data->image.primary().values,
+                      workbench.results()[1].data->image.primary().values)
                 << name;
             EXPECT_NE(window->currentPage()->imageView(), nullptr) << name;
         }
-        EXPECT_FALSE(opened.data.commandLine.empty()) << name;
+        EXPECT_FALSE(opened.data->commandLine.empty()) << name;
         // What was asked is not in a file.
         EXPECT_FALSE(action("rerunResult")->isEnabled()) << name;
     }
@@ -163,9 +163,9 @@ TEST_F(ResultsDockTest, SubtractsTwoResultsOnOneAxis) {
     action("subtractResults")->trigger();
     ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     ASSERT_EQ(workbench.results().size(), 3U);
-    const auto& difference = workbench.results()[2].data.table;
-    const auto& a = workbench.results()[0].data.table.find("contrast_intensity")->values;
-    const auto& b = workbench.results()[1].data.table.find("contrast_intensity")->values;
+    const auto& difference = workbench.results()[2].data->table;
+    const auto& a = workbench.results()[0].data->table.find("contrast_intensity")->values;
+    const auto& b = workbench.results()[1].data->table.find("contrast_intensity")->values;
     for (std::size_t i = 0; i < a.size(); ++i)
         EXPECT_DOUBLE_EQ(difference.find("difference_contrast_intensity")->values[i], a[i] - b[i]);
     const auto& shown = window->currentPage()->cartesianPlot()->data();

@@ -51,7 +51,7 @@ TEST_F(WindowAndBatchTest, EveryAnalysisEqualsItsCommandLineByteForByte) {
     std::filesystem::create_directories(fromBatch);
     for (const AnalysisKind kind : allAnalysisKinds) {
         runAnalysis(name(kind).c_str());
-        const AnalysisData& data = workbench.results().back().data;
+        const AnalysisData& data = *workbench.results().back().data;
         ASSERT_EQ(data.kind, kind);
         const std::string file = name(kind) + (kind == AnalysisKind::image ? ".exr" : ".csv");
         saveResult(data, folder / file);
@@ -66,7 +66,7 @@ TEST_F(WindowAndBatchTest, EveryAnalysisEqualsItsCommandLineByteForByte) {
     const std::string before = smat::test::contentOf(folder / "polar.csv");
     workbench.set("polar.offset", "5");
     runAnalysis("polar");
-    saveResult(workbench.results().back().data, folder / "polar.csv");
+    saveResult(*workbench.results().back().data, folder / "polar.csv");
     EXPECT_FALSE(smat::test::contentOf(folder / "polar.csv") == before);
 }
 

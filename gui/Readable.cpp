@@ -1,0 +1,49 @@
+#include "gui/Readable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <QRegularExpression>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Quantity.h"
+
+namespace smat::gui {
+
+QString readableNumber(double value) {
+    return std::isfinite(value) ? QString::number(value, 'g', 6) : QStringLiteral("no value");
+}
+
+QString exactNumber(double value) {
+    return std::isfinite(value) ? QString::fromStdString(irsg::numberText(value)) : QString();
+}
+
+QString readableUnit(const std::string& unit) {
+    for (int i = 0; i <= static_cast<int>(irsg::Quantity::dimensionless); ++i) {
+        const auto& info = irsg::info(static_cast<irsg::Quantity>(i));
+        if (info.unit == unit)
+            return QString::fromUtf8(info.prettyUnit.data(),
+                                     static_cast<qsizetype>(info.prettyUnit.size()));
+    }
+    return QString::fromStdString(unit);
+}
+
+QString withReadableUnits(QString sentence) {
+    // Longer units first: some begin like shorter ones.
+    std::vector<std::pair<QString, QString>> units;
+    for (int i = 0; i < static_cast<int>(irsg::Quantity::dimensionless); ++i) {
+        const std::string unit(irsg::info(static_cast<irsg::Quantity>(i)).unit);
+        if (const QString plain = QString::fromStdString(unit); readableUnit(unit) != plain)
+            units.emplace_back(plain, readableUnit(unit));
+    }
+    std::ranges::sort(units, {}, [](const auto& unit) { return -unit.first.size(); });
+    for (const auto& [plain, readable] : units)
+        sentence.replace(QRegularExpression("(?<=[0-9.]|\\bin) " +
+                                            QRegularExpression::escape(plain) + "(?![\\w-])"),
+                         (readable == "°" ? "" : " ") + readable);
+    return sentence.replace(QRegularExpression("(?<=\\d) x (?=\\d)"), " × ");
+}
+
+} // namespace smat::gui

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include <QString>
+
+namespace smat::gui {
+
+/// "1.2346e+05": six significant digits for read-outs, "no value" where it is not finite.
+QString readableNumber(double value);
+/// A number that reads back as it is; nothing where it is not finite.
+QString exactNumber(double value);
+/// "W m-2 sr-1" as "W·m⁻²·sr⁻¹"; a unit that is no quantity's as it is.
+QString readableUnit(const std::string& unit);
+/// The same for units behind numbers in a sentence: "0 to 350°, 640 × 512 px" for
+/// "0 to 350 deg, 640 x 512 px".
+QString withReadableUnits(QString sentence);
+
+} // namespace smat::gui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QPen>
+#include <QwtText>
+
+namespace smat::gui {
+
+/// What a plot does with its curves, whatever its coordinates.
+class CurveItem {
+  public:
+    virtual ~CurveItem() = default;
+    virtual void setShown(bool shown) = 0;
+    virtual bool isShown() const = 0;
+    /// The name in the legend, in its colour.
+    virtual void setName(const QwtText& name) = 0;
+    virtual void setLine(const QPen& pen) = 0;
+
+    /// Errors are drawn as a band, where there are any.
+    void setBandVisible(bool visible) { bandVisible_ = visible; }
+    bool isBandVisible() const { return bandVisible_; }
+
+  private:
+    bool bandVisible_ = true;
+};
+
+/// A curve of Qwt as such an item.
+template <typename QwtCurve>
+class CurveItemOf : public QwtCurve, public CurveItem {
+  public:
+    using QwtCurve::QwtCurve;
+    void setShown(bool shown) override { QwtCurve::setVisible(shown); }
+    bool isShown() const override { return QwtCurve::isVisible(); }
+    void setName(const QwtText& name) override { QwtCurve::setTitle(name); }
+    void setLine(const QPen& pen) override { QwtCurve::setPen(pen); }
+};
+
+} // namespace smat::gui

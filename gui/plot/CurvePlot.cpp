@@ -1,0 +1,96 @@
+#include "gui/plot/CurvePlot.h"
+
+#include <algorithm>
+
+#include <QPainter>
+#include <QWidget>
+
+#include "gui/plot/CrosshairOverlay.h"
+#include "gui/plot/CurveItem.h"
+
+namespace smat::gui {
+
+void CurvePlot::setCurveVisible(int curve, bool visible) {
+    CurveItem* item = items_.at(static_cast<std::size_t>(curve));
+    item->setShown(visible);
+    QwtText text(curves()[static_cast<std::size_t>(curve)].name);
+    text.setColor(visible ? style_.text : style_.faintText);
+    item->setName(text);
+    redraw();
+}
+
+bool CurvePlot::isCurveVisible(int curve) const {
+    return items_.at(static_cast<std::size_t>(curve))->isShown();
+}
+
+bool CurvePlot::hasErrors() const {
+    return std::any_of(curves().begin(), curves().end(),
+                       [](const Curve& curve) { return !curve.error.empty(); });
+}
+
+void CurvePlot::setErrorBandsVisible(bool visible) {
+    errorBands_ = visible;
+    for (CurveItem* item : items_)
+        item->setBandVisible(visible);
+    redraw();
+}
+
+QPen CurvePlot::penOf(std::size_t curve) const {
+    return QPen(style_.curve(static_cast<int>(curve)), 2.0);
+}
+
+void CurvePlot::adopt(CurveItem* item) {
+    item->setLine(penOf(items_.size()));
+    item->setBandVisible(errorBands_);
+    items_.push_back(item);
+}
+
+void CurvePlot::dressItems() {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        items_[i]->setLine(penOf(i));
+        setCurveVisible(static_cast<int>(i), items_[i]->isShown());
+    }
+}
+
+void CurvePlot::toggle(const CurveItem* item) {
+    const auto found = std::find(items_.begin(), items_.end(), item);
+    if (found != items_.end())
+        setCurveVisible(static_cast<int>(found - items_.begin()), !item->isShown());
+}
+
+void CurvePlot::showAsIn(const CurvePlot& other) {
+    setErrorBandsVisible(other.errorBands_);
+    for (int i = 0; i < std::min(curveCount(), other.curveCount()); ++i)
+        if (!other.isCurveVisible(i))
+            setCurveVisible(i, false);
+}
+
+QString CurvePlot::readoutsAt(double at, double period) const {
+    QString text;
+    for (std::size_t i = 0; i < items_.size(); ++i)
+        if (items_[i]->isShown())
+            text += "   " + curves()[i].name + ": " + curves()[i].readoutAt(at, period);
+    return text;
+}
+
+void CurvePlot::paintReadouts(
+    QPainter& painter, const QPointF& cursor, const QString& heading, double at, double period,
+    const std::function<std::optional<QPointF>(double value)>& place) const {
+    std::vector<ReadoutLine> lines{{QColor(), heading}};
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        const Curve& curve = curves()[i];
+        const auto value = period > 0.0 ? curve.valueAt(at, period) : curve.valueAt(at);
+        if (!items_[i]->isShown() || !value)
+            continue;
+        const QColor color = style_.curve(static_cast<int>(i));
+        painter.setPen(QPen(style_.canvas, 1.5));
+        painter.setBrush(color);
+        if (const auto point = place(*value))
+            painter.drawEllipse(*point, 4.5, 4.5);
+        lines.push_back({color, curve.name + "  " + curve.readoutAt(at, period)});
+    }
+    drawReadoutBox(painter, cursor, sheet()->rect(), lines, style_.background, style_.frame,
+                   style_.text);
+}
+
+} // namespace smat::gui
