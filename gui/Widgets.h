@@ -15,9 +15,10 @@ QToolButton* textButton(const QString& text, const QString& objectName, const QS
 /// Opens its menu(), which is empty yet, when it is pressed.
 QToolButton* menuButton(const QString& text, const QString& objectName, const QString& toolTip);
 
-/// The finite number that a field holds, as files have them; none for anything else.
 /// Makes the minimum size of tabs that of the page that is shown, not of the largest one.
 void letShownPageAloneAskForRoom(QTabWidget& tabs);
+
+/// The finite number that a field holds, as files have them; none for anything else.
 std::optional<double> numberIn(const QLineEdit* field);
 
 } // namespace smat::gui

@@ -147,11 +147,11 @@ void SceneTreeDock::load() {
     loading_ = std::make_shared<Loading>();
     index_.assign(workbench_.project().models.size(), {});
     fill();
-    backgroundPool().start([work = loading_, project = workbench_.project(),
-                              models = workbench_.models()] {
-        work->index = loadSceneIndex(project, *models);
-        work->done = true;
-    });
+    backgroundPool().start(
+        [work = loading_, project = workbench_.project(), models = workbench_.models()] {
+            work->index = loadSceneIndex(project, *models);
+            work->done = true;
+        });
     watch_.start();
 }
 
