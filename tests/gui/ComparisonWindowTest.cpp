@@ -124,6 +124,7 @@ TEST_F(ComparisonTest, FindsOneChangedPixelWithSignAndPlaceAndGoesThere) {
 }
 
 TEST_F(ComparisonTest, ShowsAllNumbersAndCopiesThem) {
+    test::keepClipboard();
     open(changed(31, 7, 0.5F), scene());
     press(Qt::Key_C, Qt::ControlModifier);
     const QString copied = QGuiApplication::clipboard()->text();
@@ -423,6 +424,7 @@ TEST_F(ComparisonTest, OpensFilesByButtonAndByDropAndKeepsWhatThereIs) {
 }
 
 TEST_F(ComparisonTest, ExportsTheDifference) {
+    test::keepClipboard();
     open(changed(31, 7, 0.5F), scene());
     window->exportTo(folder / "d.exr");
     const auto exr = irsg::readExr(folder / "d.exr");

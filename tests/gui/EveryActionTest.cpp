@@ -133,6 +133,7 @@ class EveryActionTest : public test::WindowFixture {
 };
 
 TEST_F(EveryActionTest, NoEntryOfTheMenusIsDead) {
+    test::keepClipboard();
     const QStringList empty = chooseAll();
     EXPECT_TRUE(empty.isEmpty()) << "without a project:\n" << empty.join('\n').toStdString();
 

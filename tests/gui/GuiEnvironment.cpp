@@ -4,6 +4,8 @@
 #include <memory>
 
 #include <QApplication>
+#include <QDir>
+#include <QLockFile>
 #include <QSettings>
 #include <QStandardPaths>
 #include <gtest/gtest.h>
@@ -69,6 +71,14 @@ std::filesystem::path freshFolder(const std::string& name) {
     std::filesystem::remove_all(process / name);
     std::filesystem::create_directories(process / name);
     return process / name;
+}
+
+void keepClipboard() {
+    static QLockFile lock(QDir::temp().filePath("smat-tests-clipboard.lock"));
+    if (lock.isLocked())
+        return;
+    lock.setStaleLockTime(0); // only that of a process that is gone
+    ASSERT_TRUE(lock.lock());
 }
 
 } // namespace smat::gui::test

@@ -15,6 +15,10 @@ void keepScreenshot(QWidget& widget, const std::string& name);
 /// Whether a widget shows a colour, or one much like it, within three pixels of a point.
 bool showsColorAt(QWidget& widget, const QPointF& point, const QColor& wanted);
 
+/// Has the clipboard, which tests that run side by side on one display share, to this process until
+/// it ends. Called first by every test that copies or pastes.
+void keepClipboard();
+
 /// A folder of its own for each test, emptied first.
 std::filesystem::path freshFolder(const std::string& name);
 

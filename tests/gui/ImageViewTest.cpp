@@ -282,6 +282,7 @@ TEST_F(ImageViewTest, ExportsDataAndPicturesWithAndWithoutBar) {
 }
 
 TEST_F(ImageViewTest, CopiesValuesOfTheRectangleAndThePicture) {
+    test::keepClipboard();
     view.canvas()->setSelection(irsg::PixelRectangle{1, 0, 2, 2});
     QTest::keyClick(view.canvas(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_EQ(QGuiApplication::clipboard()->text(), "1\t5\n1\t1\n");

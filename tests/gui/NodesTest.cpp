@@ -11,6 +11,7 @@
 #include "gui/database/NodeEditor.h"
 #include "gui/database/NodePlot.h"
 #include "gui/database/NodeTable.h"
+#include "tests/gui/GuiEnvironment.h"
 
 namespace smat::gui {
 namespace {
@@ -104,7 +105,10 @@ class NodeEditorTest : public ::testing::Test {
         editor.show();
         QTest::qWait(30);
     }
-    void paste(const char* text) { QApplication::clipboard()->setText(QString::fromUtf8(text)); }
+    void paste(const char* text) {
+        test::keepClipboard();
+        QApplication::clipboard()->setText(QString::fromUtf8(text));
+    }
     QPoint canvasPoint(double x, double y) {
         return {qRound(editor.plot()->transform(QwtPlot::xBottom, x)),
                 qRound(editor.plot()->transform(QwtPlot::yLeft, y))};
@@ -179,6 +183,7 @@ TEST_F(NodeEditorTest, ABadPasteChangesNothingAndSaysWhere) {
 }
 
 TEST_F(NodeEditorTest, InsertsAndRemovesRowsAndCopiesThemForASpreadsheet) {
+    test::keepClipboard();
     auto* table = editor.table();
     table->setCurrentIndex(table->model()->index(2, 0));
     QTest::keyClick(table, Qt::Key_Insert);

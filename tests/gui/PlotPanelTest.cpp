@@ -224,6 +224,7 @@ TEST_F(PlotPanelTest, LogarithmicAxesRefuseLimitsThatHaveNoLogarithm) {
 }
 
 TEST_F(PlotPanelTest, CopiesPictureAndValues) {
+    test::keepClipboard();
     auto* clipboard = QApplication::clipboard();
     cartesian->action("copyPicture")->trigger();
     EXPECT_EQ(clipboard->image().size(), 2 * cartesianPaper);

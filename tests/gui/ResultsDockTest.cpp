@@ -18,6 +18,7 @@
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
 #include "irsg/radiometry/Errors.h"
+#include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -99,6 +100,7 @@ TEST_F(ResultsDockTest, RenamesInPlaceAndOnItsPage) {
 }
 
 TEST_F(ResultsDockTest, ShowsTheCommandLineAndCopiesIt) {
+    test::keepClipboard();
     runAnalysis("polar");
     choose({0});
     bool seen = false;
