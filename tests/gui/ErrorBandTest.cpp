@@ -55,16 +55,16 @@ Curve wave(int count, const std::function<double(double)>& height) {
     return curve;
 }
 
-/// What the item draws with a pen that is not seen, so that the band alone is left.
-QImage bandOf(const Curve& curve, const QwtScaleMap& x, const QwtScaleMap& y) {
-    SampledCurve item(curve);
+/// What an item draws with a pen that is not seen, so that its band alone is left.
+template <typename Item, typename Draw>
+QImage bandAlone(Item& item, const Draw& draw) {
     item.setPen(QPen(Qt::black, 0.0));
     QImage with = sheet(), without = sheet();
     for (const bool band : {true, false}) {
         item.setBandVisible(band);
         QPainter painter(band ? &with : &without);
         painter.setRenderHint(QPainter::Antialiasing);
-        item.drawSeries(&painter, x, y, QRectF(0, 0, side, side), 0, -1);
+        draw(painter);
     }
     // Under the line nothing can be told of the band.
     for (int row = 0; row < side; ++row)
@@ -72,6 +72,13 @@ QImage bandOf(const Curve& curve, const QwtScaleMap& x, const QwtScaleMap& y) {
             if (without.pixel(column, row) != qRgb(255, 255, 255))
                 with.setPixel(column, row, qRgb(1, 2, 3));
     return with;
+}
+
+QImage bandOf(const Curve& curve, const QwtScaleMap& x, const QwtScaleMap& y) {
+    SampledCurve item(curve);
+    return bandAlone(item, [&](QPainter& painter) {
+        item.drawSeries(&painter, x, y, QRectF(0, 0, side, side), 0, -1);
+    });
 }
 
 QImage polygon(const QPolygonF& outline) {
@@ -213,18 +220,9 @@ TEST(ErrorBandTest, ABandAroundThePoleIsTheWholePolygon) {
                 outer << pole + way * (radius + 12.0) * reach / 100.0;
             }
             GappedPolarCurve item("ring", samples, true);
-            item.setPen(QPen(Qt::black, 0.0));
-            QImage with = sheet(), without = sheet();
-            for (const bool band : {true, false}) {
-                item.setBandVisible(band);
-                QPainter painter(band ? &with : &without);
-                painter.setRenderHint(QPainter::Antialiasing);
+            const QImage with = bandAlone(item, [&](QPainter& painter) {
                 item.draw(&painter, azimuth, radial, pole, reach, canvas);
-            }
-            for (int y = 0; y < side; ++y)
-                for (int x = 0; x < side; ++x)
-                    if (without.pixel(x, y) != qRgb(255, 255, 255))
-                        with.setPixel(x, y, qRgb(1, 2, 3));
+            });
             const QPolygonF ring = outer + QPolygonF(inner.rbegin(), inner.rend());
             const auto [largest, mean] = difference(with, polygon(ring));
             EXPECT_LT(largest, 0.2) << count << " " << reach;

@@ -11,17 +11,6 @@ using namespace irsg::test;
 
 namespace {
 
-Environment brightAir() {
-    ConstantAir air;
-    air.transmittanceValue = 0.7;
-    air.pathRadianceValue = 0.2;
-    air.backgroundValue = 0.4;
-    air.sunValue = 3.0;
-    air.upValue = 2.0;
-    air.downValue = 1.0;
-    return environmentOf(air, {.azimuth_rad = 0.4, .elevation_rad = 0.6});
-}
-
 SignatureDatabase glazing() {
     SignatureDatabase database;
     database.temperatures[1] = fixedTemperature(300.0);
@@ -38,11 +27,8 @@ SignatureDatabase glazing() {
 class PictureTest : public testing::Test {
   protected:
     PictureTest() {
-        const Mesh mesh = joined(joined(sphereMesh(0.8, 24, 48, {1, 1}),
-                                        plateMesh({0, 1.2, 0}, {0.3, 0, 0}, {0, 0, 0.3}, {2, 2})),
-                                 boxMesh({1.5, 1.5, 1.5}, std::vector<IrCodes>(6, IrCodes{3, 3})));
         irsg.setEnvironment(brightAir());
-        irsg.setEntities({entityOf(modelOf(mesh), glazing())});
+        irsg.setEntities({entityOf(modelOf(glazedMesh()), glazing())});
         // Windows that do not follow the temperatures, so that drawings can be counted.
         RenderSettings settings;
         settings.hotParts = false;

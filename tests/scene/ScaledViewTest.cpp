@@ -27,17 +27,6 @@ Irsg& generator() {
     return irsg;
 }
 
-Environment brightAir() {
-    ConstantAir air;
-    air.transmittanceValue = 0.7;
-    air.pathRadianceValue = 0.2;
-    air.backgroundValue = 0.4;
-    air.sunValue = 3.0;
-    air.upValue = 2.0;
-    air.downValue = 1.0;
-    return environmentOf(air, {.azimuth_rad = 0.4, .elevation_rad = 0.6});
-}
-
 /// A sphere inside a transparent box: paint and hot metal, gas with a spectrum of its own.
 Entity glazedSphere() {
     SignatureDatabase database;
@@ -52,10 +41,7 @@ Entity glazedSphere() {
     database.materials[2].emissivity = Spectrum({2.0, 4.0, 15.0}, {0.5, 0.97, 0.7});
     database.materials[2].transmissivity = Spectrum::constant(0.0);
     database.materials[3] = greyMaterial(0.3, 0.6);
-    const Mesh mesh = joined(joined(sphereMesh(0.8, 24, 48, {1, 1}),
-                                    plateMesh({0, 1.2, 0}, {0.3, 0, 0}, {0, 0, 0.3}, {2, 2})),
-                             boxMesh({1.5, 1.5, 1.5}, std::vector<IrCodes>(6, IrCodes{3, 3})));
-    return entityOf(modelOf(mesh), std::move(database));
+    return entityOf(modelOf(glazedMesh()), std::move(database));
 }
 
 const std::vector<ScalingInput> inputs{

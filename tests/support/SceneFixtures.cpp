@@ -59,6 +59,12 @@ Mesh joined(const Mesh& a, const Mesh& b) {
     return mesh;
 }
 
+Mesh glazedMesh() {
+    return joined(joined(sphereMesh(0.8, 24, 48, {1, 1}),
+                         plateMesh({0, 1.2, 0}, {0.3, 0, 0}, {0, 0, 0.3}, {2, 2})),
+                  boxMesh({1.5, 1.5, 1.5}, std::vector<IrCodes>(6, IrCodes{3, 3})));
+}
+
 double solidAngle_sr(const Triangle& triangle, const Vec3& from) {
     const Vec3 a = triangle.vertex[0] - from, b = triangle.vertex[1] - from,
                c = triangle.vertex[2] - from;
@@ -170,6 +176,17 @@ Environment environmentOf(const ConstantAir& air, const SunPosition& sun) {
     environment.add(std::make_shared<ConstantAir>(air));
     environment.sun = sun;
     return environment;
+}
+
+Environment brightAir() {
+    ConstantAir air;
+    air.transmittanceValue = 0.7;
+    air.pathRadianceValue = 0.2;
+    air.backgroundValue = 0.4;
+    air.sunValue = 3.0;
+    air.upValue = 2.0;
+    air.downValue = 1.0;
+    return environmentOf(air, {.azimuth_rad = 0.4, .elevation_rad = 0.6});
 }
 
 void look(Irsg& irsg, const View& view) {

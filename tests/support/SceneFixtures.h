@@ -27,6 +27,9 @@ Mesh plateMesh(const Vec3& centre, const Vec3& u, const Vec3& v, IrCodes codes);
 /// Six outward faces; `codes` of +x, -x, +y, -y, +z, -z.
 Mesh boxMesh(const Vec3& half, const std::vector<IrCodes>& codes);
 Mesh joined(const Mesh& a, const Mesh& b);
+/// A sphere (codes 1, 1) and a plate (2, 2) inside a box (3, 3): three layers one before the other
+/// where the box lets light through.
+Mesh glazedMesh();
 
 /// Solid angle of a triangle seen from a point (Van Oosterom and Strackee 1983), positive when its
 /// front is seen.
@@ -69,6 +72,8 @@ class ConstantAir : public Atmosphere {
     double ambientTemperature_K(double) const override { return ambientValue_K; }
 };
 Environment environmentOf(const ConstantAir& air, const SunPosition& sun = {});
+/// Air and sun of which every term is seen.
+Environment brightAir();
 
 /// A generator that looks at entity 0, standing at 1000 m altitude, from azimuth and elevation.
 struct View {
