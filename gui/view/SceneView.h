@@ -67,7 +67,7 @@ class SceneView : public QOpenGLWidget {
     /// The infrared picture that is seen; null where there is none.
     const InfraredPicture* shownPicture() const;
 
-    /// Every question about the infrared is answered.
+    /// Every question about the infrared is answered, with a picture or with why there is none.
     bool isUpToDate() const;
 
     void setWireframe(bool on);

@@ -113,7 +113,8 @@ const InfraredPicture* SceneView::shownPicture() const {
 }
 
 bool SceneView::isUpToDate() const {
-    return !infrared_->isBusy() && !rest_.isActive() && picture_.revision == revision_;
+    const bool answered = picture_.revision == revision_ || !problem_.isEmpty();
+    return !infrared_->isBusy() && !rest_.isActive() && answered;
 }
 
 void SceneView::askInfrared() {
