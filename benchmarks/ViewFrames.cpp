@@ -1,8 +1,8 @@
 // The 3-D view as a hand feels it: times between frames while the sample aircraft is dragged, and
 // how long the infrared display takes to follow a drag, an edited database and a setting; at the
-// end from a key in a field of the database editor to the new picture on the screen. "Computed" is
-// the time that all threads of the program have worked for one of them. Run it on an idle machine
-// under a display (xvfb-run will do); the load is printed beside the figures.
+// end (alone with --editor) from a key in a field of the database editor to the new picture on the
+// screen. "Computed" is the time that all threads of the program have worked for one of them. Run
+// it on an idle machine under a display (xvfb-run will do); the load is printed beside the figures.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -13,17 +13,16 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QLineEdit>
-#include <QMainWindow>
 #include <QMouseEvent>
 #include <QTabWidget>
 #include <QTemporaryDir>
-#include <QThread>
+#include <QTimer>
 #include <sys/resource.h>
 
+#include "gui/MainWindow.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/database/DatabaseDock.h"
-#include "gui/database/DatabasePreview.h"
 #include "gui/view/SceneView.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/ProjectFile.h"
@@ -34,6 +33,7 @@ using namespace smat::gui;
 namespace {
 
 constexpr int width_px = 1000, height_px = 700;
+constexpr int windowWidth_px = 1580, windowHeight_px = 960;
 
 std::string load() {
     std::ifstream file("/proc/loadavg");
@@ -57,6 +57,10 @@ double computed_ms() {
     return ms(usage.ru_utime) + ms(usage.ru_stime);
 }
 
+void printHeading() {
+    std::printf("%-44s %9s %9s %9s %9s   %s\n", "ms", "median", "95 %", "worst", "computed", "of");
+}
+
 void print(const char* what, const std::function<std::vector<double>()>& measure) {
     const double before_ms = computed_ms();
     std::vector<double> times_ms = measure();
@@ -67,14 +71,15 @@ void print(const char* what, const std::function<std::vector<double>()>& measure
     std::fflush(stdout);
 }
 
+/// Handles events until it is done. Sleeps between them: a loop that asks again and again would
+/// take its time from what it measures, and be counted as computed.
 bool waitFor(const std::function<bool()>& done, double seconds = 30.0) {
-    QElapsedTimer clock;
-    clock.start();
-    // Sleeps between events: a loop that spins would take a core from what it measures.
-    while (!done() && milliseconds(clock) < seconds * 1e3) {
-        QApplication::processEvents();
-        QThread::usleep(300);
-    }
+    QTimer alarm;
+    alarm.setSingleShot(true);
+    alarm.setTimerType(Qt::PreciseTimer);
+    alarm.start(static_cast<int>(seconds * 1e3));
+    while (!done() && alarm.isActive())
+        QApplication::processEvents(QEventLoop::WaitForMoreEvents);
     return done();
 }
 
@@ -103,30 +108,44 @@ std::vector<double> drag(SceneView& view, int steps, const std::function<bool()>
     return times_ms;
 }
 
+/// Times of a view that cannot draw mean nothing.
+void endWithoutPictures(const SceneView& view) {
+    QObject::connect(&view, &SceneView::pictureFailed, [](const QStringList& sentences) {
+        std::fprintf(stderr, "%s\n", sentences.join('\n').toUtf8().constData());
+        std::exit(1);
+    });
+}
+
 /// From a key in the editor's field of T0 until the picture of the new value is on the screen: the
-/// window with view and editor, on a copy of the sample.
+/// program's own window on a copy of the sample.
 void editInTheWindow(const std::filesystem::path& sample) {
     namespace fs = std::filesystem;
     const QTemporaryDir folder;
-    const fs::path copy = fs::path(folder.path().toStdString()) / "sample";
+    const fs::path root = folder.path().toStdString();
+    const fs::path copy = root / "samples" / sample.parent_path().filename();
+    fs::create_directories(copy.parent_path());
     fs::copy(sample.parent_path(), copy, fs::copy_options::recursive);
+    // The sample's atmosphere lies beside the samples.
+    fs::create_directory_symlink(fs::path(SMAT_SOURCE_DIR) / "resources", root / "resources");
     Workbench workbench;
-    workbench.open(copy / sample.filename());
-    QMainWindow window;
-    auto* view = new SceneView(&window);
-    window.setCentralWidget(view);
-    auto* dock = new DatabaseDock(workbench, Dialogs{}, &window);
-    window.addDockWidget(Qt::RightDockWidgetArea, dock);
-    new DatabasePreview(workbench, *dock, *view, &window);
-    window.resize(width_px + 440, height_px + 40);
-    view->setScene(loadDisplayScene(workbench.project(), workbench.settings()));
-    view->setProject(workbench.project(), workbench.settings());
+    MainWindow window(workbench);
+    window.resize(windowWidth_px, windowHeight_px);
     window.show();
+    window.open(copy / sample.filename());
+    SceneView* view = window.sceneView();
+    DatabaseDock* dock = &window.databaseEditor();
+    dock->raise();
+    view->setDisplay(ViewDisplay::infrared);
+    const auto upToDate = [&] { return view->isUpToDate() && view->shownPicture() != nullptr; };
+    endWithoutPictures(*view);
+    waitFor(upToDate);
     view->showWholeModel();
     dock->select(
         {EntryKind::temperature, workbench.database().value().temperatures.begin()->first});
     dock->findChild<QTabWidget*>("temperatureTabs")->setCurrentIndex(1);
     auto* field = dock->findChild<QLineEdit*>("base_K");
+    auto* tabs = window.findChild<QTabWidget*>("tabs");
+    waitFor([] { return false; }, 1.0);
     std::printf("\nin the window, view %d x %d\n", view->width(), view->height());
     bool shown = false, swapped = false;
     QObject::connect(view, &SceneView::pictureShown, [&] {
@@ -151,13 +170,23 @@ void editInTheWindow(const std::filesystem::path& sample) {
     for (const auto quantity :
          {InfraredQuantity::radiance, InfraredQuantity::apparentTemperature}) {
         view->setQuantity(quantity);
-        view->setDisplay(ViewDisplay::infrared);
-        waitFor([&] { return view->isUpToDate() && view->shownPicture() != nullptr; });
+        waitFor(upToDate);
         const char* word = quantity == InfraredQuantity::radiance ? "radiance" : "temperature";
         print((std::string("key to screen, after a pause, ") + word).c_str(),
               [&] { return press(0.6); });
         print((std::string("key to screen, key held down, ") + word).c_str(),
               [&] { return press(0.03); });
+        Settings fine = workbench.settings();
+        fine.set("polar.step", "0.5");
+        AnalysisData job = AnalysisData::of(workbench.project(), AnalysisKind::polar, fine);
+        workbench.start(std::move(job));
+        print((std::string("key to screen, an analysis runs, ") + word).c_str(),
+              [&] { return press(0.3); });
+        if (!workbench.isRunning())
+            std::printf("the analysis had ended before\n");
+        workbench.cancel();
+        waitFor([&] { return !workbench.isRunning(); });
+        tabs->setCurrentIndex(0); // from the results to the model
     }
     workbench.database().discard();
 }
@@ -171,8 +200,18 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", problem.toUtf8().constData());
         return 1;
     }
+    const bool editorAlone = argc > 1 && std::string(argv[1]) == "--editor";
+    if (editorAlone)
+        --argc, ++argv;
     const std::string sample =
         argc > 1 ? argv[1] : std::string(SMAT_SOURCE_DIR) + "/samples/turboprop4/turboprop4.smat";
+    if (editorAlone) {
+        std::printf("%s, load %s\n", sample.c_str(), load().c_str());
+        printHeading();
+        editInTheWindow(sample);
+        std::printf("load %s\n", load().c_str());
+        return 0;
+    }
     const Project project = loadProject(sample);
 
     QElapsedTimer clock;
@@ -186,6 +225,7 @@ int main(int argc, char** argv) {
         format.setSamples(std::atoi(argv[2]));
         view.setFormat(format);
     }
+    endWithoutPictures(view);
     view.resize(width_px, height_px);
     view.setScene(std::move(scene));
     view.setProject(project, project.settings);
@@ -194,7 +234,7 @@ int main(int argc, char** argv) {
     waitFor([&] { return view.frameCount() > 2; }, 2.0);
     std::printf("%s, %d samples a pixel\n\n", view.renderer().toUtf8().constData(),
                 view.format().samples());
-    std::printf("%-44s %9s %9s %9s %9s   %s\n", "ms", "median", "95 %", "worst", "computed", "of");
+    printHeading();
 
     // From the movement of the mouse until the frame is on the screen.
     bool swapped = false;
