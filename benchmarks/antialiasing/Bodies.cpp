@@ -63,6 +63,15 @@ std::vector<Body> bodies() {
             {"plane at 30 deg", wingedBody(), 30.0, {}, radians(30.0), radians(30.0), false}};
 }
 
+std::vector<Body> chosenBodies(const Options& options) {
+    std::vector<Body> chosen = bodies();
+    if (!options.bodies.empty())
+        std::erase_if(chosen, [&](const Body& body) {
+            return std::ranges::find(options.bodies, body.name) == options.bodies.end();
+        });
+    return chosen;
+}
+
 double solidAngle_sr(const Body& body, const Viewpoint& camera, const Pose& pose) {
     if (!body.facesAdd)
         return solidAngleByLines_sr(body.mesh, camera, pose);

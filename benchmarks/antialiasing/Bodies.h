@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/antialiasing/Study.h"
 #include "tests/support/SceneFixtures.h"
 
 /// What the study of antialiasing looks at and compares with.
@@ -23,6 +24,8 @@ struct Body {
 
 /// Sphere, L-shaped plate upright and turned by 7 degrees, winged body seen at 30 degrees.
 std::vector<Body> bodies();
+/// Those of them that the options name; all where they name none.
+std::vector<Body> chosenBodies(const Options& options);
 
 /// Solid angle of the body's outline as the camera sees it, sr: the sum of Van Oosterom and
 /// Strackee's formula over the faces where they add, else the outline cut into lines, exact along

@@ -94,10 +94,7 @@ void measureErrors(const Options& options) {
     file << "body,size [px],strategy,mode,rms_error [%],largest_error [%]\n";
     Irsg irsg;
     irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
-    for (const Body& body : bodies()) {
-        if (!options.bodies.empty() &&
-            std::ranges::find(options.bodies, body.name) == options.bodies.end())
-            continue;
+    for (const Body& body : chosenBodies(options)) {
         irsg.setEntities({greyEntity(body.mesh)});
         for (double size_px : sizes_px()) {
             const std::vector<Phase> phases = look(irsg, body, size_px, options.phases);

@@ -22,10 +22,10 @@ struct Method {
 std::vector<Method> methods();
 
 struct Options {
-    std::filesystem::path folder; ///< of the CSV files
-    int phases = 16;              ///< along either axis
-    int rounds = 105;             ///< frames that a median is taken of
-    std::vector<std::string> bodies;
+    std::filesystem::path folder;    ///< of the CSV files
+    int phases = 16;                 ///< along either axis
+    int rounds = 105;                ///< frames that a median is taken of
+    std::vector<std::string> bodies; ///< names of those that are looked at; empty: all
 };
 
 /// Sizes of an object, pixels, from 0.01 to 100 in equal ratios.
@@ -45,7 +45,7 @@ void measureRanges(const Options& options);
 /// comes from its exhaust pipes, over range, with and without windows for hot parts. Prints error
 /// and time.
 void measureParts(const Options& options);
-/// Stages of a frame with the sphere at some sizes, to the standard output.
+/// Stages of a frame by body, method and size, to the standard output.
 void profile(const Options& options);
 
 } // namespace irsg::study

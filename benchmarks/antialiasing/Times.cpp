@@ -22,6 +22,15 @@ double rangeOf_m(const Body& body, double size_px) {
     return body.size_m / (size_px * pixel_rad);
 }
 
+void lookFrom(Irsg& irsg, double azimuth_rad, double elevation_rad, double range_m) {
+    test::look(irsg, {.range_m = range_m,
+                      .azimuth_rad = azimuth_rad,
+                      .elevation_rad = elevation_rad,
+                      .width_px = width_px,
+                      .height_px = height_px,
+                      .fieldOfView_rad = 2.0 * std::atan(0.5 * width_px * pixel_rad)});
+}
+
 struct FrameTime {
     double wall_ms = 0.0, processor_ms = 0.0;
 };
@@ -87,7 +96,7 @@ class TimedScene {
         const std::vector<Method> all = methods();
         for (std::size_t m = 0; m < all.size(); ++m) {
             generators_[m]->setPose(0, entity_.pose);
-            lookAt(*generators_[m], range_m);
+            lookFrom(*generators_[m], azimuth_rad_, elevation_rad_, range_m);
             if (all[m].wholeFrame)
                 mark(*generators_[m]);
         }
@@ -105,15 +114,6 @@ class TimedScene {
                     taken[m].push_back(time);
             }
         }
-    }
-
-    void lookAt(Irsg& irsg, double range_m) const {
-        test::look(irsg, {.range_m = range_m,
-                          .azimuth_rad = azimuth_rad_,
-                          .elevation_rad = elevation_rad_,
-                          .width_px = width_px,
-                          .height_px = height_px,
-                          .fieldOfView_rad = 2.0 * std::atan(0.5 * width_px * pixel_rad)});
     }
 
     /// Has the whole frame drawn from where the generator looks.
@@ -165,10 +165,7 @@ std::vector<double> ranges_m() {
 void measureTimes(const Options& options) {
     std::ofstream file(options.folder / "times.csv");
     file << "body,size [px],strategy,mode,whole_frame,time [ms],processor_time [ms]\n";
-    for (const Body& body : bodies()) {
-        if (!options.bodies.empty() &&
-            std::ranges::find(options.bodies, body.name) == options.bodies.end())
-            continue;
+    for (const Body& body : chosenBodies(options)) {
         Entity entity = greyEntity(body.mesh);
         entity.pose.attitude = body.attitude;
         TimedScene scene(entity, body.azimuth_rad, body.elevation_rad);
@@ -235,30 +232,32 @@ void measureRanges(const Options& options) {
 }
 
 void profile(const Options& options) {
-    const Body sphere = bodies().front();
-    Irsg irsg;
-    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
-    irsg.setEntities({greyEntity(sphere.mesh)});
-    for (double size_px : {100.0, 10.0, 1.0, 0.1})
+    for (const Body& body : chosenBodies(options)) {
+        Irsg irsg;
+        irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
+        Entity entity = greyEntity(body.mesh);
+        entity.pose.attitude = body.attitude;
+        irsg.setEntities({entity});
         for (const Method& method : methods()) {
             if (method.wholeFrame)
                 continue;
             irsg.setSettings(method.settings());
-            test::look(irsg, {.range_m = rangeOf_m(sphere, size_px),
-                              .width_px = width_px,
-                              .height_px = height_px,
-                              .fieldOfView_rad = 2.0 * std::atan(0.5 * width_px * pixel_rad)});
-            irsg.render();
-            irsg.resetStageTimes();
-            std::vector<FrameTime> times;
-            for (int i = 0; i < options.rounds; ++i)
-                times.push_back(timeOf(irsg));
-            std::printf("%6.2f px %-18s %7.2f ms:", size_px, method.name().c_str(),
-                        median(times).wall_ms);
-            for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
-                std::printf("  %s %.2f", stage.name.c_str(), 1e3 * stage.seconds / options.rounds);
-            std::printf("\n");
+            for (const double size_px : sizes_px()) {
+                lookFrom(irsg, body.azimuth_rad, body.elevation_rad, rangeOf_m(body, size_px));
+                irsg.render();
+                irsg.resetStageTimes();
+                std::vector<FrameTime> times;
+                for (int i = 0; i < options.rounds; ++i)
+                    times.push_back(timeOf(irsg));
+                std::printf("%-18s %7.2f px %-16s %6.3f ms:", body.name.c_str(), size_px,
+                            method.name().c_str(), median(times).wall_ms);
+                for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
+                    std::printf("  %s %.3f", stage.name.c_str(),
+                                1e3 * stage.seconds / options.rounds);
+                std::printf("\n");
+            }
         }
+    }
 }
 
 } // namespace irsg::study
