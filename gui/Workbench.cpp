@@ -314,7 +314,9 @@ void Workbench::followDatabase(bool anew) {
         databaseProblem_ << sentencesOf(error);
         try {
             changedOutside_ =
-                !irsg::loadSignatureFile(file, irsg::OutsideChanges::accept).changedOutside.empty();
+                !irsg::loadSignatureFile(file, irsg::OutsideChanges::accept,
+                                         irsg::LintErrors::accept)
+                     .changedOutside.empty();
         } catch (const irsg::InputError&) {
             changedOutside_ = false;
         }
@@ -337,7 +339,9 @@ void Workbench::nameDatabase(const std::filesystem::path& file) {
 }
 
 void Workbench::useDatabase(const std::filesystem::path& file) {
-    irsg::loadSignatureFile(file);
+    // Changes of another program are asked about and what is physically wrong is shown, once it is
+    // that of the target; what cannot be read is refused before anything changes.
+    irsg::loadSignatureFile(file, irsg::OutsideChanges::accept, irsg::LintErrors::accept);
     nameDatabase(std::filesystem::absolute(file).lexically_normal());
 }
 

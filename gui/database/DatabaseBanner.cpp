@@ -91,10 +91,13 @@ void DatabaseBanner::refresh() {
         if (workbench.canAcceptDatabaseChanges())
             offer("acceptChanges", tr("Accept these changes"),
                   [this] { attempt([this] { context_.workbench().acceptDatabaseChanges(); }); });
-        offer("newDatabase", tr("New database for this model…"), [this] { emit newRequested(); });
+        offer("newDatabase", tr("New database…"), [this] { emit newRequested(); });
         offer("chooseDatabase", tr("Open another…"), [this] { emit openRequested(); });
-    } else if (session.hasRecovery()) {
-        say(tr("A window that ended without saving left a copy of its edits."));
+    } else if (const auto copies = session.recoveries(); copies > 0) {
+        say(copies == 1 ? tr("A window that ended without saving left a copy of its edits.")
+                        : tr("Windows that ended without saving left %1 copies of their edits. "
+                             "This is about the newest; the others are offered after it.")
+                              .arg(copies));
         offer("recover", tr("Recover them"),
               [this] { attempt([this] { context_.session().recover(); }); });
         offer("discardRecovery", tr("Discard them"),
@@ -103,10 +106,14 @@ void DatabaseBanner::refresh() {
         say(tr("Another program has changed this file since it was read."));
         offer("reload", tr("Take the file's version"),
               [this] { attempt([this] { context_.session().reload(); }); });
-        offer("overwrite", tr("Save mine over it"),
-              [this] { attempt([this] { context_.session().overwrite(); }); });
+        offer("overwrite", tr("Save mine over it"), [this] { emit overwriteRequested(); });
     } else if (session.access() != DatabaseSession::Access::edit) {
         say(session.accessNote());
+        offer("bannerSaveAs", tr("Save as…"), [this] { emit saveAsRequested(); });
+    } else if (!session.recoveryProblem().isEmpty()) {
+        say(tr("Unsaved edits have no copy beside the file, and would be lost with this window: "
+               "%1. Save them, or save them elsewhere.")
+                .arg(session.recoveryProblem()));
         offer("bannerSaveAs", tr("Save as…"), [this] { emit saveAsRequested(); });
     } else {
         changedOnDisk_ = false;

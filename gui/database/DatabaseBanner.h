@@ -23,6 +23,7 @@ class DatabaseBanner : public QFrame {
     void newRequested();
     void openRequested();
     void saveAsRequested();
+    void overwriteRequested();
 
   private:
     void refresh();

@@ -94,6 +94,7 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     connect(banner_, &DatabaseBanner::newRequested, this, &DatabaseDock::newDatabase);
     connect(banner_, &DatabaseBanner::openRequested, this, &DatabaseDock::openDatabase);
     connect(banner_, &DatabaseBanner::saveAsRequested, this, &DatabaseDock::saveAs);
+    connect(banner_, &DatabaseBanner::overwriteRequested, this, &DatabaseDock::overwrite);
     connect(tabs_, &QTabWidget::currentChanged, this, [this] {
         context_.session().endGesture();
         emit currentChanged(current());
@@ -301,14 +302,23 @@ void DatabaseDock::save() {
                                 context_.window);
         if (!context_.dialogs().run(question))
             return;
-        attempt(tr("The signature database"),
-                [&] { question.answer() == 0 ? session.overwrite() : session.reload(); });
+        if (question.answer() == 0)
+            overwrite();
+        else
+            attempt(tr("The signature database"), [&] { session.reload(); });
         return;
     }
     if (!problem.isEmpty())
         context_.dialogs().tell(context_.window, tr("This database cannot be saved"), problem);
     if (!session.isDirty())
         createScalings();
+}
+
+void DatabaseDock::overwrite() {
+    attempt(tr("This database cannot be saved"), [this] {
+        context_.session().overwrite();
+        createScalings();
+    });
 }
 
 void DatabaseDock::createScalings() {
@@ -330,8 +340,10 @@ void DatabaseDock::saveAs() {
         context_.window, tr("Save the signature database as"), databaseFilters(),
         QString::fromStdString(session.file().string()));
     if (!file.isEmpty())
-        attempt(tr("This database cannot be saved"),
-                [&] { context_.workbench().saveDatabaseAs(file.toStdString()); });
+        attempt(tr("This database cannot be saved"), [&] {
+            context_.workbench().saveDatabaseAs(file.toStdString());
+            createScalings();
+        });
 }
 
 void DatabaseDock::takeEntries(irsg::SignatureDatabase source, const QString& title,

@@ -68,6 +68,8 @@ class DatabaseDock : public QDockWidget {
     void addPage(EntryKind kind, EntryPanel* panel, const QString& title);
     QWidget* makeHeader();
     void refresh();
+    /// What the file holds now is known, and given up.
+    void overwrite();
     /// The two scaling files beside the model, where they are not there.
     void createScalings();
     void attempt(const QString& title, const std::function<void()>& act);

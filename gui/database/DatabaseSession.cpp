@@ -87,6 +87,7 @@ DatabaseSession::DatabaseSession(QUndoStack& undoStack, QObject* parent)
 
 DatabaseSession::~DatabaseSession() {
     // Edits that were not saved stay in their copy: closing asks before it comes to this.
+    blockSignals(true);
     if (dirty_)
         writeRecoveryNow();
 }
@@ -349,7 +350,8 @@ void DatabaseSession::findRecoveries() {
     const std::string beginning = file_.filename().string() + ".recovery";
     std::error_code failure;
     for (const auto& entry : fs::directory_iterator(file_.parent_path(), failure)) {
-        if (entry.path().filename().string().starts_with(beginning))
+        if (entry.is_regular_file(failure) &&
+            entry.path().filename().string().starts_with(beginning))
             left_.push_back(entry.path());
     }
     std::ranges::sort(left_, {}, [](const fs::path& file) {
@@ -363,15 +365,22 @@ void DatabaseSession::recover() {
         throw irsg::LogicError("there is no recovery copy");
     const auto draft = readDraft(left_.back());
     edit(tr("Recover unsaved edits"), [&](irsg::SignatureDatabase& database) { database = draft; });
-    discardRecovery();
+    // At no moment are these edits without a copy.
+    writeRecoveryNow();
+    if (recoveryProblem_.isEmpty()) {
+        discardRecovery();
+    } else {
+        left_.pop_back();
+        emit stateChanged();
+    }
 }
 
 void DatabaseSession::discardRecovery() {
-    for (const auto& file : left_) {
-        std::error_code ignored;
-        fs::remove(file, ignored);
-    }
-    left_.clear();
+    if (left_.empty())
+        return;
+    std::error_code ignored;
+    fs::remove(left_.back(), ignored);
+    left_.pop_back();
     emit stateChanged();
 }
 
@@ -387,10 +396,17 @@ void DatabaseSession::writeRecoveryNow() {
     }
     // Written aside and renamed, so that a crash leaves the copy before or this one.
     QSaveFile copy(QString::fromStdString(recovery_.string()));
-    if (copy.open(QIODevice::WriteOnly)) {
+    if (copy.open(QIODevice::WriteOnly))
         copy.write(QByteArray::fromStdString(irsg::draftToJson(*value_)));
-        copy.commit();
-    }
+    // What failed before is still known here, and is told.
+    setRecoveryProblem(copy.commit() ? QString() : copy.errorString());
+}
+
+void DatabaseSession::setRecoveryProblem(const QString& problem) {
+    if (problem == recoveryProblem_)
+        return;
+    recoveryProblem_ = problem;
+    emit stateChanged();
 }
 
 void DatabaseSession::removeRecovery() {
@@ -399,6 +415,7 @@ void DatabaseSession::removeRecovery() {
     if (!recovery_.empty())
         fs::remove(recovery_, ignored);
     recovery_.clear();
+    recoveryProblem_.clear();
 }
 
 } // namespace smat::gui

@@ -39,7 +39,8 @@ class DatabaseSession : public QObject {
     ~DatabaseSession() override;
 
     /// Takes a file. Unsaved edits of the one before stay in their recovery copy, and its steps of
-    /// the undo stack do nothing any more. Throws irsg::InputError, and then everything is as it was.
+    /// the undo stack do nothing any more. Throws irsg::InputError, and then everything is as it
+    /// was.
     void open(const std::filesystem::path& file,
               irsg::OutsideChanges outside = irsg::OutsideChanges::refuse);
     /// A new database that is to become this file; all of it is unsaved.
@@ -81,14 +82,18 @@ class DatabaseSession : public QObject {
     /// Forgets what is not saved.
     void discard();
 
-    /// Whether a window that ended without saving left a copy of its edits.
-    bool hasRecovery() const { return !left_.empty(); }
-    /// Takes these edits as a step that can be undone. Throws irsg::InputError for a damaged copy,
-    /// which stays where it is.
+    /// How many copies of their edits windows that ended without saving have left.
+    std::size_t recoveries() const { return left_.size(); }
+    /// Takes the newest of them as a step that can be undone; the others stay. Its copy goes once
+    /// this window has one of its own. Throws irsg::InputError for a damaged copy, which stays
+    /// where it is.
     void recover();
+    /// Gives up the newest of them.
     void discardRecovery();
     /// Writes the recovery copy now instead of a moment after the last edit.
     void writeRecoveryNow();
+    /// Why unsaved edits have no copy beside the file; empty where they have, or will in a moment.
+    const QString& recoveryProblem() const { return recoveryProblem_; }
     /// Where the copy of this window lies; empty before the first.
     const std::filesystem::path& recoveryFile() const { return recovery_; }
 
@@ -97,7 +102,7 @@ class DatabaseSession : public QObject {
     void changed(const QStringList& places);
     /// Another file was taken, or none.
     void opened();
-    /// isDirty(), access(), hasRecovery() or file() may have another answer.
+    /// isDirty(), access(), recoveries(), recoveryProblem() or file() may have another answer.
     void stateChanged();
     /// Another program changed the file.
     void changedOnDisk();
@@ -117,6 +122,7 @@ class DatabaseSession : public QObject {
     void lock();
     void findRecoveries();
     void removeRecovery();
+    void setRecoveryProblem(const QString& problem);
     void leave();
     void watch();
     static std::optional<Stamp> stampOf(const std::filesystem::path& file);
@@ -133,6 +139,7 @@ class DatabaseSession : public QObject {
     std::unique_ptr<QLockFile> lock_;
     QFileSystemWatcher watcher_;
     std::filesystem::path recovery_;
+    QString recoveryProblem_;
     std::vector<std::filesystem::path> left_; ///< by windows before, the newest last
     QTimer recoveryTimer_;
 };

@@ -37,7 +37,6 @@ FactorsPanel::FactorsPanel(EditorContext& context, QWidget* parent)
     list_->setRootIsDecorated(false);
     list_->setAlternatingRowColors(true);
     list_->setFrameShape(QFrame::NoFrame);
-    list_->setMaximumHeight(140);
     list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     list_->header()->setStretchLastSection(false);
@@ -170,6 +169,10 @@ void FactorsPanel::showList() {
         if (item->text(0) == component_)
             chosen = item;
     }
+    // As high as its rows, few or many: the room is the table's and its plot's.
+    const int rows = std::clamp(list_->topLevelItemCount(), 1, 6);
+    list_->setFixedHeight(list_->header()->sizeHint().height() +
+                          rows * std::max(list_->sizeHintForRow(0), fontMetrics().height()) + 4);
     if (chosen == nullptr && list_->topLevelItemCount() > 0) {
         chosen = list_->topLevelItem(0);
         component_ = chosen->text(0);

@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "gui/Theme.h"
-#include "irsg/signature/LintScalings.h"
+#include "gui/database/FindingsScope.h"
 
 namespace smat::gui {
 namespace {
@@ -19,7 +19,7 @@ constexpr int repairRole = Qt::UserRole + 1;
 } // namespace
 
 FindingsPanel::FindingsPanel(EditorContext& context, QWidget* parent)
-    : QWidget(parent), context_(context) {
+    : QWidget(parent), context_(context), scope_(new FindingsScope(context, this)) {
     setObjectName("findingsPanel");
     summary_ = new QLabel(this);
     summary_->setObjectName("findingsSummary");
@@ -38,7 +38,7 @@ FindingsPanel::FindingsPanel(EditorContext& context, QWidget* parent)
     column->setContentsMargins(0, 8, 0, 0);
     column->setSpacing(6);
     column->addWidget(summary_);
-    column->addWidget(list_, 1);
+    // Above the list: seen in a dock that is too low for both, too.
     detail_ = new QLabel(this);
     detail_->setObjectName("findingDetail");
     detail_->setWordWrap(true);
@@ -46,6 +46,7 @@ FindingsPanel::FindingsPanel(EditorContext& context, QWidget* parent)
     detail_->setMinimumHeight(4 * fontMetrics().height());
     detail_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     column->addWidget(detail_);
+    column->addWidget(list_, 1);
 
     timer_ = new QTimer(this);
     timer_->setSingleShot(true);
@@ -55,6 +56,7 @@ FindingsPanel::FindingsPanel(EditorContext& context, QWidget* parent)
     connect(&context_.session(), &DatabaseSession::changed, this, soon);
     connect(&context_.session(), &DatabaseSession::opened, this, &FindingsPanel::look);
     connect(&context_, &EditorContext::surroundingsChanged, this, soon);
+    connect(scope_, &FindingsScope::changed, this, &FindingsPanel::look);
     connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         detail_->setText(item == nullptr ? QString()
                                          : QStringLiteral("%1: %2\n%3\n%4")
@@ -76,19 +78,7 @@ void FindingsPanel::look() {
         emit countsChanged();
         return;
     }
-    irsg::LintScope scope;
-    scope.bands.push_back(context_.band());
-    if (context_.knowsModel())
-        scope.models.push_back(context_.modelUse());
-    const auto& database = context_.session().value();
-    auto findings = irsg::lint(database, scope);
-    if (context_.knowsModel()) {
-        const Project& project = context_.workbench().project();
-        const auto scalings = irsg::scalingUseOf(project.resolve(project.models.front().file));
-        const auto more = irsg::lintScalings(database, context_.modelUse(), scalings);
-        findings.insert(findings.end(), more.begin(), more.end());
-    }
-    for (const auto& finding : findings) {
+    for (const auto& finding : scope_->findings()) {
         const bool error = finding.isError();
         ++(error ? errors_ : warnings_);
         auto* item = new QTreeWidgetItem({QString::fromStdString(finding.place),

@@ -10,6 +10,8 @@ class QTreeWidget;
 
 namespace smat::gui {
 
+class FindingsScope;
+
 /// What the physics has to say about the database as it stands: place, value, reason, and a button
 /// that mends where there is one way to.
 class FindingsPanel : public QWidget {
@@ -30,6 +32,7 @@ class FindingsPanel : public QWidget {
 
   private:
     EditorContext& context_;
+    FindingsScope* scope_ = nullptr;
     QTimer* timer_ = nullptr;
     QLabel* summary_ = nullptr;
     QTreeWidget* list_ = nullptr;

@@ -231,6 +231,44 @@ TEST(Coverage, ofSobolIndicesIsNinetyFivePercent) {
     }
 }
 
+TEST(SobolIndices, HaveErrorsOfAJackknifeAndIntervalsOfStudent) {
+    // y + noise and y + other noise, in four replicates of 32 pairs.
+    const auto values = [](std::uint64_t i, int which) {
+        const double shared = irsg::unitOf(7, {0, 0, 0}, i);
+        return std::vector<double>{shared + 0.5 * irsg::unitOf(7, {0, 0, which}, i)};
+    };
+    constexpr std::size_t replicates = 4;
+    const auto indexWithout = [&](std::size_t left) {
+        PickFreeze some;
+        for (std::uint64_t i = 0; i < 128; ++i)
+            if (i % replicates != left)
+                some.add(values(i, 1), values(i, 2), i % replicates);
+        return some.index(true);
+    };
+    const Estimate found = indexWithout(replicates);
+    double mean = 0.0, squares = 0.0;
+    for (std::size_t left = 0; left < replicates; ++left)
+        mean += indexWithout(left).value / replicates;
+    for (std::size_t left = 0; left < replicates; ++left)
+        squares += std::pow(indexWithout(left).value - mean, 2);
+    EXPECT_NEAR(found.standardError, std::sqrt(squares * (replicates - 1.0) / replicates), 1e-12);
+
+    // On the axis of Fisher's transform the interval is symmetric, and as wide as Student's t.
+    const auto halfWidths = [](const Estimate& one) {
+        const double slope = 1.0 - one.value * one.value;
+        const double middle = std::atanh(one.value), unit = one.standardError / slope;
+        return std::pair{(std::atanh(one.high95) - middle) / unit,
+                         (middle - std::atanh(one.low95)) / unit};
+    };
+    constexpr double student3 = 3.18245, student127 = 1.97882; // two-sided, tables
+    EXPECT_NEAR(halfWidths(found).first, student3, 1e-3);
+    EXPECT_NEAR(halfWidths(found).second, student3, 1e-3);
+    PickFreeze all;
+    for (std::uint64_t i = 0; i < 128; ++i)
+        all.add(values(i, 1), values(i, 2), 0);
+    EXPECT_NEAR(halfWidths(all.index(false)).first, student127, 1e-3);
+}
+
 TEST(SobolIndices, StayBetweenMinusOneAndOneWithTheirIntervals) {
     // All of the variance is the first scale's: an interval about it must not reach beyond 1.
     const ScaledModel model = [](const std::vector<double>& u) {

@@ -6,6 +6,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTabBar>
+#include <QTableView>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <gtest/gtest.h>
@@ -15,7 +16,10 @@
 #include "gui/database/DatabaseBanner.h"
 #include "gui/database/FindingsPanel.h"
 #include "gui/database/MaterialLibrary.h"
+#include "gui/project/SceneTreeDock.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/signature/ScalingXml.h"
+#include "smatcore/analysis/ProjectLint.h"
 #include "tests/gui/DatabaseFixture.h"
 
 namespace smat::gui {
@@ -64,12 +68,15 @@ TEST_F(DatabaseEditorTest, EveryTabInBothThemes) {
         dock().select({EntryKind::temperature, 2});
         chooseTab("temperatureTabs", "Result");
         keep("temperature" + ending);
+        dock().select({EntryKind::temperature, 5});
         chooseTab("temperatureTabs", "Equation terms");
-        for (int i = 0; i < 4; ++i) {
-            find<QTabBar>("termTables")->setCurrentIndex(i);
+        int table = 0;
+        for (; table < 4; ++table) {
+            find<QTabBar>("termTables")->setCurrentIndex(table);
             if (!find<QWidget>("termsPanel")->findChild<NodeEditor*>()->nodes().empty())
                 break;
         }
+        EXPECT_LT(table, 4) << "the exhaust pipes have one";
         keep("terms" + ending);
         for (const auto& [index, entry] : session().value().temperatures) {
             if (entry.mode == irsg::EmissionMode::userSpectrum)
@@ -153,6 +160,70 @@ TEST_F(DatabaseEditorTest, AddsDuplicatesRenumbersAndDeletesWithALookAtTheFaces)
     EXPECT_EQ(session().value(), edited);
 }
 
+TEST_F(DatabaseEditorTest, SelectsWithViewAndTreeAndLeavesOtherModelsAlone) {
+    Project project = workbench.editedProject();
+    const auto box = std::filesystem::path(SMAT_SOURCE_DIR) / "samples/box";
+    project.models.push_back(project.models.front());
+    project.models.back().file = box / "box.flt";
+    project.models.back().database = box / "box.sigdb";
+    saveProject(project, folder / "two.smat");
+    ASSERT_TRUE(opens(folder / "two.smat"));
+    auto* tree = window->findChild<SceneTreeDock*>();
+    ASSERT_TRUE(test::waitUntil([&] { return !tree->isLoading(); }));
+    SceneView& view = *window->sceneView();
+    const auto material = [](int index) { return EntryKey{EntryKind::material, index}; };
+    EXPECT_TRUE(view.highlighted().empty()) << "what was just opened marks nothing";
+
+    // A person steps down the list: the faces of the entry are marked, until an edit comes.
+    QApplication::setActiveWindow(window.get());
+    tabs()->setCurrentIndex(0);
+    dock().select(material(1));
+    auto* table = find<QTableView>("entryTable", tabs()->widget(0));
+    table->setFocus();
+    ASSERT_TRUE(test::waitUntil([&] { return QApplication::focusWidget() == table; }, 5.0));
+    QTest::keyClick(table, Qt::Key_Down);
+    ASSERT_EQ(*dock().current(), material(2));
+    EXPECT_EQ(view.highlighted(), (FaceSelection{{}, 2, 0}));
+    session().edit("title", [](auto& database) { database.title = "x"; });
+    EXPECT_TRUE(view.highlighted().empty());
+
+    // A face that is picked: both lists have its entries, the tree its model.
+    emit view.facePicked(5, 4, 0, {});
+    EXPECT_EQ(*dock().current(), material(4));
+    EXPECT_EQ(view.highlighted(), (FaceSelection{5, 4, 0}));
+    tabs()->setCurrentIndex(1);
+    EXPECT_EQ(*dock().current(), (EntryKey{EntryKind::temperature, 5}));
+    tabs()->setCurrentIndex(0);
+    const auto modelInTree = [&] {
+        const auto* item = tree->findChild<QTreeWidget*>()->currentItem();
+        const auto* model = item == nullptr ? nullptr : item->parent()->parent();
+        return model == nullptr
+                   ? -1
+                   : model->parent()->indexOfChild(const_cast<QTreeWidgetItem*>(model));
+    };
+    EXPECT_EQ(modelInTree(), 0);
+    emit view.facePicked(2, 1, 1, {});
+    EXPECT_EQ(*dock().current(), material(4)) << "the database of another model is not edited here";
+    EXPECT_EQ(view.highlighted(), (FaceSelection{2, 1, 1}));
+    EXPECT_EQ(modelInTree(), 1);
+
+    // The tree selects in the editor, Enter brings it to the front; of another model it only marks.
+    emit tree->indexSelected(IndexKind::material, 3, 0);
+    EXPECT_EQ(*dock().current(), material(3));
+    EXPECT_EQ(view.highlighted(), (FaceSelection{{}, 3, 0}));
+    emit tree->indexSelected(IndexKind::material, 1, 1);
+    EXPECT_EQ(*dock().current(), material(3));
+    EXPECT_EQ(view.highlighted(), (FaceSelection{{}, 1, 1}));
+    window->findChild<QDockWidget*>("resultsDock")->raise();
+    QTest::qWait(50);
+    ASSERT_TRUE(dock().visibleRegion().isEmpty());
+    emit tree->indexActivated(IndexKind::material, 2, 0);
+    QTest::qWait(50);
+    EXPECT_FALSE(dock().visibleRegion().isEmpty());
+    EXPECT_EQ(*dock().current(), material(2));
+    session().discard();
+}
+
 TEST_F(DatabaseEditorTest, NamesAndNotesAreOneStepATyping) {
     dock().select({EntryKind::temperature, 1});
     type("entryName", "fuselage skin", find<QWidget>("temperaturePanel"));
@@ -228,97 +299,51 @@ TEST_F(DatabaseEditorTest, FollowsTheFileThatTheProjectNames) {
     EXPECT_EQ(session().value().title, "other");
 }
 
-TEST_F(DatabaseEditorTest, TellsWhatCannotBeOpenedAndOffersWhatCanBeDone) {
-    // A number of the file changed by another program.
-    const auto file = session().file();
-    auto changed = session().value();
-    session().close();
-    std::filesystem::copy_file(file, folder / "kept.sigdb");
-    std::filesystem::remove(file);
+TEST_F(DatabaseEditorTest, FindsWhatTheCommandLineFindsWithTheWholeProject) {
+    // An analysis in a band that the paints have no values for, and one at a Mach number beyond
+    // the tables; an entry that the faces of a second model alone carry.
+    Project project = workbench.editedProject();
+    Settings far = project.settings, fast = project.settings;
+    far.set("sensor.band", "15-20");
+    fast.set("state.mach", "2.5");
+    project.analyses = {{"far", AnalysisKind::polar, far}, {"fast", AnalysisKind::image, fast}};
+    std::filesystem::copy_file(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/box/box.flt",
+                               folder / "box.flt");
+    project.models.push_back(project.models.front());
+    project.models.back().file = "box.flt";
+    saveProject(project, folder / "turboprop4.smat");
+    auto* list = find<QTreeWidget>("findings");
+    EXPECT_EQ(list->topLevelItemCount(), 0);
     ASSERT_TRUE(opens(folder / "turboprop4.smat"));
-    EXPECT_FALSE(session().isOpen());
-    EXPECT_TRUE(dock().banner()->text().contains("no such file"))
-        << dock().banner()->text().toStdString();
-    EXPECT_NE(find<QPushButton>("newDatabase"), nullptr);
-    test::keepScreenshot(*window, "editor-missing");
-}
 
-TEST_F(DatabaseEditorTest, OffersTheEditsThatAWindowLeft) {
-    chooseTab("temperatureTabs", "Equation terms");
-    session().edit("x", [](auto& d) { d.title = "left behind"; });
-    session().writeRecoveryNow();
-    const auto copy = folder / "copy";
-    const auto recovery = session().recoveryFile();
-    std::filesystem::copy_file(recovery, copy);
-    session().discard();
-    std::filesystem::copy_file(copy, recovery);
-    ASSERT_TRUE(opens(folder / "turboprop4.smat"));
-    QTest::qWait(20);
-    EXPECT_TRUE(dock().banner()->isVisible());
-    test::keepScreenshot(*window, "editor-recovery");
-    find<QPushButton>("recover")->click();
-    EXPECT_EQ(session().value().title, "left behind");
-    EXPECT_FALSE(dock().banner()->isVisible());
-}
-
-TEST_F(DatabaseEditorTest, AsksBeforeUnsavedEditsAreLost) {
-    session().edit("x", [](auto& d) { d.title = "edited"; });
-    accept = false;
-    EXPECT_FALSE(dock().mayClose());
-    EXPECT_EQ(session().value().title, "edited");
-    accept = true;
-    onDialog = [](QDialog& dialog) {
-        test::keepScreenshot(dialog, "editor-unsaved");
-        dialog.findChild<QPushButton*>("answer1")->click();
+    SceneBuilder builder;
+    const auto expected =
+        irsg::lint(session().value(), lintScopeOf(project, session().file(), builder));
+    ASSERT_GT(expected.size(), 2U);
+    const auto found = [&] {
+        QStringList places;
+        for (int i = 0; i < list->topLevelItemCount(); ++i)
+            places << list->topLevelItem(i)->text(0) + ": " + list->topLevelItem(i)->text(2);
+        return places;
     };
-    EXPECT_TRUE(dock().mayClose());
-    EXPECT_FALSE(session().isDirty());
-    EXPECT_NE(session().value().title, "edited");
-    onDialog = nullptr;
-}
+    QStringList places;
+    bool band = false, state = false;
+    for (const auto& finding : expected) {
+        places << QString::fromStdString(finding.place + ": " + finding.reason);
+        band = band || finding.reason.find("15") != std::string::npos;
+        state = state || finding.value.find("fast") != std::string::npos ||
+                finding.reason.find("fast") != std::string::npos;
+    }
+    EXPECT_TRUE(band) << places.join('\n').toStdString();
+    EXPECT_TRUE(test::waitUntil([&] { return found() == places; }, 10.0))
+        << found().join('\n').toStdString() << "\n---\n"
+        << places.join('\n').toStdString();
 
-TEST_F(DatabaseEditorTest, AsksWhoseVersionStaysWhereAnotherProgramSaved) {
-    const auto file = folder / "turboprop4.sigdb";
-    auto theirs = session().value();
-    theirs.title = "theirs";
-    const auto mine = [this](const char* title) {
-        session().edit("title", [&](auto& database) { database.title = title; });
-    };
-    QString question;
-    int answer = 0;
-    const auto answers = [&](QDialog& dialog) {
-        for (const auto* label : dialog.findChildren<QLabel*>())
-            question += label->text() + " ";
-        dialog.findChild<QPushButton*>(QString("answer%1").arg(answer))->click();
-    };
-
-    // A person who wants to think about it loses nothing.
-    mine("mine");
-    irsg::saveSignatureFile(theirs, file);
-    accept = false;
-    onDialog = [](QDialog&) {};
-    dock().save();
-    EXPECT_EQ(session().value().title, "mine");
-    EXPECT_TRUE(session().isDirty());
-    EXPECT_EQ(irsg::loadSignatureFile(file).database, theirs);
-
-    accept = true;
-    onDialog = answers;
-    answer = 0;
-    dock().save();
-    EXPECT_TRUE(question.contains("Another program has changed this file"))
-        << question.toStdString();
-    EXPECT_EQ(irsg::loadSignatureFile(file).database.title, "mine");
-    EXPECT_FALSE(session().isDirty());
-
-    mine("mine again");
-    irsg::saveSignatureFile(theirs, file);
-    answer = 1;
-    dock().save();
-    EXPECT_EQ(session().value(), theirs);
-    EXPECT_EQ(irsg::loadSignatureFile(file).database, theirs);
-    EXPECT_FALSE(session().isDirty());
-    onDialog = nullptr;
+    // Without the analysis its findings go.
+    Project less = workbench.editedProject();
+    less.analyses.clear();
+    workbench.edit(less, "remove analyses");
+    EXPECT_TRUE(test::waitUntil([&] { return list->topLevelItemCount() < places.size(); }, 10.0));
 }
 
 TEST_F(DatabaseEditorTest, FindsFaultWithTheScalesBesideTheModel) {
@@ -339,10 +364,10 @@ TEST_F(DatabaseEditorTest, FindsFaultWithTheScalesBesideTheModel) {
     EXPECT_TRUE(list->topLevelItem(1)->text(2).contains("that the database has"));
     // A double click goes to the entry.
     dock().tabs()->setCurrentIndex(3);
+    test::keepScreenshot(*window, "database-findings-scales");
     emit list->itemActivated(list->topLevelItem(0), 0);
     ASSERT_TRUE(dock().current().has_value());
     EXPECT_EQ(*dock().current(), (EntryKey{EntryKind::material, material}));
-    test::keepScreenshot(*window, "database-findings-scales");
     session().discard();
 }
 

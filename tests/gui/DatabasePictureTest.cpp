@@ -138,13 +138,17 @@ TEST_F(DatabasePictureTest, EmissivityTransmissivityAndNAngleFactor) {
     const Nodes nodes = {{range.min_um, 0.2}, {range.centre_um(), 0.2}, {range.max_um, 0.8}};
     fill(emissivity, nodes);
     const irsg::Spectrum spectrum = spectrumOf(nodes, irsg::Spectrum::Outside::hold);
-    double expected = 0.0;
-    constexpr int steps = 4000;
-    for (int i = 0; i < steps; ++i) {
-        const double at = range.min_um + (i + 0.5) * range.width_um() / steps;
-        expected +=
-            spectrum.at(at) * irsg::planckRadiance_W_m2_sr_um(at, 300.0) * range.width_um() / steps;
-    }
+    const auto emitted = [&](double temperature_K) {
+        double sum = 0.0;
+        constexpr int steps = 4000;
+        for (int i = 0; i < steps; ++i) {
+            const double at = range.min_um + (i + 0.5) * range.width_um() / steps;
+            sum += spectrum.at(at) * irsg::planckRadiance_W_m2_sr_um(at, temperature_K) *
+                   range.width_um() / steps;
+        }
+        return sum;
+    };
+    const double expected = emitted(300.0);
     EXPECT_NEAR(middlePixel(), expected, tolerance * expected) << "spectral";
     test::keepScreenshot(*window, "database-emissivity");
 
@@ -154,11 +158,13 @@ TEST_F(DatabasePictureTest, EmissivityTransmissivityAndNAngleFactor) {
     EXPECT_NEAR(middlePixel(), angled, tolerance * angled) << "cos^N";
     test::keepScreenshot(*window, "database-angle");
 
-    // Nothing behind the box: a transparent side lets the other side's inside through, which is
-    // culled; what is emitted stays.
+    // The tail side of 320 K, of the same material, shines through from within; behind it is
+    // nothing.
     chooseTab("materialTabs", "Transmissivity");
     type("greyValue", "0.15", find<QWidget>("transmissivity"));
     EXPECT_EQ(session().value().materials.at(1).transmissivity, irsg::Spectrum::constant(0.15));
+    const double through = 0.15 * emitted(320.0) * std::pow(std::cos(state.aspectAngle_rad), 1.5);
+    EXPECT_NEAR(middlePixel(), angled + through, tolerance * angled) << "transmissivity";
     type("greyValue", "0.5", find<QWidget>("transmissivity"));
     EXPECT_EQ(session().value().materials.at(1).transmissivity, irsg::Spectrum::constant(0.15))
         << "emissivity leaves only 0.2";

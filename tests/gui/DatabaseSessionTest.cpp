@@ -1,6 +1,9 @@
 #include "gui/database/DatabaseSession.h"
 
+#include <csignal>
 #include <fstream>
+
+#include <sys/resource.h>
 
 #include <QUndoStack>
 #include <gtest/gtest.h>
@@ -8,7 +11,6 @@
 #include "gui/database/DatabaseEdits.h"
 #include "gui/database/MaterialLibrary.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/signature/Lint.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/SampleProject.h"
 
@@ -148,13 +150,116 @@ TEST_F(DatabaseSessionTest, KeepsARecoveryCopyBesideTheFileAndNeverOverIt) {
     QUndoStack otherStack;
     DatabaseSession other(otherStack);
     other.open(file);
-    ASSERT_TRUE(other.hasRecovery());
+    ASSERT_EQ(other.recoveries(), 1U);
     EXPECT_EQ(other.value(), before);
     other.recover();
     EXPECT_EQ(other.value(), edited);
-    EXPECT_FALSE(other.hasRecovery());
+    EXPECT_EQ(other.recoveries(), 0U);
     otherStack.undo();
     EXPECT_EQ(other.value(), before);
+}
+
+TEST_F(DatabaseSessionTest, TakesOneOfSeveralRecoveryCopiesAndKeepsTheOthers) {
+    // Two windows that were killed with edits of the same file.
+    const auto left = [this](const char* name, const char* title, int hoursAgo) {
+        auto draft = before;
+        draft.title = title;
+        const fs::path copy = file.string() + name;
+        std::ofstream(copy) << irsg::draftToJson(draft);
+        fs::last_write_time(copy, fs::file_time_type::clock::now() - std::chrono::hours(hoursAgo));
+        return copy;
+    };
+    const fs::path older = left(".recovery", "older", 2);
+    const fs::path newer = left(".recovery-17", "newer", 1);
+    session.reload();
+    ASSERT_EQ(session.recoveries(), 2U);
+    session.recover();
+    EXPECT_EQ(session.value().title, "newer");
+    EXPECT_FALSE(fs::exists(newer));
+    ASSERT_TRUE(fs::exists(older)) << "nobody has looked at it yet";
+    EXPECT_TRUE(fs::exists(session.recoveryFile())) << "and its edits have a copy at every moment";
+    EXPECT_NE(session.recoveryFile(), older);
+
+    session.save();
+    ASSERT_EQ(session.recoveries(), 1U);
+    session.recover();
+    EXPECT_EQ(session.value().title, "older");
+    stack.undo();
+    EXPECT_EQ(session.value().title, "newer");
+    EXPECT_FALSE(fs::exists(older));
+
+    // Giving one up leaves the others, too.
+    left(".recovery", "older", 2);
+    left(".recovery-17", "newer", 1);
+    session.reload();
+    session.discardRecovery();
+    EXPECT_FALSE(fs::exists(newer));
+    EXPECT_TRUE(fs::exists(older));
+    session.discardRecovery();
+    EXPECT_EQ(session.recoveries(), 0U);
+}
+
+TEST_F(DatabaseSessionTest, SaysThatACopyOfTheEditsCannotBeWritten) {
+    // Something else lies in its place.
+    const fs::path place = file.string() + ".recovery";
+    fs::create_directory(place);
+    heat(355.0);
+    int told = 0;
+    QObject::connect(&session, &DatabaseSession::stateChanged, [&] { ++told; });
+    session.writeRecoveryNow();
+    EXPECT_FALSE(session.recoveryProblem().isEmpty());
+    EXPECT_EQ(told, 1);
+    fs::remove(place);
+    session.writeRecoveryNow();
+    EXPECT_TRUE(session.recoveryProblem().isEmpty());
+    EXPECT_EQ(told, 2);
+    EXPECT_TRUE(fs::exists(place));
+}
+
+TEST_F(DatabaseSessionTest, ADiskThatIsFullLosesNothing) {
+    // A limit on the size of files stands for the disk.
+    struct Limit {
+        rlimit before{};
+        Limit() {
+            signal(SIGXFSZ, SIG_IGN);
+            getrlimit(RLIMIT_FSIZE, &before);
+            const rlimit none{0, before.rlim_max};
+            setrlimit(RLIMIT_FSIZE, &none);
+        }
+        ~Limit() {
+            setrlimit(RLIMIT_FSIZE, &before);
+            signal(SIGXFSZ, SIG_DFL);
+        }
+    };
+    heat(355.0);
+    session.writeRecoveryNow();
+    const auto first = session.value();
+    heat(366.0);
+    const auto edited = session.value();
+    std::string said;
+    QString problem;
+    {
+        const Limit full;
+        try {
+            session.save();
+        } catch (const irsg::InputError& error) {
+            said = error.what();
+        }
+        session.writeRecoveryNow();
+        problem = session.recoveryProblem();
+    }
+    EXPECT_NE(said.find("what was there is as it was"), std::string::npos) << said;
+    EXPECT_FALSE(problem.isEmpty());
+    EXPECT_TRUE(session.isDirty());
+    EXPECT_EQ(session.value(), edited);
+    EXPECT_EQ(irsg::loadSignatureFile(file).database, before);
+    std::ifstream copy(session.recoveryFile());
+    const std::string kept{std::istreambuf_iterator<char>(copy), {}};
+    EXPECT_EQ(irsg::signatureFromJson(kept), first) << "the copy before is as it was";
+
+    session.save();
+    EXPECT_EQ(irsg::loadSignatureFile(file).database, edited);
+    EXPECT_TRUE(session.recoveryProblem().isEmpty());
 }
 
 TEST_F(DatabaseSessionTest, ADraftWithLintErrorsIsRecoveredToo) {
@@ -296,15 +401,15 @@ TEST_F(DatabaseSessionTest, LeavingWithUnsavedEditsKeepsThemForTheNextTime) {
     const auto edited = session.value();
     fs::copy_file(file, folder / "other.sigdb");
     session.open(folder / "other.sigdb");
-    EXPECT_FALSE(session.hasRecovery());
+    EXPECT_EQ(session.recoveries(), 0U);
     session.open(file);
     EXPECT_EQ(session.value(), before);
-    ASSERT_TRUE(session.hasRecovery());
+    ASSERT_EQ(session.recoveries(), 1U);
     session.recover();
     EXPECT_EQ(session.value(), edited);
     session.discard();
     session.open(file);
-    EXPECT_FALSE(session.hasRecovery()) << "given up is given up";
+    EXPECT_EQ(session.recoveries(), 0U) << "given up is given up";
 }
 
 TEST_F(DatabaseSessionTest, ANewDatabaseIsAllUnsaved) {
@@ -312,62 +417,6 @@ TEST_F(DatabaseSessionTest, ANewDatabaseIsAllUnsaved) {
     EXPECT_TRUE(session.isDirty());
     session.save();
     EXPECT_EQ(irsg::loadSignatureFile(folder / "new.sigdb").database, before);
-}
-
-TEST(DatabaseEditsTest, CopiesBringTheirSpectraUnderTheNamesTheyGet) {
-    irsg::SignatureDatabase source, into;
-    source.spectra["plume"].name = "plume";
-    source.spectra["plume"].notes = "of the source";
-    source.temperatures[4] = {"gas", irsg::EmissionMode::userSpectrum, {}, "plume", {}, ""};
-    into.spectra["plume"].name = "plume";
-    const EntryKey plume{EntryKind::spectrum, 0, "plume"};
-    EXPECT_EQ(copyEntries(source,
-                          {{{EntryKind::temperature, 4}, {EntryKind::temperature, 9}},
-                           {plume, {EntryKind::spectrum, 0, "plume 2"}}},
-                          into),
-              2);
-    EXPECT_EQ(into.temperatures[9].userSpectrum, "plume 2");
-    EXPECT_EQ(into.spectra["plume 2"].notes, "of the source");
-    EXPECT_EQ(into.spectra["plume 2"].name, "plume 2");
-    EXPECT_EQ(into.spectra["plume"].notes, "");
-
-    irsg::SignatureDatabase empty;
-    copyEntries(source, {{{EntryKind::temperature, 4}, {EntryKind::temperature, 4}}}, empty);
-    EXPECT_TRUE(empty.spectra.contains("plume")) << "brought along";
-    EXPECT_EQ(copyEntries(source, {{plume, plume}}, into), 0) << "taken and not to be replaced";
-    EXPECT_EQ(copyEntries(source, {{plume, plume, true}}, into), 1);
-    EXPECT_EQ(into.spectra["plume"].notes, "of the source");
-}
-
-TEST(DatabaseEditsTest, FindsTheEntryThatAPlaceLiesIn) {
-    irsg::SignatureDatabase database;
-    database.materials[3];
-    database.materials[31];
-    database.spectra["plume"];
-    database.spectra["plume.core"];
-    const auto place = [&](const char* text) {
-        const auto key = entryAt(database, text);
-        return key ? placeOf(*key) : std::string("none");
-    };
-    EXPECT_EQ(place("materials.31.emissivity at 4 um"), "materials.31");
-    EXPECT_EQ(place("materials.3"), "materials.3");
-    EXPECT_EQ(place("spectra.plume.core.components"), "spectra.plume.core");
-    EXPECT_EQ(place("spectra.plume"), "spectra.plume");
-    EXPECT_EQ(place("temperatures.3"), "none");
-}
-
-TEST(MaterialLibraryTest, HoldsDocumentedMaterialsThatCloseTheirSum) {
-    const auto& library = materialLibrary();
-    EXPECT_EQ(library.materials.size(), 30U);
-    for (const auto& finding : irsg::lint(library))
-        ADD_FAILURE() << finding.place << ": " << finding.value << ": " << finding.reason;
-    for (const auto& [index, material] : library.materials) {
-        EXPECT_FALSE(material.name.empty()) << index;
-        EXPECT_NE(material.notes.find("Origin: "), std::string::npos) << material.name;
-        EXPECT_NE(material.notes.find("Uncertainty: "), std::string::npos) << material.name;
-        EXPECT_TRUE(material.emissivity.isConstant() || material.emissivity.covers({0.4, 14.0}))
-            << material.name;
-    }
 }
 
 } // namespace

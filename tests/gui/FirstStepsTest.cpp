@@ -1,13 +1,16 @@
 #include <map>
 
 #include <QComboBox>
+#include <QListWidget>
 #include <QPushButton>
 #include <QTabBar>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <gtest/gtest.h>
 
+#include "gui/analysis/ResultPage.h"
 #include "gui/database/CopyEntriesDialog.h"
+#include "gui/plot/PolarPlot.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/gui/DatabaseFixture.h"
 
@@ -149,6 +152,24 @@ TEST_F(FirstStepsTest, TheFirstPageOfTheGuide) {
     // Plot it, and keep it.
     runAnalysis("polar");
     EXPECT_EQ(workbench.results().back().data->table.rowCount(), 4U);
+    const auto edited = session().value();
+    while (session().isDirty() && workbench.undoStack().canUndo())
+        workbench.undoStack().undo();
+    auto* list = window->findChild<QListWidget*>("resultList");
+    list->setCurrentRow(0);
+    window->findChild<QToolButton*>("rerunResult")->click();
+    ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
+    QTest::qWait(50);
+    list->selectAll();
+    window->findChild<QToolButton*>("overlayResults")->click();
+    const auto& curves = window->currentPage()->polarPlot()->data().curves;
+    ASSERT_EQ(curves.size(), 2U);
+    EXPECT_NE(curves[0].y, curves[1].y) << "before and after";
+    QTest::qWait(50);
+    test::keepScreenshot(*window, "guide-3-plotted");
+    while (workbench.undoStack().canRedo())
+        workbench.undoStack().redo();
+    EXPECT_EQ(session().value(), edited);
     trigger("saveDatabase");
     trigger("saveProject");
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();

@@ -81,6 +81,16 @@ TEST_F(LintScalings, NameAnEmissivityThatLeavesOne) {
     EXPECT_THAT(found.reason, HasSubstr("at most 0.4, one less transmissivity"));
     EXPECT_THAT(found.repair, HasSubstr("1.3333"));
 
+    // Nodes of the transmissivity alone count, too.
+    scalings.scalings.emissivities.clear();
+    database.materials[2].emissivity = Spectrum::constant(0.25);
+    paint(2, 0.5, 1.25);
+    found = only(emissivityScales + " 2");
+    EXPECT_THAT(found.value, HasSubstr("0.25 at 3 um, times 1.25: 0.3125"));
+    database.materials[2].emissivity = Spectrum{{3.0, 4.0, 5.0}, {0.2, 0.5, 0.3}};
+    scalings.scalings.emissivities.clear();
+    paint(2, 0.5, 1.5);
+
     use.temperaturesOfMaterial[2] = {4};
     EXPECT_TRUE(findings().empty()) << "a user-defined spectrum is multiplied as it is";
     use.temperaturesOfMaterial[2] = {1, 4};
@@ -101,6 +111,12 @@ TEST_F(LintScalings, NameATemperatureThatNoSurfaceHas) {
     EXPECT_THAT(only(temperatureScales + " 1").value, HasSubstr("4200 K"));
     heat(1, 95.0, 105.0);
     EXPECT_EQ(only(temperatureScales + " 1").repair, "divide min and max by 100");
+    heat(1, 20.0, 20.0);
+    EXPECT_THAT(only(temperatureScales + " 1").value, HasSubstr("6000 K")) << "fixed, but not at 1";
+    // What the terms alone make impossible is theirs, and told once.
+    database.temperatures[1].terms.base_K = 30.0;
+    heat(1, 0.9, 1.1);
+    EXPECT_TRUE(findings().empty());
 }
 
 TEST_F(LintScalings, NameScalesThatHaveNoEffect) {

@@ -72,14 +72,14 @@ class Moments {
     int longest_us_ = 0;
 };
 
-TEST(SignatureSafety, ThreeHundredKillsOfASaveLeaveTheOldOrTheNewState) {
+TEST(SignatureSafety, FourHundredKillsOfASaveLeaveTheOldOrTheNewState) {
     const TemporaryFolder folder;
     const fs::path file = folder / "killed.sigdb";
     const SignatureDatabase states[] = {completeDatabase(), largerDatabase()};
     Moments moments([&] { saveSignatureFile(states[0], file); });
     std::array<int, 2> seen = {0, 0};
     int journals = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 400; ++i) {
         killWhile([&](int round) { saveSignatureFile(states[(round + i + 1) % 2], file); },
                   moments.next());
         journals += fs::exists(file.string() + "-journal");
