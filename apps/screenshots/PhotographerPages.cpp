@@ -164,6 +164,12 @@ void Photographer::keepResults() {
         histogram->click();
     settle();
     keep(window_, "image-histogram");
+    if (auto* windows = shown<QToolButton>(*tabs->currentWidget(), "showWindows")) {
+        windows->click();
+        settle();
+        keep(window_, "image-windows");
+        windows->click();
+    }
     if (auto* plane = shown<QComboBox>(*tabs->currentWidget(), "plane"); plane != nullptr) {
         plane->setCurrentIndex(plane->count() - 1);
         emit plane->activated(plane->count() - 1);

@@ -78,6 +78,11 @@ void ImageCanvas::setMarks(std::vector<std::uint8_t> marks) {
     onChanged();
 }
 
+void ImageCanvas::setOutlines(std::vector<QRectF> outlines) {
+    outlines_ = std::move(outlines);
+    update();
+}
+
 void ImageCanvas::setSecond(SharedValues values) {
     second_.setValues(plane_.width(), plane_.height(), std::move(values));
     second_.setColors(*map_, limits_);
@@ -210,6 +215,15 @@ void ImageCanvas::drawFrame(QPainter& painter, const QRectF& pixels) const {
     painter.drawRect(box);
 }
 
+void ImageCanvas::drawOutlines(QPainter& painter) const {
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& [color, width] : {std::pair{QColor(0, 0, 0, 150), 3.0}, {Qt::white, 1.0}}) {
+        painter.setPen(QPen(color, width));
+        for (const QRectF& outline : outlines_)
+            painter.drawRect(QRectF(widgetPoint(outline.topLeft()), outline.size() * zoom_));
+    }
+}
+
 void ImageCanvas::printValues(QPainter& painter) const {
     const QRectF seen = imageRect() & QRectF(rect());
     const auto first = pixelAt(seen.topLeft() + QPointF(0.01, 0.01));
@@ -255,6 +269,7 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
     }
     if (zoom_ >= printingZoom())
         printValues(painter);
+    drawOutlines(painter);
     if (selection_)
         drawFrame(painter,
                   QRectF(selection_->x, selection_->y, selection_->width, selection_->height));

@@ -43,6 +43,9 @@ class ImageCanvas : public QWidget {
     /// Whether colours are awaited or in the making.
     bool isBusy() const;
     void setMarks(std::vector<std::uint8_t> marks);
+    /// Rectangles drawn over the image, in image pixels.
+    void setOutlines(std::vector<QRectF> outlines);
+    const std::vector<QRectF>& outlines() const { return outlines_; }
     /// Another plane of the same size, to be shown in place of the first, or beside it.
     void setSecond(SharedValues values);
     void setSecondShown(bool shown);
@@ -98,6 +101,7 @@ class ImageCanvas : public QWidget {
     bool isStale() const;
     void refreshColors();
     void drawFrame(QPainter& painter, const QRectF& pixels) const;
+    void drawOutlines(QPainter& painter) const;
     void printValues(QPainter& painter) const;
     void zoomAt(const QPointF& point, double zoom);
     void select(const QPointF& from, const QPointF& to);
@@ -109,6 +113,7 @@ class ImageCanvas : public QWidget {
     const irsg::ColorMap* map_ = nullptr;
     irsg::DisplayLimits limits_;
     QString hint_;
+    std::vector<QRectF> outlines_;
     bool secondShown_ = false;
     bool awaitsColors_ = false;
     unsigned revision_ = 0; ///< of values, colours and marks

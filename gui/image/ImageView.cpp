@@ -1,5 +1,7 @@
 #include "gui/image/ImageView.h"
 
+#include <algorithm>
+
 #include <QClipboard>
 #include <QComboBox>
 #include <QGuiApplication>
@@ -19,6 +21,11 @@ namespace smat::gui {
 namespace {
 
 constexpr double exposureStep = 0.25, offsetStep = 0.05;
+
+QRectF rectangleOf(const irsg::SampledWindow& window) {
+    return QRectF(QPointF(window.left_px, window.top_px),
+                  QPointF(window.right_px, window.bottom_px));
+}
 
 } // namespace
 
@@ -60,6 +67,35 @@ void ImageView::adopt(std::shared_ptr<const irsg::RadianceImage> image) {
     for (const auto& channel : image_->channels)
         plane_->addItem(planeTitle(channel));
     plane_->setCurrentIndex(std::clamp(shown, 0, plane_->count() - 1));
+    windows_ = irsg::windowsOf(*image_);
+    windowsShown_->setEnabled(!windows_.empty());
+    outlineWindows();
+}
+
+void ImageView::setWindowsShown(bool on) {
+    windowsShown_->setChecked(on);
+}
+
+void ImageView::outlineWindows() {
+    std::vector<QRectF> outlines;
+    if (windowsShown_->isChecked())
+        for (const irsg::SampledWindow& window : windows_)
+            outlines.push_back(rectangleOf(window));
+    canvas_->setOutlines(std::move(outlines));
+}
+
+QString ImageView::windowWords(int x, int y) const {
+    const auto finest =
+        std::ranges::find_if(windows_.rbegin(), windows_.rend(), [&](const auto& w) {
+            return rectangleOf(w).intersects(QRectF(x, y, 1.0, 1.0));
+        });
+    if (finest == windows_.rend())
+        return {};
+    const QString objects = QString::fromStdString(finest->objects);
+    if (finest->across == 0.0)
+        return tr("Point: %1").arg(objects);
+    return tr("Window: %1 × %2 samples a pixel, %3")
+        .arg(readableNumber(finest->across), readableNumber(finest->down), objects);
 }
 
 void ImageView::setShownPlane(int index) {
@@ -137,6 +173,8 @@ QString ImageView::readoutAt(int x, int y) const {
                     .trimmed()
                     .prepend("     ");
     }
+    if (windowsShown_->isChecked())
+        text += "     " + windowWords(x, y);
     return text;
 }
 
@@ -254,6 +292,8 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
             colors_->itemText((colors_->currentIndex() + step) % colors_->count()).toStdString());
     } else if (key == Qt::Key_H) {
         histogram_->toggle();
+    } else if (key == Qt::Key_W) {
+        windowsShown_->click();
     } else if (key >= Qt::Key_1 && key <= Qt::Key_9) {
         setShownPlane(key - Qt::Key_1);
     } else {
@@ -273,6 +313,7 @@ QList<std::pair<QString, QString>> imageKeys() {
             {ImageView::tr("E, O (Shift: back)"), ImageView::tr("Exposure, offset of the colours")},
             {ImageView::tr("N, L"), ImageView::tr("Limits of the colours automatic, locked")},
             {ImageView::tr("H"), ImageView::tr("Histogram and statistics")},
+            {ImageView::tr("W"), ImageView::tr("Windows that were sampled by themselves")},
             {ImageView::tr("Ctrl+C, Ctrl+Shift+C"), ImageView::tr("Copy picture, copy values")}};
 }
 

@@ -11,6 +11,7 @@
 #include "gui/image/ImageExport.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/image/RadianceImage.h"
+#include "irsg/image/SampledWindows.h"
 #include "irsg/radiometry/Band.h"
 
 class QComboBox;
@@ -53,6 +54,8 @@ class ImageView : public QWidget, public Exportable {
     const std::string& shownChannel() const { return plane().name; }
     void setColorMap(const std::string& name);
     void setShownPlane(int index);
+    /// Outlines what the antialiasing sampled by itself; nothing in an image that does not tell.
+    void setWindowsShown(bool on);
     /// "x 12  y 7   Radiance 1.234 W·m⁻²·sr⁻¹   Apparent temperature 301.2 K".
     QString readoutAt(int x, int y) const;
     QString statistics() const;
@@ -80,6 +83,9 @@ class ImageView : public QWidget, public Exportable {
     void findLimits(const std::optional<irsg::DisplayLimits>& known);
     void useLimits(const FoundLimits& found);
     void updateStatistics();
+    void outlineWindows();
+    /// Of the finest window that touches a pixel; empty where none does.
+    QString windowWords(int x, int y) const;
     void adopt(std::shared_ptr<const irsg::RadianceImage> image);
     void askAndExport(const QString& filter, bool withColorBar);
     QString statisticsText(const std::optional<irsg::PixelRectangle>& selection,
@@ -96,6 +102,8 @@ class ImageView : public QWidget, public Exportable {
     QComboBox* plane_ = nullptr;
     QComboBox* colors_ = nullptr;
     QToolButton* histogram_ = nullptr;
+    QToolButton* windowsShown_ = nullptr;
+    std::vector<irsg::SampledWindow> windows_;
     QLabel* readout_ = nullptr;
     QLabel* statistics_ = nullptr;
     LatestTask figuresTask_, temperatureTask_, limitsTask_;

@@ -72,6 +72,9 @@ QHBoxLayout* ImageView::makeBar() {
     }
     histogram_ = textButton(tr("Histogram"), "showHistogram", tr("Histogram and statistics (H)"));
     histogram_->setCheckable(true);
+    windowsShown_ = textButton(tr("Windows"), "showWindows",
+                               tr("Outline what the antialiasing sampled by itself (W)"));
+    windowsShown_->setCheckable(true);
     auto* copy = menuButton(tr("Copy"), "copyImage", tr("Copy to other programs"));
     copy->menu()->addAction(tr("Picture with colour bar"), this, [this] { copyPicture(true); });
     copy->menu()->addAction(tr("Picture"), this, [this] { copyPicture(false); });
@@ -90,13 +93,14 @@ QHBoxLayout* ImageView::makeBar() {
         textButton(tr("1:1"), "actualSize", tr("One pixel of the image is one of the screen (A)"));
     connect(fit, &QToolButton::clicked, canvas_, &ImageCanvas::fit);
     connect(actual, &QToolButton::clicked, canvas_, &ImageCanvas::showActualSize);
+    connect(windowsShown_, &QToolButton::toggled, this, &ImageView::outlineWindows);
     connect(histogram_, &QToolButton::toggled, inspector_, &QWidget::setVisible);
 
     auto* bar = new QHBoxLayout;
     bar->addWidget(plane_);
     bar->addWidget(colors_);
     bar->addStretch(1);
-    for (QToolButton* button : {histogram_, copy, write, fit, actual})
+    for (QToolButton* button : {histogram_, windowsShown_, copy, write, fit, actual})
         bar->addWidget(button);
     return bar;
 }

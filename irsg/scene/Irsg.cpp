@@ -111,6 +111,7 @@ RenderedImage Irsg::render() {
         result.image = reduction.compose(frame.background);
         p.fillReport(frame, result.report);
         p.describe(frame, result.image);
+        describeWindows(result.report.windows, result.image);
     });
     if (p.entities.size() > 1) {
         evaluateFactors(p.factorsOf(frame), frame.radiometry, frame.background, frame.geometry,

@@ -9,6 +9,7 @@
 
 #include "irsg/atmosphere/Environment.h"
 #include "irsg/image/RadianceImage.h"
+#include "irsg/image/SampledWindows.h"
 #include "irsg/scene/Model.h"
 #include "irsg/scene/Pose.h"
 #include "irsg/scene/ProjectedFactors.h"
@@ -62,8 +63,8 @@ struct RenderSettings {
     /// with the aligned zoom, before no terrain and apart from other objects; see PointSources.
     /// Pixels, 0 (never) to 1.
     double pointSourceBelow_px = 1.0 / 64.0;
-    /// Small parts that shine out of their object, such as exhaust pipes, have windows of their own,
-    /// with the aligned zoom; see HotParts.
+    /// Small parts that shine out of their object, such as exhaust pipes, have windows of their
+    /// own, with the aligned zoom; see HotParts.
     bool hotParts = true;
     /// Supersampling, where there is no zoom window: 1, 2 or 4 for modes 0 to 2; any 1 to 16.
     int samplesPerAxis = 4;
@@ -129,6 +130,7 @@ struct RenderReport {
     ObjectRadiometry all;                ///< of all objects together, at the first object's range
     std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
     std::vector<std::string> warnings;   ///< each said once
+    std::vector<SampledWindow> windows;  ///< what the antialiasing sampled by itself
     long flooredPixels = 0;              ///< of the background, whose sum was below 0
     int layersLeftOver = 0;              ///< samples with more transparent layers than are kept
     double transmissivityResidue = 0.0;  ///< largest relative error of the scalar t for t(lambda)
@@ -202,9 +204,10 @@ class Irsg {
 
     /// Radiance image in W m-2 sr-1 with its report.
     RenderedImage render();
-    /// The image of render() alone, for a window that follows what is edited. For the second picture
-    /// of a view what each pixel takes of each surface is drawn and kept; from then on another time,
-    /// temperature, spectrum or air is a sum, equal to render() within the rounding of float.
+    /// The image of render() alone, for a window that follows what is edited. For the second
+    /// picture of a view what each pixel takes of each surface is drawn and kept; from then on
+    /// another time, temperature, spectrum or air is a sum, equal to render() within the rounding
+    /// of float.
     RadianceImage picture();
     /// The report alone, in double from the projected factors. These are kept and drawn anew only
     /// when geometry, viewpoint, sensor raster, transparency or N change; another time, power,

@@ -271,13 +271,14 @@ SurfaceScene Irsg::Parts::sceneOf(const Frame& frame, const CameraFrame& camera,
 
 FrameReduction Irsg::Parts::drawObjects(const Frame& frame, RenderReport& report) {
     AbstractZoomAntialiasingStrategy& strategy = antialiasing.strategyFor(settings);
-    const auto addPoints = [&](FrameReduction& reduction) {
+    const auto finish = [&](FrameReduction& reduction) {
         for (const ZoomEntityInfo& object : frame.points)
             addPoint(frame, object, reduction);
+        report.windows = sampledWindows(strategy.takeWindows(), frame.points);
     };
     if (frame.drawn.empty()) {
         FrameReduction reduction(sensor, {});
-        addPoints(reduction);
+        finish(reduction);
         return reduction;
     }
 
@@ -315,8 +316,28 @@ FrameReduction Irsg::Parts::drawObjects(const Frame& frame, RenderReport& report
     addTime("reduction", all_s - drawing_s);
     for (std::string& message : strategy.takeMessages())
         report.warnings.push_back(std::move(message));
-    addPoints(*reduction);
+    finish(*reduction);
     return std::move(*reduction);
+}
+
+std::vector<SampledWindow>
+Irsg::Parts::sampledWindows(const std::vector<DrawnWindow>& drawn,
+                            const std::vector<ZoomEntityInfo>& points) const {
+    std::vector<SampledWindow> result;
+    const auto tell = [&](const DrawnWindow& window) {
+        const ImageRectangle& r = window.rectangle;
+        SampledWindow& told = result.emplace_back(
+            SampledWindow{r.left, r.top, r.right, r.bottom, window.across, window.down, {}});
+        for (const int entity : window.entities) {
+            const std::string& name = entities[static_cast<std::size_t>(entity)].name;
+            told.objects += (told.objects.empty() ? "" : ", ") + name;
+        }
+    };
+    for (const DrawnWindow& window : drawn)
+        tell(window);
+    for (const ZoomEntityInfo& point : points)
+        tell({point.extent, 0.0, 0.0, {point.entity}});
+    return result;
 }
 
 void Irsg::Parts::onContext(const std::function<void(osg::RenderInfo&)>& work) {

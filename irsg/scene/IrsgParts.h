@@ -167,6 +167,8 @@ struct Irsg::Parts {
 
     /// Draws the objects with the strategy that the settings ask for.
     FrameReduction drawObjects(const Frame& frame, RenderReport& report);
+    std::vector<SampledWindow> sampledWindows(const std::vector<DrawnWindow>& drawn,
+                                              const std::vector<ZoomEntityInfo>& points) const;
 
     void onContext(const std::function<void(osg::RenderInfo&)>& work);
 

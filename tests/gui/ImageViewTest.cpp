@@ -23,6 +23,7 @@
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/ImageIntensity.h"
+#include "irsg/image/SampledWindows.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "tests/gui/GuiEnvironment.h"
@@ -186,6 +187,35 @@ TEST_F(ImageViewTest, PercentilesSetTheLimitsAndStayInOrder) {
     EXPECT_LT(view.colorBar()->percentiles().first, view.colorBar()->percentiles().second);
     EXPECT_LT(view.colorBar()->limits().low, view.colorBar()->limits().high);
     test::keepScreenshot(view, "image-view-percentiles");
+}
+
+TEST_F(ImageViewTest, OutlinesTheWindowsOfTheAntialiasing) {
+    auto* button = view.findChild<QToolButton*>("showWindows");
+    EXPECT_FALSE(button->isEnabled()); // this image tells of none
+    irsg::RadianceImage image = small();
+    irsg::describeWindows(
+        {{1.0, 0.0, 6.0, 4.0, 25.0, 26.0, "hull"}, {2.25, 0.5, 2.5, 0.75, 900.0, 900.0, "hull"}},
+        image);
+    view.setImage(image, irsg::Band::topHat(3.0, 5.0));
+    EXPECT_TRUE(button->isEnabled());
+    EXPECT_TRUE(view.canvas()->outlines().empty());
+    EXPECT_FALSE(view.readoutAt(2, 0).contains("Window"));
+
+    view.canvas()->setFocus();
+    QTest::keyClick(view.canvas(), Qt::Key_W);
+    ASSERT_EQ(view.canvas()->outlines().size(), 2u);
+    EXPECT_EQ(view.canvas()->outlines()[0], QRectF(1.0, 0.0, 5.0, 4.0));
+    EXPECT_TRUE(view.readoutAt(2, 0).endsWith("Window: 900 × 900 samples a pixel, hull"));
+    EXPECT_TRUE(view.readoutAt(5, 3).endsWith("Window: 25 × 26 samples a pixel, hull"));
+    EXPECT_FALSE(view.readoutAt(7, 5).contains("Window"));
+    // A line where the image says that the window's edge is.
+    const QImage seen = view.canvas()->grab().toImage();
+    const QPointF edge = view.canvas()->widgetPoint(QPointF(6.0, 2.3)) * seen.devicePixelRatio();
+    EXPECT_GT(seen.pixelColor(edge.toPoint()).lightness(), 200);
+    test::keepScreenshot(view, "image-view-windows");
+
+    view.setWindowsShown(false);
+    EXPECT_TRUE(view.canvas()->outlines().empty());
 }
 
 TEST_F(ImageViewTest, KeysChangePlaneColoursExposureAndOffset) {

@@ -1,11 +1,23 @@
 #include "irsg/scene/antialiasing/AbstractZoomAntialiasingStrategy.h"
 
+#include <cmath>
+
 namespace irsg {
+
+DrawnWindow DrawnWindow::of(const SampleWindow& window) {
+    const double tilesOfPixel = std::ldexp(1.0, window.level);
+    return {window.region(), tilesOfPixel * window.samplesAcross, tilesOfPixel * window.samplesDown,
+            window.entities};
+}
 
 FrameReduction AbstractZoomAntialiasingStrategy::draw(const CameraFrame& camera,
                                                       const std::vector<ZoomEntityInfo>& objects,
                                                       RttPass& pass) {
-    const std::vector<SampleWindow> pieces = piecesOf(windows(objects), pass.largestSide());
+    const std::vector<SampleWindow> planned = windows(objects);
+    drawn_.clear();
+    for (const SampleWindow& window : planned)
+        drawn_.push_back(DrawnWindow::of(window));
+    const std::vector<SampleWindow> pieces = piecesOf(planned, pass.largestSide());
     FrameReduction frame(camera.sensor(), pieces);
     RadianceSamples samples;
     for (const SampleWindow& window : pieces) {

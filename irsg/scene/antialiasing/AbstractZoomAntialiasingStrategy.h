@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "irsg/scene/FrameReduction.h"
@@ -9,6 +10,15 @@
 #include "irsg/scene/multipass/RttPass.h"
 
 namespace irsg {
+
+/// What was sampled in one go, for people to see: samples are counted per pixel of the frame.
+struct DrawnWindow {
+    ImageRectangle rectangle;
+    double across = 1.0, down = 1.0;
+    std::vector<int> entities;
+
+    static DrawnWindow of(const SampleWindow& window);
+};
 
 /// How the objects of a frame are sampled.
 class AbstractZoomAntialiasingStrategy {
@@ -26,6 +36,12 @@ class AbstractZoomAntialiasingStrategy {
 
     /// What the user should know of the drawings since the last call.
     virtual std::vector<std::string> takeMessages() { return {}; }
+
+    /// Of the last drawing, coarse before fine.
+    std::vector<DrawnWindow> takeWindows() { return std::exchange(drawn_, {}); }
+
+  protected:
+    std::vector<DrawnWindow> drawn_;
 };
 
 /// The windows in pieces that fit a drawing.

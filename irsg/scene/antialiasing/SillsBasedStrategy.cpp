@@ -54,6 +54,7 @@ FrameReduction SillsBasedStrategy::draw(const CameraFrame& camera,
     all.tilesWide = camera.sensor().width_px;
     all.tilesHigh = camera.sensor().height_px;
     FrameReduction frame(camera.sensor(), {all});
+    drawn_.clear();
 
     std::vector<ZoomEntityInfo> farToNear = objects;
     std::ranges::stable_sort(farToNear, std::greater{}, [&](const ZoomEntityInfo& object) {
@@ -70,7 +71,7 @@ FrameReduction SillsBasedStrategy::draw(const CameraFrame& camera,
 }
 
 void SillsBasedStrategy::drawTexture(const CameraFrame& camera, const ZoomEntityInfo& object,
-                                     RttPass& pass, FrameReduction& frame) const {
+                                     RttPass& pass, FrameReduction& frame) {
     // Phase 1: a camera of its own. Phase 2: averages.
     const double diameter_px = ballDiameter_px(camera, object.centre_m, object.radius_m);
     const int side_px = std::min(nextPowerOfTwo(diameter_px), size_);
@@ -82,18 +83,24 @@ void SillsBasedStrategy::drawTexture(const CameraFrame& camera, const ZoomEntity
     // Phase 3: the square in the frame.
     const Billboard billboard(zoom, object.centre_m);
     const PixelWindow pixels = billboard.pixels(camera);
+    PixelWindow covered;
     for (int y = pixels.y; y < pixels.y + pixels.height; ++y)
         for (int x = pixels.x; x < pixels.x + pixels.width; ++x)
             if (const auto place = billboard.at(camera, x + 0.5, y + 0.5)) {
                 const auto [radiance, opacity] = bilinear(texture, place->first, place->second);
                 frame.cover(x, y, radiance, opacity);
+                covered = covered.unitedWith({x, y, 1, 1});
             }
+    const double samplesOfPixel = static_cast<double>(size_) / side_px;
+    if (!covered.empty())
+        drawn_.push_back({covered.rectangle(), samplesOfPixel, samplesOfPixel, {object.entity}});
 }
 
 void SillsBasedStrategy::drawAsItIs(const CameraFrame& camera, const ZoomEntityInfo& object,
-                                    RttPass& pass, FrameReduction& frame) const {
+                                    RttPass& pass, FrameReduction& frame) {
     SampleWindow whole = windowOnTiles(object.extent, 0);
     whole.entities = {object.entity};
+    drawn_.push_back(DrawnWindow::of(whole));
     RadianceSamples samples;
     for (const SampleWindow& window : whole.pieces(pass.largestSide())) {
         pass.draw(camera, window, samples);

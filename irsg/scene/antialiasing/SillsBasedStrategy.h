@@ -29,9 +29,9 @@ class SillsBasedStrategy : public AbstractZoomAntialiasingStrategy {
 
   private:
     void drawTexture(const CameraFrame& camera, const ZoomEntityInfo& object, RttPass& pass,
-                     FrameReduction& frame) const;
+                     FrameReduction& frame);
     void drawAsItIs(const CameraFrame& camera, const ZoomEntityInfo& object, RttPass& pass,
-                    FrameReduction& frame) const;
+                    FrameReduction& frame);
 
     int size_;
     PixelSizeBasedLod lod_;
