@@ -31,7 +31,10 @@ class CurveItemOf : public QwtCurve, public CurveItem {
     void setShown(bool shown) override { QwtCurve::setVisible(shown); }
     bool isShown() const override { return QwtCurve::isVisible(); }
     void setName(const QwtText& name) override { QwtCurve::setTitle(name); }
-    void setLine(const QPen& pen) override { QwtCurve::setPen(pen); }
+    void setLine(const QPen& pen) override {
+        QwtCurve::setPen(pen);
+        QwtCurve::legendChanged(); // its line, too, which the curves of polar plots forget
+    }
 };
 
 } // namespace smat::gui

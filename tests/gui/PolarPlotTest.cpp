@@ -6,6 +6,7 @@
 
 #include <QTest>
 #include <QWheelEvent>
+#include <QwtLegendLabel>
 #include <QwtPolarCanvas>
 #include <gtest/gtest.h>
 
@@ -72,6 +73,17 @@ TEST_F(PolarPlotTest, PutsNinetyDegreesLeftWhenCounterClockwise) {
     EXPECT_LT(spike.x(), pole.x());
     EXPECT_TRUE(drawnAt(spike));
     EXPECT_FALSE(drawnAt(2.0 * pole - spike));
+}
+
+TEST_F(PolarPlotTest, LegendHasTheColourOfEachCurveFromTheStart) {
+    plot.setData(camera({rose("a", 10.0), rose("b", 20.0)}));
+    const auto labels = plot.findChildren<QwtLegendLabel*>();
+    ASSERT_EQ(labels.size(), 2);
+    for (int i = 0; i < 2; ++i) {
+        const QImage icon = labels[i]->icon().toImage();
+        const QColor middle = icon.pixelColor(icon.width() / 2, icon.height() / 2);
+        EXPECT_EQ(middle.name(), PlotStyle::screen(QPalette()).curve(i).name());
+    }
 }
 
 TEST_F(PolarPlotTest, ClosesACurveThatGoesRound) {
