@@ -163,7 +163,7 @@ struct Irsg::Parts {
     PointPixel pixelOf(const Frame& frame, const ZoomEntityInfo& object) const;
 
     /// The pixels of the objects: drawn, or a sum where the view is that of the last picture.
-    FrameReduction pixelsOf(const Frame& frame);
+    FrameReduction pixelsOf(const Frame& frame, RenderReport& report);
 
     /// Draws the objects with the strategy that the settings ask for.
     FrameReduction drawObjects(const Frame& frame, RenderReport& report);

@@ -5,15 +5,17 @@ namespace irsg {
 RadianceImage Irsg::picture() {
     Parts& p = *parts_;
     const Parts::Frame frame = p.frame();
-    const FrameReduction pixels = p.pixelsOf(frame);
+    RenderReport report;
+    const FrameReduction pixels = p.pixelsOf(frame, report);
     return p.timed("composition", [&] {
         RadianceImage image = pixels.compose(frame.background);
         p.describe(frame, image);
+        describeWindows(report.windows, image);
         return image;
     });
 }
 
-FrameReduction Irsg::Parts::pixelsOf(const Frame& frame) {
+FrameReduction Irsg::Parts::pixelsOf(const Frame& frame, RenderReport& report) {
     // Points are not drawn here, and the published antialiasing resamples what it draws.
     const bool isSum = frame.points.empty() &&
                        (settings.zoomWindow == 0 || settings.zoomStrategy == ZoomStrategy::aligned);
@@ -22,12 +24,13 @@ FrameReduction Irsg::Parts::pixelsOf(const Frame& frame) {
         view.models.push_back(entity.model);
     if (!isSum || view.fingerprint != pixelView.fingerprint || view.models != pixelView.models) {
         pixelView = std::move(view);
-        RenderReport unused;
-        return drawObjects(frame, unused);
+        return drawObjects(frame, report);
     }
 
-    const std::vector<SampleWindow> windows =
-        piecesOf(antialiasing.strategyFor(settings).windows(frame.drawn), largestDrawing());
+    const std::vector<SampleWindow> planned =
+        antialiasing.strategyFor(settings).windows(frame.drawn);
+    report.windows = sampledWindows(DrawnWindow::of(planned), frame.points);
+    const std::vector<SampleWindow> windows = piecesOf(planned, largestDrawing());
     if (!pixelView.factors) {
         std::vector<bool> transparent;
         for (const SurfaceSpectra& surface : frame.radiometry.surfaces())

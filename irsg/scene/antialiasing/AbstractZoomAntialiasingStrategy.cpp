@@ -10,13 +10,18 @@ DrawnWindow DrawnWindow::of(const SampleWindow& window) {
             window.entities};
 }
 
+std::vector<DrawnWindow> DrawnWindow::of(const std::vector<SampleWindow>& windows) {
+    std::vector<DrawnWindow> result;
+    for (const SampleWindow& window : windows)
+        result.push_back(of(window));
+    return result;
+}
+
 FrameReduction AbstractZoomAntialiasingStrategy::draw(const CameraFrame& camera,
                                                       const std::vector<ZoomEntityInfo>& objects,
                                                       RttPass& pass) {
     const std::vector<SampleWindow> planned = windows(objects);
-    drawn_.clear();
-    for (const SampleWindow& window : planned)
-        drawn_.push_back(DrawnWindow::of(window));
+    drawn_ = DrawnWindow::of(planned);
     const std::vector<SampleWindow> pieces = piecesOf(planned, pass.largestSide());
     FrameReduction frame(camera.sensor(), pieces);
     RadianceSamples samples;

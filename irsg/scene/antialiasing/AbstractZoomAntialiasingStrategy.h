@@ -18,6 +18,7 @@ struct DrawnWindow {
     std::vector<int> entities;
 
     static DrawnWindow of(const SampleWindow& window);
+    static std::vector<DrawnWindow> of(const std::vector<SampleWindow>& windows);
 };
 
 /// How the objects of a frame are sampled.
