@@ -186,11 +186,18 @@ void Photographer::keepDatabase() {
 
 void Photographer::showAs(QAction& action) {
     const bool was = action.isChecked();
+    // What the infrared display alone shows is seen in it.
+    auto* infrared = window_.findChild<QAction*>("infraredDisplay");
+    const bool ofInfrared = current_ == "apparentTemperature" || current_.startsWith("colorMap");
+    if (ofInfrared && infrared != nullptr && !infrared->isChecked())
+        infrared->trigger();
     action.trigger();
     settle();
     keep(window_, current_ + (action.isChecked() ? "-on" : "-off"));
     if (action.isChecked() != was)
         action.trigger();
+    if (ofInfrared && infrared != nullptr && infrared->isChecked())
+        infrared->trigger();
     settle();
 }
 

@@ -76,6 +76,7 @@ void AnalysisJob::work(std::stop_token stop) {
         // A window cannot show more than some thirty states a second.
         constexpr double leastPause_s = 0.03;
         double last_s = -1.0;
+        StageTimer timer;
         generator.run(
             outcome.data,
             [&](const Progress& now) {
@@ -86,7 +87,8 @@ void AnalysisJob::work(std::stop_token stop) {
                     emit progressed(now);
                 }
             },
-            stop);
+            stop, &timer);
+        outcome.data.stages = timer.stages();
     } catch (const irsg::InputError& error) {
         outcome.sentences << sentencesOf(error);
     } catch (const std::exception& error) {

@@ -16,6 +16,27 @@
 #include "gui/analysis/ResultStore.h"
 
 namespace smat::gui {
+namespace {
+
+/// "Time: load" and "0.0123 s, 4.5 %" for each stage that took any, the sum last.
+QList<QStringList> stageRows(const std::vector<StageTimer::Stage>& stages) {
+    double sum_s = 0.0;
+    for (const auto& stage : stages)
+        sum_s += stage.seconds;
+    QList<QStringList> rows;
+    for (const auto& stage : stages)
+        if (stage.seconds > 0.0)
+            rows.push_back({ResultDetailsDialog::tr("Time: %1").arg(stage.name.c_str()),
+                            ResultDetailsDialog::tr("%1 s, %2 %")
+                                .arg(stage.seconds, 0, 'f', 4)
+                                .arg(100.0 * stage.seconds / sum_s, 0, 'f', 1)});
+    if (sum_s > 0.0)
+        rows.push_back({ResultDetailsDialog::tr("Time: sum"),
+                        ResultDetailsDialog::tr("%1 s").arg(sum_s, 0, 'f', 4)});
+    return rows;
+}
+
+} // namespace
 
 ResultDetailsDialog::ResultDetailsDialog(const ResultEntry& entry, QWidget* parent)
     : QDialog(parent) {
@@ -59,6 +80,8 @@ ResultDetailsDialog::ResultDetailsDialog(const ResultEntry& entry, QWidget* pare
         item->setToolTip(1, item->text(1));
         list->addTopLevelItem(item);
     }
+    for (const QStringList& row : stageRows(entry.data->stages))
+        list->addTopLevelItem(new QTreeWidgetItem(row));
     auto* buttons = closeAlone(*this);
 
     auto* column = new QVBoxLayout(this);

@@ -7,7 +7,7 @@ namespace smat::gui {
 struct ResultEntry;
 
 /// How a result came to be: the command line that makes it from a terminal, with a button that
-/// copies it, and every line of its provenance.
+/// copies it, every line of its provenance, and, after a run, how long each of its stages took.
 class ResultDetailsDialog : public QDialog {
     Q_OBJECT
 

@@ -48,6 +48,18 @@ QString askedWords(const ResultEntry& entry) {
     }
 }
 
+/// Of these the part that tells one run from the next, short enough for a line of the list:
+/// "angle 0 to 350 deg", "2000 to 3333.33 cm-1", "640 x 512 px".
+QString sweptWords(const ResultEntry& entry) {
+    const QString asked = askedWords(entry);
+    const QStringList parts = asked.split(", ");
+    if (!entry.canRunAgain() || parts.size() < 2)
+        return asked;
+    if (entry.data->kind == AnalysisKind::spectrum)
+        return parts[1].section(" from ", -1);
+    return parts[1];
+}
+
 } // namespace
 
 ResultsDock::ResultsDock(Workbench& workbench, Dialogs dialogs, QWidget* parent)
@@ -194,17 +206,18 @@ void ResultsDock::refreshItem(int id) {
     const QSignalBlocker quiet(list_);
     item->setText(entry->title);
     item->setIcon(icon(QString::fromStdString(name(entry->data->kind))));
-    QStringList words{QLocale::system().toString(entry->madeAt.time(), QLocale::ShortFormat)};
+    QStringList words{entry->madeAt.toString("HH:mm")};
     if (entry->canRunAgain())
         words << durationText(entry->data->elapsed_s);
     if (entry->canRunAgain() && entry->data->state == AnalysisState::partial)
         words << stateOf(*entry);
-    words << askedWords(*entry);
+    words << sweptWords(*entry);
     item->setData(ResultItemDelegate::detailRole, withReadableUnits(words.join(" · ")));
 
     // The first lines are the figures; the whole provenance has a dialog.
     constexpr int shown = 9;
     QStringList lines = describe(*entry).mid(0, shown);
+    lines.insert(2, withReadableUnits(askedWords(*entry)));
     for (const auto& warning : entry->data->warnings)
         lines << tr("Note: %1").arg(QString::fromStdString(warning));
     item->setToolTip(lines.join('\n'));

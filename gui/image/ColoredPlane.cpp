@@ -74,6 +74,11 @@ QColor ColoredPlane::shownColorAt(int x, int y) const {
     return levels_ ? levels_->front().picture.pixelColor(x, y) : QColor();
 }
 
+void ColoredPlane::forgetPicture() {
+    levels_.reset();
+    stale_ = true;
+}
+
 void ColoredPlane::showPictureOf(const ColoredPlane& other) {
     if (width_ == other.width_ && height_ == other.height_ && other.levels_)
         levels_ = other.levels_;

@@ -52,6 +52,9 @@ class ColoredPlane {
     QColor colorAt(int x, int y) const { return picture().pixelColor(x, y); }
     /// The colour a pixel is drawn in, stale or not; none before it is first coloured.
     QColor shownColorAt(int x, int y) const;
+    /// Nothing is drawn until the plane is coloured anew: what was is of another image.
+    void forgetPicture();
+    bool hasPicture() const { return levels_ != nullptr; }
     /// Draws the picture of another plane of the same size until this one is coloured.
     void showPictureOf(const ColoredPlane& other);
 

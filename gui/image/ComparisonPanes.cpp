@@ -190,6 +190,14 @@ void ComparisonPanes::link(ImageCanvas* canvas) {
 
 void ComparisonPanes::setPlanes(const ComparedPlane& a, const ComparedPlane& b,
                                 const QString& title) {
+    // Values of one image have one owner, whichever of its planes they are.
+    const auto isOther = [](const SharedValues& x, const SharedValues& y) {
+        return x.owner_before(y) || y.owner_before(x);
+    };
+    if (isOther(planes_[0].values, a.values))
+        canvases_[0]->forgetPicture();
+    if (isOther(planes_[1].values, b.values))
+        canvases_[1]->forgetPicture();
     planes_ = {a, b};
     for (std::size_t i = 0; i < 2; ++i) {
         if (planes_[i].values)

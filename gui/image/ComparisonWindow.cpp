@@ -88,6 +88,7 @@ bool ComparisonWindow::isBusy() const {
 void ComparisonWindow::onSidesChanged() {
     options_.nameA = sides_[0].name.toStdString();
     options_.nameB = sides_[1].name.toStdString();
+    difference_.reset(); // of other images: not shown until the new one is there
     fillPlanes();
     showPlanes();
     const auto shortName = [](const ComparisonSide& side) {

@@ -46,7 +46,7 @@ void FiguresTable::setFigures(const QStringList& headings, const QList<QStringLi
 }
 
 void FiguresTable::fitColumns() {
-    constexpr double namesShare = 0.42;
+    constexpr double namesShare = 0.5;
     for (int c = 0; c + 1 < columnCount(); ++c)
         setColumnWidth(c, std::max(sizeHintForColumn(c), horizontalHeader()->sectionSizeHint(c)));
     int others = 0;

@@ -64,6 +64,13 @@ void ImageCanvas::clear() {
     onChanged();
 }
 
+void ImageCanvas::forgetPicture() {
+    colorTask_.cancel();
+    plane_.forgetPicture();
+    second_.forgetPicture();
+    update();
+}
+
 void ImageCanvas::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits) {
     map_ = &map;
     limits_ = limits;
@@ -84,6 +91,8 @@ void ImageCanvas::setOutlines(std::vector<QRectF> outlines) {
 }
 
 void ImageCanvas::setSecond(SharedValues values) {
+    colorTask_.cancel(); // it may have the picture of another one
+    second_.forgetPicture();
     second_.setValues(plane_.width(), plane_.height(), std::move(values));
     second_.setColors(*map_, limits_);
     onChanged();
@@ -252,6 +261,11 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
         return;
     }
     refreshColors();
+    if (!shown().hasPicture()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect(), Qt::AlignCenter, tr("Colouring the image…"));
+        return;
+    }
     shown().draw(painter, imageRect(), rect(), devicePixelRatioF());
     if (wipe_ && !second_.isEmpty()) {
         // The second plane from the line on.

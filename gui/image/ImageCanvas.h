@@ -21,7 +21,8 @@ struct CanvasView {
 /// right button (or the left with Shift) pans, a drag of the left button selects a rectangle, a
 /// double click fits the image into the window. Pixels stay squares when enlarged, and when there
 /// is room their values are printed on them. A large plane is coloured in another thread: until
-/// then the canvas shows what it showed, and nothing where that was of another size.
+/// then the canvas shows what it showed, and that it is colouring where that was of another size
+/// or another image.
 ///
 /// Keys: the arrows move the pixel cursor (with Shift they draw a rectangle, with Ctrl they pan),
 /// + and - zoom, F fits, A shows one image pixel per screen pixel, Escape drops the rectangle.
@@ -35,6 +36,9 @@ class ImageCanvas : public QWidget {
     void setPlane(int width, int height, const std::vector<float>& values);
     /// Nothing to show but the hint.
     void clear();
+    /// Before the planes of another image: what is shown goes at once, whatever its size, and the
+    /// canvas says that it is colouring until it has the new picture.
+    void forgetPicture();
     /// What is to be done for an image to appear.
     void setHint(const QString& hint) { hint_ = hint; }
     void setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits);

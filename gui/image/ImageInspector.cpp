@@ -76,6 +76,7 @@ ImageInspector::ImageInspector(QWidget* parent) : QWidget(parent) {
     row_->setSpacing(12);
     row_->addLayout(left, 3);
     row_->addWidget(table_, 2);
+    setTableBelow(false);
 
     connect(logarithmicCounts_, &QCheckBox::toggled, histogram_,
             &HistogramPlot::setLogarithmicCounts);
@@ -101,6 +102,8 @@ void ImageInspector::setRectangle(const std::optional<irsg::PixelRectangle>& rec
 
 void ImageInspector::setTableBelow(bool below) {
     row_->setDirection(below ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    // Beside the histogram, names and values are to be read whole.
+    table_->setMinimumWidth(below ? 0 : 42 * fontMetrics().averageCharWidth());
 }
 
 void ImageInspector::clear() {

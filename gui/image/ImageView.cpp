@@ -43,6 +43,7 @@ void ImageView::setImage(std::shared_ptr<const irsg::RadianceImage> image,
     if (image == nullptr || image->empty())
         throw irsg::LogicError("an image view needs an image");
     temperatureTask_.cancel();
+    canvas_->forgetPicture();
     const auto withTemperature = [base = image, band] {
         auto with = std::make_shared<irsg::RadianceImage>(*base);
         irsg::addApparentTemperature(*with, *band);

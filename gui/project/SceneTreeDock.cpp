@@ -95,6 +95,8 @@ SceneTreeDock::SceneTreeDock(Workbench& workbench, QWidget* parent)
     tree_->setFrameShape(QFrame::NoFrame);
     tree_->setContextMenuPolicy(Qt::CustomContextMenu);
     tree_->setMinimumWidth(300);
+    auto* nothing = new QTreeWidgetItem(tree_, {tr("nothing is open yet")});
+    nothing->setFlags(Qt::NoItemFlags);
     setWidget(tree_);
     const auto followDatabase = [this] {
         if (!index_.empty() && workbench_.database().isOpen())

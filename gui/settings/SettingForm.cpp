@@ -53,6 +53,10 @@ SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser choos
     form->setVerticalSpacing(8);
     form->setLabelAlignment(Qt::AlignRight | (withHelp ? Qt::AlignTop : Qt::AlignVCenter));
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    int unitWidth = 28;
+    for (const auto& key : keys)
+        unitWidth = std::max(
+            unitWidth, fontMetrics().horizontalAdvance(readableUnit(settingInfo(key).unit)) + 2);
     for (const auto& key : keys) {
         const SettingInfo& info = settingInfo(key);
         QWidget* field = makeField(info);
@@ -66,7 +70,7 @@ SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser choos
         row->addWidget(field, 1);
         auto* unit = new QLabel(readableUnit(info.unit), this);
         unit->setForegroundRole(QPalette::PlaceholderText);
-        unit->setMinimumWidth(28);
+        unit->setMinimumWidth(unitWidth); // so that all fields end in one line
         row->addWidget(unit);
         if (!withHelp) {
             form->addRow(label, row);

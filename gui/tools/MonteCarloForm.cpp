@@ -53,8 +53,7 @@ QWidget* MonteCarloPage::makeForm() {
         column->addWidget(box);
     };
     group(tr("What is repeated"), &MonteCarloPage::addWhat);
-    group(tr("Draws"), &MonteCarloPage::addWhen);
-    group(tr("Ranking"), &MonteCarloPage::addRanking);
+    group(tr("Draws"), &MonteCarloPage::addDraws);
 
     auto* scalesBox = new QGroupBox(tr("Scales"), panel);
     auto* scalesColumn = new QVBoxLayout(scalesBox);
@@ -63,7 +62,7 @@ QWidget* MonteCarloPage::makeForm() {
     scales_->setHeaderLabels({tr("Scale"), tr("Distribution"), tr("Range")});
     scales_->setRootIsDecorated(false);
     scales_->setAlternatingRowColors(true);
-    scales_->setMinimumHeight(120);
+    scales_->setMinimumHeight(70); // two of them; all that a higher window has room for
     scales_->header()->setStretchLastSection(false);
     scales_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     scales_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -79,6 +78,7 @@ QWidget* MonteCarloPage::makeForm() {
     scalesColumn->addWidget(scales_, 1);
     scalesColumn->addWidget(scalesNote_);
     scalesColumn->addWidget(write_);
+    scalesColumn->addStretch();
     column->addWidget(scalesBox, 1);
 
     auto* side = new QWidget(this);
@@ -148,7 +148,7 @@ void MonteCarloPage::addWhat(QFormLayout* form) {
     form->addRow(tr("Drawings of a case"), phases_);
 }
 
-void MonteCarloPage::addWhen(QFormLayout* form) {
+void MonteCarloPage::addDraws(QFormLayout* form) {
     samples_ = wholeNumber("samples", 2, 10'000'000, 1024, this);
     samples_->setSingleStep(256);
     sequence_ =
@@ -177,19 +177,16 @@ void MonteCarloPage::addWhen(QFormLayout* form) {
     form->addRow(tr("Sequence"), sequence_);
     form->addRow(tr("Seed"), seed_);
     form->addRow(tr("Standard error of"), statistic_);
-    form->addRow(stops_, standardError_);
-}
-
-void MonteCarloPage::addRanking(QFormLayout* form) {
-    ranks_ = new QCheckBox(tr("Rank the scales that matter"), this);
+    ranks_ = new QCheckBox(tr("Rank by pairs of draws"), this);
     ranks_->setObjectName("ranks");
     ranks_->setChecked(true);
-    ranks_->setToolTip(tr("First-order Sobol' indices over the whole sweep: the share of the "
-                          "variance that would go if the scale were known"));
+    ranks_->setToolTip(
+        tr("Ranks the scales by first-order Sobol' indices over the whole sweep: the "
+           "share of the variance that would go if the scale were known"));
     pairs_ = wholeNumber("pairs", 256, 1'000'000, 1024, this);
     pairs_->setSingleStep(256);
-    form->addRow(ranks_);
-    form->addRow(tr("Pairs of draws"), pairs_);
+    form->addRow(stops_, standardError_);
+    form->addRow(ranks_, pairs_);
 }
 
 } // namespace smat::gui

@@ -117,16 +117,17 @@ void MonteCarloPage::fillAnalyses() {
                                "analysis:" + QString::fromStdString(one.name));
     for (const AnalysisKind kind : allAnalysisKinds)
         if (kind != AnalysisKind::image)
-            analysis_->addItem(
-                tr("%1, settings of the project").arg(QString::fromStdString(title(kind))),
-                "kind:" + QString::fromStdString(name(kind)));
+            analysis_->addItem(tr("%1 (project)").arg(QString::fromStdString(title(kind))),
+                               "kind:" + QString::fromStdString(name(kind)));
     analysis_->setCurrentIndex(std::max(analysis_->findData(kept), 0));
 }
 
 void MonteCarloPage::fillScales() {
     scales_->clear();
     if (!workbench_.hasProject()) {
+        scales_->hide();
         scalesNote_->setText(tr("Open a project to see its scales."));
+        scalesNote_->show();
         write_->setEnabled(false);
         return;
     }
@@ -163,6 +164,7 @@ void MonteCarloPage::fillScales() {
     }
     if (!anyFile)
         notes << tr("No scaling files lie beside the model yet.");
+    scales_->setVisible(scales_->topLevelItemCount() > 0);
     scalesNote_->setText(notes.join('\n'));
     scalesNote_->setVisible(!notes.isEmpty());
     write_->setEnabled(anyMissing);

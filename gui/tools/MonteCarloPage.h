@@ -62,8 +62,7 @@ class MonteCarloPage : public QWidget, public Exportable {
     QWidget* makeForm();
     QWidget* makeFoot();
     void addWhat(QFormLayout* form);
-    void addWhen(QFormLayout* form);
-    void addRanking(QFormLayout* form);
+    void addDraws(QFormLayout* form);
     void fillAnalyses();
     void fillScales();
     void writeScalingFiles();

@@ -354,6 +354,7 @@ ViewHud SceneView::hud() const {
     hud.frame = frame_;
     hud.projection = projection();
     hud.camera = camera_;
+    hud.hasProject = project_ != nullptr;
     hud.hasModel = !parts_->scene.models.empty();
     if (hud.hasModel) {
         hud.reference_m = parts_->scene.referencePoint_m;

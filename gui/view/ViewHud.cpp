@@ -82,6 +82,10 @@ const QColor axisColors[] = {QColor("#d64545"), QColor("#2f9e58"), QColor("#3b7b
 } // namespace
 
 void ViewHud::paint(QPainter& painter) const {
+    if (!hasProject && !hasModel && busy.isEmpty() && problem.isEmpty()) {
+        paintInvitation(painter);
+        return;
+    }
     paintFrame(painter);
     if (hasModel && modelAxes)
         paintModelAxes(painter);
@@ -92,6 +96,13 @@ void ViewHud::paint(QPainter& painter) const {
     paintWords(painter);
     if (!problem.isEmpty())
         paintProblem(painter);
+}
+
+void ViewHud::paintInvitation(QPainter& painter) const {
+    painter.setPen(faded(inkOf(dark), 0.75F));
+    painter.drawText(QRectF(QPointF(), projection.window), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("Nothing is open yet.\n"
+                        "Open a project or a model (Ctrl+O), or drop one here."));
 }
 
 double ViewHud::axisLength_m() const {

@@ -20,7 +20,7 @@ struct ViewHud {
     irsg::Attitude attitude; ///< of the target
     double radius_m = 1.0;   ///< of the target
     irsg::Vec3 towardsSun;   ///< unit vector
-    bool hasModel = false;
+    bool hasProject = false, hasModel = false;
     bool viewAxes = true, modelAxes = false, sunVector = false;
     bool dark = false;   ///< what lies below: light ink is legible
     QString readout;     ///< of what is under the mouse
@@ -39,6 +39,7 @@ struct ViewHud {
     static constexpr double viewAxisLength_px = 34.0;
 
   private:
+    void paintInvitation(QPainter& painter) const;
     void paintFrame(QPainter& painter) const;
     void paintViewAxes(QPainter& painter) const;
     void paintModelAxes(QPainter& painter) const;

@@ -7,6 +7,7 @@
 #include "irsg/image/RadianceImage.h"
 #include "smatcore/data/ResultTable.h"
 #include "smatcore/project/Project.h"
+#include "smatcore/support/StageTimer.h"
 
 namespace smat {
 
@@ -37,6 +38,9 @@ struct AnalysisData {
     std::vector<std::string> warnings;   ///< each said once
     std::string renderer;
     double elapsed_s = 0.0;
+    /// Where the time went, with a sum of elapsed_s or a little more; empty where nobody took it.
+    /// Never saved.
+    std::vector<StageTimer::Stage> stages;
 
     /// The analysis `name` of a project, ready to run. Throws InputError listing the names there
     /// are.

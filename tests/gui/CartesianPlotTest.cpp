@@ -117,20 +117,23 @@ TEST_F(CartesianPlotTest, ReadoutNamesEveryVisibleCurve) {
     EXPECT_TRUE(plot.readoutAt(QPointF(-50.0, 0.0)).isEmpty());
 }
 
-/// The highest row of the canvas in which the curve's colour is seen near a column.
-int topOfCurve(CartesianPlot& plot, int column) {
+/// The highest place on the canvas at which the curve's colour is seen near a column.
+double topOfCurve(CartesianPlot& plot, double column) {
     const QImage seen = plot.canvas()->grab().toImage().convertToFormat(QImage::Format_RGB32);
     const QColor line = plot.look().curve(0);
+    const double ratio = seen.devicePixelRatio();
+    const int first = static_cast<int>((column - 1.0) * ratio),
+              last = static_cast<int>((column + 2.0) * ratio) - 1;
     for (int y = 0; y < seen.height(); ++y) {
-        for (int x = std::max(0, column - 1); x <= std::min(seen.width() - 1, column + 1); ++x) {
+        for (int x = std::max(0, first); x <= std::min(seen.width() - 1, last); ++x) {
             const QColor pixel = seen.pixelColor(x, y);
             if (std::abs(pixel.red() - line.red()) + std::abs(pixel.green() - line.green()) +
                     std::abs(pixel.blue() - line.blue()) <
                 60)
-                return y;
+                return y / ratio;
         }
     }
-    return -1;
+    return -1.0;
 }
 
 TEST_F(CartesianPlotTest, ASpikeOfOneSampleIsSeenAtEveryZoom) {
@@ -147,7 +150,7 @@ TEST_F(CartesianPlotTest, ASpikeOfOneSampleIsSeenAtEveryZoom) {
             // The spike lies a fifth of the way into the view, but for the whole.
             const double from = width > 9000.0 ? 1.0 : at - 0.2 * width;
             plot.setView({{from, from + width}, {0.0, 120.0}});
-            const int column = static_cast<int>(plot.transform(QwtPlot::xBottom, at));
+            const double column = std::floor(plot.transform(QwtPlot::xBottom, at));
             EXPECT_NEAR(topOfCurve(plot, column), plot.transform(QwtPlot::yLeft, 100.0), 4.0)
                 << width << (logarithmic ? " logarithmic" : "");
         }

@@ -84,8 +84,8 @@ class ComparisonTest : public ::testing::Test {
     }
     QColor seen(int canvas, const QPoint& pixel) const {
         auto* widget = window->panes()->canvas(canvas);
-        return widget->grab().toImage().pixelColor(
-            widget->widgetPoint(QPointF(pixel) + QPointF(0.5, 0.5)).toPoint());
+        return test::colorAt(widget->grab().toImage(),
+                             widget->widgetPoint(QPointF(pixel) + QPointF(0.5, 0.5)));
     }
     bool settled() {
         return test::waitUntil([this] { return !window->isBusy(); });

@@ -49,7 +49,7 @@ TEST_F(FacePickingTest, NamesTheIndicesThatTheRendererSees) {
         for (int y = 2; y < image.height(); y += 5)
             for (int x = 2; x < image.width(); x += 5) {
                 const auto i = image.offset(x, y);
-                const auto hits = view.facesAt({x + 0.5, y + 0.5});
+                const auto hits = view.facesAt(QPointF(x + 0.5, y + 0.5) / pixelRatio());
                 if (std::isnan(range[i]) || hits.empty()) {
                     wrong += std::isnan(range[i]) != hits.empty();
                     continue;
@@ -116,10 +116,13 @@ TEST_F(FacePickingTest, TheReadOutTellsValueAndIndices) {
     EXPECT_TRUE(indices.contains(QString("material %1").arg(hit.codes.material)));
     EXPECT_FALSE(indices.contains("Radiance"));
     ASSERT_TRUE(showInfrared());
-    const double value = static_cast<double>(view.shownPicture()->image->at(200, 150));
-    EXPECT_TRUE(view.readoutAt({200.5, 150.5})
-                    .startsWith(QString("Radiance %1 W").arg(QString::number(value, 'g', 6))))
-        << view.readoutAt({200.5, 150.5}).toStdString();
+    const int ratio = pixelRatio();
+    const double value =
+        static_cast<double>(view.shownPicture()->image->at(200 * ratio, 150 * ratio));
+    const QPointF middle = QPointF(200.0, 150.0) + QPointF(0.5, 0.5) / ratio;
+    EXPECT_TRUE(view.readoutAt(middle).startsWith(
+        QString("Radiance %1 W").arg(QString::number(value, 'g', 6))))
+        << view.readoutAt(middle).toStdString();
     EXPECT_FALSE(view.readoutAt({2, 2}).contains("temperature"));
 }
 
@@ -155,7 +158,8 @@ TEST_F(FacePickingTest, MarksExactlyTheFacesOfAnIndexInBothDisplays) {
                     if (isEdge)
                         continue;
                     on += inside;
-                    const bool tinted = apart(plain.pixelColor(x, y), marked.pixelColor(x, y)) > 60;
+                    const bool tinted = apart(test::colorAt(plain, QPointF(x, y)),
+                                              test::colorAt(marked, QPointF(x, y))) > 60;
                     wrong += tinted != inside;
                 }
             EXPECT_GT(on, 10);

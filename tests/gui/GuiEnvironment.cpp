@@ -66,6 +66,11 @@ bool showsColorAt(QWidget& widget, const QPointF& point, const QColor& wanted) {
     return false;
 }
 
+QColor colorAt(const QImage& picture, const QPointF& point) {
+    const QPointF at = point * picture.devicePixelRatio();
+    return picture.pixelColor(static_cast<int>(at.x()), static_cast<int>(at.y()));
+}
+
 std::filesystem::path freshFolder(const std::string& name) {
     static const smat::test::TemporaryFolder process;
     std::filesystem::remove_all(process / name);

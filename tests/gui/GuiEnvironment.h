@@ -4,6 +4,7 @@
 #include <string>
 
 #include <QColor>
+#include <QImage>
 #include <QPointF>
 #include <QWidget>
 
@@ -14,6 +15,10 @@ void keepScreenshot(QWidget& widget, const std::string& name);
 
 /// Whether a widget shows a colour, or one much like it, within three pixels of a point.
 bool showsColorAt(QWidget& widget, const QPointF& point, const QColor& wanted);
+
+/// What a picture of a widget shows at a point of the widget, of which a high density screen makes
+/// several pixels.
+QColor colorAt(const QImage& picture, const QPointF& point);
 
 /// Has the clipboard, which tests that run side by side on one display share, to this process until
 /// it ends. Called first by every test that copies or pastes.

@@ -184,7 +184,7 @@ TEST_F(Canvas, PrintsTheValuesWhenThereIsRoom) {
 TEST_F(Canvas, WipeAndSecondPlaneShowTheOther) {
     canvas.setSecond(valuesOf(std::vector<float>(1200, 1200.0F)));
     const auto lightness = [&](int x) {
-        return canvas.grab().toImage().pixelColor(x, 5).lightness();
+        return test::colorAt(canvas.grab().toImage(), QPointF(x, 5)).lightness();
     };
     EXPECT_LT(lightness(390), 20);
     canvas.setWipe(0.5);

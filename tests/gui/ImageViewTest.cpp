@@ -112,6 +112,32 @@ TEST_F(ImageViewTest, ALargeImageIsColouredInAnotherThreadWhileTheOldPictureStay
     EXPECT_EQ(view.colorBar()->limits().high, found.high);
 }
 
+TEST_F(ImageViewTest, AnotherImageOfTheSameSizeTakesTheOldPictureAwayAtOnce) {
+    // A dark and a bright image with a limit at each end, so that both fill the range of colours.
+    const auto image = [](float middle) {
+        irsg::RadianceImage large(700, 600);
+        std::ranges::fill(large.primary().values, middle);
+        large.primary().values[0] = 0.0F;
+        large.primary().values[1] = 100.0F;
+        return large;
+    };
+    const auto middle = [&] {
+        const QImage seen = view.canvas()->grab().toImage();
+        return seen.pixelColor(seen.width() / 2, seen.height() / 4);
+    };
+    setMode(view, LimitMode::full);
+    view.setImage(image(90.0F));
+    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
+    const QColor bright = middle();
+    EXPECT_EQ(bright, view.canvas()->picture().pixelColor(350, 150));
+    view.setImage(image(80.0F));
+    const QColor meanwhile = middle();
+    EXPECT_NE(meanwhile, bright);
+    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
+    EXPECT_EQ(middle(), view.canvas()->picture().pixelColor(350, 150));
+    EXPECT_NE(middle(), meanwhile);
+}
+
 TEST_F(ImageViewTest, TopRowOfTheImageIsAtTheTop) {
     const QImage seen = view.canvas()->grab().toImage();
     const auto colorAt = [&](int x, int y) {
@@ -348,11 +374,12 @@ TEST_F(ImageViewTest, ALargeImageIsNotCopiedAndNothingElseIsSeenBeforeIt) {
     fresh.setImage(std::shared_ptr<const irsg::RadianceImage>(large));
     EXPECT_EQ(&fresh.image(), large.get());
     fresh.show();
-    // Nothing comes from other threads before the next turn of the event loop.
+    // Nothing comes from other threads before the next turn of the event loop. Above the words that
+    // say so there is nothing.
     const auto colours = [&] {
         const QImage seen = fresh.canvas()->grab().toImage();
         std::set<QRgb> found;
-        for (int y = 0; y < seen.height(); y += 7)
+        for (int y = 0; y < seen.height() / 3; y += 7)
             for (int x = 0; x < seen.width(); x += 7)
                 found.insert(seen.pixel(x, y));
         return found;

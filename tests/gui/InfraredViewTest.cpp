@@ -142,7 +142,9 @@ TEST_F(InfraredViewTest, ShowsAnEditedDatabaseByTheComputedAmount) {
         view.setEditedDatabase(file, std::make_shared<const irsg::SignatureDatabase>(database));
         ASSERT_TRUE(view.display() == ViewDisplay::infrared ? waitForPicture() : showInfrared());
         const auto& picture = *view.shownPicture();
-        EXPECT_NEAR(picture.plane().values[picture.image->offset(200, 150)], kelvin, 1e-2);
+        EXPECT_NEAR(
+            picture.plane().values[picture.image->offset(200 * pixelRatio(), 150 * pixelRatio())],
+            kelvin, 1e-2);
     }
     // The file again.
     const double edited = mean();
@@ -191,7 +193,7 @@ TEST_F(InfraredViewTest, IsCoarserWhileOneDragsAndFullAtRest) {
     ASSERT_GE(coarse.size(), 6U);
     EXPECT_TRUE(coarse.front());
     EXPECT_FALSE(coarse.back());
-    EXPECT_EQ(view.shownPicture()->size_px, QSize(400, 300));
+    EXPECT_EQ(view.shownPicture()->size_px, QSize(400, 300) * pixelRatio());
 }
 
 TEST_F(InfraredViewTest, TheLatestOfManyRequestsIsTheOneThatStays) {

@@ -53,7 +53,8 @@ TEST_F(ResultsDockTest, TellsWhenHowLongAndWhatWasAsked) {
     runAnalysis("range");
     const QString detail = list()->item(0)->data(Qt::UserRole + 1).toString();
     EXPECT_TRUE(detail.contains(" s · ")) << detail.toStdString();
-    EXPECT_TRUE(detail.contains("5 cases")) << detail.toStdString();
+    EXPECT_TRUE(detail.contains(" · range ")) << detail.toStdString();
+    EXPECT_TRUE(list()->item(0)->toolTip().contains("5 cases, range "));
     EXPECT_TRUE(list()->item(0)->toolTip().contains("Largest Contrast intensity"));
 }
 
@@ -109,12 +110,21 @@ TEST_F(ResultsDockTest, ShowsTheCommandLineAndCopiesIt) {
         EXPECT_TRUE(text.startsWith("smat-batch polar ")) << text.toStdString();
         dialog.findChild<QPushButton*>("copyCommand")->click();
         EXPECT_EQ(QApplication::clipboard()->text(), text);
-        EXPECT_GT(dialog.findChild<QTreeWidget*>("provenance")->topLevelItemCount(), 8);
+        const auto* list = dialog.findChild<QTreeWidget*>("provenance");
+        EXPECT_GT(list->topLevelItemCount(), 8);
+        for (const char* stage : {"Time: load", "Time: set up", "Time: analyse", "Time: sum"})
+            EXPECT_EQ(list->findItems(stage, Qt::MatchStartsWith).isEmpty(), false) << stage;
         test::keepScreenshot(dialog, "result-details");
         seen = true;
     };
     action("showCommandLine")->trigger();
     EXPECT_TRUE(seen);
+    // The stages leave nothing of the run out.
+    const AnalysisData& data = *workbench.results().front().data;
+    double sum_s = 0.0;
+    for (const auto& stage : data.stages)
+        sum_s += stage.seconds;
+    EXPECT_GE(sum_s, data.elapsed_s);
 }
 
 TEST_F(ResultsDockTest, SavesInEveryFormAndOpensAsAResultAgain) {

@@ -28,6 +28,30 @@ class SettingsDialogTest : public test::WindowFixture {
         field->selectAll();
         QTest::keyClicks(field, text);
     }
+    /// Gives a field another value than it has, by mouse or keys.
+    static void change(QWidget& dialog, const SettingInfo& info, const std::string& now) {
+        const QString name = QString::fromStdString(info.key);
+        auto* field = dialog.findChild<QWidget*>(name);
+        ASSERT_NE(field, nullptr) << info.key;
+        EXPECT_TRUE(field->isVisible()) << info.key;
+        auto* box = qobject_cast<QComboBox*>(field);
+        if (auto* check = qobject_cast<QCheckBox*>(field)) {
+            check->click();
+        } else if (box != nullptr && !box->isEditable()) {
+            QTest::keyClick(box, box->currentIndex() == 0 ? Qt::Key_Down : Qt::Key_Up);
+        } else {
+            auto* edit = box != nullptr ? box->lineEdit() : qobject_cast<QLineEdit*>(field);
+            const bool isFile =
+                info.kind == SettingKind::path || info.kind == SettingKind::pathList;
+            for (const std::string text : {isFile ? "other.csv" : "2", "0.5", "8-12"})
+                if (const auto value = canonicalText(info, text); value && *value != now) {
+                    edit->selectAll();
+                    QTest::keyClicks(edit, QString::fromStdString(text));
+                    return;
+                }
+            ADD_FAILURE() << info.key << " has no other value";
+        }
+    }
 };
 
 TEST_F(SettingsDialogTest, OptionsAreChangedAppliedUndoneAndReopenedFromTheFile) {
@@ -55,6 +79,46 @@ TEST_F(SettingsDialogTest, OptionsAreChangedAppliedUndoneAndReopenedFromTheFile)
     again.open(folder / "ship.smat");
     EXPECT_EQ(again.settings().real("environment.skyboxSlope"), 2.5);
     EXPECT_TRUE(again.settings().boolean("render.sunDisc"));
+}
+
+TEST_F(SettingsDialogTest, EverySettingOfBothDialogsIsChangedAppliedUndoneAndReopened) {
+    openSample();
+    for (const auto& [action, pages] :
+         {std::pair("options", SettingsDialog::optionPages()),
+          std::pair("analysisSettings", SettingsDialog::analysisPages())}) {
+        const Settings before = workbench.settings();
+        onDialog = [&](QDialog& dialog) {
+            auto& form = dynamic_cast<SettingsDialog&>(dialog);
+            if (auto* experts = dialog.findChild<QCheckBox*>("showExperts");
+                experts->isVisible() && !experts->isChecked())
+                experts->click();
+            for (std::size_t page = 0; page < pages.size(); ++page) {
+                form.showPage(static_cast<int>(page));
+                for (const std::string& key : pages[page].keys)
+                    change(dialog, settingInfo(key), before.text(key));
+            }
+            dialog.findChild<QPushButton*>("apply")->click();
+            form.accept();
+        };
+        trigger(action);
+        const Settings changed = workbench.settings();
+        int settings = 0;
+        for (const SettingsPage& page : pages)
+            for (const std::string& key : page.keys) {
+                EXPECT_NE(changed.text(key), before.text(key)) << key;
+                ++settings;
+            }
+        EXPECT_GE(settings, 8);
+        trigger("undo");
+        EXPECT_EQ(workbench.settings(), before) << action;
+        trigger("redo");
+        EXPECT_EQ(workbench.settings(), changed) << action;
+        trigger("saveProject");
+        Workbench again;
+        again.open(folder / "ship.smat");
+        EXPECT_EQ(again.settings(), changed) << action;
+        trigger("undo");
+    }
 }
 
 TEST_F(SettingsDialogTest, CancelChangesNothing) {

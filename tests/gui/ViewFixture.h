@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <numbers>
 #include <string>
 
+#include <QApplication>
 #include <QTest>
 #include <gtest/gtest.h>
 
@@ -13,7 +15,8 @@
 
 namespace smat::gui::test {
 
-/// A view of a sample, as large as the sensor: 400 x 300, 10 degrees wide.
+/// A view of a sample, 400 x 300 and 10 degrees wide, as many pixels of the screen as the sensor
+/// has.
 class ViewFixture : public ::testing::Test {
   protected:
     void SetUp() override {
@@ -24,10 +27,12 @@ class ViewFixture : public ::testing::Test {
         const auto folder = std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / name;
         Project project = loadProject(folder / (name + ".smat"));
         Settings& settings = project.settings;
-        settings.set("sensor.width", 400);
-        settings.set("sensor.height", 300);
+        settings.set("sensor.width", 400 * pixelRatio());
+        settings.set("sensor.height", 300 * pixelRatio());
         return project;
     }
+    /// Pixels of a picture that a pixel of the widget has along each side.
+    static int pixelRatio() { return static_cast<int>(std::lround(qApp->devicePixelRatio())); }
     void show(const Project& shown) {
         project = shown;
         view.resize(400, 300);

@@ -2,6 +2,7 @@
 #include <QListWidget>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSettings>
 #include <QTabWidget>
 
 #include "gui/database/DatabaseDock.h"
@@ -59,7 +60,23 @@ TEST_F(WindowSizeTest, EveryPageAndDockFitsASmallScreen) {
     }
 }
 
-TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingAcrossOnASmallScreen) {
+TEST_F(WindowSizeTest, TheLayoutIsKeptForTheNextTime) {
+    const auto dock = [this](const char* name) { return window->findChild<QDockWidget*>(name); };
+    window->resize(1200, 790);
+    dock("sceneDock")->hide();
+    window->addDockWidget(Qt::LeftDockWidgetArea, dock("resultsDock"));
+    ASSERT_TRUE(window->close());
+    makeWindow();
+    EXPECT_FALSE(dock("sceneDock")->isVisible());
+    EXPECT_EQ(window->dockWidgetArea(dock("resultsDock")), Qt::LeftDockWidgetArea);
+    EXPECT_EQ(window->dockWidgetArea(dock("databaseDock")), Qt::RightDockWidgetArea);
+    // As it was, for the tests that follow.
+    QSettings memory(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench");
+    memory.remove("layout");
+    memory.remove("geometry");
+}
+
+TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingOnASmallScreen) {
     window->resize(smallScreen);
     openSample();
     auto* centre = window->findChild<QScrollArea*>("centre");
@@ -74,6 +91,7 @@ TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingAcrossOnASmallScreen) {
             if (side->isVisible() && side->widget() != nullptr) {
                 EXPECT_LE(side->widget()->minimumSizeHint().width(), side->viewport()->width())
                     << tool;
+                EXPECT_EQ(side->verticalScrollBar()->maximum(), 0) << tool;
             }
     }
 }
