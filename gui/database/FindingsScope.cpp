@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/LintScalings.h"
@@ -22,6 +23,8 @@ bool isSame(const irsg::LintScope& a, const irsg::LintScope& b) {
                a.models, b.models, [](const irsg::ModelUse& x, const irsg::ModelUse& y) {
                    return x.name == y.name && x.temperatureFaces == y.temperatureFaces &&
                           x.materialFaces == y.materialFaces &&
+                          x.temperaturesOfMaterial == y.temperaturesOfMaterial &&
+                          x.levelsOfDetail == y.levelsOfDetail &&
                           x.fallbackTemperature == y.fallbackTemperature &&
                           x.fallbackMaterial == y.fallbackMaterial;
                });
@@ -38,7 +41,8 @@ FindingsScope::FindingsScope(EditorContext& context, QObject* parent)
     Workbench& workbench = context_.workbench();
     connect(&workbench, &Workbench::projectOpened, this, &FindingsScope::forget);
     connect(&context_.session(), &DatabaseSession::opened, this, &FindingsScope::forget);
-    connect(&context_, &EditorContext::surroundingsChanged, this, &FindingsScope::forget);
+    // What was gathered stays until there is better: findings that come back would only flicker.
+    connect(&context_, &EditorContext::surroundingsChanged, this, soon);
     connect(&workbench, &Workbench::projectChanged, this, soon);
     connect(&workbench, &Workbench::settingsChanged, this, soon);
     delay_.start();
@@ -68,7 +72,8 @@ void FindingsScope::ask() {
                 std::rethrow_exception(thrown);
             } catch (const irsg::InputError&) {
                 // Told where it is used: by the view, or by the analysis that cannot run.
-                gathered_.reset();
+                if (std::exchange(gathered_, std::nullopt))
+                    emit changed();
             }
         });
 }

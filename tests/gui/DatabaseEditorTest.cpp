@@ -172,7 +172,9 @@ TEST_F(DatabaseEditorTest, SelectsWithViewAndTreeAndLeavesOtherModelsAlone) {
     ASSERT_TRUE(test::waitUntil([&] { return !tree->isLoading(); }));
     SceneView& view = *window->sceneView();
     const auto material = [](int index) { return EntryKey{EntryKind::material, index}; };
-    EXPECT_TRUE(view.highlighted().empty()) << "what was just opened marks nothing";
+    dock().select(material(4));
+    dock().select(material(1));
+    EXPECT_TRUE(view.highlighted().empty()) << "marked is what a person selects, not a program";
 
     // A person steps down the list: the faces of the entry are marked, until an edit comes.
     QApplication::setActiveWindow(window.get());
