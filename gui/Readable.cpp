@@ -11,6 +11,27 @@
 #include "irsg/radiometry/Quantity.h"
 
 namespace smat::gui {
+namespace {
+
+/// "W cm-2 (cm-1)-1" as "W·cm⁻²·(cm⁻¹)⁻¹"; what is no product of powers of units stays as it is.
+QString withRaisedPowers(const QString& unit) {
+    static const QString factor = "(?:[mkµu]?W|J|[mckµun]?m|sr|s|K|Hz)(?:-?[1-9])?";
+    static const QRegularExpression product(
+        QRegularExpression::anchoredPattern("(?:%1|\\(%1\\)-?[1-9])(?: (?:%1|\\(%1\\)-?[1-9]))*")
+            .replace("%1", factor));
+    if (!product.match(unit).hasMatch())
+        return unit;
+    static const QString raised = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    QString result;
+    for (const QChar sign : unit)
+        result += sign == ' '      ? QChar(u'·')
+                  : sign == '-'    ? QChar(u'⁻')
+                  : sign.isDigit() ? raised[sign.digitValue()]
+                                   : sign;
+    return result;
+}
+
+} // namespace
 
 QString readableNumber(double value) {
     return std::isfinite(value) ? QString::number(value, 'g', 6) : QStringLiteral("no value");
@@ -27,7 +48,7 @@ QString readableUnit(const std::string& unit) {
             return QString::fromUtf8(info.prettyUnit.data(),
                                      static_cast<qsizetype>(info.prettyUnit.size()));
     }
-    return QString::fromStdString(unit);
+    return withRaisedPowers(QString::fromStdString(unit));
 }
 
 QString withReadableUnits(QString sentence) {

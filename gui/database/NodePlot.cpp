@@ -203,6 +203,7 @@ void NodePlot::drawNodes() {
     for (const auto& node : nodes_)
         points << QPointF(node.x, node.y);
     line_->setSamples(points);
+    line_->setItemAttribute(QwtPlotItem::Legend, !points.isEmpty());
     dots_->setSamples(points);
     const bool chosen = selected_ >= 0 && selected_ < points.size();
     chosen_->setSamples(chosen ? QList<QPointF>{points[selected_]} : QList<QPointF>());

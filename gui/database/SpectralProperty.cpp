@@ -44,6 +44,7 @@ SpectralProperty::SpectralProperty(Which which, QWidget* parent) : QWidget(paren
     remark_ = new QLabel(this);
     remark_->setObjectName("reflectivity");
     remark_->setForegroundRole(QPalette::PlaceholderText);
+    remark_->setToolTip(tr("Reflectivity over the wavelengths of the plot"));
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     row->addWidget(form_);
@@ -156,10 +157,9 @@ void SpectralProperty::drawBackdrop() {
     const auto shown = [](double value) {
         return QString::number(std::abs(value) < 5e-4 ? 0.0 : value, 'f', 3);
     };
-    remark_->setText(
-        shown(*least) == shown(*most)
-            ? tr("reflectivity ρ = 1 − ε − t = %1").arg(shown(*least))
-            : tr("reflectivity ρ = 1 − ε − t from %1 to %2").arg(shown(*least), shown(*most)));
+    remark_->setText(shown(*least) == shown(*most)
+                         ? tr("ρ = 1 − ε − t = %1").arg(shown(*least))
+                         : tr("ρ = 1 − ε − t from %1 to %2").arg(shown(*least), shown(*most)));
 }
 
 } // namespace smat::gui

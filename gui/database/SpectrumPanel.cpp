@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/Readable.h"
 #include "gui/Theme.h"
 #include "gui/Widgets.h"
 #include "gui/database/NumberField.h"
@@ -114,7 +115,7 @@ void SpectrumPanel::refresh() {
                        .arg(axis.back(), 0, 'g', 4);
     }
     if (!spectrum.importedUnit.empty())
-        caption += tr(", imported as %1").arg(QString::fromStdString(spectrum.importedUnit));
+        caption += tr(", imported as %1").arg(readableUnit(spectrum.importedUnit));
     showTexts({}, spectrum.notes, caption);
     distance_->setValue(spectrum.referenceDistance_m);
     if (spectrum.components == shown_.components && spectrum.name == shown_.name)
