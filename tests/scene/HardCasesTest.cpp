@@ -3,9 +3,14 @@
 #include <cmath>
 #include <filesystem>
 
+#include <osg/GLExtensions>
+#include <osg/GLObjects>
+#include <osg/RenderInfo>
+
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/OffscreenContext.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -44,6 +49,30 @@ struct Stage {
         look(irsg, {});
     }
 };
+
+/// Objects alive in the context that all generators share.
+struct HeldByContext {
+    int textures = 0, buffers = 0;
+};
+
+HeldByContext heldByContext() {
+    HeldByContext held;
+    OffscreenContext::shared().run([&](osg::RenderInfo& info) {
+        osg::flushAllDeletedGLObjects(info.getContextID());
+        auto* gl = info.getState()->get<osg::GLExtensions>();
+        // Names are given in ascending order: those up to the next one are all there ever were.
+        GLuint next = 0;
+        glGenTextures(1, &next);
+        glDeleteTextures(1, &next);
+        for (GLuint name = 1; name < next; ++name)
+            held.textures += glIsTexture(name);
+        gl->glGenBuffers(1, &next);
+        gl->glDeleteBuffers(1, &next);
+        for (GLuint name = 1; name < next; ++name)
+            held.buffers += gl->glIsBuffer(name);
+    });
+    return held;
+}
 
 } // namespace
 
@@ -226,13 +255,21 @@ TEST(Drawing, LeavesNothingBehindAfterAHundredAnalyses) {
     };
     Stage keepsTheContext;
     keepsTheContext.irsg.render();
+    for (int i = 0; i < 5; ++i)
+        Stage().irsg.render();
     const int threadsBefore = threads(), filesBefore = files();
+    const HeldByContext before = heldByContext();
+    EXPECT_GT(before.textures, 0);
+    EXPECT_GT(before.buffers, 0);
     for (int i = 0; i < 100; ++i) {
         Stage stage;
         stage.irsg.render();
     }
+    const HeldByContext after = heldByContext();
     EXPECT_EQ(threads(), threadsBefore);
     EXPECT_EQ(files(), filesBefore);
+    EXPECT_LE(after.textures, before.textures);
+    EXPECT_LE(after.buffers, before.buffers);
 }
 
 TEST(Layers, BeyondTheLimitAreCountedAndReported) {
