@@ -67,14 +67,10 @@ Surroundings surroundingsOf(const LintOptions& options) {
         SceneBuilder builder;
         const Project project = loadProject(options.project);
         around.scope = lintScopeOf(project, options.file, builder);
-        // The scope has the models with this database in the order of the project.
         auto use = around.scope.models.begin();
-        for (const ProjectModel& one : project.models) {
-            std::error_code failure;
-            if (use != around.scope.models.end() && !one.database.empty() &&
-                std::filesystem::equivalent(project.resolve(one.database), options.file, failure))
-                around.scalings.emplace_back(*use++, irsg::scalingUseOf(project.resolve(one.file)));
-        }
+        for (const std::size_t model : modelsWith(project, options.file))
+            around.scalings.emplace_back(
+                *use++, irsg::scalingUseOf(project.resolve(project.models[model].file)));
     }
     for (const std::string& file : options.models) {
         around.scope.models.push_back(irsg::useOf(*irsg::Model::load(file)));

@@ -1,7 +1,6 @@
 #include "gui/database/FindingsScope.h"
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 #include "irsg/radiometry/Errors.h"
@@ -83,12 +82,8 @@ FindingsScope::Surroundings FindingsScope::gather(const Project& project,
                                                   const std::shared_ptr<ModelStore>& models) {
     SceneBuilder builder(ModelStore::loader(models));
     Surroundings around{lintScopeOf(project, database, builder), {}};
-    for (const ProjectModel& model : project.models) {
-        std::error_code failure;
-        if (!model.database.empty() &&
-            std::filesystem::equivalent(project.resolve(model.database), database, failure))
-            around.modelFiles.push_back(project.resolve(model.file));
-    }
+    for (const std::size_t model : modelsWith(project, database))
+        around.modelFiles.push_back(project.resolve(project.models[model].file));
     return around;
 }
 
@@ -110,8 +105,7 @@ std::vector<irsg::Finding> FindingsScope::findings() const {
     if (std::ranges::find(bands, context_.band()) == bands.end())
         bands.push_back(context_.band());
     auto all = irsg::lint(database, around.scope);
-    const auto count = std::min(around.modelFiles.size(), around.scope.models.size());
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < around.modelFiles.size(); ++i) {
         const auto scalings = irsg::scalingUseOf(around.modelFiles[i]);
         const auto more = irsg::lintScalings(database, around.scope.models[i], scalings);
         all.insert(all.end(), more.begin(), more.end());

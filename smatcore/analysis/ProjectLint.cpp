@@ -68,16 +68,23 @@ void addStates(const AnalysisData& analysis, std::size_t model, irsg::LintScope&
 
 } // namespace
 
+std::vector<std::size_t> modelsWith(const Project& project, const std::filesystem::path& database) {
+    std::vector<std::size_t> models;
+    for (std::size_t i = 0; i < project.models.size(); ++i) {
+        const std::filesystem::path& named = project.models[i].database;
+        if (!named.empty() && isSameFile(project.resolve(named), database)) {
+            models.push_back(i);
+        }
+    }
+    return models;
+}
+
 irsg::LintScope lintScopeOf(const Project& project, const std::filesystem::path& database,
                             SceneBuilder& builder) {
     irsg::LintScope scope;
-    std::vector<std::size_t> models;
-    for (std::size_t i = 0; i < project.models.size(); ++i) {
+    const std::vector<std::size_t> models = modelsWith(project, database);
+    for (const std::size_t i : models) {
         const ProjectModel& model = project.models[i];
-        if (model.database.empty() || !isSameFile(project.resolve(model.database), database)) {
-            continue;
-        }
-        models.push_back(i);
         irsg::ModelUse use = irsg::useOf(
             *builder.model(project.resolve(model.file),
                            {.noseAxis = model.noseAxis, .forceTwoSided = model.forceTwoSided}));
