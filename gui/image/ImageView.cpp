@@ -73,10 +73,6 @@ void ImageView::adopt(std::shared_ptr<const irsg::RadianceImage> image) {
     outlineWindows();
 }
 
-void ImageView::setWindowsShown(bool on) {
-    windowsShown_->setChecked(on);
-}
-
 void ImageView::outlineWindows() {
     std::vector<QRectF> outlines;
     if (windowsShown_->isChecked())

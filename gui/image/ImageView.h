@@ -54,8 +54,6 @@ class ImageView : public QWidget, public Exportable {
     const std::string& shownChannel() const { return plane().name; }
     void setColorMap(const std::string& name);
     void setShownPlane(int index);
-    /// Outlines what the antialiasing sampled by itself; nothing in an image that does not tell.
-    void setWindowsShown(bool on);
     /// "x 12  y 7   Radiance 1.234 W·m⁻²·sr⁻¹   Apparent temperature 301.2 K".
     QString readoutAt(int x, int y) const;
     QString statistics() const;
@@ -83,6 +81,7 @@ class ImageView : public QWidget, public Exportable {
     void findLimits(const std::optional<irsg::DisplayLimits>& known);
     void useLimits(const FoundLimits& found);
     void updateStatistics();
+    /// What the antialiasing sampled by itself; nothing in an image that does not tell.
     void outlineWindows();
     /// Of the finest window that touches a pixel; empty where none does.
     QString windowWords(int x, int y) const;

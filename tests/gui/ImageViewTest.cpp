@@ -240,7 +240,7 @@ TEST_F(ImageViewTest, OutlinesTheWindowsOfTheAntialiasing) {
     EXPECT_GT(seen.pixelColor(edge.toPoint()).lightness(), 200);
     test::keepScreenshot(view, "image-view-windows");
 
-    view.setWindowsShown(false);
+    button->click();
     EXPECT_TRUE(view.canvas()->outlines().empty());
 }
 
