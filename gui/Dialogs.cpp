@@ -5,6 +5,9 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QStyle>
+
+#include "gui/Theme.h"
 
 namespace smat::gui {
 namespace {
@@ -15,6 +18,12 @@ QString withSuffix(const QString& file, const QString& filter) {
     if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty() || !match.hasMatch())
         return file;
     return file + match.captured(1);
+}
+
+/// A box with one of our own pictures, which follow the theme.
+void usePicture(QMessageBox& box, const QString& name) {
+    const int size = box.style()->pixelMetric(QStyle::PM_MessageBoxIconSize, nullptr, &box);
+    box.setIconPixmap(icon(name).pixmap(QSize(size, size), box.devicePixelRatioF()));
 }
 
 } // namespace
@@ -34,6 +43,7 @@ Dialogs Dialogs::ofDesktop() {
     dialogs.tell = [](QWidget* parent, const QString& title, const QStringList& sentences) {
         QMessageBox box(QMessageBox::Warning, title, sentences.mid(0, 8).join("\n\n"),
                         QMessageBox::Ok, parent);
+        usePicture(box, "warning");
         if (sentences.size() > 8)
             box.setDetailedText(sentences.join('\n'));
         box.exec();
@@ -41,6 +51,7 @@ Dialogs Dialogs::ofDesktop() {
     dialogs.ask = [](QWidget* parent, const QString& title, const QString& question,
                      const QStringList& answers) {
         QMessageBox box(QMessageBox::Question, title, question, QMessageBox::NoButton, parent);
+        usePicture(box, "question");
         for (const auto& answer : answers)
             box.addButton(answer, QMessageBox::ActionRole);
         // Escape and the frame of the box give no answer; so does this button.

@@ -69,6 +69,13 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     connect(spectra->addButton("export", "exportSpectrum", tr("Write this spectrum to CSV")),
             &QToolButton::clicked, this, &DatabaseDock::exportSpectrum);
 
+    empty_ = new QLabel(tr("Temperatures, materials and spectra of a model's faces.\n"
+                           "Open a project or a model to edit them."),
+                        this);
+    empty_->setObjectName("databaseEmpty");
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setForegroundRole(QPalette::PlaceholderText);
+
     auto* body = new QWidget(this);
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(12, 8, 12, 10);
@@ -76,6 +83,7 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     column->addWidget(makeHeader());
     column->addWidget(banner_);
     column->addWidget(tabs_, 1);
+    column->addWidget(empty_, 1);
     column->addStretch(0);
     body->setMinimumWidth(430);
     // Behind another dock it takes no room from the view; in front it is as wide as it needs.
@@ -191,6 +199,8 @@ QWidget* DatabaseDock::makeHeader() {
 void DatabaseDock::refresh() {
     const auto& session = context_.session();
     tabs_->setVisible(session.isOpen());
+    // Where there is a project, the banner says what can be done.
+    empty_->setVisible(!session.isOpen() && !context_.workbench().hasProject());
     save_->setEnabled(session.isOpen() && session.isDirty() &&
                       session.access() == DatabaseSession::Access::edit);
     findChild<QToolButton*>("databaseMenu")->setEnabled(context_.workbench().hasProject());

@@ -77,6 +77,7 @@ class DatabaseDock : public QDockWidget {
 
     EditorContext context_;
     QLabel* title_ = nullptr;
+    QLabel* empty_ = nullptr;
     QToolButton* save_ = nullptr;
     DatabaseBanner* banner_ = nullptr;
     QTabWidget* tabs_ = nullptr;

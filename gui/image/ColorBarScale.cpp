@@ -63,8 +63,14 @@ double ColorBar::Scale::drawTicks(QPainter& painter, const QRectF& strip) const 
     const auto style = PlotStyle::screen(palette());
     const QFontMetricsF metrics(font());
     const auto& limits = bar_->limits_;
-    const int most = std::max(2, static_cast<int>(strip.height() / (2.2 * metrics.height())));
-    const irsg::AxisTicks ticks = irsg::axisTicks(limits, most);
+    const auto ticksEvery = [&](double lines) {
+        return irsg::axisTicks(
+            limits, std::max(2, static_cast<int>(strip.height() / (lines * metrics.height()))));
+    };
+    // Well apart; closer together where hardly a round number would be left of them.
+    irsg::AxisTicks ticks = ticksEvery(2.2);
+    if (ticks.values.size() < 3)
+        ticks = ticksEvery(1.3);
     double widest = 0.0;
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
         const double part = (ticks.values[i] - limits.low) / (limits.high - limits.low);

@@ -10,15 +10,20 @@
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
+namespace {
+
+constexpr int rowPadding_px = 8;
+
+} // namespace
 
 FiguresTable::FiguresTable(QWidget* parent) : QTableWidget(parent) {
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setAlternatingRowColors(true);
     setShowGrid(false);
     setFrameShape(QFrame::NoFrame);
-    setWordWrap(false);
+    setWordWrap(true);
     verticalHeader()->hide();
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + rowPadding_px);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     horizontalHeader()->setStretchLastSection(true);
@@ -56,6 +61,10 @@ void FiguresTable::fitColumns() {
     if (columnCount() > 1)
         setColumnWidth(0, std::min(columnWidth(0),
                                    std::max(static_cast<int>(namesShare * width), width - others)));
+    // A name that has less room than it needs goes on in a second line.
+    const int lineHeight = fontMetrics().height();
+    for (int r = 0; r < rowCount(); ++r)
+        setRowHeight(r, std::max(sizeHintForRow(r), lineHeight) + rowPadding_px);
 }
 
 void FiguresTable::resizeEvent(QResizeEvent* event) {

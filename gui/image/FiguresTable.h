@@ -25,7 +25,7 @@ class FiguresTable : public QTableWidget {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    /// In a narrow table the names in the first column give way to the numbers.
+    /// In a narrow table the names in the first column give way to the numbers and wrap.
     void fitColumns();
 };
 

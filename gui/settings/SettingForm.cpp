@@ -36,6 +36,12 @@ QString expectedText(const SettingInfo& info) {
     return text;
 }
 
+/// Whether a value is typed, so that one should know what may be; the others are seen in the field.
+bool isTyped(const SettingInfo& info) {
+    return info.names.empty() && info.kind != SettingKind::choice &&
+           info.kind != SettingKind::boolean;
+}
+
 } // namespace
 
 QString SettingForm::helpText(const SettingInfo& info) {
@@ -76,12 +82,13 @@ SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser choos
             form->addRow(label, row);
             continue;
         }
-        QString expected = expectedText(info);
-        expected.replace(0, 1, expected.left(1).toUpper());
-        auto* help =
-            new QLabel(QStringLiteral("%1 <i>%2.</i>")
-                           .arg(textOf(info.help).toHtmlEscaped(), expected.toHtmlEscaped()),
-                       this);
+        QString words = textOf(info.help).toHtmlEscaped();
+        if (isTyped(info)) {
+            QString expected = expectedText(info).toHtmlEscaped();
+            expected.replace(0, 1, expected.left(1).toUpper());
+            words += QStringLiteral(" <i>%1.</i>").arg(expected);
+        }
+        auto* help = new QLabel(words, this);
         help->setObjectName(textOf(info.key) + ".help");
         help->setTextFormat(Qt::RichText);
         help->setWordWrap(true);
@@ -101,7 +108,7 @@ QWidget* SettingForm::makeField(const SettingInfo& info) {
     case SettingKind::boolean:
         return makeCheck(info);
     case SettingKind::choice:
-        return makeChoice(info, false);
+        return info.names.empty() ? makeChoice(info, false) : makeNamed(info);
     case SettingKind::choiceOrReal:
         return makeChoice(info, true);
     case SettingKind::path:
@@ -171,7 +178,9 @@ QWidget* SettingForm::makeNamed(const SettingInfo& info) {
     box->setObjectName(textOf(info.key));
     for (std::size_t i = 0; i < info.names.size(); ++i)
         box->addItem(textOf(info.names[i]),
-                     QString::number(static_cast<int>(info.minimum) + static_cast<int>(i)));
+                     info.kind == SettingKind::choice
+                         ? textOf(info.choices[i])
+                         : QString::number(static_cast<int>(info.minimum) + static_cast<int>(i)));
     fields_[info.key] = {[box] { return box->currentData().toString(); },
                          [box](const QString& text) { box->setCurrentIndex(box->findData(text)); },
                          box};

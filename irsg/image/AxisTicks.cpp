@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "irsg/radiometry/Errors.h"
 
@@ -75,9 +76,14 @@ AxisTicks axisTicks(const DisplayLimits& limits, int mostTicks) {
         }
         return ticks;
     }
+    // The ends: as many digits as tell them apart to a hundredth, at most seven.
     ticks.values = {low, high};
+    const auto powerOf = [](double value) {
+        return static_cast<int>(std::floor(std::log10(value)));
+    };
+    const double apart = std::max(scaled(high) - scaled(low), std::numeric_limits<double>::min());
     const int decimals =
-        std::clamp(6 - static_cast<int>(std::floor(std::log10(scaled(largest)))), 0, 9);
+        std::clamp(std::min(6 - powerOf(scaled(largest)), 2 - powerOf(apart)), 0, 9);
     ticks.labels = {fixed(scaled(low), decimals), fixed(scaled(high), decimals)};
     return ticks;
 }

@@ -33,7 +33,9 @@ struct SettingInfo {
     double minimum = 0.0; ///< of numbers, inclusive
     double maximum = 0.0;
     std::vector<std::string> choices = {};
-    std::vector<std::string> names = {}; ///< of an integer's values from the minimum on, for forms
+    /// For forms, where the values do not speak for themselves: of the choices in their order, or
+    /// of an integer's values from the minimum on.
+    std::vector<std::string> names = {};
     std::string defaultText;
     std::string option; ///< "--width"; every setting has one
     std::string help;   ///< documentation string: one or more sentences

@@ -42,6 +42,12 @@ SettingInfo choice(std::string key, std::string option, std::string label,
             .audience = audience};
 }
 
+/// The same with words for forms, one of each choice.
+SettingInfo named(SettingInfo info, std::vector<std::string> names) {
+    info.names = std::move(names);
+    return info;
+}
+
 SettingInfo choiceOrNumber(std::string key, std::string option, std::string label, std::string unit,
                            std::vector<std::string> choices, double minimum, double maximum,
                            std::string defaultText, std::string help,
@@ -80,12 +86,13 @@ void addSensor(std::vector<SettingInfo>& table) {
                          "",
                          "CSV of wavelength and response; where it is given it stands in for the "
                          "band."));
-    table.push_back(
+    table.push_back(named(
         choice("sensor.mode", "--mode", "Calculation mode", {"spectral", "ck"}, "spectral",
                "How the band is integrated. Spectral multiplies at every wavelength and "
                "integrates last; ck does so at a few terms that an AtmosphereSmart is asked for, "
                "trained to a few thousandths. Spectra are always computed spectrally.",
-               SettingAudience::expert));
+               SettingAudience::expert),
+        {"spectral", "wideband-ck"}));
 }
 
 void addViewAndTarget(std::vector<SettingInfo>& table) {
@@ -197,11 +204,12 @@ void addRendering(std::vector<SettingInfo>& table) {
                           "5   zoom, 512 samples a side"};
     table.push_back(std::move(antialiasing));
     table.push_back(
-        choice("render.zoom", "--zoom", "Zoom strategy", {"aligned", "sills"}, "aligned",
-               "How modes 3 to 5 sample: aligned on the sensor's pixel grid, or sills, "
-               "as published, to compare with: it loses and gains energy with the place "
-               "of an object among the pixels.",
-               SettingAudience::expert));
+        named(choice("render.zoom", "--zoom", "Zoom strategy", {"aligned", "sills"}, "aligned",
+                     "How modes 3 to 5 sample: aligned on the sensor's pixel grid, or sills, "
+                     "as published, to compare with: it loses and gains energy with the place "
+                     "of an object among the pixels.",
+                     SettingAudience::expert),
+              {"aligned on the pixels", "sills, as published"}));
     table.push_back(number(
         "render.pointSource", "--point-source", "Point sources below", "px", 0, 1, "0.015625",
         "Objects narrower than this part of a pixel are drawn once per aspect "
@@ -214,23 +222,30 @@ void addRendering(std::vector<SettingInfo>& table) {
                          "drawn into windows of their own (modes 3 to 5, aligned); without them "
                          "frames take a third of the time and such parts are some percent off.",
                          SettingAudience::expert));
-    table.push_back(choice("render.supersampling", "--supersampling", "Supersampling counts",
-                           {"perAxis", "inAll"}, "perAxis",
-                           "Whether the 2 and 4 samples of modes 1 and 2 are meant per axis of a "
-                           "pixel or in all.",
-                           SettingAudience::expert));
+    table.push_back(
+        named(choice("render.supersampling", "--supersampling", "Supersampling counts",
+                     {"perAxis", "inAll"}, "perAxis",
+                     "Whether the 2 and 4 samples of modes 1 and 2 are meant per axis of a "
+                     "pixel or in all.",
+                     SettingAudience::expert),
+              {"per axis of a pixel", "in all of a pixel"}));
     const std::vector<std::string> reflections = {"off", "approx", "smart"};
-    table.push_back(choice("render.sun", "--sun", "Sun reflection", reflections, "smart",
-                           "Reflected sun: off, approx (independent of geometry: a quarter "
-                           "everywhere) or smart (per pixel)."));
-    table.push_back(choice("render.fluxes", "--fluxes", "Flux reflection", reflections, "smart",
-                           "Reflected sky and ground: off, approx (independent of geometry: a half "
-                           "of each) or smart (per pixel)."));
-    table.push_back(choice("render.fluxWeights", "--flux-weights", "Flux weights",
-                           {"viewFactor", "report"}, "viewFactor",
-                           "Share of sky and ground a tilted facet sees: its exact view factor, or "
-                           "the angle over 180 degrees as published.",
-                           SettingAudience::expert));
+    table.push_back(named(choice("render.sun", "--sun", "Sun reflection", reflections, "smart",
+                                 "Reflected sun: off, approx (independent of geometry: a quarter "
+                                 "everywhere) or smart (per pixel)."),
+                          {"off", "approx, a quarter everywhere", "smart, per pixel"}));
+    table.push_back(
+        named(choice("render.fluxes", "--fluxes", "Flux reflection", reflections, "smart",
+                     "Reflected sky and ground: off, approx (independent of geometry: a half "
+                     "of each) or smart (per pixel)."),
+              {"off", "approx, a half of each", "smart, per pixel"}));
+    table.push_back(
+        named(choice("render.fluxWeights", "--flux-weights", "Flux weights",
+                     {"viewFactor", "report"}, "viewFactor",
+                     "Share of sky and ground a tilted facet sees: its exact view factor, or "
+                     "the angle over 180 degrees as published.",
+                     SettingAudience::expert),
+              {"exact view factor", "angle, as published"}));
     table.push_back(
         choiceOrNumber("render.background", "--background", "Background", "W m-2 sr-1",
                        {"smart", "none"}, 0, 1e9, "smart",
@@ -280,11 +295,13 @@ void addDisplay(std::vector<SettingInfo>& table) {
 }
 
 void addAnalyses(std::vector<SettingInfo>& table) {
-    table.push_back(choice("image.quantity", "--quantity", "Quantity",
-                           {"radiance", "irradiance", "apparent-temperature"}, "radiance",
-                           "What a pixel holds: in-band radiance, its irradiance on the detector "
-                           "(radiance times solid angle times the cosine off the axis), or the "
-                           "temperature of a black body of that radiance."));
+    table.push_back(
+        named(choice("image.quantity", "--quantity", "Quantity",
+                     {"radiance", "irradiance", "apparent-temperature"}, "radiance",
+                     "What a pixel holds: in-band radiance, its irradiance on the detector "
+                     "(radiance times solid angle times the cosine off the axis), or the "
+                     "temperature of a black body of that radiance."),
+              {"radiance", "irradiance", "apparent temperature"}));
     table.push_back(text("image.truthLayers", "--truth-layers", "Truth layers", "",
                          SettingKind::boolean, "false",
                          "Adds planes of indices, range and the terms of the radiance to an EXR "
@@ -292,12 +309,13 @@ void addAnalyses(std::vector<SettingInfo>& table) {
     table.push_back(number("spectrum.resolution", "--resolution", "Resolution", "cm-1", 0.01, 1000,
                            "5", "Distance between two wavenumbers."));
     table.push_back(
-        choice("polar.type", "--type", "Type", {"camera-azimuth", "camera-elevation", "model-yaw"},
-               "camera-azimuth",
-               "What turns: the camera about the target in a horizontal plane (clockwise "
-               "seen from above, from the nose), the camera in the target's vertical "
-               "plane (front, belly, tail, top), or the target itself "
-               "(counter-clockwise, level, the camera stays)."));
+        named(choice("polar.type", "--type", "Type",
+                     {"camera-azimuth", "camera-elevation", "model-yaw"}, "camera-azimuth",
+                     "What turns: the camera about the target in a horizontal plane (clockwise "
+                     "seen from above, from the nose), the camera in the target's vertical "
+                     "plane (front, belly, tail, top), or the target itself "
+                     "(counter-clockwise, level, the camera stays)."),
+              {"camera azimuth", "camera elevation", "model yaw"}));
     table.push_back(number("polar.step", "--step", "Step", "deg", 0.001, 180, "10",
                            "Angle between two cases. The sweep covers one turn from 0."));
     table.push_back(number("polar.offset", "--offset", "View offset", "deg", -90, 90, "0",

@@ -43,6 +43,20 @@ TEST(SettingTable, NumbersHaveARangeAndChoicesHaveChoices) {
     }
 }
 
+TEST(SettingTable, WordsForFormsStandForEachValue) {
+    for (const SettingInfo& setting : settingTable()) {
+        if (setting.names.empty())
+            continue;
+        const std::set<std::string> words(setting.names.begin(), setting.names.end());
+        EXPECT_EQ(words.size(), setting.names.size()) << setting.key;
+        EXPECT_EQ(words.count(""), 0u) << setting.key;
+        const auto values = setting.kind == SettingKind::choice
+                                ? setting.choices.size()
+                                : static_cast<std::size_t>(setting.maximum - setting.minimum) + 1;
+        EXPECT_EQ(setting.names.size(), values) << setting.key;
+    }
+}
+
 TEST(SettingTable, KeysAreUniqueAndSoAreTheOptionsOfOneCommand) {
     std::set<std::string> keys;
     std::set<std::string> common;

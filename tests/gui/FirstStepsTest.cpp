@@ -88,6 +88,13 @@ TEST_F(FirstStepsTest, PaintAnAircraftHeatItsEnginesAndSeeIt) {
 }
 
 /// The first page of the user guide, docs/user-guide/first-signature.md, step by step.
+TEST_F(FirstStepsTest, TheEditorSaysWhatToOpenWhileNothingIs) {
+    const auto* empty = dock().findChild<QLabel*>("databaseEmpty");
+    EXPECT_FALSE(empty->isHidden());
+    openCopy("turboprop4", {});
+    EXPECT_TRUE(empty->isHidden());
+}
+
 TEST_F(FirstStepsTest, TheFirstPageOfTheGuide) {
     openAircraft({{"polar.step", "90"}, {"state.power", "0.7"}}, true);
     SceneView& view = *window->sceneView();

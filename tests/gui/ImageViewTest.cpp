@@ -295,6 +295,23 @@ TEST_F(ImageViewTest, HistogramAndTableFollowTheRectangle) {
     test::keepScreenshot(view, "image-view-histogram");
 }
 
+TEST(FiguresTable, NamesOfANarrowTableWrapAndNumbersStayWhole) {
+    FiguresTable table;
+    table.setFigures({"Figure", "Image"},
+                     {{"Mean", "1.24316"}, {"Contrast intensity (W·sr⁻¹)", "225.332"}});
+    table.resize(640, 300);
+    table.show();
+    QTest::qWait(20);
+    EXPECT_EQ(table.rowHeight(1), table.rowHeight(0));
+    table.resize(220, 300);
+    QTest::qWait(20);
+    EXPECT_GE(table.rowHeight(1), table.rowHeight(0) + table.fontMetrics().height() / 2);
+    EXPECT_GE(table.columnWidth(1), table.fontMetrics().horizontalAdvance("225.332"));
+    table.resize(640, 300);
+    QTest::qWait(20);
+    EXPECT_EQ(table.rowHeight(1), table.rowHeight(0));
+}
+
 TEST_F(ImageViewTest, StatisticsOfARectangleKnowItsContrastIntensity) {
     irsg::RadianceImage image = small();
     image.attributes["sensor.horizontal_field_of_view_deg"] = "2";
