@@ -6,6 +6,8 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QStyle>
+#include <QStyledItemDelegate>
 
 #include "irsg/radiometry/Errors.h"
 
@@ -14,6 +16,18 @@ namespace {
 
 constexpr int rowPadding_px = 8;
 
+/// Goes on in a second line where the column is too narrow.
+class WrappedText : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+  protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->features |= QStyleOptionViewItem::WrapText;
+    }
+};
+
 } // namespace
 
 FiguresTable::FiguresTable(QWidget* parent) : QTableWidget(parent) {
@@ -21,7 +35,8 @@ FiguresTable::FiguresTable(QWidget* parent) : QTableWidget(parent) {
     setAlternatingRowColors(true);
     setShowGrid(false);
     setFrameShape(QFrame::NoFrame);
-    setWordWrap(true);
+    setWordWrap(false);
+    setItemDelegateForColumn(0, new WrappedText(this));
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + rowPadding_px);
     horizontalHeader()->setHighlightSections(false);
@@ -61,15 +76,20 @@ void FiguresTable::fitColumns() {
     if (columnCount() > 1)
         setColumnWidth(0, std::min(columnWidth(0),
                                    std::max(static_cast<int>(namesShare * width), width - others)));
-    // A name that has less room than it needs goes on in a second line.
-    const int lineHeight = fontMetrics().height();
+    // A name that has less room than it needs goes on in a second line, a number never.
+    const int margins = 2 * (style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, this) + 1);
+    const QRect room(0, 0, columnWidth(0) - margins, 10 * fontMetrics().height());
     for (int r = 0; r < rowCount(); ++r)
-        setRowHeight(r, std::max(sizeHintForRow(r), lineHeight) + rowPadding_px);
+        setRowHeight(
+            r, fontMetrics().boundingRect(room, Qt::TextWordWrap, item(r, 0)->text()).height() +
+                   rowPadding_px);
 }
 
 void FiguresTable::resizeEvent(QResizeEvent* event) {
     QTableWidget::resizeEvent(event);
-    fitColumns();
+    // Rows that are being added have no cells yet; they are fitted when they have.
+    if (rowCount() > 0 && item(rowCount() - 1, 0) != nullptr)
+        fitColumns();
 }
 
 QString FiguresTable::allText() const {
