@@ -1,11 +1,11 @@
 #include <algorithm>
 
+#include "apps/smat-batch/AirInput.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/tools/RadiativeOutput.h"
 
 namespace smat::batch {
@@ -21,14 +21,12 @@ std::string quantityWords() {
     return text;
 }
 
-/// `smat-batch radiative ATMOSPHERE --quantity path --sensor-altitude m --los-elevation deg
+/// `smat-batch radiative ATMOSPHERE... --quantity path --sensor-altitude m --los-elevation deg
 /// --range m --out FILE.csv`.
 class RadiativeCommand {
   public:
-    explicit RadiativeCommand(CLI::App& command) : numbers_(command), files_(command) {
-        command.add_option("ATMOSPHERE", atmosphere_, "Atmosphere or Environment file, or none")
-            ->required()
-            ->type_name("");
+    explicit RadiativeCommand(CLI::App& command)
+        : air_(command), numbers_(command), files_(command) {
         command
             .add_option("--quantity", quantities_,
                         "One of " + quantityWords() + "; may be given more than once")
@@ -140,8 +138,8 @@ class RadiativeCommand {
         irsg::Environment environment;
         const auto resolution = numbers_.value("--resolution");
         const irsg::SunPosition sun =
-            addAir(environment, atmosphere_,
-                   resolution ? std::optional(static_cast<int>(*resolution)) : std::nullopt)
+            air_.addTo(environment,
+                       resolution ? std::optional(static_cast<int>(*resolution)) : std::nullopt)
                 .value_or(irsg::SunPosition{irsg::radians(180.0), irsg::radians(45.0)});
         const auto azimuth_deg = numbers_.value("--sun-azimuth");
         const auto elevation_deg = numbers_.value("--sun-elevation");
@@ -150,7 +148,7 @@ class RadiativeCommand {
         return environment;
     }
 
-    std::string atmosphere_;
+    AirInput air_;
     std::vector<std::string> quantities_;
     std::string band_ = "3-5";
     bool toSpace_ = false;

@@ -1,18 +1,18 @@
+#include "apps/smat-batch/AirInput.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "irsg/radiometry/Errors.h"
-#include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/tools/TemperatureProfile.h"
 
 namespace smat::batch {
 
 namespace {
 
-/// `smat-batch temperature-profile ATMOSPHERE --min m --max m --step m --out FILE.csv`.
+/// `smat-batch temperature-profile ATMOSPHERE... --min m --max m --step m --out FILE.csv`.
 class TemperatureProfileCommand {
   public:
-    explicit TemperatureProfileCommand(CLI::App& command) : numbers_(command), files_(command) {
-        command.add_option("ATMOSPHERE", atmosphere_, "Atmosphere or Environment file")->required()->type_name("");
+    explicit TemperatureProfileCommand(CLI::App& command)
+        : air_(command), numbers_(command), files_(command) {
         numbers_.add("--min", "m", "The least altitude");
         numbers_.add("--max", "m", "The largest altitude");
         numbers_.add("--step", "m", "From one altitude to the next");
@@ -33,7 +33,7 @@ class TemperatureProfileCommand {
         irsg::Environment environment;
         {
             const StageTimer::Scope scope(&context.timer, "load");
-            addAir(environment, atmosphere_);
+            air_.addTo(environment);
         }
         const ResultTable table =
             temperatureProfile(environment, {.min_m = *numbers_.value("--min"),
@@ -46,7 +46,7 @@ class TemperatureProfileCommand {
     }
 
   private:
-    std::string atmosphere_;
+    AirInput air_;
     NumberOptions numbers_;
     TableFiles files_;
 };

@@ -48,14 +48,9 @@ QString figuresOf(const RadiativeOutput& output) {
     return lines.join('\n');
 }
 
-/// Empty where there is none: a command names one atmosphere, or one Environment file of several.
 std::string commandFor(const Project& project, const Settings& asked,
                        const std::vector<std::string>& words, const AirGeometryInput& geometry) {
-    const auto files = asked.paths("environment.atmospheres");
-    if (files.size() > 1)
-        return {};
-    const std::string air = files.empty() ? "none" : project.resolve(files[0]).string();
-    return radiativeCommand(air, words, geometry,
+    return radiativeCommand(resolvedAir(project, asked), words, geometry,
                             irsg::Band::fromText(asked.text("sensor.band")).range(),
                             sunOf(project, asked), "radiative.csv");
 }
@@ -163,18 +158,15 @@ void RadiativePage::refresh() {
     }
     const auto asked = settings();
     const Project& project = workbench().project();
-    const std::string command =
-        commandFor(project, asked, words(), viewerGeometry(project, asked, *referencePoint_m_));
-    setCommand(command.empty() ? tr("One command asks one atmosphere; the project lists several")
-                               : QString::fromStdString(command));
+    setCommand(QString::fromStdString(
+        commandFor(project, asked, words(), viewerGeometry(project, asked, *referencePoint_m_))));
 }
 
 Calculation::Work RadiativePage::work() {
     const auto project = workbench().project();
     const auto asked = settings();
     const auto words = this->words();
-    return [this, project, asked, words,
-            models = workbench().models()]() -> std::function<void()> {
+    return [this, project, asked, words, models = workbench().models()]() -> std::function<void()> {
         SceneBuilder scenes(ModelStore::loader(models));
         const irsg::Environment environment = environmentOf(project, asked);
         RadiativeRequest request;

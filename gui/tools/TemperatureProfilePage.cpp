@@ -10,8 +10,9 @@
 #include "gui/Widgets.h"
 #include "gui/Workbench.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/project/SceneBuilder.h"
-#include "smatcore/support/ShellText.h"
+#include "smatcore/tools/ViewerGeometry.h"
 
 namespace smat::gui {
 TemperatureProfilePage::TemperatureProfilePage(Workbench& workbench, Dialogs dialogs,
@@ -77,15 +78,9 @@ void TemperatureProfilePage::refresh() {
     setProblems(problems);
     if (!problems.isEmpty())
         return;
-    const auto files = workbench().settings().paths("environment.atmospheres");
-    if (files.size() > 1) {
-        setCommand(tr("One command asks one atmosphere; the project lists several"));
-        return;
-    }
-    const std::string air =
-        files.empty() ? "none" : workbench().project().resolve(files[0]).string();
     setCommand(QString::fromStdString(
-        "smat-batch temperature-profile " + shellQuoted(air) +
+        "smat-batch temperature-profile" +
+        airArguments(resolvedAir(workbench().project(), workbench().settings())) +
         " --min=" + irsg::numberText(asked->min_m) + " --max=" + irsg::numberText(asked->max_m) +
         " --step=" + irsg::numberText(asked->step_m) + " --out profile.csv"));
 }

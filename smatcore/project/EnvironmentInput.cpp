@@ -72,18 +72,33 @@ withResolution(const std::vector<std::shared_ptr<const irsg::Atmosphere>>& atmos
 } // namespace
 
 std::optional<irsg::SunPosition> addAir(irsg::Environment& environment,
-                                        const std::filesystem::path& input,
+                                        const std::vector<std::filesystem::path>& inputs,
                                         std::optional<int> resolution_cm) {
-    const LoadedAir loaded = loadedFrom(input);
-    const auto& own = loaded.environment.atmospheres();
-    for (const auto& atmosphere : resolution_cm ? withResolution(own, *resolution_cm) : own) {
+    std::vector<std::shared_ptr<const irsg::Atmosphere>> atmospheres;
+    std::optional<irsg::SunPosition> sun;
+    std::vector<irsg::Offence> offences;
+    for (const auto& input : inputs) {
+        try {
+            const LoadedAir loaded = loadedFrom(input);
+            const auto& own = loaded.environment.atmospheres();
+            atmospheres.insert(atmospheres.end(), own.begin(), own.end());
+            if (!environment.defaultBackground) {
+                environment.defaultBackground = loaded.environment.defaultBackground;
+            }
+            sun = sun ? sun : loaded.sun;
+        } catch (const irsg::InputError& error) {
+            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+        }
+    }
+    if (!offences.empty()) {
+        throw irsg::InputError(std::move(offences));
+    }
+    for (const auto& atmosphere :
+         resolution_cm ? withResolution(atmospheres, *resolution_cm) : atmospheres) {
         logRemarks(atmosphere->name(), atmosphere->remarks());
         environment.add(atmosphere);
     }
-    if (!environment.defaultBackground) {
-        environment.defaultBackground = loaded.environment.defaultBackground;
-    }
-    return loaded.sun;
+    return sun;
 }
 
 } // namespace smat

@@ -42,25 +42,19 @@ irsg::SunPosition sunOf(const Project& project, const Settings& settings) {
     return sunFrom(settings, ofFile);
 }
 
+std::vector<std::filesystem::path> resolvedAir(const Project& project, const Settings& settings) {
+    auto files = settings.paths("environment.atmospheres");
+    for (auto& listed : files) {
+        listed = isNoAir(listed) ? listed : project.resolve(listed);
+    }
+    return files;
+}
+
 irsg::Environment environmentOf(const Project& project, const Settings& settings) {
     irsg::Environment environment;
     environment.defaultAmbient_K = settings.real("environment.ambientTemperature");
 
-    std::vector<irsg::Offence> offences;
-    std::optional<irsg::SunPosition> sun;
-    for (const std::filesystem::path& listed : settings.paths("environment.atmospheres")) {
-        try {
-            const auto found =
-                addAir(environment, isNoAir(listed) ? listed : project.resolve(listed));
-            sun = sun ? sun : found;
-        } catch (const irsg::InputError& error) {
-            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
-        }
-    }
-    if (!offences.empty()) {
-        throw irsg::InputError(offences);
-    }
-    environment.sun = sunFrom(settings, sun);
+    environment.sun = sunFrom(settings, addAir(environment, resolvedAir(project, settings)));
     if (environment.atmospheres().empty()) {
         environment.add(std::make_shared<irsg::Vacuum>());
     }

@@ -55,10 +55,19 @@ irsg::Vec3 targetReferencePoint(const Project& project, SceneBuilder& scenes) {
     }
 }
 
-std::string radiativeCommand(const std::string& air, const std::vector<std::string>& words,
+std::string airArguments(const std::vector<std::filesystem::path>& air) {
+    std::string arguments;
+    for (const auto& one : air) {
+        arguments += " " + shellQuoted(one.string());
+    }
+    return air.empty() ? " none" : arguments;
+}
+
+std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
+                             const std::vector<std::string>& words,
                              const AirGeometryInput& geometry, const irsg::SpectralRange& band,
                              const irsg::SunPosition& sun, const std::string& outputFile) {
-    std::string command = "smat-batch radiative " + shellQuoted(air);
+    std::string command = "smat-batch radiative" + airArguments(air);
     const auto add = [&](const char* option, double value) {
         command += std::string(" ") + option + "=" + irsg::numberText(value);
     };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,14 @@ AirGeometryInput viewerGeometry(const Project& project, const Settings& settings
 /// model or its database cannot be read, and where there is none.
 irsg::Vec3 targetReferencePoint(const Project& project, SceneBuilder& scenes);
 
-/// The command that makes the same radiative output from a terminal, with `air` as the atmosphere
-/// and the words of its quantities (see radiativeQuantities).
-std::string radiativeCommand(const std::string& air, const std::vector<std::string>& words,
+/// The atmospheres as arguments of a command, each after a space; " none" where there are none.
+std::string airArguments(const std::vector<std::filesystem::path>& air);
+
+/// The command that makes the same radiative output from a terminal, with `air` as the
+/// atmospheres, `none` where it is empty, and the words of its quantities (see
+/// radiativeQuantities).
+std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
+                             const std::vector<std::string>& words,
                              const AirGeometryInput& geometry, const irsg::SpectralRange& band,
                              const irsg::SunPosition& sun, const std::string& outputFile);
 

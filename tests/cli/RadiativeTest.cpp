@@ -157,6 +157,33 @@ TEST_F(SmatBatchRadiative, TheFirstAtmosphereOfAnEnvironmentThatHoldsTheBandAnsw
     EXPECT_EQ(outer.provenance.value("answered by"), "transmittance: haze");
 }
 
+TEST_F(SmatBatchRadiative, OfSeveralAtmospheresTheFirstThatHoldsTheBandAnswers) {
+    writeWorld();
+    const auto madeIn = [&](const std::string& band) {
+        return made({"near.csv", "haze.csv", "--quantity", "transmittance", "--sensor-altitude",
+                     "10", "--altitude", "10", "--range", "2000", "--los-elevation", "0", "--band",
+                     band});
+    };
+    EXPECT_EQ(madeIn("3-5").provenance.value("answered by"), "transmittance: near");
+    EXPECT_EQ(madeIn("2.999-5").provenance.value("answered by"), "transmittance: haze");
+
+    const Ran ran = smatBatch({"temperature-profile", "near.csv", "haze.csv", "--min", "0", "--max",
+                               "10", "--step", "10", "--out", "t.csv"},
+                              folder.path());
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_THAT(ResultTable::load(folder / "t.csv").find("temperature")->values,
+                testing::Each(270.0));
+}
+
+TEST_F(SmatBatchRadiative, SaysWhatIsWrongWithEveryAtmosphere) {
+    const Ran ran = smatBatch({"radiative", "no.csv", "haze.csv", "nor.xml", "--quantity", "all",
+                               "--sensor-altitude", "10", "--altitude", "10", "--range", "2000",
+                               "--out", "s.csv"},
+                              folder.path());
+    EXPECT_EQ(ran.exitCode, 2);
+    EXPECT_THAT(ran.err, testing::AllOf(HasSubstr("no.csv"), HasSubstr("nor.xml")));
+}
+
 TEST_F(SmatBatchRadiative, TheSunOfAnEnvironmentHoldsWhereTheCommandSetsNone) {
     writeWorld();
     const std::vector<std::string> asked = {"world.xml", "--quantity", "sun", "--altitude", "0"};

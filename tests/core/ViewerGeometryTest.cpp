@@ -44,7 +44,7 @@ TEST(ViewerGeometryTest, AltitudesAreThoseOfTheReferencePoint) {
 TEST(ViewerGeometryTest, ItsCommandSaysEveryNumber) {
     const auto g = viewerGeometry({}, placed(1000.0, 100.0, 0.0, 0.0), {});
     const std::string command =
-        radiativeCommand("my air.csv", {"sun", "path"}, g, {3.0, 5.0},
+        radiativeCommand({"my air.csv"}, {"sun", "path"}, g, {3.0, 5.0},
                          {irsg::radians(180.0), irsg::radians(45.0)}, "out.csv");
     EXPECT_EQ(command.find("smat-batch radiative 'my air.csv' --quantity sun --quantity path "
                            "--band 3-5 --sensor-altitude=1000 --altitude=1000 --range=100 "),

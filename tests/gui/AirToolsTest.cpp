@@ -111,6 +111,20 @@ TEST_F(AirToolsTest, TheCommandLineFollowsTheFormBeforeAnythingIsComputed) {
     EXPECT_EQ(page->table().provenance.value("range [m]"), "750");
 }
 
+TEST_F(AirToolsTest, SeveralAtmospheresHaveACommandOfTheSameSpectra) {
+    smat::test::write(folder / "near.csv", "# name: near\n# air_temperature [K]: 270\n"
+                                           "wavelength [um],extinction [km-1]\n3,0\n5,0\n");
+    workbench.set("environment.atmospheres",
+                  (folder / "near.csv").string() + ";" + (folder / "haze.csv").string());
+    auto* radiative = opened<RadiativePage>("radiativeOutput");
+    compute(*radiative);
+    EXPECT_EQ(radiative->table().columns(), fromTerminal(*radiative, "radiative.csv").columns());
+    auto* profile = opened<TemperatureProfilePage>("temperatureProfile");
+    compute(*profile);
+    EXPECT_EQ(profile->table().columns(), fromTerminal(*profile, "profile.csv").columns());
+    EXPECT_EQ(profile->table().find("temperature")->values.front(), 270.0);
+}
+
 TEST_F(AirToolsTest, TheProjectLooksTheSameInItsOwnExportedAir) {
     const AnalysisData before = image();
     auto* page = opened<RadiativePage>("radiativeOutput");
