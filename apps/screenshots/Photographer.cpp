@@ -88,7 +88,10 @@ QStringList Photographer::photograph() {
             goThrough(*action->menu());
     keepProjectAnalyses();
     keepResults();
+    keepCrosshair();
     keepComparison();
+    keepRunning();
+    keepRefusals();
     keepDatabaseDialogs();
     keepMessages();
     window_.close(); // what the looking around has changed is discarded

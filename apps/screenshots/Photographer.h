@@ -20,6 +20,8 @@ class Photographer {
 
     /// Takes all pictures. Returns what went wrong on the way, one sentence each.
     QStringList photograph();
+    /// The main window alone, where the display has no OpenGL. Returns the same.
+    QStringList photographWithoutGl();
 
   private:
     Dialogs dialogs();
@@ -42,6 +44,12 @@ class Photographer {
     void keepFloating();
     void keepComparison();
     void keepMessages();
+    // PhotographerStates.cpp
+    void keepCrosshair();
+    /// A job under way, and what is left of it when it is cancelled.
+    void keepRunning();
+    /// What cannot be shown, and why.
+    void keepRefusals();
     /// Longer than ten minutes is told of as a fault.
     void waitWhile(const std::function<bool()>& busy);
     /// Lets a job end and the window be painted.

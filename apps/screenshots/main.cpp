@@ -1,5 +1,6 @@
-// smat-screenshots --out FOLDER --project FILE [--image FILE FILE] [--dark] keeps a picture of
-// every window and dialog of the workbench. It needs a display; scripts/screenshots gives it one.
+// smat-screenshots --out FOLDER --project FILE [--image FILE FILE] [--dark] [--without-gl] keeps a
+// picture of every window and dialog of the workbench. It needs a display; scripts/screenshots
+// gives it one.
 
 #include <filesystem>
 #include <iostream>
@@ -17,7 +18,7 @@ int main(int argc, char** argv) {
     CLI::App cli{"Keeps a picture of every window and dialog of the workbench"};
     std::filesystem::path folder, project;
     std::vector<std::string> images;
-    bool dark = false;
+    bool dark = false, withoutGl = false;
     cli.add_option("--out", folder, "Folder for the pictures")->required();
     cli.add_option("--project", project, "Project that is open in them")
         ->required()
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
         ->expected(2)
         ->check(CLI::ExistingFile);
     cli.add_flag("--dark", dark, "In dark colours");
+    cli.add_flag("--without-gl", withoutGl, "Only the main window, on a display without OpenGL");
     CLI11_PARSE(cli, argc, argv);
 
     // Nothing of the user's own preferences shows in the pictures or is changed by them.
@@ -39,7 +41,8 @@ int main(int argc, char** argv) {
     for (const std::string& image : images)
         names << QString::fromStdString(image);
     smat::gui::Photographer photographer(folder, project, names);
-    const QStringList problems = photographer.photograph();
+    const QStringList problems =
+        withoutGl ? photographer.photographWithoutGl() : photographer.photograph();
     for (const QString& problem : problems)
         std::cerr << "smat-screenshots: " << problem.toStdString() << '\n';
     return problems.isEmpty() ? 0 : 1;

@@ -58,7 +58,7 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
     tabs->setObjectName("pages");
     tabs->setDocumentMode(true);
     addPage(QString::fromStdString(title(kind)), {name(kind)}, tabs);
-    addPage(tr("Camera and target"), {"camera", "target", "state"}, tabs);
+    addPage(tr("Camera and target"), {"camera", "target", "state", "scaling"}, tabs);
     addPage(tr("Sensor"), {"sensor"}, tabs);
     addPage(tr("Environment"), {"environment"}, tabs);
     addPage(tr("Rendering"), {"render"}, tabs);

@@ -1,5 +1,7 @@
 #include "gui/settings/SettingsDialog.h"
 
+#include <set>
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QCheckBox>
@@ -12,8 +14,10 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTabWidget>
 
 #include "gui/HelpDialogs.h"
+#include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/settings/Preferences.h"
 #include "tests/gui/WindowFixture.h"
 
@@ -121,6 +125,42 @@ TEST_F(SettingsDialogTest, EverySettingOfBothDialogsIsChangedAppliedUndoneAndReo
     }
 }
 
+TEST_F(SettingsDialogTest, EveryFieldOfEveryAnalysisReachesItsInputAndItsCommand) {
+    openSample();
+    std::set<std::string> inForms;
+    for (const AnalysisKind kind : allAnalysisKinds) {
+        AnalysisGeneratorDialog dialog(workbench.project(), workbench.settings(), kind,
+                                       [](const QString&, const QString&) { return QString(); });
+        dialog.show();
+        auto* pages = dialog.findChild<QTabWidget*>("pages");
+        const Settings before = dialog.data().settings;
+        std::vector<std::string> changed;
+        for (int page = 0; page < pages->count(); ++page) {
+            pages->setCurrentIndex(page);
+            for (const SettingInfo& info : settingTable()) {
+                const auto* field =
+                    pages->widget(page)->findChild<QWidget*>(QString::fromStdString(info.key));
+                if (field == nullptr)
+                    continue;
+                change(dialog, info, before.text(info.key));
+                changed.push_back(info.key);
+            }
+        }
+        const AnalysisData data = dialog.data();
+        for (const std::string& key : changed) {
+            EXPECT_NE(data.settings.text(key), before.text(key)) << name(kind) << " " << key;
+            const auto has = [&data](const std::string& word) {
+                return data.commandLine.find(" " + word) != std::string::npos;
+            };
+            EXPECT_TRUE(has(settingInfo(key).option) || has("--set " + key + "="))
+                << key << ": " << data.commandLine;
+        }
+        inForms.insert(changed.begin(), changed.end());
+    }
+    for (const SettingInfo& info : settingTable())
+        EXPECT_EQ(inForms.count(info.key), 1U) << info.key << " is in no form";
+}
+
 TEST_F(SettingsDialogTest, CancelChangesNothing) {
     openSample();
     onDialog = [&](QDialog& dialog) {
@@ -219,10 +259,15 @@ TEST_F(SettingsDialogTest, EveryPageInLightAndDark) {
             auto* pages = dynamic_cast<SettingsDialog*>(&dialog);
             if (pages == nullptr)
                 return;
-            const int count = dialog.objectName() == "optionsDialog" ? 5 : 3;
-            for (int page = 0; page < count; ++page) {
-                pages->showPage(page);
+            const auto count =
+                (dialog.objectName() == "optionsDialog" ? SettingsDialog::optionPages()
+                                                        : SettingsDialog::analysisPages())
+                    .size();
+            for (std::size_t page = 0; page < count; ++page) {
+                pages->showPage(static_cast<int>(page));
                 QTest::qWait(20);
+                const QColor ground = dialog.grab().toImage().pixelColor(2, dialog.height() - 3);
+                EXPECT_EQ(ground.lightness() < 128, mode == ThemeMode::dark) << page;
                 test::keepScreenshot(dialog, dialog.objectName().toStdString() + "-" +
                                                  std::to_string(page) + tail);
             }

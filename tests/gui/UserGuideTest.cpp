@@ -138,6 +138,34 @@ TEST_F(UserGuideTest, EveryQuotedMenuEntryIsThereUnderThatNameAndKey) {
     EXPECT_GT(paths, 15);
 }
 
+TEST_F(UserGuideTest, KeysInTablesAreThoseOfTheEntriesTheyStandBeside) {
+    openSample();
+    // A row begins with an entry of a menu and names its keys.
+    const QRegularExpression row(
+        R"(^\| ([^|]+) \| ((?:Ctrl|Alt|Shift|F\d|Delete|Return)[^| ]*) \|)",
+        QRegularExpression::MultilineOption);
+    int rows = 0;
+    for (const char* folder : {"docs/user-guide", "docs"}) {
+        const QDir pages(QString(SMAT_SOURCE_DIR) + "/" + folder);
+        for (const QString& name : pages.entryList({"*.md"}, QDir::Files)) {
+            QFile file(pages.filePath(name));
+            ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+            const QString text = QString::fromUtf8(file.readAll());
+            for (auto it = row.globalMatch(text); it.hasNext();) {
+                const auto match = it.next();
+                ++rows;
+                bool isRight = false;
+                for (const auto* action : window->findChildren<QAction*>())
+                    isRight |= folded(action->text()) == folded(match.captured(1)) &&
+                               action->shortcuts().contains(QKeySequence(match.captured(2)));
+                EXPECT_TRUE(isRight)
+                    << name.toStdString() << ": " << match.captured(0).toStdString();
+            }
+        }
+    }
+    EXPECT_GE(rows, 9);
+}
+
 TEST_F(UserGuideTest, EveryQuotedWordStandsSomewhereInTheWindowsAndDialogs) {
     openEverything();
     QStringList unknown;
