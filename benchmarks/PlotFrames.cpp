@@ -10,12 +10,14 @@
 #include <ctime>
 #include <functional>
 #include <numbers>
+#include <string>
 
 #include <QApplication>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <QWindow>
 
+#include "benchmarks/Fluidity.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/plot/CartesianPlot.h"
@@ -25,6 +27,8 @@ namespace {
 
 using namespace smat::gui;
 using Clock = std::chrono::steady_clock;
+
+Fluidity fluidity;
 
 double since_ms(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -53,7 +57,8 @@ double processor_ms() {
 }
 
 /// Median and worst of the frames that `step` makes.
-void measure(const char* what, int frames, const std::function<void(int)>& step) {
+void measure(const std::string& plot, const char* what, int frames,
+             const std::function<void(int)>& step) {
     std::vector<double> times_ms, processor;
     for (int i = 0; i < frames; ++i) {
         const auto start = Clock::now();
@@ -64,7 +69,8 @@ void measure(const char* what, int frames, const std::function<void(int)>& step)
     }
     std::sort(times_ms.begin(), times_ms.end());
     std::sort(processor.begin(), processor.end());
-    std::printf("%-24s median %6.1f   worst %6.1f   processor %6.1f ms\n", what,
+    fluidity.judge(plot + ": " + what, times_ms[times_ms.size() / 2]);
+    std::printf("  %-22s median %6.1f   worst %6.1f   processor %6.1f ms\n", what,
                 times_ms[times_ms.size() / 2], times_ms.back(), processor[processor.size() / 2]);
     std::fflush(stdout);
 }
@@ -97,11 +103,11 @@ void drive(const char* name, PlotSurface& surface) {
     const QPointF middle(sheet->rect().center());
     const auto frame = [&] { plot->repaint(); };
     std::printf("%s\n", name);
-    measure("  show all", 10, [&](int) {
+    measure(name, "show all", 10, [&](int) {
         surface.resetView();
         frame();
     });
-    measure("  zoom by the wheel", 30, [&](int i) {
+    measure(name, "zoom by the wheel", 30, [&](int i) {
         send(sheet, QWheelEvent(middle, sheet->mapToGlobal(middle), {}, {0, i < 15 ? 120 : -120},
                                 Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false));
         frame();
@@ -109,7 +115,7 @@ void drive(const char* name, PlotSurface& surface) {
     surface.zoomAt(middle, 0.7);
     send(sheet, QMouseEvent(QEvent::MouseButtonPress, middle, sheet->mapToGlobal(middle),
                             Qt::RightButton, Qt::RightButton, Qt::NoModifier));
-    measure("  pan", 40, [&](int i) {
+    measure(name, "pan", 40, [&](int i) {
         const QPointF at = middle + QPointF(6.0 * (i + 1), 2.0 * i);
         send(sheet, QMouseEvent(QEvent::MouseMove, at, sheet->mapToGlobal(at), Qt::NoButton,
                                 Qt::RightButton, Qt::NoModifier));
@@ -117,7 +123,7 @@ void drive(const char* name, PlotSurface& surface) {
     });
     send(sheet, QMouseEvent(QEvent::MouseButtonRelease, middle, sheet->mapToGlobal(middle),
                             Qt::RightButton, Qt::NoButton, Qt::NoModifier));
-    measure("  crosshair", 60, [&](int i) {
+    measure(name, "crosshair", 60, [&](int i) {
         const QPointF at = middle + QPointF(3.0 * i - 90.0, 40.0 * std::sin(i / 5.0));
         send(sheet, QMouseEvent(QEvent::MouseMove, at, sheet->mapToGlobal(at), Qt::NoButton,
                                 Qt::NoButton, Qt::NoModifier));
@@ -185,5 +191,5 @@ int main(int argc, char** argv) {
     polar.setData(withErrors(around));
     drive("Polar with bands", polar);
     cancelling();
-    return 0;
+    return fluidity.verdict();
 }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <QApplication>
@@ -19,6 +20,7 @@
 #include <QTimer>
 #include <sys/resource.h>
 
+#include "benchmarks/Fluidity.h"
 #include "gui/MainWindow.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
@@ -34,6 +36,8 @@ namespace {
 
 constexpr int width_px = 1000, height_px = 700;
 constexpr int windowWidth_px = 1580, windowHeight_px = 960;
+
+Fluidity fluidity;
 
 std::string load() {
     std::ifstream file("/proc/loadavg");
@@ -66,6 +70,8 @@ void print(const char* what, const std::function<std::vector<double>()>& measure
     std::vector<double> times_ms = measure();
     const double computed = (computed_ms() - before_ms) / static_cast<double>(times_ms.size());
     std::ranges::sort(times_ms);
+    if (std::string_view(what).find("dragging") != std::string_view::npos)
+        fluidity.judge(what, times_ms[times_ms.size() / 2]);
     std::printf("%-44s %9.1f %9.1f %9.1f %9.1f   %zu\n", what, times_ms[times_ms.size() / 2],
                 times_ms[times_ms.size() * 95 / 100], times_ms.back(), computed, times_ms.size());
     std::fflush(stdout);
@@ -311,5 +317,5 @@ int main(int argc, char** argv) {
     view.hide();
     editInTheWindow(sample);
     std::printf("load %s\n", load().c_str());
-    return 0;
+    return fluidity.verdict();
 }

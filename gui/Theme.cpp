@@ -91,9 +91,13 @@ bool isDark(const QPalette& palette) {
     return palette.color(QPalette::Window).lightness() < 128;
 }
 
+bool isDark(ThemeMode mode, const QPalette& desktop) {
+    return mode == ThemeMode::dark || (mode == ThemeMode::system && isDark(desktop));
+}
+
 void applyTheme(QApplication& application, ThemeMode mode) {
-    static const bool desktopIsDark = isDark(QApplication::palette()); // before it is ours
-    const bool dark = mode == ThemeMode::dark || (mode == ThemeMode::system && desktopIsDark);
+    static const QPalette desktop = QApplication::palette(); // before it is ours
+    const bool dark = isDark(mode, desktop);
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setPalette(makePalette(dark ? darkShades : lightShades));
     const Shades& shades = dark ? darkShades : lightShades;

@@ -15,6 +15,8 @@ enum class ThemeMode { system, light, dark };
 /// Every colour of the program derives from this palette or from PlotStyle.
 void applyTheme(QApplication& application, ThemeMode mode = ThemeMode::system);
 bool isDark(const QPalette& palette);
+/// Whether a theme is dark on a desktop of this palette, which ThemeMode::system follows.
+bool isDark(ThemeMode mode, const QPalette& desktop);
 
 /// The drawing resources/icons/NAME.svg in the text colour of a palette, by itself of the one the
 /// application has when it is drawn. An unknown name is a LogicError.

@@ -116,10 +116,9 @@ TEST_F(FacePickingTest, TheReadOutTellsValueAndIndices) {
     EXPECT_TRUE(indices.contains(QString("material %1").arg(hit.codes.material)));
     EXPECT_FALSE(indices.contains("Radiance"));
     ASSERT_TRUE(showInfrared());
-    const int ratio = pixelRatio();
     const double value =
-        static_cast<double>(view.shownPicture()->image->at(200 * ratio, 150 * ratio));
-    const QPointF middle = QPointF(200.0, 150.0) + QPointF(0.5, 0.5) / ratio;
+        static_cast<double>(view.shownPicture()->image->at(pixels(200), pixels(150)));
+    const QPointF middle = QPointF(200.0, 150.0) + QPointF(0.5, 0.5) / pixelRatio();
     EXPECT_TRUE(view.readoutAt(middle).startsWith(
         QString("Radiance %1 W").arg(QString::number(value, 'g', 6))))
         << view.readoutAt(middle).toStdString();

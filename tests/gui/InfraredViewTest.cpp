@@ -142,9 +142,8 @@ TEST_F(InfraredViewTest, ShowsAnEditedDatabaseByTheComputedAmount) {
         view.setEditedDatabase(file, std::make_shared<const irsg::SignatureDatabase>(database));
         ASSERT_TRUE(view.display() == ViewDisplay::infrared ? waitForPicture() : showInfrared());
         const auto& picture = *view.shownPicture();
-        EXPECT_NEAR(
-            picture.plane().values[picture.image->offset(200 * pixelRatio(), 150 * pixelRatio())],
-            kelvin, 1e-2);
+        EXPECT_NEAR(picture.plane().values[picture.image->offset(pixels(200), pixels(150))], kelvin,
+                    1e-2);
     }
     // The file again.
     const double edited = mean();

@@ -22,6 +22,26 @@ class ThemeTest : public test::WindowFixture {
     }
 };
 
+TEST_F(ThemeTest, FollowsTheDesktopUnlessOneIsChosen) {
+    const QPalette dark(QColor("#303030"), QColor("#202020"));
+    const QPalette light(QColor("#f0f0f0"), QColor("#ffffff"));
+    const struct {
+        ThemeMode mode;
+        bool onDark, onLight;
+    } rows[] = {{ThemeMode::system, true, false},
+                {ThemeMode::dark, true, true},
+                {ThemeMode::light, false, false}};
+    for (const auto& row : rows) {
+        EXPECT_EQ(isDark(row.mode, dark), row.onDark);
+        EXPECT_EQ(isDark(row.mode, light), row.onLight);
+    }
+    // What is applied is seen: this desktop has Qt's own palette, a light one.
+    for (const auto mode : {ThemeMode::dark, ThemeMode::system}) {
+        applyTheme(*qApp, mode);
+        EXPECT_EQ(isDark(QApplication::palette()), mode == ThemeMode::dark);
+    }
+}
+
 TEST_F(ThemeTest, ButtonsOfMessagesAndDialogsHaveNoIcons) {
     QMessageBox box(QMessageBox::Warning, "title", "text",
                     QMessageBox::Ok | QMessageBox::Cancel | QMessageBox::Discard, window.get());

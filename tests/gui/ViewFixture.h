@@ -27,12 +27,15 @@ class ViewFixture : public ::testing::Test {
         const auto folder = std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / name;
         Project project = loadProject(folder / (name + ".smat"));
         Settings& settings = project.settings;
-        settings.set("sensor.width", 400 * pixelRatio());
-        settings.set("sensor.height", 300 * pixelRatio());
+        settings.set("sensor.width", pixels(400));
+        settings.set("sensor.height", pixels(300));
         return project;
     }
     /// Pixels of a picture that a pixel of the widget has along each side.
-    static int pixelRatio() { return static_cast<int>(std::lround(qApp->devicePixelRatio())); }
+    static double pixelRatio() { return qApp->devicePixelRatio(); }
+    static int pixels(int ofWidget) {
+        return static_cast<int>(std::lround(ofWidget * pixelRatio()));
+    }
     void show(const Project& shown) {
         project = shown;
         view.resize(400, 300);
