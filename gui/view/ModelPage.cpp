@@ -217,6 +217,8 @@ void ModelPage::refresh() {
          {static_cast<QWidget*>(quantityBox_), static_cast<QWidget*>(mapBox_), barHolder_})
         box->setVisible(infrared);
     bar_->setMode(view_->limitMode());
+    // The colours that were chosen, also while there is no picture to take limits from.
+    bar_->setColors(view_->colorMap(), bar_->limits());
 }
 
 void ModelPage::refreshBar() {

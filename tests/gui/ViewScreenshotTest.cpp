@@ -82,6 +82,8 @@ TEST_F(ViewScreenshotTest, TheStripTheMenuAndTheKeysSayTheSame) {
     EXPECT_NE(page.view()->colorMap().name(), before);
     EXPECT_EQ(page.findChild<QComboBox*>("viewColorMap")->currentText().toStdString(),
               page.view()->colorMap().name());
+    // The bar has the colours at once, not first with the next picture.
+    EXPECT_EQ(page.colorBar()->map().name(), page.view()->colorMap().name());
     page.findChild<QToolButton*>("showVisible")->click();
     EXPECT_FALSE(infrared->isChecked());
     EXPECT_FALSE(page.colorBar()->isVisible());
