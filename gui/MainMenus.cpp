@@ -4,6 +4,7 @@
 #include <QTabWidget>
 #include <QToolBar>
 
+#include "gui/CommandPalette.h"
 #include "gui/HelpDialogs.h"
 #include "gui/MainWindow.h"
 #include "gui/Theme.h"
@@ -176,6 +177,15 @@ void MainWindow::makeHelpMenu(QMenu* menu) {
         dialogs_.run(dialog);
     });
     keys->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)});
+    addAction(menu, "findCommand", "find", tr("&Find a command…"),
+              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), [this] {
+                  CommandPalette palette(*menuBar(), this);
+                  QPointer<QAction> chosen;
+                  if (dialogs_.run(palette))
+                      chosen = palette.chosen();
+                  if (chosen != nullptr)
+                      chosen->trigger();
+              });
     addAction(menu, "showAbout", "info", tr("&About SMAT"), {}, [this] { showAbout(); });
 }
 

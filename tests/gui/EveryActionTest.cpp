@@ -3,13 +3,16 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QTreeWidget>
 
+#include "gui/CommandPalette.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -131,6 +134,45 @@ class EveryActionTest : public test::WindowFixture {
     int noticed = 0;
     std::set<QString> seen, chosenEntries;
 };
+
+TEST_F(EveryActionTest, ThePaletteFindsACommandByItsWordsAndDoesIt) {
+    openSample();
+    auto* wireframe = window->findChild<QAction*>("wireframe");
+    ASSERT_FALSE(wireframe->isChecked());
+    accept = true;
+    onDialog = [](QDialog& dialog) {
+        auto* list = dialog.findChild<QTreeWidget*>("paletteList");
+        auto* words = dialog.findChild<QLineEdit*>("paletteWords");
+        EXPECT_GT(list->topLevelItemCount(), 30);
+        test::keepScreenshot(dialog, "command-palette");
+        QTest::keyClicks(words, "no such command");
+        EXPECT_EQ(dynamic_cast<CommandPalette&>(dialog).chosen(), nullptr);
+        words->clear();
+        QTest::keyClicks(words, "WIRE view");
+        ASSERT_EQ(list->topLevelItemCount(), 1);
+        EXPECT_EQ(list->topLevelItem(0)->text(0).toStdString(), "View → Wireframe");
+        EXPECT_EQ(list->topLevelItem(0)->text(1).toStdString(), "Ctrl+Shift+W");
+    };
+    window->findChild<QAction*>("findCommand")->trigger();
+    EXPECT_TRUE(wireframe->isChecked());
+
+    // Arrows go through what fits; what is left with Escape does nothing.
+    onDialog = [](QDialog& dialog) {
+        auto* words = dialog.findChild<QLineEdit*>("paletteWords");
+        QTest::keyClicks(words, "axes");
+        const QAction* first = dynamic_cast<CommandPalette&>(dialog).chosen();
+        QTest::keyClick(words, Qt::Key_Down);
+        EXPECT_NE(dynamic_cast<CommandPalette&>(dialog).chosen(), first);
+    };
+    accept = false;
+    auto* axes = window->findChild<QAction*>("modelAxes");
+    const bool before = axes->isChecked();
+    window->findChild<QAction*>("findCommand")->trigger();
+    EXPECT_EQ(axes->isChecked(), before);
+    accept = true;
+    window->findChild<QAction*>("findCommand")->trigger();
+    EXPECT_NE(axes->isChecked(), before);
+}
 
 TEST_F(EveryActionTest, NoEntryOfTheMenusIsDead) {
     test::keepClipboard();

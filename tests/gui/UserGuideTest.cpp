@@ -66,7 +66,7 @@ class UserGuideTest : public test::WindowFixture {
         for (const char* name :
              {"newProject", "projectProperties", "convertModel", "preferences", "options",
               "analysisSettings", "compareImages", "radiativeOutput", "temperatureProfile",
-              "monteCarlo", "menuLibrary", "showShortcuts", "showAbout"})
+              "monteCarlo", "menuLibrary", "showShortcuts", "findCommand", "showAbout"})
             trigger(name);
         auto* tabs = window->findChild<QTabWidget*>("tabs");
         emit tabs->tabBar()->customContextMenuRequested(tabs->tabBar()->tabRect(1).center());
