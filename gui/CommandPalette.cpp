@@ -73,6 +73,8 @@ void CommandPalette::collect(const QMenu& menu, const QString& path) {
 void CommandPalette::refresh() {
     const QStringList wanted = words_->text().split(' ', Qt::SkipEmptyParts);
     list_->clear();
+    QPixmap nothing(list_->iconSize().isValid() ? list_->iconSize() : QSize(16, 16));
+    nothing.fill(Qt::transparent);
     for (qsizetype i = 0; i < commands_.size(); ++i) {
         const Command& command = commands_[i];
         const bool fits = std::all_of(wanted.begin(), wanted.end(), [&](const QString& word) {
@@ -82,7 +84,9 @@ void CommandPalette::refresh() {
             continue;
         auto* row = new QTreeWidgetItem(
             list_, {command.path, command.action->shortcut().toString(QKeySequence::NativeText)});
-        row->setIcon(0, command.action->icon());
+        // All names begin in one line.
+        const QIcon picture = command.action->icon();
+        row->setIcon(0, picture.isNull() ? QIcon(nothing) : picture);
         row->setData(0, Qt::UserRole, i);
         row->setForeground(1, palette().color(QPalette::PlaceholderText));
     }
