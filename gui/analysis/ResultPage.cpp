@@ -125,8 +125,11 @@ CartesianPlot* ResultPage::cartesianPlot() const {
 QStringList ResultPage::exportFilters() const {
     if (image_ != nullptr)
         return {tr("OpenEXR image (*.exr)"), tr("Values as text (*.csv)"), tr("Picture (*.png)")};
-    return {tr("Scalable picture (*.svg)"), tr("PDF (*.pdf)"), tr("Picture (*.png)"),
-            tr("Values as text (*.csv)"), tr("All inputs and values (*.json)")};
+    QStringList filters{tr("Scalable picture (*.svg)"), tr("PDF (*.pdf)"), tr("Picture (*.png)"),
+                        tr("Values as text (*.csv)")};
+    if (results_.size() == 1)
+        filters << tr("All inputs and values (*.json)");
+    return filters;
 }
 
 void ResultPage::exportTo(const std::filesystem::path& file) const {

@@ -109,6 +109,10 @@ void ColorBar::setOutOfRange(const OutOfRange& counts) {
     scale_->update();
 }
 
+QPixmap ColorBar::legend() const {
+    return scale_->grab();
+}
+
 LimitMode ColorBar::mode() const {
     return static_cast<LimitMode>(mode_->currentData().toInt());
 }

@@ -50,6 +50,9 @@ class ColorBar : public QWidget {
     const irsg::ColorMap& map() const { return *map_; }
     LimitMode mode() const;
     void setMode(LimitMode mode);
+    /// The colours with title, unit, values and counts as they are drawn now, without what is
+    /// typed.
+    QPixmap legend() const;
     /// Percentiles of the rule `percentile`, the lower one first.
     std::pair<double, double> percentiles() const;
     void setPercentiles(double low, double high);

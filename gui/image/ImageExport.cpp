@@ -4,7 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 
+#include <QBuffer>
 #include <QPainter>
 #include <QPixmap>
 
@@ -13,6 +15,7 @@
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReplacement.h"
 
 namespace smat::gui {
 
@@ -28,6 +31,18 @@ void exportImage(const irsg::RadianceImage& image, const std::string& channel,
     else
         throw irsg::InputError(
             {file.string(), "", "the ending '" + suffix + "'", ".exr, .csv or .png"});
+}
+
+void writePicture(const QImage& picture, const std::filesystem::path& file) {
+    const std::string suffix = file.extension().string();
+    if (suffix != ".png")
+        throw irsg::InputError({file.string(), "", "the ending '" + suffix + "'", ".png"});
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!picture.save(&buffer, "PNG"))
+        throw irsg::LogicError("a picture cannot be made into a PNG");
+    irsg::writeFileDurably(
+        file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
 }
 
 QImage pictureOf(const irsg::RadianceImage& image, const irsg::ImageChannel& plane,

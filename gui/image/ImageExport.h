@@ -17,6 +17,10 @@ namespace smat::gui {
 void exportImage(const irsg::RadianceImage& image, const std::string& channel,
                  const irsg::PngViewOptions& view, const std::filesystem::path& file);
 
+/// Writes a picture as PNG. Throws irsg::InputError for another suffix and for a file that cannot
+/// be written; what was there is then as it was.
+void writePicture(const QImage& picture, const std::filesystem::path& file);
+
 /// The view of a plane as a picture.
 QImage pictureOf(const irsg::RadianceImage& image, const irsg::ImageChannel& plane,
                  const irsg::PngViewOptions& view);

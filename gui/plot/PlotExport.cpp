@@ -8,7 +8,6 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 #include <QwtPlotRenderer>
 #include <QwtPolarCanvas>
@@ -17,6 +16,7 @@
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PolarPlot.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReplacement.h"
 
 namespace smat::gui {
 namespace {
@@ -142,10 +142,8 @@ void exportPlotAs(const Plot& plot, const std::filesystem::path& file, QSize siz
 } // namespace
 
 void writePlotFile(const std::filesystem::path& file, const QByteArray& bytes) {
-    QSaveFile out(QString::fromStdString(file.string()));
-    if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit())
-        throw irsg::InputError(
-            {file.string(), "", out.errorString().toStdString(), "a file that can be written"});
+    irsg::writeFileDurably(
+        file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
 }
 
 void exportPlot(const CartesianPlot& plot, const std::filesystem::path& file, QSize size) {

@@ -416,11 +416,9 @@ void MonteCarloPage::exportTo(const std::filesystem::path& file) const {
     const std::string suffix = file.extension().string();
     if (suffix == ".svg" || suffix == ".pdf")
         exportPlot(*plots_->bands(), file);
-    else if (suffix == ".png") {
-        if (!plots_->grab().save(QString::fromStdString(file.string())))
-            throw irsg::InputError({file.string(), "", "a file that cannot be written",
-                                    "a place with leave to write"});
-    } else
+    else if (suffix == ".png")
+        writePicture(plots_->grab().toImage(), file);
+    else
         saveMonteCarlo(plots_->data(), file);
 }
 

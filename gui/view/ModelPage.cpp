@@ -1,5 +1,7 @@
 #include "gui/view/ModelPage.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QActionGroup>
 #include <QButtonGroup>
@@ -12,7 +14,8 @@
 
 #include "gui/Readable.h"
 #include "gui/Theme.h"
-#include "gui/image/ImageView.h"
+#include "gui/image/ColorBar.h"
+#include "gui/image/ImageExport.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
@@ -232,14 +235,45 @@ void ModelPage::refreshBar() {
 }
 
 QStringList ModelPage::exportFilters() const {
-    return {tr("Picture (*.png)")};
+    const QString picture = tr("Picture (*.png)");
+    if (view_->shownPicture() == nullptr)
+        return {picture};
+    return {tr("OpenEXR image (*.exr)"), tr("Values as text (*.csv)"), picture};
 }
 
 void ModelPage::exportTo(const std::filesystem::path& file) const {
-    QPixmap picture = const_cast<SceneView*>(view_)->grab();
-    if (!picture.save(QString::fromStdString(file.string())))
-        throw irsg::InputError({file.string(), "", "a picture that cannot be written there",
-                                "a folder to write to and a name that ends in .png"});
+    const std::string suffix = file.extension().string();
+    const InfraredPicture* picture = view_->shownPicture();
+    if (suffix != ".exr" && suffix != ".csv") {
+        writePicture(pictureOfPage(), file);
+        return;
+    }
+    if (picture == nullptr)
+        throw irsg::InputError({file.string(), "", "the visible display, which has no values",
+                                "the infrared display, or a name that ends in .png"});
+    if (picture->coarse || !view_->isUpToDate())
+        throw irsg::InputError({file.string(), "", "a picture that is still being drawn",
+                                "one of a view at rest: try again in a moment"});
+    exportImage(*picture->image, picture->plane().name, {}, file);
+}
+
+QImage ModelPage::pictureOfPage() const {
+    const QImage seen = const_cast<SceneView*>(view_)->grab().toImage();
+    if (view_->shownPicture() == nullptr)
+        return seen;
+    // The view with its legend at the right, on the colour of the page.
+    const QPixmap legend = bar_->legend();
+    const QSize view = view_->size(), scale = legend.size() / legend.devicePixelRatio();
+    constexpr int margin = 8;
+    const QSize size(view.width() + scale.width() + 2 * margin,
+                     std::max(view.height(), scale.height() + 2 * margin));
+    QImage page(size * seen.devicePixelRatio(), QImage::Format_RGB32);
+    page.setDevicePixelRatio(seen.devicePixelRatio());
+    page.fill(palette().color(QPalette::Window));
+    QPainter painter(&page);
+    painter.drawImage(QPoint(0, 0), seen);
+    painter.drawPixmap(QPoint(view.width() + margin, (size.height() - scale.height()) / 2), legend);
+    return page;
 }
 
 } // namespace smat::gui

@@ -28,7 +28,8 @@ class ModelPage : public QWidget, public Exportable {
     /// Displays, quantity, colour map, wireframe, axes, sun vector.
     void fillMenu(QMenu* menu);
 
-    /// A picture of the view as it is seen.
+    /// .png: the view as it is seen, with the colour bar of the infrared display. Of that also the
+    /// values: .exr with all planes, .csv with the one that is shown.
     QStringList exportFilters() const override;
     void exportTo(const std::filesystem::path& file) const override;
 
@@ -40,6 +41,7 @@ class ModelPage : public QWidget, public Exportable {
     void makeColorMaps();
     void refresh();
     void refreshBar();
+    QImage pictureOfPage() const;
 
     SceneView* view_ = nullptr;
     ColorBar* bar_ = nullptr;

@@ -21,7 +21,10 @@
 #include "gui/plot/CartesianPlot.h"
 #include "gui/tools/MonteCarloPlots.h"
 #include "gui/tools/RankingBars.h"
+#include "irsg/radiometry/Errors.h"
 #include "smatcore/project/ProjectFile.h"
+#include "smatcore/support/TextFile.h"
+#include "tests/gui/SmallDisk.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -144,6 +147,34 @@ class MonteCarloPageTest : public ::testing::Test {
 };
 
 } // namespace
+
+TEST_F(MonteCarloPageTest, aFullDiskLeavesOlderFilesWhole) {
+    const SmallDisk disk("montecarlo-disk");
+    if (!disk.isThere())
+        GTEST_SKIP() << "a small disk can be mounted by root alone";
+    makePage();
+    get<QSpinBox>("samples")->setValue(16);
+    get<QCheckBox>("ranks")->setChecked(false);
+    runToTheEnd();
+    ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    const QStringList filters = page->exportFilters();
+    ASSERT_EQ(filters.size(), 5);
+    for (const QString& filter : filters) {
+        const std::string name = "bands" + filter.section('*', -1).chopped(1).toStdString();
+        SCOPED_TRACE(name);
+        writeTextFile(disk / name, "older");
+        disk.fill();
+        EXPECT_THROW(page->exportTo(disk / name), irsg::InputError);
+        EXPECT_EQ(readTextFile(disk / name), "older");
+        disk.empty();
+        page->exportTo(disk / name);
+        EXPECT_GT(readTextFile(disk / name).size(), 500U);
+        for (const auto& entry : std::filesystem::directory_iterator(disk.place())) {
+            EXPECT_FALSE(entry.path().string().ends_with(".part"));
+            std::filesystem::remove(entry);
+        }
+    }
+}
 
 TEST_F(MonteCarloPageTest, showsBandsHistogramAndRankingOfTheSampleAircraft) {
     makePage();

@@ -1,13 +1,12 @@
 #include <fstream>
 
-#include <sys/mount.h>
-
 #include <QToolButton>
 
 #include "gui/project/ProjectFiles.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/support/TextFile.h"
+#include "tests/gui/SmallDisk.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -73,22 +72,15 @@ TEST_F(RobustnessTest, ProjectsThatCannotBeReadAreToldAndNothingIsLost) {
 }
 
 TEST_F(RobustnessTest, AFullDiskLeavesTheOldFileWhole) {
-    const auto mount = test::freshFolder("full-disk");
-    if (::mount("tmpfs", mount.c_str(), "tmpfs", 0, "size=64k") != 0)
+    const test::SmallDisk disk("full-disk");
+    if (!disk.isThere())
         GTEST_SKIP() << "a small disk can be mounted by root alone";
-    struct Unmount {
-        std::filesystem::path place;
-        ~Unmount() { ::umount2(place.c_str(), MNT_DETACH); }
-    } unmount{mount};
-    const auto file = mount / "ship.smat";
+    const auto file = disk / "ship.smat";
     std::filesystem::copy_file(test::writeSampleProject(folder), file);
     const std::string before = readTextFile(file);
     opens(file);
     told.clear(); // relative paths of the copy lead nowhere
-    std::ofstream filler(mount / "filler", std::ios::binary);
-    for (int i = 0; i < 200 && filler; ++i)
-        filler << std::string(1024, 'x') << std::flush;
-    filler.close();
+    disk.fill();
 
     workbench.set("camera.azimuth", "5");
     trigger("saveProject");
@@ -100,7 +92,7 @@ TEST_F(RobustnessTest, AFullDiskLeavesTheOldFileWhole) {
     window->files().recovery().writeNow(); // cannot be kept either: said, not thrown
     EXPECT_EQ(readTextFile(file), before);
 
-    std::filesystem::remove(mount / "filler");
+    disk.empty();
     trigger("saveProject");
     EXPECT_EQ(loadProject(file).settings.text("camera.azimuth"), "5");
     EXPECT_FALSE(workbench.isModified());
