@@ -293,19 +293,53 @@ TEST_F(PlotPanelTest, ErrorsAreBandsThatCanBeHidden) {
 
 TEST_F(PlotPanelTest, ErrorsAroundMissingPointsLeaveGaps) {
     auto data = hill(true);
+    data.curves.pop_back();
     data.curves[0].y[10] = std::numeric_limits<double>::quiet_NaN();
-    data.curves[0].error[20] = std::numeric_limits<double>::quiet_NaN();
+    data.curves[0].error[25] = std::numeric_limits<double>::quiet_NaN();
     data.curves[0].error[39] = 1e6; // beyond the frame, below 0
-    cartesian->cartesian()->setData(data);
-    cartesian->cartesian()->setLogarithmic(QwtPlot::yLeft, true);
+    CartesianPlot& plot = *cartesian->cartesian();
+    plot.setData(data);
+    plot.setLogarithmic(QwtPlot::yLeft, true);
+    plot.setView({{100.0, 4000.0}, {1.0, 1000.0}});
     QTest::qWait(10);
     test::keepScreenshot(*cartesian, "panel-error-gaps");
+    const QImage seen = plot.canvas()->grab().toImage();
+    const QColor line = PlotStyle::screen(plot.palette()).curve(0);
+    // How much of a column is in the colour of the curve, be it thin as a band's.
+    const auto tinted = [&](double x) {
+        const int column = qRound(plot.canvasMap(QwtPlot::xBottom).transform(x));
+        int pixels = 0;
+        for (int y = 0; y < plot.canvas()->height(); ++y) {
+            const QColor color = test::colorAt(seen, QPointF(column, y));
+            const int ofLine = line.blue() - line.red(), ofPixel = color.blue() - color.red();
+            pixels += std::abs(ofPixel) > 12 && (ofPixel > 0) == (ofLine > 0);
+        }
+        return pixels;
+    };
+    EXPECT_GT(tinted(900.0), 10); // a band about the line
+    EXPECT_EQ(tinted(1120.0), 0); // no sample: neither band nor line
+    EXPECT_GT(tinted(2000.0), 10);
+    EXPECT_GT(tinted(2610.0), 0); // no error: the line alone
+    EXPECT_LT(tinted(2610.0), 10);
+
     auto round = rose();
+    PolarPlot& circle = *polar->polar();
+    const QPointF at = circle.canvasPoint(90.0, round.curves[0].y[9]);
+    const QColor first = PlotStyle::screen(circle.palette()).curve(0);
+    circle.setData(round);
+    QTest::qWait(10);
+    EXPECT_TRUE(test::showsColorAt(*circle.canvas(), at, first));
     round.curves[0].y[9] = std::numeric_limits<double>::infinity();
-    round.curves[0].error[3] = 1e9;
-    polar->polar()->setData(round);
+    circle.setData(round);
+    QTest::qWait(10);
+    EXPECT_FALSE(test::showsColorAt(*circle.canvas(), circle.canvasPoint(90.0, 60.0), first));
+    EXPECT_TRUE(test::showsColorAt(*circle.canvas(), circle.canvasPoint(180.0, 20.0), first));
+    round.curves[0].error[3] = 1e9; // far out of the circle
+    circle.setData(round);
     polar->action("decibel")->trigger();
     QTest::qWait(10);
+    EXPECT_FALSE(test::showsColorAt(*circle.canvas(), circle.canvasPoint(90.0, 60.0), first));
+    EXPECT_TRUE(test::showsColorAt(*circle.canvas(), circle.canvasPoint(180.0, 20.0), first));
 }
 
 TEST_F(PlotPanelTest, TheCrosshairCanBeHidden) {

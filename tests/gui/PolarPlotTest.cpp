@@ -150,13 +150,38 @@ TEST_F(PolarPlotTest, WheelKeepsThePointUnderTheCursor) {
 
 TEST_F(PolarPlotTest, LivesWithMissingValuesAndWithNone) {
     auto curve = rose("a", 100.0);
+    const double there = curve.y[7]; // at 35 degrees, between 30 and 40
+    plot.setData(camera({curve}));
+    showIt();
+    EXPECT_TRUE(drawnAt(plot.canvasPoint(35.0, there)));
     curve.y[7] = std::numeric_limits<double>::quiet_NaN();
     plot.setData(camera({curve}));
+    QTest::qWait(20);
+    EXPECT_FALSE(drawnAt(plot.canvasPoint(35.0, there)));
+    for (const int neighbour : {5, 9})
+        EXPECT_TRUE(drawnAt(plot.canvasPoint(curve.x[static_cast<std::size_t>(neighbour)],
+                                             curve.y[static_cast<std::size_t>(neighbour)])))
+            << neighbour;
+
+    // A sample alone is a dot.
     plot.setData(camera({{"one", {10.0}, {5.0}}}));
+    QTest::qWait(20);
+    EXPECT_TRUE(drawnAt(plot.canvasPoint(10.0, 5.0)));
+    EXPECT_FALSE(drawnAt(plot.canvasPoint(30.0, 5.0)));
+    // Zeros lie in the pole, and have no decibels.
     plot.setData(camera({{"zero", {0.0, 90.0}, {0.0, 0.0}}}));
+    QTest::qWait(20);
+    EXPECT_TRUE(std::isfinite(plot.canvasPoint(0.0, 0.0).x()));
     plot.setData(camera({}));
     plot.setRadiusScale(RadiusScale::decibel);
-    showIt();
+    QTest::qWait(20);
+    const QImage empty = plot.canvas()->grab().toImage();
+    const QColor color = PlotStyle::screen(plot.palette()).curve(0);
+    long colored = 0;
+    for (int y = 0; y < empty.height(); ++y)
+        for (int x = 0; x < empty.width(); ++x)
+            colored += empty.pixelColor(x, y) == color;
+    EXPECT_EQ(colored, 0);
 }
 
 } // namespace

@@ -254,16 +254,42 @@ TEST_F(ResultsDockTest, LooksRightInTheDark) {
     openSample();
     runAnalysis("range");
     runAnalysis("polar");
+    // How much of a widget is of that lightness: its ground, not what is written on it.
+    const auto share = [](QWidget& widget, int least, int most) {
+        const QImage picture = widget.grab().toImage();
+        long found = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x) {
+                const int lightness = picture.pixelColor(x, y).lightness();
+                found += lightness >= least && lightness <= most;
+            }
+        return static_cast<double>(found) / (picture.width() * picture.height());
+    };
+    const auto isDarkThere = [&](QWidget& widget) {
+        EXPECT_GT(share(widget, 0, 90), 0.7) << widget.objectName().toStdString();
+        // Something is written on it, and can be read.
+        EXPECT_GT(share(widget, 150, 255), 0.001) << widget.objectName().toStdString();
+    };
+    isDarkThere(*window->currentPage());
+    isDarkThere(*list());
     test::keepScreenshot(*window, "window-results-dark");
     choose({1});
-    onDialog = [](QDialog& dialog) { test::keepScreenshot(dialog, "result-details-dark"); };
+    onDialog = [&](QDialog& dialog) {
+        isDarkThere(dialog);
+        test::keepScreenshot(dialog, "result-details-dark");
+    };
     action("showCommandLine")->trigger();
     accept = false;
-    onDialog = [](QDialog& dialog) { test::keepScreenshot(dialog, "dialog-edit-dark"); };
+    onDialog = [&](QDialog& dialog) {
+        isDarkThere(dialog);
+        test::keepScreenshot(dialog, "dialog-edit-dark");
+    };
     action("editResult")->trigger();
     applyTheme(*qApp, ThemeMode::light);
     QTest::qWait(50);
     // Open pages follow the theme.
+    EXPECT_GT(share(*window->currentPage(), 200, 255), 0.7);
+    EXPECT_GT(share(*list(), 200, 255), 0.7);
     test::keepScreenshot(*window, "window-results-light-again");
 }
 
