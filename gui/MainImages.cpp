@@ -1,11 +1,16 @@
+#include <algorithm>
+
 #include <QFileInfo>
 #include <QTabWidget>
 
 #include "gui/MainWindow.h"
 #include "gui/Sentences.h"
 #include "gui/Theme.h"
+#include "gui/analysis/ResultsDock.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageView.h"
+#include "gui/plot/ResultPlot.h"
+#include "gui/project/ProjectFiles.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -34,13 +39,63 @@ std::optional<irsg::Band> bandOf(const irsg::RadianceImage& image) {
 bool MainWindow::areImages(const QStringList& files) {
     if (files.isEmpty() || files.size() > 2)
         return false;
-    for (const QString& file : files) {
+    return std::ranges::all_of(files, [&](const QString& file) {
         const QString suffix = QFileInfo(file).suffix().toLower();
-        // A table of a result may be .csv as well; two of them at once are images.
-        if (suffix != "exr" && !(files.size() == 2 && (suffix == "csv" || suffix == "txt")))
-            return false;
+        if (suffix == "exr")
+            return true;
+        const bool mayBeMatrix =
+            suffix == "txt" || suffix == "dat" || (suffix == "csv" && files.size() == 2);
+        return mayBeMatrix && irsg::holdsImage(file.toStdString());
+    });
+}
+
+void MainWindow::openFiles(const QStringList& files) {
+    if (areImages(files)) {
+        openImages(files);
+        return;
     }
-    return true;
+    const std::size_t before = workbench_.results().size();
+    for (const QString& file : files)
+        openOther(file.toStdString());
+    overlayResultsFrom(before);
+}
+
+void MainWindow::openOther(const std::filesystem::path& file) {
+    const QString suffix = QString::fromStdString(file.extension().string()).mid(1).toLower();
+    bool known = false;
+    for (const auto& [suffixes, opener] : openers_) {
+        known = known || suffixes.contains(suffix);
+        if (suffixes.contains(suffix) && opener(file))
+            return;
+    }
+    if (!known)
+        open(file);
+}
+
+void MainWindow::overlayResultsFrom(std::size_t first) {
+    const auto& results = workbench_.results();
+    QList<int> plots;
+    const ResultTable* one = nullptr;
+    for (std::size_t i = first; i < results.size(); ++i) {
+        const ResultTable& table = results[i].data->table;
+        if (results[i].isImage() || (one != nullptr && !goOnOnePlot(*one, table)))
+            return; // nobody asked for a plot that there cannot be
+        one = &table;
+        plots << results[i].id;
+    }
+    if (plots.size() > 1)
+        emit results_->showRequested(plots);
+}
+
+void MainWindow::chooseFile() {
+    const QString models = ProjectFiles::modelPatterns(), images = "*.exr *.csv *.txt *.dat";
+    const QString file = dialogs_.openFile(
+        this, tr("Open a project, a model, a result or an image"),
+        {tr("All that can be opened (%1)").arg("*.smat " + models + " *.json " + images),
+         tr("Projects (*.smat)"), tr("Models (%1)").arg(models), tr("Results (*.csv *.json *.exr)"),
+         tr("Images (%1)").arg(images), tr("All files (*)")});
+    if (!file.isEmpty())
+        openFiles({file});
 }
 
 ComparisonWindow* MainWindow::compareResults(int a, int b) {
@@ -49,7 +104,11 @@ ComparisonWindow* MainWindow::compareResults(int a, int b) {
     if (first == nullptr || second == nullptr || !first->isImage() || !second->isImage())
         return nullptr;
     auto* page = compareImages();
-    page->setSides({first->image(), first->title}, {second->image(), second->title});
+    const auto sideOf = [](const ResultEntry& entry) {
+        return ComparisonSide{entry.image(), entry.title,
+                              QString::fromStdString(entry.file.string())};
+    };
+    page->setSides(sideOf(*first), sideOf(*second));
     return page;
 }
 
@@ -60,6 +119,7 @@ ComparisonWindow* MainWindow::compareImages(const QStringList& files) {
         tabs_->setTabText(tabs_->indexOf(page), title);
         refreshActions();
     });
+    connect(page, &ComparisonWindow::nothingRead, page, &QObject::deleteLater);
     if (!files.isEmpty())
         page->openFiles(files);
     return page;

@@ -49,8 +49,8 @@ void MainWindow::makeFileMenu(QMenu* menu) {
     addAction(menu, "newProject", "new", tr("&New project…"), QKeySequence::New,
               [this] { files_->newProject(); });
     auto* open = addAction(menu, "openProject", "open", tr("&Open…"), QKeySequence::Open,
-                           [this] { files_->chooseProject(); });
-    open->setToolTip(tr("Open a project or a model (Ctrl+O)"));
+                           [this] { chooseFile(); });
+    open->setToolTip(tr("Open a project, a model, a result or an image (Ctrl+O)"));
     addAction(menu, "openModel", "model", tr("Open &model…"),
               QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), [this] { files_->chooseModel(); });
     auto* recent = menu->addMenu(icon("recent"), tr("Open &recent"));

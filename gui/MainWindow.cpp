@@ -150,7 +150,7 @@ void MainWindow::connectWorkbench() {
     connect(results_, &ResultsDock::comparisonRequested, this, &MainWindow::compareResults);
     connect(pages, &ResultPages::said, this,
             [this](const QString& sentence) { statusBar()->showMessage(sentence); });
-    openWith({"csv", "json", "exr"},
+    openWith({"csv", "json", "exr", "txt", "dat"},
              [this](const std::filesystem::path& file) { return results_->openResult(file); });
     connect(files_, &ProjectFiles::said, this,
             [this](const QString& sentence) { statusBar()->showMessage(sentence, 10000); });
@@ -231,18 +231,6 @@ void MainWindow::offerRecovery() {
 void MainWindow::openWith(const QStringList& suffixes,
                           std::function<bool(const std::filesystem::path&)> opener) {
     openers_.emplace_back(suffixes, std::move(opener));
-}
-
-void MainWindow::drop(const std::filesystem::path& file) {
-    const QString suffix = QString::fromStdString(file.extension().string()).mid(1).toLower();
-    bool known = false;
-    for (const auto& [suffixes, opener] : openers_) {
-        known = known || suffixes.contains(suffix);
-        if (suffixes.contains(suffix) && opener(file))
-            return;
-    }
-    if (!known)
-        open(file);
 }
 
 void MainWindow::fillRecent(QMenu* menu) {
@@ -434,12 +422,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     QStringList files;
     for (const QUrl& url : event->mimeData()->urls())
         files << url.toLocalFile();
-    if (areImages(files)) {
-        openImages(files);
-        return;
-    }
-    for (const auto& url : event->mimeData()->urls())
-        drop(url.toLocalFile().toStdString());
+    openFiles(files);
 }
 
 } // namespace smat::gui

@@ -46,6 +46,9 @@ class MainWindow : public QMainWindow {
     /// Opens a project or a model; what is wrong with it is told, and nothing that was open is
     /// lost.
     bool open(const std::filesystem::path& file);
+    /// Opens files of any kind, each by what it is: one image as a tab or two as a comparison,
+    /// saved results, of which several plots are overlaid as well, else a project or a model.
+    void openFiles(const QStringList& files);
     /// Offers the new project that a crash left behind, if there is one.
     void offerRecovery();
     /// A fault of this program: keeps unsaved changes and says so.
@@ -67,13 +70,15 @@ class MainWindow : public QMainWindow {
     /// in File, Export.
     void addPage(QWidget* page, const QIcon& icon, const QString& title);
 
-    /// A tab that compares two images: those of two files, or empty for somebody to fill.
+    /// A tab that compares two images: those of two files, or empty for somebody to fill. It goes
+    /// again where neither file can be read.
     ComparisonWindow* compareImages(const QStringList& files = {});
     /// The same of two results that are images; nothing for others.
     ComparisonWindow* compareResults(int a, int b);
     /// One file as a tab of its own, two as a comparison, read off this thread.
     void openImages(const QStringList& files);
-    /// Whether these are one or two image files, by their names.
+    /// Whether these are one or two images to be looked at: .exr by name, others by what they hold.
+    /// A single .csv is none: it comes back as a result, with its provenance.
     static bool areImages(const QStringList& files);
 
   protected:
@@ -112,7 +117,11 @@ class MainWindow : public QMainWindow {
                       const std::vector<SettingsPage>& pages, int page);
     void showAbout();
 
-    void drop(const std::filesystem::path& file);
+    // MainImages.cpp
+    void chooseFile();
+    void openOther(const std::filesystem::path& file);
+    void overlayResultsFrom(std::size_t first);
+
     void fillRecent(QMenu* menu);
     void newAnalysis(AnalysisKind kind, const Settings& settings, const QString& name = {});
     void exportShown();

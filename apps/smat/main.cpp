@@ -67,7 +67,7 @@ int runWindow(const std::string& file, std::optional<smat::gui::ThemeMode> theme
     application.window = &window;
     window.show();
     if (!file.empty())
-        window.open(file);
+        window.openFiles({QString::fromStdString(file)});
     else
         window.offerRecovery();
     return QApplication::exec();

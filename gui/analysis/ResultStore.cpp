@@ -87,6 +87,13 @@ void ResultStore::rename(int id, const QString& title) {
     emit renamed(id);
 }
 
+void ResultStore::noteSaved(int id, const std::filesystem::path& file) {
+    const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                    [id](const ResultEntry& entry) { return entry.id == id; });
+    if (found != entries_.end() && found->origin != ResultEntry::Origin::file)
+        found->file = file;
+}
+
 void ResultStore::remove(int id) {
     if (std::erase_if(entries_, [id](const ResultEntry& entry) { return entry.id == id; }) > 0)
         emit removed(id);

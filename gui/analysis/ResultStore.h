@@ -26,7 +26,7 @@ struct ResultEntry {
     std::shared_ptr<const AnalysisData> data = std::make_shared<const AnalysisData>();
     Origin origin = Origin::run;
     QDateTime madeAt = {};
-    std::filesystem::path file = {}; ///< of an opened one
+    std::filesystem::path file = {}; ///< it was opened from, or that holds all of it
 
     /// What it was asked is known in full.
     bool canRunAgain() const { return origin == Origin::run; }
@@ -46,7 +46,7 @@ class ResultStore : public QObject {
     const ResultEntry* find(int id) const;
 
     int add(std::shared_ptr<const AnalysisData> data);
-    /// Reads a result file (.csv, .json or .exr) and adds it with its provenance. Throws
+    /// Reads a result file (see loadResult) and adds it with its provenance. Throws
     /// irsg::InputError.
     int open(const std::filesystem::path& file);
     /// Adds first minus second. Throws irsg::InputError where the two do not fit. LogicError for an
@@ -56,6 +56,8 @@ class ResultStore : public QObject {
     int addTable(const QString& title, const ResultTable& table);
     /// An empty title is no title: nothing happens.
     void rename(int id, const QString& title);
+    /// It was written to this file, with all that it has.
+    void noteSaved(int id, const std::filesystem::path& file);
     void remove(int id);
 
   signals:

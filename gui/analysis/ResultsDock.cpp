@@ -152,8 +152,9 @@ void ResultsDock::makeActions() {
         QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_I), &ResultsDock::showDetails);
     line();
     add("openResult", "open", tr("Open saved result…"),
-        tr("Open a saved result (.csv, .json, .exr) as a result again"), QKeySequence(),
-        &ResultsDock::openFile);
+        tr("Open a saved result (.csv, .json, .exr) or an image as text (.txt, .dat) as a result "
+           "again"),
+        QKeySequence(), &ResultsDock::openFile);
     add("saveResult", "export", tr("Save result…"), tr("Save the data with their provenance"),
         QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S), &ResultsDock::save);
     line();
@@ -344,6 +345,8 @@ void ResultsDock::save() {
             checkResultFile(AnalysisKind::range, file.toStdString());
         entry->isImage() ? saveResult(*entry->data, file.toStdString())
                          : entry->data->table.save(file.toStdString());
+        if (entry->isImage() && file.endsWith(".exr"))
+            workbench_.resultStore().noteSaved(entry->id, file.toStdString());
     } catch (const irsg::InputError& error) {
         dialogs_.tell(this, tr("This cannot be saved"), sentencesOf(error));
     }
@@ -351,7 +354,8 @@ void ResultsDock::save() {
 
 void ResultsDock::openFile() {
     const QString file = dialogs_.openFile(
-        this, tr("Open a saved result"), {tr("Results (*.csv *.json *.exr)"), tr("All files (*)")});
+        this, tr("Open a saved result"),
+        {tr("Results and matrices (*.csv *.json *.exr *.txt *.dat)"), tr("All files (*)")});
     if (!file.isEmpty())
         openResult(file.toStdString());
 }

@@ -28,7 +28,8 @@ class ResultsDock : public QDockWidget {
     QList<int> selectedResults() const;
     /// What can be done with them, with their keys.
     QList<QAction*> commands() const;
-    /// Opens a result file (.csv, .json, .exr) as a result again; what is wrong is told.
+    /// Opens a result file (.csv, .json, .exr; .txt and .dat for matrices) as a result again; what
+    /// is wrong is told.
     bool openResult(const std::filesystem::path& file);
 
   signals:

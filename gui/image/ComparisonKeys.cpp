@@ -126,6 +126,11 @@ void ComparisonWindow::copyPicture() const {
         pictureOf(*difference_, difference_->primary(), pictureOptions()));
 }
 
+void ComparisonWindow::copyCommand() const {
+    if (const QString command = commandLine(); !command.isEmpty())
+        QGuiApplication::clipboard()->setText(command);
+}
+
 irsg::PngViewOptions ComparisonWindow::pictureOptions() const {
     static const char* const labels[] = {"A - B", "|A - B|", "(A - B) / mean", "A / B"};
     irsg::PngViewOptions view;

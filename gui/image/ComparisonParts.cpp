@@ -1,8 +1,11 @@
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
+#include <QScrollArea>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -76,6 +79,9 @@ QWidget* ComparisonWindow::makeBar() {
     copy_ = menuButton(tr("Copy"), "copyComparison", tr("Copy to other programs"));
     copy_->menu()->addAction(tr("Numbers"), this, [this] { numbers_->copy(); });
     copy_->menu()->addAction(tr("Picture of the difference"), this, &ComparisonWindow::copyPicture);
+    copyCommandAction_ =
+        copy_->menu()->addAction(tr("Command line"), this, &ComparisonWindow::copyCommand);
+    copyCommandAction_->setObjectName("copyCommandLine");
     export_ = menuButton(tr("Export"), "exportComparison", tr("Write the difference to a file"));
     for (const QString& filter :
          {tr("OpenEXR image (*.exr)"), tr("Values as text (*.csv)"), tr("Picture (*.png)")})
@@ -121,7 +127,22 @@ QWidget* ComparisonWindow::makePanel() {
     tabs_->setDocumentMode(true);
     tabs_->setStyleSheet("QTabBar::tab { padding: 7px 8px; }"); // beside narrow images, too
     tabs_->addTab(numbers_, tr("Numbers"));
-    tabs_->addTab(thresholds_, tr("Thresholds"));
+    auto* judged = new QWidget(this);
+    auto* below = new QVBoxLayout(judged);
+    below->setContentsMargins(0, 0, 0, 0);
+    below->setSpacing(0);
+    below->addWidget(thresholds_, 1);
+    below->addWidget(makeCommandPart());
+    // Where the page is low it scrolls, and fields keep their height.
+    auto* scroll = new QScrollArea(this);
+    scroll->setObjectName("thresholdsScroll");
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(judged);
+    scroll->viewport()->setAutoFillBackground(false);
+    judged->setAutoFillBackground(false);
+    tabs_->addTab(scroll, tr("Thresholds"));
     tabs_->addTab(inspector_, tr("Histogram"));
 
     auto* panel = new QWidget(this);
@@ -135,6 +156,30 @@ QWidget* ComparisonWindow::makePanel() {
     column->addLayout(row);
     column->addWidget(tabs_, 1);
     return panel;
+}
+
+QWidget* ComparisonWindow::makeCommandPart() {
+    commandPart_ = new QWidget(this);
+    commandWords_ = new QLabel(commandPart_);
+    commandWords_->setObjectName("commandWords");
+    commandWords_->setWordWrap(true);
+    commandWords_->setForegroundRole(QPalette::PlaceholderText);
+    command_ = new QLineEdit(commandPart_);
+    command_->setObjectName("commandLine");
+    command_->setReadOnly(true);
+    command_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    copyCommand_ = textButton(tr("Copy"), "copyCommand", tr("Copy the command line"));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    row->addWidget(command_, 1);
+    row->addWidget(copyCommand_);
+    auto* column = new QVBoxLayout(commandPart_);
+    column->setContentsMargins(8, 0, 8, 8);
+    column->setSpacing(4);
+    column->addWidget(commandWords_);
+    column->addLayout(row);
+    connect(copyCommand_, &QToolButton::clicked, this, &ComparisonWindow::copyCommand);
+    return commandPart_;
 }
 
 void ComparisonWindow::connectParts() {

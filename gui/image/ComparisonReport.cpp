@@ -1,6 +1,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QToolButton>
 
 #include "gui/Readable.h"
@@ -72,7 +73,23 @@ void ComparisonWindow::use(std::optional<irsg::Comparison> whole,
     showVerdict();
 }
 
+void ComparisonWindow::showCommand() {
+    const QString command = commandLine();
+    const bool isThere = !command.isEmpty();
+    commandPart_->setVisible(sides_[0].image && sides_[1].image);
+    commandWords_->setText(isThere ? tr("The same from a terminal")
+                                   : tr("The same from a terminal: save each result as .exr first, "
+                                        "then compare them again."));
+    command_->setText(command);
+    command_->setToolTip(command);
+    command_->setCursorPosition(0);
+    for (QWidget* widget : {static_cast<QWidget*>(command_), static_cast<QWidget*>(copyCommand_)})
+        widget->setVisible(isThere);
+    copyCommandAction_->setEnabled(isThere);
+}
+
 void ComparisonWindow::showVerdict() {
+    showCommand();
     const bool compared = whole_.has_value();
     for (QWidget* button : {static_cast<QWidget*>(worst_), static_cast<QWidget*>(copy_),
                             static_cast<QWidget*>(export_), static_cast<QWidget*>(mark_)})

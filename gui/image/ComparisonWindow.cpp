@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QLabel>
+#include <QPointer>
 
 #include "gui/Readable.h"
 #include "gui/Sentences.h"
@@ -16,15 +17,38 @@
 #include "irsg/image/ComparisonFigures.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/support/ShellText.h"
 
 namespace smat::gui {
 namespace {
 
-QString quoted(const QString& name) {
-    return name.contains(' ') ? "\"" + name + "\"" : name;
+QString quoted(const QString& word) {
+    return QString::fromStdString(shellQuoted(word.toStdString()));
+}
+
+/// The first thing that is wrong with a file, and how much more there is.
+QString sentenceOf(const irsg::InputError& error) {
+    const QStringList all = sentencesOf(error);
+    return all.size() == 1
+               ? all.front()
+               : ComparisonWindow::tr("%1 (and %2 more)").arg(all.front()).arg(all.size() - 1);
 }
 
 } // namespace
+
+ComparisonWindow::Reading ComparisonWindow::readingOf(const QStringList& files) {
+    Reading reading;
+    for (const QString& file : files) {
+        try {
+            reading.sides.push_back(
+                ComparisonSide::of(irsg::readImageFile(file.toStdString()), file));
+        } catch (const irsg::InputError& error) {
+            reading.sides.emplace_back();
+            reading.wrong << sentenceOf(error);
+        }
+    }
+    return reading;
+}
 
 ComparisonWindow::ComparisonWindow(QWidget* parent, Dialogs dialogs)
     : QWidget(parent), dialogs_(std::move(dialogs)) {
@@ -61,23 +85,29 @@ void ComparisonWindow::openFiles(const QStringList& files, std::optional<int> si
     }
     const int first = files.size() == 2 ? 0 : side.value_or(sides_[0].image && !sides_[1].image);
     readout_->setText(tr("Reading %1 …").arg(files.join(tr(" and "))));
-    using Read = std::vector<ComparisonSide>;
-    readTask_.run<Read>(
-        [files] {
-            Read read;
-            for (const QString& file : files)
-                read.push_back(ComparisonSide::of(irsg::readImageFile(file.toStdString()), file));
-            return read;
-        },
-        [this, first](Read read) {
-            for (std::size_t i = 0; i < read.size(); ++i)
-                sides_[static_cast<std::size_t>(first) + i] = std::move(read[i]);
-            onSidesChanged();
-        },
-        [this](const std::exception_ptr& thrown) {
-            showReadout(pixel_);
-            dialogs_.tell(this, tr("This image cannot be read"), sentencesOf(thrown));
-        });
+    readTask_.run<Reading>([files] { return readingOf(files); },
+                           [this, first](Reading reading) { take(std::move(reading), first); });
+}
+
+void ComparisonWindow::take(Reading reading, int first) {
+    const bool isEmpty = !sides_[0].image && !sides_[1].image;
+    if (reading.wrong.isEmpty() || isEmpty) {
+        for (std::size_t i = 0; i < reading.sides.size(); ++i) {
+            if (reading.sides[i].image)
+                sides_[static_cast<std::size_t>(first) + i] = std::move(reading.sides[i]);
+        }
+        onSidesChanged();
+    }
+    showReadout(pixel_);
+    if (reading.wrong.isEmpty())
+        return;
+    const QPointer<ComparisonWindow> stillThere(this); // a message box lets other things happen
+    dialogs_.tell(this,
+                  reading.wrong.size() > 1 ? tr("These images cannot be read")
+                                           : tr("This image cannot be read"),
+                  reading.wrong);
+    if (stillThere && !sides_[0].image && !sides_[1].image)
+        emit nothingRead();
 }
 
 bool ComparisonWindow::isBusy() const {
@@ -293,8 +323,9 @@ void ComparisonWindow::goToWorstPixel() {
 }
 
 QString ComparisonWindow::commandLine() const {
-    QString text = QStringLiteral("smat-batch compare %1 %2")
-                       .arg(quoted(sides_[0].name), quoted(sides_[1].name));
+    if (sides_[0].file.isEmpty() || sides_[1].file.isEmpty())
+        return {};
+    QString text = "smat-batch compare " + quoted(sides_[0].file) + " " + quoted(sides_[1].file);
     if (!options_.channel.empty())
         text += " --channel " + quoted(QString::fromStdString(options_.channel));
     text += thresholds_->options();

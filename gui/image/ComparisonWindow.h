@@ -13,9 +13,11 @@
 #include "irsg/image/PngView.h"
 #include "irsg/image/RadianceImage.h"
 
+class QAction;
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QLineEdit;
 class QTabWidget;
 class QToolButton;
 
@@ -30,9 +32,11 @@ class ThresholdForm;
 struct ComparisonSide {
     std::shared_ptr<const irsg::RadianceImage> image; ///< null: none yet
     QString name;                                     ///< of its file, or of its result
+    QString file; ///< that holds the image; empty for a result that is not saved
 
-    static ComparisonSide of(irsg::RadianceImage image, const QString& name) {
-        return {std::make_shared<const irsg::RadianceImage>(std::move(image)), name};
+    /// Of a file.
+    static ComparisonSide of(irsg::RadianceImage image, const QString& file) {
+        return {std::make_shared<const irsg::RadianceImage>(std::move(image)), file, file};
     }
 };
 
@@ -51,8 +55,9 @@ class ComparisonWindow : public QWidget, public Exportable {
 
     void setSides(ComparisonSide a, ComparisonSide b);
     const ComparisonSide& side(int index) const { return sides_[static_cast<std::size_t>(index)]; }
-    /// Reads one or two files off the window's thread; what cannot be read is told, and what was
-    /// there stays. One file becomes A, or B where A is there and B is not, or `side`.
+    /// Reads one or two files off the window's thread. What cannot be read is told, one sentence a
+    /// file, and what was there stays; where nothing was, the file that can be read is taken. One
+    /// file becomes A, or B where A is there and B is not, or `side`.
     void openFiles(const QStringList& files, std::optional<int> side = {});
     void swapSides();
 
@@ -73,17 +78,21 @@ class ComparisonWindow : public QWidget, public Exportable {
     /// "x 3   y 4     A 1.2     B 1     A − B 0.2 W·m⁻²·sr⁻¹".
     QString readoutAt(int x, int y) const;
     void goToWorstPixel();
-    /// The line of smat-batch that gives the same numbers.
+    /// The line of smat-batch that gives the same numbers; empty while there are not two images,
+    /// and where one is a result that no file holds.
     QString commandLine() const;
 
     QStringList exportFilters() const override;
     /// The difference as it is shown: .exr with A, B and all numbers, .csv, .png with its bar.
     void exportTo(const std::filesystem::path& file) const override;
     void copyPicture() const;
+    void copyCommand() const;
 
   signals:
     /// Other images: "a.exr | b.exr".
     void titleChanged(const QString& title);
+    /// No file could be read and there is nothing to see; it was told.
+    void nothingRead();
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -93,6 +102,14 @@ class ComparisonWindow : public QWidget, public Exportable {
     void dropEvent(QDropEvent* event) override;
 
   private:
+    /// Of files that were to be read: a side of each, empty where it cannot be, and why.
+    struct Reading {
+        std::vector<ComparisonSide> sides;
+        QStringList wrong;
+    };
+    static Reading readingOf(const QStringList& files);
+    void take(Reading reading, int first);
+
     struct Answer {
         irsg::Comparison whole;
         std::optional<irsg::Comparison> part;
@@ -106,6 +123,7 @@ class ComparisonWindow : public QWidget, public Exportable {
     void build();
     QWidget* makeBar();
     QWidget* makePanel();
+    QWidget* makeCommandPart();
     void connectParts();
 
     void onSidesChanged();
@@ -123,6 +141,7 @@ class ComparisonWindow : public QWidget, public Exportable {
     void take(Answer answer);
     void use(std::optional<irsg::Comparison> whole, std::optional<irsg::Comparison> part);
     void showVerdict();
+    void showCommand();
     void showMarks();
     void showReadout(std::optional<QPoint> pixel);
 
@@ -156,6 +175,11 @@ class ComparisonWindow : public QWidget, public Exportable {
     QLabel* verdict_ = nullptr;
     QLabel* sentence_ = nullptr;
     QLabel* readout_ = nullptr;
+    QWidget* commandPart_ = nullptr; ///< below the thresholds
+    QLabel* commandWords_ = nullptr;
+    QLineEdit* command_ = nullptr;
+    QToolButton* copyCommand_ = nullptr;
+    QAction* copyCommandAction_ = nullptr;
     LatestTask readTask_, compareTask_, partTask_, differenceTask_;
 };
 

@@ -99,6 +99,18 @@ std::vector<std::string> plottableQuantities(const ResultTable& table) {
     return keys;
 }
 
+bool goOnOnePlot(const ResultTable& a, const ResultTable& b) {
+    if (a.empty() || b.empty() || isPolar(a) != isPolar(b))
+        return false;
+    const bool sameAxis = isPolar(a) ? polarTypeOf(a) == polarTypeOf(b)
+                                     : abscissaOf(a).header() == abscissaOf(b).header();
+    try {
+        return sameAxis && b.find(plottableQuantities(a).front()) != nullptr;
+    } catch (const irsg::InputError&) {
+        return false; // nothing in it can be drawn
+    }
+}
+
 PlotData cartesianData(const std::vector<NamedResult>& results, const std::string& quantity) {
     requireSame(results, "abscissa",
                 [](const ResultTable& t) { return t.empty() ? "none" : abscissaOf(t).header(); });

@@ -21,6 +21,10 @@ bool isPolar(const ResultTable& table);
 /// Throws InputError for a table without rows or without such a column.
 std::vector<std::string> plottableQuantities(const ResultTable& table);
 
+/// Whether both can be overlaid as they are shown at first: the same abscissa or type of sweep, and
+/// the quantity that is most asked for.
+bool goOnOnePlot(const ResultTable& a, const ResultTable& b);
+
 /// Overlays one quantity of several results. All must have it and share the abscissa, and on polar
 /// plots the type of sweep (InputError). At least one result (LogicError).
 PlotData cartesianData(const std::vector<NamedResult>& results, const std::string& quantity);

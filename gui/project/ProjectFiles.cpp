@@ -38,8 +38,12 @@ ProjectFiles::ProjectFiles(Workbench& workbench, Dialogs& dialogs, const Prefere
     connect(&recovery_, &RecoveryCopy::failed, this, &ProjectFiles::said);
 }
 
+QString ProjectFiles::modelPatterns() {
+    return QStringLiteral("*.flt *.osgt *.osgb *.ive *.osg *.osgx");
+}
+
 QString ProjectFiles::modelFilter() {
-    return tr("Models (*.flt *.osgt *.osgb *.ive *.osg *.osgx)");
+    return tr("Models (%1)").arg(modelPatterns());
 }
 
 QString ProjectFiles::displayName() const {
@@ -81,14 +85,6 @@ bool ProjectFiles::newProject() {
     workbench_.adopt(project);
     remember();
     return true;
-}
-
-bool ProjectFiles::chooseProject() {
-    const QString file = dialogs_.openFile(
-        window_, tr("Open a project or a model"),
-        {tr("Projects and models (*.smat *.flt *.osgt *.osgb *.ive *.osg *.osgx)"),
-         tr("Projects (*.smat)"), tr("All files (*)")});
-    return !file.isEmpty() && open(file.toStdString());
 }
 
 bool ProjectFiles::chooseModel() {

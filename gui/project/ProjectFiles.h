@@ -35,7 +35,6 @@ class ProjectFiles : public QObject {
 
     /// Each true where it was done.
     bool newProject();
-    bool chooseProject();
     bool chooseModel();
     bool open(const std::filesystem::path& file);
     bool save();
@@ -46,6 +45,8 @@ class ProjectFiles : public QObject {
     bool chooseModelFile(std::size_t model);
     bool chooseDatabaseFile(std::size_t model);
 
+    /// "*.flt *.osgt …".
+    static QString modelPatterns();
     static QString modelFilter();
 
   signals:

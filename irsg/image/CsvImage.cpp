@@ -1,5 +1,6 @@
 #include "irsg/image/CsvImage.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -69,6 +70,65 @@ void appendNumber(std::string& out, float value) {
     out.append(text.data(), end);
 }
 
+bool isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+bool isBlank(char c) {
+    return c == ' ' || c == '\t';
+}
+
+std::string_view withoutBlanks(std::string_view text) {
+    while (!text.empty() && isBlank(text.front()))
+        text.remove_prefix(1);
+    while (!text.empty() && isBlank(text.back()))
+        text.remove_suffix(1);
+    return text;
+}
+
+/// nan and inf are numbers, though they begin with a letter.
+bool beginsWithNumber(std::string_view text) {
+    const std::string_view word = text.substr(0, text.find_first_of(" \t"));
+    float ignored = 0.0F;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), ignored);
+    return end == word.data() + word.size() && error != std::errc::invalid_argument;
+}
+
+/// Of the first row of a text: what it is, where it is the heading of a table or no row of numbers
+/// at all, so that one sentence says it. Empty for a row of an image, be it wrong in places.
+std::string wordsOfHeading(std::string_view row) {
+    constexpr std::size_t shown = 60;
+    const std::string_view text = withoutBlanks(row);
+    const std::string cut =
+        text.size() > shown ? std::string(text.substr(0, shown)) + "..." : std::string(text);
+    if (text.starts_with('{') || text.starts_with('[') || text.starts_with('<'))
+        return "text that is no image (" + cut + ")";
+    std::size_t names = 0;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find_first_of(",;\t", begin), text.size());
+        std::string_view name = withoutBlanks(text.substr(begin, end - begin));
+        if (name.starts_with('"'))
+            name.remove_prefix(1);
+        begin = end + 1;
+        if (name.empty() && names > 0)
+            continue; // a separator at the end of the row
+        if (name.empty() || !isLetter(name.front()) || beginsWithNumber(name))
+            return "";
+        ++names;
+    }
+    return names > 1 ? "a table of results (columns " + cut + ")"
+                     : "text that is no image (" + cut + ")";
+}
+
+/// The next line of a text and what is left of it behind: lines end in LF, CRLF or CR.
+std::string_view nextLine(std::string_view& rest) {
+    const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+    const std::string_view line = rest.substr(0, end);
+    const bool isPair = rest.substr(end).starts_with("\r\n");
+    rest.remove_prefix(std::min(rest.size(), end + (isPair ? 2 : 1)));
+    return line;
+}
+
 /// Collects the pixels and the header of a text, line by line.
 class CsvImageParser {
   public:
@@ -101,7 +161,8 @@ class CsvImageParser {
         return image;
     }
 
-    bool isFull() const { return offences_.size() >= offencesShown; }
+    /// Nothing that follows can be of use.
+    bool isFull() const { return isNoImage_ || offences_.size() >= offencesShown; }
 
   private:
     void offend(std::string position, std::string value, std::string expected) {
@@ -126,8 +187,14 @@ class CsvImageParser {
     }
 
     void row(std::string_view text) {
+        if (height_ == 0) {
+            if (std::string words = wordsOfHeading(text); !words.empty()) {
+                offend(here(), std::move(words), "an image: rows of numbers");
+                isNoImage_ = true;
+                return;
+            }
+        }
         // Fields are numbers; blanks may stand around a separator or be one.
-        const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
         const auto isSeparator = [](char c) { return c == ',' || c == ';'; };
         const auto skipBlanks = [&](std::size_t i) {
             while (i < text.size() && isBlank(text[i]))
@@ -201,6 +268,7 @@ class CsvImageParser {
 
     std::string file_;
     int line_ = 0;
+    bool isNoImage_ = false;
     std::size_t width_ = 0, height_ = 0;
     std::vector<float> values_;
     std::map<std::string, std::string> header_, attributes_;
@@ -245,15 +313,27 @@ RadianceImage readCsvImage(const std::filesystem::path& file) {
         rest.remove_prefix(3);
 
     CsvImageParser parser(file.string());
-    while (!rest.empty() && !parser.isFull()) {
-        const std::size_t end = rest.find_first_of("\r\n");
-        parser.line(rest.substr(0, end));
-        if (end == std::string_view::npos)
-            break;
-        const bool isPair = rest[end] == '\r' && end + 1 < rest.size() && rest[end + 1] == '\n';
-        rest.remove_prefix(end + (isPair ? 2 : 1));
-    }
+    while (!rest.empty() && !parser.isFull())
+        parser.line(nextLine(rest));
     return parser.image();
+}
+
+bool beginsAsCsvImage(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF"))
+        text.remove_prefix(3);
+    std::set<std::string, std::less<>> keys;
+    while (!text.empty()) {
+        const std::string_view line = withoutBlanks(nextLine(text));
+        if (line.starts_with('#')) {
+            const std::string_view comment = withoutBlanks(line.substr(1));
+            keys.emplace(comment.substr(0, comment.find(':')));
+        } else if (!line.empty()) {
+            return (keys.contains("channel") && keys.contains("width") &&
+                    keys.contains("height")) ||
+                   beginsWithNumber(line.substr(0, line.find_first_of(",;\t")));
+        }
+    }
+    return false;
 }
 
 } // namespace irsg

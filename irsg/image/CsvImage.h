@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "irsg/image/RadianceImage.h"
 
@@ -22,7 +23,12 @@ void writeCsvImage(const RadianceImage& image, const std::filesystem::path& file
 /// separator at the end of a line is allowed, blank lines are skipped. A plane without a name is
 /// `L`, without a unit. Throws InputError with every offence (the first 20) at its line and column:
 /// rows of different length, text that is no number, a number beyond the range of float, a size
-/// that is not what the header says; and for a file without a number.
+/// that is not what the header says; and for a file without a number. A text that begins with
+/// words, such as a table of results with the names of its columns, is refused in one sentence.
 RadianceImage readCsvImage(const std::filesystem::path& file);
+
+/// Whether the beginning of a text is that of an image: a header of writeCsvImage, or a first row
+/// that begins with a number where a table has the names of its columns.
+bool beginsAsCsvImage(std::string_view text);
 
 } // namespace irsg

@@ -24,9 +24,12 @@ constexpr std::array<Signature, 7> otherFormats = {{{"\x89PNG", "a PNG picture"}
                                                     {"SIMPLE  =", "a FITS file"},
                                                     {"SQLite format 3", "a database"}}};
 
-std::string beginningOf(const std::filesystem::path& file) {
+constexpr std::string_view exrBytes = "\x76\x2f\x31\x01";
+
+/// At most `size` bytes; nothing of a file that cannot be read.
+std::string beginningOf(const std::filesystem::path& file, std::size_t size) {
     std::ifstream stream(file, std::ios::binary);
-    std::string bytes(16, '\0');
+    std::string bytes(size, '\0');
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     bytes.resize(static_cast<std::size_t>(stream.gcount()));
     return bytes;
@@ -35,14 +38,24 @@ std::string beginningOf(const std::filesystem::path& file) {
 } // namespace
 
 RadianceImage readImageFile(const std::filesystem::path& file) {
-    const std::string beginning = beginningOf(file);
-    if (beginning.starts_with("\x76\x2f\x31\x01"))
+    const std::string beginning = beginningOf(file, 16);
+    if (beginning.starts_with(exrBytes))
         return readExr(file);
     for (const Signature& other : otherFormats)
         if (beginning.starts_with(other.bytes))
             throw InputError({file.string(), "byte 0", std::string(other.format),
                               "OpenEXR or CSV, which hold values and not colours"});
     return readCsvImage(file);
+}
+
+bool holdsImage(const std::filesystem::path& file) {
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(file, unknown))
+        return false;
+    const std::string beginning = beginningOf(file, std::size_t{256} << 10);
+    if (beginning.starts_with(exrBytes))
+        return true;
+    return beginning.find('\0') == std::string::npos && beginsAsCsvImage(beginning);
 }
 
 std::string channelList(const RadianceImage& image) {

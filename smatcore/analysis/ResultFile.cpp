@@ -1,30 +1,13 @@
 #include "smatcore/analysis/ResultFile.h"
 
-#include <algorithm>
-
-#include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
-#include "irsg/radiometry/CsvTable.h"
+#include "irsg/image/ImageFile.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 
 namespace smat {
 
 namespace {
-
-/// An image as text: its header says so, or it begins with a number where a table has names.
-bool isCsvImage(const std::filesystem::path& file) {
-    const irsg::CsvTable csv = irsg::CsvTable::read(file);
-    const auto has = [&](std::string_view key) {
-        return std::any_of(csv.comments().begin(), csv.comments().end(),
-                           [&](const irsg::CsvComment& comment) { return comment.key == key; });
-    };
-    if (has("channel") && has("width") && has("height")) {
-        return true;
-    }
-    return !csv.rows().empty() && !csv.rows().front().cells.empty() &&
-           irsg::parseNumber(csv.rows().front().cells.front().text).has_value();
-}
 
 void takeProvenance(AnalysisData& data) {
     const Provenance& provenance = data.table.provenance;
@@ -51,8 +34,10 @@ void takeProvenance(AnalysisData& data) {
 AnalysisData loadResult(const std::filesystem::path& file) {
     AnalysisData data;
     const std::string extension = file.extension().string();
-    if (extension == ".exr" || (extension == ".csv" && isCsvImage(file))) {
-        data.image = extension == ".exr" ? irsg::readExr(file) : irsg::readCsvImage(file);
+    const bool isImage = extension == ".exr" || extension == ".txt" || extension == ".dat" ||
+                         (extension == ".csv" && irsg::holdsImage(file));
+    if (isImage) {
+        data.image = extension == ".exr" ? irsg::readExr(file) : irsg::readImageFile(file);
         for (const auto& [key, value] : data.image.attributes) {
             data.table.provenance.add(key, value);
         }
@@ -68,7 +53,7 @@ AnalysisData loadResult(const std::filesystem::path& file) {
         throw irsg::InputError(irsg::Offence{.file = file.string(),
                                              .position = "",
                                              .value = "extension \"" + extension + "\"",
-                                             .expected = ".csv, .json or .exr"});
+                                             .expected = ".csv, .json, .exr, .txt or .dat"});
     }
     takeProvenance(data);
     summarise(data);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -48,6 +49,19 @@ TEST_F(CompareCommand, FindsTheChangedPixelWithSignAndPlaceAndFails) {
         EXPECT_EQ(ran.err, "");
     }
     EXPECT_THAT(compare({"b.exr", "a.exr"}).out, HasSubstr("-0.5 W m-2 sr-1, at (5, 2)"));
+}
+
+TEST_F(CompareCommand, ATableOfResultsIsRefusedInOneSentence) {
+    std::string table = "range [m],contrast_intensity [W sr-1]\n";
+    for (int i = 1; i < 100; ++i)
+        table += std::to_string(i) + ",2\n";
+    write(folder / "range.csv", table);
+    const Ran ran = compare({"range.csv", "range.csv"});
+    EXPECT_EQ(ran.exitCode, 2);
+    EXPECT_EQ(ran.out, "");
+    EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("range.csv: line 1: found a table of results (columns range "
+                                   "[m],contrast_intensity [W sr-1]), expected an image"));
 }
 
 TEST_F(CompareCommand, TheExitCodeIsTheVerdict) {

@@ -77,12 +77,15 @@ TEST_F(ResultFileTest, GivesAnImageBackFromEveryDataFormat) {
         EXPECT_EQ(read.name, "picture") << name;
     }
     // A plain matrix of another program is an image as well.
-    std::ofstream(folder / "matrix.csv") << "1,2\n3,4\n5,6\n";
-    EXPECT_EQ(loadResult(folder / "matrix.csv").image.height(), 3);
+    for (const char* name : {"matrix.csv", "karma.txt", "karma.dat"}) {
+        std::ofstream(folder / name) << "nan 2\n3 4\n5 6\n";
+        EXPECT_EQ(loadResult(folder / name).image.height(), 3) << name;
+    }
 }
 
 TEST_F(ResultFileTest, RefusesWhatIsNoResult) {
-    EXPECT_THAT(refusal("a.txt", "x"), HasSubstr(".csv, .json or .exr"));
+    EXPECT_THAT(refusal("a.xml", "x"), HasSubstr(".csv, .json, .exr, .txt or .dat"));
+    EXPECT_THAT(refusal("a.txt", "range [m],L\n1,2\n"), HasSubstr("a table of results"));
     EXPECT_THAT(refusal("b.csv", "range [m],intensity [W sr-1]\n"), HasSubstr("without rows"));
     EXPECT_THAT(refusal("c.csv", "range [m],intensity [W sr-1]\n1,seven\n"), HasSubstr("seven"));
     EXPECT_THAT(refusal("d.json", "{"), HasSubstr("d.json"));

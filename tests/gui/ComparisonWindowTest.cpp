@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QScrollArea>
 #include <QSlider>
 #include <QTabWidget>
 #include <QTest>
@@ -370,6 +371,65 @@ TEST_F(ComparisonTest, ChoosesThePlaneAmongThoseThatBothHave) {
     EXPECT_TRUE(window->commandLine().contains("--channel range_m"));
 }
 
+TEST_F(ComparisonTest, ShowsTheCommandBelowTheThresholdsAndCopiesIt) {
+    test::keepClipboard();
+    window = std::make_unique<ComparisonWindow>(nullptr, people);
+    showWindow();
+    press(Qt::Key_T);
+    const auto* line = window->findChild<QLineEdit*>("commandLine");
+    auto* copy = window->findChild<QToolButton*>("copyCommand");
+    EXPECT_FALSE(line->isVisible());
+    window->setSides(ComparisonSide::of(changed(31, 7, 0.5F), "a.exr"),
+                     ComparisonSide::of(scene(), "one's own.exr"));
+    EXPECT_TRUE(line->isVisible());
+    EXPECT_EQ(line->text(), "smat-batch compare a.exr 'one'\\''s own.exr'");
+    type("failAbsolute", "0.25");
+    window->panes()->canvas(2)->setSelection(irsg::PixelRectangle{30, 6, 4, 2});
+    emit window->panes()->canvas(2)->selectionChanged();
+    const QString whole =
+        "smat-batch compare a.exr 'one'\\''s own.exr' --fail 0.25 --rectangle 30,6,4,2";
+    EXPECT_EQ(line->text(), whole);
+    copy->click();
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), whole);
+    QGuiApplication::clipboard()->clear();
+    window->findChild<QAction*>("copyCommandLine")->trigger();
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), whole);
+    // Below the last threshold; where the window is low they scroll, and are as high as they were.
+    for (const QSize& size : {QSize(1200, 860), QSize(900, 620)}) {
+        window->resize(size);
+        QTest::qWait(30);
+        const auto placeOf = [&](const QWidget* widget) {
+            return QRect(widget->mapTo(window.get(), QPoint()), widget->size());
+        };
+        auto* scroll = window->findChild<QScrollArea*>("thresholdsScroll");
+        const auto* last = window->findChild<QLineEdit*>("failAllowed");
+        EXPECT_GE(last->height(), last->sizeHint().height());
+        EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width());
+        test::keepScreenshot(*window, "comparison-command-" + std::to_string(size.width()));
+        scroll->ensureWidgetVisible(copy);
+        EXPECT_GT(placeOf(line).top(), placeOf(last).bottom());
+        EXPECT_TRUE(window->rect().contains(placeOf(line)));
+        EXPECT_TRUE(window->rect().contains(placeOf(copy)));
+    }
+}
+
+TEST_F(ComparisonTest, AResultThatIsNotSavedHasNoCommand) {
+    const auto image = std::make_shared<const irsg::RadianceImage>(scene());
+    window = std::make_unique<ComparisonWindow>(nullptr, people);
+    showWindow();
+    press(Qt::Key_T);
+    window->setSides({image, "1  Image", {}}, {image, "2  Image", "b.exr"});
+    EXPECT_EQ(window->commandLine(), "");
+    EXPECT_TRUE(text("commandWords").contains("save each result as .exr first"));
+    EXPECT_FALSE(window->findChild<QLineEdit*>("commandLine")->isVisible());
+    EXPECT_FALSE(window->findChild<QToolButton*>("copyCommand")->isVisible());
+    EXPECT_FALSE(window->findChild<QAction*>("copyCommandLine")->isEnabled());
+    window->setSides({image, "1  Image", "a.exr"}, {image, "2  Image", "b.exr"});
+    EXPECT_EQ(window->findChild<QLineEdit*>("commandLine")->text(),
+              "smat-batch compare a.exr b.exr");
+    EXPECT_EQ(text("commandWords"), "The same from a terminal");
+}
+
 TEST_F(ComparisonTest, SwappingTurnsTheSign) {
     open(changed(31, 7, 0.5F), scene());
     press(Qt::Key_S);
@@ -456,18 +516,47 @@ TEST_F(ComparisonTest, KeepsPicturesOfItselfInBothThemes) {
     irsg::RadianceImage a = scene(), b = scene();
     for (std::size_t i = 0; i < a.pixelCount(); ++i)
         a.primary().values[i] += 0.4F * std::sin(static_cast<float>(i % 40) * 0.4F);
+    // Least and most lightness: of a text on its ground far apart, whichever is the darker one.
+    const auto lightnessOf = [](QWidget& widget) {
+        const QImage picture = widget.grab().toImage();
+        std::pair range{255, 0};
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x) {
+                const int lightness = picture.pixelColor(x, y).lightness();
+                range = {std::min(range.first, lightness), std::max(range.second, lightness)};
+            }
+        return range;
+    };
+    std::vector<QColor> ofImage;
     for (const auto& [mode, name] :
          {std::pair(ThemeMode::light, "light"), {ThemeMode::dark, "dark"}}) {
+        SCOPED_TRACE(name);
         applyTheme(*qApp, mode);
         open(a, b);
+        auto* tabs = window->findChild<QTabWidget*>("comparisonTabs");
         test::keepScreenshot(*window, std::string("comparison-numbers-") + name);
+        const int ground = window->grab().toImage().pixelColor(3, 3).lightness();
+        EXPECT_TRUE(mode == ThemeMode::dark ? ground < 90 : ground > 200) << ground;
+        for (const char* words : {"comparisonReadout", "verdictSentence", "comparisonNumbers"}) {
+            const auto [least, most] = lightnessOf(*window->findChild<QWidget*>(words));
+            EXPECT_GT(most - least, 130) << words;
+            EXPECT_TRUE(mode == ThemeMode::dark ? least < 90 : most > 200) << words;
+        }
+        ofImage.push_back(seen(0, {12, 12}));
+        EXPECT_EQ(seen(0, {12, 12}), ofImage.front()) << "a theme changes no value's colour";
         press(Qt::Key_T);
         press(Qt::Key_X);
         QTest::qWait(20);
+        EXPECT_EQ(tabs->tabText(tabs->currentIndex()), "Thresholds");
+        EXPECT_EQ(seen(2, {3, 3}), ColoredPlane::markColor(ColoredPlane::failed));
         test::keepScreenshot(*window, std::string("comparison-thresholds-") + name);
         press(Qt::Key_H);
         press(Qt::Key_V);
         ASSERT_TRUE(settled());
+        EXPECT_EQ(tabs->tabText(tabs->currentIndex()), "Histogram");
+        const auto [least, most] = lightnessOf(*tabs->currentWidget());
+        EXPECT_GT(most - least, 130);
+        EXPECT_TRUE(mode == ThemeMode::dark ? least < 90 : most > 200);
         test::keepScreenshot(*window, std::string("comparison-histogram-") + name);
     }
     applyTheme(*qApp, ThemeMode::light);

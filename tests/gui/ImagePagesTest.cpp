@@ -6,10 +6,12 @@
 #include <QMimeData>
 #include <QTabWidget>
 
+#include "gui/analysis/ResultPage.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageView.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/ExrFile.h"
+#include "tests/gui/ResultTables.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -119,6 +121,118 @@ TEST_F(ImagePages, ADroppedImageIsATabWithItsTemperatures) {
     auto* view = qobject_cast<ImageView*>(tabs()->currentWidget());
     EXPECT_NE(view->image().find(irsg::apparentTemperatureChannel), nullptr);
     EXPECT_EQ(tabs()->tabText(tabs()->currentIndex()), "one.exr");
+}
+
+TEST_F(ImagePages, TwoDroppedTablesOfResultsAreResultsAndOverlaid) {
+    const ResultTable range = test::rangeTable(), polar = test::polarTable();
+    range.save(folder / "near.csv");
+    range.save(folder / "far.csv");
+    polar.save(folder / "round.csv");
+    const auto at = [this](const char* name) {
+        return QString::fromStdString((folder / name).string());
+    };
+    drop({at("near.csv"), at("far.csv")});
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    EXPECT_TRUE(window->findChildren<ComparisonWindow*>().isEmpty());
+    ASSERT_EQ(workbench.results().size(), 2U);
+    ASSERT_NE(window->currentPage(), nullptr);
+    EXPECT_EQ(window->currentPage()->resultIds(),
+              (QList<int>{workbench.results()[0].id, workbench.results()[1].id}));
+
+    // Two that do not go on one plot are shown one by one.
+    drop({at("near.csv"), at("round.csv")});
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    ASSERT_EQ(workbench.results().size(), 4U);
+    EXPECT_EQ(window->currentPage()->resultIds(), QList<int>{workbench.results()[3].id});
+    // An image and a table are each what they are.
+    std::ofstream(folder / "matrix.csv") << "1,2,3\n4,5,6\n";
+    drop({at("matrix.csv"), at("near.csv")});
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    ASSERT_EQ(workbench.results().size(), 6U);
+    EXPECT_TRUE(workbench.results()[4].isImage());
+    EXPECT_FALSE(workbench.results()[5].isImage());
+}
+
+TEST_F(ImagePages, TwoDroppedMatricesAreComparedWhateverTheirNames) {
+    for (const auto& [first, second] :
+         {std::pair("a.csv", "b.csv"), {"a.txt", "b.dat"}, {"c.csv", "d.txt"}}) {
+        std::ofstream(folder / first) << "1 2 3\n4 5 6\n";
+        std::ofstream(folder / second) << "1;2;3\n4;5;8\n";
+        drop({QString::fromStdString((folder / first).string()),
+              QString::fromStdString((folder / second).string())});
+        auto* page = qobject_cast<ComparisonWindow*>(tabs()->currentWidget());
+        ASSERT_NE(page, nullptr) << first;
+        ASSERT_TRUE(test::waitUntil([&] { return page->comparison().has_value(); }));
+        EXPECT_DOUBLE_EQ(page->comparison()->largest.error, -2.0);
+    }
+}
+
+TEST_F(ImagePages, AComparisonWithoutAReadableFileLeavesNoTab) {
+    std::ofstream(folder / "bad.exr") << "no image";
+    test::rangeTable().save(folder / "table.csv");
+    const int before = tabs()->count();
+    window->compareImages({QString::fromStdString((folder / "bad.exr").string()),
+                           QString::fromStdString((folder / "table.csv").string())});
+    EXPECT_EQ(tabs()->count(), before + 1);
+    ASSERT_TRUE(test::waitUntil([&] { return tabs()->count() == before; }, 10.0));
+    ASSERT_EQ(told.size(), 2) << told.join('\n').toStdString();
+    EXPECT_TRUE(told[0].contains("bad.exr"));
+    EXPECT_TRUE(told[1].contains("table.csv: line 1: found a table of results (columns range [m],"))
+        << told[1].toStdString();
+
+    // The one that can be read stays to be compared with another.
+    told.clear();
+    auto* page = window->compareImages(
+        {QString::fromStdString((folder / "bad.exr").string()), written("good.exr", 1.0F)});
+    ASSERT_TRUE(test::waitUntil([&] { return !told.isEmpty(); }, 10.0));
+    EXPECT_EQ(told.size(), 1);
+    QTest::qWait(20);
+    EXPECT_EQ(tabs()->currentWidget(), page);
+    EXPECT_TRUE(page->side(1).name.endsWith("good.exr"));
+    EXPECT_EQ(page->side(0).image, nullptr);
+}
+
+TEST_F(ImagePages, FileOpenTakesImagesMatricesResultsAndProjects) {
+    std::ofstream(folder / "karma.txt") << "1\t2\t3\n4\t5\t6\n";
+    test::rangeTable().save(folder / "range.json");
+    const auto open = [this](const std::string& name) {
+        chosen = QString::fromStdString((folder / name).string());
+        trigger("openProject");
+    };
+    const auto shown = [this] { return qobject_cast<ImageView*>(tabs()->currentWidget()); };
+    open("karma.txt");
+    ASSERT_TRUE(test::waitUntil([&] { return shown() != nullptr; }, 10.0));
+    EXPECT_EQ(shown()->image().primary().values, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(tabs()->tabText(tabs()->currentIndex()), "karma.txt");
+    written("one.exr", 2.0F);
+    open("one.exr");
+    ASSERT_TRUE(test::waitUntil(
+        [&] { return tabs()->tabText(tabs()->currentIndex()) == "one.exr"; }, 10.0));
+    open("range.json");
+    ASSERT_EQ(workbench.results().size(), 1U);
+    EXPECT_EQ(window->currentPage()->resultIds(), QList<int>{workbench.results()[0].id});
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+
+    std::ofstream(folder / "letter.txt") << "Dear reader,\nthis is none.\n";
+    open("letter.txt");
+    ASSERT_EQ(told.size(), 1);
+    EXPECT_TRUE(told[0].contains("letter.txt: line 1")) << told[0].toStdString();
+    told.clear();
+    openSample();
+}
+
+TEST_F(ImagePages, AMatrixIsDroppedToBeSeenAndOpenedAsAResult) {
+    std::ofstream(folder / "karma.dat") << "1 2 3\n4 5 6\n";
+    const QString file = QString::fromStdString((folder / "karma.dat").string());
+    drop({file});
+    ASSERT_TRUE(test::waitUntil(
+        [&] { return qobject_cast<ImageView*>(tabs()->currentWidget()) != nullptr; }, 10.0));
+    EXPECT_TRUE(workbench.results().empty());
+    chosen = file;
+    trigger("openResultAction");
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    ASSERT_EQ(workbench.results().size(), 1U);
+    EXPECT_EQ(workbench.results()[0].image()->at(2, 1), 6.0F);
 }
 
 TEST_F(ImagePages, AnImageThatCannotBeReadIsToldAndOpensNothing) {

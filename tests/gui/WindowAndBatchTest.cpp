@@ -3,11 +3,14 @@
 
 #include <malloc.h>
 
+#include <QListWidget>
 #include <QPixmapCache>
 #include <QSemaphore>
 #include <QTest>
 #include <QThreadPool>
+#include <nlohmann/json.hpp>
 
+#include "gui/image/ComparisonWindow.h"
 #include "smatcore/project/ProjectFile.h"
 #include "tests/cli/Program.h"
 #include "tests/gui/ProcessCounts.h"
@@ -68,6 +71,30 @@ TEST_F(WindowAndBatchTest, EveryAnalysisEqualsItsCommandLineByteForByte) {
     runAnalysis("polar");
     saveResult(*workbench.results().back().data, folder / "polar.csv");
     EXPECT_FALSE(smat::test::contentOf(folder / "polar.csv") == before);
+}
+
+TEST_F(WindowAndBatchTest, TheCommandOfAComparisonGivesItsNumbers) {
+    openSample();
+    runAnalysis("image");
+    workbench.set("camera.azimuth", "35");
+    runAnalysis("image");
+    const std::vector<int> ids{workbench.results()[0].id, workbench.results()[1].id};
+    EXPECT_EQ(window->compareResults(ids[0], ids[1])->commandLine(), "");
+    auto* list = window->findChild<QListWidget*>("resultList");
+    for (const int row : {0, 1}) {
+        list->clearSelection();
+        list->setCurrentRow(row);
+        chosen = QString::fromStdString((folder / (row == 0 ? "a.exr" : "b.exr")).string());
+        trigger("saveResultAction");
+    }
+    auto* page = window->compareResults(ids[0], ids[1]);
+    ASSERT_TRUE(test::waitUntil([&] { return page->comparison().has_value(); }));
+    const auto ran =
+        smat::test::smatBatch(argumentsOf(page->commandLine().toStdString() + " --json"), folder);
+    ASSERT_EQ(ran.err, "") << page->commandLine().toStdString();
+    const auto told = nlohmann::json::parse(ran.out)["comparisons"][0];
+    EXPECT_NE(page->comparison()->meanError, 0.0);
+    EXPECT_DOUBLE_EQ(told["mean_error"].get<double>(), page->comparison()->meanError);
 }
 
 TEST(ProcessCountsTest, CountThreadsButThoseOfPools) {

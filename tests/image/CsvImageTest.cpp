@@ -146,7 +146,11 @@ TEST(CsvImage, RefusesBadTextWithItsPlace) {
         {"width denied", "# width: 3\n1,2\n", "width: found 2, expected 3, as the header says"},
         {"height denied", "# height: 1\n1\n2\n", "height: found 2, expected 1"},
         {"NUL byte", std::string("1,\0", 3), "byte 2: found a NUL byte"},
-        {"a title row", "radiance,image\n1,2\n", "line 1, column 1: found radiance"},
+        {"a table of results", "# command: x\nrange [m],radiance image\n1,2\n",
+         "line 2: found a table of results (columns range [m],radiance image), expected an image"},
+        {"quoted names", "\"range\";\"L\"\n1;2\n", "line 1: found a table of results"},
+        {"a letter", "Dear reader,\n1,2\n", "line 1: found text that is no image (Dear reader,)"},
+        {"JSON", "{\"columns\": 3}\n", "line 1: found text that is no image ({"},
     };
     for (const auto& row : rows) {
         SCOPED_TRACE(row.name);
@@ -167,7 +171,7 @@ TEST(CsvImage, CollectsOffencesButNotWithoutEnd) {
     }
     std::string text;
     for (int i = 0; i < 1000; ++i)
-        text += "x,y\n";
+        text += "1x,y\n";
     writeFileBytes(folder / "m.csv", text);
     try {
         readCsvImage(folder / "m.csv");
@@ -175,6 +179,38 @@ TEST(CsvImage, CollectsOffencesButNotWithoutEnd) {
     } catch (const InputError& error) {
         EXPECT_EQ(error.offences().size(), 20U);
     }
+}
+
+TEST(CsvImage, ATableOfResultsIsRefusedInOneSentence) {
+    const test::TemporaryFolder folder;
+    std::string text = "step [m],L [W m-2 sr-1]\n";
+    for (int i = 0; i < 100; ++i)
+        text += "1,two\n";
+    writeFileBytes(folder / "m.csv", text);
+    try {
+        readCsvImage(folder / "m.csv");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.offences().size(), 1U);
+    }
+}
+
+TEST(CsvImage, IsToldByItsFirstRowOrItsHeader) {
+    const std::pair<const char*, bool> rows[] = {
+        {"1,2\n", true},
+        {"\xEF\xBB\xBF\n\n -1e3;2\n", true},
+        {"nan,2\n", true},
+        {"inf nan\n", true},
+        {"# by hand\r\n1 2 3", true},
+        {"# channel: L\n# width: 1\n# height: 1\nx\n", true},
+        {"range [m],L\n1,2\n", false},
+        {"# channel: L\nrange,L\n1,2\n", false},
+        {"nano,2\n", false},
+        {"{\"a\": 1}\n", false},
+        {"# alone\n", false},
+        {"", false}};
+    for (const auto& [text, isImage] : rows)
+        EXPECT_EQ(beginsAsCsvImage(text), isImage) << text;
 }
 
 TEST(CsvImage, RefusesMissingFilesAndFoldersThatCannotBeWritten) {
