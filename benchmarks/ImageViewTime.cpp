@@ -163,7 +163,7 @@ void measureView(ImageView& view, const std::shared_ptr<const irsg::RadianceImag
 
 void measureComparison(const std::shared_ptr<const irsg::RadianceImage>& a,
                        const std::shared_ptr<const irsg::RadianceImage>& b) {
-    ComparisonWindow window({a, "A"}, {b, "B"});
+    ComparisonWindow window({a, "A", {}}, {b, "B", {}});
     window.resize(1400, 1000);
     window.show();
     QImage paper(window.panes()->size(), QImage::Format_RGB32);
