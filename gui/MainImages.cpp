@@ -60,6 +60,19 @@ void MainWindow::openFiles(const QStringList& files) {
     overlayResultsFrom(before);
 }
 
+bool MainWindow::begin(const std::filesystem::path& file) {
+    const QString suffix = QString::fromStdString(file.extension().string()).mid(1).toLower();
+    const bool needsNoProject =
+        std::any_of(openers_.begin(), openers_.end(),
+                    [&](const auto& opener) { return opener.first.contains(suffix); });
+    if (!needsNoProject)
+        return files_->begin(file);
+    // An image or a result stands beside whatever project there is.
+    files_->begin({});
+    openFiles({QString::fromStdString(file.string())});
+    return true;
+}
+
 void MainWindow::openOther(const std::filesystem::path& file) {
     const QString suffix = QString::fromStdString(file.extension().string()).mid(1).toLower();
     bool known = false;

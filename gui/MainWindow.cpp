@@ -224,10 +224,6 @@ bool MainWindow::open(const std::filesystem::path& file) {
     return files_->open(file);
 }
 
-void MainWindow::offerRecovery() {
-    files_->offerNewProject();
-}
-
 void MainWindow::openWith(const QStringList& suffixes,
                           std::function<bool(const std::filesystem::path&)> opener) {
     openers_.emplace_back(suffixes, std::move(opener));

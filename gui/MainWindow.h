@@ -49,8 +49,9 @@ class MainWindow : public QMainWindow {
     /// Opens files of any kind, each by what it is: one image as a tab or two as a comparison,
     /// saved results, of which several plots are overlaid as well, else a project or a model.
     void openFiles(const QStringList& files);
-    /// Offers the new project that a crash left behind, if there is one.
-    void offerRecovery();
+    /// What a start of the program does: opens a file, if one is named, and offers what a crash
+    /// left behind (see ProjectFiles::begin). Returns whether something is open.
+    bool begin(const std::filesystem::path& file);
     /// A fault of this program: keeps unsaved changes and says so.
     void tellInternalError(const QString& what);
     /// Who opens files of other kinds that are dropped here: asked in turn for a file with one of

@@ -66,10 +66,7 @@ int runWindow(const std::string& file, std::optional<smat::gui::ThemeMode> theme
     smat::gui::MainWindow window(workbench);
     application.window = &window;
     window.show();
-    if (!file.empty())
-        window.openFiles({QString::fromStdString(file)});
-    else
-        window.offerRecovery();
+    window.begin(file);
     return QApplication::exec();
 }
 

@@ -25,6 +25,18 @@ std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::
     return failure ? std::nullopt : std::optional(time);
 }
 
+QString whenWritten(const std::filesystem::path& file) {
+    return QLocale::system().toString(QFileInfo(textOf(file)).lastModified(), QLocale::ShortFormat);
+}
+
+/// What a project without a file is known by.
+QString wordsOf(const Project& project) {
+    QStringList models;
+    for (const auto& model : project.models)
+        models << QString::fromStdString(model.file.filename().string());
+    return project.title.empty() ? models.join(", ") : QString::fromStdString(project.title);
+}
+
 } // namespace
 
 ProjectFiles::ProjectFiles(Workbench& workbench, Dialogs& dialogs, const Preferences& preferences,
@@ -100,9 +112,9 @@ bool ProjectFiles::open(const std::filesystem::path& file) {
     if (absolute.extension() == ".smat") {
         if (RecoveryCopy::isInUse(absolute))
             emit said(tr("%1 has unsaved changes in another window").arg(textOf(absolute)));
-        const auto recovered = recover(absolute);
-        if (!recovered.has_value() || *recovered)
-            return recovered.value_or(false);
+        const Recovery recovery = recover(absolute);
+        if (recovery != Recovery::none)
+            return recovery == Recovery::taken;
     }
     return load(absolute);
 }
@@ -125,39 +137,91 @@ bool ProjectFiles::load(const std::filesystem::path& file) {
     return true;
 }
 
-std::optional<bool> ProjectFiles::recover(const std::filesystem::path& file) {
-    if (!RecoveryCopy::isLeftBehind(file))
-        return false;
-    const auto copy = RecoveryCopy::pathFor(file);
-    Project recovered;
-    try {
-        recovered = RecoveryCopy::read(file);
-    } catch (const irsg::InputError& error) {
-        dialogs_.tell(window_, tr("The recovery copy cannot be read; the saved project is opened"),
-                      sentencesOf(error));
-        return false;
+ProjectFiles::Recovery ProjectFiles::recover(const std::filesystem::path& file) {
+    const auto copies = RecoveryCopy::leftBehind(file);
+    bool left = false;
+    for (std::size_t number = 1; number <= copies.size(); ++number) {
+        const auto& copy = copies[number - 1];
+        Project recovered;
+        try {
+            recovered = RecoveryCopy::read(copy, file);
+        } catch (const irsg::InputError& error) {
+            dialogs_.tell(window_,
+                          file.empty()
+                              ? tr("The recovery copy cannot be read; it is left where it is")
+                              : tr("The recovery copy cannot be read; the saved project is opened"),
+                          sentencesOf(error));
+            continue;
+        }
+        QString question =
+            (file.empty() ? tr("A project that was never saved (%1) was not closed properly. Its "
+                               "changes of %2 were kept.")
+                                .arg(wordsOf(recovered), whenWritten(copy))
+                          : tr("%1 was not closed properly. Its unsaved changes of %2 were kept.")
+                                .arg(textOf(file.filename()), whenWritten(copy)));
+        if (copies.size() > 1)
+            question += tr(" (%1 of %2)").arg(number).arg(copies.size());
+        const int answer = dialogs_.ask(window_, tr("Recover unsaved changes"), question,
+                                        {tr("&Recover them"), tr("&Discard them")});
+        if (answer == 0) {
+            adopt(recovered, copy);
+            return Recovery::taken;
+        }
+        if (answer == 1)
+            RecoveryCopy::remove(copy);
+        else
+            left = true;
     }
-    const QString when =
-        QLocale::system().toString(QFileInfo(textOf(copy)).lastModified(), QLocale::ShortFormat);
-    const QString name = file.empty() ? tr("A new project") : textOf(file.filename());
-    switch (dialogs_.ask(
-        window_, tr("Recover unsaved changes"),
-        tr("%1 was not closed properly. Its unsaved changes of %2 were kept.").arg(name, when),
-        {tr("&Recover them"), tr("&Discard them")})) {
-    case 0:
-        workbench_.adopt(recovered);
-        remember();
-        return true;
-    case 1:
-        RecoveryCopy::remove(file);
-        return false;
-    default:
-        return std::nullopt;
-    }
+    return left ? Recovery::left : Recovery::none;
 }
 
-bool ProjectFiles::offerNewProject() {
-    return !workbench_.hasProject() && recover({}).value_or(false);
+void ProjectFiles::adopt(const Project& recovered, const std::filesystem::path& copy) {
+    workbench_.adopt(recovered);
+    recovery_.takeOver(copy);
+    remember();
+}
+
+bool ProjectFiles::begin(const std::filesystem::path& file) {
+    if (file.extension() == ".smat")
+        return open(file);
+    if (recover({}) == Recovery::taken) {
+        if (!file.empty())
+            emit said(tr("%1 is not opened: the recovered project is").arg(textOf(file)));
+        return true;
+    }
+    return file.empty() ? offerRecentProject() : open(file);
+}
+
+bool ProjectFiles::offerRecentProject() {
+    std::vector<std::pair<QDateTime, std::filesystem::path>> projects;
+    for (const auto& recent : workbench_.recentFiles()) {
+        const std::filesystem::path file = recent.toStdString();
+        if (file.extension() != ".smat")
+            continue;
+        const auto copies = RecoveryCopy::leftBehind(file);
+        if (!copies.empty())
+            projects.emplace_back(QFileInfo(textOf(copies.front())).lastModified(), file);
+    }
+    std::ranges::stable_sort(projects, std::greater{}, [](const auto& it) { return it.first; });
+    for (const auto& [when, file] : projects) {
+        const auto copy = RecoveryCopy::leftBehind(file).front();
+        Project recovered;
+        try {
+            recovered = RecoveryCopy::read(copy, file);
+        } catch (const irsg::InputError&) {
+            continue; // told when its project is opened
+        }
+        if (dialogs_.ask(
+                window_, tr("Recover unsaved changes"),
+                tr("%1 has unsaved changes of an earlier run, of %2. Until they are opened "
+                   "they are kept beside the file.")
+                    .arg(textOf(file.filename()), whenWritten(copy)),
+                {tr("&Open with them")}) != 0)
+            return false;
+        adopt(recovered, copy);
+        return true;
+    }
+    return false;
 }
 
 void ProjectFiles::remember() {

@@ -39,8 +39,10 @@ class ProjectFiles : public QObject {
     bool open(const std::filesystem::path& file);
     bool save();
     bool saveAs();
-    /// A new project that was never saved, left behind by a crash.
-    bool offerNewProject();
+    /// What a start of the program does, with a file or without one: offers the new projects that
+    /// were never saved and that a crash left behind, opens the file, and without one offers the
+    /// newest unsaved changes that a crash left behind of a recent project.
+    bool begin(const std::filesystem::path& file);
     /// Another file for a model of the project, or for its database: a step to undo.
     bool chooseModelFile(std::size_t model);
     bool chooseDatabaseFile(std::size_t model);
@@ -56,8 +58,11 @@ class ProjectFiles : public QObject {
   private:
     bool load(const std::filesystem::path& file);
     bool saveTo(const std::filesystem::path& file);
-    /// No value where the person wants to stay; else whether a recovered project was taken.
-    std::optional<bool> recover(const std::filesystem::path& file);
+    /// What became of the copies of a project that a crash left behind.
+    enum class Recovery { none, taken, left };
+    Recovery recover(const std::filesystem::path& file);
+    bool offerRecentProject();
+    void adopt(const Project& recovered, const std::filesystem::path& copy);
     void remember();
     QString displayName() const;
 

@@ -1,6 +1,9 @@
 #include "gui/project/RecoveryCopy.h"
 
-#include <QDir>
+#include <algorithm>
+
+#include <QFileInfo>
+#include <QRegularExpression>
 #include <QStandardPaths>
 
 #include "gui/Workbench.h"
@@ -11,8 +14,44 @@
 namespace smat::gui {
 namespace {
 
-QString lockOf(const std::filesystem::path& copy) {
-    return QString::fromStdString(copy.string() + ".lock");
+/// More copies of one project than anybody leaves behind.
+constexpr int mostCopies = 999;
+
+QString textOf(const std::filesystem::path& file) {
+    return QString::fromStdString(file.string());
+}
+
+std::unique_ptr<QLockFile> lockOf(const std::filesystem::path& copy) {
+    auto lock = std::make_unique<QLockFile>(textOf(copy) + ".lock");
+    lock->setStaleLockTime(0); // only that of a process that is gone
+    return lock;
+}
+
+bool isKept(const std::filesystem::path& copy) {
+    const auto lock = lockOf(copy);
+    return !lock->tryLock(0) && lock->error() == QLockFile::LockFailedError;
+}
+
+bool lies(const std::filesystem::path& file) {
+    std::error_code none;
+    return std::filesystem::exists(std::filesystem::symlink_status(file, none));
+}
+
+/// Every copy of a project there is, whoever wrote it, the newest first.
+std::vector<std::filesystem::path> copiesOf(const std::filesystem::path& projectFile) {
+    const auto first = RecoveryCopy::pathFor(projectFile);
+    const QRegularExpression isOne(QRegularExpression::anchoredPattern(
+        QRegularExpression::escape(textOf(first.stem())) + R"((\.\d{1,3})?\.recovery)"));
+    std::vector<std::filesystem::path> copies;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(first.parent_path(), none)) {
+        if (entry.is_regular_file(none) && isOne.match(textOf(entry.path().filename())).hasMatch())
+            copies.push_back(entry.path());
+    }
+    std::ranges::sort(copies, std::greater{}, [](const std::filesystem::path& copy) {
+        return QFileInfo(textOf(copy)).lastModified();
+    });
+    return copies;
 }
 
 } // namespace
@@ -59,19 +98,10 @@ void RecoveryCopy::write() {
     if (!workbench_.isModified())
         return;
     const Project project = workbench_.editedProject();
-    const auto copy = pathFor(project.file);
     try {
-        std::filesystem::create_directories(copy.parent_path());
-        if (!lock_) {
-            auto lock = std::make_unique<QLockFile>(lockOf(copy));
-            lock->setStaleLockTime(0);
-            if (!lock->tryLock(0))
-                throw irsg::InputError({copy.string(), "",
-                                        "a recovery copy that another window keeps",
-                                        "a project with unsaved changes in one window only"});
-            lock_ = std::move(lock);
-        }
-        writeTextFile(copy, projectToJson(project, copy));
+        if (!lock_)
+            claim(project.file);
+        writeTextFile(copy_, projectToJson(project, copy_));
         file_ = project.file;
         written_ = true;
     } catch (const std::exception& problem) {
@@ -80,38 +110,71 @@ void RecoveryCopy::write() {
     }
 }
 
+void RecoveryCopy::claim(const std::filesystem::path& projectFile) {
+    std::filesystem::create_directories(pathFor(projectFile).parent_path());
+    for (int number = 1; number <= mostCopies; ++number) {
+        const auto copy = pathFor(projectFile, number);
+        if (lies(copy))
+            continue;
+        auto lock = lockOf(copy);
+        if (!lock->tryLock(0)) {
+            if (lock->error() == QLockFile::LockFailedError)
+                continue;
+            throw irsg::InputError({copy.string(), "", "a file that cannot be written",
+                                    "a folder that can be written to"});
+        }
+        // Somebody else may have written it and gone since it was looked for.
+        if (lies(copy))
+            continue;
+        copy_ = copy;
+        lock_ = std::move(lock);
+        return;
+    }
+    throw irsg::InputError({pathFor(projectFile).string(), "",
+                            std::to_string(mostCopies) + " recovery copies that were left behind",
+                            "a place for one more"});
+}
+
+void RecoveryCopy::takeOver(const std::filesystem::path& copy) {
+    auto lock = lockOf(copy);
+    if (!lock->tryLock(0))
+        return;
+    copy_ = copy;
+    lock_ = std::move(lock);
+    file_ = workbench_.project().file;
+    written_ = true;
+}
+
 void RecoveryCopy::forget() {
     timer_.stop();
     if (written_)
-        remove(*file_);
+        remove(copy_);
     written_ = false;
     lock_.reset();
 }
 
-std::filesystem::path RecoveryCopy::pathFor(const std::filesystem::path& projectFile) {
+std::filesystem::path RecoveryCopy::pathFor(const std::filesystem::path& projectFile, int number) {
+    const std::string suffix =
+        (number > 1 ? "." + std::to_string(number) : std::string()) + ".recovery";
     if (!projectFile.empty())
-        return projectFile.string() + ".recovery";
+        return projectFile.string() + suffix;
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
-    return std::filesystem::path(folder.toStdString()) / "smat" / "new-project.smat.recovery";
+    return std::filesystem::path(folder.toStdString()) / "smat" / ("new-project.smat" + suffix);
 }
 
 bool RecoveryCopy::isInUse(const std::filesystem::path& projectFile) {
-    const auto copy = pathFor(projectFile);
-    std::error_code none;
-    if (!std::filesystem::is_regular_file(copy, none))
-        return false;
-    QLockFile lock(lockOf(copy));
-    lock.setStaleLockTime(0);
-    return !lock.tryLock(0) && lock.error() == QLockFile::LockFailedError;
+    return std::ranges::any_of(copiesOf(projectFile), isKept);
 }
 
-bool RecoveryCopy::isLeftBehind(const std::filesystem::path& projectFile) {
-    std::error_code none;
-    return std::filesystem::is_regular_file(pathFor(projectFile), none) && !isInUse(projectFile);
+std::vector<std::filesystem::path>
+RecoveryCopy::leftBehind(const std::filesystem::path& projectFile) {
+    auto copies = copiesOf(projectFile);
+    std::erase_if(copies, isKept);
+    return copies;
 }
 
-Project RecoveryCopy::read(const std::filesystem::path& projectFile) {
-    const auto copy = pathFor(projectFile);
+Project RecoveryCopy::read(const std::filesystem::path& copy,
+                           const std::filesystem::path& projectFile) {
     // Paths of a copy that lies beside its project are those of the project.
     Project project = loadProject(copy);
     if (projectFile.empty()) {
@@ -125,9 +188,9 @@ Project RecoveryCopy::read(const std::filesystem::path& projectFile) {
     return project;
 }
 
-void RecoveryCopy::remove(const std::filesystem::path& projectFile) {
+void RecoveryCopy::remove(const std::filesystem::path& copy) {
     std::error_code none;
-    std::filesystem::remove(pathFor(projectFile), none);
+    std::filesystem::remove(copy, none);
 }
 
 } // namespace smat::gui

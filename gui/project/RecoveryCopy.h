@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QLockFile>
 #include <QObject>
@@ -17,6 +18,8 @@ class Workbench;
 /// Keeps what is not saved beside the project's file, `ship.smat.recovery` beside `ship.smat`,
 /// never over it: written some seconds after an edit, removed when nothing is unsaved any more. A
 /// project without a file has its copy in the user's data folder. A crash leaves the copy behind.
+/// A copy that another run left behind, or that another window keeps, is never written over: the
+/// next one lies beside it as `ship.smat.2.recovery`.
 class RecoveryCopy : public QObject {
     Q_OBJECT
 
@@ -30,15 +33,21 @@ class RecoveryCopy : public QObject {
     /// Takes the copy away: the changes were thrown away by the person who made them.
     void forget();
 
-    /// Where the copy of a project's file lies; an empty name means a project without a file.
-    static std::filesystem::path pathFor(const std::filesystem::path& projectFile);
-    /// Whether a copy was left behind, and no window that still runs is at work on it.
-    static bool isLeftBehind(const std::filesystem::path& projectFile);
+    /// Goes on with a copy that was left behind, whose project is the one that is open now.
+    void takeOver(const std::filesystem::path& copy);
+
+    /// Where the copy of a project's file lies, from 1; an empty name means a project without a
+    /// file.
+    static std::filesystem::path pathFor(const std::filesystem::path& projectFile, int number = 1);
+    /// The copies that were left behind and that no window that still runs is at work on, the
+    /// newest first.
+    static std::vector<std::filesystem::path> leftBehind(const std::filesystem::path& projectFile);
     /// Whether another window that still runs keeps unsaved changes of this file.
     static bool isInUse(const std::filesystem::path& projectFile);
     /// What a copy holds, as the project of `projectFile`. Throws irsg::InputError.
-    static Project read(const std::filesystem::path& projectFile);
-    static void remove(const std::filesystem::path& projectFile);
+    static Project read(const std::filesystem::path& copy,
+                        const std::filesystem::path& projectFile);
+    static void remove(const std::filesystem::path& copy);
 
   signals:
     /// The copy cannot be written: said once per project.
@@ -48,10 +57,13 @@ class RecoveryCopy : public QObject {
     void onModifiedChanged();
     void onProjectChanged();
     void write();
+    /// Finds a place where no copy lies and locks it. Throws irsg::InputError.
+    void claim(const std::filesystem::path& projectFile);
 
     Workbench& workbench_;
     QTimer timer_;
     std::optional<std::filesystem::path> file_; ///< of the project whose copy this is
+    std::filesystem::path copy_;                ///< where it lies, while there is a lock
     std::unique_ptr<QLockFile> lock_;
     bool written_ = false;
     bool told_ = false;

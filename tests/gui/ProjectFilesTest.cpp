@@ -3,12 +3,14 @@
 #include <fstream>
 
 #include <QCheckBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPushButton>
 
+#include "gui/BackgroundPool.h"
 #include "gui/project/ConvertModelDialog.h"
 #include "gui/project/NewProjectDialog.h"
 #include "smatcore/project/ProjectFile.h"
@@ -159,8 +161,8 @@ TEST_F(ProjectFilesTest, OffersANewProjectThatACrashLeftBehind) {
     std::filesystem::create_directories(copy.parent_path());
     saveProject(left, copy);
     answer = 0;
-    window->offerRecovery();
-    RecoveryCopy::remove({});
+    window->begin({});
+    RecoveryCopy::remove(copy);
     ASSERT_TRUE(workbench.hasProject());
     EXPECT_EQ(workbench.project().title, "Never saved");
     EXPECT_TRUE(workbench.project().file.empty());
@@ -191,7 +193,7 @@ TEST_F(ProjectFilesTest, AnotherWindowIsNotOfferedWhatThisOneIsAtWorkOn) {
     window->files().recovery().writeNow();
     const std::string copy = readTextFile(RecoveryCopy::pathFor(file()));
     EXPECT_TRUE(RecoveryCopy::isInUse(file()));
-    EXPECT_FALSE(RecoveryCopy::isLeftBehind(file()));
+    EXPECT_TRUE(RecoveryCopy::leftBehind(file()).empty());
 
     Workbench bench;
     MainWindow other(bench, people);
@@ -202,11 +204,14 @@ TEST_F(ProjectFilesTest, AnotherWindowIsNotOfferedWhatThisOneIsAtWorkOn) {
     EXPECT_TRUE(asked.isEmpty());
     EXPECT_TRUE(said.join(' ').contains("another window")) << said.join(' ').toStdString();
     EXPECT_EQ(bench.settings().text("camera.range"), "1000");
-    // Nor does it write over the other's copy.
+    // Nor does it write over the other's copy: its own lies beside it.
     bench.set("camera.range", "77");
     other.files().recovery().writeNow();
     EXPECT_EQ(readTextFile(RecoveryCopy::pathFor(file())), copy);
-    EXPECT_TRUE(said.join(' ').contains("No recovery copy")) << said.join(' ').toStdString();
+    EXPECT_EQ(loadProject(RecoveryCopy::pathFor(file(), 2)).settings.text("camera.range"), "77");
+    other.files().recovery().forget();
+    EXPECT_EQ(readTextFile(RecoveryCopy::pathFor(file())), copy);
+    EXPECT_FALSE(std::filesystem::exists(RecoveryCopy::pathFor(file(), 2)));
 }
 
 TEST_F(ProjectFilesTest, AnInternalErrorKeepsUnsavedChanges) {
@@ -319,6 +324,39 @@ TEST_F(ProjectFilesTest, AConversionThatFailsSaysWhyAndOpensNothing) {
     };
     trigger("convertModel");
     EXPECT_FALSE(workbench.hasProject());
+}
+
+TEST_F(ProjectFilesTest, ACancelledConversionAnswersAtOnceAndWritesNothing) {
+    const auto out = folder / "converted" / "ship.osgb";
+    std::filesystem::create_directories(out.parent_path());
+    const auto convert = [&](QDialog& dialog) {
+        auto& form = dynamic_cast<ConvertModelDialog&>(dialog);
+        form.setInput(QString::fromStdString(sample("ship.flt").string()));
+        form.findChild<QLineEdit*>("output")->setText(QString::fromStdString(out.string()));
+        form.findChild<QPushButton*>("convert")->click();
+        EXPECT_TRUE(form.isRunning());
+        const auto* elapsed = form.findChild<QLabel*>("elapsed");
+        EXPECT_TRUE(elapsed->isVisible() && elapsed->text().endsWith(" s"))
+            << elapsed->text().toStdString();
+    };
+    onDialog = [&](QDialog& dialog) {
+        convert(dialog);
+        auto* close = dialog.findChild<QPushButton*>("close");
+        EXPECT_EQ(close->text(), "&Cancel");
+        close->click();
+        EXPECT_FALSE(dynamic_cast<ConvertModelDialog&>(dialog).isRunning());
+        EXPECT_TRUE(dialog.isVisible());
+        EXPECT_EQ(close->text(), "&Close");
+        EXPECT_TRUE(
+            dialog.findChild<QPlainTextEdit*>("report")->toPlainText().contains("Nothing was"));
+        // Another one, given up with the dialog.
+        convert(dialog);
+    };
+    trigger("convertModel");
+    EXPECT_TRUE(backgroundPool().waitForDone(60000));
+    EXPECT_TRUE(std::filesystem::is_empty(out.parent_path()));
+    EXPECT_FALSE(workbench.hasProject());
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
 }
 
 } // namespace
