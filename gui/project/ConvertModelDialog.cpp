@@ -1,6 +1,7 @@
 #include "gui/project/ConvertModelDialog.h"
 
 #include <atomic>
+#include <stop_token>
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -19,6 +20,7 @@
 #include "gui/BackgroundPool.h"
 #include "gui/Sentences.h"
 #include "gui/Theme.h"
+#include "gui/analysis/ResultStore.h"
 #include "gui/project/ProjectFiles.h"
 #include "irsg/scene/ModelConverter.h"
 
@@ -55,6 +57,7 @@ QString reportText(const irsg::ConversionReport& report) {
 
 struct ConvertModelDialog::Work {
     std::atomic<bool> done = false;
+    std::stop_source stop;
     irsg::ConversionReport report;
     QStringList problems;
 };
@@ -84,32 +87,41 @@ ConvertModelDialog::ConvertModelDialog(Dialogs& dialogs, QWidget* parent)
            "and compared."));
     bar_ = new QProgressBar(this);
     bar_->setRange(0, 0);
-    bar_->setVisible(false);
+    bar_->setTextVisible(false);
+    elapsed_ = new QLabel(this);
+    elapsed_->setObjectName("elapsed");
+    elapsed_->setForegroundRole(QPalette::PlaceholderText);
 
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto* buttons = new QDialogButtonBox(this);
+    close_ = buttons->addButton(tr("&Close"), QDialogButtonBox::RejectRole);
+    close_->setObjectName("close");
     convert_ = buttons->addButton(tr("Con&vert"), QDialogButtonBox::ActionRole);
     convert_->setObjectName("convert");
     convert_->setDefault(true);
-    buttons->button(QDialogButtonBox::Close)->setIcon({});
     connect(convert_, &QPushButton::clicked, this, &ConvertModelDialog::start);
-    connect(buttons, &QDialogButtonBox::rejected, this,
-            [this] { done(fileToOpen().isEmpty() ? Rejected : Accepted); });
+    connect(buttons, &QDialogButtonBox::rejected, this, &ConvertModelDialog::reject);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 14);
     column->setSpacing(12);
     column->addLayout(grid);
     column->addWidget(report_, 1);
     column->addWidget(bar_);
+    column->addWidget(elapsed_);
     column->addWidget(buttons);
     watch_.setInterval(50);
     connect(&watch_, &QTimer::timeout, this, [this] {
-        bar_->setFormat(tr("%1 s").arg(static_cast<double>(clock_.elapsed()) / 1000.0, 0, 'f', 1));
+        tellElapsed();
         if (work_->done)
             onDone();
     });
     connect(input_, &QLineEdit::textChanged, this, &ConvertModelDialog::refresh);
     connect(output_, &QLineEdit::textChanged, this, &ConvertModelDialog::refresh);
     refresh();
+}
+
+ConvertModelDialog::~ConvertModelDialog() {
+    if (isRunning())
+        work_->stop.request_stop();
 }
 
 QLineEdit* ConvertModelDialog::addFile(QGridLayout* grid, const QString& name,
@@ -165,7 +177,7 @@ void ConvertModelDialog::start() {
     backgroundPool().start(
         [work = work_, in = input_->text().trimmed().toStdString(), to = out.toStdString()] {
             try {
-                work->report = irsg::convertModel(in, to);
+                work->report = irsg::convertModel(in, to, work->stop.get_token());
             } catch (const irsg::InputError& error) {
                 work->problems = sentencesOf(error);
             } catch (const std::exception& error) {
@@ -175,7 +187,27 @@ void ConvertModelDialog::start() {
         });
     clock_.start();
     watch_.start();
+    tellElapsed();
     refresh();
+}
+
+void ConvertModelDialog::cancel() {
+    watch_.stop();
+    std::exchange(work_, nullptr)->stop.request_stop();
+    report_->setPlainText(tr("Cancelled. Nothing was written."));
+    refresh();
+}
+
+void ConvertModelDialog::reject() {
+    if (isRunning())
+        cancel();
+    else
+        done(fileToOpen().isEmpty() ? Rejected : Accepted);
+}
+
+void ConvertModelDialog::tellElapsed() {
+    elapsed_->setText(
+        tr("Converting, %1").arg(durationText(static_cast<double>(clock_.elapsed()) / 1000.0)));
 }
 
 void ConvertModelDialog::onDone() {
@@ -192,6 +224,8 @@ void ConvertModelDialog::onDone() {
 
 void ConvertModelDialog::refresh() {
     bar_->setVisible(isRunning());
+    elapsed_->setVisible(isRunning());
+    close_->setText(isRunning() ? tr("&Cancel") : tr("&Close"));
     for (auto* widget : std::initializer_list<QWidget*>{input_, output_})
         widget->setEnabled(!isRunning());
     convert_->setEnabled(!isRunning() && QFileInfo(input_->text().trimmed()).isFile() &&

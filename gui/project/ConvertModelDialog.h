@@ -19,22 +19,28 @@ class QPushButton;
 namespace smat::gui {
 
 /// Writes a model in another form and keeps its codes, through irsg::convertModel in the
-/// background, and says what was read and written.
+/// background, and says what was read and written. A cancel answers at once, and so does closing:
+/// nothing is written then.
 class ConvertModelDialog : public QDialog {
     Q_OBJECT
 
   public:
     explicit ConvertModelDialog(Dialogs& dialogs, QWidget* parent = nullptr);
+    ~ConvertModelDialog() override;
     void setInput(const QString& file);
     bool isRunning() const { return work_ != nullptr; }
     /// What was written and is to be opened now; empty for none.
     QString fileToOpen() const;
+    /// Closes, or cancels what runs.
+    void reject() override;
 
   private:
     struct Work;
     QLineEdit* addFile(QGridLayout* grid, const QString& name, const QString& label);
     void start();
+    void cancel();
     void onDone();
+    void tellElapsed();
     void refresh();
 
     Dialogs& dialogs_;
@@ -43,7 +49,9 @@ class ConvertModelDialog : public QDialog {
     QCheckBox* openIt_ = nullptr;
     QPlainTextEdit* report_ = nullptr;
     QProgressBar* bar_ = nullptr;
+    QLabel* elapsed_ = nullptr;
     QPushButton* convert_ = nullptr;
+    QPushButton* close_ = nullptr;
     QTimer watch_;
     QElapsedTimer clock_;
     std::shared_ptr<Work> work_; ///< shared with the thread, which outlives a dialog that closes

@@ -14,6 +14,7 @@
 #include "gui/SideScroll.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/ResultPage.h"
+#include "gui/analysis/ResultStore.h"
 
 namespace smat::gui {
 
@@ -45,6 +46,10 @@ AirToolPage::AirToolPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     busy_->setRange(0, 0);
     busy_->setTextVisible(false);
     busy_->hide();
+    elapsed_ = new QLabel(side);
+    elapsed_->setObjectName("elapsed");
+    elapsed_->setForegroundRole(QPalette::PlaceholderText);
+    elapsed_->hide();
     command_ = new QLineEdit(side);
     command_->setObjectName("commandLine");
     command_->setReadOnly(true);
@@ -72,6 +77,7 @@ AirToolPage::AirToolPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     column->addWidget(problems_);
     column->addLayout(run);
     column->addWidget(busy_);
+    column->addWidget(elapsed_);
     column->addWidget(figures_);
     column->addStretch(1);
     column->addLayout(buttons_);
@@ -99,6 +105,8 @@ AirToolPage::AirToolPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     connect(&calculation_, &Calculation::refused, this, [this](const QStringList& sentences) {
         dialogs_.tell(this, tr("The air has no answer"), sentences);
     });
+    tick_.setInterval(100);
+    connect(&tick_, &QTimer::timeout, this, &AirToolPage::tellElapsed);
     auto* keepButton = addButton("keepResult", tr("Keep among the results"),
                                  tr("For overlays and differences, and to be saved later"));
     connect(keepButton, &QPushButton::clicked, this, &AirToolPage::keep);
@@ -147,8 +155,20 @@ void AirToolPage::refreshButtons() {
     compute_->setEnabled(inputsRight_ && !running);
     cancel_->setEnabled(running);
     busy_->setVisible(running);
+    if (running)
+        tick_.start();
+    else
+        tick_.stop();
+    tellElapsed();
     for (auto* button : needAnswer_)
         button->setEnabled(!running && !table_.empty());
+}
+
+void AirToolPage::tellElapsed() {
+    // What is there within a moment needs no clock.
+    const double elapsed_s = calculation_.elapsed_s();
+    elapsed_->setVisible(calculation_.isRunning() && elapsed_s >= 1.0);
+    elapsed_->setText(tr("%1 elapsed").arg(durationText(elapsed_s)));
 }
 
 void AirToolPage::showTable(const ResultTable& table, const QString& title,

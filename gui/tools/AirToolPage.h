@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QStringList>
+#include <QTimer>
 #include <QWidget>
 
 #include "gui/Dialogs.h"
@@ -56,6 +57,7 @@ class AirToolPage : public QWidget, public Exportable {
   private:
     void keep();
     void refreshButtons();
+    void tellElapsed();
 
     Workbench& workbench_;
     Dialogs dialogs_;
@@ -71,10 +73,12 @@ class AirToolPage : public QWidget, public Exportable {
     QPushButton* compute_ = nullptr;
     QPushButton* cancel_ = nullptr;
     QProgressBar* busy_ = nullptr;
+    QLabel* elapsed_ = nullptr;
     std::vector<QPushButton*> needAnswer_;
     ResultPage* page_ = nullptr;
     bool inputsRight_ = true;
-    Calculation calculation_; ///< last: waits for its threads before the rest goes
+    QTimer tick_;             ///< while it computes
+    Calculation calculation_; ///< last: nothing of it is heard once the rest goes
 };
 
 } // namespace smat::gui

@@ -5,52 +5,41 @@
 
 namespace smat::gui {
 
-Calculation::~Calculation() {
-    for (auto& worker : workers_)
-        worker.thread.join();
-}
-
 void Calculation::start(Work work) {
-    std::erase_if(workers_, [](const Worker& worker) { return worker.done->load(); });
-    const int number = ++number_;
     running_ = true;
-    auto done = std::make_shared<std::atomic<bool>>(false);
-    workers_.push_back(
-        {done, std::jthread([this, number, done, work = std::move(work)] {
-             std::function<void()> take;
-             QStringList sentences;
-             try {
-                 take = work();
-             } catch (const irsg::InputError& error) {
-                 sentences << sentencesOf(error);
-             } catch (const std::exception& error) {
-                 sentences << tr("Internal error: %1").arg(error.what());
-             }
-             QMetaObject::invokeMethod(
-                 this, [this, number, take, sentences] { answer(number, take, sentences); },
-                 Qt::QueuedConnection);
-             done->store(true);
-         })});
+    clock_.start();
+    task_.run<std::function<void()>>(
+        std::move(work),
+        [this](const std::function<void()>& take) {
+            running_ = false;
+            take();
+            emit ended();
+        },
+        [this](const std::exception_ptr& thrown) { refuse(thrown); });
     emit started();
 }
 
 void Calculation::cancel() {
     if (!running_)
         return;
-    ++number_;
+    task_.cancel();
     running_ = false;
     emit ended();
 }
 
-void Calculation::answer(int number, const std::function<void()>& take,
-                         const QStringList& sentences) {
-    if (number != number_)
-        return;
+double Calculation::elapsed_s() const {
+    return clock_.isValid() ? static_cast<double>(clock_.elapsed()) / 1000.0 : 0.0;
+}
+
+void Calculation::refuse(const std::exception_ptr& thrown) {
     running_ = false;
-    if (sentences.isEmpty())
-        take();
-    else
-        emit refused(sentences);
+    try {
+        std::rethrow_exception(thrown);
+    } catch (const irsg::InputError& error) {
+        emit refused(sentencesOf(error));
+    } catch (const std::exception& error) {
+        emit refused({tr("Internal error: %1").arg(error.what())});
+    }
     emit ended();
 }
 

@@ -1,33 +1,33 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
-#include <memory>
-#include <thread>
-#include <vector>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QStringList>
 
+#include "gui/LatestTask.h"
+
 namespace smat::gui {
 
-/// Work in threads of its own, one answer at a time. What was asked before a cancel or before the
-/// next start gives no answer any more: it ends by itself. Destroying it waits for what still
-/// works.
+/// Work in a thread of the pool, one answer at a time. What was asked before a cancel or before the
+/// next start gives no answer any more: it ends by itself, and nothing waits for it, not even the
+/// end of this object.
 class Calculation : public QObject {
     Q_OBJECT
 
   public:
-    /// Runs in a thread and touches nothing of the window's; what it returns is called in the
-    /// window's thread and takes the answer there. Throws irsg::InputError to refuse.
+    /// Runs in a thread, owns what it uses and touches nothing of the window's; what it returns is
+    /// called in the window's thread and takes the answer there. Throws irsg::InputError to refuse.
     using Work = std::function<std::function<void()>()>;
 
     using QObject::QObject;
-    ~Calculation() override;
 
     void start(Work work);
     void cancel();
     bool isRunning() const { return running_; }
+    /// Since the last start, in seconds.
+    double elapsed_s() const;
 
   signals:
     void started();
@@ -36,15 +36,11 @@ class Calculation : public QObject {
     void refused(const QStringList& sentences);
 
   private:
-    void answer(int number, const std::function<void()>& take, const QStringList& sentences);
+    void refuse(const std::exception_ptr& thrown);
 
-    struct Worker {
-        std::shared_ptr<std::atomic<bool>> done;
-        std::jthread thread;
-    };
-    std::vector<Worker> workers_;
-    int number_ = 0; ///< of what is wanted now
+    QElapsedTimer clock_;
     bool running_ = false;
+    LatestTask task_;
 };
 
 } // namespace smat::gui

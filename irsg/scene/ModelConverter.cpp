@@ -1,6 +1,7 @@
 #include "irsg/scene/ModelConverter.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <osgDB/FileNameUtils>
@@ -77,6 +78,14 @@ void write(const osg::Node& graph, const fs::path& part, const fs::path& out,
                           "a place that can be written to"});
 }
 
+/// A name beside the target that no other conversion of this process uses: one that was stopped may
+/// still be writing.
+fs::path partOf(const fs::path& out, const std::string& extension) {
+    static std::atomic<int> number = 0;
+    return out.parent_path() /
+           (out.stem().string() + ".part" + std::to_string(++number) + "." + extension);
+}
+
 class Removal {
   public:
     explicit Removal(fs::path file) : file_(std::move(file)) {}
@@ -91,9 +100,12 @@ class Removal {
 
 } // namespace
 
-ConversionReport convertModel(const fs::path& in, const fs::path& out) {
+ConversionReport convertModel(const fs::path& in, const fs::path& out,
+                              const std::stop_token& stop) {
     const auto extension = checkedExtension(in, out);
     auto loaded = loadGraph(in, LoadPurpose::visible);
+    if (stop.stop_requested())
+        return {};
     const bool flight = !loaded.faces.empty();
     osg::ref_ptr<osg::Group> graph = new osg::Group;
     graph->addChild(loaded.node);
@@ -113,9 +125,15 @@ ConversionReport convertModel(const fs::path& in, const fs::path& out) {
             " drawables had normals, colours or texture coordinates for some of "
             "their vertices only: removed");
 
-    const auto part = out.parent_path() / (out.stem().string() + ".part." + extension);
+    if (stop.stop_requested())
+        return {};
+
+    const auto part = partOf(out, extension);
     const Removal removal(part);
     write(*graph->getChild(0), part, out, extension);
+
+    if (stop.stop_requested())
+        return {};
 
     // What was written is worth what can be read from it.
     const auto back = loadGraph(part, LoadPurpose::visible);
@@ -123,6 +141,8 @@ ConversionReport convertModel(const fs::path& in, const fs::path& out) {
         !sameAreas(areas(*back.node, out.string()), areasRead))
         throw InputError({out.string(), "", "a file that lost codes or faces of " + in.string(),
                           "codes and areas as read; another kind of output may keep them"});
+    if (stop.stop_requested())
+        return {};
     std::error_code failed;
     fs::rename(part, out, failed);
     if (failed)

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,9 @@ struct ConversionReport {
 /// are merged where neither state nor codes differ. The written file is read back: unless its codes
 /// and their areas are those of the input it is removed and an InputError thrown. Throws InputError
 /// for an input that cannot be read, a kind of output that loses codes and a place that cannot be
-/// written.
-ConversionReport convertModel(const std::filesystem::path& in, const std::filesystem::path& out);
+/// written. A stop that is asked for before the end leaves `out` as it was and gives an empty
+/// report.
+ConversionReport convertModel(const std::filesystem::path& in, const std::filesystem::path& out,
+                              const std::stop_token& stop = {});
 
 } // namespace irsg

@@ -1,57 +1,19 @@
 #include "gui/analysis/AnalysisJob.h"
 
-#include <condition_variable>
-
 #include <QApplication>
 #include <QTest>
 #include <gtest/gtest.h>
 
 #include "gui/Workbench.h"
-#include "tests/core/AnalyticSource.h"
+#include "tests/gui/GatedSource.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/SampleProject.h"
 
 namespace smat::gui {
 namespace {
 
-/// Lets drawings of the renderers below begin and end as a test says.
-class Gate {
-  public:
-    void drawings(int allowed) {
-        const std::lock_guard lock(mutex_);
-        allowed_ = allowed;
-        changed_.notify_all();
-    }
-    void pass() {
-        std::unique_lock lock(mutex_);
-        ++begun;
-        changed_.notify_all();
-        changed_.wait(lock, [this] { return allowed_ > 0; });
-        --allowed_;
-    }
-    std::atomic<int> begun = 0, renderers = 0;
-
-  private:
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    int allowed_ = 1 << 30;
-};
-
-/// A sphere whose drawings take as long as the gate is shut.
-class GatedSource : public smat::test::AnalyticSource {
-  public:
-    explicit GatedSource(Gate& gate) : gate_(gate) { ++gate_.renderers; }
-    ~GatedSource() override { --gate_.renderers; }
-    double intensity_W_sr(const irsg::Vec3&) const override { return 3.0; }
-    double projectedArea_m2(const irsg::Vec3&) const override { return 1.0; }
-    irsg::RenderReport measure() override {
-        gate_.pass();
-        return AnalyticSource::measure();
-    }
-
-  private:
-    Gate& gate_;
-};
+using test::Gate;
+using test::GatedSource;
 
 class AnalysisJobTest : public ::testing::Test {
   protected:
