@@ -7,23 +7,27 @@
 #include <QDir>
 #include <QLockFile>
 #include <QSettings>
-#include <QStandardPaths>
 #include <gtest/gtest.h>
 
 #include "gui/Theme.h"
+#include "gui/view/SceneView.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat::gui::test {
 namespace {
 
-/// One QApplication for all tests of this program, with settings kept apart from the user's own.
+/// One QApplication for all tests of this program, with settings and data kept apart from the
+/// user's own.
 class QtForTests : public ::testing::Environment {
   public:
     void SetUp() override {
         if (qEnvironmentVariableIsEmpty("DISPLAY") &&
             qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
             qputenv("QT_QPA_PLATFORM", "offscreen");
-        QStandardPaths::setTestModeEnabled(true);
+        // Not the test mode of QStandardPaths: its folders are shared by tests that run side by
+        // side.
+        for (const char* folder : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"})
+            qputenv(folder, freshFolder(folder).string().c_str());
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                            QString::fromStdString(freshFolder("settings").string()));
         application_ = std::make_unique<QApplication>(argumentCount_, arguments_);
@@ -69,6 +73,13 @@ bool showsColorAt(QWidget& widget, const QPointF& point, const QColor& wanted) {
 QColor colorAt(const QImage& picture, const QPointF& point) {
     const QPointF at = point * picture.devicePixelRatio();
     return picture.pixelColor(static_cast<int>(at.x()), static_cast<int>(at.y()));
+}
+
+bool lacksGl() {
+    const QString problem = SceneView::problem();
+    if (!problem.isEmpty() && !qEnvironmentVariableIsEmpty("SMAT_GL_REQUIRED"))
+        ADD_FAILURE() << "SMAT_GL_REQUIRED is set, and yet: " << problem.toStdString();
+    return !problem.isEmpty();
 }
 
 std::filesystem::path freshFolder(const std::string& name) {

@@ -24,6 +24,10 @@ QColor colorAt(const QImage& picture, const QPointF& point);
 /// it ends. Called first by every test that copies or pastes.
 void keepClipboard();
 
+/// Whether this desktop gives windows no OpenGL. A test that needs it is skipped then; where the
+/// environment sets SMAT_GL_REQUIRED it fails, so that a run without a failure has drawn.
+bool lacksGl();
+
 /// A folder of its own for each test, emptied first.
 std::filesystem::path freshFolder(const std::string& name);
 

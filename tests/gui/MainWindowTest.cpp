@@ -16,13 +16,19 @@
 #include "gui/Theme.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
+#include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageView.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PolarPlot.h"
+#include "gui/project/ProjectFiles.h"
 #include "gui/view/SceneView.h"
+#include "irsg/image/ExrFile.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
+#include "smatcore/data/Provenance.h"
+#include "smatcore/project/ProjectFile.h"
 #include "tests/gui/GuiEnvironment.h"
+#include "tests/gui/ResultTables.h"
 #include "tests/gui/SampleProject.h"
 #include "tests/gui/WindowFixture.h"
 
@@ -229,20 +235,28 @@ TEST_F(MainWindowTest, OffersTheAnalysesOfAProjectInADarkThemeToo) {
     EXPECT_EQ(workbench.results().size(), 2U);
 }
 
+/// Runs one test again in a process without a display, and without an EGL driver where asked to.
+void runsWithoutDisplay(const char* filter, bool egl) {
+    QProcess process;
+    auto environment = QProcessEnvironment::systemEnvironment();
+    environment.remove("DISPLAY");
+    environment.remove("WAYLAND_DISPLAY");
+    environment.insert("QT_QPA_PLATFORM", "offscreen");
+    if (!egl)
+        environment.insert("__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null");
+    environment.insert("SMAT_TEST_RUNS_AGAIN", "1");
+    process.setProcessEnvironment(environment);
+    process.start(QCoreApplication::applicationFilePath(),
+                  {QStringLiteral("--gtest_filter=") + filter});
+    ASSERT_TRUE(process.waitForFinished(120000));
+    const QByteArray said = process.readAllStandardOutput();
+    EXPECT_EQ(process.exitCode(), 0) << said.toStdString();
+    EXPECT_TRUE(said.contains("[  PASSED  ] 1 test")) << said.toStdString();
+}
+
 TEST(MainWindowWithoutGlTest, RunsAnalysesAllTheSame) {
-    if (SceneView::problem().isEmpty()) {
-        // This desktop has OpenGL: the same test again where there is none.
-        QProcess process;
-        auto environment = QProcessEnvironment::systemEnvironment();
-        environment.remove("DISPLAY");
-        environment.remove("WAYLAND_DISPLAY");
-        environment.insert("QT_QPA_PLATFORM", "offscreen");
-        process.setProcessEnvironment(environment);
-        process.start(QCoreApplication::applicationFilePath(),
-                      {"--gtest_filter=MainWindowWithoutGlTest.*"});
-        ASSERT_TRUE(process.waitForFinished(120000));
-        const QByteArray said = process.readAllStandardOutput();
-        EXPECT_EQ(process.exitCode(), 0) << said.toStdString();
+    if (!qEnvironmentVariableIsSet("SMAT_TEST_RUNS_AGAIN")) {
+        runsWithoutDisplay("MainWindowWithoutGlTest.*", true);
         return;
     }
     Workbench workbench;
@@ -264,17 +278,106 @@ TEST(MainWindowWithoutGlTest, RunsAnalysesAllTheSame) {
     test::keepScreenshot(window, "window-without-gl");
 }
 
+TEST(MainWindowWithoutAnyGlTest, AnImageGivesOneSentenceAndTheRestGoesOn) {
+    if (!qEnvironmentVariableIsSet("SMAT_TEST_RUNS_AGAIN")) {
+        runsWithoutDisplay("MainWindowWithoutAnyGlTest.*", false);
+        return;
+    }
+    Workbench workbench;
+    QStringList titles, told;
+    QString chosen;
+    Dialogs dialogs;
+    dialogs.openFile = [&](QWidget*, const QString&, const QStringList&) { return chosen; };
+    dialogs.tell = [&](QWidget*, const QString& title, const QStringList& sentences) {
+        titles << title;
+        told += sentences;
+    };
+    dialogs.run = [](QDialog&) { return true; };
+    MainWindow window(workbench, dialogs);
+    window.resize(1200, 800);
+    window.show();
+    const auto folder = test::freshFolder("no-gl-at-all");
+    const auto file = test::writeSampleProject(folder);
+    ASSERT_TRUE(window.open(file));
+    for (const char* action : {"new-image", "new-polar"}) {
+        titles.clear();
+        told.clear();
+        window.findChild<QAction*>(action)->trigger();
+        ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
+        EXPECT_EQ(titles, QStringList{"The analysis cannot be run"});
+        ASSERT_EQ(told.size(), 1) << told.join('\n').toStdString();
+        EXPECT_TRUE(told.front().contains("OpenGL") && told.front().contains("not available"))
+            << told.front().toStdString();
+        EXPECT_TRUE(workbench.results().empty());
+    }
+    told.clear();
+
+    // The project is as it was, and is edited and saved.
+    ASSERT_TRUE(workbench.hasProject());
+    EXPECT_FALSE(workbench.isModified());
+    workbench.set("camera.range", "1234");
+    EXPECT_TRUE(window.files().save());
+    EXPECT_EQ(loadProject(file).settings.text("camera.range"), "1234");
+
+    irsg::RadianceImage image(8, 6);
+    image.primary().values.assign(48, 1.0F);
+    irsg::writeExr(image, folder / "a.exr");
+    image.primary().values[5] = 3.0F;
+    irsg::writeExr(image, folder / "b.exr");
+    auto* compared = window.compareImages({QString::fromStdString((folder / "a.exr").string()),
+                                           QString::fromStdString((folder / "b.exr").string())});
+    ASSERT_TRUE(test::waitUntil([&] { return compared->comparison().has_value(); }, 20.0));
+    EXPECT_DOUBLE_EQ(compared->comparison()->largest.error, -2.0);
+
+    AnalysisData polar;
+    polar.kind = AnalysisKind::polar;
+    polar.table = test::polarTable();
+    saveResult(polar, folder / "polar.csv");
+    chosen = QString::fromStdString((folder / "polar.csv").string());
+    window.findChild<QAction*>("openResultAction")->trigger();
+    ASSERT_NE(window.currentPage(), nullptr);
+    QTest::qWait(50);
+    EXPECT_NE(window.currentPage()->findChild<PolarPlot*>(), nullptr);
+    test::keepScreenshot(window, "window-without-any-gl");
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+}
+
 TEST_F(MainWindowTest, HelpNamesKeysAndRenderers) {
-    openSample();
-    runAnalysis("image");
     QStringList names;
+    QString text;
     onDialog = [&](QDialog& dialog) {
         names << dialog.objectName();
+        text.clear();
+        for (const auto* label : dialog.findChildren<QLabel*>())
+            text += label->text() + '\n';
         test::keepScreenshot(dialog, dialog.objectName().toStdString());
     };
-    window->findChild<QAction*>("showShortcuts")->trigger();
-    window->findChild<QAction*>("showAbout")->trigger();
-    EXPECT_EQ(names, (QStringList{"shortcutsDialog", "aboutDialog"}));
+    trigger("showAbout");
+    EXPECT_TRUE(text.contains("not used yet")) << text.toStdString();
+    openSample();
+    const auto shown = std::exchange(onDialog, {});
+    runAnalysis("image");
+    onDialog = shown;
+
+    trigger("showAbout");
+    const std::string& renderer = workbench.results().front().data->renderer;
+    ASSERT_FALSE(renderer.empty());
+    for (const QString& part :
+         {QString::fromStdString(programVersion()), QString(qVersion()), QString("OpenSceneGraph"),
+          QString::fromStdString(renderer).toHtmlEscaped()})
+        EXPECT_TRUE(text.contains(part)) << part.toStdString() << "\n" << text.toStdString();
+    EXPECT_FALSE(text.contains("not used yet")) << text.toStdString();
+
+    // Each action with a key is in the list with both.
+    trigger("showShortcuts");
+    for (const char* name : {"saveProject", "undo", "showShortcuts", "exportShown"}) {
+        const auto* action = window->findChild<QAction*>(name);
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        ASSERT_FALSE(keys.isEmpty()) << name;
+        EXPECT_TRUE(text.contains(keys.toHtmlEscaped())) << name << "\n" << text.toStdString();
+    }
+    EXPECT_TRUE(text.contains("Zoom at the cursor"));
+    EXPECT_EQ(names, (QStringList{"aboutDialog", "aboutDialog", "shortcutsDialog"}));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 
@@ -20,7 +21,7 @@ namespace smat::gui::test {
 class WindowFixture : public ::testing::Test {
   protected:
     void SetUp() override {
-        if (!SceneView::problem().isEmpty())
+        if (lacksGl())
             GTEST_SKIP() << "this desktop gives no OpenGL context";
     }
     WindowFixture() {
@@ -34,7 +35,11 @@ class WindowFixture : public ::testing::Test {
         };
         dialogs.ask = [this](QWidget*, const QString& title, const QString&, const QStringList&) {
             asked << title;
-            return answer;
+            if (answers.empty())
+                return answer;
+            const int next = answers.front();
+            answers.pop_front();
+            return next;
         };
         dialogs.run = [this](QDialog& dialog) {
             dialog.show();
@@ -90,7 +95,8 @@ class WindowFixture : public ::testing::Test {
     Dialogs people;
     QString chosen;
     QStringList told;
-    QStringList asked; ///< titles of the questions
+    QStringList asked;       ///< titles of the questions
+    std::deque<int> answers; ///< to the questions in turn; after the last, and without any:
     int answer = -1;
     bool accept = true;
     std::function<void(QDialog&)> onDialog;

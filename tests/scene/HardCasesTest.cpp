@@ -3,14 +3,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include <osg/GLExtensions>
-#include <osg/GLObjects>
-#include <osg/RenderInfo>
-
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/OffscreenContext.h"
+#include "tests/support/HeldByContext.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -49,30 +45,6 @@ struct Stage {
         look(irsg, {});
     }
 };
-
-/// Objects alive in the context that all generators share.
-struct HeldByContext {
-    int textures = 0, buffers = 0;
-};
-
-HeldByContext heldByContext() {
-    HeldByContext held;
-    OffscreenContext::shared().run([&](osg::RenderInfo& info) {
-        osg::flushAllDeletedGLObjects(info.getContextID());
-        auto* gl = info.getState()->get<osg::GLExtensions>();
-        // Names are given in ascending order: those up to the next one are all there ever were.
-        GLuint next = 0;
-        glGenTextures(1, &next);
-        glDeleteTextures(1, &next);
-        for (GLuint name = 1; name < next; ++name)
-            held.textures += glIsTexture(name);
-        gl->glGenBuffers(1, &next);
-        gl->glDeleteBuffers(1, &next);
-        for (GLuint name = 1; name < next; ++name)
-            held.buffers += gl->glIsBuffer(name);
-    });
-    return held;
-}
 
 } // namespace
 
@@ -270,6 +242,8 @@ TEST(Drawing, LeavesNothingBehindAfterAHundredAnalyses) {
     EXPECT_EQ(files(), filesBefore);
     EXPECT_LE(after.textures, before.textures);
     EXPECT_LE(after.buffers, before.buffers);
+    EXPECT_LE(after.framebuffers, before.framebuffers);
+    EXPECT_EQ(after.contexts, before.contexts);
 }
 
 TEST(Layers, BeyondTheLimitAreCountedAndReported) {
