@@ -194,7 +194,7 @@ void ConvertModelDialog::start() {
 void ConvertModelDialog::cancel() {
     watch_.stop();
     std::exchange(work_, nullptr)->stop.request_stop();
-    report_->setPlainText(tr("Cancelled. Nothing was written."));
+    report_->setPlainText(tr("Cancelled. No unfinished file is left."));
     refresh();
 }
 
