@@ -9,6 +9,7 @@
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSemaphore>
 
 #include "gui/BackgroundPool.h"
 #include "gui/project/ConvertModelDialog.h"
@@ -329,6 +330,11 @@ TEST_F(ProjectFilesTest, AConversionThatFailsSaysWhyAndOpensNothing) {
 TEST_F(ProjectFilesTest, ACancelledConversionAnswersAtOnceAndWritesNothing) {
     const auto out = folder / "converted" / "ship.osgb";
     std::filesystem::create_directories(out.parent_path());
+    // No thread is free, so that no conversion is over before it is cancelled.
+    QSemaphore leave;
+    const int threads = backgroundPool().maxThreadCount();
+    for (int i = 0; i < threads; ++i)
+        backgroundPool().start([&leave] { leave.acquire(); });
     const auto convert = [&](QDialog& dialog) {
         auto& form = dynamic_cast<ConvertModelDialog&>(dialog);
         form.setInput(QString::fromStdString(sample("ship.flt").string()));
@@ -353,6 +359,7 @@ TEST_F(ProjectFilesTest, ACancelledConversionAnswersAtOnceAndWritesNothing) {
         convert(dialog);
     };
     trigger("convertModel");
+    leave.release(threads);
     EXPECT_TRUE(backgroundPool().waitForDone(60000));
     EXPECT_TRUE(std::filesystem::is_empty(out.parent_path()));
     EXPECT_FALSE(workbench.hasProject());
