@@ -12,6 +12,7 @@
 #include "gui/database/NodePlot.h"
 #include "gui/database/NodeTable.h"
 #include "tests/gui/GuiEnvironment.h"
+#include "tests/gui/SampleProject.h"
 
 namespace smat::gui {
 namespace {
@@ -107,7 +108,12 @@ class NodeEditorTest : public ::testing::Test {
     }
     void paste(const char* text) {
         test::keepClipboard();
-        QApplication::clipboard()->setText(QString::fromUtf8(text));
+        // The display refuses one whose time is not later than that of the last owner.
+        const QString wanted = QString::fromUtf8(text);
+        ASSERT_TRUE(test::waitUntil([&] {
+            QApplication::clipboard()->setText(wanted);
+            return QApplication::clipboard()->text() == wanted;
+        }));
     }
     QPoint canvasPoint(double x, double y) {
         return {qRound(editor.plot()->transform(QwtPlot::xBottom, x)),
