@@ -1,4 +1,4 @@
-#include "irsg/scene/GlFunctions.h"
+#include "irsg/scene/draw/GlFunctions.h"
 
 #include "benchmarks/ConstantShaderDrawing.h"
 
@@ -9,9 +9,9 @@
 #include <osgUtil/SceneView>
 
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/CameraFrame.h"
-#include "irsg/scene/FloatTarget.h"
-#include "irsg/scene/OffscreenContext.h"
+#include "irsg/scene/draw/FloatTarget.h"
+#include "irsg/scene/draw/OffscreenContext.h"
+#include "irsg/scene/view/CameraFrame.h"
 
 namespace irsg::bench {
 

@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "irsg/scene/Model.h"
-#include "irsg/scene/Pose.h"
-#include "irsg/scene/Sensor.h"
+#include "irsg/scene/model/Model.h"
+#include "irsg/scene/view/Pose.h"
+#include "irsg/scene/view/Sensor.h"
 
 namespace irsg::bench {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "irsg/scene/Model.h"
+#include "irsg/scene/model/Model.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/FlightRecords.h"
+#include "irsg/scene/model/FlightRecords.h"
 
 namespace smat {
 namespace {

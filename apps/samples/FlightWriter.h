@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/Model.h"
+#include "irsg/scene/model/Model.h"
 
 namespace smat {
 

@@ -5,7 +5,7 @@
 #include "apps/smat-batch/Output.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReplacement.h"
-#include "irsg/scene/Model.h"
+#include "irsg/scene/model/Model.h"
 #include "irsg/signature/MaterialCsv.h"
 #include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SpectrumCsv.h"
@@ -93,9 +93,10 @@ void addCreate(CLI::App& database, Context& context) {
     command->add_option("FILE", options->file, "New signature database (.sigdb)")
         ->required()
         ->type_name("");
-    command->add_option("--model", options->model,
-                        "With an entry for each code of this model, and the two scaling files "
-                        "beside it where they are not there")
+    command
+        ->add_option("--model", options->model,
+                     "With an entry for each code of this model, and the two scaling files "
+                     "beside it where they are not there")
         ->type_name("MODEL");
     command->add_option("--title", options->title, "Title; the name of the file by default")
         ->type_name("TEXT");

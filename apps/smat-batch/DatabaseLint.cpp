@@ -7,7 +7,7 @@
 #include "apps/smat-batch/Output.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/ModelUse.h"
+#include "irsg/scene/model/ModelUse.h"
 #include "irsg/signature/LintScalings.h"
 #include "smatcore/analysis/ProjectLint.h"
 #include "smatcore/project/ProjectFile.h"

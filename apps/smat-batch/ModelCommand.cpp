@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/smat-batch/Command.h"
-#include "irsg/scene/Model.h"
+#include "irsg/scene/model/Model.h"
 
 namespace smat::batch {
 

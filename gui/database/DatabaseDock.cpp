@@ -23,7 +23,7 @@
 #include "gui/database/SpectrumPanel.h"
 #include "gui/database/TemperaturePanel.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/Model.h"
+#include "irsg/scene/model/Model.h"
 #include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SpectrumCsv.h"
 

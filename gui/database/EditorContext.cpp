@@ -1,8 +1,8 @@
 #include "gui/database/EditorContext.h"
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/Model.h"
-#include "irsg/scene/ModelUse.h"
+#include "irsg/scene/model/Model.h"
+#include "irsg/scene/model/ModelUse.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {

@@ -22,7 +22,7 @@
 #include "gui/Theme.h"
 #include "gui/analysis/ResultStore.h"
 #include "gui/project/ProjectFiles.h"
-#include "irsg/scene/ModelConverter.h"
+#include "irsg/scene/model/ModelConverter.h"
 
 namespace smat::gui {
 namespace {

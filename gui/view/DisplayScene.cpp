@@ -7,8 +7,8 @@
 #include <osg/StateSet>
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/ModelLoader.h"
-#include "irsg/scene/SceneRadiometry.h"
+#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/radiance/SceneRadiometry.h"
 
 namespace smat::gui {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "gui/view/InfraredRequest.h"
 #include "gui/view/ModelFaces.h"
-#include "irsg/scene/Pose.h"
+#include "irsg/scene/view/Pose.h"
 #include "smatcore/project/Project.h"
 
 namespace smat::gui {

@@ -6,7 +6,7 @@
 #include "irsg/image/ImageStatistics.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/Stopwatch.h"
+#include "irsg/scene/draw/Stopwatch.h"
 
 namespace smat::gui {
 namespace {

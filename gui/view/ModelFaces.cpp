@@ -8,7 +8,7 @@
 #include <osgUtil/LineSegmentIntersector>
 
 #include "gui/view/FaceMarks.h"
-#include "irsg/scene/IrCodes.h"
+#include "irsg/scene/model/IrCodes.h"
 
 namespace smat::gui {
 

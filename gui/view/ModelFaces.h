@@ -7,7 +7,7 @@
 #include <osg/Group>
 #include <osg/ref_ptr>
 
-#include "irsg/scene/Model.h"
+#include "irsg/scene/model/Model.h"
 
 namespace smat::gui {
 

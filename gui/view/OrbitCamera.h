@@ -1,6 +1,6 @@
 #pragma once
 
-#include "irsg/scene/Pose.h"
+#include "irsg/scene/view/Pose.h"
 
 namespace smat::gui {
 

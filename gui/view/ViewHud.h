@@ -4,7 +4,7 @@
 
 #include "gui/view/OrbitCamera.h"
 #include "gui/view/ViewProjection.h"
-#include "irsg/scene/Pose.h"
+#include "irsg/scene/view/Pose.h"
 
 class QPainter;
 

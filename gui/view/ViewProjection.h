@@ -6,7 +6,7 @@
 #include <QPointF>
 #include <QSizeF>
 
-#include "irsg/scene/Pose.h"
+#include "irsg/scene/view/Pose.h"
 
 namespace smat::gui {
 

@@ -6,9 +6,9 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/FactorTable.h"
-#include "irsg/scene/FrameReduction.h"
 #include "irsg/scene/IrsgParts.h"
+#include "irsg/scene/radiance/FactorTable.h"
+#include "irsg/scene/sampling/FrameReduction.h"
 
 namespace irsg {
 

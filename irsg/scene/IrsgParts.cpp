@@ -9,9 +9,10 @@
 #include <osg/State>
 
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/FactorTable.h"
-#include "irsg/scene/PixelGrid.h"
-#include "irsg/scene/TruthLayers.h"
+#include "irsg/scene/radiance/FactorTable.h"
+#include "irsg/scene/radiance/HotSurfaces.h"
+#include "irsg/scene/radiance/TruthLayers.h"
+#include "irsg/scene/view/PixelGrid.h"
 
 namespace irsg {
 

@@ -8,23 +8,23 @@
 #include <type_traits>
 #include <vector>
 
-#include "irsg/scene/CameraFrame.h"
-#include "irsg/scene/DrawList.h"
-#include "irsg/scene/FrameReduction.h"
-#include "irsg/scene/HotParts.h"
 #include "irsg/scene/Irsg.h"
-#include "irsg/scene/LongEdges.h"
-#include "irsg/scene/OffscreenContext.h"
-#include "irsg/scene/PixelFactors.h"
 #include "irsg/scene/SceneCheck.h"
-#include "irsg/scene/SceneRadiometry.h"
-#include "irsg/scene/Stopwatch.h"
-#include "irsg/scene/SurfacePass.h"
-#include "irsg/scene/WidebandTerms.h"
-#include "irsg/scene/antialiasing/PointSources.h"
-#include "irsg/scene/antialiasing/ZoomAntialiasingManager.h"
-#include "irsg/scene/background/FrameBackground.h"
 #include "irsg/scene/background/SceneBackground.h"
+#include "irsg/scene/draw/OffscreenContext.h"
+#include "irsg/scene/draw/Stopwatch.h"
+#include "irsg/scene/draw/SurfacePass.h"
+#include "irsg/scene/model/DrawList.h"
+#include "irsg/scene/model/LongEdges.h"
+#include "irsg/scene/radiance/PixelFactors.h"
+#include "irsg/scene/radiance/PointSources.h"
+#include "irsg/scene/radiance/SceneRadiometry.h"
+#include "irsg/scene/radiance/WidebandTerms.h"
+#include "irsg/scene/sampling/FrameReduction.h"
+#include "irsg/scene/sampling/HotParts.h"
+#include "irsg/scene/sampling/ZoomAntialiasingManager.h"
+#include "irsg/scene/view/CameraFrame.h"
+#include "irsg/scene/view/FrameBackground.h"
 
 namespace irsg {
 

@@ -3,10 +3,10 @@
 
 #include <osg/RenderInfo>
 
-#include "irsg/scene/FactorTable.h"
 #include "irsg/scene/IrsgParts.h"
-#include "irsg/scene/PixelGrid.h"
-#include "irsg/scene/antialiasing/PixelAlignedStrategy.h"
+#include "irsg/scene/radiance/FactorTable.h"
+#include "irsg/scene/sampling/PixelAlignedStrategy.h"
+#include "irsg/scene/view/PixelGrid.h"
 
 namespace irsg {
 

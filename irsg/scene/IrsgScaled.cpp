@@ -2,9 +2,9 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/FactorTable.h"
 #include "irsg/scene/IrsgParts.h"
-#include "irsg/scene/SceneScaledView.h"
+#include "irsg/scene/radiance/FactorTable.h"
+#include "irsg/scene/radiance/SceneScaledView.h"
 
 namespace irsg {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "irsg/scene/Irsg.h"
-#include "irsg/scene/SceneRadiometry.h"
+#include "irsg/scene/radiance/SceneAir.h"
+#include "irsg/scene/view/Sensor.h"
 
 namespace irsg {
 

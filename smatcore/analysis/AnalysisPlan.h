@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "irsg/radiometry/Quantity.h"
-#include "irsg/scene/Pose.h"
+#include "irsg/scene/view/Pose.h"
 #include "smatcore/project/Project.h"
 
 namespace smat {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
-#include "irsg/scene/Sensor.h"
+#include "irsg/scene/view/Sensor.h"
 #include "smatcore/settings/Settings.h"
 
 namespace smat {

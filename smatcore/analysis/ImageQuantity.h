@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "irsg/image/RadianceImage.h"
-#include "irsg/scene/Sensor.h"
+#include "irsg/scene/view/Sensor.h"
 
 namespace smat {
 

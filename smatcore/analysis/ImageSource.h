@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "irsg/scene/Irsg.h"
-#include "irsg/scene/ScaledView.h"
+#include "irsg/scene/radiance/ScaledView.h"
 
 namespace smat {
 

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/ModelUse.h"
+#include "irsg/scene/model/ModelUse.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/Model.h"
-#include "irsg/scene/Pose.h"
+#include "irsg/scene/model/Model.h"
+#include "irsg/scene/view/Pose.h"
 #include "smatcore/settings/Settings.h"
 #include "smatcore/support/JsonLines.h"
 

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "irsg/scene/Pose.h"
+#include "irsg/scene/view/Pose.h"
 #include "smatcore/settings/Settings.h"
 
 namespace smat {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/ScaledView.h"
+#include "irsg/scene/radiance/ScaledView.h"
 #include "smatcore/analysis/ImageSource.h"
 #include "smatcore/project/Project.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "irsg/scene/Pose.h"
+#include "irsg/scene/view/Pose.h"
 
 namespace smat {
 

@@ -7,7 +7,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/SceneRadiometry.h"
+#include "irsg/scene/radiance/SceneRadiometry.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/support/ShellText.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/Model.h"
+#include "irsg/scene/model/Model.h"
 #include "tests/support/FlightBytes.h"
 
 using namespace irsg;

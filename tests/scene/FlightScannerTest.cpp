@@ -1,4 +1,4 @@
-#include "irsg/scene/FlightScanner.h"
+#include "irsg/scene/model/FlightScanner.h"
 
 #include <cstdio>
 #include <functional>

@@ -1,4 +1,5 @@
-#include "irsg/scene/HotParts.h"
+#include "irsg/scene/sampling/HotParts.h"
+#include "irsg/scene/radiance/HotSurfaces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "irsg/scene/LongEdges.h"
+#include "irsg/scene/model/LongEdges.h"
 
 #include <gtest/gtest.h>
 

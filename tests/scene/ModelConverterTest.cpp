@@ -1,4 +1,4 @@
-#include "irsg/scene/ModelConverter.h"
+#include "irsg/scene/model/ModelConverter.h"
 
 #include <functional>
 
@@ -11,9 +11,9 @@
 #include <osgSim/ShapeAttribute>
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/IrCodes.h"
-#include "irsg/scene/ModelLoader.h"
-#include "irsg/scene/ModelSummary.h"
+#include "irsg/scene/model/IrCodes.h"
+#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/ModelSummary.h"
 #include "tests/support/FlightBytes.h"
 
 using namespace irsg;

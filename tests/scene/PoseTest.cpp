@@ -1,4 +1,4 @@
-#include "irsg/scene/Pose.h"
+#include "irsg/scene/view/Pose.h"
 
 #include <cmath>
 #include <limits>

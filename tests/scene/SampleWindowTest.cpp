@@ -1,4 +1,4 @@
-#include "irsg/scene/antialiasing/SampleWindow.h"
+#include "irsg/scene/sampling/SampleWindow.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
-#include "irsg/scene/antialiasing/PixelAlignedStrategy.h"
-#include "irsg/scene/antialiasing/SupersamplingStrategy.h"
+#include "irsg/scene/sampling/PixelAlignedStrategy.h"
+#include "irsg/scene/sampling/SupersamplingStrategy.h"
 
 using namespace irsg;
 

@@ -1,4 +1,4 @@
-#include "irsg/scene/ScaledView.h"
+#include "irsg/scene/radiance/ScaledView.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "irsg/scene/Sensor.h"
+#include "irsg/scene/view/Sensor.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "irsg/scene/ShaderSource.h"
+#include "irsg/scene/draw/ShaderSource.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "irsg/scene/antialiasing/SillsBasedStrategy.h"
+#include "irsg/scene/sampling/SillsBasedStrategy.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/antialiasing/ZoomCamera.h"
-#include "irsg/scene/multipass/MultipassComposer.h"
+#include "irsg/scene/sampling/MultipassComposer.h"
+#include "irsg/scene/sampling/ZoomCamera.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

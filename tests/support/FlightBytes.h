@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/FlightRecords.h"
+#include "irsg/scene/model/FlightRecords.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace irsg::test {

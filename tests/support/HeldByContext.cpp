@@ -6,7 +6,7 @@
 #include <osg/RenderInfo>
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/OffscreenContext.h"
+#include "irsg/scene/draw/OffscreenContext.h"
 
 namespace irsg::test {
 

@@ -8,8 +8,8 @@
 #include <osg/Geometry>
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/IrCodes.h"
-#include "irsg/scene/Model.h"
+#include "irsg/scene/model/IrCodes.h"
+#include "irsg/scene/model/Model.h"
 
 namespace irsg::test {
 

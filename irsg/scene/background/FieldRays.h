@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "irsg/scene/Pose.h"
-#include "irsg/scene/Sensor.h"
+#include "irsg/scene/view/Pose.h"
+#include "irsg/scene/view/Sensor.h"
 
 namespace irsg {
 

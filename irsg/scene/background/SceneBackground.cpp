@@ -8,11 +8,11 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/CameraFrame.h"
-#include "irsg/scene/OffscreenContext.h"
 #include "irsg/scene/background/BackgroundGrid.h"
 #include "irsg/scene/background/Horizon.h"
 #include "irsg/scene/background/SunDisc.h"
+#include "irsg/scene/draw/OffscreenContext.h"
+#include "irsg/scene/view/CameraFrame.h"
 
 namespace irsg {
 

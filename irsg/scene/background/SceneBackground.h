@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/Pose.h"
-#include "irsg/scene/Sensor.h"
 #include "irsg/scene/background/BandSky.h"
 #include "irsg/scene/background/FieldRays.h"
-#include "irsg/scene/background/FrameBackground.h"
 #include "irsg/scene/background/Horizon.h"
 #include "irsg/scene/background/Skybox.h"
 #include "irsg/scene/background/Terrain.h"
 #include "irsg/scene/background/TerrainPass.h"
+#include "irsg/scene/view/FrameBackground.h"
+#include "irsg/scene/view/Pose.h"
+#include "irsg/scene/view/Sensor.h"
 
 namespace irsg {
 

@@ -2,11 +2,11 @@
 
 #include <osg/Node>
 
-#include "irsg/scene/CameraFrame.h"
-#include "irsg/scene/ModelLoader.h"
-#include "irsg/scene/SurfacePass.h"
 #include "irsg/scene/background/TerrainCollector.h"
 #include "irsg/scene/background/TerrainParts.h"
+#include "irsg/scene/draw/SurfacePass.h"
+#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/view/CameraFrame.h"
 
 namespace irsg {
 

@@ -1,4 +1,4 @@
-#include "irsg/scene/GlFunctions.h"
+#include "irsg/scene/draw/GlFunctions.h"
 
 #include "irsg/scene/background/TerrainPass.h"
 
@@ -8,10 +8,10 @@
 #include <osg/State>
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/FloatTarget.h"
-#include "irsg/scene/ReversedDepth.h"
-#include "irsg/scene/ShaderProgram.h"
 #include "irsg/scene/background/TerrainParts.h"
+#include "irsg/scene/draw/FloatTarget.h"
+#include "irsg/scene/draw/ReversedDepth.h"
+#include "irsg/scene/draw/ShaderProgram.h"
 
 namespace irsg {
 

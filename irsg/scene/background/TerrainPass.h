@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "irsg/scene/CameraFrame.h"
 #include "irsg/scene/background/Terrain.h"
+#include "irsg/scene/view/CameraFrame.h"
 
 namespace osg {
 class RenderInfo;

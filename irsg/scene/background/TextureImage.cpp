@@ -14,8 +14,8 @@
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/PngPlane.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/ModelLoader.h"
-#include "irsg/scene/OsgNotices.h"
+#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/OsgNotices.h"
 
 namespace irsg {
 

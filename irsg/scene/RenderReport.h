@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "irsg/image/RadianceImage.h"
+#include "irsg/image/SampledWindows.h"
+
+namespace irsg {
+
+/// The radiometry of one object as the sensor sees it, summed in double over its samples.
+struct ObjectRadiometry {
+    std::string name;
+    double range_m = 0.0;                ///< sensor to reference point
+    double intensity_W_sr = 0.0;         ///< sum of A_pre omega d^2
+    double contrastIntensity_W_sr = 0.0; ///< sum of (A_pre - alpha L_bg) omega d^2
+    double irradiance_W_m2 = 0.0;        ///< sum of (A_pre - alpha L_bg) omega cos theta
+    double coveredPixels = 0.0;          ///< sum of the coverage
+    double solidAngle_sr = 0.0;          ///< sum of coverage omega
+};
+
+struct RenderReport {
+    double totalIrradiance_W_m2 = 0.0; ///< of the whole frame, background included
+    double background_W_m2_sr = 0.0;
+    std::vector<ObjectRadiometry> objects;
+    ObjectRadiometry all;                ///< of all objects together, at the first object's range
+    std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
+    std::vector<std::string> warnings;   ///< each said once
+    std::vector<SampledWindow> windows;  ///< what the antialiasing sampled by itself
+    long flooredPixels = 0;              ///< of the background, whose sum was below 0
+    int layersLeftOver = 0;              ///< samples with more transparent layers than are kept
+    double transmissivityResidue = 0.0;  ///< largest relative error of the scalar t for t(lambda)
+    std::string renderer;                ///< GL renderer and version
+};
+
+struct RenderedImage {
+    RadianceImage image; ///< "L"; with truth layers the other planes of formats.md
+    RenderReport report;
+};
+
+/// Spectral quantities of all objects together as they arrive at the sensor, through the air but
+/// without the sensor's response; at the first object's range.
+struct IntensitySpectrum {
+    std::vector<double> wavenumbers_cm1; ///< as asked for
+    std::vector<double> wavelengths_um;  ///< 1e4 / wavenumber
+    std::vector<double> intensity_W_sr_um;
+    std::vector<double> contrastIntensity_W_sr_um;
+    std::vector<double> irradiance_W_m2_um; ///< of the contrast
+    double coveredPixels = 0.0;
+    std::vector<std::string> warnings;
+};
+
+/// Time spent in each stage since the last reset, s.
+struct StageTimes {
+    struct Stage {
+        std::string name;
+        double seconds = 0.0;
+        long calls = 0;
+    };
+    std::vector<Stage> stages;
+};
+
+} // namespace irsg

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "irsg/scene/TextureScale.h"
+
+namespace irsg {
+
+/// How a band is integrated (F19, the report's CalculationMode).
+enum class CalculationMode {
+    spectral = 1, ///< at every wavelength of the spectra that meet
+    wideband = 2  ///< at the terms of the atmosphere's correlated-k, see SensorCkData
+};
+/// How the sun and the diffuse fluxes are reflected (report section 4, F12).
+enum class ReflectionMode {
+    off,
+    approx, ///< independent of geometry: the mean over all orientations, sun 1/4, up 1/2, down 1/2
+    smart   ///< per pixel, from the normal
+};
+/// How much of the upper and lower hemisphere a tilted facet sees.
+enum class FluxWeights {
+    viewFactor, ///< (1 + cos theta_z) / 2, exact
+    report      ///< 1 - theta_z / pi, as published
+};
+enum class BackgroundMode {
+    none,       ///< 0
+    constant,   ///< `background_W_m2_sr`, in-band
+    environment ///< the environment's, along one line of sight or a grid of them
+};
+
+/// How zoom antialiasing samples.
+enum class ZoomStrategy {
+    aligned, ///< windows on the sensor's pixel grid, see PixelAlignedStrategy
+    sills    ///< as published, see SillsBasedStrategy
+};
+
+struct RenderSettings {
+    CalculationMode mode = CalculationMode::spectral;
+    /// Zoom antialiasing: side of the windows that objects are drawn into, samples; 128, 256 or 512
+    /// for modes 3 to 5 of the report, any from 8 to 2048. 0: every pixel is sampled alike.
+    int zoomWindow = 256;
+    ZoomStrategy zoomStrategy = ZoomStrategy::aligned;
+    /// Objects narrower than this are drawn once per aspect and then stand for any range as points,
+    /// with the aligned zoom, before no terrain and apart from other objects; see PointSources.
+    /// Pixels, 0 (never) to 1.
+    double pointSourceBelow_px = 1.0 / 64.0;
+    /// Small parts that shine out of their object, such as exhaust pipes, have windows of their
+    /// own, with the aligned zoom; see HotParts.
+    bool hotParts = true;
+    /// Supersampling, where there is no zoom window: 1, 2 or 4 for modes 0 to 2; any 1 to 16.
+    int samplesPerAxis = 4;
+    /// `samplesPerAxis` is meant in all, not per axis: 4 is 2 x 2, and 2 is two side by side.
+    bool samplesInAll = false;
+    ReflectionMode sun = ReflectionMode::smart;
+    ReflectionMode fluxes = ReflectionMode::smart;
+    FluxWeights fluxWeights = FluxWeights::viewFactor;
+    BackgroundMode background = BackgroundMode::environment;
+    double background_W_m2_sr = 0.0;
+    /// Lines of sight over the field that the environment is asked for its background: 1 x 1 is
+    /// uniform, the one at the field's centre, 0 rows are as many as half a percent needs; see
+    /// BackgroundGrid.
+    int backgroundRows = 1, backgroundColumns = 1;
+    /// The sun is seen as a disc, see SunDisc.
+    bool sunDisc = false;
+    /// What the texels of skybox and terrain mean.
+    TextureScale skybox, terrain;
+    /// Terrain before an object hides it; else terrain is a picture behind all objects, as in the
+    /// report.
+    bool terrainHides = true;
+    /// Transparent layers kept per sample, nearest first; what is left over is counted and
+    /// reported.
+    int maximumLayers = 64;
+    bool truthLayers = false;
+
+    bool operator==(const RenderSettings&) const = default;
+};
+
+} // namespace irsg

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include <osg/Matrixd>
+#include <osg/NodeVisitor>
+
+#include "irsg/scene/model/SurfaceMesh.h"
+
+namespace irsg {
+
+/// Walks a loaded graph as a sensor at no distance would see it and adds every polygon to a mesh,
+/// in model axes: transforms are multiplied out in double (a mirroring one turns the polygon
+/// round), the highest level of detail is taken at every range, switches show their present
+/// children, hidden nodes stay hidden.
+class GeometryCollector : public osg::NodeVisitor {
+  public:
+    /// `toModel` leads from the axes of the file to those of the model. `name` is used in messages.
+    GeometryCollector(SurfaceMesh& mesh, const osg::Matrixd& toModel, const std::string& name,
+                      bool forceTwoSided);
+    /// Throws InputError as forEachPolygon does.
+    void collect(osg::Node& graph);
+    /// What was overridden or left out, a sentence each.
+    std::vector<std::string> remarks() const;
+
+    void apply(osg::Node& node) override;
+    void apply(osg::Group& group) override;
+    void apply(osg::Transform& transform) override;
+    void apply(osg::Camera& camera) override;
+    void apply(osg::LOD& lod) override;
+    void apply(osg::Sequence& sequence) override;
+    void apply(osg::Billboard& billboard) override;
+    void apply(osg::Drawable& drawable) override;
+
+  private:
+    struct State {
+        bool culling = false, front = false, both = false, clockwise = false;
+        int layer = 0; ///< subface level, from the polygon offset the plug-in gives it
+    };
+    /// Hidden nodes are counted and left; otherwise the node's state counts while `visit` runs.
+    template <typename Visit>
+    void within(osg::Node& node, Visit visit);
+    void update(const osg::StateSet* state);
+    std::set<const osg::LOD*> coarserSiblings(const osg::Group& group) const;
+    bool startsWhereAnotherEnds(const osg::LOD& lod) const;
+    void addPolygon(const IrCodes& codes, std::vector<PolygonCorner>& corners);
+
+    SurfaceMesh& mesh_;
+    osg::Matrixd matrix_;
+    std::string name_;
+    bool forceTwoSided_;
+    State state_;
+    std::set<const osg::LOD*> coarser_;
+    std::vector<std::pair<double, double>> ranges_; ///< of all LODs in the graph
+    std::set<const osg::LOD*> lods_, leftOut_;
+    long total_ = 0, drawn_ = 0, hidden_ = 0, leftOutPolygons_ = 0, nowhere_ = 0;
+    long withoutArea_ = 0, billboards_ = 0, sequences_ = 0, others_ = 0;
+};
+
+} // namespace irsg

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <compare>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "irsg/scene/view/Vec3.h"
+
+namespace osg {
+class Node;
+}
+
+namespace irsg {
+
+/// The pair of codes a face carries.
+struct IrCodes {
+    int temperature = 0; ///< IRColor, OpenFlight IR colour code
+    int material = 0;    ///< IRMaterial, OpenFlight IR material code
+
+    auto operator<=>(const IrCodes&) const = default;
+};
+
+enum class NoseAxis { plusX, minusX, plusY, minusY };
+
+/// What of a model carries one pair of codes.
+struct CodeUse {
+    /// OpenFlight: Face and Mesh records, each once however often it is placed, lines and hidden
+    /// faces included. Other files: polygons as they are drawn.
+    int faces = 0;
+    /// Of what is drawn, with every copy; 0 where there are only lines or hidden faces.
+    double area_m2 = 0.0;
+    bool operator==(const CodeUse&) const = default;
+};
+
+struct ModelOptions {
+    NoseAxis noseAxis = NoseAxis::plusY; ///< which axis of the file the nose points along
+    bool forceTwoSided = false;          ///< ignore draw type 0 (backface culling)
+};
+
+/// A loaded model: geometry with its codes, in the axes of this program (x starboard, y nose, z
+/// up). The graph is one Group with one Geode; its drawables are osg::Geometry, one for each
+/// subface level, pair of codes and culling, sorted by these: a Vec3Array of vertices, a Vec3Array
+/// of unit normals that agree with the winding of their faces, a Vec4Array of the file's colours
+/// for a visible view, all per vertex, and one DrawElementsUInt of triangles, counter-clockwise
+/// from the front. The only StateSets are those of the drawables and hold nothing but culling:
+/// CullFace BACK on for draw type 0, GL_CULL_FACE off otherwise, and PolygonOffset (-n, -n) for
+/// subfaces of level n, which lie in the plane of the face below them and follow it in the list.
+/// UserData is a ShapeAttributeList with IRColor and IRMaterial. Two loads of a file give equal
+/// graphs.
+class Model {
+  public:
+    /// Loads .flt, .osgt, .osgb, .ive and whatever OpenSceneGraph reads. An OpenFlight file is
+    /// validated by the record scanner first. Throws InputError for a file that is missing,
+    /// truncated, malformed (with the byte offset), unreadable or without faces.
+    static std::shared_ptr<Model> load(const std::filesystem::path& file,
+                                       const ModelOptions& options = {});
+    /// Takes a graph made in memory; codes are read from its ShapeAttributeLists.
+    static std::shared_ptr<Model> fromGraph(osg::Node* graph, const std::string& name,
+                                            const ModelOptions& options = {});
+    ~Model();
+
+    const std::string& name() const;
+    const std::filesystem::path& file() const;
+    osg::Node* graph() const;
+    const std::map<IrCodes, CodeUse>& codes() const;
+    /// Of all geometry, model axes.
+    const BoundingBox& bounds() const;
+    /// Of the geometry whose codes are wanted; not valid() where there is none.
+    BoundingBox boundsOf(const std::function<bool(const IrCodes&)>& wanted) const;
+    /// What the loader had to do or could not keep: LODs overridden, normals made, files missing.
+    const std::vector<std::string>& remarks() const;
+
+  private:
+    struct Parts;
+    explicit Model(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace irsg

@@ -1,0 +1,153 @@
+#include "irsg/scene/model/ModelConverter.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/WriteFile>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/model/CodeSafeMerge.h"
+#include "irsg/scene/model/GeometryCollector.h"
+#include "irsg/scene/model/IrCodes.h"
+#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/OsgNotices.h"
+
+namespace irsg {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string writeOptions(const std::string& extension) {
+    // Textures go into the file where its kind can hold them.
+    return extension == "osgt" || extension == "osgb" || extension == "osgx"
+               ? "WriteImageHint=IncludeFile"
+               : "";
+}
+
+std::string checkedExtension(const fs::path& in, const fs::path& out) {
+    const auto extension = osgDB::getLowerCaseFileExtension(out.string());
+    static const std::vector<std::string> known = {"osgt", "osgb", "ive", "osg", "osgx"};
+    if (std::find(known.begin(), known.end(), extension) == known.end())
+        throw InputError({out.string(), "", "output of type \"." + extension + "\"",
+                          extension == "flt" ? ".osgt, .osgb, .ive, .osg or .osgx: OpenSceneGraph "
+                                               "writes OpenFlight without its infrared codes"
+                                             : ".osgt, .osgb, .ive, .osg or .osgx"});
+    std::error_code ignored;
+    if (fs::equivalent(in, out, ignored))
+        throw InputError({out.string(), "", "the input itself as output", "another file"});
+    const auto folder = out.parent_path();
+    if (!folder.empty() && !fs::is_directory(folder, ignored))
+        throw InputError({folder.string(), "", "no such folder", "a folder to write to"});
+    return extension;
+}
+
+std::map<IrCodes, double> areas(osg::Node& graph, const std::string& name) {
+    SurfaceMesh mesh;
+    GeometryCollector(mesh, osg::Matrixd::identity(), name, true).collect(graph);
+    std::map<IrCodes, double> areas;
+    for (const auto& [key, part] : mesh.parts())
+        areas[key.codes] += part.area_m2;
+    return areas;
+}
+
+/// Single precision and another cut through the same polygon are all that may differ.
+bool sameAreas(const std::map<IrCodes, double>& a, const std::map<IrCodes, double>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+        return x.first == y.first && std::abs(x.second - y.second) <= 1e-4 * x.second;
+    });
+}
+
+/// Writes beside the target first, so that a failure leaves no half of a file.
+void write(const osg::Node& graph, const fs::path& part, const fs::path& out,
+           const std::string& extension) {
+    OsgNotices notices;
+    osg::ref_ptr<osgDB::Options> options = new osgDB::Options(writeOptions(extension));
+    bool written = false;
+    std::string complaint;
+    try {
+        written = osgDB::writeNodeFile(graph, part.string(), options);
+    } catch (const std::exception& error) {
+        complaint = error.what();
+    }
+    for (const auto& line : notices.take())
+        complaint += (complaint.empty() ? "" : "; ") + line;
+    if (!written)
+        throw InputError({out.string(), "", "a file that cannot be written (" + complaint + ")",
+                          "a place that can be written to"});
+}
+
+/// A name beside the target that no other conversion of this process uses: one that was stopped may
+/// still be writing.
+fs::path partOf(const fs::path& out, const std::string& extension) {
+    static std::atomic<int> number = 0;
+    return out.parent_path() /
+           (out.stem().string() + ".part" + std::to_string(++number) + "." + extension);
+}
+
+class Removal {
+  public:
+    explicit Removal(fs::path file) : file_(std::move(file)) {}
+    ~Removal() {
+        std::error_code ignored;
+        fs::remove(file_, ignored);
+    }
+
+  private:
+    fs::path file_;
+};
+
+} // namespace
+
+ConversionReport convertModel(const fs::path& in, const fs::path& out,
+                              const std::stop_token& stop) {
+    const auto extension = checkedExtension(in, out);
+    auto loaded = loadGraph(in, LoadPurpose::visible);
+    if (stop.stop_requested())
+        return {};
+    const bool flight = !loaded.faces.empty();
+    osg::ref_ptr<osg::Group> graph = new osg::Group;
+    graph->addChild(loaded.node);
+
+    ConversionReport report;
+    report.remarks = std::move(loaded.remarks);
+    report.polygonsRead = polygonCounts(*graph);
+    const auto areasRead = areas(*graph, in.string());
+    int misfits = 0;
+    const auto counts = mergeKeepingCodes(*graph, flight, misfits);
+    report.drawablesRead = counts.before;
+    report.drawablesWritten = counts.after;
+    report.polygonsWritten = polygonCounts(*graph);
+    if (misfits > 0)
+        report.remarks.push_back(
+            std::to_string(misfits) +
+            " drawables had normals, colours or texture coordinates for some of "
+            "their vertices only: removed");
+
+    if (stop.stop_requested())
+        return {};
+
+    const auto part = partOf(out, extension);
+    const Removal removal(part);
+    write(*graph->getChild(0), part, out, extension);
+
+    if (stop.stop_requested())
+        return {};
+
+    // What was written is worth what can be read from it.
+    const auto back = loadGraph(part, LoadPurpose::visible);
+    if (polygonCounts(*back.node) != report.polygonsWritten ||
+        !sameAreas(areas(*back.node, out.string()), areasRead))
+        throw InputError({out.string(), "", "a file that lost codes or faces of " + in.string(),
+                          "codes and areas as read; another kind of output may keep them"});
+    if (stop.stop_requested())
+        return {};
+    std::error_code failed;
+    fs::rename(part, out, failed);
+    if (failed)
+        throw InputError({out.string(), "", failed.message(), "a place that can be written to"});
+    return report;
+}
+
+} // namespace irsg

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <osg/Node>
+#include <osg/ref_ptr>
+
+#include "irsg/scene/model/Model.h"
+
+namespace irsg {
+
+/// A graph as the file has it, before anything is merged or stripped.
+struct LoadedGraph {
+    osg::ref_ptr<osg::Node> node;
+    /// Face records per pair of codes where the file was OpenFlight, else empty.
+    std::map<IrCodes, int> faces;
+    std::vector<std::string> remarks;
+};
+
+/// What the graph is for: the infrared picture needs geometry, normals and codes; the visible
+/// display needs textures and materials, too.
+enum class LoadPurpose { infrared, visible };
+
+/// To be held while a plug-in of OpenSceneGraph reads: the registry of plug-ins and their caches
+/// belong to the whole process.
+std::mutex& osgRegistryMutex();
+
+/// Reads .flt after validating it, with its external references, each file once; and whatever else
+/// OpenSceneGraph reads. Codes are on drawables or nodes as codesOf() finds them. What
+/// OpenSceneGraph prints becomes remarks. Throws InputError for a file that is missing, malformed,
+/// of a kind nothing reads, or empty.
+LoadedGraph loadGraph(const std::filesystem::path& file, LoadPurpose purpose);
+
+} // namespace irsg

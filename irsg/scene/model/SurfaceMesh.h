@@ -1,0 +1,64 @@
+#pragma once
+
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include <osg/Geometry>
+
+#include "irsg/scene/model/DrawablePolygons.h"
+#include "irsg/scene/model/Model.h"
+
+namespace irsg {
+
+/// Triangles merged per layer, pair of codes and culling: what a Model draws. Vertices with equal
+/// position, normal and colour are shared; the order is that of the polygons, so equal input gives
+/// equal arrays.
+class SurfaceMesh {
+  public:
+    struct Key {
+        int layer = 0; ///< depth of a subface: it is drawn over the face it lies on
+        IrCodes codes;
+        bool culled = false; ///< back faces are not drawn
+        auto operator<=>(const Key&) const = default;
+    };
+    struct Part {
+        std::vector<osg::Vec3> vertices, normals;
+        std::vector<osg::Vec4> colours;
+        std::vector<unsigned int> triangles;
+        long polygons = 0;
+        double area_m2 = 0.0;
+        BoundingBox bounds{{1, 1, 1}, {-1, -1, -1}};
+    };
+
+    /// Adds a polygon in model axes, counter-clockwise from its front. A concave one is cut into
+    /// ears. Normals that are missing, zero or not finite become the polygon's own; normals that
+    /// point away from the front are turned. A polygon without area is counted and left out.
+    void add(const Key& key, std::vector<PolygonCorner>& corners);
+
+    const std::map<Key, Part>& parts() const { return parts_; }
+    long degenerate() const { return degenerate_; }
+    long normalsMade() const { return normalsMade_; }
+    long normalsTurned() const { return normalsTurned_; }
+    long folded() const { return folded_; } ///< polygons that cross themselves, drawn as a fan
+
+    /// A drawable of indexed triangles with vertices, unit normals, colours, its codes and a
+    /// StateSet with nothing but the culling of back faces and, for a layer, a PolygonOffset.
+    static osg::ref_ptr<osg::Geometry> drawable(const Key& key, const Part& part);
+
+  private:
+    struct Vertex {
+        float values[10];
+        bool operator==(const Vertex& o) const;
+    };
+    struct Hash {
+        std::size_t operator()(const Vertex& v) const;
+    };
+    unsigned int index(const Key& key, Part& part, const PolygonCorner& corner);
+
+    std::map<Key, Part> parts_;
+    std::map<Key, std::unordered_map<Vertex, unsigned int, Hash>> known_;
+    long degenerate_ = 0, normalsMade_ = 0, normalsTurned_ = 0, folded_ = 0;
+};
+
+} // namespace irsg

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "irsg/scene/sampling/AbstractZoomAntialiasingStrategy.h"
+#include "irsg/scene/sampling/EntityGroups.h"
+
+namespace irsg {
+
+/// Zoom antialiasing on the sensor's own pixel grid (docs/architecture.md, decision 2): the samples
+/// of a window of given size are spent on the object alone, however small it is, and add to pixels
+/// one to one.
+///
+/// A large object is drawn on whole pixels, each sampled as often as the window's size allows and
+/// at least twice an axis. A small one is drawn on tiles of a power of two, 16 to 33 of them along
+/// its longer side, which lie close around it. Objects that overlap share a window, with depth.
+/// Finer windows are cut out of it for what is much smaller: members of the group, in which the
+/// others stand before and behind them, and the details that an object has.
+class PixelAlignedStrategy : public AbstractZoomAntialiasingStrategy {
+  public:
+    /// Side of a window, samples: 128, 256 or 512 for modes 3 to 5; any from 8.
+    explicit PixelAlignedStrategy(int size) : size_(size) {}
+
+    std::vector<SampleWindow> windows(const std::vector<ZoomEntityInfo>& objects) const override;
+
+    static constexpr int fewestSamplesPerAxis = 2;
+
+  private:
+    std::vector<SampleWindow> windowsOf(const EntityGroup& group) const;
+
+    /// A part of a group that is worth samples of its own.
+    struct Part {
+        ImageRectangle extent;
+        int size;         ///< of its window
+        double finerFrom; ///< how much finer that must be
+    };
+    std::vector<Part> partsOf(const EntityGroup& group) const;
+    /// Cuts windows for the parts out of the one at `coarse`, and out of those in turn.
+    static void refine(std::vector<SampleWindow>& windows, std::size_t coarse,
+                       const std::vector<Part>& parts);
+
+    int size_;
+};
+
+} // namespace irsg

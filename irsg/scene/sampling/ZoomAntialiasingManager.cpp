@@ -1,0 +1,46 @@
+#include "irsg/scene/sampling/ZoomAntialiasingManager.h"
+
+#include <tuple>
+
+#include "irsg/scene/sampling/PixelAlignedStrategy.h"
+#include "irsg/scene/sampling/SillsBasedStrategy.h"
+#include "irsg/scene/sampling/SupersamplingStrategy.h"
+
+namespace irsg {
+
+namespace {
+
+/// The most nearly square grid of so many samples, wider than high.
+SupersamplingStrategy samplesInAll(int samples) {
+    int down = 1;
+    for (int n = 1; n * n <= samples; ++n)
+        if (samples % n == 0)
+            down = n;
+    return {samples / down, down};
+}
+
+std::unique_ptr<AbstractZoomAntialiasingStrategy> make(const RenderSettings& settings) {
+    if (settings.zoomWindow > 0 && settings.zoomStrategy == ZoomStrategy::sills)
+        return std::make_unique<SillsBasedStrategy>(settings.zoomWindow);
+    if (settings.zoomWindow > 0)
+        return std::make_unique<PixelAlignedStrategy>(settings.zoomWindow);
+    const int n = settings.samplesPerAxis;
+    return std::make_unique<SupersamplingStrategy>(
+        settings.samplesInAll ? samplesInAll(n) : SupersamplingStrategy(n, n));
+}
+
+} // namespace
+
+AbstractZoomAntialiasingStrategy&
+ZoomAntialiasingManager::strategyFor(const RenderSettings& settings) {
+    const auto asks = [](const RenderSettings& s) {
+        return std::tuple(s.zoomWindow, s.zoomStrategy, s.samplesPerAxis, s.samplesInAll);
+    };
+    if (!strategy_ || asks(settings) != asks(settings_)) {
+        strategy_ = make(settings);
+        settings_ = settings;
+    }
+    return *strategy_;
+}
+
+} // namespace irsg

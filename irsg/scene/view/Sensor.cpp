@@ -1,0 +1,52 @@
+#include "irsg/scene/view/Sensor.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr int largestResolution = 16384;
+
+} // namespace
+
+void Sensor::check() const {
+    std::vector<Offence> offences;
+    const auto checkResolution = [&offences](const std::string& name, int pixels) {
+        if (pixels < 1 || pixels > largestResolution)
+            offences.push_back({"sensor", name, std::to_string(pixels),
+                                "1 to " + std::to_string(largestResolution) + " px"});
+    };
+    checkResolution("width", width_px);
+    checkResolution("height", height_px);
+    if (!(horizontalFieldOfView_rad > 0.0 && horizontalFieldOfView_rad < pi))
+        offences.push_back({"sensor", "horizontal field of view",
+                            numberText(degrees(horizontalFieldOfView_rad)) + " deg",
+                            "more than 0 and less than 180 deg"});
+    if (!offences.empty())
+        throw InputError(std::move(offences));
+}
+
+double Sensor::pixelPitch() const {
+    return 2.0 * std::tan(0.5 * horizontalFieldOfView_rad) / static_cast<double>(width_px);
+}
+
+double Sensor::cosOffAxis(int x, int y) const {
+    const double pitch = pixelPitch();
+    const double right = (x + 0.5 - 0.5 * width_px) * pitch;
+    const double down = (y + 0.5 - 0.5 * height_px) * pitch;
+    return 1.0 / std::hypot(1.0, right, down);
+}
+
+double Sensor::pixelSolidAngle_sr(int x, int y) const {
+    const double pitch = pixelPitch();
+    const double cosine = cosOffAxis(x, y);
+    return pitch * pitch * cosine * cosine * cosine;
+}
+
+} // namespace irsg

@@ -1,0 +1,28 @@
+#include "irsg/scene/view/Vec3.h"
+
+#include <cmath>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+double dot(const Vec3& a, const Vec3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+double length(const Vec3& v) {
+    return std::hypot(v.x, v.y, v.z);
+}
+
+Vec3 normalized(const Vec3& v) {
+    const double norm = length(v);
+    if (!(norm > 0.0) || !std::isfinite(norm))
+        throw LogicError("a vector without length, or not finite, has no direction");
+    return {v.x / norm, v.y / norm, v.z / norm};
+}
+
+} // namespace irsg

@@ -1,0 +1,29 @@
+#pragma once
+
+namespace irsg {
+
+/// A vector of the world (x east, y north, z up) or of a model (x starboard, y nose, z up), m.
+struct Vec3 {
+    double x = 0.0, y = 0.0, z = 0.0;
+
+    Vec3 operator+(const Vec3& o) const { return {x + o.x, y + o.y, z + o.z}; }
+    Vec3 operator-(const Vec3& o) const { return {x - o.x, y - o.y, z - o.z}; }
+    Vec3 operator*(double s) const { return {x * s, y * s, z * s}; }
+    bool operator==(const Vec3&) const = default;
+};
+double dot(const Vec3& a, const Vec3& b);
+Vec3 cross(const Vec3& a, const Vec3& b);
+double length(const Vec3& v);
+/// LogicError for the null vector.
+Vec3 normalized(const Vec3& v);
+
+/// A box along the axes of its model or of the world.
+struct BoundingBox {
+    Vec3 min, max;
+    bool valid() const { return min.x <= max.x && min.y <= max.y && min.z <= max.z; }
+    Vec3 centre() const { return (min + max) * 0.5; }
+    double diagonal_m() const { return length(max - min); }
+    bool operator==(const BoundingBox&) const = default;
+};
+
+} // namespace irsg
