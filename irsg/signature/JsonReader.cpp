@@ -91,6 +91,11 @@ void JsonProblems::throwIfAny() const {
 }
 
 json parseJson(const std::string& text, const std::string& fileName) {
+    // The library takes a zero byte for the end of the text and says nothing of what follows.
+    if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+        throw InputError(
+            {fileName, placeOf(text, zero + 1), "a zero byte", "well-formed JSON in UTF-8"});
+    }
     ParseWatch watch(fileName);
     json root;
     try {

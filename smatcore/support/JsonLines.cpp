@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "irsg/radiometry/Errors.h"
+
 namespace smat {
 
 namespace {
@@ -31,6 +33,13 @@ std::size_t endOfString(std::string_view text, std::size_t begin) {
 JsonLines::JsonLines(std::string_view text) {
     std::vector<Level> open;
     int line = 1;
+    // Whoever says JSON and hands over something else would read and write beside the stack.
+    const auto innermost = [&]() -> Level& {
+        if (open.empty()) {
+            throw irsg::LogicError("a text that is not JSON was searched for its lines");
+        }
+        return open.back();
+    };
     const auto pathOfNext = [&] {
         if (open.empty()) {
             return std::string();
@@ -43,7 +52,9 @@ JsonLines::JsonLines(std::string_view text) {
             duplicates_.emplace_back(path, line);
         }
     };
-    for (std::size_t i = 0; i < text.size();) {
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF"; // allowed before JSON
+    for (std::size_t i = text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0;
+         i < text.size();) {
         const char c = text[i];
         if (c == '{' || c == '[') {
             const std::string path = pathOfNext();
@@ -51,11 +62,12 @@ JsonLines::JsonLines(std::string_view text) {
             open.push_back({.path = path, .isObject = c == '{'});
             ++i;
         } else if (c == '}' || c == ']') {
+            innermost();
             open.pop_back();
             ++i;
         } else if (c == ',') {
-            ++open.back().index;
-            open.back().keyIsNext = true;
+            ++innermost().index;
+            innermost().keyIsNext = true;
             ++i;
         } else if (c == '"') {
             const std::size_t end = endOfString(text, i);

@@ -13,7 +13,9 @@ namespace smat {
 inline constexpr int deepestJson = 100;
 
 /// The value of a JSON text. Throws InputError with the line of the first offence for text that is
-/// not JSON or nested deeper than deepestJson; `expected` says what the file should have been.
+/// not JSON or nested deeper than deepestJson; `expected` says what the file should have been. A
+/// zero byte is refused here, because the library takes it for the end of the text and says nothing
+/// of what follows.
 template <typename Json>
 Json parseJsonText(const std::string& text, const std::string& file, const std::string& expected) {
     const auto refuse = [&](std::size_t byte, const std::string& value) {
@@ -23,6 +25,9 @@ Json parseJsonText(const std::string& text, const std::string& file, const std::
                           .value = value,
                           .expected = expected});
     };
+    if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+        refuse(zero, "a zero byte");
+    }
     const std::size_t tooDeep = byteOfNesting(text, deepestJson);
     if (tooDeep != std::string::npos) {
         refuse(tooDeep,

@@ -107,6 +107,7 @@ TEST(ModtranJson, badDocumentsAreRefusedByName) {
         const char* says;
     } table[] = {
         {"no JSON", "{\"MODTRAN\": [", "found no JSON"},
+        {"a zero byte", document + std::string("\0}", 2), "found a zero byte"},
         {"foreign", "{}", "no array MODTRAN"},
         {"no cases", "{\"MODTRAN\": []}", "no array MODTRAN"},
         {"no results", "{\"MODTRAN\": [{" + input + "}]}", "results of the case"},

@@ -223,6 +223,7 @@ TEST(TabulatedAtmosphere, badTableFilesAreRefusedByName) {
         const char* says;
     } rows[] = {
         {"no JSON", "{\"format\":", "found no JSON"},
+        {"a zero byte", good + std::string("\0}", 2), "found a zero byte"},
         {"foreign", "{\"format\": \"x\"}", "format: found \"x\""},
         {"no format", "{}", "format: found no such key"},
         {"an array", "[1]", "found no such key"},

@@ -143,6 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadJson{"Empty", "", "line 1, column 1", "the end", "JSON"},
         BadJson{"CutOff", "{\n \"format\":", "line 2, column 11", "the end", "JSON"},
         BadJson{"PlainText", "hello", "line 1, column 1", "not JSON", "JSON"},
+        BadJson{"ZeroByte", std::string("{}\n \0{", 6), "line 2, column 2", "a zero byte", "JSON"},
         BadJson{"TrailingComma", "{\"format\": \"smat-signature\",}", "line 1, column 29",
                 "not JSON", "JSON"},
         BadJson{"NotUtf8", "{\"\xff\": 1}", "line 1, column 3", "not JSON", "UTF-8"},

@@ -97,6 +97,11 @@ constexpr Key keys[] = {
 class Document {
   public:
     Document(const std::string& text, const std::string& file) : file_(file) {
+        // The library takes a zero byte for the end of the text and says nothing of what follows.
+        if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+            throw InputError(
+                {file, "byte " + std::to_string(zero + 1), "a zero byte", "a MODTRAN 6 document"});
+        }
         try {
             root_ = json::parse(text, nullptr, true, true);
         } catch (const json::parse_error& error) {
