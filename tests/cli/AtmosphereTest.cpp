@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "irsg/atmosphere/TabulatedAtmosphere.h"
+#include "smatcore/data/ResultTable.h"
 #include "tests/atmosphere/KarmaSupport.h"
 #include "tests/atmosphere/SyntheticTape7.h"
 #include "tests/cli/Program.h"
@@ -42,6 +44,48 @@ TEST(SmatBatchAtmosphere, ImportWritesOneTableOfAFamily) {
     EXPECT_EQ(json["table"]["runs"].size(), 3u);
     EXPECT_EQ(json["table"]["interpolation_errors"][0]["quantity"], "transmittance");
     EXPECT_LT(json["table"]["interpolation_errors"][0]["worst"].get<double>(), 1e-6);
+}
+
+/// A table of air over exactly the wavelengths of a band, along a horizontal path at 1000 m.
+std::string tableOver(double min_um, double max_um) {
+    irsg::SpectralRun run;
+    run.source = "table";
+    run.kind = irsg::RunKind::thermalRadiance;
+    run.geometry.sensorAltitude_m = run.geometry.targetAltitude_m = 1000.0;
+    run.geometry.range_m = 2000.0;
+    run.wavenumbers_cm = {1e4 / max_um, 0.5e4 / max_um + 0.5e4 / min_um, 1e4 / min_um};
+    run.transmittance.assign(3, 0.5);
+    run.pathRadiance_W_m2_sr_um.assign(3, 2.0);
+    run.totalRadiance_W_m2_sr_um.assign(3, 3.0);
+    return irsg::TabulatedAtmosphere({run}, "table").toText();
+}
+
+TEST(SmatBatchAtmosphere, GivesASpectrumFromEndToEndOfItsTable) {
+    const TemporaryFolder folder;
+    for (const auto& [min_um, max_um, band] :
+         {std::tuple{3.0, 5.0, "3-5"}, std::tuple{8.0, 12.0, "8-12"}}) {
+        write(folder / "air.smatatm", tableOver(min_um, max_um));
+        const Ran ran = smatBatch({"spectrum",     sample("sphere/sphere.smat"),
+                                   "--band",       band,
+                                   "--atmosphere", folder / "air.smatatm",
+                                   "--set",        "render.sun=off",
+                                   "--set",        "render.fluxes=off",
+                                   "--background", "none",
+                                   "--elevation",  "0",
+                                   "--altitude",   "1000",
+                                   "--range",      "1000",
+                                   "--set",        "spectrum.resolution=20",
+                                   "--width",      "32",
+                                   "--height",     "32",
+                                   "--out",        folder / "o.csv"});
+        ASSERT_EQ(ran.exitCode, 0) << band << ": " << ran.err;
+        const auto table = smat::ResultTable::load(folder / "o.csv");
+        ASSERT_GT(table.rowCount(), 10u);
+        ASSERT_EQ(table.columns().at(1).key, "wavelength");
+        const auto& wavelengths_um = table.columns().at(1).values;
+        EXPECT_NEAR(wavelengths_um.front(), max_um, 1e-12);
+        EXPECT_NEAR(wavelengths_um.back(), min_um, 1e-12);
+    }
 }
 
 TEST(SmatBatchAtmosphere, InfoOfAHomogeneousAtmosphereTellsItsTemperatures) {

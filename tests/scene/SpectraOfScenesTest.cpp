@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/atmosphere/TabulatedAtmosphere.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "tests/support/SceneFixtures.h"
@@ -24,6 +25,35 @@ class TwoBandAir : public ConstantAir {
         return Spectrum({0.2, 4.0, 4.0001, 40.0}, {1.0, 1.0, t, t});
     }
 };
+
+/// Tables of air over exactly these ranges, which pass half and add 2 W m-2 sr-1 um-1 along
+/// horizontal paths.
+Environment tabulatedAir(const std::vector<SpectralRange>& ranges) {
+    Environment environment;
+    for (const SpectralRange& range : ranges) {
+        std::vector<SpectralRun> runs;
+        for (const AirPath& path :
+             {AirPath{1000.0, 1000.0, 100.0}, AirPath{1000.0, 1000.0, 200.0}}) {
+            SpectralRun run;
+            run.source = "table";
+            run.kind = RunKind::thermalRadiance;
+            run.geometry = {.path = RunPath::horizontal,
+                            .sensorAltitude_m = path.sensorAltitude_m,
+                            .targetAltitude_m = path.targetAltitude_m,
+                            .range_m = path.range_m};
+            for (int i = 0; i <= 10; ++i)
+                run.wavenumbers_cm.push_back(std::lerp(wavenumberFromWavelength_cm1(range.max_um),
+                                                       wavenumberFromWavelength_cm1(range.min_um),
+                                                       i / 10.0));
+            run.transmittance.assign(11, 0.5);
+            run.pathRadiance_W_m2_sr_um.assign(11, 2.0);
+            run.totalRadiance_W_m2_sr_um.assign(11, 3.0);
+            runs.push_back(run);
+        }
+        environment.add(std::make_shared<TabulatedAtmosphere>(runs, "table"));
+    }
+    return environment;
+}
 
 SignatureDatabase gasDatabase(double referenceDistance_m) {
     SignatureDatabase database = greyDatabase(1.0, 300.0);
@@ -98,6 +128,61 @@ TEST(IntensitySpectrumOfAScene, IntegratesToItsInBandIntensity) {
             (spectrum.contrastIntensity_W_sr_um[i] + spectrum.contrastIntensity_W_sr_um[i - 1]) *
             (wavelengths_um[i] - wavelengths_um[i - 1]);
     EXPECT_NEAR(integral / irsg.measure().all.contrastIntensity_W_sr, 1.0, 1e-4);
+}
+
+TEST(IntensitySpectrumOfAScene, ReachesTheEndsOfATable) {
+    Irsg irsg;
+    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 450.0))});
+    for (const SpectralRange range : {SpectralRange{3.0, 5.0}, SpectralRange{8.0, 12.0}}) {
+        look(irsg, {.band = Band::topHat(range.min_um, range.max_um)});
+        RenderSettings settings = irsg.settings();
+        settings.sun = settings.fluxes = ReflectionMode::off;
+        settings.background = BackgroundMode::constant;
+        settings.background_W_m2_sr = 0.0;
+        irsg.setSettings(settings);
+
+        std::vector<double> wavenumbers_cm1;
+        for (int i = 0; i <= 40; ++i)
+            wavenumbers_cm1.push_back(
+                wavenumberFromWavelength_cm1(std::lerp(range.max_um, range.min_um, i / 40.0)));
+        wavenumbers_cm1.front() = 1e4 / range.max_um;
+        wavenumbers_cm1.back() = 1e4 / range.min_um;
+        irsg.setEnvironment(Environment::vacuum());
+        const IntensitySpectrum bare = irsg.measureSpectrum(wavenumbers_cm1);
+        irsg.setEnvironment(tabulatedAir({range}));
+        const IntensitySpectrum all = irsg.measureSpectrum(wavenumbers_cm1);
+        const double area_m2 =
+            bare.intensity_W_sr_um[0] / (0.9 * planckRadiance_W_m2_sr_um(range.max_um, 450.0));
+        for (std::size_t i = 0; i < wavenumbers_cm1.size(); ++i)
+            EXPECT_NEAR(all.intensity_W_sr_um[i] /
+                            (0.5 * bare.intensity_W_sr_um[i] + 2.0 * area_m2),
+                        1.0, 1e-6)
+                << wavenumbers_cm1[i];
+
+        // One wavelength is a spectrum, too: at both ends and between.
+        for (const std::size_t i : {std::size_t{0}, std::size_t{17}, wavenumbers_cm1.size() - 1})
+            EXPECT_NEAR(irsg.measureSpectrum({wavenumbers_cm1[i]}).intensity_W_sr_um.at(0) /
+                            all.intensity_W_sr_um[i],
+                        1.0, 1e-6);
+
+        // What lies beyond the end by more than rounding is refused as before.
+        EXPECT_THROW(irsg.measureSpectrum({1e4 / (range.max_um * (1.0 + 1e-6))}), InputError);
+        EXPECT_THROW(irsg.measureSpectrum({1e4 / (range.min_um * (1.0 - 1e-6))}), InputError);
+    }
+}
+
+TEST(IntensitySpectrumOfAScene, MayEndWhereTwoTablesMeet) {
+    Irsg irsg;
+    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 450.0))});
+    look(irsg, {.band = Band::topHat(3.0, 4.0)});
+    RenderSettings settings = irsg.settings();
+    settings.sun = settings.fluxes = ReflectionMode::off;
+    settings.background = BackgroundMode::constant;
+    irsg.setSettings(settings);
+    irsg.setEnvironment(tabulatedAir({{3.0, 4.0}, {4.0, 5.0}}));
+    const double first = irsg.measureSpectrum({3000.0}).intensity_W_sr_um.at(0);
+    EXPECT_GT(irsg.measureSpectrum({2500.0}).intensity_W_sr_um.at(0), first);
+    EXPECT_GT(irsg.measureSpectrum({2500.0, 2000.0}).intensity_W_sr_um.at(1), first);
 }
 
 TEST(UserSpectrum, AddsItsComponentsWithTheirFactors) {

@@ -77,6 +77,28 @@ std::vector<const Spectrum*> allSpectra(const SceneAir<Spectrum>& air,
     return spectra;
 }
 
+/// A range around ascending wavelengths, wider by parts in 1e9 so that one wavelength has a range,
+/// too, but no wider than the atmospheres that answer there. Wavelengths that miss the end of such
+/// an atmosphere by rounding alone, as those do that come from wavenumbers, are put on it.
+SpectralRange fitIntoBases(std::vector<double>& wavelengths_um, const Environment& environment) {
+    constexpr double rounding = 1e-9;
+    const SpectralRange wide{wavelengths_um.front() * (1.0 - rounding),
+                             wavelengths_um.back() * (1.0 + rounding)};
+    const SpectralRange narrow{wavelengths_um.front() * (1.0 + rounding),
+                               wavelengths_um.back() * (1.0 - rounding)};
+    SpectralRange range = wide;
+    for (const AtmosphereProperty property : allAtmosphereProperties)
+        if (const Atmosphere* air = environment.find(narrow, property)) {
+            range.min_um = std::max(range.min_um, air->base().min_um);
+            range.max_um = std::min(range.max_um, air->base().max_um);
+        }
+    if (!(range.min_um < range.max_um))
+        return wide; // two atmospheres that have one wavelength in common
+    for (double& wavelength_um : wavelengths_um)
+        wavelength_um = std::clamp(wavelength_um, range.min_um, range.max_um);
+    return range;
+}
+
 /// Sum of term(0) to term(count - 1) in four strands, which do not wait for each other.
 template <typename Term>
 double sumOf(std::size_t count, Term term) {
@@ -145,9 +167,7 @@ SceneRadiometry::SceneRadiometry(const Environment& environment,
       keys_(surfaceKeys(entities)) {
     if (wavelengths_um_.empty())
         throw LogicError("a spectrum without wavelengths was asked for");
-    // An interval of no width is widened by parts in 1e9, so that one wavelength can be asked for.
-    const SpectralRange range{wavelengths_um_.front() * (1.0 - 1e-9),
-                              wavelengths_um_.back() * (1.0 + 1e-9)};
+    const SpectralRange range = fitIntoBases(wavelengths_um_, environment);
     const SceneAir<Spectrum> air =
         spectralAir(environment, entities, geometry, settings, centre, range);
     fill(
