@@ -10,6 +10,7 @@
 #include "gui/Workbench.h"
 #include "gui/project/NewProjectDialog.h"
 #include "gui/settings/Preferences.h"
+#include "irsg/scene/model/OpenableFiles.h"
 #include "smatcore/project/ProjectFile.h"
 
 namespace smat::gui {
@@ -51,7 +52,7 @@ ProjectFiles::ProjectFiles(Workbench& workbench, Dialogs& dialogs, const Prefere
 }
 
 QString ProjectFiles::modelPatterns() {
-    return QStringLiteral("*.flt *.osgt *.osgb *.ive *.osg *.osgx");
+    return QString::fromStdString(irsg::filterOf(irsg::FileKind::model));
 }
 
 QString ProjectFiles::modelFilter() {

@@ -99,6 +99,9 @@ void SceneView::initializeGL() {
                                                            parts_->pixels.height());
     parts_->viewer = new osgViewer::Viewer;
     parts_->viewer->setThreadingModel(osgViewer::Viewer::SingleThreaded);
+    // Models are read whole before they are shown; nothing is fetched while they are drawn.
+    parts_->viewer->setDatabasePager(nullptr);
+    parts_->viewer->setImagePager(nullptr);
     parts_->viewer->setKeyEventSetsDone(0);
     parts_->viewer->setLightingMode(osg::View::HEADLIGHT);
     // Faces that look away from the eye are seen, too.

@@ -37,10 +37,9 @@ Environment tabulatedAir(const std::vector<SpectralRange>& ranges) {
             SpectralRun run;
             run.source = "table";
             run.kind = RunKind::thermalRadiance;
-            run.geometry = {.path = RunPath::horizontal,
-                            .sensorAltitude_m = path.sensorAltitude_m,
-                            .targetAltitude_m = path.targetAltitude_m,
-                            .range_m = path.range_m};
+            run.geometry.sensorAltitude_m = path.sensorAltitude_m;
+            run.geometry.targetAltitude_m = path.targetAltitude_m;
+            run.geometry.range_m = path.range_m;
             for (int i = 0; i <= 10; ++i)
                 run.wavenumbers_cm.push_back(std::lerp(wavenumberFromWavelength_cm1(range.max_um),
                                                        wavenumberFromWavelength_cm1(range.min_um),

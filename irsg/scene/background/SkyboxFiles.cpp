@@ -4,6 +4,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/background/Skybox.h"
+#include "irsg/scene/model/OpenableFiles.h"
 
 namespace irsg {
 
@@ -18,9 +19,7 @@ std::string lowerCase(std::string text) {
 }
 
 bool isPicture(const fs::path& file) {
-    static const std::array<std::string, 7> kinds{".png",  ".jpg", ".jpeg", ".tif",
-                                                  ".tiff", ".exr", ".hdr"};
-    return std::ranges::find(kinds, lowerCase(file.extension().string())) != kinds.end();
+    return !refusalOf(file.string(), FileKind::picture);
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <osg/TriangleIndexFunctor>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/scene/model/OpenableFiles.h"
 
 namespace irsg {
 
@@ -134,7 +135,8 @@ TextureImage TerrainCollector::read(const osg::Texture& texture) const {
         const std::filesystem::path named(image.getFileName());
         for (const auto& file : {named, folder_ / named, folder_ / named.filename()}) {
             std::error_code ignored;
-            if (std::filesystem::is_regular_file(file, ignored))
+            if (!refusalOf(file.string(), FileKind::picture) &&
+                std::filesystem::is_regular_file(file, ignored))
                 return readTexture(file);
         }
     }

@@ -14,7 +14,9 @@
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/PngPlane.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/scene/model/GuardedReading.h"
 #include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/OpenableFiles.h"
 #include "irsg/scene/model/OsgNotices.h"
 
 namespace irsg {
@@ -22,8 +24,6 @@ namespace irsg {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kinds = "a picture of type .png, .jpg, .tif, .exr or .hdr";
 
 void checkFinite(const TextureImage& image, const std::string& name) {
     const auto wrong =
@@ -47,18 +47,20 @@ TextureImage readExrTexture(const fs::path& file) {
 osg::ref_ptr<osg::Image> readByPlugin(const fs::path& file, const std::string& extension) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored))
-        throw InputError({file.string(), "", "no such file", kinds});
+        throw InputError({file.string(), "", "no such file", expectationOf(FileKind::picture)});
     const std::scoped_lock lock(osgRegistryMutex());
     OsgNotices notices;
+    const GuardedReading guard;
     auto* reader = osgDB::Registry::instance()->getReaderWriterForExtension(extension);
-    if (extension.empty() || !reader)
-        throw InputError({file.string(), "", "a file of type \"." + extension + "\"", kinds});
+    if (!reader)
+        throw InputError(
+            {file.string(), "",
+             "a file of type \"." + extension + "\" and no plug-in of OpenSceneGraph for it",
+             expectationOf(FileKind::picture)});
     std::string complaint;
     osg::ref_ptr<osg::Image> image;
     try {
-        const osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
-        options->setObjectCacheHint(osgDB::Options::CACHE_NONE);
-        auto result = reader->readImage(file.string(), options);
+        auto result = reader->readImage(file.string(), GuardedReading::options());
         complaint = result.message();
         image = result.takeImage();
     } catch (const std::exception& error) {
@@ -131,6 +133,8 @@ TextureImage textureOf(const osg::Image& image, const std::string& name) {
 }
 
 TextureImage readTexture(const fs::path& file) {
+    if (const auto refusal = refusalOf(file.string(), FileKind::picture))
+        throw InputError({file.string(), "", *refusal, expectationOf(FileKind::picture)});
     const std::string extension = osgDB::getLowerCaseFileExtension(file.string());
     if (extension == "png") {
         PngPlane plane = readPngPlane(file);

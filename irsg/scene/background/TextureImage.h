@@ -16,9 +16,10 @@ struct TextureImage {
     std::vector<float> values; ///< top row first
 };
 
-/// Reads PNG of up to 16 bits, OpenEXR, and what OpenSceneGraph reads: JPEG, TIFF of 8, 16 or 32
-/// bits, Radiance HDR and others. Throws InputError for a file that is missing, unreadable, of a
-/// kind nothing reads, or holds a value that is not finite.
+/// Reads PNG of up to 16 bits, OpenEXR, and through OpenSceneGraph the other pictures of
+/// OpenableFiles.h: JPEG, TIFF of 8, 16 or 32 bits, Radiance HDR and others. Throws InputError for
+/// a file that is missing, unreadable, of a kind that is not opened, or holds a value that is not
+/// finite.
 TextureImage readTexture(const std::filesystem::path& file);
 
 /// The same of a picture in memory; `name` is used in messages.

@@ -53,8 +53,8 @@ struct ModelOptions {
 /// graphs.
 class Model {
   public:
-    /// Loads .flt, .osgt, .osgb, .ive and whatever OpenSceneGraph reads. An OpenFlight file is
-    /// validated by the record scanner first. Throws InputError for a file that is missing,
+    /// Loads .flt, .osgt, .osgb, .ive and the other models of OpenableFiles.h. An OpenFlight file
+    /// is validated by the record scanner first. Throws InputError for a file that is missing,
     /// truncated, malformed (with the byte offset), unreadable or without faces.
     static std::shared_ptr<Model> load(const std::filesystem::path& file,
                                        const ModelOptions& options = {});

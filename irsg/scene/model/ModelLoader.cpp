@@ -11,7 +11,9 @@
 #include <osgDB/Registry>
 
 #include "irsg/scene/model/FlightScanner.h"
+#include "irsg/scene/model/GuardedReading.h"
 #include "irsg/scene/model/IrCodes.h"
+#include "irsg/scene/model/OpenableFiles.h"
 #include "irsg/scene/model/OsgNotices.h"
 
 namespace irsg {
@@ -24,8 +26,7 @@ namespace fs = std::filesystem;
 constexpr const char* flightOptions = "preserveFace preserveObject preserveNonOsgAttrsAsUserData";
 
 osg::ref_ptr<osgDB::Options> privateOptions(const fs::path& folder) {
-    osg::ref_ptr<osgDB::Options> options = new osgDB::Options(flightOptions);
-    options->setObjectCacheHint(osgDB::Options::CACHE_NONE);
+    osg::ref_ptr<osgDB::Options> options = GuardedReading::options(flightOptions);
     options->getDatabasePathList().push_back(folder.string());
     return options;
 }
@@ -38,6 +39,13 @@ void say(std::vector<std::string>& remarks, const std::vector<std::string>& line
     if (lines.size() > most)
         remarks.push_back("OpenSceneGraph: " + std::to_string(lines.size() - most) +
                           " more lines like these");
+}
+
+void say(std::vector<std::string>& remarks, GuardedReading& guard, osg::Node& graph) {
+    for (auto& refused : guard.take())
+        remarks.push_back(std::move(refused));
+    for (auto& removed : removeLateReaders(graph))
+        remarks.push_back(std::move(removed));
 }
 
 class ProxyCollector : public osg::NodeVisitor {
@@ -133,9 +141,11 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
 
     const std::scoped_lock lock(osgRegistryMutex());
     OsgNotices notices;
+    GuardedReading guard;
     loaded.node = FlightReader(scan, purpose).read(scan.files.front().path, nullptr);
     removeProxies(*loaded.node);
     say(loaded.remarks, notices.take());
+    say(loaded.remarks, guard, *loaded.node);
 
     // A plug-in that drops the codes would paint everything with code 0.
     const auto counts = polygonCounts(*loaded.node);
@@ -150,19 +160,19 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
 }
 
 LoadedGraph loadOther(const fs::path& file) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored))
-        throw InputError({file.string(), "", "no such file", "a model file"});
     const auto extension = osgDB::getLowerCaseFileExtension(file.string());
 
     const std::scoped_lock lock(osgRegistryMutex());
     OsgNotices notices;
+    GuardedReading guard;
     LoadedGraph loaded;
     std::string complaint;
     auto* reader = osgDB::Registry::instance()->getReaderWriterForExtension(extension);
-    if (extension.empty() || !reader)
-        throw InputError({file.string(), "", "a file of type \"." + extension + "\"",
-                          "a type OpenSceneGraph reads, such as .flt, .osgt, .osgb or .ive"});
+    if (!reader)
+        throw InputError(
+            {file.string(), "",
+             "a file of type \"." + extension + "\" and no plug-in of OpenSceneGraph for it",
+             expectationOf(FileKind::model)});
     try {
         auto result = reader->readNode(file.string(), privateOptions(file.parent_path()));
         complaint = result.message();
@@ -172,14 +182,16 @@ LoadedGraph loadOther(const fs::path& file) {
     }
     const auto lines = notices.take();
     if (!loaded.node) {
-        for (const auto& line : lines)
-            complaint += (complaint.empty() ? "" : "; ") + line;
+        for (const auto& said : {lines, guard.take()})
+            for (const auto& line : said)
+                complaint += (complaint.empty() ? "" : "; ") + line;
         throw InputError({file.string(), "",
                           "a file that OpenSceneGraph cannot read as a model" +
                               (complaint.empty() ? "" : " (" + complaint + ")"),
                           "a whole model file of type ." + extension});
     }
     say(loaded.remarks, lines);
+    say(loaded.remarks, guard, *loaded.node);
 
     ProxyCollector proxies;
     loaded.node->accept(proxies);
@@ -206,6 +218,14 @@ std::mutex& osgRegistryMutex() {
 }
 
 LoadedGraph loadGraph(const fs::path& file, LoadPurpose purpose) {
+    const auto refusal = refusalOf(file.string(), FileKind::model);
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored))
+        throw InputError({file.string(), "",
+                          "no such file" + (refusal ? " (" + *refusal + ")" : std::string()),
+                          refusal ? expectationOf(FileKind::model) : "a model file"});
+    if (refusal)
+        throw InputError({file.string(), "", *refusal, expectationOf(FileKind::model)});
     return osgDB::getLowerCaseFileExtension(file.string()) == "flt" ? loadFlight(file, purpose)
                                                                     : loadOther(file);
 }

@@ -29,10 +29,11 @@ enum class LoadPurpose { infrared, visible };
 /// belong to the whole process.
 std::mutex& osgRegistryMutex();
 
-/// Reads .flt after validating it, with its external references, each file once; and whatever else
-/// OpenSceneGraph reads. Codes are on drawables or nodes as codesOf() finds them. What
-/// OpenSceneGraph prints becomes remarks. Throws InputError for a file that is missing, malformed,
-/// of a kind nothing reads, or empty.
+/// Reads .flt after validating it, with its external references, each file once; and the other
+/// models of OpenableFiles.h through OpenSceneGraph. Codes are on drawables or nodes as codesOf()
+/// finds them. What OpenSceneGraph prints becomes remarks, and so does every file that a model
+/// refers to and that OpenableFiles.h does not list: it stays closed. Throws InputError for a file
+/// that is missing, malformed, of a kind that is not opened, or empty.
 LoadedGraph loadGraph(const std::filesystem::path& file, LoadPurpose purpose);
 
 } // namespace irsg

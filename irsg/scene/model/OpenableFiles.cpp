@@ -1,0 +1,126 @@
+#include "irsg/scene/model/OpenableFiles.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace irsg {
+namespace {
+
+constexpr FileFormat models[] = {
+    {"flt", "openflight"}, {"osgt", "osg"}, {"osgb", "osg"}, {"ive", "ive"}, {"osg", "osg"},
+    {"osgx", "osg"},       {"obj", "obj"},  {"3ds", "3ds"},  {"stl", "stl"}, {"ply", "ply"},
+    {"ac", "ac"},          {"dxf", "dxf"},  {"lwo", "lwo"},  {"x", "x"},
+};
+
+constexpr FileFormat pictures[] = {
+    {"png", "png"}, {"jpg", "jpeg"}, {"jpeg", "jpeg"}, {"tif", "tiff"}, {"tiff", "tiff"},
+    {"exr", ""},    {"hdr", "hdr"},  {"rgb", "rgb"},   {"rgba", "rgb"}, {"sgi", "rgb"},
+    {"int", "rgb"}, {"inta", "rgb"}, {"bw", "rgb"},    {"bmp", "bmp"},  {"tga", "tga"},
+    {"dds", "dds"}, {"gif", "gif"},  {"pnm", "pnm"},   {"ppm", "pnm"},  {"pgm", "pnm"},
+    {"pbm", "pnm"},
+};
+
+constexpr FileFormat attributes[] = {{"attr", "openflight"}};
+
+std::string lowerCase(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+std::string extensionOf(const std::string& name) {
+    const auto dot = name.find_last_of('.');
+    const auto slash = name.find_last_of("/\\");
+    return dot == name.npos || (slash != name.npos && dot < slash)
+               ? ""
+               : lowerCase(name.substr(dot + 1));
+}
+
+/// "http://host/a.png", and what is left of its two slashes once a path was made of it.
+bool isAddress(const std::string& name) {
+    for (auto colon = name.find(":/"); colon != name.npos; colon = name.find(":/", colon + 1)) {
+        auto begin = colon;
+        while (begin > 0 && (std::isalnum(static_cast<unsigned char>(name[begin - 1])) ||
+                             name[begin - 1] == '+' || name[begin - 1] == '-'))
+            --begin;
+        const bool isDrive = begin == 0 && colon == 1 && !name.substr(colon).starts_with("://");
+        if (begin < colon && !isDrive && (begin == 0 || name[begin - 1] == '/'))
+            return true;
+    }
+    return name.find("://") != name.npos;
+}
+
+/// OpenSceneGraph opens what stands before the slash as an archive.
+bool isInsideArchive(const std::string& name) {
+    static constexpr const char* archives[] = {".osga", ".zip", ".tgz", ".gz", ".tar", ".7z"};
+    const std::string lower = lowerCase(name);
+    return std::ranges::any_of(archives, [&](const char* archive) {
+        return lower.find(std::string(archive) + '/') != lower.npos ||
+               lower.find(std::string(archive) + '\\') != lower.npos;
+    });
+}
+
+} // namespace
+
+std::span<const FileFormat> formatsOf(FileKind kind) {
+    switch (kind) {
+    case FileKind::model:
+        return models;
+    case FileKind::picture:
+        return pictures;
+    default:
+        return attributes;
+    }
+}
+
+std::optional<std::string> refusalOf(const std::string& name, FileKind kind) {
+    if (name.find('\0') != name.npos)
+        return "a name with a zero byte";
+    if (isAddress(name))
+        return "an address, from which nothing is fetched";
+    if (isInsideArchive(name))
+        return "a file inside an archive";
+    const std::string extension = extensionOf(name);
+    const auto isOurs = [&](const FileFormat& format) { return extension == format.extension; };
+    if (std::ranges::none_of(formatsOf(kind), isOurs))
+        return "a file of type \"." + extension + "\"";
+    return std::nullopt;
+}
+
+std::string expectationOf(FileKind kind) {
+    std::string text = kind == FileKind::model     ? "a model of type "
+                       : kind == FileKind::picture ? "a picture of type "
+                                                   : "attributes of a picture, of type ";
+    const auto formats = formatsOf(kind);
+    for (std::size_t i = 0; i < formats.size(); ++i)
+        text += (i == 0                    ? "."
+                 : i + 1 == formats.size() ? " or ."
+                                           : ", .") +
+                std::string(formats[i].extension);
+    return text;
+}
+
+bool mayLoadLibrary(const std::string& name) {
+    const auto slash = name.find_last_of('/');
+    const std::string folder = slash == name.npos ? "" : name.substr(0, slash);
+    const std::string file = slash == name.npos ? name : name.substr(slash + 1);
+    if (!folder.empty() && (!folder.starts_with("osgPlugins-") || folder.find('/') != folder.npos))
+        return false;
+    if (file.starts_with("libosg") || file.starts_with("osgdb_serializers_osg") ||
+        file.starts_with("osgdb_deprecated_osg"))
+        return true;
+    for (const FileKind kind : {FileKind::model, FileKind::picture, FileKind::attributes})
+        for (const FileFormat& format : formatsOf(kind))
+            if (*format.plugin && file.starts_with("osgdb_" + std::string(format.plugin) + "."))
+                return true;
+    return false;
+}
+
+std::string filterOf(FileKind kind) {
+    std::string text;
+    for (const FileFormat& format : formatsOf(kind))
+        text += (text.empty() ? "*." : " *.") + std::string(format.extension);
+    return text;
+}
+
+} // namespace irsg

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace irsg {
+
+/// What a name in a project or a model may stand for.
+enum class FileKind {
+    model,
+    picture,
+    attributes ///< what OpenFlight keeps beside a picture, NAME.attr
+};
+
+/// A format and the plug-in of OpenSceneGraph that reads it ("" where we read it ourselves).
+struct FileFormat {
+    const char* extension; ///< lower case, without its dot
+    const char* plugin;    ///< "openflight" for osgdb_openflight
+};
+
+/// The whole list of what is opened, first the formats that are named first to a user. Whatever is
+/// not in it stays closed, even where OpenSceneGraph has a plug-in for it: many of them run a
+/// script, call a shell, unpack an archive or fetch over a network.
+std::span<const FileFormat> formatsOf(FileKind kind);
+
+/// Why a name may not be opened as this kind of file, in words such as `a file of type ".lua"`;
+/// nothing where it may. Judges the name alone, upper and lower case alike.
+std::optional<std::string> refusalOf(const std::string& name, FileKind kind);
+
+/// "a model of type .flt, .osgt ...".
+std::string expectationOf(FileKind kind);
+
+/// Whether a library that OpenSceneGraph wants to load ("osgPlugins-3.6.5/osgdb_png.so") reads a
+/// format of the list, or is one of its own libraries of node classes.
+bool mayLoadLibrary(const std::string& name);
+
+/// "*.flt *.osgt ...", for a dialog that asks for a file.
+std::string filterOf(FileKind kind);
+
+} // namespace irsg
