@@ -20,6 +20,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfStringVectorAttribute.h>
 
+#include "irsg/image/ExrHeader.h"
 #include "irsg/image/FileBytes.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -261,6 +262,7 @@ RadianceImage readExr(const std::filesystem::path& file) {
     if (bytes.size() < 4 || std::string_view(bytes).substr(0, 4) != "\x76\x2f\x31\x01")
         throw InputError({name, "byte 0", bytes.empty() ? "an empty file" : "no OpenEXR signature",
                           "an OpenEXR file"});
+    checkExrHeader(bytes, name);
     try {
         MemoryStream stream(bytes, name);
         Imf::InputFile input(stream);

@@ -193,6 +193,44 @@ TEST(ExrFile, RefusesAFileCutAtAnyByte) {
     }
 }
 
+TEST(ExrFile, TakesNoMemoryForLengthsThatTheFileOnlyClaims) {
+    const test::TemporaryFolder folder;
+    RadianceImage image = patternImage(20, 20);
+    image.attributes["band"] = "3-5 um";
+    writeExr(image, folder / "whole.exr");
+    const std::string whole = readFileBytes(folder / "whole.exr");
+    const struct {
+        const char* name;
+        std::string before; ///< the number that is written over follows
+        std::string number; ///< little endian
+        const char* says;
+    } rows[] = {
+        {"text", std::string("band\0string\0", 12), std::string("\0\0\0\x70", 4),
+         "found an attribute of 1879048192 bytes"},
+        {"negative", std::string("band\0string\0", 12), "\xff\xff\xff\xff",
+         "found an attribute of 4294967295 bytes"},
+        {"list of texts", std::string("channelOrder\0stringvector\0\x05\0\0\0", 30),
+         std::string("\0\0\0\x70", 4), "found a text of 1879048192 bytes"},
+        {"channels", std::string("channels\0chlist\0", 16), std::string("\x10\0\0\0", 4),
+         "list of channels"},
+        {"compression", std::string("compression\0compression\0", 24), std::string("\x02\0\0\0", 4),
+         "found a compression of 2 bytes"},
+        {"rows", std::string("dataWindow\0box2i\0\x10\0\0\0\0\0\0\0\0\0\0\0\x13\0\0\0", 33),
+         "\xff\xff\xff\x7f", "found 20 x 2147483648 pixels"},
+    };
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.name);
+        std::string bytes = whole;
+        const auto at = bytes.find(row.before);
+        ASSERT_NE(at, bytes.npos);
+        bytes.replace(at + row.before.size(), 4, row.number);
+        writeFileBytes(folder / "bad.exr", bytes);
+        const std::string message = inputErrorOf([&] { readExr(folder / "bad.exr"); });
+        EXPECT_THAT(message, HasSubstr("bad.exr: byte "));
+        EXPECT_THAT(message, HasSubstr(row.says));
+    }
+}
+
 TEST(ExrFile, NeverCrashesOnADamagedByte) {
     const test::TemporaryFolder folder;
     writeExr(patternImage(20, 20), folder / "whole.exr");
