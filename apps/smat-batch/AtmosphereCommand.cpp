@@ -36,7 +36,7 @@ int import(const std::vector<std::string>& names, const std::string& out, Contex
     table.write(out);
     if (context.json) {
         ordered_json result = {{"file", out}, {"name", table.name()}};
-        result["table"] = tableInfo(table);
+        result.update(factsOf(table));
         fmt::print("{}\n", result.dump(1));
         return done;
     }

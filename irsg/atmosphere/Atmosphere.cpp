@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 
@@ -16,29 +17,12 @@ namespace {
                      atmosphere.refusal(property));
 }
 
-} // namespace
-
-const char* name(AtmosphereProperty property) {
-    switch (property) {
-    case AtmosphereProperty::transmittance:
-        return "transmittance";
-    case AtmosphereProperty::pathRadiance:
-        return "path radiance";
-    case AtmosphereProperty::backgroundRadiance:
-        return "background radiance";
-    case AtmosphereProperty::solarIrradiance:
-        return "solar irradiance";
-    case AtmosphereProperty::upwardFlux:
-        return "upward flux";
-    case AtmosphereProperty::downwardFlux:
-        return "downward flux";
-    case AtmosphereProperty::ambientTemperature:
-        return "ambient temperature";
-    case AtmosphereProperty::scatteringOpticalDepth:
-        return "scattering optical depth";
-    }
-    throw LogicError("unknown atmosphere property");
+[[noreturn]] void refuseWideband(const Atmosphere& atmosphere) {
+    throw LogicError("the atmosphere " + atmosphere.name() +
+                     " was asked for wideband quantities, which it does not support");
 }
+
+} // namespace
 
 std::string Atmosphere::refusal(AtmosphereProperty property) const {
     return std::string("has no ") + irsg::name(property);
@@ -51,83 +35,107 @@ double Atmosphere::horizonElevation_rad(double altitude_m) const {
     return -std::atan(std::sqrt(h_m * (2.0 * earthRadius_m + h_m)) / earthRadius_m);
 }
 
-Spectrum Atmosphere::transmittance(const AirPath&, const SpectralRange&) const {
-    refuse(*this, AtmosphereProperty::transmittance);
-}
-
-Spectrum Atmosphere::pathRadiance(const AirPath&, const SunPosition&, const SpectralRange&) const {
-    refuse(*this, AtmosphereProperty::pathRadiance);
-}
-
-Spectrum Atmosphere::backgroundRadiance(const LineOfSight&, const SunPosition&,
-                                        const SpectralRange&) const {
-    refuse(*this, AtmosphereProperty::backgroundRadiance);
-}
-
-Spectrum Atmosphere::solarIrradiance(double, const SunPosition&, const SpectralRange&) const {
-    refuse(*this, AtmosphereProperty::solarIrradiance);
-}
-
-Spectrum Atmosphere::upwardFlux(double, const SunPosition&, const SpectralRange&) const {
-    refuse(*this, AtmosphereProperty::upwardFlux);
-}
-
-Spectrum Atmosphere::downwardFlux(double, const SunPosition&, const SpectralRange&) const {
-    refuse(*this, AtmosphereProperty::downwardFlux);
-}
-
 double Atmosphere::ambientTemperature_K(double) const {
     refuse(*this, AtmosphereProperty::ambientTemperature);
 }
 
-Spectrum Atmosphere::scatteringOpticalDepth(const AirPath&, const SpectralRange&) const {
-    refuse(*this, AtmosphereProperty::scatteringOpticalDepth);
+std::vector<double> Atmosphere::answer(const AirQuestion& question,
+                                       const SpectralSampling& sampling) const {
+    if (const SensorCkData* terms = SensorCkData::of(sampling)) {
+        if (!isWidebandModeAvailable()) {
+            refuseWideband(*this);
+        }
+        checkQuestion(question);
+        return valuesAtTerms(question, *terms);
+    }
+    return sampling.sampled(spectrum(question, sampling.range()));
 }
 
-namespace {
-
-[[noreturn]] void refuseWideband(const Atmosphere& atmosphere) {
-    throw LogicError("the atmosphere " + atmosphere.name() +
-                     " was asked for wideband quantities, which it does not support");
+Spectrum Atmosphere::spectrum(const AirQuestion& question, const SpectralRange& range) const {
+    checkRange(range);
+    checkQuestion(question);
+    return nativeSpectrum(question, held(range));
 }
 
-} // namespace
+Spectrum Atmosphere::transmittance(const AirPath& path, const SpectralRange& range) const {
+    return spectrum(AirQuestion::transmittance(path), range);
+}
+
+Spectrum Atmosphere::pathRadiance(const AirPath& path, const SunPosition& sun,
+                                  const SpectralRange& range) const {
+    return spectrum(AirQuestion::pathRadiance(path, sun), range);
+}
+
+Spectrum Atmosphere::backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
+                                        const SpectralRange& range) const {
+    return spectrum(AirQuestion::backgroundRadiance(sight, sun), range);
+}
+
+Spectrum Atmosphere::solarIrradiance(double altitude_m, const SunPosition& sun,
+                                     const SpectralRange& range) const {
+    return spectrum(AirQuestion::solarIrradiance(altitude_m, sun), range);
+}
+
+Spectrum Atmosphere::upwardFlux(double altitude_m, const SunPosition& sun,
+                                const SpectralRange& range) const {
+    return spectrum(AirQuestion::upwardFlux(altitude_m, sun), range);
+}
+
+Spectrum Atmosphere::downwardFlux(double altitude_m, const SunPosition& sun,
+                                  const SpectralRange& range) const {
+    return spectrum(AirQuestion::downwardFlux(altitude_m, sun), range);
+}
+
+Spectrum Atmosphere::scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const {
+    return spectrum(AirQuestion::scatteringOpticalDepth(path), range);
+}
 
 std::shared_ptr<const SensorCkData> Atmosphere::prepareCk(const CkRequest&) const {
     refuseWideband(*this);
 }
 
-std::vector<double> Atmosphere::ckTransmittance(const AirPath&, const SensorCkData&) const {
+Spectrum Atmosphere::nativeSpectrum(const AirQuestion& question, const SpectralRange&) const {
+    refuse(*this, question.quantity);
+}
+
+std::vector<double> Atmosphere::valuesAtTerms(const AirQuestion&, const SensorCkData&) const {
     refuseWideband(*this);
 }
 
-std::vector<double> Atmosphere::ckPathRadiance(const AirPath&, const SunPosition&,
-                                               const SensorCkData&) const {
-    refuseWideband(*this);
+SpectralRange Atmosphere::held(const SpectralRange& range) const {
+    const SpectralRange own = base();
+    return {std::max(range.min_um, own.min_um), std::min(range.max_um, own.max_um)};
 }
 
-std::vector<double> Atmosphere::ckBackgroundRadiance(const LineOfSight&, const SunPosition&,
-                                                     const SensorCkData&) const {
-    refuseWideband(*this);
+bool Atmosphere::holds(const SpectralRange& range) const {
+    constexpr double slack = 2e-9;
+    const SpectralRange own = base(), part = held(range);
+    return part.min_um < part.max_um && own.min_um <= range.min_um * (1.0 + slack) &&
+           own.max_um >= range.max_um * (1.0 - slack);
 }
 
-std::vector<double> Atmosphere::ckSolarIrradiance(double, const SunPosition&,
-                                                  const SensorCkData&) const {
-    refuseWideband(*this);
-}
-
-std::vector<double> Atmosphere::ckUpwardFlux(double, const SunPosition&,
-                                             const SensorCkData&) const {
-    refuseWideband(*this);
-}
-
-std::vector<double> Atmosphere::ckDownwardFlux(double, const SunPosition&,
-                                               const SensorCkData&) const {
-    refuseWideband(*this);
+void Atmosphere::checkQuestion(const AirQuestion& question) const {
+    switch (placeOf(question.quantity)) {
+    case AirPlace::path:
+        checkPath(question.path);
+        break;
+    case AirPlace::sight:
+        checkSight(question.sight);
+        break;
+    case AirPlace::altitude:
+        checkAltitude(question.altitude_m);
+        break;
+    }
+    if (question.quantity == AtmosphereProperty::ambientTemperature) {
+        throw LogicError("a temperature was asked for as a spectrum");
+    }
+    if (!supports(question.quantity)) {
+        refuse(*this, question.quantity);
+    }
 }
 
 void Atmosphere::checkRange(const SpectralRange& range) const {
-    if (!(range.min_um < range.max_um && base().contains(range))) {
+    if (!(range.min_um < range.max_um && holds(range))) {
         throw LogicError("the atmosphere " + name() + ", which holds " + numberText(base().min_um) +
                          " to " + numberText(base().max_um) + " um, was asked for " +
                          numberText(range.min_um) + " to " + numberText(range.max_um) + " um");
@@ -140,6 +148,10 @@ void Atmosphere::checkPath(const AirPath& path) const {
     if (!(path.range_m >= 0.0 && std::isfinite(path.range_m))) {
         throw InputError({name(), "range", numberText(path.range_m) + " m",
                           "a finite distance of at least 0 m"});
+    }
+    if (!std::isfinite(path.azimuth_rad)) {
+        throw InputError({name(), "azimuth of the path", numberText(path.azimuth_rad) + " rad",
+                          "a finite angle"});
     }
 }
 

@@ -76,11 +76,6 @@ const PathTables& AtmosphereSmart::tables(const NodeSet& nodes) const {
     return *own;
 }
 
-template <typename Compute>
-Spectrum AtmosphereSmart::spectrumOf(const SpectralRange& range, Compute compute) const {
-    return transfer().spectrum(range, compute(tables(transfer().nodesOf(range))));
-}
-
 bool AtmosphereSmart::supports(AtmosphereProperty property) const {
     return !isFlux(property) || air_.scattering == ScatteringMode::twoStream;
 }
@@ -108,53 +103,39 @@ double AtmosphereSmart::horizonElevation_rad(double altitude_m) const {
     return place->second = 0.5 * (below_rad + above_rad);
 }
 
-Spectrum AtmosphereSmart::transmittance(const AirPath& path, const SpectralRange& range) const {
-    checkRange(range);
-    checkPath(path);
-    return spectrumOf(range, [&](const PathTables& air) { return air.transmittance(path); });
+std::vector<double> AtmosphereSmart::valuesAt(const NodeSet& nodes,
+                                              const AirQuestion& question) const {
+    const PathTables& air = tables(nodes);
+    const auto& [quantity, path, sight, altitude_m, sun] = question;
+    switch (quantity) {
+    case AtmosphereProperty::transmittance:
+        return air.transmittance(path);
+    case AtmosphereProperty::pathRadiance:
+        return air.pathRadiance(path, sun);
+    case AtmosphereProperty::backgroundRadiance:
+        return air.backgroundRadiance(sight, sun);
+    case AtmosphereProperty::solarIrradiance:
+        return air.solarIrradiance(altitude_m, sun);
+    case AtmosphereProperty::upwardFlux:
+        return air.upwardFlux(altitude_m, sun);
+    case AtmosphereProperty::downwardFlux:
+        return air.downwardFlux(altitude_m, sun);
+    case AtmosphereProperty::scatteringOpticalDepth:
+        return transfer().scatteringOpticalDepth(air.nodes(), path);
+    case AtmosphereProperty::ambientTemperature:
+        break;
+    }
+    throw LogicError("a temperature was asked for at spectral nodes");
 }
 
-Spectrum AtmosphereSmart::pathRadiance(const AirPath& path, const SunPosition& sun,
-                                       const SpectralRange& range) const {
-    checkRange(range);
-    checkPath(path);
-    return spectrumOf(range, [&](const PathTables& air) { return air.pathRadiance(path, sun); });
+Spectrum AtmosphereSmart::nativeSpectrum(const AirQuestion& question,
+                                         const SpectralRange& range) const {
+    return transfer().spectrum(range, valuesAt(transfer().nodesOf(range), question));
 }
 
-Spectrum AtmosphereSmart::backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
-                                             const SpectralRange& range) const {
-    checkRange(range);
-    checkSight(sight);
-    return spectrumOf(range,
-                      [&](const PathTables& air) { return air.backgroundRadiance(sight, sun); });
-}
-
-Spectrum AtmosphereSmart::solarIrradiance(double altitude_m, const SunPosition& sun,
-                                          const SpectralRange& range) const {
-    checkRange(range);
-    checkAltitude(altitude_m);
-    return spectrumOf(range,
-                      [&](const PathTables& air) { return air.solarIrradiance(altitude_m, sun); });
-}
-
-Spectrum AtmosphereSmart::upwardFlux(double altitude_m, const SunPosition& sun,
-                                     const SpectralRange& range) const {
-    if (!supports(AtmosphereProperty::upwardFlux))
-        return Atmosphere::upwardFlux(altitude_m, sun, range);
-    checkRange(range);
-    checkAltitude(altitude_m);
-    return spectrumOf(range,
-                      [&](const PathTables& air) { return air.upwardFlux(altitude_m, sun); });
-}
-
-Spectrum AtmosphereSmart::downwardFlux(double altitude_m, const SunPosition& sun,
-                                       const SpectralRange& range) const {
-    if (!supports(AtmosphereProperty::downwardFlux))
-        return Atmosphere::downwardFlux(altitude_m, sun, range);
-    checkRange(range);
-    checkAltitude(altitude_m);
-    return spectrumOf(range,
-                      [&](const PathTables& air) { return air.downwardFlux(altitude_m, sun); });
+std::vector<double> AtmosphereSmart::valuesAtTerms(const AirQuestion& question,
+                                                   const SensorCkData& terms) const {
+    return valuesAt(terms.nodes(), question);
 }
 
 double AtmosphereSmart::ambientTemperature_K(double altitude_m) const {
@@ -162,59 +143,9 @@ double AtmosphereSmart::ambientTemperature_K(double altitude_m) const {
     return air_.profile.at(altitude_m).temperature_K;
 }
 
-Spectrum AtmosphereSmart::scatteringOpticalDepth(const AirPath& path,
-                                                 const SpectralRange& range) const {
-    checkRange(range);
-    checkPath(path);
-    return spectrumOf(range, [&](const PathTables& air) {
-        return transfer_->scatteringOpticalDepth(air.nodes(), path);
-    });
-}
-
 std::shared_ptr<const SensorCkData> AtmosphereSmart::prepareCk(const CkRequest& request) const {
     checkRange(request.band.range());
     return std::make_shared<const SensorCkData>(SensorCkData::prepare(transfer(), request));
-}
-
-std::vector<double> AtmosphereSmart::ckTransmittance(const AirPath& path,
-                                                     const SensorCkData& ck) const {
-    checkPath(path);
-    return tables(ck.nodes()).transmittance(path);
-}
-
-std::vector<double> AtmosphereSmart::ckPathRadiance(const AirPath& path, const SunPosition& sun,
-                                                    const SensorCkData& ck) const {
-    checkPath(path);
-    return tables(ck.nodes()).pathRadiance(path, sun);
-}
-
-std::vector<double> AtmosphereSmart::ckBackgroundRadiance(const LineOfSight& sight,
-                                                          const SunPosition& sun,
-                                                          const SensorCkData& ck) const {
-    checkSight(sight);
-    return tables(ck.nodes()).backgroundRadiance(sight, sun);
-}
-
-std::vector<double> AtmosphereSmart::ckSolarIrradiance(double altitude_m, const SunPosition& sun,
-                                                       const SensorCkData& ck) const {
-    checkAltitude(altitude_m);
-    return tables(ck.nodes()).solarIrradiance(altitude_m, sun);
-}
-
-std::vector<double> AtmosphereSmart::ckUpwardFlux(double altitude_m, const SunPosition& sun,
-                                                  const SensorCkData& ck) const {
-    if (!supports(AtmosphereProperty::upwardFlux))
-        return Atmosphere::ckUpwardFlux(altitude_m, sun, ck);
-    checkAltitude(altitude_m);
-    return tables(ck.nodes()).upwardFlux(altitude_m, sun);
-}
-
-std::vector<double> AtmosphereSmart::ckDownwardFlux(double altitude_m, const SunPosition& sun,
-                                                    const SensorCkData& ck) const {
-    if (!supports(AtmosphereProperty::downwardFlux))
-        return Atmosphere::ckDownwardFlux(altitude_m, sun, ck);
-    checkAltitude(altitude_m);
-    return tables(ck.nodes()).downwardFlux(altitude_m, sun);
 }
 
 } // namespace irsg

@@ -57,41 +57,30 @@ class AtmosphereSmart : public Atmosphere {
 
     /// Of the bent ray that touches the ground.
     double horizonElevation_rad(double altitude_m) const override;
-    Spectrum transmittance(const AirPath& path, const SpectralRange& range) const override;
-    Spectrum pathRadiance(const AirPath& path, const SunPosition& sun,
-                          const SpectralRange& range) const override;
-    Spectrum backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
-                                const SpectralRange& range) const override;
-    Spectrum solarIrradiance(double altitude_m, const SunPosition& sun,
-                             const SpectralRange& range) const override;
-    Spectrum upwardFlux(double altitude_m, const SunPosition& sun,
-                        const SpectralRange& range) const override;
-    Spectrum downwardFlux(double altitude_m, const SunPosition& sun,
-                          const SpectralRange& range) const override;
     /// Of the air; above the top of the profile that of its last level.
     double ambientTemperature_K(double altitude_m) const override;
-    Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const override;
+    /// Only the background: a path has the mean of its scattered sunlight over all azimuths.
+    bool answersByAzimuth(AtmosphereProperty property) const override {
+        return property == AtmosphereProperty::backgroundRadiance;
+    }
+    AirDescription describe() const override;
 
     bool isWidebandModeAvailable() const override { return true; }
     std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const override;
-    std::vector<double> ckTransmittance(const AirPath& path, const SensorCkData& ck) const override;
-    std::vector<double> ckPathRadiance(const AirPath& path, const SunPosition& sun,
-                                       const SensorCkData& ck) const override;
-    std::vector<double> ckBackgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
-                                             const SensorCkData& ck) const override;
-    std::vector<double> ckSolarIrradiance(double altitude_m, const SunPosition& sun,
-                                          const SensorCkData& ck) const override;
-    std::vector<double> ckUpwardFlux(double altitude_m, const SunPosition& sun,
-                                     const SensorCkData& ck) const override;
-    std::vector<double> ckDownwardFlux(double altitude_m, const SunPosition& sun,
-                                       const SensorCkData& ck) const override;
+    std::shared_ptr<const Atmosphere> withBins(int resolution_cm) const override {
+        return withResolution(resolution_cm);
+    }
+
+  protected:
+    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
+    std::vector<double> valuesAtTerms(const AirQuestion& question,
+                                      const SensorCkData& terms) const override;
 
   private:
     void makeTransfer() const;
     const PathTables& tables(const NodeSet& nodes) const;
-    /// Of a spectral quantity: values at the nodes of a range, and the spectrum they stand for.
-    template <typename Compute>
-    Spectrum spectrumOf(const SpectralRange& range, Compute compute) const;
+    /// The answer at every node of a set.
+    std::vector<double> valuesAt(const NodeSet& nodes, const AirQuestion& question) const;
 
     AtmosphereSmartParameters parameters_;
     std::string name_;

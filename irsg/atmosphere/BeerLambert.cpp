@@ -81,41 +81,51 @@ std::vector<double> BeerLambert::kinks(const SpectralRange& range) const {
     return mergeAxes(extinction, range);
 }
 
-Spectrum BeerLambert::transmittance(const AirPath& path, const SpectralRange& range) const {
-    checkRange(range);
-    checkPath(path);
+Spectrum BeerLambert::nativeSpectrum(const AirQuestion& question,
+                                     const SpectralRange& range) const {
+    switch (question.quantity) {
+    case AtmosphereProperty::transmittance:
+        return through(question.path.range_m, range);
+    case AtmosphereProperty::pathRadiance:
+        return emittedAlong(question.path.range_m, range);
+    case AtmosphereProperty::backgroundRadiance:
+        return seenAlong(question.sight, range);
+    case AtmosphereProperty::solarIrradiance:
+        return question.sun.isUp() ? parameters_.solarIrradiance_W_m2_um : Spectrum::constant(0.0);
+    case AtmosphereProperty::upwardFlux:
+        return parameters_.upwardFlux_W_m2_um;
+    case AtmosphereProperty::downwardFlux:
+        return parameters_.downwardFlux_W_m2_um;
+    default:
+        return Spectrum::constant(0.0);
+    }
+}
+
+Spectrum BeerLambert::through(double range_m, const SpectralRange& range) const {
     const Spectrum& extinction = parameters_.extinction_per_m;
-    if (extinction.isConstant() || path.range_m == 0.0) {
-        return Spectrum::constant(std::exp(-extinction.values().front() * path.range_m));
+    if (extinction.isConstant() || range_m == 0.0) {
+        return Spectrum::constant(std::exp(-extinction.values().front() * range_m));
     }
     return sampledCurve(
-        [&](double wavelength_um) {
-            return std::exp(-extinction.at(wavelength_um) * path.range_m);
-        },
+        [&](double wavelength_um) { return std::exp(-extinction.at(wavelength_um) * range_m); },
         kinks(range), airTolerance, airFloor);
 }
 
-Spectrum BeerLambert::pathRadiance(const AirPath& path, const SunPosition&,
-                                   const SpectralRange& range) const {
-    checkRange(range);
-    checkPath(path);
-    if (path.range_m == 0.0) {
+Spectrum BeerLambert::emittedAlong(double range_m, const SpectralRange& range) const {
+    if (range_m == 0.0) {
         return Spectrum::constant(0.0);
     }
     // 1 - tau loses its digits in thin air: expm1.
     return sampledCurve(
         [&](double wavelength_um) {
-            const double depth = parameters_.extinction_per_m.at(wavelength_um) * path.range_m;
+            const double depth = parameters_.extinction_per_m.at(wavelength_um) * range_m;
             return -std::expm1(-depth) *
                    planckRadiance_W_m2_sr_um(wavelength_um, parameters_.airTemperature_K);
         },
         kinks(range), airTolerance, airFloor);
 }
 
-Spectrum BeerLambert::backgroundRadiance(const LineOfSight& sight, const SunPosition&,
-                                         const SpectralRange& range) const {
-    checkRange(range);
-    checkSight(sight);
+Spectrum BeerLambert::seenAlong(const LineOfSight& sight, const SpectralRange& range) const {
     if (sight.elevation_rad >= 0.0) {
         return unboundedRadiance(range);
     }
@@ -173,37 +183,16 @@ Spectrum BeerLambert::unboundedRadiance(const SpectralRange& range) const {
         nodes, airTolerance, airFloor);
 }
 
-Spectrum BeerLambert::solarIrradiance(double altitude_m, const SunPosition& sun,
-                                      const SpectralRange& range) const {
-    checkRange(range);
-    checkAltitude(altitude_m);
-    return sun.isUp() ? parameters_.solarIrradiance_W_m2_um : Spectrum::constant(0.0);
-}
-
-Spectrum BeerLambert::upwardFlux(double altitude_m, const SunPosition&,
-                                 const SpectralRange& range) const {
-    checkRange(range);
-    checkAltitude(altitude_m);
-    return parameters_.upwardFlux_W_m2_um;
-}
-
-Spectrum BeerLambert::downwardFlux(double altitude_m, const SunPosition&,
-                                   const SpectralRange& range) const {
-    checkRange(range);
-    checkAltitude(altitude_m);
-    return parameters_.downwardFlux_W_m2_um;
-}
-
 double BeerLambert::ambientTemperature_K(double altitude_m) const {
     checkAltitude(altitude_m);
     return parameters_.airTemperature_K;
 }
 
-Spectrum BeerLambert::scatteringOpticalDepth(const AirPath& path,
-                                             const SpectralRange& range) const {
-    checkPath(path);
-    checkRange(range);
-    return Spectrum::constant(0.0);
+AirDescription BeerLambert::describe() const {
+    return {{lineOf("homogeneous air of %g K over ground of %g K", parameters_.airTemperature_K,
+                    parameters_.groundTemperature_K)},
+            {{"air_temperature_K", {parameters_.airTemperature_K}},
+             {"ground_temperature_K", {parameters_.groundTemperature_K}}}};
 }
 
 } // namespace irsg

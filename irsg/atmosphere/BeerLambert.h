@@ -62,23 +62,18 @@ class BeerLambert : public Atmosphere {
     bool supports(AtmosphereProperty) const override { return true; }
     /// Flat ground without an end.
     double horizonElevation_rad(double) const override { return 0.0; }
-    Spectrum transmittance(const AirPath& path, const SpectralRange& range) const override;
-    Spectrum pathRadiance(const AirPath& path, const SunPosition& sun,
-                          const SpectralRange& range) const override;
-    Spectrum backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
-                                const SpectralRange& range) const override;
-    Spectrum solarIrradiance(double altitude_m, const SunPosition& sun,
-                             const SpectralRange& range) const override;
-    Spectrum upwardFlux(double altitude_m, const SunPosition& sun,
-                        const SpectralRange& range) const override;
-    Spectrum downwardFlux(double altitude_m, const SunPosition& sun,
-                          const SpectralRange& range) const override;
     double ambientTemperature_K(double altitude_m) const override;
-    Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const override;
+    AirDescription describe() const override;
+
+  protected:
+    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
 
   private:
     /// The nodes of the extinction in `range` and the ends of it.
     std::vector<double> kinks(const SpectralRange& range) const;
+    Spectrum through(double range_m, const SpectralRange& range) const;
+    Spectrum emittedAlong(double range_m, const SpectralRange& range) const;
+    Spectrum seenAlong(const LineOfSight& sight, const SpectralRange& range) const;
     Spectrum unboundedRadiance(const SpectralRange& range) const;
 
     BeerLambertParameters parameters_;

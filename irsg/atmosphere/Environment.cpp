@@ -22,6 +22,11 @@ std::string refusalOf(const Atmosphere& atmosphere, AtmosphereProperty property)
                : atmosphere.name() + " (" + atmosphere.refusal(property) + ")";
 }
 
+/// Direct light of a sun below the horizon.
+bool isDark(const AirQuestion& question) {
+    return question.quantity == AtmosphereProperty::solarIrradiance && !question.sun.isUp();
+}
+
 } // namespace
 
 Environment Environment::vacuum() {
@@ -67,39 +72,46 @@ double Environment::horizonElevation_rad(double altitude_m, const SpectralRange&
     return Vacuum().horizonElevation_rad(altitude_m);
 }
 
-Answer<Spectrum> Environment::transmittance(const AirPath& path, const SpectralRange& range) const {
-    const Atmosphere& air = require(range, AtmosphereProperty::transmittance);
-    return {air.transmittance(path, range), air.name()};
+bool Environment::isByDefault(const SpectralRange& range, AtmosphereProperty property) const {
+    return property == AtmosphereProperty::backgroundRadiance && defaultBackground &&
+           !find(range, property);
 }
 
-Answer<Spectrum> Environment::pathRadiance(const AirPath& path, const SpectralRange& range) const {
-    const Atmosphere& air = require(range, AtmosphereProperty::pathRadiance);
-    return {air.pathRadiance(path, sun, range), air.name()};
+Answer<std::vector<double>> Environment::answer(const AirQuestion& question,
+                                                const SpectralSampling& sampling) const {
+    const SpectralRange& range = sampling.range();
+    const bool isWideband = SensorCkData::of(sampling) != nullptr;
+    if (!isWideband && isByDefault(range, question.quantity)) {
+        return {sampling.sampled(*defaultBackground), byDefault};
+    }
+    const Atmosphere& air =
+        isWideband ? requireWideband(range, question.quantity) : require(range, question.quantity);
+    if (isDark(question)) {
+        return {std::vector<double>(sampling.size(), 0.0), air.name()};
+    }
+    return {air.answer(question, sampling), air.name()};
 }
 
-Answer<Spectrum> Environment::backgroundRadiance(const LineOfSight& sight,
-                                                 const SpectralRange& range) const {
-    if (defaultBackground && !find(range, AtmosphereProperty::backgroundRadiance)) {
+Answer<Spectrum> Environment::spectrum(const AirQuestion& question,
+                                       const SpectralRange& range) const {
+    if (isByDefault(range, question.quantity)) {
         return {*defaultBackground, byDefault};
     }
-    const Atmosphere& air = require(range, AtmosphereProperty::backgroundRadiance);
-    return {air.backgroundRadiance(sight, sun, range), air.name()};
+    const Atmosphere& air = require(range, question.quantity);
+    return {isDark(question) ? Spectrum::constant(0.0) : air.spectrum(question, range), air.name()};
 }
 
-Answer<Spectrum> Environment::solarIrradiance(double altitude_m, const SpectralRange& range) const {
-    const Atmosphere& air = require(range, AtmosphereProperty::solarIrradiance);
-    return {sun.isUp() ? air.solarIrradiance(altitude_m, sun, range) : Spectrum::constant(0.0),
-            air.name()};
+AirKey Environment::keyOf(const AirQuestion& question, const SpectralRange& range) const {
+    const Atmosphere* air = find(range, question.quantity);
+    return question.key(air && air->answersByAzimuth(question.quantity));
 }
 
-Answer<Spectrum> Environment::upwardFlux(double altitude_m, const SpectralRange& range) const {
-    const Atmosphere& air = require(range, AtmosphereProperty::upwardFlux);
-    return {air.upwardFlux(altitude_m, sun, range), air.name()};
-}
-
-Answer<Spectrum> Environment::downwardFlux(double altitude_m, const SpectralRange& range) const {
-    const Atmosphere& air = require(range, AtmosphereProperty::downwardFlux);
-    return {air.downwardFlux(altitude_m, sun, range), air.name()};
+AirKey Environment::keyOf(const AirQuestion& question, const SpectralSampling& sampling) const {
+    if (!SensorCkData::of(sampling)) {
+        return keyOf(question, sampling.range());
+    }
+    const Atmosphere* air = findWideband(sampling.range());
+    return question.key(air && air->answersByAzimuth(question.quantity));
 }
 
 Answer<double> Environment::ambientTemperature_K(double altitude_m) const {
@@ -120,15 +132,9 @@ Answer<double> Environment::ambientTemperature_K(double altitude_m) const {
                       "an atmosphere that has an ambient temperature"});
 }
 
-Answer<Spectrum> Environment::scatteringOpticalDepth(const AirPath& path,
-                                                     const SpectralRange& range) const {
-    const Atmosphere& air = require(range, AtmosphereProperty::scatteringOpticalDepth);
-    return {air.scatteringOpticalDepth(path, range), air.name()};
-}
-
 const Atmosphere* Environment::findWideband(const SpectralRange& range) const {
     for (const auto& atmosphere : atmospheres_) {
-        if (atmosphere->isWidebandModeAvailable() && atmosphere->base().contains(range)) {
+        if (atmosphere->isWidebandModeAvailable() && atmosphere->holds(range)) {
             return atmosphere.get();
         }
     }
@@ -165,45 +171,6 @@ const Atmosphere& Environment::requireWideband(const SpectralRange& range,
 Answer<std::shared_ptr<const SensorCkData>> Environment::prepareCk(const CkRequest& request) const {
     const Atmosphere& air = requireWideband(request.band.range());
     return {air.prepareCk(request), air.name()};
-}
-
-Answer<std::vector<double>> Environment::ckTransmittance(const AirPath& path,
-                                                         const SensorCkData& ck) const {
-    const Atmosphere& air = requireWideband(ck.band().range(), AtmosphereProperty::transmittance);
-    return {air.ckTransmittance(path, ck), air.name()};
-}
-
-Answer<std::vector<double>> Environment::ckPathRadiance(const AirPath& path,
-                                                        const SensorCkData& ck) const {
-    const Atmosphere& air = requireWideband(ck.band().range(), AtmosphereProperty::pathRadiance);
-    return {air.ckPathRadiance(path, sun, ck), air.name()};
-}
-
-Answer<std::vector<double>> Environment::ckBackgroundRadiance(const LineOfSight& sight,
-                                                              const SensorCkData& ck) const {
-    const Atmosphere& air =
-        requireWideband(ck.band().range(), AtmosphereProperty::backgroundRadiance);
-    return {air.ckBackgroundRadiance(sight, sun, ck), air.name()};
-}
-
-Answer<std::vector<double>> Environment::ckSolarIrradiance(double altitude_m,
-                                                           const SensorCkData& ck) const {
-    const Atmosphere& air = requireWideband(ck.band().range(), AtmosphereProperty::solarIrradiance);
-    return {sun.isUp() ? air.ckSolarIrradiance(altitude_m, sun, ck)
-                       : std::vector<double>(ck.size(), 0.0),
-            air.name()};
-}
-
-Answer<std::vector<double>> Environment::ckUpwardFlux(double altitude_m,
-                                                      const SensorCkData& ck) const {
-    const Atmosphere& air = requireWideband(ck.band().range(), AtmosphereProperty::upwardFlux);
-    return {air.ckUpwardFlux(altitude_m, sun, ck), air.name()};
-}
-
-Answer<std::vector<double>> Environment::ckDownwardFlux(double altitude_m,
-                                                        const SensorCkData& ck) const {
-    const Atmosphere& air = requireWideband(ck.band().range(), AtmosphereProperty::downwardFlux);
-    return {air.ckDownwardFlux(altitude_m, sun, ck), air.name()};
 }
 
 } // namespace irsg

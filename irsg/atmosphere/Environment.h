@@ -41,15 +41,17 @@ class Environment {
     /// Of the atmosphere that answers for the background; see Atmosphere::horizonElevation_rad.
     double horizonElevation_rad(double altitude_m, const SpectralRange& range) const;
 
-    Answer<Spectrum> transmittance(const AirPath& path, const SpectralRange& range) const;
-    Answer<Spectrum> pathRadiance(const AirPath& path, const SpectralRange& range) const;
-    Answer<Spectrum> backgroundRadiance(const LineOfSight& sight, const SpectralRange& range) const;
-    /// Zero when the sun is below the horizon, whoever answers.
-    Answer<Spectrum> solarIrradiance(double altitude_m, const SpectralRange& range) const;
-    Answer<Spectrum> upwardFlux(double altitude_m, const SpectralRange& range) const;
-    Answer<Spectrum> downwardFlux(double altitude_m, const SpectralRange& range) const;
+    /// A value at every node of a sampling. At terms of wideband-ck the atmosphere that prepared
+    /// them answers, and there is no default (F29); InputError for what it does not support. Direct
+    /// sun below the horizon is zero, whoever answers.
+    Answer<std::vector<double>> answer(const AirQuestion& question,
+                                       const SpectralSampling& sampling) const;
+    /// The same on the nodes of the answering atmosphere; see Atmosphere::spectrum.
+    Answer<Spectrum> spectrum(const AirQuestion& question, const SpectralRange& range) const;
+    /// What `spectrum` and `answer` depend on, for as long as the atmospheres and defaults stay.
+    AirKey keyOf(const AirQuestion& question, const SpectralRange& range) const;
+    AirKey keyOf(const AirQuestion& question, const SpectralSampling& sampling) const;
     Answer<double> ambientTemperature_K(double altitude_m) const;
-    Answer<Spectrum> scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const;
 
     /// The first atmosphere that has wideband terms for a band; null where there is none.
     const Atmosphere* findWideband(const SpectralRange& range) const;
@@ -57,20 +59,12 @@ class Environment {
     /// there is no default in wideband mode (F29).
     const Atmosphere& requireWideband(const SpectralRange& range) const;
     Answer<std::shared_ptr<const SensorCkData>> prepareCk(const CkRequest& request) const;
-    /// Answered by the atmosphere that prepared the terms; InputError for what it does not support.
-    Answer<std::vector<double>> ckTransmittance(const AirPath& path, const SensorCkData& ck) const;
-    Answer<std::vector<double>> ckPathRadiance(const AirPath& path, const SensorCkData& ck) const;
-    Answer<std::vector<double>> ckBackgroundRadiance(const LineOfSight& sight,
-                                                     const SensorCkData& ck) const;
-    /// Zero when the sun is below the horizon, whoever answers.
-    Answer<std::vector<double>> ckSolarIrradiance(double altitude_m, const SensorCkData& ck) const;
-    Answer<std::vector<double>> ckUpwardFlux(double altitude_m, const SensorCkData& ck) const;
-    Answer<std::vector<double>> ckDownwardFlux(double altitude_m, const SensorCkData& ck) const;
 
   private:
     const Atmosphere& requireWideband(const SpectralRange& range,
                                       AtmosphereProperty property) const;
     const Atmosphere& require(const SpectralRange& range, AtmosphereProperty property) const;
+    bool isByDefault(const SpectralRange& range, AtmosphereProperty property) const;
 
     std::vector<std::shared_ptr<const Atmosphere>> atmospheres_;
 };

@@ -124,16 +124,6 @@ bool SpectraAtmosphere::supports(AtmosphereProperty property) const {
                : parameters_.spectra.contains(property);
 }
 
-const Spectrum& SpectraAtmosphere::spectrum(AtmosphereProperty property,
-                                            const SpectralRange& range) const {
-    if (!supports(property)) {
-        throw LogicError("the atmosphere " + name() + " was asked for " + irsg::name(property) +
-                         ", which it does not support");
-    }
-    checkRange(range);
-    return parameters_.spectra.at(property);
-}
-
 double SpectraAtmosphere::altitudeSlack_m() const {
     const double range_m = parameters_.path ? parameters_.path->range_m : 0.0;
     return altitudeTolerance_m + range_m * range_m / (2.0 * earthRadius_m);
@@ -160,7 +150,6 @@ void SpectraAtmosphere::requireNear(const char* what, double found, double held,
 }
 
 void SpectraAtmosphere::requirePath(const AirPath& path) const {
-    checkPath(path);
     const AirPath& held = *parameters_.path;
     requireNear("sensor altitude", path.sensorAltitude_m, held.sensorAltitude_m, altitudeSlack_m(),
                 1.0, "m");
@@ -170,7 +159,6 @@ void SpectraAtmosphere::requirePath(const AirPath& path) const {
 }
 
 void SpectraAtmosphere::requireTargetAltitude(double altitude_m) const {
-    checkAltitude(altitude_m);
     requireNear("target altitude", altitude_m, *parameters_.targetAltitude_m, altitudeSlack_m(),
                 1.0, "m");
 }
@@ -182,24 +170,26 @@ void SpectraAtmosphere::requireSunElevation(const SunPosition& sun) const {
     }
 }
 
-Spectrum SpectraAtmosphere::transmittance(const AirPath& path, const SpectralRange& range) const {
-    const Spectrum& result = spectrum(AtmosphereProperty::transmittance, range);
-    requirePath(path);
-    return result;
+Spectrum SpectraAtmosphere::nativeSpectrum(const AirQuestion& question,
+                                           const SpectralRange&) const {
+    switch (placeOf(question.quantity)) {
+    case AirPlace::path:
+        requirePath(question.path);
+        break;
+    case AirPlace::sight:
+        requireSight(question.sight, question.sun);
+        break;
+    case AirPlace::altitude:
+        requireTargetAltitude(question.altitude_m);
+        break;
+    }
+    if (hasSun(question.quantity)) {
+        requireSunElevation(question.sun);
+    }
+    return parameters_.spectra.at(question.quantity);
 }
 
-Spectrum SpectraAtmosphere::pathRadiance(const AirPath& path, const SunPosition& sun,
-                                         const SpectralRange& range) const {
-    const Spectrum& result = spectrum(AtmosphereProperty::pathRadiance, range);
-    requirePath(path);
-    requireSunElevation(sun);
-    return result;
-}
-
-Spectrum SpectraAtmosphere::backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
-                                               const SpectralRange& range) const {
-    const Spectrum& result = spectrum(AtmosphereProperty::backgroundRadiance, range);
-    checkSight(sight);
+void SpectraAtmosphere::requireSight(const LineOfSight& sight, const SunPosition& sun) const {
     const LineOfSight& held = *parameters_.sight;
     requireNear("sensor altitude", sight.sensorAltitude_m, held.sensorAltitude_m, altitudeSlack_m(),
                 1.0, "m");
@@ -216,31 +206,6 @@ Spectrum SpectraAtmosphere::backgroundRadiance(const LineOfSight& sight, const S
         requireNear("azimuth of the sun from the line of sight", std::abs(away_rad),
                     std::abs(heldAway_rad), angleTolerance_rad, degrees(1.0), "deg");
     }
-    return result;
-}
-
-const Spectrum& SpectraAtmosphere::spectrumAtTarget(AtmosphereProperty property, double altitude_m,
-                                                    const SunPosition& sun,
-                                                    const SpectralRange& range) const {
-    const Spectrum& result = spectrum(property, range);
-    requireTargetAltitude(altitude_m);
-    requireSunElevation(sun);
-    return result;
-}
-
-Spectrum SpectraAtmosphere::solarIrradiance(double altitude_m, const SunPosition& sun,
-                                            const SpectralRange& range) const {
-    return spectrumAtTarget(AtmosphereProperty::solarIrradiance, altitude_m, sun, range);
-}
-
-Spectrum SpectraAtmosphere::upwardFlux(double altitude_m, const SunPosition& sun,
-                                       const SpectralRange& range) const {
-    return spectrumAtTarget(AtmosphereProperty::upwardFlux, altitude_m, sun, range);
-}
-
-Spectrum SpectraAtmosphere::downwardFlux(double altitude_m, const SunPosition& sun,
-                                         const SpectralRange& range) const {
-    return spectrumAtTarget(AtmosphereProperty::downwardFlux, altitude_m, sun, range);
 }
 
 double SpectraAtmosphere::ambientTemperature_K(double altitude_m) const {
@@ -248,15 +213,50 @@ double SpectraAtmosphere::ambientTemperature_K(double altitude_m) const {
         throw LogicError("the atmosphere " + name() +
                          " was asked for ambient temperature, which it does not support");
     }
+    checkAltitude(altitude_m);
     requireTargetAltitude(altitude_m);
     return *parameters_.ambientTemperature_K;
 }
 
-Spectrum SpectraAtmosphere::scatteringOpticalDepth(const AirPath& path,
-                                                   const SpectralRange& range) const {
-    const Spectrum& result = spectrum(AtmosphereProperty::scatteringOpticalDepth, range);
-    requirePath(path);
-    return result;
+AirDescription SpectraAtmosphere::describe() const {
+    struct Number {
+        const char* words;
+        const char* unit;
+        double value;
+    };
+    std::vector<Number> numbers;
+    if (parameters_.path) {
+        numbers.push_back({"sensor altitude", "m", parameters_.path->sensorAltitude_m});
+        numbers.push_back({"range", "m", parameters_.path->range_m});
+    } else if (parameters_.sight) {
+        numbers.push_back({"sensor altitude", "m", parameters_.sight->sensorAltitude_m});
+    }
+    if (parameters_.path || parameters_.targetAltitude_m) {
+        numbers.push_back({"target altitude", "m",
+                           parameters_.path ? parameters_.path->targetAltitude_m
+                                            : *parameters_.targetAltitude_m});
+    }
+    if (parameters_.sight) {
+        numbers.push_back({"los elevation", "deg", degrees(parameters_.sight->elevation_rad)});
+        numbers.push_back({"los azimuth", "deg", degrees(parameters_.sight->azimuth_rad)});
+    }
+    if (parameters_.sun) {
+        numbers.push_back({"sun azimuth", "deg", degrees(parameters_.sun->azimuth_rad)});
+        numbers.push_back({"sun elevation", "deg", degrees(parameters_.sun->elevation_rad)});
+    }
+
+    AirDescription told{{"known for one geometry"}, {}};
+    AirFacts facts;
+    for (const Number& number : numbers) {
+        told.lines.push_back(lineOf("  %s %.7g %s", number.words, number.value, number.unit));
+        std::string key = std::string(number.words) + "_" + number.unit;
+        std::ranges::replace(key, ' ', '_');
+        facts.push_back({std::move(key), {number.value}});
+    }
+    if (!facts.empty()) {
+        told.facts.push_back({"geometry", {std::move(facts)}});
+    }
+    return told;
 }
 
 } // namespace irsg

@@ -61,30 +61,23 @@ class SpectraAtmosphere : public Atmosphere {
     std::string name() const override { return parameters_.name; }
     SpectralRange base() const override { return base_; }
     bool supports(AtmosphereProperty property) const override;
-    Spectrum transmittance(const AirPath& path, const SpectralRange& range) const override;
-    Spectrum pathRadiance(const AirPath& path, const SunPosition& sun,
-                          const SpectralRange& range) const override;
-    Spectrum backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
-                                const SpectralRange& range) const override;
-    Spectrum solarIrradiance(double altitude_m, const SunPosition& sun,
-                             const SpectralRange& range) const override;
-    Spectrum upwardFlux(double altitude_m, const SunPosition& sun,
-                        const SpectralRange& range) const override;
-    Spectrum downwardFlux(double altitude_m, const SunPosition& sun,
-                          const SpectralRange& range) const override;
     double ambientTemperature_K(double altitude_m) const override;
-    Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const override;
+    /// The background depends on the azimuth from the sun: another one is refused.
+    bool answersByAzimuth(AtmosphereProperty property) const override {
+        return property == AtmosphereProperty::backgroundRadiance;
+    }
+    AirDescription describe() const override;
+
+  protected:
+    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
 
   private:
-    const Spectrum& spectrum(AtmosphereProperty property, const SpectralRange& range) const;
-    /// Of what sun or sky send to the target's altitude.
-    const Spectrum& spectrumAtTarget(AtmosphereProperty property, double altitude_m,
-                                     const SunPosition& sun, const SpectralRange& range) const;
     double altitudeSlack_m() const;
     double elevationSlack_rad() const;
     void requireNear(const char* what, double found, double held, double slack, double perUnit,
                      const char* unit) const;
     void requirePath(const AirPath& path) const;
+    void requireSight(const LineOfSight& sight, const SunPosition& sun) const;
     void requireTargetAltitude(double altitude_m) const;
     void requireSunElevation(const SunPosition& sun) const;
 

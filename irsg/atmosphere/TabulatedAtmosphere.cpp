@@ -244,27 +244,13 @@ std::pair<std::size_t, std::size_t> TabulatedAtmosphere::nodesOf(const SpectralR
     return {first == 0 ? 0 : std::min(first - 1, axis.size() - 2), std::min(last + 1, axis.size())};
 }
 
-Spectrum TabulatedAtmosphere::spectrum(std::size_t first, std::vector<double> values) const {
-    const auto begin = wavelengths_um_.begin() + static_cast<std::ptrdiff_t>(first);
-    return {std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(values.size())),
-            std::move(values), Spectrum::Outside::hold, name_};
-}
-
-Spectrum TabulatedAtmosphere::transmittance(const AirPath& path, const SpectralRange& range) const {
-    checkRange(range);
-    checkPath(path);
-    if (!supports(AtmosphereProperty::transmittance)) {
-        return Atmosphere::transmittance(path, range);
-    }
-    const auto [first, last] = nodesOf(range);
-    if (path.range_m == 0.0) {
-        return spectrum(first, std::vector<double>(last - first, 1.0));
-    }
-    std::vector<double> depth;
+std::vector<double> TabulatedAtmosphere::depths(const AirPath& path, std::size_t first,
+                                                std::size_t last) const {
     try {
-        depth = transmittances_.answering(path).at(path, first, last, name_).depth;
+        return transmittances_.answering(path).at(path, first, last, name_).depth;
     } catch (const InputError&) {
         const AirPath back{path.targetAltitude_m, path.sensorAltitude_m, path.range_m};
+        std::vector<double> depth;
         try {
             depth = transmittances_.answering(back).at(back, first, last, name_).depth;
         } catch (const InputError&) {
@@ -273,9 +259,8 @@ Spectrum TabulatedAtmosphere::transmittance(const AirPath& path, const SpectralR
         if (depth.empty()) {
             throw;
         }
+        return depth;
     }
-    std::ranges::transform(depth, depth.begin(), [](double d) { return std::exp(-d); });
-    return spectrum(first, std::move(depth));
 }
 
 void TabulatedAtmosphere::checkSun(const SunPosition& sun) const {
@@ -289,65 +274,58 @@ void TabulatedAtmosphere::checkSun(const SunPosition& sun) const {
     }
 }
 
-Spectrum TabulatedAtmosphere::pathRadiance(const AirPath& path, const SunPosition& sun,
-                                           const SpectralRange& range) const {
-    checkRange(range);
-    checkPath(path);
-    if (!supports(AtmosphereProperty::pathRadiance)) {
-        return Atmosphere::pathRadiance(path, sun, range);
-    }
-    const auto [first, last] = nodesOf(range);
-    if (path.range_m == 0.0) {
-        return spectrum(first, std::vector<double>(last - first, 0.0));
-    }
-    checkSun(sun);
-    return spectrum(first, radiances_.answering(path).at(path, first, last, name_).radiance);
-}
-
-Spectrum TabulatedAtmosphere::backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
-                                                 const SpectralRange& range) const {
-    checkRange(range);
-    checkSight(sight);
-    if (!supports(AtmosphereProperty::backgroundRadiance)) {
-        return Atmosphere::backgroundRadiance(sight, sun, range);
-    }
-    checkSun(sun);
-    const auto [first, last] = nodesOf(range);
-    return spectrum(first, backgrounds_.at(sight.sensorAltitude_m, sight.elevation_rad, first, last,
-                                           name_, "line of sight"));
-}
-
-Spectrum TabulatedAtmosphere::solarIrradiance(double altitude_m, const SunPosition& sun,
-                                              const SpectralRange& range) const {
-    checkRange(range);
-    checkAltitude(altitude_m);
-    if (!supports(AtmosphereProperty::solarIrradiance)) {
-        return Atmosphere::solarIrradiance(altitude_m, sun, range);
-    }
-    const auto [first, last] = nodesOf(range);
+std::vector<double> TabulatedAtmosphere::sunlight(const AirQuestion& question, std::size_t first,
+                                                  std::size_t last) const {
     try {
-        return spectrum(first, suns_.at(altitude_m, sun.elevation_rad, first, last, name_, "sun"));
+        return suns_.at(question.altitude_m, question.sun.elevation_rad, first, last, name_, "sun");
     } catch (const InputError&) {
         // From high up the sun is seen a little below the horizontal, which runs may contain.
-        if (sun.isUp()) {
+        if (question.sun.isUp()) {
             throw;
         }
-        return spectrum(first, std::vector<double>(last - first, 0.0));
+        return std::vector<double>(last - first, 0.0);
     }
 }
 
-Spectrum TabulatedAtmosphere::scatteringOpticalDepth(const AirPath& path,
-                                                     const SpectralRange& range) const {
-    checkRange(range);
-    checkPath(path);
-    if (!supports(AtmosphereProperty::scatteringOpticalDepth)) {
-        return Atmosphere::scatteringOpticalDepth(path, range);
-    }
+Spectrum TabulatedAtmosphere::nativeSpectrum(const AirQuestion& question,
+                                             const SpectralRange& range) const {
     const auto [first, last] = nodesOf(range);
-    if (path.range_m == 0.0) {
-        return spectrum(first, std::vector<double>(last - first, 0.0));
+    const auto begin = wavelengths_um_.begin();
+    const std::vector<double> nodes(begin + static_cast<std::ptrdiff_t>(first),
+                                    begin + static_cast<std::ptrdiff_t>(last));
+    const AirPath& path = question.path;
+    const LineOfSight& sight = question.sight;
+    const bool isHere = path.range_m == 0.0;
+    std::vector<double> values;
+    switch (question.quantity) {
+    case AtmosphereProperty::transmittance:
+        values = isHere ? std::vector<double>(nodes.size(), 0.0) : depths(path, first, last);
+        std::ranges::transform(values, values.begin(), [](double d) { return std::exp(-d); });
+        break;
+    case AtmosphereProperty::pathRadiance:
+        if (isHere) {
+            values.assign(nodes.size(), 0.0);
+        } else {
+            checkSun(question.sun);
+            values = radiances_.answering(path).at(path, first, last, name_).radiance;
+        }
+        break;
+    case AtmosphereProperty::backgroundRadiance:
+        checkSun(question.sun);
+        values = backgrounds_.at(sight.sensorAltitude_m, sight.elevation_rad, first, last, name_,
+                                 "line of sight");
+        break;
+    case AtmosphereProperty::solarIrradiance:
+        values = sunlight(question, first, last);
+        break;
+    case AtmosphereProperty::scatteringOpticalDepth:
+        values = isHere ? std::vector<double>(nodes.size(), 0.0)
+                        : scatterings_.answering(path).at(path, first, last, name_).depth;
+        break;
+    default:
+        return Atmosphere::nativeSpectrum(question, range);
     }
-    return spectrum(first, scatterings_.answering(path).at(path, first, last, name_).depth);
+    return {nodes, std::move(values), Spectrum::Outside::hold, name_};
 }
 
 std::vector<std::string> TabulatedAtmosphere::warnings() const {

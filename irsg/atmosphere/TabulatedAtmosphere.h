@@ -69,14 +69,10 @@ class TabulatedAtmosphere : public Atmosphere {
     std::string name() const override { return name_; }
     SpectralRange base() const override;
     bool supports(AtmosphereProperty property) const override;
-    Spectrum transmittance(const AirPath& path, const SpectralRange& range) const override;
-    Spectrum pathRadiance(const AirPath& path, const SunPosition& sun,
-                          const SpectralRange& range) const override;
-    Spectrum backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
-                                const SpectralRange& range) const override;
-    Spectrum solarIrradiance(double altitude_m, const SunPosition& sun,
-                             const SpectralRange& range) const override;
-    Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const override;
+    AirDescription describe() const override;
+
+  protected:
+    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
 
   private:
     /// Paths that end at altitudes of the air and paths to space are never mixed.
@@ -96,7 +92,10 @@ class TabulatedAtmosphere : public Atmosphere {
     void checkSun(const SunPosition& sun) const;
     /// First node and one past the last that surround a range.
     std::pair<std::size_t, std::size_t> nodesOf(const SpectralRange& range) const;
-    Spectrum spectrum(std::size_t first, std::vector<double> values) const;
+    /// Optical depths of a path, of the path the other way round where the runs have only that.
+    std::vector<double> depths(const AirPath& path, std::size_t first, std::size_t last) const;
+    std::vector<double> sunlight(const AirQuestion& question, std::size_t first,
+                                 std::size_t last) const;
 
     std::vector<SpectralRun> runs_;
     std::string name_;

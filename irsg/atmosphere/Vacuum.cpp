@@ -17,45 +17,16 @@ bool Vacuum::supports(AtmosphereProperty property) const {
     return property != AtmosphereProperty::ambientTemperature;
 }
 
-Spectrum Vacuum::transmittance(const AirPath& path, const SpectralRange& range) const {
-    checkRange(range);
-    checkPath(path);
-    return Spectrum::constant(1.0);
-}
-
-Spectrum Vacuum::pathRadiance(const AirPath& path, const SunPosition&,
-                              const SpectralRange& range) const {
-    checkRange(range);
-    checkPath(path);
-    return Spectrum::constant(0.0);
-}
-
-Spectrum Vacuum::backgroundRadiance(const LineOfSight& sight, const SunPosition&,
-                                    const SpectralRange& range) const {
-    checkRange(range);
-    checkSight(sight);
-    return Spectrum::constant(0.0);
-}
-
-Spectrum Vacuum::solarIrradiance(double altitude_m, const SunPosition& sun,
-                                 const SpectralRange& range) const {
-    checkRange(range);
-    checkAltitude(altitude_m);
-    return sun.isUp() ? extraterrestrialSolarIrradiance(range) : Spectrum::constant(0.0);
-}
-
-Spectrum Vacuum::upwardFlux(double altitude_m, const SunPosition&,
-                            const SpectralRange& range) const {
-    checkRange(range);
-    checkAltitude(altitude_m);
-    return Spectrum::constant(0.0);
-}
-
-Spectrum Vacuum::downwardFlux(double altitude_m, const SunPosition&,
-                              const SpectralRange& range) const {
-    checkRange(range);
-    checkAltitude(altitude_m);
-    return Spectrum::constant(0.0);
+Spectrum Vacuum::nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const {
+    switch (question.quantity) {
+    case AtmosphereProperty::transmittance:
+        return Spectrum::constant(1.0);
+    case AtmosphereProperty::solarIrradiance:
+        return question.sun.isUp() ? extraterrestrialSolarIrradiance(range)
+                                   : Spectrum::constant(0.0);
+    default:
+        return Spectrum::constant(0.0);
+    }
 }
 
 Spectrum extraterrestrialSolarIrradiance(const SpectralRange& range) {
@@ -63,12 +34,6 @@ Spectrum extraterrestrialSolarIrradiance(const SpectralRange& range) {
     // beam.
     const double ratio = nominalSolarRadius_m / astronomicalUnit_m;
     return sampledPlanck(nominalSolarTemperature_K, range, pi * ratio * ratio);
-}
-
-Spectrum Vacuum::scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const {
-    checkPath(path);
-    checkRange(range);
-    return Spectrum::constant(0.0);
 }
 
 } // namespace irsg

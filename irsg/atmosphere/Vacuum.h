@@ -13,15 +13,8 @@ class Vacuum : public Atmosphere {
     SpectralRange base() const override { return {0.2, 40.0}; }
     bool supports(AtmosphereProperty property) const override;
 
-    Spectrum transmittance(const AirPath&, const SpectralRange&) const override;
-    Spectrum pathRadiance(const AirPath&, const SunPosition&, const SpectralRange&) const override;
-    Spectrum backgroundRadiance(const LineOfSight&, const SunPosition&,
-                                const SpectralRange&) const override;
-    Spectrum solarIrradiance(double altitude_m, const SunPosition& sun,
-                             const SpectralRange& range) const override;
-    Spectrum upwardFlux(double, const SunPosition&, const SpectralRange&) const override;
-    Spectrum downwardFlux(double, const SunPosition&, const SpectralRange&) const override;
-    Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const override;
+  protected:
+    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
 };
 
 /// The sun outside the atmosphere as above, W m-2 um-1 on a plane normal to the beam.

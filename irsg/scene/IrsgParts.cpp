@@ -102,7 +102,7 @@ Irsg::Parts::Frame Irsg::Parts::frame(CalculationMode mode) {
                      {},
                      {},
                      {}};
-        drawBackground(result, wideband ? &wideband->data() : nullptr);
+        drawBackground(result);
         fillRows(result);
         fillItems(result);
         planPoints(result);
@@ -136,10 +136,9 @@ const WidebandTerms& Irsg::Parts::terms() {
     return *widebandTerms.front();
 }
 
-void Irsg::Parts::drawBackground(Frame& frame, const SensorCkData* terms) {
+void Irsg::Parts::drawBackground(Frame& frame) {
     const SceneRadiometry& radiometry = frame.radiometry;
-    const BandSky sky(environment, sensor.band.range(), radiometry.wavelengths_um(),
-                      radiometry.weights_um(), terms);
+    const BandSky sky(environment, radiometry.sampling());
     BackgroundSettings wanted;
     wanted.asksEnvironment = settings.background == BackgroundMode::environment;
     wanted.uniform_W_m2_sr = radiometry.backgroundInBand_W_m2_sr();

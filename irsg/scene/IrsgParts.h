@@ -128,7 +128,7 @@ struct Irsg::Parts {
     const WidebandTerms& terms();
 
     /// What is behind the objects, and the terrain that hides them.
-    void drawBackground(Frame& frame, const SensorCkData* terms);
+    void drawBackground(Frame& frame);
 
     /// True where terrain that may hide objects is in or beside the pixels of a rectangle.
     bool touchesTerrain(const ImageRectangle& extent) const;

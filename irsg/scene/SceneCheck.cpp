@@ -108,6 +108,7 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
         geometry.path.targetAltitude_m =
             altitude_m(referencePoints[e].z, geometry.path.range_m, entities[e].name, offences);
         if (geometry.path.range_m > 0.0) {
+            geometry.path.azimuth_rad = std::atan2(-toSensor.x, -toSensor.y);
             const Vec3 nose = entities[e].pose.attitude.rotation() * Vec3{0, 1, 0};
             const double cosine = dot(nose, toSensor) / geometry.path.range_m;
             geometry.aspectAngle_rad = std::acos(std::clamp(cosine, -1.0, 1.0));

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/import/EnvironmentXml.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/AtmosphereInput.h"
@@ -49,9 +48,9 @@ withResolution(const std::vector<std::shared_ptr<const irsg::Atmosphere>>& atmos
     std::vector<std::shared_ptr<const irsg::Atmosphere>> result;
     std::string others;
     for (const auto& atmosphere : atmospheres) {
-        const auto* smart = dynamic_cast<const irsg::AtmosphereSmart*>(atmosphere.get());
-        result.push_back(smart ? smart->withResolution(resolution_cm) : atmosphere);
-        if (smart == nullptr) {
+        const auto other = atmosphere->withBins(resolution_cm);
+        result.push_back(other ? other : atmosphere);
+        if (!other) {
             others += (others.empty() ? "" : ", ") + atmosphere->name();
         }
     }

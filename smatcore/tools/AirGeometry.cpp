@@ -123,6 +123,8 @@ class Solver {
         return squaresAbove(0.0) / (along + std::sqrt(discriminant));
     }
 
+    double azimuth_rad() const { return irsg::radians(input_.losAzimuth_deg); }
+
     double altitudeAfter_m(double range_m) const {
         const double sensorRadius_m = earthRadius_m + *input_.sensorAltitude_m;
         const double rise = range_m * (range_m + 2.0 * sensorRadius_m * sine());
@@ -141,7 +143,7 @@ class Solver {
             return;
         }
         const double target_m = std::max(altitudeAfter_m(range_m), 0.0);
-        result_.path = irsg::AirPath{*input_.sensorAltitude_m, target_m, range_m};
+        result_.path = irsg::AirPath{*input_.sensorAltitude_m, target_m, range_m, azimuth_rad()};
         result_.targetAltitude_m = target_m;
     }
 
@@ -154,7 +156,7 @@ class Solver {
                        irsg::numberText(std::abs(target_m - sensor_m)) + " m");
             return;
         }
-        result_.path = irsg::AirPath{sensor_m, target_m, range_m};
+        result_.path = irsg::AirPath{sensor_m, target_m, range_m, azimuth_rad()};
         if (!input_.losElevation_deg) {
             const double product = 2.0 * (earthRadius_m + sensor_m) * range_m;
             const double sine =
@@ -183,7 +185,8 @@ class Solver {
         }
         const double along = (earthRadius_m + *input_.sensorAltitude_m) * sine();
         const double range_m = -along + std::sqrt(along * along - squaresAbove(spaceAltitude_m));
-        result_.path = irsg::AirPath{*input_.sensorAltitude_m, spaceAltitude_m, range_m};
+        result_.path =
+            irsg::AirPath{*input_.sensorAltitude_m, spaceAltitude_m, range_m, azimuth_rad()};
     }
 
     void finish() {

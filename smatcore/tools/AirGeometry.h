@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "irsg/atmosphere/Atmosphere.h"
+#include "irsg/atmosphere/AirQuestion.h"
 
 namespace smat {
 

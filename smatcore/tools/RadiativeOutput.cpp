@@ -28,14 +28,12 @@ const RadiativeQuantity& entryOf(AtmosphereProperty property) {
 
 /// What a quantity needs of the geometry, or "" where it has it.
 std::string missingFor(AtmosphereProperty property, const AirGeometry& geometry) {
-    switch (property) {
-    case AtmosphereProperty::transmittance:
-    case AtmosphereProperty::pathRadiance:
-    case AtmosphereProperty::scatteringOpticalDepth:
+    switch (irsg::placeOf(property)) {
+    case irsg::AirPlace::path:
         return geometry.path ? ""
                              : "a sensor altitude, with a range and an elevation of the line of "
                                "sight or a target altitude, or with an elevation to space";
-    case AtmosphereProperty::backgroundRadiance:
+    case irsg::AirPlace::sight:
         return geometry.sight ? "" : "a sensor altitude and an elevation of the line of sight";
     default:
         return geometry.targetAltitude_m
@@ -115,29 +113,12 @@ class Output {
     }
 
     Spectrum ask(AtmosphereProperty property) {
-        const irsg::SpectralRange& band = request_.band;
-        switch (property) {
-        case AtmosphereProperty::transmittance:
-            return take(property, environment_.transmittance(*geometry_.path, band));
-        case AtmosphereProperty::pathRadiance:
-            return take(property, environment_.pathRadiance(*geometry_.path, band));
-        case AtmosphereProperty::backgroundRadiance:
-            return take(property, environment_.backgroundRadiance(*geometry_.sight, band));
-        case AtmosphereProperty::solarIrradiance:
-            return take(property, environment_.solarIrradiance(*geometry_.targetAltitude_m, band));
-        case AtmosphereProperty::upwardFlux:
-            return take(property, environment_.upwardFlux(*geometry_.targetAltitude_m, band));
-        case AtmosphereProperty::downwardFlux:
-            return take(property, environment_.downwardFlux(*geometry_.targetAltitude_m, band));
-        case AtmosphereProperty::scatteringOpticalDepth:
-            return take(property, environment_.scatteringOpticalDepth(*geometry_.path, band));
-        case AtmosphereProperty::ambientTemperature:
-            break;
-        }
-        throw irsg::LogicError("a temperature was asked for as a spectrum");
-    }
-
-    Spectrum take(AtmosphereProperty property, irsg::Answer<Spectrum> answer) {
+        const irsg::AirQuestion question{.quantity = property,
+                                         .path = geometry_.path.value_or(irsg::AirPath{}),
+                                         .sight = geometry_.sight.value_or(irsg::LineOfSight{}),
+                                         .altitude_m = geometry_.targetAltitude_m.value_or(0.0),
+                                         .sun = environment_.sun};
+        irsg::Answer<Spectrum> answer = environment_.spectrum(question, request_.band);
         result_.answeredBy.push_back(std::string(irsg::name(property)) + ": " + answer.answeredBy);
         return std::move(answer.value);
     }

@@ -204,7 +204,7 @@ TEST(AtmosphereSmart, singleScatteringHasNoFluxesAndSaysWhy) {
     EXPECT_THROW(air->downwardFlux(0.0, day, band), LogicError);
     Environment environment;
     environment.add(air);
-    EXPECT_THAT(refusalOf([&] { environment.upwardFlux(0.0, band); }),
+    EXPECT_THAT(refusalOf([&] { environment.spectrum(AirQuestion::upwardFlux(0.0, day), band); }),
                 AllOf(HasSubstr("single (has no upward flux in ScatteringMode 1"),
                       HasSubstr("ScatteringMode 2")));
 }

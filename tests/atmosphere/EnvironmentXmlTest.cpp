@@ -92,7 +92,8 @@ TEST(EnvironmentXml, theDefaultBackgroundAnswersWhereNoAtmosphereDoes) {
                                   environmentXml(vectorXml("BackgroundRadianceWavelengths", "3 5") +
                                                  vectorXml("BackgroundRadianceValues", "1 3")));
     const LoadedEnvironment loaded = loadEnvironment(file);
-    const auto answer = loaded.environment.backgroundRadiance({}, {3.0, 5.0});
+    const auto answer = loaded.environment.spectrum(
+        AirQuestion::backgroundRadiance({}, loaded.environment.sun), {3.0, 5.0});
     EXPECT_EQ(answer.answeredBy, "default");
     EXPECT_EQ(answer.value.at(4.0), 2.0);
     EXPECT_EQ(answer.value.at(9.0), 0.0);

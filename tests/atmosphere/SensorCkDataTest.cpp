@@ -142,7 +142,7 @@ TEST(SensorCkData, holdsWhatASensorNeeds) {
         EXPECT_NEAR(ck.integrate(ck.planck(temperature_K)) /
                         bandRadiance_W_m2_sr(band, temperature_K),
                     1.0, 0.005);
-    EXPECT_THROW((void)ck.integrate({1.0}), LogicError);
+    EXPECT_THROW((void)ck.integrate(std::vector<double>{1.0}), LogicError);
 }
 
 TEST(SensorCkData, worksWithOneTerm) {

@@ -116,7 +116,9 @@ TEST(TabulatedAtmosphere, supportsWhatItsRunsContain) {
 
     Environment environment;
     environment.add(std::make_shared<TabulatedAtmosphere>(clear));
-    EXPECT_EQ(environment.transmittance({0, 0, 100}, {4.95, 4.96}).answeredBy, "family");
+    EXPECT_EQ(
+        environment.spectrum(AirQuestion::transmittance({0, 0, 100}), {4.95, 4.96}).answeredBy,
+        "family");
 }
 
 TEST(TabulatedAtmosphere, spectraCoverTheAskedRangeAndNoMoreNodesThanItNeeds) {

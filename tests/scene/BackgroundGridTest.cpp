@@ -222,7 +222,8 @@ TEST(BackgroundGrid, TakesAsManyRowsAsHalfAPercentNeeds) {
         for (int i = 1; i < 2000; ++i) {
             const Vec3 d = rays.at(0.0, rays.v(sensor.height_px * i / 2000.0));
             ASSERT_NEAR(grid.at(d) / profile(elevationOf_rad(d)), 1.0, BackgroundGrid::needed)
-                << degrees(elevationOf_rad(d)) << " deg, " << grid.elevations_rad().size() << " rows";
+                << degrees(elevationOf_rad(d)) << " deg, " << grid.elevations_rad().size()
+                << " rows";
         }
         rowsTaken.push_back(grid.elevations_rad().size());
         EXPECT_EQ(static_cast<std::size_t>(asked), rowsTaken.back()) << "no row is asked twice";
@@ -277,8 +278,7 @@ TEST(SceneBackground, AsksARealAtmosphereForItsRowsWithTheWeightsOfTheBand) {
     environment.add(smart);
     const Band band = Band::topHat(4.4, 4.9);
     const SpectralQuadrature quadrature(band, {}, 200.0);
-    const BandSky sky(environment, band.range(), quadrature.wavelengths_um(),
-                      quadrature.weights_um(), nullptr);
+    const BandSky sky(environment, quadrature);
     const Sensor sensor = sensorOf(16, 64, 2.0);
     const Viewpoint view = looking(40.0, -1.0, 3000.0);
 

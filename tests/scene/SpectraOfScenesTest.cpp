@@ -19,9 +19,12 @@ const Band midwave = Band::topHat(3.0, 5.0);
 /// Air whose transmittance falls with range as one exponential a wavelength: 3-4 um clear, 4-5 um
 /// not.
 class TwoBandAir : public ConstantAir {
-  public:
-    Spectrum transmittance(const AirPath& path, const SpectralRange&) const override {
-        const double t = std::exp(-1e-3 * path.range_m);
+  protected:
+    Spectrum nativeSpectrum(const AirQuestion& question,
+                            const SpectralRange& range) const override {
+        if (question.quantity != AtmosphereProperty::transmittance)
+            return ConstantAir::nativeSpectrum(question, range);
+        const double t = std::exp(-1e-3 * question.path.range_m);
         return Spectrum({0.2, 4.0, 4.0001, 40.0}, {1.0, 1.0, t, t});
     }
 };

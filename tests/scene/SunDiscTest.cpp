@@ -119,8 +119,8 @@ TEST(SunDisc, IsInThePictureOnlyWhereItIsAskedFor) {
     air.sunValue = 5.0;
     air.backgroundValue = 3.0;
     const Environment environment = environmentOf(air, {0.3, 0.2});
-    const std::vector<double> wavelengths{3.0, 5.0}, weights{1.0, 1.0};
-    const BandSky sky(environment, {3.0, 5.0}, wavelengths, weights, nullptr);
+    const SpectralPoints ends({3.0, 5.0}, {1.0, 1.0}, {3.0, 5.0});
+    const BandSky sky(environment, ends);
     const Sensor sensor = sensorWithDiscOf(5.0, 32);
     Viewpoint view = looking(0.3, 0.2);
 

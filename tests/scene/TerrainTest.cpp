@@ -76,8 +76,8 @@ FrameBackground drawn(SceneBackground& background, const Sensor& sensor, const V
     ConstantAir air;
     air.sunValue = 5.0;
     const Environment environment = environmentOf(air, sun);
-    const std::vector<double> wavelengths{3.0, 5.0}, weights{1.0, 1.0};
-    const BandSky sky(environment, {3.0, 5.0}, wavelengths, weights, nullptr);
+    const SpectralPoints ends({3.0, 5.0}, {1.0, 1.0}, {3.0, 5.0});
+    const BandSky sky(environment, ends);
     return background.draw(sensor, view, sky, settings, report);
 }
 

@@ -6,6 +6,7 @@
 #include <osg/CullFace>
 #include <osgSim/ShapeAttribute>
 
+#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg::test {
@@ -151,24 +152,23 @@ Entity entityOf(std::shared_ptr<const Model> model, SignatureDatabase database) 
     return entity;
 }
 
-Spectrum ConstantAir::transmittance(const AirPath&, const SpectralRange&) const {
-    return Spectrum::constant(transmittanceValue);
-}
-Spectrum ConstantAir::pathRadiance(const AirPath&, const SunPosition&, const SpectralRange&) const {
-    return Spectrum::constant(pathRadianceValue);
-}
-Spectrum ConstantAir::backgroundRadiance(const LineOfSight&, const SunPosition&,
-                                         const SpectralRange&) const {
-    return Spectrum::constant(backgroundValue);
-}
-Spectrum ConstantAir::solarIrradiance(double, const SunPosition&, const SpectralRange&) const {
-    return Spectrum::constant(sunValue);
-}
-Spectrum ConstantAir::upwardFlux(double, const SunPosition&, const SpectralRange&) const {
-    return Spectrum::constant(upValue);
-}
-Spectrum ConstantAir::downwardFlux(double, const SunPosition&, const SpectralRange&) const {
-    return Spectrum::constant(downValue);
+Spectrum ConstantAir::nativeSpectrum(const AirQuestion& question, const SpectralRange&) const {
+    switch (question.quantity) {
+    case AtmosphereProperty::transmittance:
+        return Spectrum::constant(transmittanceValue);
+    case AtmosphereProperty::pathRadiance:
+        return Spectrum::constant(pathRadianceValue);
+    case AtmosphereProperty::backgroundRadiance:
+        return Spectrum::constant(backgroundValue);
+    case AtmosphereProperty::solarIrradiance:
+        return Spectrum::constant(sunValue);
+    case AtmosphereProperty::upwardFlux:
+        return Spectrum::constant(upValue);
+    case AtmosphereProperty::downwardFlux:
+        return Spectrum::constant(downValue);
+    default:
+        throw LogicError("constant air has no " + std::string(irsg::name(question.quantity)));
+    }
 }
 
 Environment environmentOf(const ConstantAir& air, const SunPosition& sun) {

@@ -62,14 +62,10 @@ class ConstantAir : public Atmosphere {
     std::string name() const override { return "constant air"; }
     SpectralRange base() const override { return {0.2, 40.0}; }
     bool supports(AtmosphereProperty) const override { return true; }
-    Spectrum transmittance(const AirPath&, const SpectralRange&) const override;
-    Spectrum pathRadiance(const AirPath&, const SunPosition&, const SpectralRange&) const override;
-    Spectrum backgroundRadiance(const LineOfSight&, const SunPosition&,
-                                const SpectralRange&) const override;
-    Spectrum solarIrradiance(double, const SunPosition&, const SpectralRange&) const override;
-    Spectrum upwardFlux(double, const SunPosition&, const SpectralRange&) const override;
-    Spectrum downwardFlux(double, const SunPosition&, const SpectralRange&) const override;
     double ambientTemperature_K(double) const override { return ambientValue_K; }
+
+  protected:
+    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange&) const override;
 };
 Environment environmentOf(const ConstantAir& air, const SunPosition& sun = {});
 /// Air and sun of which every term is seen.

@@ -307,14 +307,16 @@ SensorCkData SensorCkData::prepare(const RadiativeTransfer& transfer, const CkRe
 
     // Nodes ascend in wavenumber; terms ascend in wavelength.
     SensorCkData data(request.band);
+    std::vector<double> wavelengths_um, weights_um;
     for (std::size_t i = chosen.columns.size(); i-- > 0;) {
         const std::size_t node = chosen.columns[i];
         data.nodes_.nodes.push_back(nodes.set.nodes[node]);
         data.nodes_.wavenumbers_cm.push_back(nodes.set.wavenumbers_cm[node]);
-        data.wavelengths_um_.push_back(nodes.wavelength_um(node));
-        data.weights_um_.push_back(chosen.weights[i]);
+        wavelengths_um.push_back(nodes.wavelength_um(node));
+        weights_um.push_back(chosen.weights[i]);
         data.hats_.push_back(nodes.hat(node));
     }
+    data.setNodes(std::move(wavelengths_um), std::move(weights_um), request.band.range());
     data.largestError_ = chosen.largestError;
     data.rmsError_ = chosen.rmsError;
     return data;
@@ -331,19 +333,6 @@ std::vector<double> SensorCkData::sampled(const Spectrum& spectrum) const {
                         integrateProduct(std::span(factors, 1), range));
     }
     return means;
-}
-
-std::vector<double> SensorCkData::planck(double temperature_K) const {
-    std::vector<double> values;
-    for (const double wavelength_um : wavelengths_um_)
-        values.push_back(planckRadiance_W_m2_sr_um(wavelength_um, temperature_K));
-    return values;
-}
-
-double SensorCkData::integrate(const std::vector<double>& values) const {
-    if (values.size() != weights_um_.size())
-        throw LogicError("a wideband quantity has not as many values as there are terms");
-    return std::inner_product(values.begin(), values.end(), weights_um_.begin(), 0.0);
 }
 
 } // namespace irsg

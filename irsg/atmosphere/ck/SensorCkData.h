@@ -6,6 +6,7 @@
 
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
 #include "irsg/radiometry/Band.h"
+#include "irsg/radiometry/SpectralSampling.h"
 
 namespace irsg {
 
@@ -34,34 +35,30 @@ struct CkRequest {
 /// mode (optimal spectral sampling for a whole band, Moncet et al. 2008). A term is a wavelength;
 /// emissivity, reflectivity, transmissivity and user-defined radiances are converted to their means
 /// over its bin, `sampled`, black bodies to their value there, `planck`.
-class SensorCkData {
+class SensorCkData : public SpectralSampling {
   public:
     /// Trains the terms. Throws InputError where the band has no node in the atmosphere's table.
     static SensorCkData prepare(const RadiativeTransfer& transfer, const CkRequest& request);
 
-    std::size_t size() const { return wavelengths_um_.size(); }
+    /// A sampling as terms; null where it is of another kind.
+    static const SensorCkData* of(const SpectralSampling& sampling) {
+        return dynamic_cast<const SensorCkData*>(&sampling);
+    }
+
     const Band& band() const { return band_; }
     const NodeSet& nodes() const { return nodes_; }
-    const std::vector<double>& wavelengths_um() const { return wavelengths_um_; } ///< ascending
-    /// They include the response.
-    const std::vector<double>& weights_um() const { return weights_um_; }
     /// On the training cases, relative to each in-band quantity.
     double largestError() const { return largestError_; }
     double rmsError() const { return rmsError_; }
 
     /// A spectrum's mean over the bin of every term.
-    std::vector<double> sampled(const Spectrum& spectrum) const;
-    /// Planck radiance at every term, W m-2 sr-1 um-1.
-    std::vector<double> planck(double temperature_K) const;
-    /// Sum of weight times value: an in-band quantity.
-    double integrate(const std::vector<double>& values) const;
+    std::vector<double> sampled(const Spectrum& spectrum) const override;
 
   private:
     explicit SensorCkData(Band band) : band_(std::move(band)) {}
 
     Band band_;
     NodeSet nodes_;
-    std::vector<double> wavelengths_um_, weights_um_;
     std::vector<Spectrum> hats_; ///< over the bin of every term
     double largestError_ = 0.0, rmsError_ = 0.0;
 };

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "irsg/atmosphere/Atmosphere.h"
+#include "irsg/atmosphere/AirQuestion.h"
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "irsg/atmosphere/engine/Particles.h"
 #include "irsg/atmosphere/engine/Profile.h"

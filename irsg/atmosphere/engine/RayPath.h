@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "irsg/atmosphere/Atmosphere.h"
+#include "irsg/atmosphere/AirQuestion.h"
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/atmosphere/engine/RayLayers.h"
 

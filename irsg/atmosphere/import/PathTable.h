@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/atmosphere/Atmosphere.h"
+#include "irsg/atmosphere/AirQuestion.h"
 #include "irsg/atmosphere/import/Interpolation.h"
 
 namespace irsg {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "irsg/atmosphere/Atmosphere.h"
+#include "irsg/atmosphere/AirQuestion.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "irsg/atmosphere/Atmosphere.h"
+#include "irsg/atmosphere/AirQuestion.h"
 
 namespace irsg::lbl {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "irsg/atmosphere/Atmosphere.h"
+#include "irsg/atmosphere/AirQuestion.h"
 #include "irsg/scene/background/FieldRays.h"
 #include "irsg/scene/background/Horizon.h"
 
@@ -23,7 +23,8 @@ class BackgroundGrid {
     using Radiance = std::function<double(const LineOfSight&)>;
 
     /// In place of a number of rows: on either side of the horizon they are doubled until the rows
-    /// between change what the others promised by half of `needed` at most, or there are `mostRows`.
+    /// between change what the others promised by half of `needed` at most, or there are
+    /// `mostRows`.
     static constexpr int asManyAsNeeded = 0;
     static constexpr double needed = 0.005; ///< relative error of the radiance
     static constexpr int mostRows = 257;    ///< of one side

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,15 +7,12 @@
 
 namespace irsg {
 
-/// What an environment shows of the sky and the sun in one band: spectral quantities summed with
-/// given nodes and weights, or wideband ones with the weights of their terms, so that all of a
-/// picture is integrated alike.
+/// What an environment shows of the sky and the sun in one band, added up at the nodes of a
+/// sampling, so that all of a picture is integrated alike.
 class BandSky {
   public:
-    /// `ck` is null in spectral mode. All must live as long.
-    BandSky(const Environment& environment, const SpectralRange& range,
-            const std::vector<double>& wavelengths_um, const std::vector<double>& weights_um,
-            const SensorCkData* ck);
+    /// Both must live as long.
+    BandSky(const Environment& environment, const SpectralSampling& sampling);
 
     /// Throws InputError where no atmosphere answers.
     double radiance_W_m2_sr(const LineOfSight& sight) const;
@@ -29,14 +25,10 @@ class BandSky {
     const std::vector<std::string>& answeredBy() const { return answeredBy_; }
 
   private:
-    double integrate(const std::vector<double>& values) const;
-    double integrate(const Spectrum& spectrum) const;
-    void note(const char* quantity, const std::string& who) const;
+    double ask(const char* quantity, const AirQuestion& question) const;
 
     const Environment& environment_;
-    SpectralRange range_;
-    const std::vector<double>&wavelengths_um_, &weights_um_;
-    const SensorCkData* ck_;
+    const SpectralSampling& sampling_;
     mutable std::vector<std::string> answeredBy_;
 };
 

@@ -1,53 +1,11 @@
 #include "irsg/scene/radiance/SceneAir.h"
 
 #include <algorithm>
-
-#include "irsg/atmosphere/ck/SensorCkData.h"
+#include <utility>
 
 namespace irsg {
 
 namespace {
-
-/// The questions to an environment, in the two modes under the same names.
-struct SpectralQuestions {
-    using Value = Spectrum;
-    const Environment& environment;
-    SpectralRange range;
-
-    Value zero() const { return {}; }
-    auto transmittance(const AirPath& path) const { return environment.transmittance(path, range); }
-    auto pathRadiance(const AirPath& path) const { return environment.pathRadiance(path, range); }
-    auto background(const LineOfSight& sight) const {
-        return environment.backgroundRadiance(sight, range);
-    }
-    auto solarIrradiance(double altitude_m) const {
-        return environment.solarIrradiance(altitude_m, range);
-    }
-    auto upwardFlux(double altitude_m) const { return environment.upwardFlux(altitude_m, range); }
-    auto downwardFlux(double altitude_m) const {
-        return environment.downwardFlux(altitude_m, range);
-    }
-};
-
-struct WidebandQuestions {
-    using Value = std::vector<double>;
-    const Environment& environment;
-    const SensorCkData& ck;
-
-    Value zero() const { return Value(ck.size(), 0.0); }
-    auto transmittance(const AirPath& path) const { return environment.ckTransmittance(path, ck); }
-    auto pathRadiance(const AirPath& path) const { return environment.ckPathRadiance(path, ck); }
-    auto background(const LineOfSight& sight) const {
-        return environment.ckBackgroundRadiance(sight, ck);
-    }
-    auto solarIrradiance(double altitude_m) const {
-        return environment.ckSolarIrradiance(altitude_m, ck);
-    }
-    auto upwardFlux(double altitude_m) const { return environment.ckUpwardFlux(altitude_m, ck); }
-    auto downwardFlux(double altitude_m) const {
-        return environment.ckDownwardFlux(altitude_m, ck);
-    }
-};
 
 /// The part of a path next to its target.
 AirPath nearTarget(const AirPath& path, double range_m) {
@@ -59,98 +17,137 @@ AirPath nearTarget(const AirPath& path, double range_m) {
     return part;
 }
 
-template <typename Questions>
-auto ask(const Questions& questions, const std::vector<Entity>& entities,
-         const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
-         const LineOfSight& centre) {
-    using Value = typename Questions::Value;
-    SceneAir<Value> scene{{}, questions.zero(), {}, {}};
-    auto take = [&](const char* quantity, auto answer) {
+/// One scene on its way to its air.
+class Asking {
+  public:
+    Asking(const Environment& environment, const RenderSettings& settings,
+           const AirAnswers& answers)
+        : environment_(environment),
+          settings_(settings),
+          answers_(answers),
+          zero_(answers.nodes, 0.0) {
+        scene_.background = zero_;
+    }
+
+    void object(const Entity& entity, const AirPath& path) {
+        const SunPosition& sun = environment_.sun;
+        const double altitude_m = path.targetAltitude_m;
+        ObjectAir air;
+        air.transmittance = take("transmittance", AirQuestion::transmittance(path));
+        air.pathRadiance = take("path radiance", AirQuestion::pathRadiance(path, sun));
+        air.solarIrradiance =
+            settings_.sun == ReflectionMode::off
+                ? zero_
+                : take("solar irradiance", AirQuestion::solarIrradiance(altitude_m, sun));
+        if (settings_.fluxes == ReflectionMode::off) {
+            air.upwardFlux = air.downwardFlux = zero_;
+        } else {
+            air.upwardFlux = take("upward flux", AirQuestion::upwardFlux(altitude_m, sun));
+            air.downwardFlux = take("downward flux", AirQuestion::downwardFlux(altitude_m, sun));
+        }
+        air.ambient_K = noted("ambient temperature", environment_.ambientTemperature_K(altitude_m));
+        for (const auto& [name, spectrum] : entity.database->spectra)
+            toReference(name, spectrum.referenceDistance_m, path, air);
+        scene_.objects.push_back(std::move(air));
+    }
+
+    void background(const LineOfSight& centre) {
+        if (settings_.background == BackgroundMode::environment)
+            scene_.background =
+                take("background", AirQuestion::backgroundRadiance(centre, environment_.sun));
+    }
+
+    SceneAir done() { return std::move(scene_); }
+
+  private:
+    /// What a measured spectrum already holds of the air is taken out again. The part of the path
+    /// next to the target is the one that was inside the measurement.
+    void toReference(const std::string& name, double inside_m, const AirPath& path,
+                     ObjectAir& air) {
+        if (inside_m <= 0.0)
+            return;
+        if (path.range_m <= inside_m) {
+            if (said_.insert(name).second)
+                scene_.warnings.push_back("spectrum '" + name + "' was measured at " +
+                                          std::to_string(inside_m) +
+                                          " m and is seen from nearer: no air is added or removed");
+            air.insideReference.insert(name);
+            return;
+        }
+        air.toReference.emplace(
+            name, answers_.answer(AirQuestion::transmittance(nearTarget(path, inside_m))).value);
+    }
+
+    std::vector<double> take(const char* quantity, const AirQuestion& question) {
+        return noted(quantity, answers_.answer(question));
+    }
+
+    template <typename Value>
+    Value noted(const char* quantity, Answer<Value> answer) {
         std::string line = quantity;
         line += ": ";
         line += answer.answeredBy;
-        if (std::ranges::find(scene.answeredBy, line) == scene.answeredBy.end())
-            scene.answeredBy.push_back(line);
+        if (std::ranges::find(scene_.answeredBy, line) == scene_.answeredBy.end())
+            scene_.answeredBy.push_back(std::move(line));
         return std::move(answer.value);
-    };
-    std::set<std::string> said;
-    for (std::size_t e = 0; e < entities.size(); ++e) {
-        const AirPath& path = geometry[e].path;
-        ObjectAir<Value> air;
-        air.transmittance = take("transmittance", questions.transmittance(path));
-        air.pathRadiance = take("path radiance", questions.pathRadiance(path));
-        air.solarIrradiance =
-            settings.sun == ReflectionMode::off
-                ? questions.zero()
-                : take("solar irradiance", questions.solarIrradiance(path.targetAltitude_m));
-        if (settings.fluxes == ReflectionMode::off) {
-            air.upwardFlux = air.downwardFlux = questions.zero();
-        } else {
-            air.upwardFlux = take("upward flux", questions.upwardFlux(path.targetAltitude_m));
-            air.downwardFlux = take("downward flux", questions.downwardFlux(path.targetAltitude_m));
-        }
-        air.ambient_K = take("ambient temperature",
-                             questions.environment.ambientTemperature_K(path.targetAltitude_m));
-
-        // What a measured spectrum already holds of the air is taken out again. The part of the
-        // path next to the target is the one that was inside the measurement.
-        for (const auto& [name, spectrum] : entities[e].database->spectra) {
-            const double inside_m = spectrum.referenceDistance_m;
-            if (inside_m <= 0.0)
-                continue;
-            if (path.range_m <= inside_m) {
-                if (said.insert(name).second)
-                    scene.warnings.push_back(
-                        "spectrum '" + name + "' was measured at " + std::to_string(inside_m) +
-                        " m and is seen from nearer: no air is added or removed");
-                air.insideReference.insert(name);
-                continue;
-            }
-            air.toReference.emplace(name,
-                                    questions.transmittance(nearTarget(path, inside_m)).value);
-        }
-        scene.objects.push_back(std::move(air));
     }
-    if (settings.background == BackgroundMode::environment)
-        scene.background = take("background", questions.background(centre));
-    return scene;
-}
+
+    const Environment& environment_;
+    const RenderSettings& settings_;
+    const AirAnswers& answers_;
+    std::vector<double> zero_;
+    std::set<std::string> said_;
+    SceneAir scene_;
+};
 
 } // namespace
 
-SceneAir<Spectrum> spectralAir(const Environment& environment, const std::vector<Entity>& entities,
-                               const std::vector<ObjectGeometry>& geometry,
-                               const RenderSettings& settings, const LineOfSight& centre,
-                               const SpectralRange& range) {
-    return ask(SpectralQuestions{environment, range}, entities, geometry, settings, centre);
+SceneAir sceneAir(const Environment& environment, const std::vector<Entity>& entities,
+                  const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
+                  const LineOfSight& centre, const AirAnswers& answers) {
+    Asking asking(environment, settings, answers);
+    for (std::size_t e = 0; e < entities.size(); ++e)
+        asking.object(entities[e], geometry[e].path);
+    asking.background(centre);
+    return asking.done();
 }
 
-SceneAir<std::vector<double>> widebandAir(const Environment& environment,
-                                          const std::vector<Entity>& entities,
-                                          const std::vector<ObjectGeometry>& geometry,
-                                          const RenderSettings& settings, const LineOfSight& centre,
-                                          const SensorCkData& ck) {
-    return ask(WidebandQuestions{environment, ck}, entities, geometry, settings, centre);
+SceneAir sceneAir(const Environment& environment, const std::vector<Entity>& entities,
+                  const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
+                  const LineOfSight& centre, const SpectralSampling& sampling) {
+    const auto answer = [&](const AirQuestion& question) {
+        return environment.answer(question, sampling);
+    };
+    return sceneAir(environment, entities, geometry, settings, centre,
+                    AirAnswers{sampling.size(), answer});
 }
 
-SceneAir<std::vector<double>> sampledAir(const SceneAir<Spectrum>& air,
-                                         const std::vector<double>& wavelengths_um) {
-    auto sample = [&](const Spectrum& spectrum) { return spectrum.sample(wavelengths_um); };
-    SceneAir<std::vector<double>> sampled{{}, sample(air.background), air.answeredBy, air.warnings};
-    for (const ObjectAir<Spectrum>& object : air.objects) {
-        ObjectAir<std::vector<double>> own{sample(object.transmittance),
-                                           sample(object.pathRadiance),
-                                           sample(object.solarIrradiance),
-                                           sample(object.upwardFlux),
-                                           sample(object.downwardFlux),
-                                           object.ambient_K,
-                                           {},
-                                           object.insideReference};
-        for (const auto& [name, transmittance] : object.toReference)
-            own.toReference.emplace(name, sample(transmittance));
-        sampled.objects.push_back(std::move(own));
-    }
-    return sampled;
+std::vector<const Spectrum*> NativeAir::spectra() const {
+    std::vector<const Spectrum*> all;
+    for (const auto& [key, answer] : answers_)
+        all.push_back(&answer.value);
+    return all;
+}
+
+AirAnswers NativeAir::unsampled() {
+    return {0, [this](const AirQuestion& question) {
+                return Answer<std::vector<double>>{{}, ask(question).answeredBy};
+            }};
+}
+
+AirAnswers NativeAir::at(const SpectralSampling& sampling) {
+    return {sampling.size(), [this, &sampling](const AirQuestion& question) {
+                const Answer<Spectrum>& own = ask(question);
+                return Answer<std::vector<double>>{sampling.sampled(own.value), own.answeredBy};
+            }};
+}
+
+const Answer<Spectrum>& NativeAir::ask(const AirQuestion& question) {
+    const AirKey key = environment_.keyOf(question, range_);
+    const auto found = answers_.find(key);
+    return found != answers_.end()
+               ? found->second
+               : answers_.emplace(key, environment_.spectrum(question, range_)).first->second;
 }
 
 } // namespace irsg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -17,39 +18,59 @@ struct ObjectGeometry {
     double aspectAngle_rad = 0.0; ///< nose axis to the direction reference point -> sensor
 };
 
-/// The air of one object. A value is a Spectrum on its own axis, or one number per node.
-template <typename Value>
+/// The air of one object, a value a node of the sampling.
 struct ObjectAir {
-    Value transmittance, pathRadiance, solarIrradiance, upwardFlux, downwardFlux;
+    std::vector<double> transmittance, pathRadiance, solarIrradiance, upwardFlux, downwardFlux;
     double ambient_K = 288.15;
     /// Transmittance to the reference distance of a user-defined spectrum, by its name.
-    std::map<std::string, Value> toReference;
+    std::map<std::string, std::vector<double>> toReference;
     std::set<std::string> insideReference; ///< names of spectra measured from farther away
 };
 
 /// All that a scene asks of its environment: once per object, and once for the background.
-template <typename Value>
 struct SceneAir {
-    std::vector<ObjectAir<Value>> objects;
-    Value background;
+    std::vector<ObjectAir> objects;
+    std::vector<double> background;
     std::vector<std::string> answeredBy; ///< "transmittance: vacuum", each once
     std::vector<std::string> warnings;   ///< each once
 };
 
-/// In the spectral mode, over a range. What the settings do not use is 0 and not asked for. Throws
-/// InputError where no atmosphere answers.
-SceneAir<Spectrum> spectralAir(const Environment& environment, const std::vector<Entity>& entities,
-                               const std::vector<ObjectGeometry>& geometry,
-                               const RenderSettings& settings, const LineOfSight& centre,
-                               const SpectralRange& range);
-/// In the wideband mode: one value per term.
-SceneAir<std::vector<double>> widebandAir(const Environment& environment,
-                                          const std::vector<Entity>& entities,
-                                          const std::vector<ObjectGeometry>& geometry,
-                                          const RenderSettings& settings, const LineOfSight& centre,
-                                          const SensorCkData& ck);
-/// Spectra sampled at ascending wavelengths.
-SceneAir<std::vector<double>> sampledAir(const SceneAir<Spectrum>& air,
-                                         const std::vector<double>& wavelengths_um);
+/// Who answers a scene: of a question a value at every node of a sampling, all of `nodes`.
+struct AirAnswers {
+    std::size_t nodes = 0;
+    std::function<Answer<std::vector<double>>(const AirQuestion&)> answer;
+};
+
+/// Asks for a scene. What the settings do not use is 0 and not asked for. Throws InputError where
+/// no atmosphere answers.
+SceneAir sceneAir(const Environment& environment, const std::vector<Entity>& entities,
+                  const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
+                  const LineOfSight& centre, const AirAnswers& answers);
+SceneAir sceneAir(const Environment& environment, const std::vector<Entity>& entities,
+                  const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
+                  const LineOfSight& centre, const SpectralSampling& sampling);
+
+/// The native spectra of an environment over a range, each computed once: first they say at which
+/// nodes products of them are to be sampled, then they are sampled there.
+class NativeAir {
+  public:
+    /// The environment must live as long.
+    NativeAir(const Environment& environment, const SpectralRange& range)
+        : environment_(environment), range_(range) {}
+
+    /// All that has been asked for.
+    std::vector<const Spectrum*> spectra() const;
+    /// Answers without a value, whose spectra are kept.
+    AirAnswers unsampled();
+    /// Answers at nodes of the same range.
+    AirAnswers at(const SpectralSampling& sampling);
+
+  private:
+    const Answer<Spectrum>& ask(const AirQuestion& question);
+
+    const Environment& environment_;
+    SpectralRange range_;
+    std::map<AirKey, Answer<Spectrum>> answers_;
+};
 
 } // namespace irsg

@@ -49,18 +49,9 @@ SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
     return input;
 }
 
-/// Every spectrum of a scene, for its kinks.
-std::vector<const Spectrum*> allSpectra(const SceneAir<Spectrum>& air,
-                                        const std::vector<SceneRadiometry::SurfaceKey>& keys,
-                                        const std::vector<Entity>& entities) {
-    std::vector<const Spectrum*> spectra{&air.background};
-    for (const ObjectAir<Spectrum>& object : air.objects) {
-        spectra.insert(spectra.end(),
-                       {&object.transmittance, &object.pathRadiance, &object.solarIrradiance,
-                        &object.upwardFlux, &object.downwardFlux});
-        for (const auto& [name, spectrum] : object.toReference)
-            spectra.push_back(&spectrum);
-    }
+/// Every spectrum of a scene's surfaces, for its kinks.
+void addSpectra(const std::vector<SceneRadiometry::SurfaceKey>& keys,
+                const std::vector<Entity>& entities, std::vector<const Spectrum*>& spectra) {
     for (const auto& [e, codes] : keys) {
         const Entity& entity = entities[static_cast<std::size_t>(e)];
         if (const Material* material = materialEntry(entity, codes.material)) {
@@ -74,42 +65,6 @@ std::vector<const Spectrum*> allSpectra(const SceneAir<Spectrum>& air,
     }
     std::ranges::sort(spectra);
     spectra.erase(std::ranges::unique(spectra).begin(), spectra.end());
-    return spectra;
-}
-
-/// A range around ascending wavelengths, wider by parts in 1e9 so that one wavelength has a range,
-/// too, but no wider than the atmospheres that answer there. Wavelengths that miss the end of such
-/// an atmosphere by rounding alone, as those do that come from wavenumbers, are put on it.
-SpectralRange fitIntoBases(std::vector<double>& wavelengths_um, const Environment& environment) {
-    constexpr double rounding = 1e-9;
-    const SpectralRange wide{wavelengths_um.front() * (1.0 - rounding),
-                             wavelengths_um.back() * (1.0 + rounding)};
-    const SpectralRange narrow{wavelengths_um.front() * (1.0 + rounding),
-                               wavelengths_um.back() * (1.0 - rounding)};
-    SpectralRange range = wide;
-    for (const AtmosphereProperty property : allAtmosphereProperties)
-        if (const Atmosphere* air = environment.find(narrow, property)) {
-            range.min_um = std::max(range.min_um, air->base().min_um);
-            range.max_um = std::min(range.max_um, air->base().max_um);
-        }
-    if (!(range.min_um < range.max_um))
-        return wide; // two atmospheres that have one wavelength in common
-    for (double& wavelength_um : wavelengths_um)
-        wavelength_um = std::clamp(wavelength_um, range.min_um, range.max_um);
-    return range;
-}
-
-/// Sum of term(0) to term(count - 1) in four strands, which do not wait for each other.
-template <typename Term>
-double sumOf(std::size_t count, Term term) {
-    double strands[4] = {0.0, 0.0, 0.0, 0.0};
-    std::size_t i = 0;
-    for (; i + 4 <= count; i += 4)
-        for (std::size_t strand = 0; strand < 4; ++strand)
-            strands[strand] += term(i + strand);
-    for (; i < count; ++i)
-        strands[0] += term(i);
-    return (strands[0] + strands[1]) + (strands[2] + strands[3]);
 }
 
 } // namespace
@@ -120,8 +75,9 @@ SceneRadiometry::SceneRadiometry(const Environment& environment,
                                  const RenderSettings& settings, const LineOfSight& centre,
                                  const Band& band)
     : keys_(surfaceKeys(entities)) {
-    const SceneAir<Spectrum> air =
-        spectralAir(environment, entities, geometry, settings, centre, band.range());
+    NativeAir native(environment, band.range());
+    const SceneAir air =
+        sceneAir(environment, entities, geometry, settings, centre, native.unsampled());
 
     // The coldest surface decides how fine the quadrature must be.
     double coldest_K = 300.0;
@@ -132,14 +88,14 @@ SceneRadiometry::SceneRadiometry(const Environment& environment,
         if (input.temperature->mode == EmissionMode::temperature)
             coldest_K = std::min(coldest_K, surfaceTemperature_K(input));
     }
-    const SpectralQuadrature quadrature(band, allSpectra(air, keys_, entities),
-                                        std::max(coldest_K, coldestThatMatters_K));
-    wavelengths_um_ = quadrature.wavelengths_um();
-    weights_um_ = quadrature.weights_um();
+    std::vector<const Spectrum*> kinked = native.spectra();
+    addSpectra(keys_, entities, kinked);
+    sampling_ = std::make_shared<const SpectralQuadrature>(
+        band, kinked, std::max(coldest_K, coldestThatMatters_K));
     fill(
-        entities, geometry, settings, sampledAir(air, wavelengths_um_),
-        [this](const Spectrum& spectrum) { return spectrum.sample(wavelengths_um_); },
-        band.area_um());
+        entities, geometry, settings,
+        sceneAir(environment, entities, geometry, settings, centre, native.at(*sampling_)),
+        [this](const Spectrum& spectrum) { return sampling_->sampled(spectrum); }, band.area_um());
 }
 
 SceneRadiometry::SceneRadiometry(const Environment& environment,
@@ -147,13 +103,10 @@ SceneRadiometry::SceneRadiometry(const Environment& environment,
                                  const std::vector<ObjectGeometry>& geometry,
                                  const RenderSettings& settings, const LineOfSight& centre,
                                  const WidebandTerms& terms)
-    : wavelengths_um_(terms.data().wavelengths_um()),
-      weights_um_(terms.data().weights_um()),
-      keys_(surfaceKeys(entities)),
-      answeredBy_{terms.description()} {
+    : sampling_(terms.sampling()), keys_(surfaceKeys(entities)), answeredBy_{terms.description()} {
     fill(
         entities, geometry, settings,
-        widebandAir(environment, entities, geometry, settings, centre, terms.data()),
+        sceneAir(environment, entities, geometry, settings, centre, *sampling_),
         [&terms](const Spectrum& spectrum) { return terms.sampled(spectrum); }, terms.area_um());
 }
 
@@ -162,39 +115,34 @@ SceneRadiometry::SceneRadiometry(const Environment& environment,
                                  const std::vector<ObjectGeometry>& geometry,
                                  const RenderSettings& settings, const LineOfSight& centre,
                                  std::vector<double> wavelengths_um)
-    : wavelengths_um_(std::move(wavelengths_um)),
-      weights_um_(wavelengths_um_.size(), 1.0),
+    : sampling_(std::make_shared<const SpectralPoints>(std::move(wavelengths_um))),
       keys_(surfaceKeys(entities)) {
-    if (wavelengths_um_.empty())
-        throw LogicError("a spectrum without wavelengths was asked for");
-    const SpectralRange range = fitIntoBases(wavelengths_um_, environment);
-    const SceneAir<Spectrum> air =
-        spectralAir(environment, entities, geometry, settings, centre, range);
     fill(
-        entities, geometry, settings, sampledAir(air, wavelengths_um_),
-        [this](const Spectrum& spectrum) { return spectrum.sample(wavelengths_um_); },
-        range.width_um());
+        entities, geometry, settings,
+        sceneAir(environment, entities, geometry, settings, centre, *sampling_),
+        [this](const Spectrum& spectrum) { return sampling_->sampled(spectrum); },
+        sampling_->range().width_um());
 }
 
 void SceneRadiometry::fill(const std::vector<Entity>& entities,
                            const std::vector<ObjectGeometry>& geometry,
-                           const RenderSettings& settings, SceneAir<std::vector<double>> air,
+                           const RenderSettings& settings, SceneAir air,
                            const SpectrumSampler& sample, double bandArea_um) {
     background_ =
         settings.background == BackgroundMode::constant
-            ? std::vector<double>(wavelengths_um_.size(), settings.background_W_m2_sr / bandArea_um)
+            ? std::vector<double>(sampling_->size(), settings.background_W_m2_sr / bandArea_um)
             : std::move(air.background);
     std::ranges::move(air.answeredBy, std::back_inserter(answeredBy_));
     warnings_ = std::move(air.warnings);
 
-    for (ObjectAir<std::vector<double>>& object : air.objects)
+    for (ObjectAir& object : air.objects)
         air_.push_back({std::move(object.transmittance), std::move(object.pathRadiance),
                         std::move(object.solarIrradiance), std::move(object.upwardFlux),
                         std::move(object.downwardFlux)});
 
     for (const auto& [e, codes] : keys_) {
         const auto index = static_cast<std::size_t>(e);
-        const ObjectAir<std::vector<double>>& object = air.objects[index];
+        const ObjectAir& object = air.objects[index];
         SurfaceInput input =
             surfaceInput(entities[index], codes, geometry[index], object.ambient_K);
         if (input.userSpectrum) {
@@ -204,7 +152,7 @@ void SceneRadiometry::fill(const std::vector<Entity>& entities,
                 input.referenceTransmittance = reference->second;
             input.insideReference = object.insideReference.contains(name);
         }
-        surfaces_.push_back(apparentRadiance(input, air_[index], wavelengths_um_, sample));
+        surfaces_.push_back(apparentRadiance(input, air_[index], wavelengths_um(), sample));
         transmissivities_.emplace(std::pair(e, codes.material), surfaces_.back().transmissivity);
     }
     fillScalarTransmissivities();
@@ -221,15 +169,6 @@ const std::vector<double>& SceneRadiometry::transmissivity(int entity, int mater
     return transmissivities_.at({entity, material});
 }
 
-double SceneRadiometry::integrate(const std::vector<double>& values) const {
-    return sumOf(values.size(), [&](std::size_t i) { return weights_um_[i] * values[i]; });
-}
-
-double SceneRadiometry::integrate(const std::vector<double>& a,
-                                  const std::vector<double>& b) const {
-    return sumOf(a.size(), [&](std::size_t i) { return weights_um_[i] * a[i] * b[i]; });
-}
-
 double SceneRadiometry::scalarTransmissivity(int row) const {
     const auto& [entity, codes] = keys_[static_cast<std::size_t>(row)];
     return scalarTransmissivityOf(entity, codes.material);
@@ -241,9 +180,7 @@ double SceneRadiometry::scalarTransmissivityOf(int entity, int material) const {
 
 void SceneRadiometry::fillScalarTransmissivities() {
     const double background = backgroundInBand_W_m2_sr();
-    double area_um = 0.0;
-    for (double weight : weights_um_)
-        area_um += weight;
+    const double area_um = sampling_->area_um();
     for (const auto& [place, t] : transmissivities_)
         scalarTransmissivities_[place] =
             background > 0.0 ? integrate(t, background_) / background : integrate(t) / area_um;
@@ -251,7 +188,7 @@ void SceneRadiometry::fillScalarTransmissivities() {
 
 double SceneRadiometry::transmissivityResidue() const {
     double worst = 0.0;
-    std::vector<double> leaving(wavelengths_um_.size());
+    std::vector<double> leaving(sampling_->size());
     const auto transparent = [](const auto& kept) { return std::ranges::max(kept.second) > 0.0; };
     if (std::ranges::none_of(transmissivities_, transparent))
         return 0.0;

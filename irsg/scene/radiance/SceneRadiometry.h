@@ -1,11 +1,13 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "irsg/radiometry/Band.h"
+#include "irsg/radiometry/SpectralSampling.h"
 #include "irsg/scene/radiance/ApparentRadiance.h"
 #include "irsg/scene/radiance/SceneAir.h"
 
@@ -37,8 +39,9 @@ class SceneRadiometry {
     const std::vector<SurfaceSpectra>& surfaces() const { return surfaces_; }
     int row(int entity, const IrCodes& codes) const;
 
-    const std::vector<double>& wavelengths_um() const { return wavelengths_um_; }
-    const std::vector<double>& weights_um() const { return weights_um_; }
+    const SpectralSampling& sampling() const { return *sampling_; }
+    const std::vector<double>& wavelengths_um() const { return sampling_->wavelengths_um(); }
+    const std::vector<double>& weights_um() const { return sampling_->weights_um(); }
     const std::vector<double>& background() const { return background_; }
     /// The air between an entity and the sensor.
     const AirSamples& air(int entity) const { return air_.at(static_cast<std::size_t>(entity)); }
@@ -46,8 +49,12 @@ class SceneRadiometry {
     const std::vector<double>& transmissivity(int entity, int material) const;
 
     /// Sum of weight times value.
-    double integrate(const std::vector<double>& values) const;
-    double integrate(const std::vector<double>& a, const std::vector<double>& b) const;
+    double integrate(const std::vector<double>& values) const {
+        return sampling_->integrate(values);
+    }
+    double integrate(const std::vector<double>& a, const std::vector<double>& b) const {
+        return sampling_->integrate(a, b);
+    }
     double backgroundInBand_W_m2_sr() const { return integrate(background_); }
     /// Transmissivity of a row as one number, weighted with the background's radiance, or with the
     /// response alone where there is none.
@@ -61,12 +68,13 @@ class SceneRadiometry {
 
   private:
     void fill(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
-              const RenderSettings& settings, SceneAir<std::vector<double>> air,
-              const SpectrumSampler& sample, double bandArea_um);
+              const RenderSettings& settings, SceneAir air, const SpectrumSampler& sample,
+              double bandArea_um);
 
     void fillScalarTransmissivities();
 
-    std::vector<double> wavelengths_um_, weights_um_, background_;
+    std::shared_ptr<const SpectralSampling> sampling_;
+    std::vector<double> background_;
     std::vector<SurfaceKey> keys_;
     std::vector<SurfaceSpectra> surfaces_;
     std::vector<AirSamples> air_; // by entity

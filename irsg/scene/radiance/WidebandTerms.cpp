@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <numeric>
 
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
@@ -67,6 +66,10 @@ bool WidebandTerms::areOf(const Environment& environment, const Band& band,
            spectra_ == spectra;
 }
 
+std::shared_ptr<const SpectralSampling> WidebandTerms::sampling() const {
+    return data_;
+}
+
 std::vector<double> WidebandTerms::sampled(const Spectrum& spectrum) const {
     if (spectrum.isConstant())
         return std::vector<double>(data_->size(), spectrum.values().front());
@@ -78,8 +81,7 @@ std::vector<double> WidebandTerms::sampled(const Spectrum& spectrum) const {
 }
 
 double WidebandTerms::area_um() const {
-    const std::vector<double>& weights_um = data_->weights_um();
-    return std::accumulate(weights_um.begin(), weights_um.end(), 0.0);
+    return data_->area_um();
 }
 
 std::string WidebandTerms::description() const {

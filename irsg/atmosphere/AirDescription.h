@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace irsg {
+
+struct AirFact;
+/// Named facts in the order in which they are told.
+using AirFacts = std::vector<AirFact>;
+struct AirFactValue;
+/// Facts without names.
+using AirFactList = std::vector<AirFactValue>;
+
+/// A value: a number, text, named facts below it, or a list.
+struct AirFactValue {
+    std::variant<bool, std::int64_t, double, std::string, AirFacts, AirFactList> value;
+};
+
+/// A named value; the name ends in the unit of a number that has one: "air_temperature_K".
+struct AirFact {
+    std::string name;
+    AirFactValue value;
+};
+
+/// What an atmosphere tells of itself beyond its name, base and quantities: lines for a reader, and
+/// the same as facts for a program. Lines that belong to the line before are indented by two
+/// blanks.
+struct AirDescription {
+    std::vector<std::string> lines;
+    AirFacts facts;
+};
+
+/// As std::snprintf: "%g m".
+[[gnu::format(printf, 1, 2)]] std::string lineOf(const char* format, ...);
+/// "1 run", "3 runs".
+std::string counted(std::size_t count, const std::string& noun);
+
+} // namespace irsg

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <compare>
+
+namespace irsg {
+
+/// What a scene may ask of the air. A scene never sees a gas.
+enum class AtmosphereProperty {
+    transmittance,
+    pathRadiance,
+    backgroundRadiance,
+    solarIrradiance,
+    upwardFlux,
+    downwardFlux,
+    ambientTemperature,
+    scatteringOpticalDepth
+};
+inline constexpr AtmosphereProperty allAtmosphereProperties[] = {
+    AtmosphereProperty::transmittance,      AtmosphereProperty::pathRadiance,
+    AtmosphereProperty::backgroundRadiance, AtmosphereProperty::solarIrradiance,
+    AtmosphereProperty::upwardFlux,         AtmosphereProperty::downwardFlux,
+    AtmosphereProperty::ambientTemperature, AtmosphereProperty::scatteringOpticalDepth};
+/// "path radiance".
+const char* name(AtmosphereProperty property);
+
+/// The geometry that a quantity has: a finite path, an unbounded line of sight, or an altitude.
+enum class AirPlace { path, sight, altitude };
+AirPlace placeOf(AtmosphereProperty property);
+/// True for what the sun has a part in.
+bool hasSun(AtmosphereProperty property);
+
+/// A finite path from a sensor to a target. Scene geometry is flat; altitudes and range fix the
+/// spherical path, the azimuth where the sun stands beside it. Altitudes are above the ground, >=
+/// 0.
+struct AirPath {
+    double sensorAltitude_m = 0.0;
+    double targetAltitude_m = 0.0;
+    double range_m = 0.0;
+    double azimuth_rad = 0.0; ///< of the view from sensor to target, east of north
+};
+
+/// An unbounded line of sight: to space, or to the ground where it meets it.
+struct LineOfSight {
+    double sensorAltitude_m = 0.0;
+    double elevation_rad = 0.0; ///< above the local horizontal, up positive
+    double azimuth_rad = 0.0;   ///< east of north
+};
+
+/// Where the sun stands.
+struct SunPosition {
+    double azimuth_rad = 0.0;      ///< east of north, 0 to 2 pi
+    double elevation_rad = 0.7854; ///< -pi/2 to pi/2
+
+    bool isUp() const { return elevation_rad > 0.0; }
+};
+
+/// A question as far as its answer depends on it: a key of a cache. Equal keys have equal answers
+/// of the same atmosphere at the same sampling.
+struct AirKey {
+    AtmosphereProperty quantity = AtmosphereProperty::transmittance;
+    /// Sensor altitude, target altitude, range, elevation, azimuth from the sun, sun elevation; 0
+    /// where the quantity has no such number.
+    std::array<double, 6> numbers{};
+    auto operator<=>(const AirKey&) const = default;
+};
+
+/// One quantity of the air at one geometry under one sun. Of the three places only that of the
+/// quantity counts, and the sun only where it has a part.
+struct AirQuestion {
+    AtmosphereProperty quantity = AtmosphereProperty::transmittance;
+    AirPath path = {};
+    LineOfSight sight = {};
+    double altitude_m = 0.0;
+    SunPosition sun = {};
+
+    static AirQuestion transmittance(const AirPath& path);
+    static AirQuestion pathRadiance(const AirPath& path, const SunPosition& sun);
+    static AirQuestion backgroundRadiance(const LineOfSight& sight, const SunPosition& sun);
+    static AirQuestion solarIrradiance(double altitude_m, const SunPosition& sun);
+    static AirQuestion upwardFlux(double altitude_m, const SunPosition& sun);
+    static AirQuestion downwardFlux(double altitude_m, const SunPosition& sun);
+    static AirQuestion scatteringOpticalDepth(const AirPath& path);
+
+    /// Azimuth between the view and the sun, 0 to pi: the air is the same all around, and left and
+    /// right of the sun are alike. 0 for what has no direction.
+    double azimuthFromSun_rad() const;
+    /// `byAzimuth`: whether the answer depends on that angle; see Atmosphere::answersByAzimuth.
+    AirKey key(bool byAzimuth) const;
+};
+
+} // namespace irsg

@@ -1,0 +1,113 @@
+#include <algorithm>
+
+#include "irsg/atmosphere/TabulatedAtmosphere.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+/// Steps between neighbouring wavenumbers.
+std::pair<double, double> steps_cm(const std::vector<double>& wavenumbers_cm) {
+    double least = wavenumbers_cm[1] - wavenumbers_cm[0];
+    double most = least;
+    for (std::size_t i = 2; i < wavenumbers_cm.size(); ++i) {
+        least = std::min(least, wavenumbers_cm[i] - wavenumbers_cm[i - 1]);
+        most = std::max(most, wavenumbers_cm[i] - wavenumbers_cm[i - 1]);
+    }
+    return {least, most};
+}
+
+AirFactList listOf(const std::vector<std::string>& texts) {
+    AirFactList list;
+    for (const std::string& text : texts) {
+        list.push_back({text});
+    }
+    return list;
+}
+
+std::int64_t numberOf(std::size_t count) {
+    return static_cast<std::int64_t>(count);
+}
+
+std::string lineOf(const SpectralRun& run) {
+    return irsg::lineOf("  %s: %s, sensor %g m, target %g m, range %.7g m, elevation %.4g deg",
+                        run.source.c_str(), name(run.kind), run.geometry.sensorAltitude_m,
+                        run.geometry.targetAltitude_m, run.geometry.range_m,
+                        degrees(run.geometry.elevation_rad));
+}
+
+AirFacts factsOf(const SpectralRun& run) {
+    AirFacts cards;
+    for (const auto& [card, value] : run.cards) {
+        cards.push_back({card, {value}});
+    }
+    return {{"source", {run.source}},
+            {"kind", {std::string(name(run.kind))}},
+            {"sensor_altitude_m", {run.geometry.sensorAltitude_m}},
+            {"target_altitude_m", {run.geometry.targetAltitude_m}},
+            {"range_m", {run.geometry.range_m}},
+            {"elevation_rad", {run.geometry.elevation_rad}},
+            {"cards", {std::move(cards)}}};
+}
+
+std::string lineOf(const InterpolationError& error) {
+    const std::string what = "  " + error.quantity + " over " + error.axis;
+    return error.isKnown()
+               ? irsg::lineOf("%s: worst %.2g, rms %.2g (%s)", what.c_str(), error.worst, error.rms,
+                              counted(error.nodes, "node").c_str())
+               : what + ": not known, no run lies between two others";
+}
+
+AirFacts factsOf(const InterpolationError& error) {
+    AirFacts facts = {
+        {"quantity", {error.quantity}}, {"axis", {error.axis}}, {"nodes", {numberOf(error.nodes)}}};
+    if (error.isKnown()) {
+        facts.push_back({"worst", {error.worst}});
+        facts.push_back({"rms", {error.rms}});
+    }
+    return facts;
+}
+
+} // namespace
+
+AirDescription TabulatedAtmosphere::describe() const {
+    const std::vector<double>& wavenumbers_cm = runs_.front().wavenumbers_cm;
+    const auto [least, most] = steps_cm(wavenumbers_cm);
+    const std::vector<InterpolationError> errors = interpolationErrors();
+    AirFactList runs, errorList;
+
+    std::vector<std::string> lines;
+    lines.push_back(counted(wavenumbers_cm.size(), "wavenumber") +
+                    irsg::lineOf(", %g to %g cm-1, steps of %.4g", wavenumbers_cm.front(),
+                                 wavenumbers_cm.back(), least) +
+                    (most - least < 1e-6 ? " cm-1" : irsg::lineOf(" to %.4g cm-1", most)));
+    std::ranges::copy(spans(), std::back_inserter(lines));
+    lines.push_back(counted(runs_.size(), "run"));
+    for (const SpectralRun& run : runs_) {
+        lines.push_back(lineOf(run));
+        runs.push_back({factsOf(run)});
+    }
+    lines.emplace_back("error of each node predicted from its neighbours (absolute for "
+                       "transmittance, else of the largest value)");
+    for (const InterpolationError& error : errors) {
+        lines.push_back(lineOf(error));
+        errorList.push_back({factsOf(error)});
+    }
+    for (const std::string& warning : warnings()) {
+        lines.push_back("warning: " + warning);
+    }
+
+    AirFacts facts = {{"wavenumbers", {numberOf(wavenumbers_cm.size())}},
+                      {"first_cm-1", {wavenumbers_cm.front()}},
+                      {"last_cm-1", {wavenumbers_cm.back()}},
+                      {"least_step_cm-1", {least}},
+                      {"largest_step_cm-1", {most}},
+                      {"runs", {std::move(runs)}},
+                      {"spans", {listOf(spans())}},
+                      {"interpolation_errors", {std::move(errorList)}},
+                      {"warnings", {listOf(warnings())}}};
+    return {std::move(lines), {{"table", {std::move(facts)}}}};
+}
+
+} // namespace irsg
