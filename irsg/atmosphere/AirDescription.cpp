@@ -1,20 +1,28 @@
 #include "irsg/atmosphere/AirDescription.h"
 
-#include <cstdarg>
-#include <cstdio>
+#include <array>
+#include <charconv>
 
 namespace irsg {
 
-std::string lineOf(const char* format, ...) {
-    std::va_list arguments, again;
-    va_start(arguments, format);
-    va_copy(again, arguments);
-    const int length = std::vsnprintf(nullptr, 0, format, arguments);
-    va_end(arguments);
-    std::string line(length > 0 ? static_cast<std::size_t>(length) : 0, ' ');
-    std::vsnprintf(line.data(), line.size() + 1, format, again);
-    va_end(again);
-    return line;
+namespace {
+
+/// In no language: with a decimal point everywhere.
+std::string textOf(double value, std::chars_format format, int precision) {
+    std::array<char, 400> text; // the largest double has 309 digits
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, format, precision).ptr;
+    return {text.data(), end};
+}
+
+} // namespace
+
+std::string general(double value, int digits) {
+    return textOf(value, std::chars_format::general, digits);
+}
+
+std::string fixed(double value, int decimals) {
+    return textOf(value, std::chars_format::fixed, decimals);
 }
 
 std::string counted(std::size_t count, const std::string& noun) {

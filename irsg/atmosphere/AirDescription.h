@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -33,8 +34,10 @@ struct AirDescription {
     AirFacts facts;
 };
 
-/// As std::snprintf: "%g m".
-[[gnu::format(printf, 1, 2)]] std::string lineOf(const char* format, ...);
+/// A number with so many significant digits: "0.05", "1e+07".
+std::string general(double value, int digits = 6);
+/// A number with so many decimals: "294.20".
+std::string fixed(double value, int decimals);
 /// "1 run", "3 runs".
 std::string counted(std::size_t count, const std::string& noun);
 

@@ -189,8 +189,8 @@ double BeerLambert::ambientTemperature_K(double altitude_m) const {
 }
 
 AirDescription BeerLambert::describe() const {
-    return {{lineOf("homogeneous air of %g K over ground of %g K", parameters_.airTemperature_K,
-                    parameters_.groundTemperature_K)},
+    return {{"homogeneous air of " + general(parameters_.airTemperature_K) + " K over ground of " +
+             general(parameters_.groundTemperature_K) + " K"},
             {{"air_temperature_K", {parameters_.airTemperature_K}},
              {"ground_temperature_K", {parameters_.groundTemperature_K}}}};
 }

@@ -13,7 +13,8 @@ namespace {
 constexpr const char* byDefault = "default";
 
 std::string textOf(const SpectralRange& range) {
-    return numberText(range.min_um) + "-" + numberText(range.max_um) + " um";
+    // Eight digits: a range may be widened by parts in 1e9.
+    return general(range.min_um, 8) + "-" + general(range.max_um, 8) + " um";
 }
 
 std::string refusalOf(const Atmosphere& atmosphere, AtmosphereProperty property) {

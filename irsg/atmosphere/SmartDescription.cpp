@@ -14,9 +14,10 @@ struct ParameterLine {
 
     /// "* Visibility                  23000 m  (default 0)"
     std::string text() const {
-        const std::string parameterName(parameter->name), unit(parameter->unit);
-        std::string line = lineOf("%s %-26s  %s", differs() ? "*" : " ", parameterName.c_str(),
-                                  value.empty() ? "none" : value.c_str());
+        const std::string unit(parameter->unit);
+        std::string line = (differs() ? "* " : "  ") + std::string(parameter->name);
+        line.resize(std::max<std::size_t>(line.size(), 28), ' ');
+        line += "  " + (value.empty() ? "none" : value);
         if (!unit.empty())
             line += " " + unit;
         if (differs())
@@ -54,10 +55,11 @@ AirDescription AtmosphereSmart::describe() const {
 
     std::vector<std::string> lines;
     lines.push_back("air of " + profile.name() + ": " + counted(profile.levels().size(), "level") +
-                    lineOf(" up to %g km", 1e-3 * profile.top_m()));
-    lines.push_back(lineOf(
-        "at the ground %.2f K, %.1f hPa, relative humidity %.0f %%, CO2 %.4g ppmv",
-        ground.temperature_K, ground.pressure_hPa, 100.0 * relativeHumidity(ground), co2_ppmv));
+                    " up to " + general(1e-3 * profile.top_m()) + " km");
+    lines.push_back("at the ground " + fixed(ground.temperature_K, 2) + " K, " +
+                    fixed(ground.pressure_hPa, 1) + " hPa, relative humidity " +
+                    fixed(100.0 * relativeHumidity(ground), 0) + " %, CO2 " + general(co2_ppmv, 4) +
+                    " ppmv");
     lines.push_back(
         counted(own.size(), "parameter") + ", " +
         (changed == 0 ? "all as by default" : std::to_string(changed) + " not as by default (*)"));

@@ -248,7 +248,8 @@ AirDescription SpectraAtmosphere::describe() const {
     AirDescription told{{"known for one geometry"}, {}};
     AirFacts facts;
     for (const Number& number : numbers) {
-        told.lines.push_back(lineOf("  %s %.7g %s", number.words, number.value, number.unit));
+        told.lines.push_back("  " + std::string(number.words) + " " + general(number.value, 7) +
+                             " " + number.unit);
         std::string key = std::string(number.words) + "_" + number.unit;
         std::ranges::replace(key, ' ', '_');
         facts.push_back({std::move(key), {number.value}});

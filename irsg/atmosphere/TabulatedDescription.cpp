@@ -31,10 +31,11 @@ std::int64_t numberOf(std::size_t count) {
 }
 
 std::string lineOf(const SpectralRun& run) {
-    return irsg::lineOf("  %s: %s, sensor %g m, target %g m, range %.7g m, elevation %.4g deg",
-                        run.source.c_str(), name(run.kind), run.geometry.sensorAltitude_m,
-                        run.geometry.targetAltitude_m, run.geometry.range_m,
-                        degrees(run.geometry.elevation_rad));
+    const RunGeometry& geometry = run.geometry;
+    return "  " + run.source + ": " + name(run.kind) + ", sensor " +
+           general(geometry.sensorAltitude_m) + " m, target " + general(geometry.targetAltitude_m) +
+           " m, range " + general(geometry.range_m, 7) + " m, elevation " +
+           general(degrees(geometry.elevation_rad), 4) + " deg";
 }
 
 AirFacts factsOf(const SpectralRun& run) {
@@ -54,8 +55,8 @@ AirFacts factsOf(const SpectralRun& run) {
 std::string lineOf(const InterpolationError& error) {
     const std::string what = "  " + error.quantity + " over " + error.axis;
     return error.isKnown()
-               ? irsg::lineOf("%s: worst %.2g, rms %.2g (%s)", what.c_str(), error.worst, error.rms,
-                              counted(error.nodes, "node").c_str())
+               ? what + ": worst " + general(error.worst, 2) + ", rms " + general(error.rms, 2) +
+                     " (" + std::to_string(error.nodes) + " nodes)"
                : what + ": not known, no run lies between two others";
 }
 
@@ -78,10 +79,10 @@ AirDescription TabulatedAtmosphere::describe() const {
     AirFactList runs, errorList;
 
     std::vector<std::string> lines;
-    lines.push_back(counted(wavenumbers_cm.size(), "wavenumber") +
-                    irsg::lineOf(", %g to %g cm-1, steps of %.4g", wavenumbers_cm.front(),
-                                 wavenumbers_cm.back(), least) +
-                    (most - least < 1e-6 ? " cm-1" : irsg::lineOf(" to %.4g cm-1", most)));
+    lines.push_back(counted(wavenumbers_cm.size(), "wavenumber") + ", " +
+                    general(wavenumbers_cm.front()) + " to " + general(wavenumbers_cm.back()) +
+                    " cm-1, steps of " + general(least, 4) +
+                    (most - least < 1e-6 ? "" : " to " + general(most, 4)) + " cm-1");
     std::ranges::copy(spans(), std::back_inserter(lines));
     lines.push_back(counted(runs_.size(), "run"));
     for (const SpectralRun& run : runs_) {

@@ -146,7 +146,8 @@ TEST_P(EveryAtmosphere, AnswersAtTheVeryEndsOfItsBaseButNotBeyond) {
         const Spectrum native = air->spectrum(question, base);
         for (const double end_um : {base.min_um, base.max_um}) {
             const std::vector<double> values = air->answer(question, SpectralPoints({end_um}));
-            EXPECT_NEAR(values.at(0), native.at(end_um), 1e-5 * std::abs(native.at(end_um)));
+            // Air with bins has the mean of a bin where it is asked for one wavelength.
+            EXPECT_NEAR(values.at(0), native.at(end_um), 1e-3 * std::abs(native.at(end_um)));
         }
         const std::vector<double> ends =
             air->answer(question, SpectralPoints({base.min_um, base.max_um}));
