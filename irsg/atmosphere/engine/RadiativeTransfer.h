@@ -42,8 +42,8 @@ struct NodeSet {
 /// In single mode what is scattered into a path of heat is as if all around were as warm as the air
 /// there: air then radiates with all of its extinction (as MODTRAN without multiple scattering).
 /// Fluxes, and the light that the ground reflects, are those of the two-stream solution in both
-/// modes. The sun has the same elevation all along a path, and a path without an azimuth sees the
-/// mean of its scattered light over all azimuths.
+/// modes. The sun has the same elevation all along a path, and a finite path sees the mean of its
+/// scattered light over all azimuths, whatever its own.
 ///
 /// Extinction at a node and level is computed when first asked and kept, so a path costs what it
 /// touches. Const members may be called from several threads.
