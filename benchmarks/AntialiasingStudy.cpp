@@ -15,12 +15,14 @@ int main(int argc, char** argv) {
     using namespace irsg::study;
     const irsg::bench::Sections<Options> sections = {
         {"errors", measureErrors}, {"angles", measureAngles}, {"times", measureTimes},
-        {"ranges", measureRanges}, {"parts", measureParts},   {"profile", profile}};
+        {"ranges", measureRanges}, {"parts", measureParts},   {"spots", measureSpots},
+        {"noses", measureNoses},   {"polar", measurePolar},   {"profile", profile}};
 
     CLI::App app{"Measures how true and how fast every antialiasing mode is."};
     Options options;
     std::vector<std::string> wanted;
-    app.add_option("sections", wanted, "errors, angles, times, ranges, parts, profile; none: all")
+    app.add_option("sections", wanted,
+                   "errors, angles, times, ranges, parts, spots, noses, polar, profile; none: all")
         ->check(CLI::IsMember(irsg::bench::namesOf(sections)));
     app.add_option("--out", options.folder, "folder for the results as CSV")
         ->required()

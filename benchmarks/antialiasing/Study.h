@@ -45,6 +45,13 @@ void measureRanges(const Options& options);
 /// comes from its exhaust pipes, over range, with and without windows for hot parts. Prints error
 /// and time.
 void measureParts(const Options& options);
+/// Error of the intensity of a cold wall with 1 to 200 hot spots at 2 to 40 km, to the standard
+/// output, and from behind.
+void measureSpots(const Options& options);
+/// The same of long thin boxes seen from their edge.
+void measureNoses(const Options& options);
+/// The same of the four-engined aircraft seen from all around, against windows of 2048.
+void measurePolar(const Options& options);
 /// Stages of a frame by body, method and size, to the standard output.
 void profile(const Options& options);
 

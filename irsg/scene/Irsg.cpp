@@ -7,6 +7,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/IrsgParts.h"
+#include "irsg/scene/model/DrawPieces.h"
 #include "irsg/scene/radiance/FactorTable.h"
 #include "irsg/scene/sampling/FrameReduction.h"
 
@@ -72,6 +73,7 @@ void Irsg::setEntities(std::vector<Entity> entities) {
         parts_->balls.push_back(boundingBall(parts_->drawItems.back(), model.bounds()));
         parts_->longEdges.push_back(
             longEdges(parts_->drawItems.back(), parts_->balls.back().radius_m));
+        parts_->drawItems.back() = inDrawPieces(parts_->drawItems.back());
         parts_->prepareEntity(e);
     }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include <osg/GLObjects>
 #include <osg/RenderInfo>
@@ -91,7 +92,7 @@ Irsg::Parts::Frame Irsg::Parts::frame(CalculationMode mode) {
     const std::vector<ObjectGeometry> objects = geometry();
     checkScene(entities, objects, environment, sensor, settings);
     const WidebandTerms* wideband = mode == CalculationMode::wideband ? &terms() : nullptr;
-    return timed("radiometry", [&] {
+    Frame result = timed("radiometry", [&] {
         Frame result{CameraFrame(sensor, viewpoint),
                      objects,
                      radiometry(objects, wideband),
@@ -108,6 +109,8 @@ Irsg::Parts::Frame Irsg::Parts::frame(CalculationMode mode) {
         planPoints(result);
         return result;
     });
+    findDetails(result);
+    return result;
 }
 
 SceneRadiometry Irsg::Parts::radiometry(const std::vector<ObjectGeometry>& objects,
@@ -189,7 +192,38 @@ std::vector<ImageRectangle> Irsg::Parts::detailsOf(const Frame& frame, const Cam
         if (const auto& [e, codes] = frame.radiometry.keys()[row];
             frame.hot[row] && e == static_cast<int>(entity))
             hot.push_back(codes);
-    return hotParts[entity].seenBy(camera, entities[entity].pose, drawItems[entity], hot);
+    std::vector<HotPart> parts =
+        hotParts[entity].seenBy(camera, entities[entity].pose, drawItems[entity], hot);
+    std::vector<ImageRectangle> details;
+    if (parts.empty())
+        return details;
+    onContext([&](osg::RenderInfo& info) {
+        FactorSamples samples;
+        const SampleWindow probe = probeOf(parts, static_cast<int>(entity));
+        SurfaceScene scene = sceneOf(frame, camera, probe);
+        std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
+        scene.occluders.clear();
+        pass->drawFactors(info, scene, probe, true, samples);
+        for (const HotPart& part : parts)
+            if (!isHidden(part, probe, samples))
+                details.push_back(part.extent);
+    });
+    return details;
+}
+
+void Irsg::Parts::findDetails(Frame& frame) {
+    if (std::ranges::find(frame.hot, true) == frame.hot.end())
+        return;
+    const std::vector<double> view = fingerprint(frame);
+    for (std::vector<ZoomEntityInfo>* objects : {&frame.seen, &frame.drawn})
+        for (ZoomEntityInfo& object : *objects) {
+            const auto e = static_cast<std::size_t>(object.entity);
+            const bool isPoint = std::ranges::find(frame.points, object.entity,
+                                                   &ZoomEntityInfo::entity) != frame.points.end();
+            if (!isPoint || settings.truthLayers)
+                object.details =
+                    hotParts[e].details(view, [&] { return detailsOf(frame, frame.camera, e); });
+        }
 }
 
 std::vector<ImageEdge> Irsg::Parts::edgesOf(const CameraFrame& camera, std::size_t entity) const {
@@ -218,7 +252,6 @@ void Irsg::Parts::fillItems(Frame& frame) {
         if (!seen)
             continue;
         frame.seen.push_back(*seen);
-        frame.seen.back().details = detailsOf(frame, frame.camera, e);
         frame.seen.back().edges = edgesOf(frame.camera, e);
 
         for (const DrawItem& item : drawItems[e]) {
@@ -248,11 +281,15 @@ SurfaceScene Irsg::Parts::sceneOf(const Frame& frame, const CameraFrame& camera,
     scene.maximumLayers = frame.scene.maximumLayers;
     if (background.terrain() && settings.terrainHides)
         scene.occluders = background.terrain()->occluders(camera);
+    std::optional<osg::Matrixd> eyeFromModel;
+    int last = -1; // items of an entity follow one another
     for (const SurfaceItem& item : frame.scene.items)
         if (stands(item.entity)) {
+            if (std::exchange(last, item.entity) != item.entity || !eyeFromModel)
+                eyeFromModel =
+                    camera.eyeFromModel(entities[static_cast<std::size_t>(item.entity)].pose);
             scene.items.push_back(item);
-            const Pose& pose = entities[static_cast<std::size_t>(item.entity)].pose;
-            scene.items.back().eyeFromLocal = item.eyeFromLocal * camera.eyeFromModel(pose);
+            scene.items.back().eyeFromLocal = item.eyeFromLocal * *eyeFromModel;
         }
 
     bool isFirst = true;

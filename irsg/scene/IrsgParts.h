@@ -137,7 +137,9 @@ struct Irsg::Parts {
 
     void fillItems(Frame& frame);
 
-    /// Where a camera sees the hot parts of an entity.
+    /// Gives the objects that are drawn into windows their details.
+    void findDetails(Frame& frame);
+    /// Where a camera sees the hot parts of an entity that are not hidden by the entity itself.
     std::vector<ImageRectangle> detailsOf(const Frame& frame, const CameraFrame& camera,
                                           std::size_t entity);
     /// Where a camera sees the long edges of an entity; those that reach behind it are left out.

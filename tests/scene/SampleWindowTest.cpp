@@ -148,6 +148,73 @@ TEST(PixelAlignedStrategy, SpendsEqualSamplesHoweverPixelsDivideItsSize) {
     }
 }
 
+TEST(PixelAlignedStrategy, SpendsItsSamplesWhateverTheShape) {
+    // As long as no pixel needs more than two samples an axis, and no drawing more than 2048.
+    for (const int size : {128, 256, 512})
+        for (double long_px = 0.02; long_px < 0.35 * size; long_px *= 1.13)
+            for (const double slimness : {1.0, 2.0, 5.3, 21.0, 86.0, 300.0})
+                for (const bool upright : {false, true}) {
+                    const double short_px = long_px / slimness;
+                    const auto windows = PixelAlignedStrategy(size).windows(
+                        {upright ? object(0, 10.3, 10.7, short_px, long_px)
+                                 : object(0, 10.3, 10.7, long_px, short_px)});
+                    double counted = 0.0, drawn = 0.0;
+                    for (const SampleWindow& window : windows) {
+                        counted += window.rectangle().width() * window.rectangle().height() /
+                                   window.share();
+                        drawn += static_cast<double>(window.width()) * window.height();
+                        EXPECT_LE(window.pieces(2048).size(), 1u)
+                            << size << ": " << long_px << " by " << short_px << upright;
+                    }
+                    const double budget = static_cast<double>(size) * size;
+                    EXPECT_GE(counted, 0.8 * budget)
+                        << size << ": " << long_px << " by " << short_px << upright;
+                    EXPECT_LE(drawn, 1.2 * budget)
+                        << size << ": " << long_px << " by " << short_px << upright;
+                }
+}
+
+TEST(PixelAlignedStrategy, SpendsItsSamplesSmoothlyAsAnExtentGrows) {
+    // The samples that fall to an object 86 pixels long, as it becomes thicker by parts of a pixel.
+    double before = 0.0;
+    for (double short_px = 2.0; short_px < 12.0; short_px += 0.05) {
+        const auto windows =
+            PixelAlignedStrategy(256).windows({object(0, 10.3, 10.7, 86.0, short_px)});
+        double on = 0.0;
+        for (const SampleWindow& window : windows)
+            on += window.rectangle().intersectedWith({10.3, 10.7, 96.3, 10.7 + short_px}).height() *
+                  86.0 / window.share();
+        if (before > 0.0) {
+            EXPECT_NEAR(on / before, 1.0, 0.25) << short_px;
+        }
+        EXPECT_GE(on, 0.6 * 256.0 * 256.0) << short_px;
+        before = on;
+    }
+}
+
+TEST(PixelAlignedStrategy, SharesWindowsAmongDetailsWithoutEnd) {
+    // Details all over an object, ever more of them: as many windows as is sensible, no samples
+    // beyond the budget, and every detail at least as fine as what is around it.
+    for (const int count : {10, 100, 1000}) {
+        ZoomEntityInfo body = object(0, 20.0, 20.0, 90.0, 70.0);
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> u(0.0, 1.0);
+        for (int i = 0; i < count; ++i) {
+            const double left = 20.0 + 89.5 * u(random), top = 20.0 + 69.5 * u(random);
+            body.details.push_back({left, top, left + 0.3, top + 0.25});
+        }
+        const auto windows = PixelAlignedStrategy(256).windows({body});
+        EXPECT_GE(windows.size(), std::min<std::size_t>(static_cast<std::size_t>(count), 20u));
+        EXPECT_LE(windows.size(), 260u);
+        double samples = 0.0;
+        for (const SampleWindow& window : windows)
+            samples += window.width() * static_cast<double>(window.height());
+        EXPECT_LE(samples, 5.4 * 256 * 256) << count;
+        for (const auto& [pixel, area] : areas(windows))
+            ASSERT_NEAR(area, 1.0, 1e-9) << pixel.first << ", " << pixel.second;
+    }
+}
+
 TEST(PixelAlignedStrategy, DrawsObjectsThatDoNotOverlapApart) {
     const auto windows =
         PixelAlignedStrategy(256).windows({object(0, 10, 10, 5, 5), object(1, 15.5, 10, 5, 5)});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -47,6 +48,33 @@ Raster rasterOf(const SurfaceScene& scene, const SampleWindow& window) {
         raster.clipFromEye = raster.clipFromEye * shear;
     }
     return raster;
+}
+
+/// True where nothing of a box comes within the sides of a raster: all its corners are beyond one
+/// of them.
+bool isOutside(const osg::BoundingBox& box, const osg::Matrixd& clipFromLocal) {
+    if (!box.valid())
+        return false;
+    constexpr double rounding = 1e-6; // of what is drawn in float
+    std::array<int, 4> beyond{};
+    for (unsigned i = 0; i < 8; ++i) {
+        const osg::Vec4d corner = osg::Vec4d(osg::Vec3d(box.corner(i)), 1.0) * clipFromLocal;
+        const double w = corner.w() + rounding * std::abs(corner.w());
+        beyond[0] += corner.x() > w;
+        beyond[1] += corner.x() < -w;
+        beyond[2] += corner.y() > w;
+        beyond[3] += corner.y() < -w;
+    }
+    return std::ranges::find(beyond, 8) != beyond.end();
+}
+
+/// The items that a raster can show.
+std::vector<SurfaceItem> itemsWithin(const SurfaceScene& scene, const Raster& raster) {
+    std::vector<SurfaceItem> items;
+    for (const SurfaceItem& item : scene.items)
+        if (!isOutside(item.geometry->getBoundingBox(), item.eyeFromLocal * raster.clipFromEye))
+            items.push_back(item);
+    return items;
 }
 
 } // namespace
@@ -103,10 +131,11 @@ struct SurfacePass::Parts {
     }
 
     /// Draws the items of one kind with the surface shader into the bound target.
-    void drawItems(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
-                   bool transparent, Product product) {
+    void drawItems(osg::RenderInfo& info, const SurfaceScene& scene,
+                   const std::vector<SurfaceItem>& items, const Raster& raster, bool transparent,
+                   Product product) {
         const ShaderProgram* current = nullptr;
-        for (const SurfaceItem& item : scene.items) {
+        for (const SurfaceItem& item : items) {
             if (item.transparent != transparent)
                 continue;
             const SurfaceRow& row = scene.rows[static_cast<std::size_t>(item.row)];
@@ -166,6 +195,7 @@ struct SurfacePass::Parts {
     /// list. Returns the length of the list.
     std::uint32_t draw(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
                        Product product, FloatTarget& target) {
+        const std::vector<SurfaceItem> items = itemsWithin(scene, raster);
         const ReversedDepth reversed;
         target.reserve(raster.width, raster.height);
         target.bind(raster.width, raster.height);
@@ -176,11 +206,12 @@ struct SurfacePass::Parts {
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
         glDisable(GL_BLEND);
-        drawOccluders(info, scene, raster);
-        drawItems(info, scene, raster, false, product);
+        if (!items.empty())
+            drawOccluders(info, scene, raster);
+        drawItems(info, scene, items, raster, false, product);
 
         std::uint32_t listed = 0;
-        if (std::ranges::any_of(scene.items, &SurfaceItem::transparent)) {
+        if (std::ranges::any_of(items, &SurfaceItem::transparent)) {
             // What goes to the list leaves the planes alone; a shader that writes none would fill
             // them with whatever it likes.
             glDepthMask(GL_FALSE);
@@ -188,7 +219,7 @@ struct SurfacePass::Parts {
             const int vectors = product == radianceProduct ? 1 : 2;
             for (;;) {
                 list.begin(roomInList, vectors);
-                drawItems(info, scene, raster, true, product);
+                drawItems(info, scene, items, raster, true, product);
                 listed = list.count();
                 if (listed <= roomInList)
                     break;

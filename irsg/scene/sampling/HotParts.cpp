@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
+#include <span>
 #include <tuple>
 
 #include <osg/TriangleIndexFunctor>
 
+#include "irsg/scene/sampling/EntityGroups.h"
 #include "irsg/scene/sampling/Uniting.h"
 
 namespace irsg {
@@ -52,8 +56,39 @@ bool meet(const BoundingBox& a, const BoundingBox& b) {
            a.min.z <= b.max.z && b.min.z <= a.max.z;
 }
 
-double area_px2(const ImageRectangle& r) {
-    return r.empty() ? 0.0 : r.width() * r.height();
+/// Boxes around neighbours among the pieces, at most `most`: the pieces are halved along the
+/// longest side of their middles.
+void gather(std::span<BoundingBox> pieces, std::size_t most, std::vector<BoundingBox>& boxes) {
+    if (pieces.size() <= most) {
+        boxes.insert(boxes.end(), pieces.begin(), pieces.end());
+        return;
+    }
+    if (most == 1) {
+        boxes.push_back(std::accumulate(pieces.begin() + 1, pieces.end(), pieces[0], united));
+        return;
+    }
+    BoundingBox middles{pieces[0].centre(), pieces[0].centre()};
+    for (const BoundingBox& piece : pieces)
+        middles = united(middles, {piece.centre(), piece.centre()});
+    const Vec3 side = middles.max - middles.min;
+    const auto along = [&](const BoundingBox& box) {
+        const Vec3 c = box.centre();
+        return side.x >= side.y && side.x >= side.z ? std::tuple(c.x, c.y, c.z)
+               : side.y >= side.z                   ? std::tuple(c.y, c.z, c.x)
+                                                    : std::tuple(c.z, c.x, c.y);
+    };
+    std::ranges::sort(pieces, {}, along);
+    const std::size_t half = pieces.size() / 2;
+    gather(pieces.first(half), most / 2, boxes);
+    gather(pieces.subspan(half), most - most / 2, boxes);
+}
+
+/// From a place to the nearest point of a box.
+double distance_m(const Vec3& place, const BoundingBox& box) {
+    const Vec3 nearest{std::clamp(place.x, box.min.x, box.max.x),
+                       std::clamp(place.y, box.min.y, box.max.y),
+                       std::clamp(place.z, box.min.z, box.max.z)};
+    return length(place - nearest);
 }
 
 } // namespace
@@ -92,42 +127,73 @@ std::vector<BoundingBox> connectedPieces(const std::vector<DrawItem>& items, con
     for (const auto& [set, box] : boxOf)
         pieces.push_back(box);
     std::ranges::sort(pieces, ByPlace{}, [](const BoundingBox& box) { return box.min; });
-    constexpr std::size_t mostPieces = 256; // beyond, their boxes are not compared pair by pair
-    if (pieces.size() <= mostPieces)
-        uniteAll(pieces, meet, united);
-    return pieces;
+    std::vector<BoundingBox> boxes;
+    gather(pieces, mostPieces, boxes);
+    uniteAll(boxes, meet, united);
+    std::ranges::sort(boxes, ByPlace{}, [](const BoundingBox& box) { return box.min; });
+    return boxes;
 }
 
-std::vector<ImageRectangle> HotParts::seenBy(const CameraFrame& camera, const Pose& pose,
-                                             const std::vector<DrawItem>& items,
-                                             const std::vector<IrCodes>& hot) {
-    std::vector<ImageRectangle> details;
+SampleWindow probeOf(const std::vector<HotPart>& parts, int entity) {
+    constexpr double mostTiles = 96.0;
+    ImageRectangle all;
+    for (const HotPart& part : parts)
+        all = all.unitedWith(part.extent);
+    const double level = std::floor(std::log2(mostTiles / std::max(all.extent(), 1e-300)));
+    SampleWindow probe = windowOnTiles(
+        all, static_cast<int>(std::clamp(level, 0.0, 1.0 * SampleWindow::deepestLevel)));
+    --probe.tileX, --probe.tileY;
+    probe.tilesWide += 2, probe.tilesHigh += 2;
+    probe.entities = {entity};
+    return probe;
+}
+
+bool isHidden(const HotPart& part, const SampleWindow& probe, const FactorSamples& samples) {
+    constexpr double nearer = 1.0 - 1e-6; // beyond the rounding of float
+    const ImageRectangle all = probe.rectangle();
+    const double side_px = probe.tileSide_px();
+    const auto tile = [side_px](double place_px, double origin_px, int count) {
+        return std::clamp(static_cast<int>(std::floor((place_px - origin_px) / side_px)), 0,
+                          count - 1);
+    };
+    const int left = tile(part.extent.left - side_px, all.left, probe.tilesWide);
+    const int right = tile(part.extent.right + side_px, all.left, probe.tilesWide);
+    const int top = tile(part.extent.top - side_px, all.top, probe.tilesHigh);
+    const int bottom = tile(part.extent.bottom + side_px, all.top, probe.tilesHigh);
+    for (int row = top; row <= bottom; ++row)
+        for (int column = left; column <= right; ++column) {
+            // Bottom row first, and the opaque layer last.
+            const auto sample =
+                static_cast<std::size_t>((probe.tilesHigh - 1 - row) * probe.tilesWide + column);
+            const std::uint32_t end = samples.first[sample + 1];
+            if (end == samples.first[sample])
+                return false;
+            const double found_m = static_cast<double>(samples.layers[end - 1].distance_m);
+            if (!(found_m > 0.0 && found_m < nearer * part.nearest_m))
+                return false;
+        }
+    return true;
+}
+
+std::vector<HotPart> HotParts::seenBy(const CameraFrame& camera, const Pose& pose,
+                                      const std::vector<DrawItem>& items,
+                                      const std::vector<IrCodes>& hot) {
+    std::vector<HotPart> parts;
     const Sensor& sensor = camera.sensor();
     const ImageRectangle field{0.0, 0.0, static_cast<double>(sensor.width_px),
                                static_cast<double>(sensor.height_px)};
+    const Vec3 eye =
+        pose.attitude.rotation().transposed() * (camera.viewpoint().position_m - pose.position_m);
     for (const IrCodes& codes : hot) {
         auto found = pieces_.find(codes);
         if (found == pieces_.end())
             found = pieces_.emplace(codes, connectedPieces(items, codes)).first;
-        if (found->second.size() > mostDetails)
-            continue;
         for (const BoundingBox& piece : found->second)
             if (const auto extent = camera.extentOf(piece, pose))
                 if (const ImageRectangle seen = extent->intersectedWith(field); !seen.empty())
-                    details.push_back(seen);
+                    parts.push_back({seen, distance_m(eye, piece)});
     }
-
-    // One window where two would hold much the same.
-    constexpr double mostWaste = 1.25;
-    uniteAll(
-        details,
-        [](const ImageRectangle& a, const ImageRectangle& b) {
-            return area_px2(a.unitedWith(b)) <= mostWaste * (area_px2(a) + area_px2(b));
-        },
-        [](const ImageRectangle& a, const ImageRectangle& b) { return a.unitedWith(b); });
-    if (details.size() > mostDetails)
-        details.clear();
-    return details;
+    return parts;
 }
 
 } // namespace irsg

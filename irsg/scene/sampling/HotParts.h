@@ -4,27 +4,53 @@
 #include <vector>
 
 #include "irsg/scene/model/DrawList.h"
+#include "irsg/scene/sampling/SampleWindow.h"
+#include "irsg/scene/sampling/Samples.h"
 #include "irsg/scene/view/CameraFrame.h"
 
 namespace irsg {
 
 /// Boxes, in model axes, around the connected pieces of what carries a pair of codes: triangles
-/// with a common place of a vertex are connected, and pieces whose boxes meet are one.
+/// with a common place of a vertex are connected, and pieces whose boxes meet are one. At most
+/// `mostPieces`; of more, neighbours share a box.
 std::vector<BoundingBox> connectedPieces(const std::vector<DrawItem>& items, const IrCodes& codes);
+inline constexpr std::size_t mostPieces = 256;
+
+/// A hot piece of an object as a camera sees it.
+struct HotPart {
+    ImageRectangle extent;  ///< what the frame shows of the box around it
+    double nearest_m = 0.0; ///< from the camera to that box
+};
+
+/// One sample a tile around all the parts, some hundred along the longer side: to find out which of
+/// them are hidden.
+SampleWindow probeOf(const std::vector<HotPart>& parts, int entity);
+/// True where a probe finds an opaque surface before all of a part and a tile around it. What is
+/// seen through a gap narrower than a tile is hidden, too: it is left to the window around.
+bool isHidden(const HotPart& part, const SampleWindow& probe, const FactorSamples& samples);
 
 /// The hot parts of one object, found once for each pair of codes that was ever hot.
 class HotParts {
   public:
-    /// Parts of the image plane around the hot pieces of an object that stands at `pose`; those
-    /// that would largely hold each other are one. At most `mostDetails`: a surface in more pieces
-    /// than that is no small part.
-    std::vector<ImageRectangle> seenBy(const CameraFrame& camera, const Pose& pose,
-                                       const std::vector<DrawItem>& items,
-                                       const std::vector<IrCodes>& hot);
-    static constexpr std::size_t mostDetails = 16;
+    /// The hot pieces of an object that stands at `pose`.
+    std::vector<HotPart> seenBy(const CameraFrame& camera, const Pose& pose,
+                                const std::vector<DrawItem>& items,
+                                const std::vector<IrCodes>& hot);
+
+    /// What `find` says is worth samples of its own; asked once as long as `view` stays the same.
+    template <typename Find>
+    const std::vector<ImageRectangle>& details(const std::vector<double>& view, Find find) {
+        if (view.empty() || view != view_) {
+            details_ = find();
+            view_ = view;
+        }
+        return details_;
+    }
 
   private:
     std::map<IrCodes, std::vector<BoundingBox>> pieces_;
+    std::vector<double> view_;
+    std::vector<ImageRectangle> details_;
 };
 
 } // namespace irsg

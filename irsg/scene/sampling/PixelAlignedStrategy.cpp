@@ -1,57 +1,127 @@
 #include "irsg/scene/sampling/PixelAlignedStrategy.h"
 
 #include <cmath>
+#include <limits>
 
-#include "irsg/scene/sampling/Uniting.h"
+#include "irsg/scene/sampling/Partition.h"
 
 namespace irsg {
 
 namespace {
 
-/// Tiles that an extent is cut into at least: the more, the closer a window lies around its object.
+/// Tiles that the longer side of an extent is cut into at least: the more, the closer a window lies
+/// around its object.
 constexpr double fewestTiles = 16.0;
+/// The same for the shorter side, as long as every tile keeps this many samples of the budget.
+constexpr double fewestTilesAcross = 8.0, enoughPerTile = 16.0;
 
 /// The coarsest level that cuts an extent into so many tiles; whole pixels where they are enough.
-int levelFor(double extent_px) {
-    if (extent_px >= fewestTiles)
-        return 0;
-    const int level =
-        static_cast<int>(std::ceil(std::log2(fewestTiles / std::max(extent_px, 1e-300))));
+int levelFor(const ImageRectangle& extent, double samples) {
+    int level = 0;
+    if (const double extent_px = extent.extent(); extent_px < fewestTiles)
+        level = static_cast<int>(std::ceil(std::log2(fewestTiles / std::max(extent_px, 1e-300))));
+    constexpr double mostTiles = 480.0; // along the longer side: four samples of each fit a drawing
+    const double shorter_px = std::min(extent.width(), extent.height());
+    const auto tiles = [](double side_px, int ofLevel) {
+        return std::ldexp(side_px, ofLevel) + 1.0;
+    };
+    while (level < SampleWindow::deepestLevel &&
+           std::ldexp(shorter_px, level) < fewestTilesAcross &&
+           tiles(extent.extent(), level + 1) <= mostTiles &&
+           samples >=
+               enoughPerTile * tiles(extent.width(), level + 1) * tiles(extent.height(), level + 1))
+        ++level;
     return std::clamp(level, 0, SampleWindow::deepestLevel);
 }
 
-/// The slope of upright rows of samples: 3.6 degrees, within which edges count as upright. An edge
-/// of any length worth counting then meets every phase of the samples.
-constexpr double uprightSlope = 1.0 / 16.0;
+/// Columns of the first lattice in terms of those of a square one: the shear spares columns of
+/// samples, as an upright edge meets every phase of them. A level edge does not, so that the
+/// samples go to rows, as many in all.
+constexpr double fewerColumns = 0.8;
 
-/// The window of an extent, with sheared rows. The shear spares columns of samples: an upright edge
-/// meets every phase of them. A level edge does not, so that the samples go to rows, as many in
-/// all.
-SampleWindow sampleWindow(const ImageRectangle& extent, int size) {
-    SampleWindow window = windowOnTiles(extent, levelFor(extent.extent()));
-    constexpr double fewerColumns = 0.8;
+/// The slope of upright rows of samples: 3.6 degrees, within which edges count as upright. An edge
+/// of any length worth counting then meets every phase of the samples. Less in upright windows, of
+/// which a shear must not be most.
+double uprightSlope(const SampleWindow& window) {
+    constexpr double steepest = 1.0 / 16.0, mostOfWidth = 0.125;
+    return std::min(steepest, mostOfWidth * window.tilesWide / window.tilesHigh);
+}
+
+/// The same in flat windows, whose long level edges want rows yet more.
+double columnsOfRows(const SampleWindow& window) {
+    constexpr double flatFrom = 2.0;
+    const double flatness = static_cast<double>(window.tilesWide) / window.tilesHigh;
+    return fewerColumns * std::pow(std::min(flatFrom / flatness, 1.0), 0.25);
+}
+
+/// What a budget gives each tile of a window.
+double samplesPerTile(const SampleWindow& window, double samples) {
+    return samples / (static_cast<double>(window.tilesWide) * window.tilesHigh);
+}
+
+/// Greatest side that a drawing should have, samples.
+constexpr int longestDrawing = 2048;
+
+/// Columns and rows of samples in every tile: of the whole numbers near the wanted shape those that
+/// use the budget, as far as one drawing holds them.
+void chooseSamples(SampleWindow& window, double samples) {
     constexpr int fewest = PixelAlignedStrategy::fewestSamplesPerAxis;
-    const double perTile = static_cast<double>(size) / std::max(window.tilesWide, window.tilesHigh);
-    window.samplesAcross = std::max(fewest, static_cast<int>(std::lround(fewerColumns * perTile)));
-    window.samplesDown =
-        std::max(fewest, static_cast<int>(perTile * perTile / window.samplesAcross));
-    window.shearRows =
-        static_cast<int>(std::lround(window.samplesDown / (uprightSlope * window.samplesAcross)));
+    constexpr int otherColumns = 3;
+    constexpr double enough = 0.9; // of the budget: nearer shapes are better then
+    const double shapeWanted = columnsOfRows(window) * columnsOfRows(window);
+    const double narrowest = 0.55 * shapeWanted, widest = 2.2 * shapeWanted; // columns to rows
+    const double perTile = samplesPerTile(window, samples);
+    const double ofShear = uprightSlope(window) * window.tilesHigh;
+    const int mostAcross =
+        std::max(fewest, static_cast<int>(longestDrawing / (window.tilesWide + ofShear)));
+    const int mostDown = std::max(fewest, longestDrawing / window.tilesHigh);
+    const auto downFor = [&](int across) {
+        return std::clamp(static_cast<int>(perTile / across), fewest, mostDown);
+    };
+    const int wanted = std::clamp(
+        std::max(static_cast<int>(std::lround(columnsOfRows(window) * std::sqrt(perTile))),
+                 static_cast<int>(perTile / mostDown)),
+        fewest, mostAcross);
+    int best = wanted;
+    for (int off = 1; off <= otherColumns; ++off)
+        for (const int across : {wanted - off, wanted + off}) {
+            if (across < fewest || across > mostAcross || best * downFor(best) >= enough * perTile)
+                continue;
+            const int down = downFor(across);
+            const double shape = static_cast<double>(across) / down;
+            if (shape >= narrowest && shape <= widest && across * down <= perTile &&
+                across * down > best * downFor(best))
+                best = across;
+        }
+    window.samplesAcross = best;
+    window.samplesDown = downFor(best);
+}
+
+/// The window of an extent for a budget of samples, with sheared rows.
+SampleWindow sampleWindow(const ImageRectangle& extent, double samples) {
+    SampleWindow window = windowOnTiles(extent, levelFor(extent, samples));
+    chooseSamples(window, samples);
+    window.shearRows = static_cast<int>(
+        std::lround(window.samplesDown / (uprightSlope(window) * window.samplesAcross)));
     return window;
 }
 
+/// Samples an axis of a pixel, the mean of both axes.
+double fineness(const SampleWindow& window) {
+    return std::sqrt(1.0 / window.share());
+}
+
 /// The window, or two of them one above the other: a tile has whole numbers of samples, and where
-/// that leaves much of the window's size unused, the upper one has one more row in every tile.
-/// Time then does not depend on how pixels divide the size; what a second window costs is not worth
-/// the samples of a small one.
-std::vector<SampleWindow> evenly(const SampleWindow& window, int size) {
-    const double perTile = static_cast<double>(size) / std::max(window.tilesWide, window.tilesHigh);
-    const double down = perTile * perTile / window.samplesAcross;
+/// that leaves more than `little` of the budget unused, the upper one has one more row in every
+/// tile. Time then does not depend on how pixels divide the budget; what a second window costs is
+/// not worth the samples of a small one.
+std::vector<SampleWindow> evenly(const SampleWindow& window, double samples, double little = 0.1) {
+    const double down = samplesPerTile(window, samples) / window.samplesAcross;
     const double unused = 1.0 - window.samplesDown / down;
-    constexpr double little = 0.1, worthAWindow = 6500.0; // samples
+    constexpr double worthAWindow = 6500.0; // samples
     const int finer = static_cast<int>(std::lround((down - window.samplesDown) * window.tilesHigh));
-    if (unused <= little || unused * size * size < worthAWindow || finer <= 0 ||
-        finer >= window.tilesHigh)
+    if (unused <= little || unused * samples < worthAWindow || finer <= 0 ||
+        finer >= window.tilesHigh || finer * (window.samplesDown + 1) > longestDrawing)
         return {window};
     SampleWindow upper = window, lower = window;
     upper.tilesHigh = finer;
@@ -70,7 +140,7 @@ SampleWindow bestFor(const std::vector<ImageEdge>& edges, const SampleWindow& wi
     double least = std::numeric_limits<double>::infinity();
     for (const SampleWindow& lattice : latticesNear(window, size)) {
         double variance = 0.0;
-        for (const SampleWindow& part : evenly(lattice, size)) {
+        for (const SampleWindow& part : evenly(lattice, static_cast<double>(size) * size)) {
             const double share = static_cast<double>(part.tilesHigh) / window.tilesHigh;
             variance += share * varianceOfEdges_px4(part, different, least / share);
         }
@@ -86,8 +156,20 @@ SampleWindow bestFor(const std::vector<ImageEdge>& edges, const SampleWindow& wi
 constexpr double refinementFrom = 2.0;
 /// The same for details: a finer window is worth its drawing the sooner the more shines from it.
 constexpr double detailFrom = 1.25;
+/// The same for details in a window for details, which is made for them already.
+constexpr double detailAgainFrom = 4.0;
 /// Samples that all details of a group have together, in terms of those of a window.
 constexpr double samplesOfDetails = 2.0;
+/// What a window for several parts may be larger than windows for each.
+constexpr double mostWaste = 1.25;
+/// Windows cut out of one; parts beyond share the ones that grow least.
+constexpr std::size_t mostCuts = 128;
+/// Of the budget may be unused where parts are cut out.
+constexpr double mostUnused = 0.2;
+
+double area_px2(const ImageRectangle& r) {
+    return r.empty() ? 0.0 : r.width() * r.height();
+}
 
 } // namespace
 
@@ -104,11 +186,14 @@ std::vector<SampleWindow> PixelAlignedStrategy::windowsOf(const EntityGroup& gro
     std::vector<ImageEdge> edges;
     for (const ZoomEntityInfo& member : group.members)
         edges.insert(edges.end(), member.edges.begin(), member.edges.end());
-    std::vector<SampleWindow> windows{bestFor(edges, sampleWindow(group.extent, size_), size_)};
-    windows.front().entities = group.entities();
-    refine(windows, 0, partsOf(group));
+    SampleWindow whole = bestFor(edges, sampleWindow(group.extent, budget()), size_);
+    whole.entities = group.entities();
+    std::vector<SampleWindow> windows = evenly(whole, budget(), mostUnused);
+    const std::vector<Part> parts = partsOf(group);
+    for (std::size_t i = 0, coarse = windows.size(); i < coarse; ++i)
+        refine(windows, i, parts, mostCuts);
     if (windows.size() == 1)
-        return evenly(windows.front(), size_);
+        return evenly(windows.front(), budget());
     return windows;
 }
 
@@ -117,60 +202,59 @@ PixelAlignedStrategy::partsOf(const EntityGroup& group) const {
     std::vector<Part> parts;
     std::size_t details = 0;
     for (const ZoomEntityInfo& member : group.members) {
-        parts.push_back({member.extent, size_, refinementFrom});
+        parts.push_back({member.extent, budget(), refinementFrom, refinementFrom});
         details += member.details.size();
     }
     const double ofOne =
-        std::sqrt(samplesOfDetails / static_cast<double>(std::max<std::size_t>(details, 1)));
+        std::min(samplesOfDetails / static_cast<double>(std::max<std::size_t>(details, 1)), 1.0);
     for (const ZoomEntityInfo& member : group.members)
         for (const ImageRectangle& detail : member.details)
-            parts.push_back({detail, static_cast<int>(std::min(ofOne, 1.0) * size_), detailFrom});
+            parts.push_back({detail, ofOne * budget(), detailFrom, detailAgainFrom});
     return parts;
 }
 
 void PixelAlignedStrategy::refine(std::vector<SampleWindow>& windows, std::size_t coarse,
-                                  const std::vector<Part>& parts) {
-    // A part with a cell of the coarse window around it, so that no sample at the border of the
-    // finer one meets it; whole cells, so that every point is drawn exactly once. Parts whose
-    // cells overlap become one.
-    struct Cut {
-        ImageRectangle cells;
-        std::vector<Part> parts;
-        int size;
-        double finerFrom;
-    };
-    const SampleWindow& around = windows[coarse];
-    std::vector<Cut> cuts;
-    for (const Part& part : parts) {
+                                  const std::vector<Part>& parts, std::size_t most) const {
+    // A part with a little around it, so that rounding puts none of it across the border; whole
+    // cells of the coarse window, so that every point is drawn exactly once.
+    constexpr double little = 0.1; // of a cell
+    const SampleWindow around = windows[coarse];
+    const double finenessAround = fineness(around);
+    std::vector<ImageRectangle> cells;
+    std::vector<Part> finerParts;
+    for (Part part : parts) {
         ImageRectangle wider = part.extent;
-        wider.left -= around.cellWidth_px(), wider.right += around.cellWidth_px();
-        wider.top -= around.cellHeight_px(), wider.bottom += around.cellHeight_px();
-        const ImageRectangle cells = around.cellsAround(wider);
-        if (!cells.empty() &&
-            sampleWindow(cells, part.size).density() >= part.finerFrom * around.density())
-            cuts.push_back({cells, {part}, part.size, part.finerFrom});
-    }
-    uniteAll(
-        cuts, [](const Cut& a, const Cut& b) { return a.cells.intersects(b.cells); },
-        [](Cut a, const Cut& b) {
-            a.cells = a.cells.unitedWith(b.cells);
-            a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
-            a.size = std::max(a.size, b.size);
-            a.finerFrom = std::min(a.finerFrom, b.finerFrom);
-            return a;
-        });
-
-    for (Cut& cut : cuts) {
-        SampleWindow finer = sampleWindow(cut.cells, cut.size);
-        if (finer.density() < cut.finerFrom * windows[coarse].density())
+        wider.left -= little * around.cellWidth_px(), wider.right += little * around.cellWidth_px();
+        wider.top -= little * around.cellHeight_px();
+        wider.bottom += little * around.cellHeight_px();
+        const ImageRectangle ofPart = around.cellsAround(wider);
+        part.samples *= std::min(1.0, area_px2(ofPart) / area_px2(wider)); // what of it is here
+        if (ofPart.empty() ||
+            fineness(sampleWindow(ofPart, part.samples)) < part.finerFrom * finenessAround)
             continue;
-        finer.only = cut.cells;
+        cells.push_back(ofPart);
+        finerParts.push_back(part);
+    }
+
+    const std::vector<Enclosure> cuts = partition(cells, mostWaste, most);
+    for (const Enclosure& cut : cuts) {
+        double samples = 0.0, finerFrom = std::numeric_limits<double>::infinity();
+        std::vector<Part> inside;
+        for (const std::size_t i : cut.things) {
+            Part& part = inside.emplace_back(finerParts[i]);
+            samples += part.samples * area_px2(cells[i].intersectedWith(cut.rectangle)) /
+                       area_px2(cells[i]);
+            finerFrom = std::min(finerFrom, part.finerFrom);
+            part.finerFrom = part.finerAgainFrom;
+        }
+        SampleWindow finer = sampleWindow(cut.rectangle, std::min(samples, budget()));
+        if (fineness(finer) < finerFrom * finenessAround)
+            continue;
+        finer.only = cut.rectangle;
         finer.entities = windows[coarse].entities;
-        windows[coarse].leftOut.push_back(cut.cells);
+        windows[coarse].leftOut.push_back(cut.rectangle);
         windows.push_back(std::move(finer));
-        for (Part& part : cut.parts)
-            part.finerFrom = refinementFrom;
-        refine(windows, windows.size() - 1, cut.parts);
+        refine(windows, windows.size() - 1, inside, std::max<std::size_t>(most / cuts.size(), 1));
     }
 }
 

@@ -9,11 +9,12 @@ namespace irsg {
 /// of a window of given size are spent on the object alone, however small it is, and add to pixels
 /// one to one.
 ///
-/// A large object is drawn on whole pixels, each sampled as often as the window's size allows and
-/// at least twice an axis. A small one is drawn on tiles of a power of two, 16 to 33 of them along
-/// its longer side, which lie close around it. Objects that overlap share a window, with depth.
-/// Finer windows are cut out of it for what is much smaller: members of the group, in which the
-/// others stand before and behind them, and the details that an object has.
+/// A large object is drawn on whole pixels, each sampled as often as the window's size squared
+/// allows and at least twice an axis, whatever the shape of its extent. A small or slim one is
+/// drawn on tiles of a power of two, at least 16 along its longer side, which lie close around it.
+/// Objects that overlap share a window, with depth. Finer windows are cut out of it for what is
+/// much smaller: members of the group, in which the others stand before and behind them, and the
+/// details that an object has.
 class PixelAlignedStrategy : public AbstractZoomAntialiasingStrategy {
   public:
     /// Side of a window, samples: 128, 256 or 512 for modes 3 to 5; any from 8.
@@ -25,17 +26,22 @@ class PixelAlignedStrategy : public AbstractZoomAntialiasingStrategy {
 
   private:
     std::vector<SampleWindow> windowsOf(const EntityGroup& group) const;
+    /// Samples of a window.
+    double budget() const { return static_cast<double>(size_) * size_; }
 
     /// A part of a group that is worth samples of its own.
     struct Part {
         ImageRectangle extent;
-        int size;         ///< of its window
-        double finerFrom; ///< how much finer that must be
+        double samples;        ///< of its window
+        double finerFrom;      ///< how much finer that must be than the one around it
+        double finerAgainFrom; ///< the same of a window within that one
     };
     std::vector<Part> partsOf(const EntityGroup& group) const;
-    /// Cuts windows for the parts out of the one at `coarse`, and out of those in turn.
-    static void refine(std::vector<SampleWindow>& windows, std::size_t coarse,
-                       const std::vector<Part>& parts);
+
+    /// Cuts at most so many windows for the parts out of the one at `coarse`, and out of those in
+    /// turn.
+    void refine(std::vector<SampleWindow>& windows, std::size_t coarse,
+                const std::vector<Part>& parts, std::size_t most) const;
 
     int size_;
 };

@@ -113,22 +113,27 @@ std::vector<SampleWindow> latticesNear(const SampleWindow& window, int size) {
     if (!window.shearRows)
         return lattices;
     constexpr int otherColumns = 3;
-    constexpr double narrowest = 0.35, widest = 1.4; // columns in terms of rows
-    constexpr std::array slopes = {1.0 / 16.0, 1.0 / 12.0, 1.0 / 14.0,
-                                   1.0 / 19.0, 1.0 / 24.0, 1.0 / 10.0};
-    const double perTile = static_cast<double>(size) / std::max(window.tilesWide, window.tilesHigh);
+    // Columns in terms of rows, near the window's own.
+    const double shape = static_cast<double>(window.samplesAcross) / window.samplesDown;
+    const double narrowest = std::min(0.35, 0.55 * shape), widest = 1.4;
+    // In terms of the window's own slope.
+    constexpr std::array slopes = {1.0, 16.0 / 12.0, 16.0 / 14.0, 16.0 / 19.0, 16.0 / 24.0, 1.6};
+    const double slope = static_cast<double>(window.samplesDown) /
+                         (static_cast<double>(window.shearRows) * window.samplesAcross);
+    const double perTile = static_cast<double>(size) * size /
+                           (static_cast<double>(window.tilesWide) * window.tilesHigh);
     for (int across = std::max(2, window.samplesAcross - otherColumns);
          across <= window.samplesAcross + otherColumns; ++across) {
-        const int down = static_cast<int>(perTile * perTile / across);
+        const int down = static_cast<int>(perTile / across);
         const double ratio = static_cast<double>(across) / std::max(down, 1);
         if (across * down < window.samplesAcross * window.samplesDown || down < 2 ||
             ratio < narrowest || ratio > widest)
             continue;
-        for (const double slope : slopes) {
+        for (const double times : slopes) {
             SampleWindow& other = lattices.emplace_back(window);
             other.samplesAcross = across;
             other.samplesDown = down;
-            other.shearRows = static_cast<int>(std::lround(down / (slope * across)));
+            other.shearRows = static_cast<int>(std::lround(down / (times * slope * across)));
         }
     }
     return lattices;

@@ -88,7 +88,17 @@ std::vector<double> SampleWindow::weightsOf(int row) const {
             weights[i] = rows * inside(left, left + wide_px, only->left, only->right);
         }
     }
-    for (const ImageRectangle& part : leftOut) {
+    const ImageRectangle drawn = region();
+    for (ImageRectangle part : leftOut) {
+        // A cell across the border of what is drawn is the part's, too.
+        if (part.left <= drawn.left)
+            part.left = all.left;
+        if (part.right >= drawn.right)
+            part.right = all.right;
+        if (part.top <= drawn.top)
+            part.top = all.top;
+        if (part.bottom >= drawn.bottom)
+            part.bottom = all.bottom;
         if (top + 0.5 * high_px < part.top || top + 0.5 * high_px >= part.bottom)
             continue;
         const auto cell = [&](double x) {

@@ -1,0 +1,287 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "irsg/radiometry/Planck.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/scene/sampling/HotParts.h"
+#include "tests/support/SceneFixtures.h"
+
+using namespace irsg;
+using namespace irsg::test;
+
+namespace {
+
+constexpr IrCodes skin{1, 1}, hot{2, 1};
+constexpr double skin_K = 280.0, hot_K = 900.0;
+constexpr double wallWidth_m = 30.0, wallHeight_m = 10.0, diameter_m = 0.12;
+constexpr double pixel_rad = 8e-5;
+
+/// A number from 0 to 1, another for every step, irrational to any lattice.
+double part(int step, double ratio) {
+    return std::fmod((step + 0.5) * ratio, 1.0);
+}
+
+double radiance_W_m2_sr(double temperature_K) {
+    return bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), temperature_K);
+}
+
+Entity hotAndCold(const Mesh& mesh) {
+    SignatureDatabase database;
+    database.materials[1] = greyMaterial(1.0);
+    database.temperatures[1] = fixedTemperature(skin_K);
+    database.temperatures[2] = fixedTemperature(hot_K);
+    return entityOf(modelOf(mesh), database);
+}
+
+/// A cold wall with hot balls and plates before it, all over it.
+struct Spots {
+    Mesh mesh = plateMesh({}, {0, 0, 0.5 * wallHeight_m}, {0.5 * wallWidth_m, 0, 0}, skin);
+    double seen_m2 = 0.0; ///< from the front and from far
+
+    explicit Spots(int count) {
+        constexpr double far_m = 1e5, lean_m = 0.02, half_m = 0.5 * diameter_m;
+        const Mesh ball = sphereMesh(half_m, 8, 16, hot);
+        for (int i = 0; i < count; ++i) {
+            const Vec3 place{wallWidth_m * 0.96 * (part(i, 0.7548776662) - 0.5), 0.1,
+                             wallHeight_m * 0.96 * (part(i, 0.5698402910) - 0.5)};
+            if (i % 2) {
+                mesh =
+                    joined(mesh, plateMesh(place, {lean_m, 0, half_m}, {half_m, 0, -lean_m}, hot));
+                seen_m2 += 4.0 * (half_m * half_m + lean_m * lean_m);
+                continue;
+            }
+            Mesh moved = ball;
+            for (Triangle& triangle : moved)
+                for (Vec3& vertex : triangle.vertex)
+                    vertex = vertex + place;
+            mesh = joined(mesh, moved);
+            seen_m2 += convexSolidAngle_sr(ball, {0, far_m, 0}) * far_m * far_m;
+        }
+    }
+    double truth_W_sr() const {
+        return (wallWidth_m * wallHeight_m - seen_m2) * radiance_W_m2_sr(skin_K) +
+               seen_m2 * radiance_W_m2_sr(hot_K);
+    }
+};
+
+RenderSettings settingsOf(int zoomWindow, bool hotParts = true) {
+    RenderSettings settings;
+    settings.sun = settings.fluxes = ReflectionMode::off;
+    settings.background = BackgroundMode::constant;
+    settings.zoomWindow = zoomWindow;
+    settings.hotParts = hotParts;
+    return settings;
+}
+
+Irsg& generator() {
+    static Irsg irsg;
+    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    return irsg;
+}
+
+/// The first object at some phase of the pixels.
+void look(Irsg& irsg, double azimuth_rad, double elevation_rad, double range_m, int phase) {
+    irsg.setPose(0, {{0, 0, standingAltitude_m}, {}});
+    test::look(irsg, {.range_m = range_m,
+                      .azimuth_rad = azimuth_rad,
+                      .elevation_rad = elevation_rad,
+                      .width_px = 400,
+                      .height_px = 320,
+                      .fieldOfView_rad = 2.0 * std::atan(200.0 * pixel_rad)});
+    const Viewpoint& camera = irsg.viewpoint();
+    const double pixel_m = pixel_rad * range_m;
+    irsg.setPose(0, {Vec3{0, 0, standingAltitude_m} +
+                         camera.right * (part(phase, 0.61803398875) * pixel_m) +
+                         camera.up * (part(phase, 0.41421356237) * pixel_m),
+                     {}});
+}
+
+struct Errors {
+    double squares = 0.0, worst = 0.0;
+    int count = 0;
+
+    void add(double error) {
+        squares += error * error;
+        worst = std::max(worst, std::abs(error));
+        ++count;
+    }
+    double rms() const { return std::sqrt(squares / count); }
+};
+
+Errors errorsOf(Irsg& irsg, const Spots& spots) {
+    Errors errors;
+    for (const double range_m : {2e3, 9e3, 4e4})
+        for (int phase = 0; phase < 3; ++phase) {
+            look(irsg, 0.0, 0.0, range_m, phase);
+            errors.add(irsg.measure().all.intensity_W_sr / spots.truth_W_sr() - 1.0);
+        }
+    return errors;
+}
+
+} // namespace
+
+TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
+    Irsg& irsg = generator();
+    for (const auto& [size, most] : {std::pair{128, 0.03}, {256, 0.012}, {512, 0.005}}) {
+        double before = 0.0;
+        for (const int count : {1, 4, 15, 16, 17, 18, 40, 90, 200}) {
+            const Spots spots(count);
+            irsg.setEntities({hotAndCold(spots.mesh)});
+            irsg.setSettings(settingsOf(size));
+            const Errors errors = errorsOf(irsg, spots);
+            EXPECT_LT(errors.rms(), most) << count << " spots, window " << size;
+            EXPECT_LT(errors.worst, 3.0 * most) << count << " spots, window " << size;
+            // No cliff: some more spots do not make it three times as bad.
+            if (before > 0.0) {
+                EXPECT_LT(errors.rms(), 3.0 * before + 1e-3) << count << " spots, window " << size;
+            }
+            before = errors.rms();
+            std::printf("%3d spots, window %d: RMS %.2e, largest %.2e\n", count, size, errors.rms(),
+                        errors.worst);
+        }
+    }
+}
+
+TEST(HotSpots, ThatAreHiddenCostNothingAndChangeNothing) {
+    // From behind, a screen hides them all.
+    Irsg& irsg = generator();
+    const Mesh screen = plateMesh({0, -0.5, 0}, {0, 0, 7}, {17, 0, 0}, skin);
+    irsg.setEntities({hotAndCold(joined(Spots(20).mesh, screen))});
+    for (const int size : {128, 256}) {
+        look(irsg, pi, 0.0, 4e3, 1);
+        irsg.setSettings(settingsOf(size, true));
+        const RenderedImage with = irsg.render();
+        irsg.setSettings(settingsOf(size, false));
+        const RenderedImage without = irsg.render();
+        EXPECT_EQ(with.report.windows.size(), without.report.windows.size());
+        EXPECT_EQ(with.report.all.intensity_W_sr, without.report.all.intensity_W_sr);
+        EXPECT_EQ(with.image.primary().values, without.image.primary().values);
+
+        look(irsg, 0.0, 0.0, 4e3, 1);
+        irsg.setSettings(settingsOf(size, true));
+        EXPECT_GT(irsg.render().report.windows.size(), 10u);
+    }
+}
+
+TEST(HotSpots, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
+    const HotPart part{{10.2, 10.2, 12.8, 11.6}, 100.0};
+    SampleWindow probe;
+    probe.tileX = 5, probe.tileY = 4;
+    probe.tilesWide = 12, probe.tilesHigh = 14;
+    const auto samplesAt = [&](double distance_m) {
+        FactorSamples samples;
+        samples.width = probe.width(), samples.height = probe.height();
+        for (int i = 0; i < samples.width * samples.height; ++i) {
+            samples.first.push_back(static_cast<std::uint32_t>(i));
+            samples.layers.push_back({.row = 0, .distance_m = static_cast<float>(distance_m)});
+        }
+        samples.first.push_back(static_cast<std::uint32_t>(samples.layers.size()));
+        return samples;
+    };
+    EXPECT_TRUE(isHidden(part, probe, samplesAt(99.0)));
+    EXPECT_FALSE(isHidden(part, probe, samplesAt(100.0)));
+    EXPECT_FALSE(isHidden(part, probe, samplesAt(101.0)));
+    // One tile that is open, over the part, beside it and far from it. Rows run upwards.
+    for (const auto& [x, y, hidden] : {std::tuple{11, 10, false},
+                                       {9, 9, false},
+                                       {13, 12, false},
+                                       {14, 10, true},
+                                       {11, 13, true},
+                                       {7, 10, true}}) {
+        FactorSamples samples = samplesAt(99.0);
+        const int row = probe.tilesHigh - 1 - (y - 4);
+        samples.layers[static_cast<std::size_t>(row * probe.tilesWide + x - 5)].distance_m = 200.0f;
+        EXPECT_EQ(isHidden(part, probe, samples), hidden) << x << ", " << y;
+    }
+}
+
+TEST(HotSpots, InPiecesWithoutEndShareBoxesThatHoldThemAll) {
+    Mesh mesh;
+    constexpr int pieces = 1500;
+    for (int i = 0; i < pieces; ++i) {
+        const Mesh one = plateMesh({100.0 * part(i, 0.7548776662), 0, 100.0 * part(i, 0.56984029)},
+                                   {0, 0, 0.01}, {0.01, 0, 0}, hot);
+        mesh.insert(mesh.end(), one.begin(), one.end());
+    }
+    const auto boxes = connectedPieces(collectDrawItems(*modelOf(mesh)), hot);
+    EXPECT_LE(boxes.size(), mostPieces);
+    EXPECT_GT(boxes.size(), mostPieces / 4);
+    double area_m2 = 0.0;
+    for (const BoundingBox& box : boxes)
+        area_m2 += (box.max.x - box.min.x) * (box.max.z - box.min.z);
+    EXPECT_LT(area_m2, 0.9 * 100.0 * 100.0);
+    for (const Triangle& triangle : mesh)
+        EXPECT_TRUE(std::ranges::any_of(boxes, [&](const BoundingBox& box) {
+            const Vec3 c = triangle.vertex[0];
+            return c.x >= box.min.x - 1e-4 && c.x <= box.max.x + 1e-4 && c.z >= box.min.z - 1e-4 &&
+                   c.z <= box.max.z + 1e-4;
+        }));
+}
+
+TEST(HotAircraft, TurnsWithoutAJump) {
+    // A fuselage with wings and four hot pipes, in steps of a degree; the truth has 2048 samples.
+    Mesh mesh = boxMesh({1.5, 14.0, 1.5}, std::vector<IrCodes>(6, skin));
+    mesh = joined(mesh, plateMesh({}, {18.0, 0, 0}, {0, 2.0, 0}, skin));
+    for (const double x : {-9.0, -5.0, 5.0, 9.0}) {
+        Mesh pipe = boxMesh({0.15, 0.6, 0.1}, std::vector<IrCodes>(6, hot));
+        for (Triangle& triangle : pipe)
+            for (Vec3& vertex : triangle.vertex)
+                vertex = vertex + Vec3{x, -2.2, -0.4};
+        mesh = joined(mesh, pipe);
+    }
+    Irsg& irsg = generator();
+    irsg.setEntities({hotAndCold(mesh)});
+    const auto intensityAt = [&](int degree, int size) {
+        irsg.setSettings(settingsOf(size));
+        look(irsg, radians(degree), radians(4.0), 5e3, 0);
+        return irsg.measure().all.intensity_W_sr;
+    };
+    std::vector<double> truth_W_sr;
+    for (int degree = 70; degree < 100; degree += 2)
+        truth_W_sr.push_back(intensityAt(degree, 2048));
+    for (const auto& [size, most] : {std::pair{128, 0.012}, {256, 0.005}, {512, 0.002}}) {
+        Errors errors, steps;
+        double before = 0.0;
+        for (std::size_t i = 0; i < truth_W_sr.size(); ++i) {
+            const double error =
+                intensityAt(70 + 2 * static_cast<int>(i), size) / truth_W_sr[i] - 1.0;
+            errors.add(error);
+            steps.add(error - std::exchange(before, error));
+        }
+        EXPECT_LT(errors.rms(), most) << size;
+        EXPECT_LT(steps.worst, 3.0 * most) << size;
+        std::printf("hot aircraft, window %d: RMS %.2e, largest %.2e, step %.2e\n", size,
+                    errors.rms(), errors.worst, steps.worst);
+    }
+}
+
+TEST(LongThinBody, KeepsItsIntensityFromOneAspectToTheNext) {
+    // 86 x 4 pixels and slimmer, seen from its edge and ever more from above.
+    Irsg& irsg = generator();
+    for (const auto& [thickness_m, most] : {std::pair{4.0, 0.006}, {1.2, 0.012}, {0.4, 0.03}}) {
+        const Mesh mesh = boxMesh({43.0, 30.0, 0.5 * thickness_m}, std::vector<IrCodes>(6, skin));
+        irsg.setEntities({hotAndCold(mesh)});
+        irsg.setSettings(settingsOf(256));
+        Errors errors, steps;
+        double before = 0.0;
+        for (int step = 0; step < 32; ++step) {
+            look(irsg, 0.0, radians(0.025 * step), 1.0 / pixel_rad, step);
+            const Vec3 away = irsg.viewpoint().position_m - irsg.entities()[0].pose.position_m;
+            const double truth =
+                radiance_W_m2_sr(skin_K) * convexSolidAngle_sr(mesh, away) * dot(away, away);
+            const double error = irsg.measure().all.intensity_W_sr / truth - 1.0;
+            errors.add(error);
+            if (step > 0)
+                steps.add(error - before);
+            before = error;
+        }
+        EXPECT_LT(errors.rms(), most) << thickness_m;
+        EXPECT_LT(steps.worst, 3.0 * most) << thickness_m;
+        std::printf("86 x %.1f px: RMS %.2e, largest %.2e, step %.2e\n", thickness_m, errors.rms(),
+                    errors.worst, steps.worst);
+    }
+}
