@@ -115,7 +115,7 @@ struct Errors {
 Errors errorsOf(Irsg& irsg, const Spots& spots) {
     Errors errors;
     for (const double range_m : {2e3, 9e3, 4e4})
-        for (int phase = 0; phase < 3; ++phase) {
+        for (int phase = 0; phase < 2; ++phase) {
             look(irsg, 0.0, 0.0, range_m, phase);
             errors.add(irsg.measure().all.intensity_W_sr / spots.truth_W_sr() - 1.0);
         }
@@ -126,9 +126,9 @@ Errors errorsOf(Irsg& irsg, const Spots& spots) {
 
 TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
     Irsg& irsg = generator();
-    for (const auto& [size, most] : {std::pair{128, 0.03}, {256, 0.012}, {512, 0.005}}) {
+    for (const auto& [size, most] : {std::pair{128, 0.008}, {256, 0.004}, {512, 0.0025}}) {
         double before = 0.0;
-        for (const int count : {1, 4, 15, 16, 17, 18, 40, 90, 200}) {
+        for (const int count : {1, 4, 16, 17, 40, 90, 200}) {
             const Spots spots(count);
             irsg.setEntities({hotAndCold(spots.mesh)});
             irsg.setSettings(settingsOf(size));
@@ -137,7 +137,7 @@ TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
             EXPECT_LT(errors.worst, 3.0 * most) << count << " spots, window " << size;
             // No cliff: some more spots do not make it three times as bad.
             if (before > 0.0) {
-                EXPECT_LT(errors.rms(), 3.0 * before + 1e-3) << count << " spots, window " << size;
+                EXPECT_LT(errors.rms(), 3.0 * before + 1e-4) << count << " spots, window " << size;
             }
             before = errors.rms();
             std::printf("%3d spots, window %d: RMS %.2e, largest %.2e\n", count, size, errors.rms(),
@@ -241,14 +241,14 @@ TEST(HotAircraft, TurnsWithoutAJump) {
         return irsg.measure().all.intensity_W_sr;
     };
     std::vector<double> truth_W_sr;
-    for (int degree = 70; degree < 100; degree += 2)
+    for (int degree = 82; degree < 92; ++degree)
         truth_W_sr.push_back(intensityAt(degree, 2048));
     for (const auto& [size, most] : {std::pair{128, 0.012}, {256, 0.005}, {512, 0.002}}) {
         Errors errors, steps;
         double before = 0.0;
         for (std::size_t i = 0; i < truth_W_sr.size(); ++i) {
             const double error =
-                intensityAt(70 + 2 * static_cast<int>(i), size) / truth_W_sr[i] - 1.0;
+                intensityAt(82 + static_cast<int>(i), size) / truth_W_sr[i] - 1.0;
             errors.add(error);
             steps.add(error - std::exchange(before, error));
         }

@@ -10,16 +10,19 @@ namespace irsg {
 namespace {
 
 /// Tiles that the longer side of an extent is cut into at least: the more, the closer a window lies
-/// around its object.
-constexpr double fewestTiles = 16.0;
+/// around its object. Fewer where there are few samples.
+double fewestTiles(double samples) {
+    return std::clamp(std::sqrt(samples) / 6.0, 6.0, 16.0);
+}
 /// The same for the shorter side, as long as every tile keeps this many samples of the budget.
 constexpr double fewestTilesAcross = 8.0, enoughPerTile = 16.0;
 
 /// The coarsest level that cuts an extent into so many tiles; whole pixels where they are enough.
 int levelFor(const ImageRectangle& extent, double samples) {
     int level = 0;
-    if (const double extent_px = extent.extent(); extent_px < fewestTiles)
-        level = static_cast<int>(std::ceil(std::log2(fewestTiles / std::max(extent_px, 1e-300))));
+    if (const double extent_px = extent.extent(); extent_px < fewestTiles(samples))
+        level = static_cast<int>(
+            std::ceil(std::log2(fewestTiles(samples) / std::max(extent_px, 1e-300))));
     constexpr double mostTiles = 480.0; // along the longer side: four samples of each fit a drawing
     const double shorter_px = std::min(extent.width(), extent.height());
     const auto tiles = [](double side_px, int ofLevel) {
@@ -159,11 +162,11 @@ constexpr double detailFrom = 1.25;
 /// The same for details in a window for details, which is made for them already.
 constexpr double detailAgainFrom = 4.0;
 /// Samples that all details of a group have together, in terms of those of a window.
-constexpr double samplesOfDetails = 2.0;
+constexpr double samplesOfDetails = 1.0;
 /// What a window for several parts may be larger than windows for each.
 constexpr double mostWaste = 1.25;
 /// Windows cut out of one; parts beyond share the ones that grow least.
-constexpr std::size_t mostCuts = 128;
+constexpr std::size_t mostCuts = 256;
 /// Of the budget may be unused where parts are cut out.
 constexpr double mostUnused = 0.2;
 
