@@ -247,8 +247,7 @@ TEST(HotAircraft, TurnsWithoutAJump) {
         Errors errors, steps;
         double before = 0.0;
         for (std::size_t i = 0; i < truth_W_sr.size(); ++i) {
-            const double error =
-                intensityAt(82 + static_cast<int>(i), size) / truth_W_sr[i] - 1.0;
+            const double error = intensityAt(82 + static_cast<int>(i), size) / truth_W_sr[i] - 1.0;
             errors.add(error);
             steps.add(error - std::exchange(before, error));
         }
