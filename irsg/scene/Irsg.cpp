@@ -120,7 +120,13 @@ RenderedImage Irsg::render() {
                         p.entities, result.report);
     }
     const double range_m = frame.geometry.empty() ? 0.0 : frame.geometry.front().path.range_m;
+    const ObjectRadiometry separate = result.report.all;
     result.report.all = reduction.objects(frame.background, range_m);
+    if (p.entities.size() > 1) {
+        // The pixels do not tell whose they are; the objects' own sums do.
+        result.report.all.intensity_W_sr = separate.intensity_W_sr;
+        result.report.all.contrastIntensity_W_sr = separate.contrastIntensity_W_sr;
+    }
     result.report.totalIrradiance_W_m2 = p.totalIrradiance_W_m2(frame, result.report);
     if (p.entities.size() == 1) {
         result.report.objects = {result.report.all};
@@ -162,13 +168,15 @@ IntensitySpectrum Irsg::measureSpectrum(const std::vector<double>& wavenumbers_c
 
         const SceneRadiometry radiometry(p.environment, p.entities, frame.geometry, p.settings,
                                          p.centre(), wavelengths_um);
-        const double range_m = frame.geometry.empty() ? 0.0 : frame.geometry.front().path.range_m;
-        const IntensitySpectrum ascending = evaluateSpectrum(factors, radiometry, range_m);
+        const IntensitySpectrum ascending =
+            evaluateSpectrum(factors, radiometry, frame.geometry, p.entities);
 
         // Back in the order that was asked for.
         IntensitySpectrum result;
         result.coveredPixels = ascending.coveredPixels;
         result.warnings = ascending.warnings;
+        for (const ObjectSpectrum& object : ascending.objects)
+            result.objects.push_back({object.name, {}, {}, {}});
         if (p.settings.mode == CalculationMode::wideband)
             result.warnings.push_back("spectra are computed in the spectral mode: a wideband term "
                                       "stands for the band, not for its wavelength");
@@ -181,6 +189,13 @@ IntensitySpectrum Irsg::measureSpectrum(const std::vector<double>& wavenumbers_c
             result.intensity_W_sr_um.push_back(ascending.intensity_W_sr_um[i]);
             result.contrastIntensity_W_sr_um.push_back(ascending.contrastIntensity_W_sr_um[i]);
             result.irradiance_W_m2_um.push_back(ascending.irradiance_W_m2_um[i]);
+            for (std::size_t e = 0; e < result.objects.size(); ++e) {
+                const ObjectSpectrum& from = ascending.objects[e];
+                ObjectSpectrum& to = result.objects[e];
+                to.intensity_W_sr_um.push_back(from.intensity_W_sr_um[i]);
+                to.contrastIntensity_W_sr_um.push_back(from.contrastIntensity_W_sr_um[i]);
+                to.irradiance_W_m2_um.push_back(from.irradiance_W_m2_um[i]);
+            }
         }
         return result;
     });

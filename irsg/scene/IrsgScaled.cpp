@@ -10,10 +10,6 @@ namespace irsg {
 
 namespace {
 
-double rangeOf(const std::vector<ObjectGeometry>& geometry) {
-    return geometry.empty() ? 0.0 : geometry.front().path.range_m;
-}
-
 void requireNoScales(const std::vector<Entity>& entities) {
     for (const Entity& entity : entities)
         if (!entity.temperatureScale.empty() || !entity.emissivityScale.empty())
@@ -34,8 +30,8 @@ std::unique_ptr<const ScaledView> Irsg::scaledView(const std::vector<ScalingInpu
         ScaledValues nominal{{report.all.intensity_W_sr},
                              {report.all.contrastIntensity_W_sr},
                              {report.all.irradiance_W_m2}};
-        return std::make_unique<const SceneScaledView>(
-            factors, frame.radiometry, rangeOf(frame.geometry), inputs, false, std::move(nominal));
+        return std::make_unique<const SceneScaledView>(factors, frame.radiometry, frame.geometry,
+                                                       inputs, false, std::move(nominal));
     });
 }
 
@@ -63,13 +59,13 @@ std::unique_ptr<const ScaledView> Irsg::scaledSpectrum(const std::vector<Scaling
 
         const SceneRadiometry radiometry(p.environment, p.entities, frame.geometry, p.settings,
                                          p.centre(), ascending);
-        const double range_m = rangeOf(frame.geometry);
-        IntensitySpectrum spectrum = evaluateSpectrum(factors, radiometry, range_m);
+        IntensitySpectrum spectrum =
+            evaluateSpectrum(factors, radiometry, frame.geometry, p.entities);
         ScaledValues nominal{std::move(spectrum.intensity_W_sr_um),
                              std::move(spectrum.contrastIntensity_W_sr_um),
                              std::move(spectrum.irradiance_W_m2_um)};
-        auto view = std::make_unique<SceneScaledView>(factors, radiometry, range_m, inputs, true,
-                                                      std::move(nominal));
+        auto view = std::make_unique<SceneScaledView>(factors, radiometry, frame.geometry, inputs,
+                                                      true, std::move(nominal));
         view->reorder(std::move(order));
         return std::unique_ptr<const ScaledView>(std::move(view));
     });

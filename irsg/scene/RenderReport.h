@@ -23,7 +23,9 @@ struct RenderReport {
     double totalIrradiance_W_m2 = 0.0; ///< of the whole frame, background included
     double background_W_m2_sr = 0.0;
     std::vector<ObjectRadiometry> objects;
-    ObjectRadiometry all;                ///< of all objects together, at the first object's range
+    /// Of all objects together: each sum is that of the objects, whose intensities are each at
+    /// their own range; `range_m` is that of the first.
+    ObjectRadiometry all;
     std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
     std::vector<std::string> warnings;   ///< each said once
     std::vector<SampledWindow> windows;  ///< what the antialiasing sampled by itself
@@ -38,14 +40,23 @@ struct RenderedImage {
     RenderReport report;
 };
 
-/// Spectral quantities of all objects together as they arrive at the sensor, through the air but
-/// without the sensor's response; at the first object's range.
+/// One object's part of an IntensitySpectrum, at its own range.
+struct ObjectSpectrum {
+    std::string name;
+    std::vector<double> intensity_W_sr_um;
+    std::vector<double> contrastIntensity_W_sr_um;
+    std::vector<double> irradiance_W_m2_um;
+};
+
+/// Spectral quantities as they arrive at the sensor, through the air but without the sensor's
+/// response: the sums of the objects, each at its own range.
 struct IntensitySpectrum {
     std::vector<double> wavenumbers_cm1; ///< as asked for
     std::vector<double> wavelengths_um;  ///< 1e4 / wavenumber
     std::vector<double> intensity_W_sr_um;
     std::vector<double> contrastIntensity_W_sr_um;
     std::vector<double> irradiance_W_m2_um; ///< of the contrast
+    std::vector<ObjectSpectrum> objects;    ///< where there are several
     double coveredPixels = 0.0;
     std::vector<std::string> warnings;
 };

@@ -205,9 +205,10 @@ TEST(AlignedZoom, HidesAndShowsASmallObjectBeforeALargeOne) {
     irsg.setPose(1, {{1.01, 1.0, standingAltitude_m + 0.7}, {}});
     const RenderReport before = irsg.render().report;
     const double hot = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 900.0);
-    const double seenArea_m2 = pi * 0.01 * 0.01 * std::pow(range_m / (range_m - 1.0), 2);
+    const double area_m2 = pi * 0.01 * 0.01;
+    const double hiddenArea_m2 = area_m2 * std::pow(range_m / (range_m - 1.0), 2);
     EXPECT_NEAR((before.all.intensity_W_sr - behind_W_sr) /
-                    ((hot - greyRadiance_W_m2_sr()) * seenArea_m2),
+                    (hot * area_m2 - greyRadiance_W_m2_sr() * hiddenArea_m2),
                 1.0, 5e-3);
     EXPECT_NEAR(before.objects[1].coveredPixels / (pi * 0.05 * 0.05), 1.0, 5e-3);
 }

@@ -179,8 +179,10 @@ void evaluateFactors(const ProjectedFactors& factors, const SceneRadiometry& rad
                                   down * sums.downCos_sr + sun * sums.sunCos_sr +
                                   path * sums.coverageCos_sr - hiddenCos_W_m2;
 
+        // An intensity is at the range of the object that has it, also in the sum of all.
+        const double range_m = geometry[static_cast<std::size_t>(key.entity)].path.range_m;
+        const double square_m2 = range_m * range_m;
         auto add = [&](ObjectRadiometry& object) {
-            const double square_m2 = object.range_m * object.range_m;
             object.intensity_W_sr += radiance * square_m2;
             object.contrastIntensity_W_sr += (radiance - hidden_W_m2) * square_m2;
             object.irradiance_W_m2 += onDetector;
@@ -194,7 +196,9 @@ void evaluateFactors(const ProjectedFactors& factors, const SceneRadiometry& rad
 }
 
 IntensitySpectrum evaluateSpectrum(const ProjectedFactors& factors,
-                                   const SceneRadiometry& radiometry, double range_m) {
+                                   const SceneRadiometry& radiometry,
+                                   const std::vector<ObjectGeometry>& geometry,
+                                   const std::vector<Entity>& entities) {
     const std::size_t count = radiometry.wavelengths_um().size();
     IntensitySpectrum spectrum;
     spectrum.wavelengths_um = radiometry.wavelengths_um();
@@ -204,9 +208,16 @@ IntensitySpectrum evaluateSpectrum(const ProjectedFactors& factors,
     spectrum.contrastIntensity_W_sr_um.resize(count);
     spectrum.irradiance_W_m2_um.resize(count);
     spectrum.warnings = radiometry.warnings();
+    if (entities.size() > 1)
+        for (const Entity& entity : entities)
+            spectrum.objects.push_back({entity.name, std::vector<double>(count),
+                                        std::vector<double>(count), std::vector<double>(count)});
 
-    const double square_m2 = range_m * range_m;
     for (const auto& [key, sums] : factors.sums) {
+        const auto entity = static_cast<std::size_t>(key.entity);
+        ObjectSpectrum* own = spectrum.objects.empty() ? nullptr : &spectrum.objects[entity];
+        const double range_m = geometry[entity].path.range_m;
+        const double square_m2 = range_m * range_m;
         const int row = radiometry.row(key.entity, key.codes);
         const SurfaceSpectra& surface = radiometry.surfaces()[static_cast<std::size_t>(row)];
         const std::vector<double> front = transmissivityInFront(key, radiometry);
@@ -217,13 +228,20 @@ IntensitySpectrum evaluateSpectrum(const ProjectedFactors& factors,
                 passed * (surface.thermal[i] * sums.thermal_sr + surface.up[i] * sums.up_sr +
                           surface.down[i] * sums.down_sr + surface.sun[i] * sums.sun_sr +
                           surface.path[i] * sums.coverage_sr);
-            spectrum.intensity_W_sr_um[i] += radiance * square_m2;
-            spectrum.contrastIntensity_W_sr_um[i] +=
-                (radiance - passed * hidden * sums.coverage_sr) * square_m2;
-            spectrum.irradiance_W_m2_um[i] +=
+            const double intensity = radiance * square_m2;
+            const double contrast = (radiance - passed * hidden * sums.coverage_sr) * square_m2;
+            const double irradiance =
                 passed * (surface.thermal[i] * sums.thermalCos_sr + surface.up[i] * sums.upCos_sr +
                           surface.down[i] * sums.downCos_sr + surface.sun[i] * sums.sunCos_sr +
                           (surface.path[i] - hidden) * sums.coverageCos_sr);
+            spectrum.intensity_W_sr_um[i] += intensity;
+            spectrum.contrastIntensity_W_sr_um[i] += contrast;
+            spectrum.irradiance_W_m2_um[i] += irradiance;
+            if (own != nullptr) {
+                own->intensity_W_sr_um[i] += intensity;
+                own->contrastIntensity_W_sr_um[i] += contrast;
+                own->irradiance_W_m2_um[i] += irradiance;
+            }
         }
         if (key.inFront.empty())
             spectrum.coveredPixels += sums.pixels;

@@ -42,15 +42,17 @@ class FactorAccumulator {
     std::vector<std::vector<FactorSums>> sums_; // [prefix][row]
 };
 
-/// Radiometry of every object, and of all together, from projected factors: exact in the products
-/// of spectral transmissivities. Ranges are filled in from `geometry`. What objects hide of a
-/// background that varies over the frame is the sum over their own pixels.
+/// Radiometry of every object at its own range, and the sum of all, from projected factors: exact
+/// in the products of spectral transmissivities. Ranges are filled in from `geometry`. What objects
+/// hide of a background that varies over the frame is the sum over their own pixels.
 void evaluateFactors(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
                      const FrameBackground& background, const std::vector<ObjectGeometry>& geometry,
                      const std::vector<Entity>& entities, RenderReport& report);
 
-/// The same per wavelength, all objects together.
+/// The same per wavelength.
 IntensitySpectrum evaluateSpectrum(const ProjectedFactors& factors,
-                                   const SceneRadiometry& radiometry, double range_m);
+                                   const SceneRadiometry& radiometry,
+                                   const std::vector<ObjectGeometry>& geometry,
+                                   const std::vector<Entity>& entities);
 
 } // namespace irsg

@@ -66,8 +66,9 @@ double ScaleSeries::at(double scale) const {
 }
 
 SceneScaledView::SceneScaledView(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
-                                 double range_m, const std::vector<ScalingInput>& inputs,
-                                 bool isSpectrum, ScaledValues nominal)
+                                 const std::vector<ObjectGeometry>& geometry,
+                                 const std::vector<ScalingInput>& inputs, bool isSpectrum,
+                                 ScaledValues nominal)
     : wavelengths_um_(radiometry.wavelengths_um()),
       isSpectrum_(isSpectrum),
       base_(std::move(nominal)) {
@@ -87,7 +88,7 @@ SceneScaledView::SceneScaledView(const ProjectedFactors& factors, const SceneRad
         }
         surfaces.push_back(std::move(surface));
     }
-    gather(factors, radiometry, range_m, surfaces);
+    gather(factors, radiometry, geometry, surfaces);
 
     // What no input reaches, or nobody sees, stays in the base; the others leave it.
     ScaledValues atOne;
@@ -122,10 +123,12 @@ SceneScaledView::Surface SceneScaledView::surfaceOf(const SceneRadiometry& radio
 }
 
 void SceneScaledView::gather(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
-                             double range_m, std::vector<Surface>& surfaces) const {
+                             const std::vector<ObjectGeometry>& geometry,
+                             std::vector<Surface>& surfaces) const {
     const std::size_t count = wavelengths_um_.size();
-    const double square_m2 = range_m * range_m;
     for (const auto& [key, sums] : factors.sums) {
+        const double range_m = geometry[static_cast<std::size_t>(key.entity)].path.range_m;
+        const double square_m2 = range_m * range_m;
         const auto row = static_cast<std::size_t>(radiometry.row(key.entity, key.codes));
         Surface& surface = surfaces[row];
         const SurfaceSpectra& spectra = radiometry.surfaces()[row];

@@ -39,10 +39,10 @@ class ScaleSeries {
 class SceneScaledView : public ScaledView {
   public:
     /// `nominal` holds the values at scales of 1, which is what `radiometry` must have been made
-    /// at.
+    /// at. `geometry` tells the range of each object.
     SceneScaledView(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
-                    double range_m, const std::vector<ScalingInput>& inputs, bool isSpectrum,
-                    ScaledValues nominal);
+                    const std::vector<ObjectGeometry>& geometry,
+                    const std::vector<ScalingInput>& inputs, bool isSpectrum, ScaledValues nominal);
 
     std::size_t size() const override {
         return order_.empty() ? base_.intensity.size() : order_.size();
@@ -80,8 +80,8 @@ class SceneScaledView : public ScaledView {
         Drive emitted, reflected; ///< `emitted` is the emission itself of a user-defined spectrum
     };
     static Surface surfaceOf(const SceneRadiometry& radiometry, std::size_t row);
-    void gather(const ProjectedFactors& factors, const SceneRadiometry& radiometry, double range_m,
-                std::vector<Surface>& surfaces) const;
+    void gather(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
+                const std::vector<ObjectGeometry>& geometry, std::vector<Surface>& surfaces) const;
     std::vector<Group> groupsOf(const Surface& surface, double mostEmissivity) const;
     void close(Surface& surface, const std::vector<ScalingInput>& inputs) const;
     void add(const Surface& surface, double scaleT, double scaleE, ScaledValues& values) const;
