@@ -35,9 +35,34 @@ std::vector<AnalysisPlan> planned(const std::vector<Job>& jobs) {
     return plans;
 }
 
+/// Images of several bands become an image a band, its label behind the names of result and files.
+std::vector<Job> eachBandItsImage(const std::vector<Job>& jobs) {
+    std::vector<Job> list;
+    for (const Job& job : jobs) {
+        const std::vector<Settings> each = eachBand(job.data.settings);
+        if (job.data.kind != AnalysisKind::image || each.size() < 2) {
+            list.push_back(job);
+            continue;
+        }
+        const auto labels = bandLabels(bandsOf(job.data.project, job.data.settings));
+        for (std::size_t i = 0; i < each.size(); ++i) {
+            Job one = job;
+            one.data.settings = each[i];
+            one.data.name += "@" + labels[i];
+            for (std::filesystem::path& file : one.files) {
+                file.replace_filename(file.stem().string() + "@" + labels[i] +
+                                      file.extension().string());
+            }
+            list.push_back(std::move(one));
+        }
+    }
+    return list;
+}
+
 } // namespace
 
 int runJobs(std::vector<Job> jobs, Context& context) {
+    jobs = eachBandItsImage(jobs);
     planned(jobs);
     catchStopSignal();
     SceneBuilder builder;
@@ -70,6 +95,9 @@ int runJobs(std::vector<Job> jobs, Context& context) {
                     },
                     stop.get_token(), &context.timer);
         }
+        for (const std::string& warning : job.data.warnings) {
+            warn(job.data.name + ": " + warning);
+        }
         const StageTimer::Scope scope(&context.timer, "save");
         const bool hasResult = job.data.kind == AnalysisKind::image ? !job.data.image.empty()
                                                                     : !job.data.table.empty();
@@ -90,7 +118,8 @@ int runJobs(std::vector<Job> jobs, Context& context) {
     return stopWasAsked() ? warned : done;
 }
 
-int describeJobs(const std::vector<Job>& jobs, const Context& context) {
+int describeJobs(const std::vector<Job>& given, const Context& context) {
+    const std::vector<Job> jobs = eachBandItsImage(given);
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     const std::vector<AnalysisPlan> plans = planned(jobs);
     for (std::size_t i = 0; i < plans.size(); ++i) {

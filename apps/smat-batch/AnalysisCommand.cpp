@@ -19,6 +19,20 @@ class AnalysisCommand {
         command.add_option("--analysis", analysis_, "Start from this analysis of the project")
             ->type_name("NAME");
         command.add_flag("--dry-run", dryRun_, "Say what would be drawn, and stop");
+        if (kind == AnalysisKind::image) {
+            command.footer("Several bands give a file each: FILE@3-5um.exr.");
+        } else if (kind != AnalysisKind::spectrum) {
+            command.footer(
+                "Columns: where the case is, then the sums of all objects, then those of each "
+                "object "
+                "where there are several, as OBJECT.contrast_intensity, each at its own range "
+                "OBJECT.range. Of several bands each column is there once a band, as "
+                "contrast_intensity@3-5um. A second object of one name is NAME-2.");
+        } else {
+            command.footer("Columns: wavenumber and wavelength, then the sums of all objects, then "
+                           "those of each object where there are several, as "
+                           "OBJECT.spectral_contrast_intensity, each at its own range. One band.");
+        }
     }
 
     int run(Context& context) const {

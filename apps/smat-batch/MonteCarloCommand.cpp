@@ -123,6 +123,9 @@ class MonteCarloCommand {
                     },
                     stop.get_token(), &context.timer);
         }
+        for (const std::string& warning : data.analysis.warnings) {
+            warn(data.analysis.name + ": " + warning);
+        }
         std::vector<std::filesystem::path> written;
         {
             const StageTimer::Scope scope(&context.timer, "save");

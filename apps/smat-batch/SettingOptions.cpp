@@ -55,6 +55,12 @@ SettingOptions::SettingOptions(CLI::App& command,
         } else {
             given->option = command.add_option(setting.option, given->text, help);
             given->option->type_name(setting.unit.empty() ? "" : setting.unit);
+            // A list may also be given word by word.
+            if (setting.kind == SettingKind::pathList) {
+                given->option->join(';');
+            } else if (setting.kind == SettingKind::band) {
+                given->option->join(',');
+            }
         }
         given->option->group(sectionTitle(setting.section()));
         given_.push_back(std::move(given));

@@ -18,6 +18,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// "3-5 um, 8-12 um".
+std::string bandsText(const SceneDescription& scene) {
+    std::string text;
+    for (const irsg::Band& band : scene.allBands()) {
+        text += (text.empty() ? "" : ", ") + band.name();
+    }
+    return text;
+}
+
 /// `smat-batch simulate SCENARIO --out DIR`: the frames of an engagement, one folder a sensor.
 class SimulateCommand {
   public:
@@ -175,13 +184,13 @@ class SimulateCommand {
                                 {"to_s", last.time_s},
                                 {"width", detector.width_px},
                                 {"height", detector.height_px},
-                                {"band", detector.band.name()},
+                                {"band", bandsText(loaded.sensors[sensor].scene)},
                                 {"first", files.frameFile(sensor, first.number, "").string()},
                                 {"last", files.frameFile(sensor, last.number, "").string()}});
             } else {
                 fmt::print("{}: {} steps from {:g} to {:g} s, {} x {} px, {}, {} to {}\n", name,
                            plan.steps.size(), first.time_s, last.time_s, detector.width_px,
-                           detector.height_px, detector.band.name(),
+                           detector.height_px, bandsText(loaded.sensors[sensor].scene),
                            files.frameFile(sensor, first.number, "").filename().string(),
                            files.frameFile(sensor, last.number, "").filename().string());
             }

@@ -1,14 +1,15 @@
 #include "smatcore/analysis/AnalysisGenerator.h"
 
-#include <algorithm>
 #include <chrono>
 
 #include <fmt/format.h>
 
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/CaseChecks.h"
+#include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/analysis/SceneRestorer.h"
+#include "smatcore/analysis/SweepTable.h"
 #include "smatcore/support/Log.h"
 #include "smatcore/support/NewSentences.h"
 
@@ -16,149 +17,49 @@ namespace smat {
 
 namespace {
 
-using irsg::Quantity;
-
-void takeReport(AnalysisData& data, const irsg::RenderReport& report) {
-    addNew(data.answeredBy, report.answeredBy);
-    addNew(data.warnings, report.warnings);
-}
-
-/// What renderings could not do exactly: the worst of all cases, said once.
-struct Shortcomings {
-    int layersLeftOver = 0;
-    double transmissivityResidue = 0.0;
-    std::size_t casesBeyondFrame = 0;
-    std::size_t casesWithoutPixels = 0;
-
-    void take(const irsg::RenderReport& report) {
-        casesWithoutPixels += report.all.coveredPixels > 0.0 ? 0 : 1;
-        layersLeftOver = std::max(layersLeftOver, report.layersLeftOver);
-        transmissivityResidue = std::max(transmissivityResidue, report.transmissivityResidue);
-    }
-    void sayIn(AnalysisData& data) const {
-        if (casesWithoutPixels > 0) {
-            data.warnings.push_back(
-                fmt::format("no sample hits the target in {} of the cases: it is out of the frame, "
-                            "too small for the sampling, or the camera is inside it",
-                            casesWithoutPixels));
-        }
-        // An image shows what it cuts off; a plot does not.
-        if (data.kind != AnalysisKind::image && casesBeyondFrame > 0) {
-            data.warnings.push_back(fmt::format(
-                "the target's bounding box reaches beyond the frame in {} of the cases; "
-                "what lies outside is not in the sums",
-                casesBeyondFrame));
-        }
-        if (layersLeftOver > 0) {
-            data.warnings.push_back(
-                fmt::format("up to {} samples of a drawing have more than {} transparent layers, "
-                            "the rest of which is left out; see render.layers",
-                            layersLeftOver, data.settings.integer("render.layers")));
-        }
-        // Sums multiply transmissivities at each wavelength; only an image has one per surface.
-        if (data.kind == AnalysisKind::image && transmissivityResidue > 1e-3) {
-            data.warnings.push_back(
-                fmt::format("transmissivities that vary over the band are one number in an image; "
-                            "the largest relative error of that is {:.2g}",
-                            transmissivityResidue));
-        }
-    }
-};
-
-/// The sums of an image, or one case of a sweep, as a row of the table.
-void startTable(AnalysisData& data, const AnalysisPlan& plan) {
-    ResultTable& table = data.table;
-    switch (plan.kind) {
-    case AnalysisKind::spectrum:
-        for (const Quantity quantity :
-             {Quantity::wavenumber, Quantity::wavelength, Quantity::spectralIntensity,
-              Quantity::spectralContrastIntensity, Quantity::spectralIrradiance}) {
-            table.add(quantity);
-        }
-        return;
-    case AnalysisKind::polar:
-        for (const Quantity quantity :
-             {Quantity::angle, Quantity::azimuth, Quantity::elevation, Quantity::yaw}) {
-            table.add(quantity);
-        }
-        break;
-    case AnalysisKind::image:
-        table.add(Quantity::range);
-        break;
-    case AnalysisKind::range:
-    case AnalysisKind::time:
-        table.add(plan.coordinate);
-        break;
-    }
-    for (const Quantity quantity :
-         {Quantity::intensity, Quantity::contrastIntensity, Quantity::irradiance}) {
-        table.add(quantity);
-    }
-    if (plan.kind == AnalysisKind::image) {
-        table.add(Quantity::totalIrradiance);
-    }
-    table.add(Quantity::pixels);
-}
-
-void addCaseRow(AnalysisData& data, const AnalysisPlan& plan, const AnalysisCase& one,
-                const irsg::RenderReport& report) {
-    std::vector<double> row;
-    switch (plan.kind) {
-    case AnalysisKind::polar:
-        row = {one.coordinate, one.shownAzimuth_deg, one.shownElevation_deg, one.shownYaw_deg};
-        break;
-    case AnalysisKind::image:
-        row = {one.range_m};
-        break;
-    default:
-        row = {one.coordinate};
-    }
-    const irsg::ObjectRadiometry& all = report.all;
-    row.insert(row.end(), {all.intensity_W_sr, all.contrastIntensity_W_sr, all.irradiance_W_m2});
-    if (plan.kind == AnalysisKind::image) {
-        row.push_back(report.totalIrradiance_W_m2);
-    }
-    row.push_back(all.coveredPixels);
-    data.table.addRow(row);
-}
-
 void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& source,
-               const AnalysisPlan& plan) {
+               const AnalysisCase& one, SweepTable& table, CaseWarnings& warnings) {
     irsg::RenderedImage rendered = source.render();
-    takeReport(data, rendered.report);
-    Shortcomings shortcomings;
-    shortcomings.take(rendered.report);
-    shortcomings.sayIn(data);
-    addCaseRow(data, plan, plan.cases.front(), rendered.report);
+    addNew(data.answeredBy, rendered.report.answeredBy);
+    warnings.addReport(rendered.report, data.settings.integer("render.layers"), true);
+    table.addCase(one, {rendered.report});
     data.image = std::move(rendered.image);
     const std::string sentence = showQuantity(data.image, scene.sensor, data.settings);
     if (!sentence.empty()) {
-        addNew(data.warnings, {sentence});
+        warnings.add(sentence);
     }
 }
 
-void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan& plan) {
+void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan& plan,
+                     SweepTable& table, CaseWarnings& warnings) {
     // The sums of the same view say who answered for the air.
     const irsg::RenderReport report = source.measure();
-    takeReport(data, report);
-    Shortcomings shortcomings;
-    shortcomings.take(report);
-    shortcomings.sayIn(data);
+    addNew(data.answeredBy, report.answeredBy);
+    warnings.addReport(report, data.settings.integer("render.layers"), false);
     const irsg::IntensitySpectrum spectrum = source.measureSpectrum(plan.wavenumbers_cm1);
-    addNew(data.warnings, spectrum.warnings);
-    for (std::size_t i = 0; i < spectrum.wavenumbers_cm1.size(); ++i) {
-        data.table.addRow({spectrum.wavenumbers_cm1[i], spectrum.wavelengths_um[i],
-                           spectrum.intensity_W_sr_um[i], spectrum.contrastIntensity_W_sr_um[i],
-                           spectrum.irradiance_W_m2_um[i]});
+    for (const std::string& sentence : spectrum.warnings) {
+        warnings.add(sentence);
     }
+    table.addSpectrum(spectrum);
+}
+
+/// One case of a sweep, in every band.
+void measureCase(AnalysisData& data, const SceneDescription& scene, ImageSource& source,
+                 const AnalysisCase& one, SweepTable& table, CaseWarnings& warnings) {
+    const std::vector<irsg::RenderReport> reports = source.measure(scene.allBands());
+    for (const irsg::RenderReport& report : reports) {
+        addNew(data.answeredBy, report.answeredBy);
+        warnings.addReport(report, data.settings.integer("render.layers"), false);
+    }
+    table.addCase(one, reports);
 }
 
 std::string caseName(const AnalysisPlan& plan, const AnalysisCase& one) {
     if (plan.cases.size() == 1) {
         return name(plan.kind);
     }
-    const irsg::QuantityInfo& axis = irsg::info(plan.coordinate);
-    return fmt::format("{}: {} {:.6g} {}", name(plan.kind), axis.key, one.coordinate, axis.unit);
+    return fmt::format("{}: {} {}", name(plan.kind), irsg::info(plan.coordinate).key,
+                       plan.place(one));
 }
 
 } // namespace
@@ -203,16 +104,22 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
     addNew(data.warnings, scene.remarks);
     const irsg::Pose standing = scene.entities.front().pose;
     const irsg::Vec3 referencePoint = standing.toWorld(inModel.front());
-    startTable(data, cases);
+    SweepTable table(cases, scene, data.table);
 
     {
-        const AnalysisCase home =
-            planAnalysis(AnalysisKind::image, data.project, data.settings).cases.front();
-        const SceneRestorer restore(source_, scene, home.viewpoint(referencePoint));
+        const SceneRestorer restore(source_, scene,
+                                    standingCase(data.settings).viewpoint(referencePoint));
         const StageTimer::Scope scope(timer, "analyse");
         logInfo(cases.description);
         std::size_t done = 0;
-        Shortcomings shortcomings;
+        CaseWarnings warnings;
+        // What stands in the data at any time is what is known by then: a window that does not wait
+        // for a drawing takes it.
+        const std::vector<std::string> before = data.warnings;
+        const auto tellWarnings = [&] {
+            data.warnings = before;
+            addNew(data.warnings, warnings.sentences());
+        };
         for (const AnalysisCase& one : cases.cases) {
             if (progress) {
                 progress({done, cases.cases.size(), elapsed_s(), caseName(cases, one)});
@@ -222,33 +129,39 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             }
             logDebug(caseName(cases, one));
 
-            const irsg::Pose pose = one.pose(standing, inModel.front());
-            source_.setPose(0, pose);
+            warnings.beginCase(cases.place(one));
+            std::vector<irsg::Pose> poses;
+            for (const irsg::Entity& entity : scene.entities) {
+                poses.push_back(entity.pose);
+            }
+            poses.front() = one.pose(standing, inModel.front());
+            source_.setPose(0, poses.front());
             const irsg::Viewpoint viewpoint = one.viewpoint(referencePoint);
             source_.setViewpoint(viewpoint);
-            if (reachesBeyondFrame(scene.entities.front(), pose, viewpoint, scene.sensor)) {
-                ++shortcomings.casesBeyondFrame;
+            // An image shows what it cuts off; a plot does not.
+            if (data.kind != AnalysisKind::image) {
+                warnings.addObjectsBeyondFrame(scene, poses, viewpoint);
             }
             for (std::size_t i = 0; i < scene.entities.size(); ++i) {
                 const irsg::Entity& entity = scene.entities[i];
                 irsg::EntityState state = entity.state;
                 state.time_s = one.time_s;
                 source_.setState(i, state);
-                const irsg::Pose& at = i == 0 ? pose : entity.pose;
-                addNew(data.warnings,
-                       heldTables(entity, state, at, at.toWorld(inModel[i]), viewpoint.position_m));
+                for (const std::string& sentence :
+                     heldTables(entity, state, poses[i], poses[i].toWorld(inModel[i]),
+                                viewpoint.position_m)) {
+                    warnings.add(sentence);
+                }
             }
 
             if (data.kind == AnalysisKind::image) {
-                drawImage(data, scene, source_, cases);
+                drawImage(data, scene, source_, one, table, warnings);
             } else if (data.kind == AnalysisKind::spectrum) {
-                measureSpectrum(data, source_, cases);
+                measureSpectrum(data, source_, cases, table, warnings);
             } else {
-                const irsg::RenderReport report = source_.measure();
-                takeReport(data, report);
-                shortcomings.take(report);
-                addCaseRow(data, cases, one, report);
+                measureCase(data, scene, source_, one, table, warnings);
             }
+            tellWarnings();
             ++done;
         }
         if (progress) {

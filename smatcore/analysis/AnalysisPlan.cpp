@@ -27,21 +27,6 @@ double stepped(double first, std::size_t i, double step) {
     return irsg::parseNumber(fmt::format("{:.13g}", first + static_cast<double>(i) * step)).value();
 }
 
-/// The target and the camera as the settings place them: the case every sweep starts from.
-AnalysisCase standingCase(const Settings& settings) {
-    AnalysisCase one;
-    one.time_s = settings.real("state.time");
-    one.attitude = targetPoseOf(settings).attitude;
-    one.cameraYaw_rad = one.attitude.yaw_rad;
-    one.azimuth_rad = irsg::radians(settings.real("camera.azimuth"));
-    one.elevation_rad = irsg::radians(settings.real("camera.elevation"));
-    one.range_m = settings.real("camera.range");
-    one.shownAzimuth_deg = settings.real("camera.azimuth");
-    one.shownElevation_deg = settings.real("camera.elevation");
-    one.shownYaw_deg = settings.real("target.yaw");
-    return one;
-}
-
 /// Camera-Azimuth: level circle at the view offset, clockwise seen from above, from the nose.
 void placeCameraAzimuth(AnalysisCase& one, double angle_deg, double offset_deg) {
     one.azimuth_rad = irsg::radians(angle_deg);
@@ -213,7 +198,51 @@ std::string describe(const AnalysisPlan& plan, const Settings& settings) {
                        plan.cases.back().coordinate, axis.unit, raster);
 }
 
+/// What a kind of analysis cannot do, whatever its sweep.
+void checkAbilities(AnalysisKind kind, const Settings& settings,
+                    std::vector<irsg::Offence>& offences) {
+    const bool isOneBand = kind == AnalysisKind::image || kind == AnalysisKind::spectrum;
+    if (isOneBand && eachBand(settings).size() > 1) {
+        const bool hasResponse = !settings.paths("sensor.response").empty();
+        const char* key = hasResponse ? "sensor.response" : "sensor.band";
+        offences.push_back({.file = "",
+                            .position = key,
+                            .value = settings.text(key),
+                            .expected = kind == AnalysisKind::image
+                                            ? "one band for an image in the window; smat-batch "
+                                              "writes a file for each of several"
+                                            : "one band: a spectrum runs from its one end to the "
+                                              "other"});
+    }
+    // Modes 0 to 2 have no zoom.
+    if (kind != AnalysisKind::image && settings.text("render.zoom") == "sills" &&
+        settings.integer("render.antialiasing") > 2) {
+        offences.push_back({.file = "",
+                            .position = "render.zoom",
+                            .value = "sills",
+                            .expected = "aligned: the samples of the published zoom do not add to "
+                                        "pixels, so that the sums of a " +
+                                        name(kind) +
+                                        " analysis come from the aligned windows; only images show "
+                                        "the published zoom"});
+    }
+}
+
 } // namespace
+
+AnalysisCase standingCase(const Settings& settings) {
+    AnalysisCase one;
+    one.time_s = settings.real("state.time");
+    one.attitude = targetPoseOf(settings).attitude;
+    one.cameraYaw_rad = one.attitude.yaw_rad;
+    one.azimuth_rad = irsg::radians(settings.real("camera.azimuth"));
+    one.elevation_rad = irsg::radians(settings.real("camera.elevation"));
+    one.range_m = settings.real("camera.range");
+    one.shownAzimuth_deg = settings.real("camera.azimuth");
+    one.shownElevation_deg = settings.real("camera.elevation");
+    one.shownYaw_deg = settings.real("target.yaw");
+    return one;
+}
 
 irsg::Pose AnalysisCase::pose(const irsg::Pose& standing,
                               const irsg::Vec3& referencePointInModel) const {
@@ -233,10 +262,15 @@ irsg::Viewpoint AnalysisCase::viewpoint(const irsg::Vec3& referencePoint) const 
                                         range_m);
 }
 
+std::string AnalysisPlan::place(const AnalysisCase& one) const {
+    return fmt::format("{:.6g} {}", one.coordinate, irsg::info(coordinate).unit);
+}
+
 AnalysisPlan planAnalysis(AnalysisKind kind, const Project& project, const Settings& settings) {
     AnalysisPlan plan;
     plan.kind = kind;
     std::vector<irsg::Offence> offences;
+    checkAbilities(kind, settings, offences);
     switch (kind) {
     case AnalysisKind::image:
         plan.cases.push_back(standingCase(settings));

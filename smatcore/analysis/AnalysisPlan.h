@@ -47,10 +47,18 @@ struct AnalysisPlan {
 
     /// "polar: 36 cases, angle 0 to 350 deg, 640 x 512 px".
     std::string description;
+
+    /// Where a case is on the axis: "500 m".
+    std::string place(const AnalysisCase& one) const;
 };
 
+/// The target and the camera as the settings place them: the case every sweep starts from.
+AnalysisCase standingCase(const Settings& settings);
+
 /// Throws InputError naming every setting that does not fit the others: a reversed sweep, a range
-/// of 0 on a logarithmic axis, more than 1e6 cases.
+/// of 0 on a logarithmic axis, more than 1e6 cases, several bands of an image or a spectrum, the
+/// published zoom in anything but an image (its samples do not add to pixels one to one, so that
+/// the projected factors of sums never come from it).
 AnalysisPlan planAnalysis(AnalysisKind kind, const Project& project, const Settings& settings);
 
 } // namespace smat

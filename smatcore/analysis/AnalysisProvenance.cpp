@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "smatcore/data/ColumnName.h"
+
 namespace smat {
 
 namespace {
@@ -12,19 +14,24 @@ namespace {
 using irsg::Quantity;
 
 void addColumnExtremes(AnalysisData& data, Quantity quantity, Quantity abscissa) {
-    const ResultColumn* column = data.table.find(quantity);
     const ResultColumn* axis = data.table.find(abscissa);
-    if (column == nullptr || axis == nullptr || column->values.empty()) {
-        return;
+    for (const ResultColumn* column : columnsOf(data.table, irsg::info(quantity).key)) {
+        const ColumnName parts = ColumnName::of(column->key);
+        // Of all objects together, in each band.
+        if (axis == nullptr || column->values.empty() || !parts.object.empty()) {
+            continue;
+        }
+        const auto [least, most] =
+            std::minmax_element(column->values.begin(), column->values.end());
+        const std::string band = parts.band.empty() ? "" : ", " + parts.which() + ",";
+        const std::string label = std::string(irsg::info(quantity).label) + band;
+        const auto where = [&](std::vector<double>::const_iterator it) {
+            const double at = axis->values[static_cast<std::size_t>(it - column->values.begin())];
+            return fmt::format(" at {:.6g} {}", at, axis->unit);
+        };
+        data.summary.push_back({"Largest " + label + where(most), *most, column->unit});
+        data.summary.push_back({"Least " + label + where(least), *least, column->unit});
     }
-    const auto [least, most] = std::minmax_element(column->values.begin(), column->values.end());
-    const std::string label(irsg::info(quantity).label);
-    const auto where = [&](std::vector<double>::const_iterator it) {
-        const double at = axis->values[static_cast<std::size_t>(it - column->values.begin())];
-        return fmt::format(" at {:.6g} {}", at, axis->unit);
-    };
-    data.summary.push_back({"Largest " + label + where(most), *most, column->unit});
-    data.summary.push_back({"Least " + label + where(least), *least, column->unit});
 }
 
 void addImageNumbers(AnalysisData& data) {
@@ -85,9 +92,11 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
         provenance.add("database", model.database.filename().string() +
                                        (unsaved ? ", with edits that are not saved" : ""));
     }
-    const irsg::SpectralRange range = scene.sensor.band.range();
-    provenance.add("band", fmt::format("{} ({} to {} um)", scene.sensor.band.name(), range.min_um,
-                                       range.max_um));
+    for (const irsg::Band& band : scene.allBands()) {
+        const irsg::SpectralRange range = band.range();
+        provenance.add("band",
+                       fmt::format("{} ({} to {} um)", band.name(), range.min_um, range.max_um));
+    }
     for (const SettingInfo& setting : settingTable()) {
         const bool concerns =
             !isAnalysisSection(setting.section()) || setting.section() == name(data.kind);

@@ -16,11 +16,16 @@ struct SceneDescription {
     /// Entities whose database holds edits that its file does not.
     std::set<std::size_t> unsavedDatabases;
     irsg::Environment environment;
-    irsg::Sensor sensor;
+    irsg::Sensor sensor;           ///< with the first of its bands
+    std::vector<irsg::Band> bands; ///< of the sensor, in order; empty: that of `sensor` alone
     irsg::RenderSettings render;
     std::shared_ptr<const irsg::Skybox> skybox;   ///< null for none
     std::shared_ptr<const irsg::Terrain> terrain; ///< null for none
     std::vector<std::string> remarks;             ///< what loading had to say, each said once
+
+    std::vector<irsg::Band> allBands() const {
+        return bands.empty() ? std::vector<irsg::Band>{sensor.band} : bands;
+    }
 };
 
 /// What smatcore asks of a renderer: the seam between analyses and irsg::Irsg, so that analyses are
@@ -42,6 +47,8 @@ class ImageSource {
 
     virtual irsg::RenderedImage render() = 0;
     virtual irsg::RenderReport measure() = 0;
+    /// A report for each of these bands, in place of the sensor's own, from the same drawing.
+    virtual std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) = 0;
     virtual irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) = 0;
 
     /// The view as a function of scales: in the sensor's band, or, with wavenumbers, per
@@ -49,6 +56,10 @@ class ImageSource {
     virtual std::unique_ptr<const irsg::ScaledView>
     scaledView(const std::vector<irsg::ScalingInput>& inputs,
                const std::vector<double>& wavenumbers_cm1) = 0;
+    /// The view in each of these bands, in place of the sensor's own, from the same drawing.
+    virtual std::vector<std::unique_ptr<const irsg::ScaledView>>
+    scaledViews(const std::vector<irsg::ScalingInput>& inputs,
+                const std::vector<irsg::Band>& bands) = 0;
 
     virtual std::string rendererDescription() = 0;
     /// Time spent inside the renderer by stage since the last reset.

@@ -41,6 +41,9 @@ class IrsgImageSource : public ImageSource {
         irsg_.checkConfiguration();
         return irsg_.measure();
     }
+    std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) override {
+        return inEach<irsg::RenderReport>(bands, [this] { return irsg_.measure(); });
+    }
     irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) override {
         irsg_.checkConfiguration();
         return irsg_.measureSpectrum(wavenumbers_cm1);
@@ -54,11 +57,39 @@ class IrsgImageSource : public ImageSource {
                                        : irsg_.scaledSpectrum(inputs, wavenumbers_cm1);
     }
 
+    std::vector<std::unique_ptr<const irsg::ScaledView>>
+    scaledViews(const std::vector<irsg::ScalingInput>& inputs,
+                const std::vector<irsg::Band>& bands) override {
+        return inEach<std::unique_ptr<const irsg::ScaledView>>(
+            bands, [&] { return irsg_.scaledView(inputs); });
+    }
+
     std::string rendererDescription() override { return irsg_.rendererDescription(); }
     irsg::StageTimes stageTimes() const override { return irsg_.stageTimes(); }
     void resetStageTimes() override { irsg_.resetStageTimes(); }
 
   private:
+    /// What `ask` answers in each band. Drawn factors do not depend on the band, so the renderer
+    /// keeps them from one to the next.
+    template <typename Answer, typename Ask>
+    std::vector<Answer> inEach(const std::vector<irsg::Band>& bands, const Ask& ask) {
+        /// Puts the sensor back, whatever happens.
+        struct Restorer {
+            irsg::Irsg& irsg;
+            irsg::Sensor sensor;
+            ~Restorer() { irsg.setSensor(sensor); }
+        } const restorer{irsg_, irsg_.sensor()};
+        irsg::Sensor sensor = restorer.sensor;
+        std::vector<Answer> answers;
+        for (const irsg::Band& band : bands) {
+            sensor.band = band;
+            irsg_.setSensor(sensor);
+            irsg_.checkConfiguration();
+            answers.push_back(ask());
+        }
+        return answers;
+    }
+
     irsg::Irsg irsg_;
 };
 

@@ -55,7 +55,7 @@ class Run {
         }
         const std::size_t places = plan_.kind == AnalysisKind::spectrum
                                        ? plan_.wavenumbers_cm1.size()
-                                       : plan_.cases.size();
+                                       : plan_.cases.size() * scene_.allBands().size();
         if (data_.options.samples > mostValues / std::max<std::size_t>(places, 1)) {
             throw refusal("samples",
                           fmt::format("{} at {} abscissae", data_.options.samples, places),
@@ -79,7 +79,7 @@ class Run {
                 ++done_;
             },
             stop_);
-        data_.values.assign(data_.abscissae.size(), {});
+        data_.values.assign(data_.nominal.size(), {});
     }
 
     void drawScales() {
@@ -123,7 +123,13 @@ class Run {
             *companions_, data_.options.sequence, data_.options.rankingPairs,
             [&](const std::vector<double>& scales) {
                 std::vector<double> all = views_->valuesAt(scales);
-                return only ? std::vector<double>{all[*only]} : all;
+                if (!only)
+                    return all;
+                // That abscissa in every band.
+                std::vector<double> chosen;
+                for (std::size_t k = *only; k < all.size(); k += data_.abscissae.size())
+                    chosen.push_back(all[k]);
+                return chosen;
             },
             [&](std::size_t pairs) {
                 if (pairs % 16 == 0)

@@ -52,22 +52,28 @@ struct MonteCarloData {
     AnalysisData analysis; ///< its kind, project and settings; table, summary and warnings come out
     MonteCarloOptions options;
 
-    std::vector<SceneScaling> scalings;      ///< those that have an effect
-    std::string unit;                        ///< of the values
-    std::string abscissaKey, abscissaUnit;   ///< "wavelength", "um"
-    std::vector<double> abscissae;           ///< of a spectrum, wavelengths in um
-    std::vector<std::vector<double>> values; ///< by abscissa, then by draw
+    std::vector<SceneScaling> scalings;    ///< those that have an effect
+    std::string unit;                      ///< of the values
+    std::string abscissaKey, abscissaUnit; ///< "wavelength", "um"
+    std::vector<double> abscissae;         ///< of a spectrum, wavelengths in um
+    std::vector<std::string> bands;        ///< labels of several bands; one "" of one
+    // By place: all abscissae in the first band, then all in the next.
+    std::vector<std::vector<double>> values; ///< by place, then by draw
     std::vector<double> nominal;             ///< at scales of 1
     std::vector<double> numericalError;      ///< standard deviation over the phases
-    std::vector<Estimate> statistic;         ///< by abscissa
+    std::vector<Estimate> statistic;         ///< by place
     std::vector<RankedScaling> ranking;
     bool reachedStandardError = false;
 
     std::size_t draws() const { return values.empty() ? 0 : values.front().size(); }
     /// The command that does the same from a terminal.
     std::string equivalentCommand(const std::string& outputFile) const;
-    /// The abscissa nearest to a number.
+    /// The abscissa nearest to a number: its place in the first band.
     std::size_t nearest(double abscissa) const;
+    /// Values over the abscissae of one band, from values by place.
+    std::vector<double> ofBand(const std::vector<double>& byPlace, std::size_t band) const;
+    /// "mean", or "mean@3-5um" of one of several bands: the key of a column.
+    std::string columnKey(const std::string& what, std::size_t band) const;
 };
 
 /// Repeats an analysis of intensities over the scales of its scaling files (F55 to F57). Geometry

@@ -8,6 +8,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/CommandSettings.h"
 #include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/data/ColumnName.h"
 #include "smatcore/support/ShellText.h"
 #include "smatcore/support/TextFile.h"
 
@@ -127,6 +128,16 @@ std::size_t MonteCarloData::nearest(double abscissa) const {
             return std::abs(a - abscissa) < std::abs(b - abscissa);
         });
     return static_cast<std::size_t>(found - abscissae.begin());
+}
+
+std::vector<double> MonteCarloData::ofBand(const std::vector<double>& byPlace,
+                                           std::size_t band) const {
+    const auto first = byPlace.begin() + static_cast<std::ptrdiff_t>(band * abscissae.size());
+    return {first, first + static_cast<std::ptrdiff_t>(abscissae.size())};
+}
+
+std::string MonteCarloData::columnKey(const std::string& what, std::size_t band) const {
+    return ColumnName{"", "", what, bands.at(band)}.key();
 }
 
 ResultTable rankingTable(const MonteCarloData& data) {

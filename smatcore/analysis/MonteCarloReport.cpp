@@ -51,27 +51,36 @@ void writeTable(MonteCarloData& data, const AnalysisPlan& plan) {
     if (isSpectrum)
         table.add(Quantity::wavenumber);
     table.add(data.abscissaKey, data.abscissaUnit);
-    for (const char* key : {"nominal", "mean", "standard_deviation", "standard_error", "minimum"})
-        table.add(key, data.unit);
-    for (const double percent : data.options.percentiles)
-        table.add("p" + irsg::numberText(percent), data.unit);
-    table.add("maximum", data.unit);
-    if (data.options.phases > 1)
-        table.add("error_numerical", data.unit);
-    for (std::size_t k = 0; k < data.abscissae.size(); ++k) {
-        std::vector<double> ascending = data.values[k];
-        std::sort(ascending.begin(), ascending.end());
+    for (std::size_t band = 0; band < data.bands.size(); ++band) {
+        const auto add = [&](const std::string& what) {
+            table.add(data.columnKey(what, band), data.unit);
+        };
+        for (const char* key :
+             {"nominal", "mean", "standard_deviation", "standard_error", "minimum"})
+            add(key);
+        for (const double percent : data.options.percentiles)
+            add("p" + irsg::numberText(percent));
+        add("maximum");
+        if (data.options.phases > 1)
+            add("error_numerical");
+    }
+    for (std::size_t i = 0; i < data.abscissae.size(); ++i) {
         std::vector<double> row;
         if (isSpectrum)
-            row.push_back(plan.wavenumbers_cm1[k]);
-        row.insert(row.end(), {data.abscissae[k], data.nominal[k], meanOf(ascending),
-                               standardDeviationOf(ascending), data.statistic[k].standardError,
-                               ascending.front()});
-        for (const double percent : data.options.percentiles)
-            row.push_back(percentileOf(ascending, percent));
-        row.push_back(ascending.back());
-        if (data.options.phases > 1)
-            row.push_back(data.numericalError[k]);
+            row.push_back(plan.wavenumbers_cm1[i]);
+        row.push_back(data.abscissae[i]);
+        for (std::size_t k = i; k < data.values.size(); k += data.abscissae.size()) {
+            std::vector<double> ascending = data.values[k];
+            std::sort(ascending.begin(), ascending.end());
+            row.insert(row.end(),
+                       {data.nominal[k], meanOf(ascending), standardDeviationOf(ascending),
+                        data.statistic[k].standardError, ascending.front()});
+            for (const double percent : data.options.percentiles)
+                row.push_back(percentileOf(ascending, percent));
+            row.push_back(ascending.back());
+            if (data.options.phases > 1)
+                row.push_back(data.numericalError[k]);
+        }
         table.addRow(row);
     }
 }
@@ -85,8 +94,10 @@ void summarise(MonteCarloData& data) {
         sigmas.push_back(standardDeviationOf(values));
     widest =
         static_cast<std::size_t>(std::max_element(sigmas.begin(), sigmas.end()) - sigmas.begin());
-    const std::string where =
-        fmt::format(" at {:.6g} {}", data.abscissae[widest], data.abscissaUnit);
+    const std::size_t abscissae = data.abscissae.size();
+    const std::string& band = data.bands[widest / abscissae];
+    const std::string where = fmt::format(" at {:.6g} {}{}", data.abscissae[widest % abscissae],
+                                          data.abscissaUnit, band.empty() ? "" : ", " + band);
     const Estimate& estimated = data.statistic[widest];
     summary.push_back({"Draws", static_cast<double>(data.draws()), ""});
     summary.push_back({"Largest standard deviation" + where, sigmas[widest], data.unit});

@@ -6,6 +6,7 @@
 
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/SceneRestorer.h"
+#include "smatcore/project/SceneBuilder.h"
 #include "smatcore/support/NewSentences.h"
 
 namespace smat {
@@ -54,95 +55,119 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
     source_.resetStageTimes();
     const irsg::Pose standing = scene_.entities.front().pose;
     const irsg::Vec3 referencePoint = standing.toWorld(inModel.front());
-    const AnalysisCase home =
-        planAnalysis(AnalysisKind::image, analysis.project, analysis.settings).cases.front();
-    const SceneRestorer restore(source_, scene_, home.viewpoint(referencePoint));
+    const SceneRestorer restore(source_, scene_,
+                                standingCase(analysis.settings).viewpoint(referencePoint));
 
-    std::size_t beyondFrame = 0;
+    data_.bands = bands_.size() > 1 ? bandLabels(bands_) : std::vector<std::string>{""};
+    nominal_.resize(bands_.size());
+    numericalError_.resize(bands_.size());
+    CaseWarnings warnings;
     for (const AnalysisCase& one : plan_.cases) {
         if (!views_.empty() && stop.stop_requested())
             break;
-        const irsg::Pose pose = one.pose(standing, inModel.front());
+        warnings.beginCase(plan_.place(one));
+        std::vector<irsg::Pose> poses;
+        for (const irsg::Entity& entity : scene_.entities)
+            poses.push_back(entity.pose);
+        poses.front() = one.pose(standing, inModel.front());
         const irsg::Viewpoint viewpoint = one.viewpoint(referencePoint);
-        source_.setPose(0, pose);
-        beyondFrame +=
-            reachesBeyondFrame(scene_.entities.front(), pose, viewpoint, scene_.sensor) ? 1 : 0;
+        source_.setPose(0, poses.front());
+        warnings.addObjectsBeyondFrame(scene_, poses, viewpoint);
         for (std::size_t i = 0; i < scene_.entities.size(); ++i) {
             irsg::EntityState state = scene_.entities[i].state;
             state.time_s = one.time_s;
             source_.setState(i, state);
-            const irsg::Pose& at = i == 0 ? pose : scene_.entities[i].pose;
-            addNew(analysis.warnings, heldTables(scene_.entities[i], state, at,
-                                                 at.toWorld(inModel[i]), viewpoint.position_m));
+            for (const std::string& sentence :
+                 heldTables(scene_.entities[i], state, poses[i], poses[i].toWorld(inModel[i]),
+                            viewpoint.position_m))
+                warnings.add(sentence);
         }
-        drawPhases(one, viewpoint, tell, stop);
+        drawPhases(one, viewpoint, tell, warnings, stop);
     }
-    if (beyondFrame > 0)
-        analysis.warnings.push_back(
-            fmt::format("the target's bounding box reaches beyond the frame in {} of the cases; "
-                        "what lies outside is not in the sums",
-                        beyondFrame));
+    addNew(analysis.warnings, warnings.sentences());
+    for (std::size_t band = 0; band < bands_.size(); ++band) {
+        const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
+            all.insert(all.end(), more.begin(), more.end());
+        };
+        append(data_.nominal, nominal_[band]);
+        append(data_.numericalError, numericalError_[band]);
+    }
     if (!areAll())
         analysis.warnings.push_back(
             fmt::format("stopped after {} of {} cases", views_.size(), plan_.cases.size()));
 }
 
-MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one) {
+MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, CaseWarnings* warnings) {
     const Asked asked = data_.options.quantity;
     if (plan_.kind == AnalysisKind::spectrum) {
         const irsg::IntensitySpectrum spectrum = source_.measureSpectrum(plan_.wavenumbers_cm1);
-        return {spectrum.wavelengths_um, column(spectrum, asked), {}, spectrum.warnings};
+        if (warnings != nullptr)
+            for (const std::string& sentence : spectrum.warnings)
+                warnings->add(sentence);
+        return {spectrum.wavelengths_um, {column(spectrum, asked)}, {}};
     }
-    const irsg::RenderReport report = source_.measure();
-    return {{one.coordinate}, {number(report.all, asked)}, report.answeredBy, report.warnings};
+    Drawing drawing{{one.coordinate}, {}, {}};
+    for (const irsg::RenderReport& report : source_.measure(bands_)) {
+        drawing.values.push_back({number(report.all, asked)});
+        addNew(drawing.answeredBy, report.answeredBy);
+        if (warnings != nullptr)
+            warnings->addReport(report, data_.analysis.settings.integer("render.layers"), false);
+    }
+    return drawing;
 }
 
 void MonteCarloViews::drawPhases(const AnalysisCase& one, const irsg::Viewpoint& viewpoint,
-                                 const Telling& tell, const std::stop_token& stop) {
+                                 const Telling& tell, CaseWarnings& warnings,
+                                 const std::stop_token& stop) {
     const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
         all.insert(all.end(), more.begin(), more.end());
     };
-    std::vector<std::vector<double>> atPhases;
+    std::vector<Drawing> atPhases;
     const std::size_t caseNumber = views_.size() + 1;
     for (int phase = 0; phase < data_.options.phases; ++phase) {
         tell(fmt::format("case {} of {}, phase {} of {}", caseNumber, plan_.cases.size(), phase + 1,
                          data_.options.phases));
         source_.setViewpoint(phase == 0 ? viewpoint : atPhase(viewpoint, scene_.sensor, phase));
-        Drawing drawing = drawOne(one);
+        Drawing drawing = drawOne(one, phase == 0 ? &warnings : nullptr);
         if (phase == 0) {
             append(data_.abscissae, drawing.abscissae);
-            append(data_.nominal, drawing.values);
+            for (std::size_t band = 0; band < bands_.size(); ++band)
+                append(nominal_[band], drawing.values[band]);
             addNew(data_.analysis.answeredBy, drawing.answeredBy);
-            addNew(data_.analysis.warnings, drawing.warnings);
             std::vector<irsg::ScalingInput> inputs;
             for (const SceneScaling& scaling : data_.scalings)
                 inputs.push_back(scaling.input);
-            views_.push_back(source_.scaledView(inputs, plan_.wavenumbers_cm1));
+            if (plan_.kind == AnalysisKind::spectrum)
+                views_.emplace_back().push_back(source_.scaledView(inputs, plan_.wavenumbers_cm1));
+            else
+                views_.push_back(source_.scaledViews(inputs, bands_));
         }
-        atPhases.push_back(std::move(drawing.values));
+        atPhases.push_back(std::move(drawing));
         if (stop.stop_requested())
             break;
     }
     addNumericalError(atPhases);
 }
 
-void MonteCarloViews::addNumericalError(const std::vector<std::vector<double>>& atPhases) {
-    for (std::size_t k = 0; k < atPhases.front().size(); ++k) {
-        std::vector<double> same;
-        for (const auto& values : atPhases)
-            same.push_back(values[k]);
-        data_.numericalError.push_back(standardDeviationOf(same));
-    }
+void MonteCarloViews::addNumericalError(const std::vector<Drawing>& atPhases) {
+    for (std::size_t band = 0; band < bands_.size(); ++band)
+        for (std::size_t k = 0; k < atPhases.front().values[band].size(); ++k) {
+            std::vector<double> same;
+            for (const Drawing& drawing : atPhases)
+                same.push_back(drawing.values[band][k]);
+            numericalError_[band].push_back(standardDeviationOf(same));
+        }
 }
 
 std::vector<double> MonteCarloViews::valuesAt(const std::vector<double>& scales) {
     std::vector<double> all;
-    all.reserve(data_.abscissae.size());
-    for (const auto& view : views_) {
-        view->evaluate(scales, scratch_);
-        const std::vector<double>& values = column(scratch_, data_.options.quantity);
-        all.insert(all.end(), values.begin(), values.end());
-    }
+    all.reserve(data_.nominal.size());
+    for (std::size_t band = 0; band < bands_.size(); ++band)
+        for (const auto& ofCase : views_) {
+            ofCase[band]->evaluate(scales, scratch_);
+            const std::vector<double>& values = column(scratch_, data_.options.quantity);
+            all.insert(all.end(), values.begin(), values.end());
+        }
     return all;
 }
 

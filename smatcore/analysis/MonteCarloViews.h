@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/MonteCarlo.h"
 
 namespace smat {
@@ -27,24 +28,30 @@ class MonteCarloViews {
     /// after the first drawing.
     void draw(const Telling& tell, const std::stop_token& stop);
     bool areAll() const { return views_.size() == plan_.cases.size(); }
-    /// The quantity at every abscissa that was drawn.
+    /// The quantity at every place that was drawn.
     std::vector<double> valuesAt(const std::vector<double>& scales);
 
   private:
     struct Drawing {
-        std::vector<double> abscissae, values;
-        std::vector<std::string> answeredBy, warnings;
+        std::vector<double> abscissae;
+        std::vector<std::vector<double>> values; ///< by band
+        std::vector<std::string> answeredBy;
     };
-    Drawing drawOne(const AnalysisCase& one);
+    /// Warnings of the drawing go to `warnings`.
+    Drawing drawOne(const AnalysisCase& one, CaseWarnings* warnings);
     void drawPhases(const AnalysisCase& one, const irsg::Viewpoint& viewpoint, const Telling& tell,
-                    const std::stop_token& stop);
-    void addNumericalError(const std::vector<std::vector<double>>& atPhases);
+                    CaseWarnings& warnings, const std::stop_token& stop);
+    void addNumericalError(const std::vector<Drawing>& atPhases);
 
     ImageSource& source_;
     const AnalysisPlan& plan_;
     const SceneDescription& scene_;
     MonteCarloData& data_;
-    std::vector<std::unique_ptr<const irsg::ScaledView>> views_;
+    std::vector<irsg::Band> bands_ = scene_.allBands();
+    /// By case, then by band.
+    std::vector<std::vector<std::unique_ptr<const irsg::ScaledView>>> views_;
+    /// By band, then by abscissa.
+    std::vector<std::vector<double>> nominal_, numericalError_;
     irsg::ScaledValues scratch_;
 };
 

@@ -55,8 +55,9 @@ void addStates(const AnalysisData& analysis, std::size_t model, irsg::LintScope&
 
     const std::string name = analysis.name.empty() ? smat::name(analysis.kind) : analysis.name;
     const std::size_t first = scope.states.size();
+    // The states do not depend on the band, and an image has one at a time.
     for (const AnalysisCase& one :
-         planAnalysis(analysis.kind, analysis.project, analysis.settings).cases) {
+         planAnalysis(analysis.kind, analysis.project, eachBand(analysis.settings).front()).cases) {
         state.time_s = one.time_s;
         state.aspectAngle_rad = model == 0 ? aspectAngle_rad(one) : 0.0;
         // Neighbours alone are compared: a range analysis has one state, a polar one many.
@@ -99,9 +100,10 @@ irsg::LintScope lintScopeOf(const Project& project, const std::filesystem::path&
                                 .expected = "the project of a model with this database"});
     }
     for (const AnalysisData& analysis : analysesOf(project)) {
-        const irsg::SpectralRange band = sensorOf(project, analysis.settings).band.range();
-        if (std::ranges::find(scope.bands, band) == scope.bands.end()) {
-            scope.bands.push_back(band);
+        for (const irsg::Band& one : bandsOf(project, analysis.settings)) {
+            if (std::ranges::find(scope.bands, one.range()) == scope.bands.end()) {
+                scope.bands.push_back(one.range());
+            }
         }
         for (const std::size_t model : models) {
             addStates(analysis, model, scope);

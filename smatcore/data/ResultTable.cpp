@@ -8,6 +8,7 @@
 
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/data/ColumnName.h"
 #include "smatcore/support/TextFile.h"
 
 namespace smat {
@@ -45,17 +46,15 @@ std::string ResultColumn::axisTitle() const {
         {"error_", "Error of "},
         {"relative_difference_", "Relative difference of "},
         {"difference_", "Difference of "}};
-    std::string_view rest = key;
+    const ColumnName parts = ColumnName::of(key);
     std::string label;
     for (const auto& [prefix, words] : prefixes) {
-        if (rest.starts_with(prefix)) {
+        if (parts.prefix == prefix) {
             label = words;
-            rest.remove_prefix(prefix.size());
-            break;
         }
     }
-    const irsg::QuantityInfo* quantity = quantityOf(rest);
-    std::string name(quantity != nullptr ? quantity->label : rest);
+    const irsg::QuantityInfo* quantity = quantityOf(parts.quantity);
+    std::string name(quantity != nullptr ? quantity->label : std::string_view(parts.quantity));
     if (quantity == nullptr && !name.empty()) {
         // A key of somebody else's file is read as words: "time_per_frame" is "Time per frame".
         std::ranges::replace(name, '_', ' ');
@@ -65,6 +64,9 @@ std::string ResultColumn::axisTitle() const {
         name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
     }
     label += name;
+    if (const std::string which = parts.which(); !which.empty()) {
+        label += ", " + which;
+    }
     const std::string pretty =
         quantity != nullptr && quantity->unit == unit ? std::string(quantity->prettyUnit) : unit;
     return pretty.empty() ? label : label + " (" + pretty + ")";

@@ -117,6 +117,17 @@ void JsonFields::takeSetting(Settings& settings, const std::string& key, const J
                 setting.choices.end()) {
             text.reset(); // a number in quotes
         }
+    } else if (setting.kind == SettingKind::band && value.is_array()) {
+        text = "";
+        for (const Json& item : value) {
+            if (!item.is_string()) {
+                text.reset();
+                break;
+            }
+            *text += (text->empty() ? "" : ",") + item.get<std::string>();
+        }
+    } else if (key == "sensor.response" && value.is_string()) {
+        text = value.get<std::string>(); // one file, as a word of its own
     } else if (setting.kind == SettingKind::pathList && value.is_array()) {
         text = "";
         for (const Json& item : value) {

@@ -31,7 +31,10 @@ Json settingJson(const JsonPaths& paths, const SettingInfo& setting, const Setti
         for (const std::filesystem::path& path : settings.paths(setting.key)) {
             list.push_back(paths.text(path));
         }
-        return list;
+        // One response is a word, as programs read it that know no lists of them.
+        return setting.key == "sensor.response" && list.size() < 2
+                   ? Json(list.empty() ? "" : list.front().get<std::string>())
+                   : list;
     }
     case SettingKind::choice:
     case SettingKind::band:

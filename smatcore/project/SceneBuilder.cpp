@@ -55,7 +55,10 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
     collect(offences, [&] {
         scene.environment = environment ? *environment : environmentOf(project, settings);
     });
-    collect(offences, [&] { scene.sensor = sensorOf(project, settings); });
+    collect(offences, [&] {
+        scene.sensor = sensorOf(project, settings);
+        scene.bands = bandsOf(project, settings);
+    });
     scene.render = renderSettingsOf(settings);
     collect(offences, [&] { scene.skybox = skybox(project, settings); });
     collect(offences, [&] {

@@ -64,7 +64,16 @@ class SceneBuilder {
 /// The pieces that need no file of a model, for forms that show their effect at once. Paths are
 /// resolved against `project`. Each throws InputError.
 irsg::Environment environmentOf(const Project& project, const Settings& settings);
+/// The sensor with the first of its bands.
 irsg::Sensor sensorOf(const Project& project, const Settings& settings);
+/// The settings as they are for each of the sensor's bands alone: with one `sensor.band`, or one
+/// `sensor.response` where there are any.
+std::vector<Settings> eachBand(const Settings& settings);
+/// The bands of the sensor, at least one. Throws InputError also for responses that are equal.
+std::vector<irsg::Band> bandsOf(const Project& project, const Settings& settings);
+/// What tells bands apart in names of columns and files: "3-5um", the file's name of a response.
+/// No two are equal.
+std::vector<std::string> bandLabels(const std::vector<irsg::Band>& bands);
 irsg::RenderSettings renderSettingsOf(const Settings& settings);
 irsg::Pose targetPoseOf(const Settings& settings);
 

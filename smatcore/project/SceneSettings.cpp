@@ -1,7 +1,10 @@
+#include <algorithm>
+
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/atmosphere/import/EnvironmentXml.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/data/ColumnName.h"
 #include "smatcore/project/AtmosphereInput.h"
 #include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/project/SceneBuilder.h"
@@ -22,6 +25,13 @@ irsg::SunPosition sunFrom(const Settings& settings, const std::optional<irsg::Su
         sun.elevation_rad = file->elevation_rad;
     }
     return sun;
+}
+
+/// The one band of settings that have one.
+irsg::Band bandOf(const Project& project, const Settings& settings) {
+    const auto response = settings.paths("sensor.response");
+    return response.empty() ? irsg::Band::fromText(settings.text("sensor.band"))
+                            : irsg::Band::fromCsv(project.resolve(response.front()));
 }
 
 } // namespace
@@ -61,14 +71,52 @@ irsg::Environment environmentOf(const Project& project, const Settings& settings
     return environment;
 }
 
+std::vector<Settings> eachBand(const Settings& settings) {
+    std::vector<Settings> each;
+    for (const std::filesystem::path& response : settings.paths("sensor.response")) {
+        each.push_back(settings);
+        each.back().set("sensor.response", response.string());
+    }
+    const std::string& bands = settings.text("sensor.band");
+    for (std::size_t begin = 0; each.empty() || (begin > 0 && begin <= bands.size());) {
+        const std::size_t end = std::min(bands.find(',', begin), bands.size());
+        each.push_back(settings);
+        each.back().set("sensor.band", bands.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return each.size() > 1 ? each : std::vector<Settings>{settings};
+}
+
+std::vector<irsg::Band> bandsOf(const Project& project, const Settings& settings) {
+    std::vector<irsg::Band> bands;
+    for (const Settings& one : eachBand(settings)) {
+        bands.push_back(bandOf(project, one));
+        if (std::find(bands.begin(), bands.end() - 1, bands.back()) != bands.end() - 1) {
+            throw irsg::InputError({.file = project.displayName(),
+                                    .position = "sensor.response",
+                                    .value = settings.text("sensor.response"),
+                                    .expected = "each response once"});
+        }
+    }
+    return bands;
+}
+
+std::vector<std::string> bandLabels(const std::vector<irsg::Band>& bands) {
+    std::vector<std::string> names;
+    for (const irsg::Band& band : bands) {
+        const irsg::SpectralRange range = band.range();
+        names.push_back(band.isTopHat() ? irsg::numberText(range.min_um) + "-" +
+                                              irsg::numberText(range.max_um) + "um"
+                                        : std::filesystem::path(band.name()).stem().string());
+    }
+    return distinctLabels(std::move(names));
+}
+
 irsg::Sensor sensorOf(const Project& project, const Settings& settings) {
-    const auto response = settings.paths("sensor.response");
     irsg::Sensor sensor{.width_px = settings.integer("sensor.width"),
                         .height_px = settings.integer("sensor.height"),
                         .horizontalFieldOfView_rad = irsg::radians(settings.real("sensor.fov")),
-                        .band = response.empty()
-                                    ? irsg::Band::fromText(settings.text("sensor.band"))
-                                    : irsg::Band::fromCsv(project.resolve(response.front()))};
+                        .band = bandOf(project, eachBand(settings).front())};
     sensor.check();
     return sensor;
 }

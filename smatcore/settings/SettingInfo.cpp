@@ -43,11 +43,27 @@ std::optional<std::string> canonicalNumber(const SettingInfo& setting, std::stri
 
 std::optional<std::string> canonicalBand(std::string_view text) {
     try {
-        const irsg::SpectralRange range = irsg::Band::fromText(std::string(text)).range();
+        const irsg::SpectralRange range =
+            irsg::Band::fromText(std::string(irsg::trimmed(text))).range();
         return plainNumber(range.min_um) + "-" + plainNumber(range.max_um);
     } catch (const irsg::InputError&) {
         return std::nullopt;
     }
+}
+
+/// No value for a band that occurs twice: what is asked for once more would be the same again.
+std::optional<std::string> canonicalBands(std::string_view text) {
+    std::vector<std::string> bands;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::optional<std::string> band = canonicalBand(text.substr(begin, end - begin));
+        if (!band || std::find(bands.begin(), bands.end(), *band) != bands.end()) {
+            return std::nullopt;
+        }
+        bands.push_back(*band);
+        begin = end + 1;
+    }
+    return fmt::format("{}", fmt::join(bands, ","));
 }
 
 std::optional<std::string> canonicalPathList(std::string_view text) {
@@ -87,7 +103,8 @@ std::string SettingInfo::expected() const {
     case SettingKind::choiceOrReal:
         return joined(choices) + ", or a number" + range;
     case SettingKind::band:
-        return "a band MIN-MAX with 0 < MIN < MAX in um";
+        return "a band MIN-MAX with 0 < MIN < MAX in um, or several, each once, separated by "
+               "commas";
     case SettingKind::path:
         return "a file name, or nothing";
     case SettingKind::pathList:
@@ -150,7 +167,7 @@ std::optional<std::string> canonicalText(const SettingInfo& setting, std::string
     case SettingKind::choiceOrReal:
         return isChoice ? std::optional(std::string(text)) : canonicalNumber(setting, text);
     case SettingKind::band:
-        return canonicalBand(text);
+        return canonicalBands(text);
     case SettingKind::path:
         return std::string(text);
     case SettingKind::pathList:

@@ -15,7 +15,7 @@ enum class SettingKind {
     boolean,      ///< "false" or "true"
     choice,       ///< one of `choices`
     choiceOrReal, ///< one of `choices`, or a number in the range
-    band,         ///< "3-5", wavelengths in um
+    band,         ///< "3-5" or "3-5,8-12": bands in order, each once, in um
     path,         ///< a file, or empty; relative to the project file
     pathList      ///< files in order, separated by ';', or "none"
 };
@@ -48,8 +48,8 @@ struct SettingInfo {
 };
 
 /// All settings, in the order of forms and manual. Sections: sensor, camera, target, state,
-/// scaling, environment, render, display, and those that belong to one kind of analysis: image, spectrum,
-/// polar, range, time.
+/// scaling, environment, render, display, and those that belong to one kind of analysis: image,
+/// spectrum, polar, range, time.
 const std::vector<SettingInfo>& settingTable();
 /// Null for an unknown key.
 const SettingInfo* findSetting(std::string_view key);

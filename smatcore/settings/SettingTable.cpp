@@ -81,11 +81,13 @@ void addSensor(std::vector<SettingInfo>& table) {
                            "Horizontal field of view. Pixels are square, so the vertical one "
                            "follows from width and height."));
     table.push_back(text("sensor.band", "--band", "Band", "um", SettingKind::band, "3-5",
-                         "Spectral band MIN-MAX with a response of 1 between its ends."));
-    table.push_back(text("sensor.response", "--response", "Response file", "", SettingKind::path,
-                         "",
-                         "CSV of wavelength and response; where it is given it stands in for the "
-                         "band."));
+                         "Spectral band MIN-MAX with a response of 1 between its ends. Several, "
+                         "separated by commas, give sweeps a curve each from the same drawings and "
+                         "images a file each; they may overlap."));
+    table.push_back(text("sensor.response", "--response", "Response files", "",
+                         SettingKind::pathList, "none",
+                         "CSV of wavelength and response, one for each band, separated by "
+                         "semicolons; where they are given they stand in for all of the bands."));
     table.push_back(named(
         choice("sensor.mode", "--mode", "Calculation mode", {"spectral", "ck"}, "spectral",
                "How the band is integrated. Spectral multiplies at every wavelength and "

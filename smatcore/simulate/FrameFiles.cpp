@@ -7,6 +7,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/analysis/ImageFiles.h"
+#include "smatcore/project/SceneBuilder.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/support/Folders.h"
 
@@ -70,9 +71,11 @@ std::vector<std::string> FrameFiles::makeFolders(const std::vector<std::size_t>&
 }
 
 std::filesystem::path FrameFiles::frameFile(std::size_t sensor, std::size_t number,
-                                            const std::string& extension) const {
+                                            const std::string& extension, std::size_t band) const {
+    const std::vector<irsg::Band> bands = scenario_.sensors.at(sensor).scene.allBands();
+    const std::string label = bands.size() > 1 ? "@" + bandLabels(bands).at(band) : "";
     return folder_ / scenario_.scenario.sensors.at(sensor).name /
-           fmt::format("frame_{:06}{}", number, extension);
+           fmt::format("frame_{:06}{}{}", number, label, extension);
 }
 
 std::filesystem::path FrameFiles::tableFile(std::size_t sensor) const {
@@ -108,9 +111,11 @@ Provenance FrameFiles::provenance(std::size_t sensor) const {
                        fmt::format("{} ({}, {})", entity.name, entity.model.filename().string(),
                                    entity.database.filename().string()));
     }
-    const irsg::SpectralRange range = loaded.scene.sensor.band.range();
-    provenance.add("band", fmt::format("{} ({} to {} um)", loaded.scene.sensor.band.name(),
-                                       range.min_um, range.max_um));
+    for (const irsg::Band& band : loaded.scene.allBands()) {
+        const irsg::SpectralRange range = band.range();
+        provenance.add("band",
+                       fmt::format("{} ({} to {} um)", band.name(), range.min_um, range.max_um));
+    }
     for (const SettingInfo& setting : settingTable()) {
         if (isScenarioSetting(setting) && !loaded.settings.isDefault(setting.key)) {
             const std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
@@ -133,6 +138,9 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
     for (const auto& [key, value] : provenance(frame.sensor).entries) {
         join(key, value);
     }
+    const irsg::Band band = sensor.scene.allBands().at(frame.band);
+    attributes["band"] =
+        fmt::format("{} ({} to {} um)", band.name(), band.range().min_um, band.range().max_um);
     for (const std::string& answer : frame.rendered.report.answeredBy) {
         join("answered by", answer);
     }
@@ -158,7 +166,9 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
         attributes[key + ".range_m"] = fmt::format("{}", frame.objects[i]->range_m);
     }
 
-    const std::string sentence = showQuantity(image, sensor.scene.sensor, sensor.settings);
+    irsg::Sensor detector = sensor.scene.sensor;
+    detector.band = band;
+    const std::string sentence = showQuantity(image, detector, sensor.settings);
     if (!sentence.empty()) {
         join("warning", sentence);
     }
@@ -168,7 +178,7 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
                     scenario_.scenario.sensors[frame.sensor].name, frame.time_s);
     for (const std::string& extension : extensions_) {
         saveImage(image, sensor.settings, heading, scenario_.scenario.displayName(),
-                  frameFile(frame.sensor, number, extension));
+                  frameFile(frame.sensor, number, extension, frame.band));
     }
 }
 

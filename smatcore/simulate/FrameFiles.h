@@ -24,8 +24,9 @@ class FrameFiles {
     /// sentence for each that already holds frames.
     std::vector<std::string> makeFolders(const std::vector<std::size_t>& sensors) const;
 
+    /// "frame_000012.exr", of one of several bands "frame_000012@3-5um.exr".
     std::filesystem::path frameFile(std::size_t sensor, std::size_t number,
-                                    const std::string& extension) const;
+                                    const std::string& extension, std::size_t band = 0) const;
     std::filesystem::path tableFile(std::size_t sensor) const;
     std::filesystem::path imagingSensorFile(std::size_t sensor) const;
 

@@ -22,7 +22,7 @@ constexpr double nearest_m = 1e-3;
 SceneGenerator3D::SceneGenerator3D(const LoadedScenario& scenario, ImageSource& source)
     : scenario_(scenario), source_(source), isThere_(scenario.paths.size(), true) {
     source_.configure(scenario_.sensors.front().scene);
-    selected_ = 0;
+    selected_ = {0, 0};
     for (std::size_t i = 0; i < scenario_.paths.size(); ++i) {
         referencePoints_.push_back(source_.referencePointInModel(i));
     }
@@ -112,11 +112,13 @@ void SceneGenerator3D::check(const std::vector<std::size_t>& sensors,
     }
 }
 
-void SceneGenerator3D::select(std::size_t sensor, const std::vector<bool>& isThere) {
-    if (selected_ == sensor && isThere == isThere_) {
+void SceneGenerator3D::select(std::size_t sensor, std::size_t band,
+                              const std::vector<bool>& isThere) {
+    if (selected_ == std::pair(sensor, band) && isThere == isThere_) {
         return;
     }
     SceneDescription scene = scenario_.sensors.at(sensor).scene;
+    scene.sensor.band = scene.allBands().at(band);
     for (std::size_t i = isThere.size(); i-- > 0;) {
         if (!isThere[i]) {
             scene.entities.erase(scene.entities.begin() + static_cast<std::ptrdiff_t>(i));
@@ -128,12 +130,13 @@ void SceneGenerator3D::select(std::size_t sensor, const std::vector<bool>& isThe
         source_.configure(scene);
     }
     isThere_ = isThere;
-    selected_ = sensor;
+    selected_ = {sensor, band};
 }
 
-SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s) {
+SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s, std::size_t band) {
     SensorFrame frame;
     frame.sensor = sensor;
+    frame.band = band;
     frame.time_s = time_s;
     const std::optional<irsg::Viewpoint> view = viewpoint(sensor, time_s);
     if (!view) {
@@ -145,7 +148,7 @@ SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s) {
         frame.entities.push_back(scenario_.entityAt(i, time_s));
         isThere.push_back(frame.entities.back().has_value());
     }
-    select(sensor, isThere);
+    select(sensor, band, isThere);
 
     // Everybody to where they are now.
     const std::vector<irsg::Entity>& entities = scenario_.sensors[sensor].scene.entities;

@@ -13,6 +13,7 @@ namespace smat {
 struct SensorFrame {
     std::size_t sensor = 0;
     double time_s = 0.0;
+    std::size_t band = 0; ///< of the sensor's bands
     irsg::Viewpoint viewpoint;
     /// By entity; no value where it is not there.
     std::vector<std::optional<TrajectoryPoint>> entities;
@@ -37,19 +38,20 @@ class SceneGenerator3D {
     /// are where they look to, each with the first of these times at which they are.
     void check(const std::vector<std::size_t>& sensors, const std::vector<double>& times_s) const;
     /// LogicError where the sensor does not see. Throws InputError as the renderer does.
-    SensorFrame frame(std::size_t sensor, double time_s);
+    SensorFrame frame(std::size_t sensor, double time_s, std::size_t band = 0);
 
   private:
     irsg::Vec3 referencePoint(std::size_t entity, const TrajectoryPoint& at) const;
     std::optional<irsg::Viewpoint> viewpoint(std::size_t sensor, double time_s) const;
     /// Makes the renderer hold the entities that are there, as this sensor sees them.
-    void select(std::size_t sensor, const std::vector<bool>& isThere);
+    void select(std::size_t sensor, std::size_t band, const std::vector<bool>& isThere);
 
     const LoadedScenario& scenario_;
     ImageSource& source_;
     std::vector<irsg::Vec3> referencePoints_; ///< in model axes, by entity
     std::vector<bool> isThere_;               ///< what the renderer holds
-    std::optional<std::size_t> selected_;     ///< whose settings it has
+    /// Whose settings it has, and the band among them.
+    std::optional<std::pair<std::size_t, std::size_t>> selected_;
 };
 
 } // namespace smat

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/data/ColumnName.h"
+#include "smatcore/project/SceneBuilder.h"
 #include "smatcore/support/Log.h"
 #include "smatcore/support/NewSentences.h"
 
@@ -16,9 +18,14 @@ namespace {
 
 using irsg::Quantity;
 
-constexpr Quantity entityQuantities[] = {Quantity::range, Quantity::intensity,
-                                         Quantity::contrastIntensity, Quantity::irradiance,
-                                         Quantity::pixels};
+constexpr Quantity entityQuantities[] = {Quantity::intensity, Quantity::contrastIntensity,
+                                         Quantity::irradiance, Quantity::pixels};
+
+/// Labels of the bands of a sensor, "" of a single one.
+std::vector<std::string> labelsOf(const LoadedScenario& loaded, std::size_t sensor) {
+    const std::vector<irsg::Band> bands = loaded.sensors[sensor].scene.allBands();
+    return bands.size() > 1 ? bandLabels(bands) : std::vector<std::string>{""};
+}
 
 SensorResult resultOf(const LoadedScenario& loaded, std::size_t sensor) {
     SensorResult result{.sensor = sensor,
@@ -29,12 +36,21 @@ SensorResult resultOf(const LoadedScenario& loaded, std::size_t sensor) {
     addNew(result.warnings, loaded.sensors[sensor].scene.remarks);
     result.table.add(Quantity::time);
     result.table.add("frame", "");
-    result.table.add(Quantity::totalIrradiance);
+    const std::vector<std::string> bands = labelsOf(loaded, sensor);
+    const auto add = [&](const std::string& entity, Quantity quantity, const std::string& band) {
+        const irsg::QuantityInfo& column = irsg::info(quantity);
+        result.table.add(ColumnName{"", entity, std::string(column.key), band}.key(),
+                         std::string(column.unit));
+    };
+    for (const std::string& band : bands) {
+        add("", Quantity::totalIrradiance, band);
+    }
     for (const ScenarioEntity& entity : loaded.scenario.entities) {
-        for (const Quantity quantity : entityQuantities) {
-            const irsg::QuantityInfo& column = irsg::info(quantity);
-            result.table.add(fmt::format("{}.{}", entity.name, column.key),
-                             std::string(column.unit));
+        add(entity.name, Quantity::range, "");
+        for (const std::string& band : bands) {
+            for (const Quantity quantity : entityQuantities) {
+                add(entity.name, quantity, band);
+            }
         }
     }
     return result;
@@ -70,24 +86,38 @@ struct Shortcomings {
     }
 };
 
-void addRow(SensorResult& result, const SensorFrame& frame, std::size_t number) {
-    std::vector<double> row = {frame.time_s, static_cast<double>(number),
-                               frame.rendered.report.totalIrradiance_W_m2};
-    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-    for (const auto& object : frame.objects) {
-        if (object) {
-            row.insert(row.end(),
-                       {object->range_m, object->intensity_W_sr, object->contrastIntensity_W_sr,
-                        object->irradiance_W_m2, object->coveredPixels});
-        } else {
-            row.insert(row.end(), std::size(entityQuantities), nowhere);
-        }
-    }
-    result.table.addRow(row);
+/// What is kept of the frames of one step, one for each band.
+struct StepSums {
+    std::vector<double> totalIrradiance_W_m2;                           ///< by band
+    std::vector<std::vector<std::optional<irsg::ObjectRadiometry>>> of; ///< by band, then by entity
+};
+
+void takeFrame(SensorResult& result, const SensorFrame& frame, StepSums& sums) {
+    sums.totalIrradiance_W_m2.push_back(frame.rendered.report.totalIrradiance_W_m2);
+    sums.of.push_back(frame.objects);
     ++result.frames;
     addNew(result.answeredBy, frame.rendered.report.answeredBy);
     addNew(result.warnings, frame.rendered.report.warnings);
     addNew(result.warnings, frame.warnings);
+}
+
+void addRow(SensorResult& result, const SimulationPlan::Step& step, const StepSums& sums) {
+    std::vector<double> row = {step.time_s, static_cast<double>(step.number)};
+    row.insert(row.end(), sums.totalIrradiance_W_m2.begin(), sums.totalIrradiance_W_m2.end());
+    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t entity = 0; entity < sums.of.front().size(); ++entity) {
+        const auto& first = sums.of.front()[entity];
+        row.push_back(first ? first->range_m : nowhere);
+        for (const auto& ofBand : sums.of) {
+            if (const auto& object = ofBand[entity]) {
+                row.insert(row.end(), {object->intensity_W_sr, object->contrastIntensity_W_sr,
+                                       object->irradiance_W_m2, object->coveredPixels});
+            } else {
+                row.insert(row.end(), std::size(entityQuantities), nowhere);
+            }
+        }
+    }
+    result.table.addRow(row);
 }
 
 /// Tells what is missing when the run ends, however it ends.
@@ -200,14 +230,19 @@ void runSimulation(SceneGenerator3D& generator, const SimulationPlan& plan, cons
                 ++sensor.framesMissing;
             } else {
                 logDebug("frame of " + what);
-                SensorFrame frame = [&] {
-                    const StageTimer::Scope scope(timer, "frames");
-                    return generator.frame(sensor.sensor, step.time_s);
-                }();
-                shortcomings[i].take(frame.rendered.report);
-                addRow(sensor, frame, step.number);
-                const StageTimer::Scope scope(timer, "save");
-                sink(frame, step.number);
+                const auto& scene = generator.scenario().sensors[sensor.sensor].scene;
+                StepSums sums;
+                for (std::size_t band = 0; band < scene.allBands().size(); ++band) {
+                    SensorFrame frame = [&] {
+                        const StageTimer::Scope scope(timer, "frames");
+                        return generator.frame(sensor.sensor, step.time_s, band);
+                    }();
+                    shortcomings[i].take(frame.rendered.report);
+                    takeFrame(sensor, frame, sums);
+                    const StageTimer::Scope scope(timer, "save");
+                    sink(frame, step.number);
+                }
+                addRow(sensor, step, sums);
             }
             ++done;
         }

@@ -40,11 +40,12 @@ SimulationPlan planSimulation(const Scenario& scenario, const SimulationRequest&
 struct SensorResult {
     std::size_t sensor = 0;
     std::string name;
-    std::size_t frames = 0;        ///< made
+    std::size_t frames = 0;        ///< made, of all bands
     std::size_t framesMissing = 0; ///< steps without a frame: its mount or its target was not there
-    /// A row a frame: `time [s]`, `frame`, `irradiance_total [W m-2]` of the whole frame, and for
+    /// A row a step: `time [s]`, `frame`, `irradiance_total [W m-2]` of the whole frame, and for
     /// each entity `NAME.range [m]`, `NAME.intensity [W sr-1]`, `NAME.contrast_intensity [W sr-1]`,
-    /// `NAME.irradiance [W m-2]` of the contrast, and `NAME.pixels`; nan where it is not there.
+    /// `NAME.irradiance [W m-2]` of the contrast, and `NAME.pixels`; nan where it is not there. Of
+    /// several bands each but the range is there in every band, `NAME.intensity@3-5um [W sr-1]`.
     ResultTable table;
     std::vector<std::string> answeredBy;
     std::vector<std::string> warnings; ///< each said once

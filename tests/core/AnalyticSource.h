@@ -66,6 +66,16 @@ class AnalyticSource : public ImageSource {
         report.answeredBy = {"transmittance: closed form"};
         return report;
     }
+    std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) override {
+        const irsg::Band own = scene.sensor.band;
+        std::vector<irsg::RenderReport> reports;
+        for (const irsg::Band& band : bands) {
+            scene.sensor.band = band;
+            reports.push_back(measure());
+        }
+        scene.sensor.band = own;
+        return reports;
+    }
     irsg::RenderedImage render() override {
         irsg::RenderedImage rendered{
             irsg::RadianceImage(scene.sensor.width_px, scene.sensor.height_px), measure()};
@@ -96,6 +106,18 @@ class AnalyticSource : public ImageSource {
     std::unique_ptr<const irsg::ScaledView> scaledView(const std::vector<irsg::ScalingInput>&,
                                                        const std::vector<double>&) override {
         throw irsg::LogicError("this renderer has no scales");
+    }
+    std::vector<std::unique_ptr<const irsg::ScaledView>>
+    scaledViews(const std::vector<irsg::ScalingInput>& inputs,
+                const std::vector<irsg::Band>& bands) override {
+        const irsg::Band own = scene.sensor.band;
+        std::vector<std::unique_ptr<const irsg::ScaledView>> views;
+        for (const irsg::Band& band : bands) {
+            scene.sensor.band = band;
+            views.push_back(scaledView(inputs, {}));
+        }
+        scene.sensor.band = own;
+        return views;
     }
 
     std::string rendererDescription() override { return "closed form"; }
@@ -145,6 +167,7 @@ class SixSidedBox : public AnalyticSource {
 inline SceneDescription sceneWithoutFiles(const Project& project, const Settings& settings) {
     SceneDescription scene;
     scene.sensor = sensorOf(project, settings);
+    scene.bands = bandsOf(project, settings);
     scene.render = renderSettingsOf(settings);
     irsg::Entity target;
     target.name = "target";

@@ -20,13 +20,14 @@ using testing::HasSubstr;
 /// A target whose intensity is 100 + 3 T1 + 2 T2 + E1 (T1 - 1) + cos(azimuth) T2, in closed form.
 class LinearView : public irsg::ScaledView {
   public:
-    LinearView(double cosine, std::size_t count) : cosine_(cosine), count_(count) {}
+    LinearView(double cosine, std::size_t count, double more = 0.0)
+        : cosine_(cosine), count_(count), more_(more) {}
     std::size_t size() const override { return count_; }
     static double at(double cosine, double t1, double t2, double e1) {
         return 100.0 + 3.0 * t1 + 2.0 * t2 + e1 * (t1 - 1.0) + cosine * t2;
     }
     void evaluate(std::span<const double> scales, irsg::ScaledValues& values) const override {
-        values.intensity.assign(count_, at(cosine_, scales[0], scales[1], scales[2]));
+        values.intensity.assign(count_, more_ + at(cosine_, scales[0], scales[1], scales[2]));
         values.contrastIntensity = values.intensity;
         values.irradiance = values.intensity;
     }
@@ -34,6 +35,7 @@ class LinearView : public irsg::ScaledView {
   private:
     double cosine_;
     std::size_t count_;
+    double more_;
 };
 
 class LinearTarget : public AnalyticSource {
@@ -43,16 +45,19 @@ class LinearTarget : public AnalyticSource {
         // Phases differ by a part in 1e4, as drawings do.
         const double phase =
             1e-4 * std::sin(1e7 * (viewpoint.forward().x + 0.37 * viewpoint.forward().y));
-        return LinearView::at(direction.y, 1.0, 1.0, 1.0) + phase;
+        return LinearView::at(direction.y, 1.0, 1.0, 1.0) + phase + more();
     }
     std::unique_ptr<const irsg::ScaledView>
     scaledView(const std::vector<irsg::ScalingInput>& inputs,
                const std::vector<double>& wavenumbers) override {
         asked = inputs;
         return std::make_unique<LinearView>(towardsCamera().y,
-                                            std::max<std::size_t>(wavenumbers.size(), 1));
+                                            std::max<std::size_t>(wavenumbers.size(), 1), more());
     }
+    /// What the intensity has more, for every micrometre of the band's lower end.
+    double more() const { return perBandEdge * scene.sensor.band.range().min_um; }
     std::vector<irsg::ScalingInput> asked;
+    double perBandEdge = 0.0;
 };
 
 /// A project whose model has two scaling files, and the scene a test draws of it.
@@ -155,6 +160,29 @@ TEST_F(MonteCarloTest, asksForTheScalesThatHaveAnEffectAndSaysWhichHaveNone) {
         data.analysis.warnings,
         testing::IsSupersetOf({HasSubstr("temperature 3 has no effect, it is a user-defined"),
                                HasSubstr("temperature 9 has no effect, it has no entry")}));
+}
+
+TEST_F(MonteCarloTest, drawsInSeveralBandsWhatItDrawsInEachAlone) {
+    data.analysis.settings.set("sensor.band", "3-5");
+    const MonteCarloData alone = run();
+    data.analysis.settings.set("sensor.band", "8-12,3-5");
+    source.perBandEdge = 10.0;
+    run();
+    ASSERT_EQ(data.abscissae.size(), 4u);
+    ASSERT_EQ(data.values.size(), 8u);
+    EXPECT_THAT(data.bands, testing::ElementsAre("8-12um", "3-5um"));
+    const auto column = [](const MonteCarloData& of, const std::string& key) {
+        return of.analysis.table.find(key)->values;
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+        // The closed form gives a band 10 more for every micrometre of its lower end.
+        EXPECT_NEAR(column(data, "mean@3-5um")[i], column(alone, "mean")[i] + 30.0, 1e-9);
+        EXPECT_NEAR(column(data, "mean@8-12um")[i], column(alone, "mean")[i] + 80.0, 1e-9);
+        EXPECT_NEAR(column(data, "p95@8-12um")[i], column(alone, "p95")[i] + 80.0, 1e-9);
+        EXPECT_NEAR(column(data, "nominal@8-12um")[i], column(alone, "nominal")[i] + 80.0, 1e-9);
+        EXPECT_NEAR(data.ofBand(data.nominal, 1)[i], column(data, "nominal@3-5um")[i], 1e-12);
+    }
+    EXPECT_EQ(data.analysis.table.find("mean"), nullptr);
 }
 
 TEST_F(MonteCarloTest, writesBandsThatAscendWithTheirProvenance) {

@@ -70,6 +70,21 @@ TEST(ProjectFile, ComesBackEqual) {
     EXPECT_EQ(projectToJson(back, here), projectToJson(project, here));
 }
 
+TEST(ProjectFile, TakesBandsAndResponsesAsAListOrAText) {
+    for (const char* band : {R"("8-12, 3-5")", R"(["8-12", "3.0-5"])"}) {
+        const Project read =
+            readText(std::string(R"({"version": 1, "sensor": {"band": )") + band + "}}");
+        EXPECT_EQ(read.settings.text("sensor.band"), "8-12,3-5") << band;
+        EXPECT_EQ(readText(projectToJson(read, here)).settings, read.settings);
+    }
+    const Project one = readText(R"({"version": 1, "sensor": {"response": "a.csv"}})");
+    EXPECT_EQ(one.settings.text("sensor.response"), "a.csv");
+    EXPECT_NE(projectToJson(one, here).find(R"("response": "a.csv")"), std::string::npos);
+    const Project two = readText(R"({"version": 1, "sensor": {"response": ["a.csv", "b.csv"]}})");
+    EXPECT_EQ(two.settings.text("sensor.response"), "a.csv;b.csv");
+    EXPECT_EQ(readText(projectToJson(two, here)).settings, two.settings);
+}
+
 TEST(ProjectFile, LeavesDefaultsOutAndSortsKeys) {
     Project project;
     project.settings.set("sensor.width", 640); // the default
@@ -259,6 +274,10 @@ INSTANTIATE_TEST_SUITE_P(
                      "5-3"},
         MalformedRow{"BandAsNumbers", R"({"version": 1, "sensor": {"band": [3, 5]}})",
                      "sensor.band", "[3,5]"},
+        MalformedRow{"BandTwice", R"({"version": 1, "sensor": {"band": ["3-5", "3-5"]}})",
+                     "sensor.band", "[\"3-5\",\"3-5\"]"},
+        MalformedRow{"ResponseAsNumber", R"({"version": 1, "sensor": {"response": 3}})",
+                     "sensor.response", "3"},
         MalformedRow{"UnknownChoice", R"({"version": 1, "render": {"sun": "yes"}})", "render.sun",
                      "yes"},
         MalformedRow{"BackgroundInQuotes", R"({"version": 1, "render": {"background": "1.5"}})",

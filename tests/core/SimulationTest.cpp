@@ -124,6 +124,33 @@ TEST_F(ASimulation, putsEverybodyWhereTheyAreAtEachTime) {
     EXPECT_EQ(frame.objects[1]->coveredPixels, 2.0);
 }
 
+TEST_F(ASimulation, aSensorOfSeveralBandsHasAFrameAndColumnsForEach) {
+    scenario.sensors[0].settings.set("sensor.band", "3-5,8-12");
+    const LoadedScenario loaded = load();
+    NotingSource source;
+    SceneGenerator3D generator(loaded, source);
+    SimulationResult result;
+    std::vector<std::pair<std::size_t, irsg::Band>> seen;
+    runSimulation(
+        generator, planSimulation(scenario, {.sensors = {"fixed"}, .from_s = 1, .to_s = 2}),
+        [&](SensorFrame& frame, std::size_t) {
+            seen.emplace_back(frame.band, source.scene.sensor.band);
+        },
+        result);
+    const irsg::Band mid = irsg::Band::topHat(3, 5), far = irsg::Band::topHat(8, 12);
+    EXPECT_THAT(seen, ElementsAre(std::pair(0u, mid), std::pair(1u, far), std::pair(0u, mid),
+                                  std::pair(1u, far)));
+    const ResultTable& table = result.sensors[0].table;
+    ASSERT_EQ(table.rowCount(), 2u);
+    for (const char* key : {"irradiance_total@3-5um", "mover.range", "mover.intensity@3-5um",
+                            "mover.intensity@8-12um", "tower.pixels@8-12um"})
+        EXPECT_NE(table.find(key), nullptr) << key;
+    EXPECT_NEAR(table.find("mover.intensity@8-12um")->values[1], 0.4, 1e-12);
+    const FrameFiles files(loaded, folder / "out", {".exr"}, "");
+    EXPECT_EQ(files.frameFile(0, 7, ".exr", 1).filename(), "frame_000007@8-12um.exr");
+    EXPECT_EQ(files.frameFile(1, 7, ".exr").filename(), "frame_000007.exr");
+}
+
 TEST_F(ASimulation, aTrackingSensorLooksAtItsTargetWhereverThatIs) {
     const LoadedScenario loaded = load();
     NotingSource source;

@@ -1,0 +1,85 @@
+#include "smatcore/analysis/CaseWarnings.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "smatcore/analysis/CaseChecks.h"
+
+namespace smat {
+
+void CaseWarnings::beginCase(std::string name) {
+    case_ = std::move(name);
+    ++count_;
+}
+
+void CaseWarnings::add(const std::string& sentence) {
+    addWorst(sentence, 0.0, sentence);
+}
+
+void CaseWarnings::addWorst(const std::string& kind, double value, const std::string& sentence) {
+    auto entry = std::find_if(entries_.begin(), entries_.end(),
+                              [&](const Entry& one) { return one.kind == kind; });
+    if (entry == entries_.end()) {
+        entry = entries_.insert(entry, {kind, sentence, case_, value});
+    }
+    if (value > entry->worst) {
+        entry->worst = value;
+        entry->sentence = sentence;
+    }
+    if (entry->lastCase != count_) {
+        entry->lastCase = count_;
+        ++entry->cases;
+    }
+}
+
+void CaseWarnings::addReport(const irsg::RenderReport& report, int layersKept, bool isImage) {
+    for (const std::string& sentence : report.warnings) {
+        add(sentence);
+    }
+    if (!(report.all.coveredPixels > 0.0)) {
+        add("no sample hits the target: it is out of the frame, too small for the sampling, or the "
+            "camera is inside it");
+    }
+    if (report.layersLeftOver > 0) {
+        addWorst("layers", report.layersLeftOver,
+                 fmt::format("up to {} samples of a drawing have more than {} transparent layers, "
+                             "the rest of which is left out; see render.layers",
+                             report.layersLeftOver, layersKept));
+    }
+    // Sums multiply transmissivities at each wavelength; only an image has one per surface.
+    if (isImage && report.transmissivityResidue > 1e-3) {
+        addWorst("residue", report.transmissivityResidue,
+                 fmt::format("transmissivities that vary over the band are one number in an image; "
+                             "the largest relative error of that is {:.2g}",
+                             report.transmissivityResidue));
+    }
+}
+
+void CaseWarnings::addObjectsBeyondFrame(const SceneDescription& scene,
+                                         const std::vector<irsg::Pose>& poses,
+                                         const irsg::Viewpoint& viewpoint) {
+    for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+        if (reachesBeyondFrame(scene.entities[i], poses[i], viewpoint, scene.sensor)) {
+            add(fmt::format("the bounding box of {} reaches beyond the frame; what lies outside is "
+                            "not in the sums",
+                            scene.entities[i].name));
+        }
+    }
+}
+
+std::vector<std::string> CaseWarnings::sentences() const {
+    std::vector<std::string> all;
+    for (const Entry& entry : entries_) {
+        if (entry.cases == count_) {
+            all.push_back(entry.sentence);
+        } else {
+            const std::string more =
+                entry.cases > 1 ? fmt::format(" (and {} more)", entry.cases - 1) : "";
+            all.push_back(fmt::format("at {}{}: {}", entry.firstCase, more, entry.sentence));
+        }
+    }
+    return all;
+}
+
+} // namespace smat

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "irsg/scene/RenderReport.h"
+#include "smatcore/analysis/ImageSource.h"
+
+namespace smat {
+
+/// What the cases of a sweep warn of, each sentence once with the cases it holds for: "at 500 m
+/// (and 3 more): ...". A sentence that holds for every case so far stands alone.
+class CaseWarnings {
+  public:
+    /// Everything added from now on is of this case ("500 m").
+    void beginCase(std::string name);
+    void add(const std::string& sentence);
+    /// Of the sentences of one kind, the one with the largest value is told.
+    void addWorst(const std::string& kind, double value, const std::string& sentence);
+
+    /// What a report and its numbers say. `isImage`: what only an image does inexactly counts.
+    void addReport(const irsg::RenderReport& report, int layersKept, bool isImage);
+    /// Objects of a scene that reach out of the frame, whose rest is not in the sums.
+    void addObjectsBeyondFrame(const SceneDescription& scene, const std::vector<irsg::Pose>& poses,
+                               const irsg::Viewpoint& viewpoint);
+
+    std::vector<std::string> sentences() const;
+
+  private:
+    struct Entry {
+        std::string kind, sentence, firstCase;
+        double worst = 0.0;
+        std::size_t cases = 0, lastCase = 0; ///< the number of the last case, from 1
+    };
+
+    std::vector<Entry> entries_;
+    std::string case_;
+    std::size_t count_ = 0;
+};
+
+} // namespace smat

@@ -1,0 +1,126 @@
+#include "smatcore/analysis/SweepTable.h"
+
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/data/ColumnName.h"
+#include "smatcore/project/SceneBuilder.h"
+
+namespace smat {
+
+using irsg::Quantity;
+
+SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table)
+    : kind_(plan.kind), bands_({""}), table_(table) {
+    if (scene.entities.size() > 1) {
+        for (const irsg::Entity& entity : scene.entities) {
+            objects_.push_back(entity.name);
+        }
+        objects_ = distinctLabels(std::move(objects_));
+    }
+    if (const std::vector<irsg::Band> bands = scene.allBands(); bands.size() > 1) {
+        bands_ = bandLabels(bands);
+    }
+    switch (kind_) {
+    case AnalysisKind::spectrum:
+        table_.add(Quantity::wavenumber);
+        table_.add(Quantity::wavelength);
+        break;
+    case AnalysisKind::polar:
+        for (const Quantity quantity :
+             {Quantity::angle, Quantity::azimuth, Quantity::elevation, Quantity::yaw}) {
+            table_.add(quantity);
+        }
+        break;
+    case AnalysisKind::image:
+        table_.add(Quantity::range);
+        break;
+    case AnalysisKind::range:
+    case AnalysisKind::time:
+        table_.add(plan.coordinate);
+        break;
+    }
+    addColumns("");
+    for (const std::string& object : objects_) {
+        if (kind_ != AnalysisKind::spectrum) {
+            addColumn(Quantity::range, object, "");
+        }
+        addColumns(object);
+    }
+}
+
+void SweepTable::addColumns(const std::string& object) {
+    if (kind_ == AnalysisKind::spectrum) {
+        for (const Quantity quantity :
+             {Quantity::spectralIntensity, Quantity::spectralContrastIntensity,
+              Quantity::spectralIrradiance}) {
+            addColumn(quantity, object, "");
+        }
+        return;
+    }
+    for (const std::string& band : bands_) {
+        for (const Quantity quantity :
+             {Quantity::intensity, Quantity::contrastIntensity, Quantity::irradiance}) {
+            addColumn(quantity, object, band);
+        }
+        if (kind_ == AnalysisKind::image && object.empty()) {
+            addColumn(Quantity::totalIrradiance, object, band);
+        }
+        addColumn(Quantity::pixels, object, band);
+    }
+}
+
+void SweepTable::addColumn(Quantity quantity, const std::string& object, const std::string& band) {
+    const irsg::QuantityInfo& info = irsg::info(quantity);
+    table_.add(ColumnName{"", object, std::string(info.key), band}.key(), std::string(info.unit));
+}
+
+void SweepTable::append(std::vector<double>& row, const irsg::ObjectRadiometry& sums) {
+    row.insert(row.end(), {sums.intensity_W_sr, sums.contrastIntensity_W_sr, sums.irradiance_W_m2});
+}
+
+void SweepTable::addCase(const AnalysisCase& one, const std::vector<irsg::RenderReport>& reports) {
+    if (reports.size() != bands_.size()) {
+        throw irsg::LogicError("a row of a sweep needs one report for each band");
+    }
+    std::vector<double> row;
+    switch (kind_) {
+    case AnalysisKind::polar:
+        row = {one.coordinate, one.shownAzimuth_deg, one.shownElevation_deg, one.shownYaw_deg};
+        break;
+    case AnalysisKind::image:
+        row = {one.range_m};
+        break;
+    default:
+        row = {one.coordinate};
+    }
+    for (const irsg::RenderReport& report : reports) {
+        append(row, report.all);
+        if (kind_ == AnalysisKind::image) {
+            row.push_back(report.totalIrradiance_W_m2);
+        }
+        row.push_back(report.all.coveredPixels);
+    }
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+        row.push_back(reports.front().objects.at(i).range_m);
+        for (const irsg::RenderReport& report : reports) {
+            append(row, report.objects.at(i));
+            row.push_back(report.objects.at(i).coveredPixels);
+        }
+    }
+    table_.addRow(row);
+}
+
+void SweepTable::addSpectrum(const irsg::IntensitySpectrum& spectrum) {
+    for (std::size_t i = 0; i < spectrum.wavenumbers_cm1.size(); ++i) {
+        std::vector<double> row = {
+            spectrum.wavenumbers_cm1[i], spectrum.wavelengths_um[i], spectrum.intensity_W_sr_um[i],
+            spectrum.contrastIntensity_W_sr_um[i], spectrum.irradiance_W_m2_um[i]};
+        for (std::size_t e = 0; e < objects_.size(); ++e) {
+            const irsg::ObjectSpectrum& object = spectrum.objects.at(e);
+            row.insert(row.end(), {object.intensity_W_sr_um[i], object.contrastIntensity_W_sr_um[i],
+                                   object.irradiance_W_m2_um[i]});
+        }
+        table_.addRow(row);
+    }
+}
+
+} // namespace smat

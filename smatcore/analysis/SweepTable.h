@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/data/ResultTable.h"
+
+namespace smat {
+
+/// The columns of a result: where the cases are, then the sums of all objects in each band, then
+/// those of each object where there are several: `intensity`, or `intensity@3-5um` of one of
+/// several bands, and `NAME.range`, `NAME.intensity@3-5um`, ... of an object at its own range.
+/// Names of objects are made distinct as distinctLabels does.
+class SweepTable {
+  public:
+    SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table);
+
+    /// One case of an image, polar, range or time analysis, with a report for each band.
+    void addCase(const AnalysisCase& one, const std::vector<irsg::RenderReport>& reports);
+    void addSpectrum(const irsg::IntensitySpectrum& spectrum);
+
+  private:
+    void addColumns(const std::string& object);
+    void addColumn(irsg::Quantity quantity, const std::string& object, const std::string& band);
+    static void append(std::vector<double>& row, const irsg::ObjectRadiometry& sums);
+
+    AnalysisKind kind_;
+    std::vector<std::string> objects_; ///< empty where there is one
+    std::vector<std::string> bands_;   ///< one "" where there is one
+    ResultTable& table_;
+};
+
+} // namespace smat

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace smat {
+
+struct ResultColumn;
+class ResultTable;
+
+/// The parts of a column's key: `[PREFIX]OBJECT.QUANTITY@BAND`, such as
+/// "near.contrast_intensity@3-5um". The object is there in tables of several objects (without it a
+/// column is the sum of all), the band in tables of several bands. What stands before a point is an
+/// object only where a known quantity follows.
+struct ColumnName {
+    std::string prefix;   ///< "error_", "difference_", "relative_difference_" or ""
+    std::string object;   ///< "near", or ""
+    std::string quantity; ///< "contrast_intensity"
+    std::string band;     ///< "3-5um", or ""
+
+    static ColumnName of(std::string_view key);
+    std::string key() const;
+    /// Without object and band: columns of one series are drawn together.
+    std::string series() const { return prefix + quantity; }
+    /// "near, 3-5 um": what tells the columns of a series apart; "" where nothing does.
+    std::string which() const;
+
+    bool operator==(const ColumnName&) const = default;
+};
+
+/// The measured columns of a series, or the one column of that key; empty where there are none.
+std::vector<const ResultColumn*> columnsOf(const ResultTable& table, std::string_view series);
+
+/// Names as parts of keys and file names: what a CSV header or a key cannot hold becomes `_`, what
+/// is empty becomes "object", and a name that occurs before gets -2, -3, ... behind it.
+std::vector<std::string> distinctLabels(std::vector<std::string> names);
+
+} // namespace smat
