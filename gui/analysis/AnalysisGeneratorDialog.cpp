@@ -165,7 +165,10 @@ QStringList AnalysisGeneratorDialog::problems() const {
         plan_->setText(withReadableUnits(QString::fromStdString(
             planAnalysis(asked.kind, asked.project, asked.settings).description)));
     });
-    collect([&] { sensorOf(asked.project, asked.settings); });
+    collect([&] {
+        sensorOf(asked.project, asked.settings);
+        bandsOf(asked.project, asked.settings);
+    });
     return list;
 }
 

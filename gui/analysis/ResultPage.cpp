@@ -77,8 +77,7 @@ void ResultPage::showPlot(Dialogs dialogs) {
     quantity_->setMinimumWidth(90); // long titles give way where the page is narrow
     quantity_->setToolTip(tr("Quantity that is drawn"));
     for (const auto& key : plottableQuantities(table))
-        quantity_->addItem(QString::fromStdString(table.find(key)->axisTitle()),
-                           QString::fromStdString(key));
+        quantity_->addItem(quantityTitle(table, key), QString::fromStdString(key));
     panel_ = new PlotPanel(isPolar(table) ? PlotKind::polar : PlotKind::cartesian,
                            std::move(dialogs), this);
     panel_->addInFront(quantity_);

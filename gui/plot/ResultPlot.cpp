@@ -5,7 +5,9 @@
 #include <cmath>
 #include <functional>
 
+#include "gui/Readable.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/data/ColumnName.h"
 #include "smatcore/data/ResultDifference.h"
 
 namespace smat::gui {
@@ -25,20 +27,50 @@ void requireRows(const ResultTable& table, const std::string& name) {
         throw irsg::InputError({name, "", "a table without rows", "at least one row to draw"});
 }
 
-Curve curveOf(const NamedResult& result, const std::string& quantity) {
+/// The columns of a quantity. Throws InputError naming those that there are where it is missing.
+std::vector<const ResultColumn*> requiredColumns(const NamedResult& result,
+                                                 const std::string& quantity) {
     requireRows(*result.table, result.name.toStdString());
-    const auto* column = result.table->find(quantity);
-    if (column == nullptr) {
+    auto columns = columnsOf(*result.table, quantity);
+    if (columns.empty()) {
         std::string keys;
         for (const auto& key : plottableQuantities(*result.table))
             keys += (keys.empty() ? "" : ", ") + key;
         throw irsg::InputError(
             {result.name.toStdString(), "", "no column \"" + quantity + "\"", "one of " + keys});
     }
-    Curve curve{result.name, abscissaOf(*result.table).values, column->values};
-    if (const auto* error = result.table->find("error_" + quantity))
-        curve.error = error->values;
-    return curve;
+    return columns;
+}
+
+/// "run", of one of several columns "run: near, 3-5 µm"; the sum of several objects is "all".
+QString curveName(const NamedResult& result, const ResultColumn& column, bool hasObjects) {
+    ColumnName parts = ColumnName::of(column.key);
+    if (hasObjects && parts.object.empty())
+        parts.object = "all";
+    const QString which = withReadableUnits(QString::fromStdString(parts.which()));
+    return which.isEmpty() || result.name.isEmpty() ? result.name + which
+                                                    : result.name + ": " + which;
+}
+
+void addCurves(std::vector<Curve>& curves, const NamedResult& result, const std::string& quantity) {
+    const auto columns = requiredColumns(result, quantity);
+    const bool hasObjects =
+        std::any_of(columns.begin(), columns.end(), [](const ResultColumn* column) {
+            return !ColumnName::of(column->key).object.empty();
+        });
+    for (const ResultColumn* column : columns) {
+        Curve curve{columns.size() > 1 ? curveName(result, *column, hasObjects) : result.name,
+                    abscissaOf(*result.table).values, column->values};
+        if (const auto* error = result.table->find("error_" + column->key))
+            curve.error = error->values;
+        curves.push_back(std::move(curve));
+    }
+}
+
+/// A column of the series without its values, which gives the axis its title.
+ResultColumn titled(const ResultTable& table, const std::string& quantity) {
+    const auto columns = columnsOf(table, quantity);
+    return {quantity, columns.empty() ? "" : columns.front()->unit, {}};
 }
 
 void requireSame(const std::vector<NamedResult>& results, const std::string& what,
@@ -86,8 +118,12 @@ std::vector<std::string> plottableQuantities(const ResultTable& table) {
     std::vector<std::string> keys;
     for (const auto& column : table.columns()) {
         const bool error = column.key.rfind("error_", 0) == 0;
-        if (!isAbscissa(table, column) && !error)
-            keys.push_back(column.key);
+        if (isAbscissa(table, column) || error)
+            continue;
+        const std::string series = ColumnName::of(column.key).series();
+        const std::string& key = columnsOf(table, series).size() > 1 ? series : column.key;
+        if (std::find(keys.begin(), keys.end(), key) == keys.end())
+            keys.push_back(key);
     }
     if (keys.empty())
         throw irsg::InputError({"result", "header", "no column that was measured",
@@ -99,13 +135,17 @@ std::vector<std::string> plottableQuantities(const ResultTable& table) {
     return keys;
 }
 
+QString quantityTitle(const ResultTable& table, const std::string& quantity) {
+    return QString::fromStdString(titled(table, quantity).axisTitle());
+}
+
 bool goOnOnePlot(const ResultTable& a, const ResultTable& b) {
     if (a.empty() || b.empty() || isPolar(a) != isPolar(b))
         return false;
     const bool sameAxis = isPolar(a) ? polarTypeOf(a) == polarTypeOf(b)
                                      : abscissaOf(a).header() == abscissaOf(b).header();
     try {
-        return sameAxis && b.find(plottableQuantities(a).front()) != nullptr;
+        return sameAxis && !columnsOf(b, plottableQuantities(a).front()).empty();
     } catch (const irsg::InputError&) {
         return false; // nothing in it can be drawn
     }
@@ -116,11 +156,11 @@ PlotData cartesianData(const std::vector<NamedResult>& results, const std::strin
                 [](const ResultTable& t) { return t.empty() ? "none" : abscissaOf(t).header(); });
     PlotData data;
     for (const auto& result : results)
-        data.curves.push_back(curveOf(result, quantity));
+        addCurves(data.curves, result, quantity);
 
     const auto& first = *results.front().table;
     const auto& x = abscissaOf(first);
-    const auto& y = *first.find(quantity);
+    const ResultColumn y = titled(first, quantity);
     data.title = titleOf(results, y, plainLabel(x));
     data.xTitle = QString::fromStdString(x.axisTitle());
     data.yTitle = QString::fromStdString(y.axisTitle());
@@ -134,10 +174,10 @@ PolarData polarData(const std::vector<NamedResult>& results, const std::string& 
     requireSame(results, "a polar plot of type", polarTypeOf);
     PolarData data;
     for (const auto& result : results)
-        data.curves.push_back(curveOf(result, quantity));
+        addCurves(data.curves, result, quantity);
 
     const auto& first = *results.front().table;
-    const auto& y = *first.find(quantity);
+    const ResultColumn y = titled(first, quantity);
     const std::string type = polarTypeOf(first);
     data.radiusTitle = QString::fromStdString(y.axisTitle());
     data.clockwise = type == "camera-azimuth";

@@ -300,14 +300,16 @@ void SceneTreeDock::refreshSettings() {
         return;
     const Settings& settings = workbench_.settings();
     const auto unit = [](const std::string& key) { return readableUnit(settingInfo(key).unit); };
-    const std::string& response = settings.text("sensor.response");
+    QStringList responses;
+    for (const auto& file : settings.paths("sensor.response"))
+        responses << textOf(file.filename().string());
+    const QString bands = textOf(settings.text("sensor.band")).replace(",", ", ");
     sensor_->setText(
         0,
         tr("Sensor %1 × %2 px, %3%4, %5")
             .arg(textOf(settings.text("sensor.width")), textOf(settings.text("sensor.height")),
                  textOf(settings.text("sensor.fov")), unit("sensor.fov"),
-                 response.empty() ? textOf(settings.text("sensor.band")) + " " + unit("sensor.band")
-                                  : textOf(std::filesystem::path(response).filename().string())));
+                 responses.isEmpty() ? bands + " " + unit("sensor.band") : responses.join(", ")));
     QStringList airs;
     for (const auto& file : settings.paths("environment.atmospheres"))
         airs << textOf(file.filename().string());

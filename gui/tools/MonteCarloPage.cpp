@@ -26,6 +26,7 @@
 #include "gui/tools/MonteCarloPlots.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
@@ -233,7 +234,8 @@ void MonteCarloPage::refresh() {
         problems << tr("Open a project first.");
     } else {
         try {
-            asked();
+            const AnalysisData analysis = asked().analysis;
+            planAnalysis(analysis.kind, analysis.project, analysis.settings);
         } catch (const irsg::InputError& error) {
             problems << sentencesOf(error);
         }

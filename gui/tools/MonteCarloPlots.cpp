@@ -23,6 +23,7 @@
 #include "gui/plot/PlotLook.h"
 #include "gui/tools/RankingBars.h"
 #include "irsg/radiometry/Quantity.h"
+#include "smatcore/data/ColumnName.h"
 
 namespace smat::gui {
 
@@ -45,6 +46,12 @@ QString abscissaTitle(const MonteCarloData& data) {
 std::vector<double> columnOf(const MonteCarloData& data, const std::string& key) {
     const ResultColumn* found = data.analysis.table.find(key);
     return found == nullptr ? std::vector<double>{} : found->values;
+}
+
+/// "3-5 µm" of one of several bands, else nothing.
+QString bandText(const MonteCarloData& data, std::size_t band) {
+    return withReadableUnits(
+        QString::fromStdString(ColumnName{"", "", "", data.bands.at(band)}.which()));
 }
 
 /// A part of the plot between two columns.
@@ -140,7 +147,7 @@ void MonteCarloPlots::setData(const MonteCarloData& data) {
     const bool hasPlaces = !data_.abscissae.empty();
     {
         const QSignalBlocker quiet(place_);
-        place_->setRange(0, std::max(static_cast<int>(data_.abscissae.size()) - 1, 0));
+        place_->setRange(0, std::max(static_cast<int>(data_.values.size()) - 1, 0));
         // Where the spread is largest.
         std::size_t widest = 0;
         double most = -1.0;
@@ -151,7 +158,7 @@ void MonteCarloPlots::setData(const MonteCarloData& data) {
             }
         place_->setValue(static_cast<int>(widest));
     }
-    place_->setEnabled(hasPlaces && data_.abscissae.size() > 1);
+    place_->setEnabled(hasPlaces && data_.values.size() > 1);
     drawBands();
     drawHistogram();
     drawRanking();
@@ -173,30 +180,43 @@ void MonteCarloPlots::drawBands() {
     plot.xTitle = abscissaTitle(data_);
     plot.yTitle = quantityTitle(data_);
     const std::vector<double>& x = data_.abscissae;
-    plot.curves.push_back({tr("nominal"), x, data_.nominal});
-    plot.curves.push_back({tr("mean"), x, columnOf(data_, "mean")});
     // The outermost percentiles as lines, so that the axis holds them and a crosshair reads them.
     std::vector<std::string> keys;
     for (const double percent : data_.options.percentiles)
         keys.push_back("p" + irsg::numberText(percent));
-    for (const std::string& key : keys)
-        plot.curves.push_back({QString::fromStdString(key), x, columnOf(data_, key)});
+    const std::size_t bands = data_.bands.size();
+    const auto called = [&](const QString& what, std::size_t band) {
+        const QString label = bandText(data_, band);
+        return label.isEmpty() ? what : what + ", " + label;
+    };
+    for (std::size_t band = 0; band < bands; ++band) {
+        plot.curves.push_back({called(tr("nominal"), band), x, data_.ofBand(data_.nominal, band)});
+        plot.curves.push_back(
+            {called(tr("mean"), band), x, columnOf(data_, data_.columnKey("mean", band))});
+        for (const std::string& key : keys)
+            plot.curves.push_back({called(QString::fromStdString(key), band), x,
+                                   columnOf(data_, data_.columnKey(key, band))});
+    }
     bands_->setData(std::move(plot));
 
     const PlotStyle style = PlotStyle::screen(palette());
     const int pairs = static_cast<int>(keys.size() / 2);
-    for (int i = 0; i < pairs; ++i) {
-        const std::string& low = keys[static_cast<std::size_t>(i)];
-        const std::string& high = keys[keys.size() - 1 - static_cast<std::size_t>(i)];
-        bandBetween(x, columnOf(data_, low), columnOf(data_, high),
-                    QString::fromStdString(low) + " – " + QString::fromStdString(high),
-                    style.curve(1), 40 + 120 * (i + 1) / std::max(pairs, 1) / 2)
-            ->attach(bands_);
-    }
+    for (std::size_t band = 0; band < bands; ++band)
+        for (int i = 0; i < pairs; ++i) {
+            const std::string& low = keys[static_cast<std::size_t>(i)];
+            const std::string& high = keys[keys.size() - 1 - static_cast<std::size_t>(i)];
+            bandBetween(
+                x, columnOf(data_, data_.columnKey(low, band)),
+                columnOf(data_, data_.columnKey(high, band)),
+                called(QString::fromStdString(low) + " – " + QString::fromStdString(high), band),
+                style.curve(1 + static_cast<int>(band)),
+                40 + 120 * (i + 1) / std::max(pairs, 1) / 2)
+                ->attach(bands_);
+        }
     auto* here = new QwtPlotMarker;
     here->setLineStyle(QwtPlotMarker::VLine);
     here->setLinePen(style.faintText, 1.0, Qt::DashLine);
-    here->setXValue(x[static_cast<std::size_t>(place_->value())]);
+    here->setXValue(x[static_cast<std::size_t>(place_->value()) % x.size()]);
     here->attach(bands_);
     bands_->replot();
 }
@@ -212,8 +232,11 @@ void MonteCarloPlots::drawHistogram() {
         return;
     }
     const auto k = static_cast<std::size_t>(place_->value());
-    placeText_->setText(withReadableUnits(QString::number(data_.abscissae[k], 'g', 6) + " " +
-                                          QString::fromStdString(data_.abscissaUnit)));
+    const std::size_t count = data_.abscissae.size();
+    const QString band = bandText(data_, k / count);
+    placeText_->setText(withReadableUnits(QString::number(data_.abscissae[k % count], 'g', 6) +
+                                          " " + QString::fromStdString(data_.abscissaUnit)) +
+                        (band.isEmpty() ? "" : ", " + band));
     histogram_->setAxisTitle(QwtPlot::xBottom, axisText(quantityTitle(data_), style));
     auto* grid = new QwtPlotGrid;
     grid->setMajorPen(style.grid, 1.0);

@@ -48,10 +48,14 @@ QString figuresOf(const RadiativeOutput& output) {
     return lines.join('\n');
 }
 
+/// The air is asked in one band at a time, of several in the first.
+irsg::SpectralRange firstBand(const Settings& asked) {
+    return irsg::Band::fromText(eachBand(asked).front().text("sensor.band")).range();
+}
+
 std::string commandFor(const Project& project, const Settings& asked,
                        const std::vector<std::string>& words, const AirGeometryInput& geometry) {
-    return radiativeCommand(resolvedAir(project, asked), words, geometry,
-                            irsg::Band::fromText(asked.text("sensor.band")).range(),
+    return radiativeCommand(resolvedAir(project, asked), words, geometry, firstBand(asked),
                             sunOf(project, asked), "radiative.csv");
 }
 
@@ -170,7 +174,7 @@ Calculation::Work RadiativePage::work() {
         SceneBuilder scenes(ModelStore::loader(models));
         const irsg::Environment environment = environmentOf(project, asked);
         RadiativeRequest request;
-        request.band = irsg::Band::fromText(asked.text("sensor.band")).range();
+        request.band = firstBand(asked);
         const irsg::Vec3 point_m = targetReferencePoint(project, scenes);
         request.geometry = viewerGeometry(project, asked, point_m);
         request.leaveOutMissing = words.front() == "all";

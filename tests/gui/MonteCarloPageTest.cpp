@@ -57,11 +57,12 @@ class WaitingSource : public ImageSource {
     }
     irsg::RenderedImage render() override { return source_->render(); }
     irsg::RenderReport measure() override {
-        if (!gate_.open)
-            ++gate_.waiting;
-        while (!gate_.open)
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        wait();
         return source_->measure();
+    }
+    std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) override {
+        wait();
+        return source_->measure(bands);
     }
     irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) override {
         return source_->measureSpectrum(wavenumbers_cm1);
@@ -71,11 +72,23 @@ class WaitingSource : public ImageSource {
                const std::vector<double>& wavenumbers_cm1) override {
         return source_->scaledView(inputs, wavenumbers_cm1);
     }
+    std::vector<std::unique_ptr<const irsg::ScaledView>>
+    scaledViews(const std::vector<irsg::ScalingInput>& inputs,
+                const std::vector<irsg::Band>& bands) override {
+        return source_->scaledViews(inputs, bands);
+    }
     std::string rendererDescription() override { return source_->rendererDescription(); }
     irsg::StageTimes stageTimes() const override { return source_->stageTimes(); }
     void resetStageTimes() override { source_->resetStageTimes(); }
 
   private:
+    void wait() {
+        if (!gate_.open)
+            ++gate_.waiting;
+        while (!gate_.open)
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+
     Gate& gate_;
     std::unique_ptr<ImageSource> source_;
 };

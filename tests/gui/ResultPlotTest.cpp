@@ -61,6 +61,49 @@ TEST(ResultPlotTest, NamesTheColumnsThereAreWhenOneIsMissing) {
     EXPECT_THROW(plottableQuantities(ResultTable()), irsg::InputError);
 }
 
+/// A range result of two objects in two bands, each column a constant.
+ResultTable tableOfSeries() {
+    ResultTable table;
+    table.add(irsg::Quantity::range);
+    double value = 1.0;
+    std::vector<double> row = {100.0};
+    for (const char* object : {"", "near.", "far."})
+        for (const char* band : {"@3-5um", "@8-12um"}) {
+            table.add(object + std::string("contrast_intensity") + band, "W sr-1");
+            row.push_back(value++);
+        }
+    table.addRow(row);
+    row[0] = 200.0;
+    table.addRow(row);
+    return table;
+}
+
+TEST(ResultPlotTest, DrawsACurveForEachObjectAndBand) {
+    const auto table = tableOfSeries();
+    EXPECT_EQ(plottableQuantities(table), std::vector<std::string>{"contrast_intensity"});
+    EXPECT_EQ(quantityTitle(table, "contrast_intensity"), "Contrast intensity (W·sr⁻¹)");
+    const auto data = cartesianData({{"run", &table}}, "contrast_intensity");
+    ASSERT_EQ(data.curves.size(), 6U);
+    EXPECT_EQ(data.curves[0].name, "run: all, 3-5 µm");
+    EXPECT_EQ(data.curves[3].name, "run: near, 8-12 µm");
+    EXPECT_EQ(data.curves[3].y.front(), 4.0);
+    EXPECT_EQ(data.yTitle, "Contrast intensity (W·sr⁻¹)");
+    // One column alone is drawn as ever.
+    const auto one = cartesianData({{"run", &table}}, "near.contrast_intensity@8-12um");
+    ASSERT_EQ(one.curves.size(), 1U);
+    EXPECT_EQ(one.curves[0].name, "run");
+    EXPECT_EQ(one.yTitle, "Contrast intensity, near, 8-12 um (W·sr⁻¹)");
+}
+
+TEST(ResultPlotTest, OverlaysBandsOnAResultOfOneBand) {
+    const auto several = tableOfSeries(), one = test::rangeTable();
+    EXPECT_TRUE(goOnOnePlot(one, several));
+    const auto data = cartesianData({{"a", &one}, {"b", &several}}, "contrast_intensity");
+    ASSERT_EQ(data.curves.size(), 7U);
+    EXPECT_EQ(data.curves[0].name, "a");
+    EXPECT_EQ(data.curves[1].name, "b: all, 3-5 µm");
+}
+
 TEST(ResultPlotTest, LabelsAxesWithUnits) {
     const auto table = test::rangeTable();
     const auto data = cartesianData({{"run", &table}}, "contrast_intensity");

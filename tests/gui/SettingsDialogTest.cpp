@@ -161,6 +161,22 @@ TEST_F(SettingsDialogTest, EveryFieldOfEveryAnalysisReachesItsInputAndItsCommand
         EXPECT_EQ(inForms.count(info.key), 1U) << info.key << " is in no form";
 }
 
+TEST_F(SettingsDialogTest, TheFormRefusesWhatItsAnalysisCannotDo) {
+    openSample();
+    const auto problems = [&](AnalysisKind kind) {
+        AnalysisGeneratorDialog dialog(workbench.project(), workbench.settings(), kind,
+                                       [](const QString&, const QString&) { return QString(); });
+        const auto* label = dialog.findChild<QLabel*>("problems");
+        return dialog.isAcceptable() ? std::string() : label->text().toStdString();
+    };
+    EXPECT_EQ(problems(AnalysisKind::polar), "");
+    workbench.set("sensor.band", "3-5,8-12");
+    EXPECT_EQ(problems(AnalysisKind::polar), "");
+    EXPECT_NE(problems(AnalysisKind::image).find("one band for an image"), std::string::npos);
+    workbench.set("render.zoom", "sills");
+    EXPECT_NE(problems(AnalysisKind::polar).find("published zoom"), std::string::npos);
+}
+
 TEST_F(SettingsDialogTest, CancelChangesNothing) {
     openSample();
     onDialog = [&](QDialog& dialog) {
