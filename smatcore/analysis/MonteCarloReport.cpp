@@ -6,6 +6,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
+#include "smatcore/data/ColumnName.h"
 
 namespace smat {
 
@@ -95,7 +96,7 @@ void summarise(MonteCarloData& data) {
     widest =
         static_cast<std::size_t>(std::max_element(sigmas.begin(), sigmas.end()) - sigmas.begin());
     const std::size_t abscissae = data.abscissae.size();
-    const std::string& band = data.bands[widest / abscissae];
+    const std::string band = ColumnName{"", "", "", data.bands[widest / abscissae]}.which();
     const std::string where = fmt::format(" at {:.6g} {}{}", data.abscissae[widest % abscissae],
                                           data.abscissaUnit, band.empty() ? "" : ", " + band);
     const Estimate& estimated = data.statistic[widest];

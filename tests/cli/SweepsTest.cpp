@@ -77,8 +77,8 @@ TEST(SmatBatchBands, AnImageOfSeveralIsAFileEach) {
     const Ran ran = smatBatch({"image", sphere, "--band", "3-5,8-12", "--width", "32", "--height",
                                "32", "--out", folder / "a.exr", "--out", folder / "a.json"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    EXPECT_EQ(irsg::readExr(folder / "a@3-5um.exr").attributes.at("sensor.band"), "3-5 um");
-    EXPECT_EQ(irsg::readExr(folder / "a@8-12um.exr").attributes.at("sensor.band"), "8-12 um");
+    EXPECT_EQ(irsg::readExr(folder / "a@3-5um.exr").attributes.at("band.name"), "3-5 um");
+    EXPECT_EQ(irsg::readExr(folder / "a@8-12um.exr").attributes.at("band.name"), "8-12 um");
     EXPECT_TRUE(std::filesystem::exists(folder / "a@8-12um.json"));
     EXPECT_FALSE(std::filesystem::exists(folder / "a.exr"));
     const Ran spectrum =
