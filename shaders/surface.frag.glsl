@@ -2,79 +2,81 @@
 // Apparent radiance of one sample of a surface (docs/physics.md, equations 1 to 3), or its factors.
 // All radiances are in-band, W m-2 sr-1, computed in double on the CPU.
 //
-// Compiled once for each combination of what a drawing needs, so that nothing is computed in vain:
-//   PRODUCT     0 radiance, 1 factors, 2 factors and distance
-//   SUN_MODE    0 off, 1 independent of geometry, 2 per sample
-//   FLUX_MODE   0 off, 1 independent of geometry, 2 view factors, 3 the report's angles
+// The lines before this text come from irsg/scene/radiance/RadianceTerms.cpp, the one list of what a
+// surface can send: the frame's directions, FACTOR_COUNT (1 to 7) and FILL_FACTORS(f), which sets
+// every factor. Compiled once for each combination of what a drawing needs:
+//   PRODUCT     0 radiance, where nothing is transparent; 1 factors, 2 factors and distance
 //   ANGLE_MODE  0: N = 0, 1: N = 1, 2: any N
 //   TRANSPARENT 0: the nearest surface is drawn, 1: every surface before it is appended to a list
 
 in vec3 eyePosition; // m, not normalised
 in vec3 eyeNormal;   // any length
 
-uniform vec4 radiance;  // thermal, upward flux, downward flux, sun: each at factor 1
-uniform vec4 surface;   // x: path radiance times (1 - t); y: opacity 1 - t, 0..1; z: N >= 0; w: row + 1
-uniform vec3 zenithEye; // unit, eye space
-uniform vec3 sunEye;    // unit, towards the sun
+uniform vec4 surface; // x: radiance at every factor; y: opacity 1 - t, 0..1; z: N >= 0; w: row + 1
+uniform float radiance[FACTOR_COUNT]; // added for each factor at 1
+
+// Factors lie in vectors of four behind (row + 1) and distance in a list, behind row + 1 in planes.
+#define LIST_VECTORS ((FACTOR_COUNT + 3) / 4)
 
 #if TRANSPARENT
 layout(early_fragment_tests) in;
 layout(std430, binding = 0) buffer Counter { uint count; };
-// Radiance: (sample, depth, A_pre, opacity). Factors: that many twice, (sample, depth, row + 1, distance)
-// and (thermal, down, sun, 0).
+// (sample, depth, row + 1, distance) and the factors, four in a vector.
 layout(std430, binding = 1) writeonly buffer Fragments { uvec4 fragments[]; };
 uniform int capacity;    // entries that fit
 uniform int rasterWidth; // samples
 #elif PRODUCT == 0
 layout(location = 0) out vec2 plane0; // A_pre, opacity
 #else
-layout(location = 0) out vec4 plane0; // row + 1, thermal, down, sun
-#if PRODUCT == 2
-layout(location = 1) out float plane1; // distance, m
+layout(location = 0) out vec4 plane0; // row + 1, first three factors
+#if FACTOR_COUNT > 3
+layout(location = 1) out vec4 plane1; // the next four
+#endif
+#if PRODUCT == 2 && FACTOR_COUNT > 3
+layout(location = 2) out float planeOfDistance; // m
+#elif PRODUCT == 2
+layout(location = 1) out float planeOfDistance; // m
 #endif
 #endif
 
 float arcCosine(float x); // accurate.glsl
 float power(float base, float exponent);
 
+// |cos theta_view|^N.
+float viewPower(vec3 normal, vec3 eyePosition, float n) {
+#if ANGLE_MODE == 0
+    return 1.0;
+#else
+    float cosView = clamp(-dot(normal, normalize(eyePosition)), 0.0, 1.0);
+#if ANGLE_MODE == 2
+    return power(cosView, n);
+#else
+    return cosView;
+#endif
+#endif
+}
+
+// What a facet sees of the sky: its view factor, or the report's 1 - theta_z / pi.
+float viewWeight(float cosZenith) {
+    return 0.5 * (1.0 + clamp(cosZenith, -1.0, 1.0));
+}
+float angleWeight(float cosZenith) {
+    return 1.0 - arcCosine(clamp(cosZenith, -1.0, 1.0)) / 3.14159265358979;
+}
+
 void main() {
     // The side that is seen is a fact of the winding; the normal is turned to it.
     vec3 normal = normalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-
-#if ANGLE_MODE == 0
-    float thermal = 1.0;
-#else
-    float thermal = clamp(-dot(normal, normalize(eyePosition)), 0.0, 1.0);
-#if ANGLE_MODE == 2
-    thermal = power(thermal, surface.z);
-#endif
-#endif
-
-#if SUN_MODE == 0
-    float sun = 0.0;
-#elif SUN_MODE == 1
-    float sun = 0.25;
-#else
-    float sun = max(dot(normal, sunEye), 0.0);
-#endif
-
-#if FLUX_MODE == 0
-    float down = 0.0, up = 0.0;
-#elif FLUX_MODE == 1
-    float down = 0.5, up = 0.5;
-#else
-    float cosZenith = clamp(dot(normal, zenithEye), -1.0, 1.0);
-#if FLUX_MODE == 2
-    float down = 0.5 * (1.0 + cosZenith);
-#else
-    float down = 1.0 - arcCosine(cosZenith) / 3.14159265358979;
-#endif
-    float up = 1.0 - down;
-#endif
+    float nAngleFactor = surface.z;
+    float f[8];
+    for (int i = 0; i < 8; ++i)
+        f[i] = 0.0;
+    FILL_FACTORS(f)
 
 #if PRODUCT == 0
-    float apparent = thermal * radiance.x + up * radiance.y + down * radiance.z + sun * radiance.w +
-                     surface.x;
+    float apparent = surface.x;
+    for (int i = 0; i < FACTOR_COUNT; ++i)
+        apparent += f[i] * radiance[i];
 #endif
 
 #if TRANSPARENT
@@ -83,20 +85,22 @@ void main() {
         return;
     uint here = uint(gl_FragCoord.y) * uint(rasterWidth) + uint(gl_FragCoord.x);
     uint depth = floatBitsToUint(gl_FragCoord.z);
-#if PRODUCT == 0
-    fragments[place] = uvec4(here, depth, floatBitsToUint(apparent), floatBitsToUint(surface.y));
-#else
-    fragments[2u * place] = uvec4(here, depth, floatBitsToUint(surface.w),
-                                  floatBitsToUint(length(eyePosition)));
-    fragments[2u * place + 1u] = uvec4(floatBitsToUint(thermal), floatBitsToUint(down),
-                                       floatBitsToUint(sun), 0u);
+    uint entry = place * uint(1 + LIST_VECTORS);
+    fragments[entry] = uvec4(here, depth, floatBitsToUint(surface.w),
+                             floatBitsToUint(length(eyePosition)));
+    fragments[entry + 1u] = floatBitsToUint(vec4(f[0], f[1], f[2], f[3]));
+#if FACTOR_COUNT > 4
+    fragments[entry + 2u] = floatBitsToUint(vec4(f[4], f[5], f[6], f[7]));
 #endif
 #elif PRODUCT == 0
     plane0 = vec2(apparent, surface.y);
 #else
-    plane0 = vec4(surface.w, thermal, down, sun);
+    plane0 = vec4(surface.w, f[0], f[1], f[2]);
+#if FACTOR_COUNT > 3
+    plane1 = vec4(f[3], f[4], f[5], f[6]);
+#endif
 #if PRODUCT == 2
-    plane1 = length(eyePosition);
+    planeOfDistance = length(eyePosition);
 #endif
 #endif
 }

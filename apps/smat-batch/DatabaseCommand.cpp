@@ -30,8 +30,9 @@ int create(const CreateOptions& options, Context&) {
     }
     database.title = options.title.empty() ? named.stem().string() : options.title;
     for (const auto& [pair, use] : codes) {
-        database.temperatures[pair.temperature].name =
-            "temperature " + std::to_string(pair.temperature);
+        irsg::TemperatureEntry& entry = database.temperatures[pair.temperature];
+        entry.name = "temperature " + std::to_string(pair.temperature);
+        entry.terms = irsg::TemperatureTerms::ofAmbient();
         database.materials[pair.material].name = "material " + std::to_string(pair.material);
     }
     irsg::createSignatureFile(database, options.file);

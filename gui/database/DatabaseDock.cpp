@@ -284,8 +284,9 @@ void DatabaseDock::newDatabase() {
         irsg::SignatureDatabase database;
         database.title = model.stem().string();
         for (const auto& [pair, use] : target->codes()) {
-            database.temperatures[pair.temperature].name =
-                "temperature " + std::to_string(pair.temperature);
+            irsg::TemperatureEntry& entry = database.temperatures[pair.temperature];
+            entry.name = "temperature " + std::to_string(pair.temperature);
+            entry.terms = irsg::TemperatureTerms::ofAmbient();
             database.materials[pair.material].name = "material " + std::to_string(pair.material);
         }
         workbench.useNewDatabase(file.toStdString(), std::move(database));

@@ -147,10 +147,13 @@ void EntryList::add() {
     context_.session().edit(
         tr("Add %1 %2").arg(material ? tr("material") : tr("temperature")).arg(key.index),
         [&](irsg::SignatureDatabase& database) {
-            if (material)
+            if (material) {
                 database.materials[key.index].name = tr("new material").toStdString();
-            else
-                database.temperatures[key.index].name = tr("new temperature").toStdString();
+                return;
+            }
+            irsg::TemperatureEntry& entry = database.temperatures[key.index];
+            entry.name = tr("new temperature").toStdString();
+            entry.terms = irsg::TemperatureTerms::ofAmbient();
         });
     select(key);
 }

@@ -22,17 +22,6 @@ std::string environmentKeyOf(const InfraredRequest& request) {
     return key;
 }
 
-/// True where only poses, states and databases differ.
-bool standForTheSame(const std::vector<irsg::Entity>& known,
-                     const std::vector<irsg::Entity>& wanted) {
-    return std::ranges::equal(known, wanted, [](const irsg::Entity& a, const irsg::Entity& b) {
-        return a.model == b.model && a.referencePoint_m == b.referencePoint_m &&
-               a.fallbackTemperature == b.fallbackTemperature &&
-               a.fallbackMaterial == b.fallbackMaterial &&
-               a.temperatureScale == b.temperatureScale && a.emissivityScale == b.emissivityScale;
-    });
-}
-
 } // namespace
 
 const irsg::ImageChannel& InfraredPicture::plane() const {
@@ -125,18 +114,7 @@ void InfraredScene::update(const InfraredRequest& request) {
     irsg_.setSettings(render);
     irsg_.setSkybox(scene.skybox);
     irsg_.setTerrain(scene.terrain);
-
-    if (standForTheSame(irsg_.entities(), scene.entities)) {
-        for (std::size_t i = 0; i < scene.entities.size(); ++i) {
-            const irsg::Entity& wanted = scene.entities[i];
-            if (irsg_.entities()[i].database != wanted.database)
-                irsg_.setDatabase(i, wanted.database);
-            irsg_.setPose(i, wanted.pose);
-            irsg_.setState(i, wanted.state);
-        }
-    } else {
-        irsg_.setEntities(scene.entities);
-    }
+    irsg_.setEntities(scene.entities);
     irsg_.setViewpoint(request.camera.viewpoint(irsg_.referencePoint(0), request.targetYaw_rad));
 }
 

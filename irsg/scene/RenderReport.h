@@ -17,6 +17,9 @@ struct ObjectRadiometry {
     double irradiance_W_m2 = 0.0;        ///< sum of (A_pre - alpha L_bg) omega cos theta
     double coveredPixels = 0.0;          ///< sum of the coverage
     double solidAngle_sr = 0.0;          ///< sum of coverage omega
+    /// Bound of what the air's change over the object's extent leaves wrong, as a part of what
+    /// arrives from it.
+    double airError = 0.0;
 };
 
 struct RenderReport {
@@ -31,7 +34,6 @@ struct RenderReport {
     std::vector<SampledWindow> windows;  ///< what the antialiasing sampled by itself
     long flooredPixels = 0;              ///< of the background, whose sum was below 0
     int layersLeftOver = 0;              ///< samples with more transparent layers than are kept
-    double transmissivityResidue = 0.0;  ///< largest relative error of the scalar t for t(lambda)
     std::string renderer;                ///< GL renderer and version
 };
 

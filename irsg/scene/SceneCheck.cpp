@@ -34,7 +34,7 @@ std::string faces(int count) {
 }
 
 void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double ambient_K,
-                 const Band& band, std::vector<Offence>& offences) {
+                 const std::vector<Band>& bands, std::vector<Offence>& offences) {
     // One offence an index, with all the faces that carry it.
     std::map<int, int> missingTemperatures, missingMaterials;
     for (const auto& [codes, use] : entity.model->codes()) {
@@ -78,7 +78,7 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
             offences.push_back({entity.name, place, text(temperature_K) + " K",
                                 "a positive temperature in the present state"});
     }
-    for (const auto& [index, material] : materials)
+    const auto check = [&](int index, const Material* material, const Band& band) {
         for (const auto& [name, spectrum] :
              {std::pair("emissivity", &material->emissivity),
               std::pair("transmissivity", &material->transmissivity)})
@@ -90,6 +90,10 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
                                         text(spectrum->wavelengths_um().back()) + " um",
                                     "a spectrum that covers the band " + text(band.range().min_um) +
                                         " to " + text(band.range().max_um) + " um"});
+    };
+    for (const auto& [index, material] : materials)
+        for (const Band& band : bands)
+            check(index, material, band);
 }
 
 } // namespace
@@ -112,7 +116,9 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
             const Vec3 nose = entities[e].pose.attitude.rotation() * Vec3{0, 1, 0};
             const double cosine = dot(nose, toSensor) / geometry.path.range_m;
             geometry.aspectAngle_rad = std::acos(std::clamp(cosine, -1.0, 1.0));
+            geometry.path.azimuth_rad = std::atan2(-toSensor.x, -toSensor.y);
         }
+        geometry.path = steadied(geometry.path);
         result.push_back(geometry);
     }
     if (!offences.empty()) {
@@ -129,7 +135,7 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
 
 void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
                 const Environment& environment, const Sensor& sensor,
-                const RenderSettings& settings) {
+                const std::vector<Band>& bands, const RenderSettings& settings) {
     std::vector<Offence> offences;
     try {
         sensor.check();
@@ -170,17 +176,19 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
                             "a finite radiance of at least 0 W m-2 sr-1"});
 
     if (settings.mode == CalculationMode::wideband) {
-        try {
-            environment.requireWideband(sensor.band.range());
-        } catch (const InputError& error) {
-            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+        for (const Band& band : bands) {
+            try {
+                environment.requireWideband(band.range());
+            } catch (const InputError& error) {
+                offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            }
         }
     }
 
     for (std::size_t e = 0; e < entities.size(); ++e) {
         const double ambient_K =
             environment.ambientTemperature_K(geometry[e].path.targetAltitude_m).value;
-        checkEntity(entities[e], geometry[e], ambient_K, sensor.band, offences);
+        checkEntity(entities[e], geometry[e], ambient_K, bands, offences);
     }
     if (!offences.empty())
         throw InputError(offences);

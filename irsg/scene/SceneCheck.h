@@ -14,9 +14,9 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
 
 /// Throws InputError with every offence of the scene: sensor, settings, faces without an entry
 /// (codes and face counts), user-defined spectra that are missing, surface spectra that do not
-/// cover the band, temperatures that are not positive, and air without the calculation mode.
+/// cover the bands, temperatures that are not positive, and air without the calculation mode.
 void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
                 const Environment& environment, const Sensor& sensor,
-                const RenderSettings& settings);
+                const std::vector<Band>& bands, const RenderSettings& settings);
 
 } // namespace irsg

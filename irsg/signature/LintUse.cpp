@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <set>
+#include <type_traits>
 
 #include "irsg/signature/Findings.h"
 #include "irsg/signature/LintEntries.h"
@@ -31,6 +32,8 @@ void lintMissing(const std::map<int, int>& faces, const std::optional<int>& fall
                                                              kind](SignatureDatabase& database) {
             Entry entry;
             entry.name = kind + std::to_string(index);
+            if constexpr (std::is_same_v<Entry, TemperatureEntry>)
+                entry.terms = TemperatureTerms::ofAmbient();
             entry.notes = "added by lint: black at ambient temperature, to be given its values";
             (database.*table).try_emplace(index, entry);
         };

@@ -21,7 +21,7 @@ void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& s
                const AnalysisCase& one, SweepTable& table, CaseWarnings& warnings) {
     irsg::RenderedImage rendered = source.render();
     addNew(data.answeredBy, rendered.report.answeredBy);
-    warnings.addReport(rendered.report, data.settings.integer("render.layers"), true);
+    warnings.addReport(rendered.report, data.settings.integer("render.layers"));
     table.addCase(one, {rendered.report});
     data.image = std::move(rendered.image);
     const std::string sentence = showQuantity(data.image, scene.sensor, data.settings);
@@ -35,7 +35,7 @@ void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan
     // The sums of the same view say who answered for the air.
     const irsg::RenderReport report = source.measure();
     addNew(data.answeredBy, report.answeredBy);
-    warnings.addReport(report, data.settings.integer("render.layers"), false);
+    warnings.addReport(report, data.settings.integer("render.layers"));
     const irsg::IntensitySpectrum spectrum = source.measureSpectrum(plan.wavenumbers_cm1);
     for (const std::string& sentence : spectrum.warnings) {
         warnings.add(sentence);
@@ -49,7 +49,7 @@ void measureCase(AnalysisData& data, const SceneDescription& scene, ImageSource&
     const std::vector<irsg::RenderReport> reports = source.measure(scene.allBands());
     for (const irsg::RenderReport& report : reports) {
         addNew(data.answeredBy, report.answeredBy);
-        warnings.addReport(report, data.settings.integer("render.layers"), false);
+        warnings.addReport(report, data.settings.integer("render.layers"));
     }
     table.addCase(one, reports);
 }

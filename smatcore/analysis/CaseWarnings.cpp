@@ -33,7 +33,7 @@ void CaseWarnings::addWorst(const std::string& kind, double value, const std::st
     }
 }
 
-void CaseWarnings::addReport(const irsg::RenderReport& report, int layersKept, bool isImage) {
+void CaseWarnings::addReport(const irsg::RenderReport& report, int layersKept) {
     for (const std::string& sentence : report.warnings) {
         add(sentence);
     }
@@ -46,13 +46,6 @@ void CaseWarnings::addReport(const irsg::RenderReport& report, int layersKept, b
                  fmt::format("up to {} samples of a drawing have more than {} transparent layers, "
                              "the rest of which is left out; see render.layers",
                              report.layersLeftOver, layersKept));
-    }
-    // Sums multiply transmissivities at each wavelength; only an image has one per surface.
-    if (isImage && report.transmissivityResidue > 1e-3) {
-        addWorst("residue", report.transmissivityResidue,
-                 fmt::format("transmissivities that vary over the band are one number in an image; "
-                             "the largest relative error of that is {:.2g}",
-                             report.transmissivityResidue));
     }
 }
 

@@ -19,8 +19,8 @@ class CaseWarnings {
     /// Of the sentences of one kind, the one with the largest value is told.
     void addWorst(const std::string& kind, double value, const std::string& sentence);
 
-    /// What a report and its numbers say. `isImage`: what only an image does inexactly counts.
-    void addReport(const irsg::RenderReport& report, int layersKept, bool isImage);
+    /// What a report and its numbers say.
+    void addReport(const irsg::RenderReport& report, int layersKept);
     /// Objects of a scene that reach out of the frame, whose rest is not in the sums.
     void addObjectsBeyondFrame(const SceneDescription& scene, const std::vector<irsg::Pose>& poses,
                                const irsg::Viewpoint& viewpoint);

@@ -33,26 +33,18 @@ class IrsgImageSource : public ImageSource {
     }
     void setViewpoint(const irsg::Viewpoint& viewpoint) override { irsg_.setViewpoint(viewpoint); }
 
-    irsg::RenderedImage render() override {
-        irsg_.checkConfiguration();
-        return irsg_.render();
-    }
-    irsg::RenderReport measure() override {
-        irsg_.checkConfiguration();
-        return irsg_.measure();
-    }
+    irsg::RenderedImage render() override { return irsg_.render(); }
+    irsg::RenderReport measure() override { return irsg_.measure(); }
     std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) override {
-        return inEach<irsg::RenderReport>(bands, [this] { return irsg_.measure(); });
+        return irsg_.measure(bands);
     }
     irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) override {
-        irsg_.checkConfiguration();
         return irsg_.measureSpectrum(wavenumbers_cm1);
     }
 
     std::unique_ptr<const irsg::ScaledView>
     scaledView(const std::vector<irsg::ScalingInput>& inputs,
                const std::vector<double>& wavenumbers_cm1) override {
-        irsg_.checkConfiguration();
         return wavenumbers_cm1.empty() ? irsg_.scaledView(inputs)
                                        : irsg_.scaledSpectrum(inputs, wavenumbers_cm1);
     }
@@ -60,8 +52,7 @@ class IrsgImageSource : public ImageSource {
     std::vector<std::unique_ptr<const irsg::ScaledView>>
     scaledViews(const std::vector<irsg::ScalingInput>& inputs,
                 const std::vector<irsg::Band>& bands) override {
-        return inEach<std::unique_ptr<const irsg::ScaledView>>(
-            bands, [&] { return irsg_.scaledView(inputs); });
+        return irsg_.scaledViews(inputs, bands);
     }
 
     std::string rendererDescription() override { return irsg_.rendererDescription(); }
@@ -69,27 +60,6 @@ class IrsgImageSource : public ImageSource {
     void resetStageTimes() override { irsg_.resetStageTimes(); }
 
   private:
-    /// What `ask` answers in each band. Drawn factors do not depend on the band, so the renderer
-    /// keeps them from one to the next.
-    template <typename Answer, typename Ask>
-    std::vector<Answer> inEach(const std::vector<irsg::Band>& bands, const Ask& ask) {
-        /// Puts the sensor back, whatever happens.
-        struct Restorer {
-            irsg::Irsg& irsg;
-            irsg::Sensor sensor;
-            ~Restorer() { irsg.setSensor(sensor); }
-        } const restorer{irsg_, irsg_.sensor()};
-        irsg::Sensor sensor = restorer.sensor;
-        std::vector<Answer> answers;
-        for (const irsg::Band& band : bands) {
-            sensor.band = band;
-            irsg_.setSensor(sensor);
-            irsg_.checkConfiguration();
-            answers.push_back(ask());
-        }
-        return answers;
-    }
-
     irsg::Irsg irsg_;
 };
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/ParallelFor.h"
 #include "smatcore/analysis/MonteCarloReport.h"
 #include "smatcore/analysis/MonteCarloViews.h"
 #include "smatcore/support/Log.h"
@@ -92,11 +93,14 @@ class Run {
                 break;
             say(fmt::format("draw {}", data_.draws()));
             const std::size_t end = std::min(options.samples, data_.draws() + batch);
-            for (std::size_t i = data_.draws(); i < end; ++i) {
-                const std::vector<double> all = views_->valuesAt(draws_->at(i));
+            std::vector<std::vector<double>> drawn(end - data_.draws());
+            for (std::size_t i = 0; i < drawn.size(); ++i)
+                drawn[i] = draws_->at(data_.draws() + i);
+            irsg::parallelFor(drawn.size(),
+                              [&](std::size_t i) { drawn[i] = views_->valuesAt(drawn[i]); });
+            for (const std::vector<double>& all : drawn)
                 for (std::size_t k = 0; k < all.size(); ++k)
                     data_.values[k].push_back(all[k]);
-            }
             ++done_;
             // Looked at ever more rarely: each look sorts what there is.
             if (options.standardError && data_.draws() >= nextLook) {
@@ -122,7 +126,7 @@ class Run {
         data_.ranking = rankScalings(
             *companions_, data_.options.sequence, data_.options.rankingPairs,
             [&](const std::vector<double>& scales) {
-                std::vector<double> all = views_->valuesAt(scales);
+                std::vector<double> all = views_->valuesNear(scales);
                 if (!only)
                     return all;
                 // That abscissa in every band.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "irsg/radiometry/ParallelFor.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/project/SceneBuilder.h"
@@ -111,7 +112,7 @@ MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, CaseW
         drawing.values.push_back({number(report.all, asked)});
         addNew(drawing.answeredBy, report.answeredBy);
         if (warnings != nullptr)
-            warnings->addReport(report, data_.analysis.settings.integer("render.layers"), false);
+            warnings->addReport(report, data_.analysis.settings.integer("render.layers"));
     }
     return drawing;
 }
@@ -159,14 +160,38 @@ void MonteCarloViews::addNumericalError(const std::vector<Drawing>& atPhases) {
         }
 }
 
-std::vector<double> MonteCarloViews::valuesAt(const std::vector<double>& scales) {
+std::vector<double> MonteCarloViews::valuesAt(const std::vector<double>& scales) const {
+    std::vector<double> all;
+    all.reserve(data_.nominal.size());
+    irsg::ScaledValues values;
+    for (std::size_t band = 0; band < bands_.size(); ++band)
+        for (const auto& ofCase : views_) {
+            ofCase[band]->evaluate(scales, values);
+            const std::vector<double>& chosen = column(values, data_.options.quantity);
+            all.insert(all.end(), chosen.begin(), chosen.end());
+        }
+    return all;
+}
+
+std::vector<double> MonteCarloViews::valuesNear(const std::vector<double>& scales) {
+    if (memos_.empty())
+        for (const auto& ofCase : views_)
+            for (const auto& view : ofCase)
+                memos_.push_back(view->memo());
+    std::vector<irsg::ScaledValues> values(memos_.size());
+    irsg::parallelFor(views_.size(), [&](std::size_t i) {
+        for (std::size_t band = 0; band < bands_.size(); ++band) {
+            const std::size_t place = i * bands_.size() + band;
+            views_[i][band]->evaluate(scales, values[place], memos_[place].get());
+        }
+    });
     std::vector<double> all;
     all.reserve(data_.nominal.size());
     for (std::size_t band = 0; band < bands_.size(); ++band)
-        for (const auto& ofCase : views_) {
-            ofCase[band]->evaluate(scales, scratch_);
-            const std::vector<double>& values = column(scratch_, data_.options.quantity);
-            all.insert(all.end(), values.begin(), values.end());
+        for (std::size_t i = 0; i < views_.size(); ++i) {
+            const std::vector<double>& chosen =
+                column(values[i * bands_.size() + band], data_.options.quantity);
+            all.insert(all.end(), chosen.begin(), chosen.end());
         }
     return all;
 }

@@ -28,8 +28,11 @@ class MonteCarloViews {
     /// after the first drawing.
     void draw(const Telling& tell, const std::stop_token& stop);
     bool areAll() const { return views_.size() == plan_.cases.size(); }
-    /// The quantity at every place that was drawn.
-    std::vector<double> valuesAt(const std::vector<double>& scales);
+    /// The quantity at every place that was drawn. May be asked by several threads at a time.
+    std::vector<double> valuesAt(const std::vector<double>& scales) const;
+    /// The same, on all cores and with what the views remember of the last scales: for draws that
+    /// differ from earlier ones in a few of them. By one thread at a time.
+    std::vector<double> valuesNear(const std::vector<double>& scales);
 
   private:
     struct Drawing {
@@ -52,7 +55,8 @@ class MonteCarloViews {
     std::vector<std::vector<std::unique_ptr<const irsg::ScaledView>>> views_;
     /// By band, then by abscissa.
     std::vector<std::vector<double>> nominal_, numericalError_;
-    irsg::ScaledValues scratch_;
+    /// Of valuesNear, by case and band.
+    std::vector<std::unique_ptr<irsg::ScaledView::Memo>> memos_;
 };
 
 } // namespace smat

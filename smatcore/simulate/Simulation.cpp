@@ -59,11 +59,9 @@ SensorResult resultOf(const LoadedScenario& loaded, std::size_t sensor) {
 /// What renderings of one sensor could not do exactly: the worst of all frames, said once.
 struct Shortcomings {
     int layersLeftOver = 0;
-    double transmissivityResidue = 0.0;
 
     void take(const irsg::RenderReport& report) {
         layersLeftOver = std::max(layersLeftOver, report.layersLeftOver);
-        transmissivityResidue = std::max(transmissivityResidue, report.transmissivityResidue);
     }
     void sayIn(SensorResult& result) const {
         if (result.framesMissing > 0) {
@@ -76,12 +74,6 @@ struct Shortcomings {
                 "up to {} samples of a frame have more transparent layers than are kept, see "
                 "render.layers",
                 layersLeftOver));
-        }
-        if (transmissivityResidue > 1e-3) {
-            result.warnings.push_back(
-                fmt::format("transmissivities that vary over the band are one number in an image; "
-                            "the largest relative error of that is {:.2g}",
-                            transmissivityResidue));
         }
     }
 };

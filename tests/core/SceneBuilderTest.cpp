@@ -23,6 +23,7 @@ class SceneBuilderTest : public testing::Test {
         writeTextFile(folder / "model.flt", "anything");
         irsg::SignatureDatabase database;
         database.temperatures[0].name = "skin";
+        database.temperatures[0].terms = irsg::TemperatureTerms::ofAmbient();
         database.materials[0].name = "paint";
         irsg::saveSignatureFile(database, folder / "model.sigdb");
         project.file = folder / "p.smat";

@@ -57,6 +57,7 @@ class ASimulation : public testing::Test {
         writeTextFile(folder / "model.flt", "anything");
         irsg::SignatureDatabase database;
         database.temperatures[0].name = "skin";
+        database.temperatures[0].terms = irsg::TemperatureTerms::ofAmbient();
         database.materials[0].name = "paint";
         irsg::saveSignatureFile(database, folder / "model.sigdb");
         writeTextFile(folder / "path.csv", "t,x,y,z,yaw,pitch,roll,power\n"

@@ -228,8 +228,8 @@ TEST(CaseWarnings, TellsTheWorstOfAKind) {
         irsg::RenderReport report;
         report.all.coveredPixels = 1.0;
         report.layersLeftOver = layers;
-        warnings.addReport(report, 64, false);
-        warnings.addReport(report, 64, false); // a second band of the same case
+        warnings.addReport(report, 64);
+        warnings.addReport(report, 64); // a second band of the same case
     }
     ASSERT_EQ(warnings.sentences().size(), 1u);
     EXPECT_THAT(warnings.sentences().front(), HasSubstr("at 70 m (and 2 more): up to 90 samples"));

@@ -126,6 +126,10 @@ TEST_F(AirToolsTest, SeveralAtmospheresHaveACommandOfTheSameSpectra) {
 }
 
 TEST_F(AirToolsTest, TheProjectLooksTheSameInItsOwnExportedAir) {
+    // So thin that it is one slice of air along the model, since what is exported holds one path.
+    smat::test::write(folder / "thin.csv", "# name: thin\n# air_temperature [K]: 270\n"
+                                           "wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n");
+    workbench.set("environment.atmospheres", (folder / "thin.csv").string());
     const AnalysisData before = image();
     auto* page = opened<RadiativePage>("radiativeOutput");
     compute(*page);
@@ -133,7 +137,7 @@ TEST_F(AirToolsTest, TheProjectLooksTheSameInItsOwnExportedAir) {
     page->findChild<QPushButton*>("useInProject")->click();
     ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     EXPECT_EQ(workbench.settings().text("environment.atmospheres"),
-              chosen.toStdString() + ";" + (folder / "haze.csv").string());
+              chosen.toStdString() + ";" + (folder / "thin.csv").string());
     const AnalysisData after = image();
     const auto& a = before.image.primary().values;
     const auto& b = after.image.primary().values;
@@ -149,7 +153,7 @@ TEST_F(AirToolsTest, TheProjectLooksTheSameInItsOwnExportedAir) {
     // One step takes it back.
     workbench.undoStack().undo();
     workbench.undoStack().undo();
-    EXPECT_EQ(workbench.settings().text("environment.atmospheres"), (folder / "haze.csv").string());
+    EXPECT_EQ(workbench.settings().text("environment.atmospheres"), (folder / "thin.csv").string());
 }
 
 TEST_F(AirToolsTest, KeepsItsAnswerAmongTheResults) {

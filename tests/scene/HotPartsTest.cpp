@@ -10,6 +10,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/scene/SceneCheck.h"
 #include "tests/support/SceneFixtures.h"
+#include "tests/support/SceneSpectra.h"
 
 using namespace irsg;
 using namespace irsg::test;
@@ -96,11 +97,11 @@ TEST(HotParts, AreSurfacesThatShineOutOfTheirObject) {
         SignatureDatabase database = *entity.database;
         database.temperatures[2] = fixedTemperature(temperature_K);
         entity.database = std::make_shared<const SignatureDatabase>(database);
-        const SceneRadiometry radiometry(
-            environmentOf(ConstantAir{}), {entity},
-            objectGeometry({entity}, {{0, 0, 0}},
-                           Viewpoint::lookAt({0, 1000, 0}, {}, {0, 0, 1}, {1, 0, 0})),
-            settingsOf(256, true), LineOfSight{}, Band::topHat(3.0, 5.0));
+        const SceneRadiometry radiometry =
+            inBand(environmentOf(ConstantAir{}), {entity},
+                   objectGeometry({entity}, {{0, 0, 0}},
+                                  Viewpoint::lookAt({0, 1000, 0}, {}, {0, 0, 1}, {1, 0, 0})),
+                   settingsOf(256, true), LineOfSight{}, Band::topHat(3.0, 5.0));
         EXPECT_EQ(hotSurfaces(radiometry, {entity}), (std::vector<bool>{false, isHot}))
             << temperature_K << " K";
     }

@@ -177,9 +177,10 @@ TEST(HotSpots, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
         samples.width = probe.width(), samples.height = probe.height();
         for (int i = 0; i < samples.width * samples.height; ++i) {
             samples.first.push_back(static_cast<std::uint32_t>(i));
-            samples.layers.push_back({.row = 0, .distance_m = static_cast<float>(distance_m)});
+            samples.rows.push_back(0);
+            samples.distances_m.push_back(static_cast<float>(distance_m));
         }
-        samples.first.push_back(static_cast<std::uint32_t>(samples.layers.size()));
+        samples.first.push_back(static_cast<std::uint32_t>(samples.rows.size()));
         return samples;
     };
     EXPECT_TRUE(isHidden(part, probe, samplesAt(99.0)));
@@ -194,7 +195,7 @@ TEST(HotSpots, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
                                        {7, 10, true}}) {
         FactorSamples samples = samplesAt(99.0);
         const int row = probe.tilesHigh - 1 - (y - 4);
-        samples.layers[static_cast<std::size_t>(row * probe.tilesWide + x - 5)].distance_m = 200.0f;
+        samples.distances_m[static_cast<std::size_t>(row * probe.tilesWide + x - 5)] = 200.0f;
         EXPECT_EQ(isHidden(part, probe, samples), hidden) << x << ", " << y;
     }
 }

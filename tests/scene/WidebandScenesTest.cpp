@@ -15,6 +15,7 @@
 #include "irsg/scene/radiance/WidebandTerms.h"
 #include "irsg/signature/SignatureFile.h"
 #include "tests/support/Refusal.h"
+#include "tests/support/SceneSpectra.h"
 #include "tests/support/WidebandScenes.h"
 
 using namespace irsg;
@@ -79,29 +80,31 @@ TEST(WidebandRadiometry, MultipliesMonochromaticallyAtEveryTerm) {
     const auto smart = smartAir(2);
     const Environment environment = environmentOf(smart);
     const std::vector<Entity> entities{entityOf(box(), withGas(200.0))};
-    const ObjectGeometry geometry{{1500.0, 1000.0, 3000.0}, 0.0};
+    const ObjectGeometry geometry = geometryOf({1500.0, 1000.0, 3000.0});
     RenderSettings settings;
     settings.sun = settings.fluxes = ReflectionMode::off;
-    const WidebandTerms terms(environment, Band::topHat(3.0, 5.0), widebandSpectraOf(entities));
-    const SceneRadiometry scene(environment, entities, {geometry}, settings, {1500.0, -0.1, 0.0},
-                                terms);
+    const auto terms = std::make_shared<const WidebandTerms>(environment, Band::topHat(3.0, 5.0),
+                                                             widebandSpectraOf(entities));
+    const SceneRadiometry scene =
+        atTerms(environment, entities, {geometry}, settings, {1500.0, -0.1, 0.0}, terms);
 
-    const SensorCkData& ck = terms.data();
+    const SensorCkData& ck = terms->data();
     const std::vector<double> path = smart->transfer().transmittance(ck.nodes(), geometry.path);
     const std::vector<double> inside =
         smart->transfer().transmittance(ck.nodes(), {1000.0 + 500.0 / 15.0, 1000.0, 200.0});
     const std::vector<double> light =
         smart->transfer().pathRadiance(ck.nodes(), geometry.path, environment.sun);
     const std::vector<double> gas = ck.sampled(hotGas());
-    const SurfaceSpectra& skin = scene.surfaces()[static_cast<std::size_t>(scene.row(0, one))];
-    const SurfaceSpectra& plume = scene.surfaces()[static_cast<std::size_t>(scene.row(0, two))];
+    ASSERT_EQ(scene.rows().keys(), (std::vector<SurfaceKey>{{0, one}, {0, two}}));
+    const SurfaceSpectra& skin = scene.surfaces()[0];
+    const SurfaceSpectra& plume = scene.surfaces()[1];
     ASSERT_EQ(scene.weights_um(), ck.weights_um());
     for (std::size_t i = 0; i < ck.size(); ++i) {
-        EXPECT_DOUBLE_EQ(skin.thermal[i],
+        EXPECT_DOUBLE_EQ(term(skin, "thermal")[i],
                          0.9 * planckRadiance_W_m2_sr_um(ck.wavelengths_um()[i], 320.0) * path[i]);
-        EXPECT_DOUBLE_EQ(plume.thermal[i],
+        EXPECT_DOUBLE_EQ(term(plume, "thermal")[i],
                          inside[i] < 1e-30 ? 0.0 : gas[i] * (path[i] / inside[i]));
-        EXPECT_DOUBLE_EQ(skin.path[i], light[i]);
+        EXPECT_DOUBLE_EQ(term(skin, "path")[i], light[i]);
     }
 }
 
@@ -114,11 +117,13 @@ TEST_P(WidebandScenes, ReflectAsIfMultipliedAtEveryNodeOfTheBand) {
     const RadiativeTransfer& transfer = smart->transfer();
     const NodeSet nodes = transfer.nodesOf(range);
     const std::vector<Entity> entities{entityOf(ball(), greyDatabase(0.6, 300.0))};
-    const WidebandTerms terms(environment, GetParam().band(), widebandSpectraOf(entities));
+    const auto terms = std::make_shared<const WidebandTerms>(environment, GetParam().band(),
+                                                             widebandSpectraOf(entities));
     for (const AirPath& path : {AirPath{1000.0, 1000.0, 500.0}, AirPath{3300.0, 1000.0, 3000.0},
                                 AirPath{2200.0, 1000.0, 4000.0}}) {
-        const SceneRadiometry scene(environment, entities, {{path, 0.0}}, RenderSettings{},
-                                    {path.sensorAltitude_m, -0.1, 0.0}, terms);
+        const SceneRadiometry scene =
+            atTerms(environment, entities, {geometryOf(path)}, RenderSettings{},
+                    {path.sensorAltitude_m, -0.1, 0.0}, terms);
         const std::vector<double> through = transfer.transmittance(nodes, path);
         auto reflected = [&](std::vector<double> light) {
             for (std::size_t i = 0; i < light.size(); ++i)
@@ -130,13 +135,13 @@ TEST_P(WidebandScenes, ReflectAsIfMultipliedAtEveryNodeOfTheBand) {
         const double altitude_m = path.targetAltitude_m;
         const SunPosition& sun = environment.sun;
         const SurfaceSpectra& skin = scene.surfaces().front();
-        EXPECT_NEAR(scene.integrate(skin.sun) /
+        EXPECT_NEAR(scene.integrate(term(skin, "sun")) /
                         reflected(transfer.solarIrradiance(nodes, altitude_m, sun)),
                     1.0, 5e-3);
-        EXPECT_NEAR(scene.integrate(skin.down) /
+        EXPECT_NEAR(scene.integrate(term(skin, "down")) /
                         reflected(transfer.downwardFlux(nodes, altitude_m, sun)),
                     1.0, 5e-3);
-        EXPECT_NEAR(scene.integrate(skin.up) /
+        EXPECT_NEAR(scene.integrate(term(skin, "up")) /
                         reflected(transfer.upwardFlux(nodes, altitude_m, sun)),
                     1.0, 5e-3);
     }

@@ -46,6 +46,7 @@ TEST(CopyEntries, RenumbersWhatIsTaken) {
     to.materials[3].name = "something else";
     to.materials[4].name = "and another";
     to.temperatures[-7].name = "taken";
+    to.temperatures[-7].terms.base_K = 300.0;
     to.spectra["plume core"] = completeDatabase().spectra.at("plume core");
     to.spectra["plume core"].notes = "another one";
     const CopyResult result = copied(to, {.temperatures = {2147483647, -7},

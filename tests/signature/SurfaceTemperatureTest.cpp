@@ -104,7 +104,7 @@ TEST(SurfaceTemperature, OfAllTermsTogetherIsTheirSum) {
 }
 
 TEST(SurfaceTemperature, OfAnIdleEngineWarmsWithPower) {
-    TemperatureTerms terms;
+    TemperatureTerms terms = TemperatureTerms::ofAmbient();
     terms.recoveryFactor = 0.89;
     terms.power = LookupTable({0.0, 0.3, 1.0}, {0.0, 250.0, 450.0});
     EntityState state;
@@ -119,3 +119,12 @@ TEST(SurfaceTemperature, OfAnIdleEngineWarmsWithPower) {
 
 } // namespace
 } // namespace irsg
+
+TEST(SurfaceTemperatureOfCode, IsItsBaseAloneUnlessMoreIsSet) {
+    irsg::TemperatureTerms terms;
+    terms.base_K = 320.0;
+    irsg::EntityState state;
+    state.ambient_K = 280.0;
+    EXPECT_DOUBLE_EQ(irsg::surfaceTemperature_K(terms, state), 320.0);
+    EXPECT_DOUBLE_EQ(irsg::surfaceTemperature_K(irsg::TemperatureTerms::ofAmbient(), state), 280.0);
+}

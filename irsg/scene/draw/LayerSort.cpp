@@ -1,12 +1,19 @@
 #include "irsg/scene/draw/LayerSort.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <numeric>
 #include <utility>
+
+#include "irsg/radiometry/ParallelFor.h"
 
 namespace irsg {
 
 namespace {
+
+/// Pieces that samples are divided into, whatever the number of cores.
+constexpr std::size_t parts = 16;
 
 float asFloat(std::uint32_t bits) {
     return std::bit_cast<float>(bits);
@@ -14,7 +21,7 @@ float asFloat(std::uint32_t bits) {
 
 /// Fragments of every sample next to each other, near to far. Only samples from `lowest` to before
 /// `highest` have any; of those, sample i owns fragments[first[i - lowest]] to before
-/// fragments[first[i - lowest + 1]], each the index of a fragment of `wordsPerFragment` words.
+/// fragments[first[i - lowest + 1]], each the number of a fragment.
 struct Sorted {
     std::size_t lowest = 0, highest = 0;
     std::vector<std::uint32_t> first;
@@ -45,8 +52,7 @@ Sorted sortFragments(const std::vector<std::uint32_t>& words, std::size_t wordsP
     sorted.first.assign(samples + 1, 0);
     for (std::size_t i = 0; i < count; ++i)
         ++sorted.first[sampleOf(i) + 1];
-    for (std::size_t i = 0; i < samples; ++i)
-        sorted.first[i + 1] += sorted.first[i];
+    std::partial_sum(sorted.first.begin(), sorted.first.end(), sorted.first.begin());
     sorted.fragments.resize(count);
     std::vector<std::uint32_t> next(sorted.first.begin(), sorted.first.end() - 1);
     for (std::size_t i = 0; i < count; ++i)
@@ -54,85 +60,90 @@ Sorted sortFragments(const std::vector<std::uint32_t>& words, std::size_t wordsP
 
     // A handful of layers each: by depth, and by value where depths are equal. Depths are positive
     // floats, whose bits order as they do.
-    for (std::size_t i = 0; i < samples; ++i) {
-        auto begin = sorted.fragments.begin() + sorted.first[i];
-        auto end = sorted.fragments.begin() + sorted.first[i + 1];
-        if (end - begin < 2)
-            continue;
-        std::sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
-            const std::uint32_t* wa = &words[a * wordsPerFragment];
-            const std::uint32_t* wb = &words[b * wordsPerFragment];
-            if (wa[1] != wb[1])
-                return wa[1] > wb[1];
-            return std::lexicographical_compare(wa + 2, wa + wordsPerFragment, wb + 2,
-                                                wb + wordsPerFragment);
-        });
-    }
+    const auto isBefore = [&](std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t* wa = &words[a * wordsPerFragment];
+        const std::uint32_t* wb = &words[b * wordsPerFragment];
+        if (wa[1] != wb[1])
+            return wa[1] > wb[1];
+        return std::lexicographical_compare(wa + 2, wa + wordsPerFragment, wb + 2,
+                                            wb + wordsPerFragment);
+    };
+    parallelFor(parts, [&](std::size_t part) {
+        for (std::size_t i = beginOfPart(part, parts, samples);
+             i < beginOfPart(part + 1, parts, samples); ++i)
+            if (sorted.first[i + 1] - sorted.first[i] > 1)
+                std::sort(sorted.fragments.begin() + sorted.first[i],
+                          sorted.fragments.begin() + sorted.first[i + 1], isBefore);
+    });
     return sorted;
 }
 
+/// Layers of a part of the samples, numbered from 0.
+struct Part {
+    std::size_t begin = 0, end = 0;
+    std::size_t layers = 0;
+    int leftOver = 0;
+};
+
 } // namespace
 
-int layUnderTransparent(const std::vector<std::uint32_t>& words, int maximumLayers,
-                        std::vector<float>& planes) {
-    if (words.empty())
-        return 0;
-    constexpr std::size_t wordsPerFragment = 4;
-    const Sorted sorted = sortFragments(words, wordsPerFragment);
+void gatherLayers(const DrawnLayers& drawn, int maximumLayers, FactorSamples& samples) {
+    const std::size_t count = drawn.opaque.size() / 4, factors = drawn.factorCount;
+    samples.width = drawn.width;
+    samples.height = drawn.height;
+    samples.factorCount = factors;
+    const Sorted sorted = sortFragments(drawn.words, drawn.wordsPerFragment);
+    const auto kept = static_cast<std::uint32_t>(maximumLayers);
 
-    int leftOver = 0;
-    for (std::size_t i = sorted.lowest; i < sorted.highest; ++i) {
-        auto [begin, end] = sorted.of(i);
-        if (begin == end)
-            continue;
-        if (end - begin > static_cast<std::uint32_t>(maximumLayers)) {
-            end = begin + static_cast<std::uint32_t>(maximumLayers);
-            ++leftOver;
-        }
-        double radiance = 0.0, transmitted = 1.0;
-        for (std::uint32_t k = begin; k < end; ++k) {
-            const std::uint32_t* fragment = &words[sorted.fragments[k] * wordsPerFragment];
-            radiance += transmitted * static_cast<double>(asFloat(fragment[2]));
-            transmitted *= 1.0 - static_cast<double>(asFloat(fragment[3]));
-        }
-        radiance += transmitted * static_cast<double>(planes[2 * i]);
-        transmitted *= 1.0 - static_cast<double>(planes[2 * i + 1]);
-        planes[2 * i] = static_cast<float>(radiance);
-        planes[2 * i + 1] = static_cast<float>(1.0 - transmitted);
-    }
-    return leftOver;
-}
-
-void gatherFactorLayers(const std::vector<std::uint32_t>& words, const std::vector<float>& opaque,
-                        const std::vector<float>& opaqueDistance_m, bool fluxes, int maximumLayers,
-                        FactorSamples& samples) {
-    const auto ground = [fluxes](float sky) { return fluxes ? 1.0f - sky : 0.0f; };
-    constexpr std::size_t wordsPerFragment = 8;
-    const std::size_t count = opaque.size() / 4;
-    const Sorted sorted = sortFragments(words, wordsPerFragment);
-
-    samples.layersLeftOver = 0;
-    samples.layers.clear();
+    // How many layers each sample has, then where they begin.
     samples.first.assign(count + 1, 0);
-    for (std::size_t i = 0; i < count; ++i) {
-        samples.first[i] = static_cast<std::uint32_t>(samples.layers.size());
-        auto [begin, end] = sorted.of(i);
-        if (end - begin > static_cast<std::uint32_t>(maximumLayers)) {
-            end = begin + static_cast<std::uint32_t>(maximumLayers);
-            ++samples.layersLeftOver;
+    std::array<Part, parts> all;
+    parallelFor(parts, [&](std::size_t p) {
+        Part& part = all[p];
+        part.begin = beginOfPart(p, parts, count);
+        part.end = beginOfPart(p + 1, parts, count);
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+            const auto [begin, end] = sorted.of(i);
+            part.leftOver += end - begin > kept ? 1 : 0;
+            samples.first[i] = static_cast<std::uint32_t>(part.layers);
+            part.layers += std::min(end - begin, kept) + (drawn.opaque[4 * i] > 0.0f ? 1u : 0u);
         }
-        for (std::uint32_t k = begin; k < end; ++k) {
-            const std::uint32_t* w = &words[sorted.fragments[k] * wordsPerFragment];
-            samples.layers.push_back({static_cast<int>(asFloat(w[2])) - 1, asFloat(w[4]),
-                                      ground(asFloat(w[5])), asFloat(w[5]), asFloat(w[6]),
-                                      asFloat(w[3])});
-        }
-        const float* o = &opaque[4 * i];
-        if (o[0] > 0.0f)
-            samples.layers.push_back({static_cast<int>(o[0]) - 1, o[1], ground(o[2]), o[2], o[3],
-                                      opaqueDistance_m.empty() ? 0.0f : opaqueDistance_m[i]});
+    });
+    std::size_t layers = 0;
+    samples.layersLeftOver = 0;
+    std::array<std::size_t, parts> firstOf{};
+    for (std::size_t p = 0; p < parts; ++p) {
+        firstOf[p] = layers;
+        layers += all[p].layers;
+        samples.layersLeftOver += all[p].leftOver;
     }
-    samples.first[count] = static_cast<std::uint32_t>(samples.layers.size());
+    samples.first[count] = static_cast<std::uint32_t>(layers);
+    samples.rows.resize(layers);
+    samples.distances_m.resize(layers);
+    samples.factors.resize(layers * factors);
+
+    parallelFor(parts, [&](std::size_t p) {
+        for (std::size_t i = all[p].begin; i < all[p].end; ++i) {
+            auto layer = samples.first[i] += static_cast<std::uint32_t>(firstOf[p]);
+            auto [begin, end] = sorted.of(i);
+            end = std::min(end, begin + kept);
+            for (std::uint32_t k = begin; k < end; ++k, ++layer) {
+                const std::uint32_t* w = &drawn.words[sorted.fragments[k] * drawn.wordsPerFragment];
+                samples.rows[layer] = static_cast<std::int32_t>(asFloat(w[2])) - 1;
+                samples.distances_m[layer] = asFloat(w[3]);
+                for (std::size_t f = 0; f < factors; ++f)
+                    samples.factors[layer * factors + f] = asFloat(w[4 + f]);
+            }
+            const float* o = &drawn.opaque[4 * i];
+            if (!(o[0] > 0.0f))
+                continue;
+            samples.rows[layer] = static_cast<std::int32_t>(o[0]) - 1;
+            samples.distances_m[layer] = drawn.distances_m.empty() ? 0.0f : drawn.distances_m[i];
+            for (std::size_t f = 0; f < factors; ++f)
+                samples.factors[layer * factors + f] =
+                    f < 3 ? o[1 + f] : drawn.moreFactors[4 * i + f - 3];
+        }
+    });
 }
 
 } // namespace irsg

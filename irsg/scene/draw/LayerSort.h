@@ -3,27 +3,29 @@
 #include <cstdint>
 #include <vector>
 
-#include "irsg/scene/sampling/SampleWindow.h"
 #include "irsg/scene/sampling/Samples.h"
 
 namespace irsg {
 
-/// Sorts the listed fragments of transparent surfaces by sample and from near to far and puts them
-/// before the opaque surfaces: planes (radiance, opacity interleaved) become premultiplied sums of
-/// all layers, out = A_1 + t_1 (A_2 + t_2 (...)). `words`: (sample, depth, A_pre, opacity) as
-/// surface.frag.glsl writes them; reversed depth, so near is large. Fragments of equal depth are
-/// taken in the order of their values, so that the result does not depend on the order of drawing.
-/// Returns the number of samples with more than `maximumLayers`, whose farthest layers are left
-/// out.
-int layUnderTransparent(const std::vector<std::uint32_t>& words, int maximumLayers,
-                        std::vector<float>& planes);
+/// What was read back of one drawing of factors, as surface.frag.glsl writes it.
+struct DrawnLayers {
+    int width = 0, height = 0;   ///< samples
+    std::size_t factorCount = 0; ///< of a layer
+    /// Listed fragments of transparent surfaces: (sample, depth, row + 1, distance) and the
+    /// factors, padded to whole vectors of four words.
+    std::vector<std::uint32_t> words;
+    std::size_t wordsPerFragment = 8; ///< 8 for up to four factors
+    /// (row + 1, first three factors) of the opaque surface of each sample, row + 1 = 0 for none.
+    std::vector<float> opaque;
+    std::vector<float> moreFactors; ///< the next four of each sample, or empty
+    std::vector<float> distances_m; ///< of each sample, or empty
+};
 
-/// The layers of each sample from front to back, opaque last. `words`: (sample, depth, row + 1,
-/// distance) and (thermal, down, sun, 0) of each fragment; `opaque`: (row + 1, thermal, down, sun)
-/// of each sample, row + 1 = 0 for none; `opaqueDistance_m` may be empty. What a surface does not
-/// see of the sky it sees of the ground, unless fluxes are off.
-void gatherFactorLayers(const std::vector<std::uint32_t>& words, const std::vector<float>& opaque,
-                        const std::vector<float>& opaqueDistance_m, bool fluxes, int maximumLayers,
-                        FactorSamples& samples);
+/// The layers of each sample from front to back, the opaque one last, at most `maximumLayers`
+/// transparent ones (the farthest are left out, and the sample is counted). Depth is reversed, so
+/// near is large; fragments of equal depth are taken in the order of their values, so that the
+/// result does not depend on the order of drawing. Runs on all cores; the result does not depend on
+/// their number.
+void gatherLayers(const DrawnLayers& drawn, int maximumLayers, FactorSamples& samples);
 
 } // namespace irsg

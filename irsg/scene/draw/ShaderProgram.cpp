@@ -85,6 +85,10 @@ void ShaderProgram::set(const char* name, const float (&value)[4]) const {
     glUniform4fv(location(name), 1, value);
 }
 
+void ShaderProgram::set(const char* name, std::span<const float> values) const {
+    glUniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
+}
+
 void ShaderProgram::set(const char* name, const osg::Matrixd& matrix) const {
     // OSG's rows acting on row vectors lie in memory as GL's columns acting on column vectors.
     float values[16];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -24,6 +25,8 @@ class ShaderProgram {
     void set(const char* name, int value) const;
     void set(const char* name, float x, float y, float z) const;
     void set(const char* name, const float (&value)[4]) const;
+    /// An array of floats.
+    void set(const char* name, std::span<const float> values) const;
     void set(const char* name, const osg::Matrixd& matrix) const;
     /// The upper left 3 x 3 of a matrix.
     void setNormalMatrix(const char* name, const osg::Matrixd& matrix) const;

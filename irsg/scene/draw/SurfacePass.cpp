@@ -8,14 +8,16 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
+#include <tuple>
 #include <utility>
 
 #include <osg/RenderInfo>
 #include <osg/State>
 
+#include "irsg/radiometry/Errors.h"
 #include "irsg/scene/draw/FloatTarget.h"
 #include "irsg/scene/draw/FragmentList.h"
-#include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/draw/ReversedDepth.h"
 #include "irsg/scene/draw/ShaderProgram.h"
 #include "irsg/scene/draw/Stopwatch.h"
@@ -25,6 +27,11 @@ namespace irsg {
 namespace {
 
 enum Product { radianceProduct = 0, factorProduct = 1, factorProductWithDistance = 2 };
+
+/// Vectors of four words that a listed fragment takes.
+int vectorsOf(const FactorShader& shader) {
+    return 1 + static_cast<int>((shader.factorCount + 3) / 4);
+}
 
 /// The shader's variant for N.
 int angleMode(float nAngleFactor) {
@@ -80,32 +87,32 @@ std::vector<SurfaceItem> itemsWithin(const SurfaceScene& scene, const Raster& ra
 } // namespace
 
 struct SurfacePass::Parts {
-    using Variant = std::array<int, 5>; // product, sun, flux, angle, transparent
+    /// What a program was compiled for: product, angle, transparent, and the factors.
+    using Variant = std::tuple<int, int, int, std::string>;
     std::map<Variant, ShaderProgram> programs;
     std::optional<ShaderProgram> occluder;
     FloatTarget radiance{{2}};
-    FloatTarget factors{{4}};
-    FloatTarget factorsWithDistance{{4, 1}};
+    /// Of factors: [more than three][with distance].
+    std::array<std::array<FloatTarget, 2>, 2> factors{
+        {{FloatTarget{{4}}, FloatTarget{{4, 1}}}, {FloatTarget{{4, 4}}, FloatTarget{{4, 4, 1}}}}};
     FragmentList list;
     std::uint32_t roomInList = 1u << 16; // grows to what the largest drawing needed
-    std::vector<std::uint32_t> words;
-    std::vector<float> plane0, plane1;
-    double drawSeconds = 0.0, readSeconds = 0.0, sortSeconds = 0.0;
+    double drawSeconds = 0.0, readSeconds = 0.0;
 
-    const ShaderProgram& program(const Variant& variant) {
+    const ShaderProgram& program(Product product, int angle, bool transparent,
+                                 const FactorShader& factorShader) {
+        const Variant variant{product, angle, transparent ? 1 : 0, factorShader.glsl};
         const auto found = programs.find(variant);
         if (found != programs.end())
             return found->second;
-        const auto& [product, sun, flux, angle, transparent] = variant;
         const auto define = [](const char* name, int value) {
             return "#define " + std::string(name) + " " + std::to_string(value) + "\n";
         };
         return programs
             .try_emplace(variant, std::vector<std::string>{"surface.vert.glsl"},
                          std::vector<std::string>{"surface.frag.glsl", "accurate.glsl"},
-                         define("PRODUCT", product) + define("SUN_MODE", sun) +
-                             define("FLUX_MODE", flux) + define("ANGLE_MODE", angle) +
-                             define("TRANSPARENT", transparent))
+                         define("PRODUCT", product) + define("ANGLE_MODE", angle) +
+                             define("TRANSPARENT", transparent ? 1 : 0) + factorShader.glsl)
             .first->second;
     }
 
@@ -135,20 +142,22 @@ struct SurfacePass::Parts {
                    const std::vector<SurfaceItem>& items, const Raster& raster, bool transparent,
                    Product product) {
         const ShaderProgram* current = nullptr;
+        int currentAngle = 0;
         for (const SurfaceItem& item : items) {
             if (item.transparent != transparent)
                 continue;
             const SurfaceRow& row = scene.rows[static_cast<std::size_t>(item.row)];
-            const ShaderProgram& shader =
-                program({product, scene.modes.sun, scene.modes.flux, angleMode(row.nAngleFactor),
-                         transparent ? 1 : 0});
-            if (&shader != current) {
-                current = &shader;
-                useProgram(shader, scene, raster);
+            const int angle = angleMode(row.nAngleFactor);
+            if (!current || angle != currentAngle) {
+                current = &program(product, angle, transparent, scene.factors);
+                currentAngle = angle;
+                useProgram(*current, scene, raster);
             }
-            shader.set("radiance", {row.thermal, row.up, row.down, row.sun});
-            shader.set("surface",
-                       {row.path, row.opacity, row.nAngleFactor, static_cast<float>(item.row + 1)});
+            const ShaderProgram& shader = *current;
+            if (product == radianceProduct)
+                shader.set("radiance", std::span(row.radiance.data(), scene.factors.factorCount));
+            shader.set("surface", {row.constant, row.opacity, row.nAngleFactor,
+                                   static_cast<float>(item.row + 1)});
             shader.set("eyeFromModel", item.eyeFromLocal);
             shader.set("clipFromModel", item.eyeFromLocal * raster.clipFromEye);
             osg::Matrixd inverse, transposed;
@@ -181,12 +190,9 @@ struct SurfacePass::Parts {
 
     void useProgram(const ShaderProgram& shader, const SurfaceScene& scene, const Raster& raster) {
         shader.use();
-        auto setDirection = [&](const char* name, const Vec3& v) {
-            shader.set(name, static_cast<float>(v.x), static_cast<float>(v.y),
+        for (const auto& [name, v] : scene.factors.directionsEye)
+            shader.set(name.c_str(), static_cast<float>(v.x), static_cast<float>(v.y),
                        static_cast<float>(v.z));
-        };
-        setDirection("zenithEye", scene.modes.zenithEye);
-        setDirection("sunEye", scene.modes.sunEye);
         shader.set("rasterWidth", raster.width);
         shader.set("capacity", static_cast<int>(roomInList));
     }
@@ -216,7 +222,7 @@ struct SurfacePass::Parts {
             // them with whatever it likes.
             glDepthMask(GL_FALSE);
             glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-            const int vectors = product == radianceProduct ? 1 : 2;
+            const int vectors = vectorsOf(scene.factors);
             for (;;) {
                 list.begin(roomInList, vectors);
                 drawItems(info, scene, items, raster, true, product);
@@ -239,54 +245,55 @@ SurfacePass::~SurfacePass() = default;
 void SurfacePass::drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene,
                                const SampleWindow& window, RadianceSamples& samples) {
     Parts& p = *parts_;
+    if (std::ranges::any_of(scene.items, &SurfaceItem::transparent))
+        throw LogicError("radiance alone was drawn of what lies behind a transparent surface");
     const Raster raster = rasterOf(scene, window);
-    std::uint32_t listed = 0;
     {
         Stopwatch watch(p.drawSeconds);
-        listed = p.draw(info, scene, raster, radianceProduct, p.radiance);
+        p.draw(info, scene, raster, radianceProduct, p.radiance);
     }
     samples.width = raster.width;
     samples.height = raster.height;
-    {
-        Stopwatch watch(p.readSeconds);
-        p.radiance.read(0, raster.width, raster.height, samples.planes);
-        p.list.read(listed, 1, p.words);
-    }
-    Stopwatch watch(p.sortSeconds);
-    samples.layersLeftOver = layUnderTransparent(p.words, scene.maximumLayers, samples.planes);
+    samples.layersLeftOver = 0;
+    Stopwatch watch(p.readSeconds);
+    p.radiance.read(0, raster.width, raster.height, samples.planes);
 }
 
 void SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
-                              const SampleWindow& window, bool withDistance,
-                              FactorSamples& samples) {
+                              const SampleWindow& window, bool withDistance, DrawnLayers& drawn) {
     Parts& p = *parts_;
     const Raster raster = rasterOf(scene, window);
-    FloatTarget& target = withDistance ? p.factorsWithDistance : p.factors;
+    const bool manyFactors = scene.factors.factorCount > 3;
+    FloatTarget& target = p.factors[manyFactors ? 1 : 0][withDistance ? 1 : 0];
     std::uint32_t listed = 0;
     {
         Stopwatch watch(p.drawSeconds);
         listed = p.draw(info, scene, raster,
                         withDistance ? factorProductWithDistance : factorProduct, target);
     }
-    samples.width = raster.width;
-    samples.height = raster.height;
-    {
-        Stopwatch watch(p.readSeconds);
-        target.read(0, raster.width, raster.height, p.plane0);
-        if (withDistance)
-            target.read(1, raster.width, raster.height, p.plane1);
+    drawn.width = raster.width;
+    drawn.height = raster.height;
+    drawn.factorCount = scene.factors.factorCount;
+    drawn.wordsPerFragment = static_cast<std::size_t>(4 * vectorsOf(scene.factors));
+    Stopwatch watch(p.readSeconds);
+    const auto read = [&](int plane, bool isThere, std::vector<float>& into) {
+        if (isThere)
+            target.read(plane, raster.width, raster.height, into);
         else
-            p.plane1.clear();
-        p.list.read(listed, 2, p.words);
-    }
-    Stopwatch watch(p.sortSeconds);
-    gatherFactorLayers(p.words, p.plane0, p.plane1, scene.modes.flux != 0, scene.maximumLayers,
-                       samples);
+            into.clear();
+    };
+    read(0, true, drawn.opaque);
+    read(1, manyFactors, drawn.moreFactors);
+    read(manyFactors ? 2 : 1, withDistance, drawn.distances_m);
+    p.list.read(listed, vectorsOf(scene.factors), drawn.words);
 }
 
 std::size_t SurfacePass::bytes() const {
-    return parts_->radiance.bytes() + parts_->factors.bytes() +
-           parts_->factorsWithDistance.bytes() + parts_->list.bytes();
+    std::size_t sum = parts_->radiance.bytes() + parts_->list.bytes();
+    for (const auto& targets : parts_->factors)
+        for (const FloatTarget& target : targets)
+            sum += target.bytes();
+    return sum;
 }
 
 double SurfacePass::takeDrawSeconds() {
@@ -294,9 +301,6 @@ double SurfacePass::takeDrawSeconds() {
 }
 double SurfacePass::takeReadSeconds() {
     return std::exchange(parts_->readSeconds, 0.0);
-}
-double SurfacePass::takeSortSeconds() {
-    return std::exchange(parts_->sortSeconds, 0.0);
 }
 
 } // namespace irsg

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <osg/Geometry>
 #include <osg/Matrixd>
 
+#include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/sampling/SampleWindow.h"
 #include "irsg/scene/sampling/Samples.h"
 #include "irsg/scene/view/CameraFrame.h"
@@ -17,11 +21,14 @@ class RenderInfo;
 
 namespace irsg {
 
-/// What the shader is told of one kind of surface.
+/// Drawn factors that a shader has room for.
+inline constexpr std::size_t mostFactors = 7;
+
+/// What the shader is told of one kind of surface. Radiances are in-band, W m-2 sr-1.
 struct SurfaceRow {
-    float thermal = 0.0f, up = 0.0f, down = 0.0f, sun = 0.0f; ///< W m-2 sr-1 at factor 1
-    float path = 0.0f;                                        ///< W m-2 sr-1, already times (1 - t)
-    float opacity = 1.0f;                                     ///< 1 - t
+    std::array<float, mostFactors> radiance{}; ///< for each factor at 1
+    float constant = 0.0f;                     ///< whatever the factors are
+    float opacity = 1.0f;                      ///< 1 - t
     float nAngleFactor = 0.0f;
 };
 
@@ -42,45 +49,44 @@ struct OccluderItem {
     osg::Matrixd eyeFromLocal;
 };
 
-/// How the shader weighs sun and fluxes; the numbers of surface.frag.glsl.
-struct SurfaceModes {
-    int sun = 2;
-    int flux = 2;
-    Vec3 zenithEye{0, 1, 0};
-    Vec3 sunEye{0, 1, 0};
+/// How the shader makes factors of a sample's geometry.
+struct FactorShader {
+    std::size_t factorCount = 0; ///< at most `mostFactors`
+    std::string glsl;            ///< directions and FILL_FACTORS, see surface.frag.glsl
+    std::vector<std::pair<std::string, Vec3>> directionsEye; ///< unit, eye space
 };
 
 /// A frame to be drawn: its items, their rows, and where on the sensor's pixel grid.
 struct SurfaceScene {
     const CameraFrame* camera = nullptr;
     DepthRange depth;
-    SurfaceModes modes;
+    FactorShader factors;
     std::vector<SurfaceItem> items;
     std::vector<OccluderItem> occluders; ///< at any depth: the range need not hold them
     std::vector<SurfaceRow> rows;
-    int maximumLayers = 64;
 };
 
 /// Draws surfaces into float targets. Opaque ones by depth; transparent ones into a list of
-/// fragments that is sorted per sample, so that their order is exact also where they cross. Lives
-/// on the context's thread.
+/// fragments that gatherLayers sorts per sample, so that their order is exact also where they
+/// cross. Lives on the context's thread.
 class SurfacePass {
   public:
     SurfacePass();
     ~SurfacePass();
 
+    /// Radiances of rows; LogicError where an item is transparent.
     void drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene, const SampleWindow& window,
                       RadianceSamples& samples);
+    /// Factors of all layers; gatherLayers makes samples of them.
     void drawFactors(osg::RenderInfo& info, const SurfaceScene& scene, const SampleWindow& window,
-                     bool withDistance, FactorSamples& samples);
+                     bool withDistance, DrawnLayers& drawn);
 
     /// Memory of the targets and the list, which every drawing shares.
     std::size_t bytes() const;
 
-    /// Seconds spent drawing, reading back and sorting since the last call.
+    /// Seconds spent drawing and reading back since the last call.
     double takeDrawSeconds();
     double takeReadSeconds();
-    double takeSortSeconds();
 
   private:
     struct Parts;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "irsg/scene/model/FlightRecords.h"
-#include "irsg/scene/model/Model.h"
+#include "irsg/scene/model/ModelValues.h"
 
 namespace irsg {
 

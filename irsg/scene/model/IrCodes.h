@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "irsg/scene/model/Model.h"
+#include "irsg/scene/model/ModelValues.h"
 
 namespace osg {
 class Drawable;

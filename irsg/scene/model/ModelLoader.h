@@ -9,7 +9,7 @@
 #include <osg/Node>
 #include <osg/ref_ptr>
 
-#include "irsg/scene/model/Model.h"
+#include "irsg/scene/model/ModelValues.h"
 
 namespace irsg {
 

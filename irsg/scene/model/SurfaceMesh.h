@@ -7,7 +7,8 @@
 #include <osg/Geometry>
 
 #include "irsg/scene/model/DrawablePolygons.h"
-#include "irsg/scene/model/Model.h"
+#include "irsg/scene/model/ModelValues.h"
+#include "irsg/scene/view/Vec3.h"
 
 namespace irsg {
 

@@ -50,8 +50,8 @@ double surfaceTemperature_K(const SurfaceInput& surface) {
            surfaceTemperature_K(surface.temperature->terms, surface.state);
 }
 
-SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const AirSamples& air,
-                                const std::vector<double>& wavelengths_um,
+SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const RadianceTerms& terms,
+                                const AirSamples& air, const std::vector<double>& wavelengths_um,
                                 const SpectrumSampler& sample) {
     const std::size_t count = wavelengths_um.size();
     const bool usesSpectrum = surface.temperature->mode == EmissionMode::userSpectrum;
@@ -61,45 +61,54 @@ SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const AirSamples& a
     SurfaceSpectra result;
     result.nAngleFactor = surface.material->nAngleFactor;
     result.transmissivity = sample(surface.material->transmissivity);
-    result.thermal.resize(count);
-    result.up.resize(count);
-    result.down.resize(count);
-    result.sun.resize(count);
-    result.path.resize(count);
 
     // A scaled emissivity stays within what transmission leaves; reflectivity takes the rest.
     result.emissivity = sample(surface.material->emissivity);
     std::vector<double> emissivity = result.emissivity;
-    std::vector<double> reflectivity(count);
+    std::vector<double> reflectance(count), opacity(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const double absorbedAtMost = 1.0 - result.transmissivity[i];
-        emissivity[i] = std::clamp(emissivity[i] * surface.emissivityScale, 0.0, absorbedAtMost);
-        reflectivity[i] = absorbedAtMost - emissivity[i];
+        opacity[i] = 1.0 - result.transmissivity[i];
+        emissivity[i] = std::clamp(emissivity[i] * surface.emissivityScale, 0.0, opacity[i]);
+        reflectance[i] = (opacity[i] - emissivity[i]) / pi;
     }
 
     // Emission: of a body at the temperature of eq. 7, or as measured.
+    std::vector<double> emission(count);
     if (usesSpectrum) {
         const std::vector<double> source = userRadiance(surface, sample, count);
         for (std::size_t i = 0; i < count; ++i)
-            result.thermal[i] = surface.emissivityScale * source[i] *
-                                beyondReference(surface, air.transmittance[i], i);
+            emission[i] = surface.emissivityScale * source[i] *
+                          beyondReference(surface, air.transmittance[i], i);
     } else {
         result.temperature_K = surfaceTemperature_K(surface);
         if (!(result.temperature_K > 0.0))
             throw LogicError("a surface temperature that is not positive reached the radiometry");
         for (std::size_t i = 0; i < count; ++i)
-            result.thermal[i] = emissivity[i] *
-                                planckRadiance_W_m2_sr_um(wavelengths_um[i], result.temperature_K) *
-                                air.transmittance[i];
+            emission[i] = emissivity[i] *
+                          planckRadiance_W_m2_sr_um(wavelengths_um[i], result.temperature_K) *
+                          air.transmittance[i];
     }
 
-    // Reflection of a Lambertian surface, and the air in front of it.
-    for (std::size_t i = 0; i < count; ++i) {
-        const double reflected = reflectivity[i] * air.transmittance[i] / pi;
-        result.up[i] = reflected * air.upwardFlux[i];
-        result.down[i] = reflected * air.downwardFlux[i];
-        result.sun[i] = reflected * air.solarIrradiance[i];
-        result.path[i] = (1.0 - result.transmissivity[i]) * air.pathRadiance[i];
+    for (std::size_t k = 0; k < terms.terms.size(); ++k) {
+        const RadianceTerm& term = terms.terms[k];
+        std::vector<double>& sent = result.terms.emplace_back();
+        if (term.light && air.light[k].empty())
+            continue;
+        switch (term.surface) {
+        case SurfaceQuantity::emission:
+            sent = emission;
+            break;
+        case SurfaceQuantity::reflectance:
+            sent = reflectance;
+            break;
+        case SurfaceQuantity::opacity:
+            sent = opacity;
+            break;
+        }
+        for (std::size_t i = 0; term.light && i < count; ++i)
+            sent[i] *= air.light[k][i];
+        for (std::size_t i = 0; term.passesAir && i < count; ++i)
+            sent[i] *= air.transmittance[i];
     }
     return result;
 }

@@ -6,19 +6,19 @@
 #include <vector>
 
 #include "irsg/atmosphere/Environment.h"
+#include "irsg/scene/radiance/RadianceTerms.h"
 #include "irsg/signature/EntityState.h"
 #include "irsg/signature/SignatureDatabase.h"
 
 namespace irsg {
 
-/// The air between one object and the sensor, sampled on one set of wavelengths. Radiances in
-/// W m-2 sr-1 um-1, irradiances and fluxes in W m-2 um-1.
+/// The air between one place of an object and the sensor, on the nodes of a sampling.
 struct AirSamples {
     std::vector<double> transmittance;
-    std::vector<double> pathRadiance;
-    std::vector<double> solarIrradiance; ///< on a plane normal to the beam, at the object
-    std::vector<double> upwardFlux;
-    std::vector<double> downwardFlux;
+    /// By term of a RadianceTerms: what the air sends in it, W m-2 sr-1 um-1 into the path or
+    /// W m-2 um-1 onto the object; empty for a term without light, and where it is off.
+    std::vector<std::vector<double>> light;
+    bool operator==(const AirSamples&) const = default;
 };
 
 /// One surface and what it is doing.
@@ -36,15 +36,14 @@ struct SurfaceInput {
 };
 
 /// Apparent spectral radiance of a surface at the sensor, W m-2 sr-1 um-1, term by term and each at
-/// geometric factor 1 (report eqs. 1 to 3, 6; corrected as docs/physics.md says):
-///   thermal: epsilon L_bb(T) tau, or sum of c_j L_j tau / tau_ref for a user-defined spectrum
-///   up:      rho psi_up tau / pi       (times the weight of the lower hemisphere)
-///   down:    rho psi_down tau / pi     (times the weight of the upper hemisphere)
-///   sun:     rho E_sun tau / pi        (times cos theta_sun)
-///   path:    (1 - t) L_path
+/// geometric factor 1 (report eqs. 1 to 3, 6; corrected as docs/physics.md says), with the terms of
+/// RadianceTerms: surface quantity times light, times tau where the light passes the air.
+///   emission:    epsilon L_bb(T) tau, or sum of c_j L_j tau / tau_ref for a user-defined spectrum
+///   reflectance: rho / pi
+///   opacity:     1 - t
 /// Emission and reflection are not multiplied by 1 - t again: epsilon + rho + t = 1 already.
 struct SurfaceSpectra {
-    std::vector<double> thermal, up, down, sun, path;
+    std::vector<std::vector<double>> terms; ///< by term; empty where it is off
     std::vector<double> transmissivity;
     std::vector<double> emissivity; ///< of the material, before any scaling
     double nAngleFactor = 0.0;
@@ -64,8 +63,8 @@ using SpectrumSampler = std::function<std::vector<double>(const Spectrum&)>;
 
 /// All vectors as long as `wavelengths_um`. The temperature must be positive (LogicError: the scene
 /// check names the entry).
-SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const AirSamples& air,
-                                const std::vector<double>& wavelengths_um,
+SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const RadianceTerms& terms,
+                                const AirSamples& air, const std::vector<double>& wavelengths_um,
                                 const SpectrumSampler& sample);
 
 } // namespace irsg

@@ -5,23 +5,25 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "irsg/scene/model/Model.h"
-#include "irsg/scene/radiance/ProjectedFactors.h"
+#include "irsg/scene/radiance/FactorField.h"
 
 namespace irsg {
 
 /// From where an object is seen and lit: what its factors depend on but for its distance.
 struct PointAspect {
     std::shared_ptr<const Model> model;
-    /// Directions in model axes, modes, angle factors, transparency.
+    /// Directions in model axes, window, angle factors, transparency.
     std::vector<double> numbers;
+    std::string shader; ///< how factors are made
 
     bool operator==(const PointAspect&) const = default;
 };
 
-/// Objects so small that drawing them for every frame is waste. Their projected factors are drawn
+/// Objects so small that drawing them for every frame is waste. Their factors are drawn
 /// once and serve at every range and place in the frame while the object is seen and lit from the
 /// same directions. All of an object goes to the pixel that holds its middle.
 ///
@@ -39,25 +41,21 @@ class PointSources {
     /// The nearest direction on the grid.
     static Vec3 onGrid(const Vec3& direction);
 
-    /// Sums of an entity times the square of its distance, sr m2. `draw` makes them where none
+    /// Sums of an entity times the square of its distance, sr m2: coverage, then each drawn factor,
+    /// in the one cell of a field whose rows are those of the drawing. `draw` makes them where none
     /// that are kept are of this aspect.
-    const ProjectedFactors& sums_sr_m2(int entity, const PointAspect& aspect,
-                                       const std::function<ProjectedFactors()>& draw);
+    const FactorField<double>& sums_sr_m2(int entity, const PointAspect& aspect,
+                                          const std::function<FactorField<double>()>& draw);
 
   private:
     struct Kept {
         PointAspect aspect;
-        ProjectedFactors sums_sr_m2;
+        FactorField<double> sums_sr_m2;
     };
     /// Aspects that are kept of an entity: one that moves a pixel to and fro is seen from the
     /// neighbours of a point of the grid in turn.
     static constexpr std::size_t mostKept = 16;
     std::map<int, std::list<Kept>> kept_; // by entity, latest first
 };
-
-/// The sums of a point in a pixel: at a distance, on a detector at cos(off-axis), in front of a
-/// background that varies (0 where it does not).
-FactorSums atDistance(const FactorSums& sums_sr_m2, double distance_m, double pixel_sr,
-                      double cosOffAxis, double background_W_m2_sr);
 
 } // namespace irsg

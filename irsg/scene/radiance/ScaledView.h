@@ -28,11 +28,24 @@ struct ScaledValues {
 /// several threads at a time.
 class ScaledView {
   public:
+    /// What surfaces added at the last scales of theirs: a draw that differs from earlier ones in a
+    /// few scales looks at the surfaces that have them. For one thread at a time.
+    class Memo {
+      public:
+        virtual ~Memo() = default;
+    };
+
     virtual ~ScaledView() = default;
+    /// An empty one for this view; null where nothing would be gained.
+    virtual std::unique_ptr<Memo> memo() const { return nullptr; }
     /// Number of values of each quantity.
     virtual std::size_t size() const = 0;
     /// `scales` holds one number per input, within its range, in the order of the inputs.
     virtual void evaluate(std::span<const double> scales, ScaledValues& values) const = 0;
+    /// The same bit by bit, with a memo of this view (or none).
+    virtual void evaluate(std::span<const double> scales, ScaledValues& values, Memo*) const {
+        evaluate(scales, values);
+    }
 };
 
 } // namespace irsg

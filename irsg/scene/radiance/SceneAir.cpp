@@ -1,13 +1,35 @@
 #include "irsg/scene/radiance/SceneAir.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
+
+#include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 
 namespace {
 
-/// The part of a path next to its target.
+constexpr double angleStep_rad = 1e-10;
+
+double rounded(double value, double step) {
+    return step * std::round(value / step);
+}
+
+/// The question behind the light of a term.
+AirQuestion questionOf(AtmosphereProperty light, const AirPath& path, const SunPosition& sun) {
+    AirQuestion question;
+    question.quantity = light;
+    question.path = path;
+    question.altitude_m = path.targetAltitude_m;
+    question.sun = sun;
+    return question;
+}
+
+bool isOn(const RadianceTerm& term, const RenderSettings& settings) {
+    return term.light && term.isOn(settings);
+}
+
+/// What a measured spectrum already holds of the air: the part of the path next to the target.
 AirPath nearTarget(const AirPath& path, double range_m) {
     AirPath part = path;
     part.range_m = range_m;
@@ -17,137 +39,124 @@ AirPath nearTarget(const AirPath& path, double range_m) {
     return part;
 }
 
-/// One scene on its way to its air.
-class Asking {
-  public:
-    Asking(const Environment& environment, const RenderSettings& settings,
-           const AirAnswers& answers)
-        : environment_(environment),
-          settings_(settings),
-          answers_(answers),
-          zero_(answers.nodes, 0.0) {
-        scene_.background = zero_;
-    }
-
-    void object(const Entity& entity, const AirPath& path) {
-        const SunPosition& sun = environment_.sun;
-        const double altitude_m = path.targetAltitude_m;
-        ObjectAir air;
-        air.transmittance = take("transmittance", AirQuestion::transmittance(path));
-        air.pathRadiance = take("path radiance", AirQuestion::pathRadiance(path, sun));
-        air.solarIrradiance =
-            settings_.sun == ReflectionMode::off
-                ? zero_
-                : take("solar irradiance", AirQuestion::solarIrradiance(altitude_m, sun));
-        if (settings_.fluxes == ReflectionMode::off) {
-            air.upwardFlux = air.downwardFlux = zero_;
-        } else {
-            air.upwardFlux = take("upward flux", AirQuestion::upwardFlux(altitude_m, sun));
-            air.downwardFlux = take("downward flux", AirQuestion::downwardFlux(altitude_m, sun));
-        }
-        air.ambient_K = noted("ambient temperature", environment_.ambientTemperature_K(altitude_m));
-        for (const auto& [name, spectrum] : entity.database->spectra)
-            toReference(name, spectrum.referenceDistance_m, path, air);
-        scene_.objects.push_back(std::move(air));
-    }
-
-    void background(const LineOfSight& centre) {
-        if (settings_.background == BackgroundMode::environment)
-            scene_.background =
-                take("background", AirQuestion::backgroundRadiance(centre, environment_.sun));
-    }
-
-    SceneAir done() { return std::move(scene_); }
-
-  private:
-    /// What a measured spectrum already holds of the air is taken out again. The part of the path
-    /// next to the target is the one that was inside the measurement.
-    void toReference(const std::string& name, double inside_m, const AirPath& path,
-                     ObjectAir& air) {
-        if (inside_m <= 0.0)
-            return;
-        if (path.range_m <= inside_m) {
-            if (said_.insert(name).second)
-                scene_.warnings.push_back("spectrum '" + name + "' was measured at " +
-                                          std::to_string(inside_m) +
-                                          " m and is seen from nearer: no air is added or removed");
-            air.insideReference.insert(name);
-            return;
-        }
-        air.toReference.emplace(
-            name, answers_.answer(AirQuestion::transmittance(nearTarget(path, inside_m))).value);
-    }
-
-    std::vector<double> take(const char* quantity, const AirQuestion& question) {
-        return noted(quantity, answers_.answer(question));
-    }
-
-    template <typename Value>
-    Value noted(const char* quantity, Answer<Value> answer) {
-        std::string line = quantity;
-        line += ": ";
-        line += answer.answeredBy;
-        if (std::ranges::find(scene_.answeredBy, line) == scene_.answeredBy.end())
-            scene_.answeredBy.push_back(std::move(line));
-        return std::move(answer.value);
-    }
-
-    const Environment& environment_;
-    const RenderSettings& settings_;
-    const AirAnswers& answers_;
-    std::vector<double> zero_;
-    std::set<std::string> said_;
-    SceneAir scene_;
-};
-
 } // namespace
 
-SceneAir sceneAir(const Environment& environment, const std::vector<Entity>& entities,
-                  const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
-                  const LineOfSight& centre, const AirAnswers& answers) {
-    Asking asking(environment, settings, answers);
-    for (std::size_t e = 0; e < entities.size(); ++e)
-        asking.object(entities[e], geometry[e].path);
-    asking.background(centre);
-    return asking.done();
+AirPath steadied(const AirPath& path) {
+    const double step_m = std::max(1e-8, 1e-12 * path.range_m);
+    return {rounded(path.sensorAltitude_m, step_m), rounded(path.targetAltitude_m, step_m),
+            rounded(path.range_m, step_m), rounded(path.azimuth_rad, angleStep_rad)};
 }
 
-SceneAir sceneAir(const Environment& environment, const std::vector<Entity>& entities,
-                  const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
-                  const LineOfSight& centre, const SpectralSampling& sampling) {
-    const auto answer = [&](const AirQuestion& question) {
-        return environment.answer(question, sampling);
+LineOfSight steadied(const LineOfSight& sight) {
+    return {rounded(sight.sensorAltitude_m, std::max(1e-8, 1e-12 * sight.sensorAltitude_m)),
+            rounded(sight.elevation_rad, angleStep_rad), rounded(sight.azimuth_rad, angleStep_rad)};
+}
+
+AirPath atRange(const AirPath& path, double range_m) {
+    AirPath part = path;
+    part.range_m = range_m;
+    if (path.range_m > 0.0)
+        part.targetAltitude_m =
+            std::max(0.0, path.sensorAltitude_m + (path.targetAltitude_m - path.sensorAltitude_m) *
+                                                      (range_m / path.range_m));
+    return part;
+}
+
+Answer<double> ambientOf(const AirAnswers& answers, const ObjectGeometry& geometry) {
+    return answers.environment().ambientTemperature_K(geometry.path.targetAltitude_m);
+}
+
+SceneAir sceneAir(AirAnswers& answers, const RadianceTerms& terms,
+                  const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
+                  const RenderSettings& settings, const LineOfSight& centre,
+                  const std::shared_ptr<const SpectralSampling>& sampling) {
+    const SunPosition& sun = answers.environment().sun;
+    SceneAir scene;
+    const auto note = [&](const char* quantity, const std::string& who) {
+        std::string line = quantity;
+        line += ": ";
+        line += who;
+        if (std::ranges::find(scene.answeredBy, line) == scene.answeredBy.end())
+            scene.answeredBy.push_back(line);
     };
-    return sceneAir(environment, entities, geometry, settings, centre,
-                    AirAnswers{sampling.size(), answer});
+    const auto take = [&](const AirQuestion& question, const char* quantity) {
+        const auto& answer = answers.at(question, sampling);
+        note(quantity, answer.answeredBy);
+        return answer.value;
+    };
+    std::set<std::string> said;
+    for (std::size_t e = 0; e < entities.size(); ++e) {
+        const AirPath& path = geometry[e].path;
+        ObjectAir air;
+        std::vector<AirPath> paths{path};
+        if (geometry[e].slices_m.size() > 1) {
+            paths.clear();
+            for (const double range_m : geometry[e].slices_m)
+                paths.push_back(atRange(path, range_m));
+        }
+        for (const AirPath& toNode : paths) {
+            AirSamples& node = air.nodes.emplace_back();
+            node.transmittance = take(AirQuestion::transmittance(toNode), "transmittance");
+            for (const RadianceTerm& term : terms.terms) {
+                std::vector<double>& light = node.light.emplace_back();
+                if (!isOn(term, settings))
+                    continue;
+                // Light onto an object is that at its reference point; light of a path ends at the
+                // node.
+                const bool ofPath = placeOf(*term.light) == AirPlace::path;
+                light =
+                    take(questionOf(*term.light, ofPath ? toNode : path, sun), name(*term.light));
+            }
+        }
+        const Answer<double> ambient = ambientOf(answers, geometry[e]);
+        note("ambient temperature", ambient.answeredBy);
+        air.ambient_K = ambient.value;
+
+        for (const auto& [name, spectrum] : entities[e].database->spectra) {
+            const double inside_m = spectrum.referenceDistance_m;
+            if (inside_m <= 0.0)
+                continue;
+            if (path.range_m <= inside_m) {
+                if (said.insert(name).second)
+                    scene.warnings.push_back(
+                        "spectrum '" + name + "' was measured at " + std::to_string(inside_m) +
+                        " m and is seen from nearer: no air is added or removed");
+                air.insideReference.insert(name);
+                continue;
+            }
+            const AirQuestion question = AirQuestion::transmittance(nearTarget(path, inside_m));
+            air.toReference.emplace(name, answers.at(question, sampling).value);
+        }
+        scene.objects.push_back(std::move(air));
+    }
+    if (settings.background == BackgroundMode::environment)
+        scene.background = take(AirQuestion::backgroundRadiance(centre, sun), "background");
+    return scene;
 }
 
-std::vector<const Spectrum*> NativeAir::spectra() const {
-    std::vector<const Spectrum*> all;
-    for (const auto& [key, answer] : answers_)
-        all.push_back(&answer.value);
-    return all;
-}
-
-AirAnswers NativeAir::unsampled() {
-    return {0, [this](const AirQuestion& question) {
-                return Answer<std::vector<double>>{{}, ask(question).answeredBy};
-            }};
-}
-
-AirAnswers NativeAir::at(const SpectralSampling& sampling) {
-    return {sampling.size(), [this, &sampling](const AirQuestion& question) {
-                const Answer<Spectrum>& own = ask(question);
-                return Answer<std::vector<double>>{sampling.sampled(own.value), own.answeredBy};
-            }};
-}
-
-const Answer<Spectrum>& NativeAir::ask(const AirQuestion& question) {
-    const AirKey key = environment_.keyOf(question, range_);
-    const auto found = answers_.find(key);
-    return found != answers_.end()
-               ? found->second
-               : answers_.emplace(key, environment_.spectrum(question, range_)).first->second;
+std::vector<const Spectrum*> airSpectra(AirAnswers& answers, const RadianceTerms& terms,
+                                        const std::vector<Entity>& entities,
+                                        const std::vector<ObjectGeometry>& geometry,
+                                        const RenderSettings& settings, const LineOfSight& centre,
+                                        const SpectralRange& range) {
+    const SunPosition& sun = answers.environment().sun;
+    std::vector<const Spectrum*> spectra;
+    const auto add = [&](const AirQuestion& question) {
+        spectra.push_back(&answers.spectrum(question, range).value);
+    };
+    if (settings.background == BackgroundMode::environment)
+        add(AirQuestion::backgroundRadiance(centre, sun));
+    for (std::size_t e = 0; e < entities.size(); ++e) {
+        const AirPath& path = geometry[e].path;
+        add(AirQuestion::transmittance(path));
+        for (const RadianceTerm& term : terms.terms)
+            if (isOn(term, settings))
+                add(questionOf(*term.light, path, sun));
+        for (const auto& [name, spectrum] : entities[e].database->spectra)
+            if (spectrum.referenceDistance_m > 0.0 && path.range_m > spectrum.referenceDistance_m)
+                add(AirQuestion::transmittance(nearTarget(path, spectrum.referenceDistance_m)));
+    }
+    return spectra;
 }
 
 } // namespace irsg

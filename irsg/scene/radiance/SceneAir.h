@@ -1,76 +1,73 @@
 #pragma once
 
-#include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "irsg/atmosphere/Environment.h"
 #include "irsg/scene/Entity.h"
 #include "irsg/scene/RenderSettings.h"
+#include "irsg/scene/radiance/AirAnswers.h"
+#include "irsg/scene/radiance/ApparentRadiance.h"
+#include "irsg/scene/radiance/RadianceTerms.h"
+#include "irsg/scene/radiance/SurfaceRows.h"
 
 namespace irsg {
 
-/// The geometry that the air is asked for, once per object.
+/// The geometry that the air is asked for, once per object or once per slice of it.
 struct ObjectGeometry {
     AirPath path;                 ///< sensor to reference point
     double aspectAngle_rad = 0.0; ///< nose axis to the direction reference point -> sensor
+    /// Distances from the sensor that a ball about the reference point spans which holds the
+    /// object, m.
+    double nearest_m = 0.0, farthest_m = 0.0;
+    SliceNodes slices_m; ///< of less than two nodes: the air is that of the reference point
+    /// Bound of what the air's change over the extent leaves wrong, as a part of what arrives.
+    double airError = 0.0;
 };
 
-/// The air of one object, a value a node of the sampling.
+/// The same but for digits that differ by rounding alone, so that the path which many views share
+/// is one: ranges and altitudes to 1e-8 m or 1e-12, angles to 1e-10 rad.
+AirPath steadied(const AirPath& path);
+LineOfSight steadied(const LineOfSight& sight);
+
+/// The path that ends on the line to the reference point at another range.
+AirPath atRange(const AirPath& path, double range_m);
+
+/// The air of one object on the nodes of a sampling.
 struct ObjectAir {
-    std::vector<double> transmittance, pathRadiance, solarIrradiance, upwardFlux, downwardFlux;
+    std::vector<AirSamples> nodes; ///< by node of its slices, or one
     double ambient_K = 288.15;
     /// Transmittance to the reference distance of a user-defined spectrum, by its name.
     std::map<std::string, std::vector<double>> toReference;
     std::set<std::string> insideReference; ///< names of spectra measured from farther away
+    bool operator==(const ObjectAir&) const = default;
 };
 
 /// All that a scene asks of its environment: once per object, and once for the background.
 struct SceneAir {
     std::vector<ObjectAir> objects;
-    std::vector<double> background;
+    std::vector<double> background;      ///< empty where the environment is not asked for it
     std::vector<std::string> answeredBy; ///< "transmittance: vacuum", each once
     std::vector<std::string> warnings;   ///< each once
 };
 
-/// Who answers a scene: of a question a value at every node of a sampling, all of `nodes`.
-struct AirAnswers {
-    std::size_t nodes = 0;
-    std::function<Answer<std::vector<double>>(const AirQuestion&)> answer;
-};
+/// What the settings do not use is not asked for. Throws InputError where no atmosphere answers.
+SceneAir sceneAir(AirAnswers& answers, const RadianceTerms& terms,
+                  const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
+                  const RenderSettings& settings, const LineOfSight& centre,
+                  const std::shared_ptr<const SpectralSampling>& sampling);
 
-/// Asks for a scene. What the settings do not use is 0 and not asked for. Throws InputError where
-/// no atmosphere answers.
-SceneAir sceneAir(const Environment& environment, const std::vector<Entity>& entities,
-                  const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
-                  const LineOfSight& centre, const AirAnswers& answers);
-SceneAir sceneAir(const Environment& environment, const std::vector<Entity>& entities,
-                  const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
-                  const LineOfSight& centre, const SpectralSampling& sampling);
+/// The spectra of the same answers on the nodes that the air has of itself, for their kinks: of
+/// every object at its reference point, and of the background.
+std::vector<const Spectrum*> airSpectra(AirAnswers& answers, const RadianceTerms& terms,
+                                        const std::vector<Entity>& entities,
+                                        const std::vector<ObjectGeometry>& geometry,
+                                        const RenderSettings& settings, const LineOfSight& centre,
+                                        const SpectralRange& range);
 
-/// The native spectra of an environment over a range, each computed once: first they say at which
-/// nodes products of them are to be sampled, then they are sampled there.
-class NativeAir {
-  public:
-    /// The environment must live as long.
-    NativeAir(const Environment& environment, const SpectralRange& range)
-        : environment_(environment), range_(range) {}
-
-    /// All that has been asked for.
-    std::vector<const Spectrum*> spectra() const;
-    /// Answers without a value, whose spectra are kept.
-    AirAnswers unsampled();
-    /// Answers at nodes of the same range.
-    AirAnswers at(const SpectralSampling& sampling);
-
-  private:
-    const Answer<Spectrum>& ask(const AirQuestion& question);
-
-    const Environment& environment_;
-    SpectralRange range_;
-    std::map<AirKey, Answer<Spectrum>> answers_;
-};
+/// Ambient temperature at an object's altitude, K, and who said so.
+Answer<double> ambientOf(const AirAnswers& answers, const ObjectGeometry& geometry);
 
 } // namespace irsg

@@ -1,86 +1,81 @@
 #pragma once
 
 #include <map>
-#include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "irsg/radiometry/Band.h"
-#include "irsg/radiometry/SpectralSampling.h"
 #include "irsg/scene/radiance/ApparentRadiance.h"
-#include "irsg/scene/radiance/SceneAir.h"
+#include "irsg/scene/radiance/RadianceTerms.h"
+#include "irsg/scene/radiance/SceneSampling.h"
+#include "irsg/scene/radiance/SurfaceRows.h"
 
 namespace irsg {
 
-class WidebandTerms;
-
-/// A scene's spectra, on wavelengths of the caller's choice, on the quadrature of a band or on
-/// wideband terms, which are a quadrature, too.
+/// A scene's spectra on the nodes of its bands, one band behind the other: what every row of
+/// SurfaceRows sends to the sensor, term by term.
 class SceneRadiometry {
   public:
-    /// For in-band quantities: nodes and weights are those of the sensor's band.
-    SceneRadiometry(const Environment& environment, const std::vector<Entity>& entities,
-                    const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
-                    const LineOfSight& centre, const Band& band);
-    /// For in-band quantities in the wideband mode: a node is a term, and spectra are means over
-    /// its bin.
-    SceneRadiometry(const Environment& environment, const std::vector<Entity>& entities,
-                    const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
-                    const LineOfSight& centre, const WidebandTerms& terms);
-    /// For spectra at given wavelengths, ascending; weights are 1.
-    SceneRadiometry(const Environment& environment, const std::vector<Entity>& entities,
-                    const std::vector<ObjectGeometry>& geometry, const RenderSettings& settings,
-                    const LineOfSight& centre, std::vector<double> wavelengths_um);
+    /// `bands` hold the air of the entities in the same order, sliced as `geometry` says. Their
+    /// databases must live as long.
+    SceneRadiometry(const RadianceTerms& terms, const std::vector<Entity>& entities,
+                    const std::vector<ObjectGeometry>& geometry,
+                    const std::vector<SampledBand>& bands);
 
-    /// Surfaces by (entity, codes), in that order; the rows of a drawing.
-    using SurfaceKey = std::pair<int, IrCodes>;
-    const std::vector<SurfaceKey>& keys() const { return keys_; }
+    /// The same but for the aspect angles in `geometry`: evaluates the rows anew whose measured
+    /// spectra depend on them, and returns these. `bands` are those of before.
+    std::vector<int> turn(const std::vector<Entity>& entities,
+                          const std::vector<ObjectGeometry>& geometry,
+                          const std::vector<SampledBand>& bands);
+
+    const RadianceTerms& terms() const { return *terms_; }
+    const SurfaceRows& rows() const { return rows_; }
+    /// By row.
     const std::vector<SurfaceSpectra>& surfaces() const { return surfaces_; }
-    int row(int entity, const IrCodes& codes) const;
 
-    const SpectralSampling& sampling() const { return *sampling_; }
-    const std::vector<double>& wavelengths_um() const { return sampling_->wavelengths_um(); }
-    const std::vector<double>& weights_um() const { return sampling_->weights_um(); }
-    const std::vector<double>& background() const { return background_; }
-    /// The air between an entity and the sensor.
-    const AirSamples& air(int entity) const { return air_.at(static_cast<std::size_t>(entity)); }
+    const std::vector<double>& wavelengths_um() const { return wavelengths_um_; }
+    const std::vector<double>& weights_um() const { return weights_um_; }
+    /// Nodes that are summed together, first and behind the last: a band's, or one wavelength.
+    const std::vector<std::pair<std::size_t, std::size_t>>& outputs() const { return outputs_; }
+    /// The air between a row's place and the sensor.
+    const AirSamples& air(int row) const;
     /// Spectral transmissivity of a material of an entity.
     const std::vector<double>& transmissivity(int entity, int material) const;
 
-    /// Sum of weight times value.
-    double integrate(const std::vector<double>& values) const {
-        return sampling_->integrate(values);
-    }
-    double integrate(const std::vector<double>& a, const std::vector<double>& b) const {
-        return sampling_->integrate(a, b);
-    }
-    double backgroundInBand_W_m2_sr() const { return integrate(background_); }
-    /// Transmissivity of a row as one number, weighted with the background's radiance, or with the
-    /// response alone where there is none.
-    double scalarTransmissivity(int row) const;
-    double scalarTransmissivityOf(int entity, int material) const;
-    /// Largest relative error that the scalar makes for any surface seen through any other.
-    double transmissivityResidue() const;
+    /// Sum of weight times value over an output.
+    double integrate(const std::vector<double>& values, std::size_t output = 0) const;
+    /// In-band emission of a row as it arrives, W m-2 sr-1.
+    double thermal_W_m2_sr(int row, std::size_t output = 0) const;
 
     const std::vector<std::string>& answeredBy() const { return answeredBy_; }
     const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
-    void fill(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
-              const RenderSettings& settings, SceneAir air, const SpectrumSampler& sample,
-              double bandArea_um);
+    void fillRow(int row, const std::vector<Entity>& entities,
+                 const std::vector<ObjectGeometry>& geometry,
+                 const std::vector<SampledBand>& bands);
+    /// A spectrum of the scene's databases at the nodes; sampled once.
+    std::vector<double> sampled(const Spectrum& spectrum, const std::vector<SampledBand>& bands);
 
-    void fillScalarTransmissivities();
-
-    std::shared_ptr<const SpectralSampling> sampling_;
-    std::vector<double> background_;
-    std::vector<SurfaceKey> keys_;
+    const RadianceTerms* terms_;
+    SurfaceRows rows_;
+    std::vector<double> wavelengths_um_, weights_um_;
+    std::vector<std::pair<std::size_t, std::size_t>> outputs_;
     std::vector<SurfaceSpectra> surfaces_;
-    std::vector<AirSamples> air_; // by entity
+    std::vector<std::vector<AirSamples>> air_; // by entity and node
     std::map<std::pair<int, int>, std::vector<double>> transmissivities_;
-    std::map<std::pair<int, int>, double> scalarTransmissivities_;
     std::vector<std::string> answeredBy_, warnings_;
+    std::mutex sampling_;
+    std::map<const Spectrum*, std::vector<double>> samples_;
 };
+
+/// True where the aspect angle enters what a temperature entry sends.
+bool dependsOnAspect(const TemperatureEntry& entry);
+
+/// Spectral radiance behind the objects at the field's centre on the nodes of the bands, one behind
+/// the other, as the settings ask for it.
+std::vector<double> backgroundOf(const std::vector<SampledBand>& bands,
+                                 const RenderSettings& settings);
 
 } // namespace irsg

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <span>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
@@ -65,17 +67,20 @@ double ScaleSeries::at(double scale) const {
     return std::exp(terms_[0] + x * next - afterNext);
 }
 
-SceneScaledView::SceneScaledView(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
-                                 const std::vector<ObjectGeometry>& geometry,
+SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
+                                 const KindRadiances& radiances,
+                                 const std::vector<double>& ranges_m,
+                                 std::pair<std::size_t, std::size_t> nodes,
                                  const std::vector<ScalingInput>& inputs, bool isSpectrum,
                                  ScaledValues nominal)
-    : wavelengths_um_(radiometry.wavelengths_um()),
-      isSpectrum_(isSpectrum),
-      base_(std::move(nominal)) {
+    : nodes_(nodes), isSpectrum_(isSpectrum), base_(std::move(nominal)) {
+    const auto& all_um = radiometry.wavelengths_um();
+    wavelengths_um_.assign(all_um.begin() + static_cast<std::ptrdiff_t>(nodes.first),
+                           all_um.begin() + static_cast<std::ptrdiff_t>(nodes.second));
     std::vector<Surface> surfaces;
-    for (std::size_t row = 0; row < radiometry.keys().size(); ++row) {
-        const auto& [entity, codes] = radiometry.keys()[row];
-        Surface surface = surfaceOf(radiometry, row);
+    for (std::size_t drawn = 0; drawn < radiometry.rows().keys().size(); ++drawn) {
+        const auto& [entity, codes] = radiometry.rows().keys()[drawn];
+        Surface surface = surfaceOf(radiometry, static_cast<int>(drawn));
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             if (inputs[i].entity != entity)
                 continue;
@@ -88,7 +93,7 @@ SceneScaledView::SceneScaledView(const ProjectedFactors& factors, const SceneRad
         }
         surfaces.push_back(std::move(surface));
     }
-    gather(factors, radiometry, geometry, surfaces);
+    gather(view, radiometry, radiances, ranges_m, surfaces);
 
     // What no input reaches, or nobody sees, stays in the base; the others leave it.
     ScaledValues atOne;
@@ -112,54 +117,71 @@ SceneScaledView::SceneScaledView(const ProjectedFactors& factors, const SceneRad
 }
 
 SceneScaledView::Surface SceneScaledView::surfaceOf(const SceneRadiometry& radiometry,
-                                                    std::size_t row) {
-    const SurfaceSpectra& spectra = radiometry.surfaces()[row];
+                                                    int drawn) const {
+    const SurfaceSpectra& spectra =
+        radiometry.surfaces()[static_cast<std::size_t>(radiometry.rows().first(drawn))];
     Surface surface;
     surface.temperature_K = spectra.temperature_K;
-    surface.emissivity = spectra.emissivity;
-    for (const double t : spectra.transmissivity)
-        surface.absorbedAtMost.push_back(1.0 - t);
+    for (std::size_t i = nodes_.first; i < nodes_.second; ++i) {
+        surface.emissivity.push_back(spectra.emissivity[i]);
+        surface.absorbedAtMost.push_back(1.0 - spectra.transmissivity[i]);
+    }
     return surface;
 }
 
-void SceneScaledView::gather(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
-                             const std::vector<ObjectGeometry>& geometry,
+void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& radiometry,
+                             const KindRadiances& radiances, const std::vector<double>& ranges_m,
                              std::vector<Surface>& surfaces) const {
     const std::size_t count = wavelengths_um_.size();
-    for (const auto& [key, sums] : factors.sums) {
-        const double range_m = geometry[static_cast<std::size_t>(key.entity)].path.range_m;
+    const std::vector<RadianceTerm>& terms = radiometry.terms().terms;
+    std::map<int, std::vector<double>> passed; // by front
+    view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
+        const FactorKind& kind = view.field.kinds()[number];
+        const int drawn = radiometry.rows().drawnOf(kind.row);
+        Surface& surface = surfaces[static_cast<std::size_t>(drawn)];
+        const SurfaceSpectra& spectra = radiometry.surfaces()[static_cast<std::size_t>(kind.row)];
+        const AirSamples& air = radiometry.air(kind.row);
+        const double range_m = ranges_m[static_cast<std::size_t>(
+            radiometry.rows().keys()[static_cast<std::size_t>(drawn)].first)];
         const double square_m2 = range_m * range_m;
-        const auto row = static_cast<std::size_t>(radiometry.row(key.entity, key.codes));
-        Surface& surface = surfaces[row];
-        const SurfaceSpectra& spectra = radiometry.surfaces()[row];
-        const AirSamples& air = radiometry.air(key.entity);
-        std::vector<double> front(count, 1.0);
-        for (const auto& [entity, material] : key.inFront) {
-            const std::vector<double>& t = radiometry.transmissivity(entity, material);
-            for (std::size_t i = 0; i < count; ++i)
-                front[i] *= t[i];
-        }
+        const auto [front, isNew] = passed.try_emplace(kind.front);
+        if (isNew)
+            front->second = radiances.passed(kind.front);
         for (Drive* drive : {&surface.emitted, &surface.reflected}) {
             drive->intensity.resize(count);
             drive->irradiance.resize(count);
         }
-        for (std::size_t i = 0; i < count; ++i) {
-            const double weight = front[i] * (isSpectrum_ ? 1.0 : radiometry.weights_um()[i]);
-            const double emission =
-                weight * (surface.temperature_K > 0.0 ? air.transmittance[i] : spectra.thermal[i]);
-            const double reflection = weight * air.transmittance[i] / pi;
-            surface.emitted.intensity[i] += emission * sums.thermal_sr * square_m2;
-            surface.emitted.irradiance[i] += emission * sums.thermalCos_sr;
-            surface.reflected.intensity[i] +=
-                reflection * square_m2 *
-                (air.upwardFlux[i] * sums.up_sr + air.downwardFlux[i] * sums.down_sr +
-                 air.solarIrradiance[i] * sums.sun_sr);
-            surface.reflected.irradiance[i] +=
-                reflection *
-                (air.upwardFlux[i] * sums.upCos_sr + air.downwardFlux[i] * sums.downCos_sr +
-                 air.solarIrradiance[i] * sums.sunCos_sr);
+
+        for (std::size_t k = 0; k < terms.size(); ++k) {
+            const RadianceTerm& term = terms[k];
+            const bool isEmission = term.surface == SurfaceQuantity::emission;
+            if (term.surface == SurfaceQuantity::opacity || (term.light && air.light[k].empty()))
+                continue;
+            // Coverage, a factor, or what is left of the coverage beside it.
+            const auto sumOf = [&](std::size_t coverage) {
+                const double whole = numbers[coverage];
+                if (term.factor.drawn < 0)
+                    return whole;
+                const double part =
+                    numbers[coverage + 1 + static_cast<std::size_t>(term.factor.drawn)];
+                return term.factor.complement ? whole - part : part;
+            };
+            const double plain_sr = sumOf(view.layout.coverage());
+            const double cosine_sr = sumOf(view.layout.withCosine(view.layout.coverage()));
+            Drive& drive = isEmission ? surface.emitted : surface.reflected;
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::size_t node = nodes_.first + i;
+                double unit = front->second[node];
+                if (isEmission)
+                    unit *= surface.temperature_K > 0.0 ? air.transmittance[node]
+                                                        : spectra.terms[k][node];
+                else
+                    unit *= air.light[k][node] * air.transmittance[node] / pi;
+                drive.intensity[i] += unit * plain_sr * square_m2;
+                drive.irradiance[i] += unit * cosine_sr;
+            }
         }
-    }
+    });
 }
 
 std::vector<SceneScaledView::Group> SceneScaledView::groupsOf(const Surface& surface,
@@ -235,17 +257,23 @@ void SceneScaledView::close(Surface& surface, const std::vector<ScalingInput>& i
     surface.absorbedAtMost.clear();
 }
 
+SceneScaledView::Pair SceneScaledView::closedSum(const Surface& surface, double scaleT,
+                                                 double scaleE) {
+    Pair sum{surface.reflectedWhite.intensity + scaleE * surface.measured.intensity,
+             surface.reflectedWhite.irradiance + scaleE * surface.measured.irradiance};
+    for (const Group& group : surface.groups) {
+        const double scale = std::min(scaleE, group.limit);
+        sum.intensity += scale * (group.emission.at(scaleT) - group.reflectedLess.intensity);
+        sum.irradiance +=
+            scale * (group.emissionOnDetector.at(scaleT) - group.reflectedLess.irradiance);
+    }
+    return sum;
+}
+
 void SceneScaledView::add(const Surface& surface, double scaleT, double scaleE,
                           ScaledValues& values) const {
     if (surface.isClosed) {
-        Pair sum{surface.reflectedWhite.intensity + scaleE * surface.measured.intensity,
-                 surface.reflectedWhite.irradiance + scaleE * surface.measured.irradiance};
-        for (const Group& group : surface.groups) {
-            const double scale = std::min(scaleE, group.limit);
-            sum.intensity += scale * (group.emission.at(scaleT) - group.reflectedLess.intensity);
-            sum.irradiance +=
-                scale * (group.emissionOnDetector.at(scaleT) - group.reflectedLess.irradiance);
-        }
+        const Pair sum = closedSum(surface, scaleT, scaleE);
         values.intensity[0] += sum.intensity;
         values.contrastIntensity[0] += sum.intensity;
         values.irradiance[0] += sum.irradiance;
@@ -270,13 +298,42 @@ void SceneScaledView::add(const Surface& surface, double scaleT, double scaleE,
     }
 }
 
-void SceneScaledView::evaluate(std::span<const double> scales, ScaledValues& values) const {
+std::unique_ptr<ScaledView::Memo> SceneScaledView::memo() const {
+    if (std::ranges::none_of(surfaces_, &Surface::isClosed))
+        return nullptr;
+    auto made = std::make_unique<SceneMemo>();
+    made->surfaces.resize(surfaces_.size());
+    return made;
+}
+
+void SceneScaledView::evaluate(std::span<const double> scales, ScaledValues& values,
+                               Memo* memo) const {
     values = base_;
+    auto* known = dynamic_cast<SceneMemo*>(memo);
     const auto scaleOf = [&](int input) {
         return input < 0 ? 1.0 : scales[static_cast<std::size_t>(input)];
     };
-    for (const Surface& surface : surfaces_)
-        add(surface, scaleOf(surface.temperatureInput), scaleOf(surface.emissivityInput), values);
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        const Surface& surface = surfaces_[i];
+        const double scaleT = scaleOf(surface.temperatureInput);
+        const double scaleE = scaleOf(surface.emissivityInput);
+        if (known == nullptr || !surface.isClosed) {
+            add(surface, scaleT, scaleE, values);
+            continue;
+        }
+        SceneMemo::OfSurface& own = known->surfaces[i];
+        auto found = std::ranges::find_if(own.known, [&](const SceneMemo::Known& one) {
+            return one.scaleT == scaleT && one.scaleE == scaleE;
+        });
+        if (found == own.known.end()) {
+            found = own.known.begin() + static_cast<std::ptrdiff_t>(own.oldest);
+            own.oldest = (own.oldest + 1) % own.known.size();
+            *found = {scaleT, scaleE, closedSum(surface, scaleT, scaleE)};
+        }
+        values.intensity[0] += found->sum.intensity;
+        values.contrastIntensity[0] += found->sum.intensity;
+        values.irradiance[0] += found->sum.irradiance;
+    }
     if (order_.empty())
         return;
     for (std::vector<double>* column :

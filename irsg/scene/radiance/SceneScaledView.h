@@ -1,11 +1,15 @@
 #pragma once
 
+#include <array>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "irsg/scene/radiance/ProjectedFactors.h"
+#include "irsg/scene/radiance/KindRadiances.h"
 #include "irsg/scene/radiance/ScaledView.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
+#include "irsg/scene/radiance/ViewFactors.h"
 
 namespace irsg {
 
@@ -27,27 +31,32 @@ class ScaleSeries {
     std::vector<double> terms_;
 };
 
-/// ScaledView of projected factors.
+/// ScaledView of the factors of a view.
 ///
 /// With G the factors of a surface summed over what lies in front of it, a surface adds
-///   integral of eps' L_bb(s T) tau G_thermal + rho' tau / pi (psi_up G_up + psi_down G_down +
-///   E_sun G_sun),
+///   integral of eps' L_bb(s T) tau G_emission + rho' tau / pi (sum over reflected light E G_E),
 /// eps' = min(e eps, 1 - t) and rho' = 1 - t - eps' for the scales s and e. Path radiance, the
 /// hidden background and all that transmissivities do are the same in every draw. Where e eps never
 /// passes 1 - t the sum is e (f(s) - r1) + r0 with f a ScaleSeries: no integral is left. Elsewhere,
 /// and in spectra, each wavelength is looked at.
 class SceneScaledView : public ScaledView {
   public:
-    /// `nominal` holds the values at scales of 1, which is what `radiometry` must have been made
-    /// at. `geometry` tells the range of each object.
-    SceneScaledView(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
-                    const std::vector<ObjectGeometry>& geometry,
+    /// Of nodes `first` to before `last` of the radiances' sampling: a band, or a spectrum, of
+    /// which every node is an output. `nominal` holds the values at scales of 1, which is what the
+    /// radiometry must have been made at; `ranges_m` by entity.
+    SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
+                    const KindRadiances& radiances, const std::vector<double>& ranges_m,
+                    std::pair<std::size_t, std::size_t> nodes,
                     const std::vector<ScalingInput>& inputs, bool isSpectrum, ScaledValues nominal);
 
     std::size_t size() const override {
         return order_.empty() ? base_.intensity.size() : order_.size();
     }
-    void evaluate(std::span<const double> scales, ScaledValues& values) const override;
+    void evaluate(std::span<const double> scales, ScaledValues& values) const override {
+        evaluate(scales, values, nullptr);
+    }
+    std::unique_ptr<Memo> memo() const override;
+    void evaluate(std::span<const double> scales, ScaledValues& values, Memo* memo) const override;
     /// Puts the values of a spectrum in another order: value i becomes value order[i] of before.
     void reorder(std::vector<std::size_t> order) { order_ = std::move(order); }
 
@@ -79,13 +88,29 @@ class SceneScaledView : public ScaledView {
         std::vector<double> emissivity, absorbedAtMost;
         Drive emitted, reflected; ///< `emitted` is the emission itself of a user-defined spectrum
     };
-    static Surface surfaceOf(const SceneRadiometry& radiometry, std::size_t row);
-    void gather(const ProjectedFactors& factors, const SceneRadiometry& radiometry,
-                const std::vector<ObjectGeometry>& geometry, std::vector<Surface>& surfaces) const;
+    Surface surfaceOf(const SceneRadiometry& radiometry, int drawn) const;
+    void gather(const ViewFactors& view, const SceneRadiometry& radiometry,
+                const KindRadiances& radiances, const std::vector<double>& ranges_m,
+                std::vector<Surface>& surfaces) const;
     std::vector<Group> groupsOf(const Surface& surface, double mostEmissivity) const;
     void close(Surface& surface, const std::vector<ScalingInput>& inputs) const;
     void add(const Surface& surface, double scaleT, double scaleE, ScaledValues& values) const;
+    /// Of a surface without integrals.
+    static Pair closedSum(const Surface& surface, double scaleT, double scaleE);
+    /// By surface: what it added at its last few scales, oldest replaced first.
+    struct SceneMemo : Memo {
+        struct Known {
+            double scaleT = 0.0, scaleE = 0.0; // 0: nothing yet; scales are positive
+            Pair sum;
+        };
+        struct OfSurface {
+            std::array<Known, 4> known;
+            std::size_t oldest = 0;
+        };
+        std::vector<OfSurface> surfaces;
+    };
 
+    std::pair<std::size_t, std::size_t> nodes_;
     std::vector<double> wavelengths_um_;
     bool isSpectrum_;
     std::vector<Surface> surfaces_;

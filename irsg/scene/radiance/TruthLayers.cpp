@@ -8,37 +8,45 @@ namespace irsg {
 
 namespace {
 
-const char* const radiometricTerms[] = {"thermal", "sun", "up", "down", "path", "background"};
+const char* const backgroundChannel = "background";
 const char* const radianceUnit = "W m-2 sr-1";
 
 } // namespace
 
-TruthLayers::TruthLayers(const SceneRadiometry& radiometry, const FrameBackground& background,
-                         RadianceImage& image)
-    : background_(background), image_(image) {
-    for (std::size_t row = 0; row < radiometry.surfaces().size(); ++row) {
-        const SurfaceSpectra& s = radiometry.surfaces()[row];
-        rows_.push_back({radiometry.integrate(s.thermal), radiometry.integrate(s.up),
-                         radiometry.integrate(s.down), radiometry.integrate(s.sun),
-                         radiometry.integrate(s.path),
-                         radiometry.scalarTransmissivity(static_cast<int>(row))});
-        codes_.push_back(radiometry.keys()[row].second);
-    }
-
+TruthLayers::TruthLayers(const SceneRadiometry& radiometry, KindRadiances& radiances,
+                         Fronts& fronts, const FrameBackground& background, RadianceImage& image)
+    : radiometry_(radiometry),
+      radiances_(radiances),
+      fronts_(fronts),
+      background_(background),
+      image_(image),
+      walk_(radiometry.rows()) {
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
     for (const char* index : {"temperature_index", "material_index"})
         std::ranges::fill(image_.channel(index).values, none);
     std::ranges::fill(image_.channel("range", "m").values, none);
-    for (const char* term : radiometricTerms)
-        image_.channel(term, radianceUnit);
-    std::vector<float>& behind = image_.channel("background").values;
+    for (const RadianceTerm& term : radiometry.terms().terms)
+        image_.channel(term.name, radianceUnit);
+    std::vector<float>& behind = image_.channel(backgroundChannel, radianceUnit).values;
     for (int y = 0; y < image_.height(); ++y)
         for (int x = 0; x < image_.width(); ++x)
             behind[image_.offset(x, y)] = static_cast<float>(background_.at(x, y));
     offMiddle_px_.assign(behind.size(), std::numeric_limits<float>::infinity());
 }
 
+const TruthLayers::KindTerms& TruthLayers::termsOf(const FactorKind& kind) {
+    const auto number = static_cast<std::size_t>(kinds_.kindOf(kind));
+    if (number >= terms_.size()) {
+        const FactorKind shared{fronts_.numberOf(walk_.fronts().materials(kind.front)), kind.row};
+        radiances_.prepare({shared});
+        terms_.push_back({radiances_.terms(shared), radiances_.of(shared).opacity});
+    }
+    return terms_[number];
+}
+
 void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) {
+    const std::vector<RadianceTerm>& list = radiometry_.terms().terms;
+    const SurfaceRows& rows = radiometry_.rows();
     const double share = window.share();
     const ImageRectangle place = window.rectangle();
     const double across_px = window.tileSide_px() / window.samplesAcross;
@@ -46,30 +54,36 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
     std::vector<float>& temperatureIndex = image_.channel("temperature_index").values;
     std::vector<float>& materialIndex = image_.channel("material_index").values;
     std::vector<float>& range = image_.channel("range").values;
-    std::vector<float>* planes[6];
-    for (int term = 0; term < 6; ++term)
-        planes[term] = &image_.channel(radiometricTerms[term]).values;
+    std::vector<std::vector<float>*> planes; // of the terms, then of the background
+    for (const RadianceTerm& term : list)
+        planes.push_back(&image_.channel(term.name).values);
+    planes.push_back(&image_.channel(backgroundChannel).values);
 
     const auto width = static_cast<std::size_t>(window.width());
+    std::vector<double> sums(planes.size());
     window.forEachRun([&](std::size_t first, int count, int x, int y, double weight) {
         const std::size_t pixel = image_.offset(x, y);
         const std::size_t last = first + static_cast<std::size_t>(count);
-        double sums[6] = {0, 0, 0, 0, 0, 0}; // as radiometricTerms; of the background what is lost
+        std::ranges::fill(sums, 0.0);
         for (std::size_t i = first; i < last; ++i) {
             if (samples.first[i] == samples.first[i + 1])
                 continue;
-            double passed = 1.0;
-            for (std::uint32_t k = samples.first[i]; k < samples.first[i + 1]; ++k) {
-                const FactorLayer& layer = samples.layers[k];
-                const Terms& terms = rows_[static_cast<std::size_t>(layer.row)];
-                sums[0] += passed * static_cast<double>(layer.thermal) * terms.thermal;
-                sums[1] += passed * static_cast<double>(layer.sun) * terms.sun;
-                sums[2] += passed * static_cast<double>(layer.up) * terms.up;
-                sums[3] += passed * static_cast<double>(layer.down) * terms.down;
-                sums[4] += passed * terms.path;
-                passed *= terms.transmissivity;
-            }
-            sums[5] -= (1.0 - passed) * background_.at(x, y);
+            walk_.forEachLayer(
+                samples, i, [&](const FactorKind& kind, float part, std::uint32_t layer) {
+                    const KindTerms& known = termsOf(kind);
+                    const auto factors = samples.factorsOf(layer);
+                    for (std::size_t k = 0; k < list.size(); ++k) {
+                        const TermFactor& factor = list[k].factor;
+                        double drawn = 1.0;
+                        if (factor.drawn >= 0)
+                            drawn = static_cast<double>(
+                                factors[static_cast<std::size_t>(factor.drawn)]);
+                        if (factor.complement)
+                            drawn = 1.0 - drawn;
+                        sums[k] += static_cast<double>(part) * drawn * known.terms[k];
+                    }
+                    sums.back() -= static_cast<double>(part) * known.opacity * background_.at(x, y);
+                });
 
             // GL's rows run from the bottom up.
             const int row = window.height() - 1 - static_cast<int>(i / width);
@@ -79,14 +93,15 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
             const auto off_px = static_cast<float>(std::hypot(right_px, below_px));
             if (off_px < offMiddle_px_[pixel]) {
                 offMiddle_px_[pixel] = off_px;
-                const FactorLayer& nearest = samples.layers[samples.first[i]];
-                const IrCodes& codes = codes_[static_cast<std::size_t>(nearest.row)];
+                const std::uint32_t nearest = samples.first[i];
+                const IrCodes& codes =
+                    rows.keys()[static_cast<std::size_t>(samples.rows[nearest])].second;
                 temperatureIndex[pixel] = static_cast<float>(codes.temperature);
                 materialIndex[pixel] = static_cast<float>(codes.material);
-                range[pixel] = nearest.distance_m;
+                range[pixel] = samples.distances_m[nearest];
             }
         }
-        for (int term = 0; term < 6; ++term)
+        for (std::size_t term = 0; term < planes.size(); ++term)
             (*planes[term])[pixel] += static_cast<float>(sums[term] * weight * share);
     });
 }

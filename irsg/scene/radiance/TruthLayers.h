@@ -1,11 +1,11 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
-#include "irsg/scene/radiance/SceneRadiometry.h"
-#include "irsg/scene/sampling/SampleWindow.h"
-#include "irsg/scene/sampling/Samples.h"
+#include "irsg/scene/radiance/KindRadiances.h"
+#include "irsg/scene/radiance/LayerWalk.h"
 #include "irsg/scene/view/FrameBackground.h"
 
 namespace irsg {
@@ -14,27 +14,33 @@ namespace irsg {
 ///   temperature_index, material_index, range [m]  of the nearest surface at the sample closest to
 ///                                                 the pixel's middle among those that hit one,
 ///                                                 NaN where none does;
-///   thermal, sun, up, down, path, background      terms of the pixel's radiance [W m-2 sr-1],
+///   a channel for each RadianceTerm, background   terms of the pixel's radiance [W m-2 sr-1],
 ///                                                 averaged over its samples; their sum is the
 ///                                                 pixel.
 class TruthLayers {
   public:
-    /// `image` must outlive this and have the size of the sensor.
-    TruthLayers(const SceneRadiometry& radiometry, const FrameBackground& background,
-                RadianceImage& image);
+    /// `image` must outlive this and have the size of the sensor, the others must live as long.
+    TruthLayers(const SceneRadiometry& radiometry, KindRadiances& radiances, Fronts& fronts,
+                const FrameBackground& background, RadianceImage& image);
 
     /// Samples with the distances of their opaque surfaces.
     void add(const SampleWindow& window, const FactorSamples& samples);
 
   private:
-    struct Terms {
-        double thermal = 0, up = 0, down = 0, sun = 0, path = 0, transmissivity = 0;
+    struct KindTerms {
+        std::vector<double> terms;
+        double opacity = 0.0;
     };
+    const KindTerms& termsOf(const FactorKind& kind);
 
-    std::vector<Terms> rows_;
-    std::vector<IrCodes> codes_;
+    const SceneRadiometry& radiometry_;
+    KindRadiances& radiances_;
+    Fronts& fronts_;
     const FrameBackground& background_;
     RadianceImage& image_;
+    LayerWalk walk_;
+    FactorField<double> kinds_;       // for its numbers of the walk's kinds alone
+    std::vector<KindTerms> terms_;    // by number
     std::vector<float> offMiddle_px_; // of the sample whose surface is named, by pixel
 };
 

@@ -168,7 +168,7 @@ bool isHidden(const HotPart& part, const SampleWindow& probe, const FactorSample
             const std::uint32_t end = samples.first[sample + 1];
             if (end == samples.first[sample])
                 return false;
-            const double found_m = static_cast<double>(samples.layers[end - 1].distance_m);
+            const double found_m = static_cast<double>(samples.distances_m[end - 1]);
             if (!(found_m > 0.0 && found_m < nearer * part.nearest_m))
                 return false;
         }

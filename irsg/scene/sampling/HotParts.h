@@ -37,20 +37,8 @@ class HotParts {
                                 const std::vector<DrawItem>& items,
                                 const std::vector<IrCodes>& hot);
 
-    /// What `find` says is worth samples of its own; asked once as long as `view` stays the same.
-    template <typename Find>
-    const std::vector<ImageRectangle>& details(const std::vector<double>& view, Find find) {
-        if (view.empty() || view != view_) {
-            details_ = find();
-            view_ = view;
-        }
-        return details_;
-    }
-
   private:
     std::map<IrCodes, std::vector<BoundingBox>> pieces_;
-    std::vector<double> view_;
-    std::vector<ImageRectangle> details_;
 };
 
 } // namespace irsg

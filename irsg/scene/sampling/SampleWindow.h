@@ -63,7 +63,12 @@ struct SampleWindow {
     /// pixel (x, y): `count` samples from index `first` on, in the order of a drawing, bottom row
     /// first, each of which counts with `weight`, above 0 to 1.
     template <typename Visit>
-    void forEachRun(Visit visit) const;
+    void forEachRun(Visit visit) const {
+        forEachRun(0, height(), visit);
+    }
+    /// The same of the rows from one on to before another, counted from the top.
+    template <typename Visit>
+    void forEachRun(int firstRow, int lastRow, Visit visit) const;
 
   private:
     /// Weights of the samples of a row, counted from the top, tile by tile; empty where all are 1.
@@ -72,8 +77,8 @@ struct SampleWindow {
 };
 
 template <typename Visit>
-void SampleWindow::forEachRun(Visit visit) const {
-    for (int row = 0; row < height(); ++row) {
+void SampleWindow::forEachRun(int firstRow, int lastRow, Visit visit) const {
+    for (int row = firstRow; row < lastRow; ++row) {
         const std::vector<double> weights =
             leftOut.empty() && !only ? std::vector<double>{} : weightsOf(row);
         const int y = static_cast<int>((tileY + row / samplesDown) >> level);

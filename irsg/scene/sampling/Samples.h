@@ -1,16 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace irsg {
-
-/// A surface at one sample as its geometric factors.
-struct FactorLayer {
-    int row = 0;
-    float thermal = 0.0f, up = 0.0f, down = 0.0f, sun = 0.0f;
-    float distance_m = 0.0f; ///< of opaque surfaces only where it was asked for
-};
 
 /// One window of samples, bottom row first.
 struct RadianceSamples {
@@ -18,13 +13,24 @@ struct RadianceSamples {
     std::vector<float> planes; ///< premultiplied radiance and opacity, interleaved
     int layersLeftOver = 0;    ///< samples with more layers than the scene allows
 };
+
+/// One window of samples, bottom row first, each with the surfaces that it meets and what geometry
+/// makes of them: factors, which know no wavelength.
 struct FactorSamples {
     int width = 0, height = 0;
+    std::size_t factorCount = 0; ///< drawn factors of a layer
     /// Layers of sample i, front to back and the opaque one last: from first[i] to before first[i +
     /// 1].
     std::vector<std::uint32_t> first;
-    std::vector<FactorLayer> layers;
+    std::vector<std::int32_t> rows; ///< by layer: of the drawing
+    std::vector<float> factors;     ///< by layer, `factorCount` each
+    /// By layer, m; of opaque surfaces only where it was asked for, else 0.
+    std::vector<float> distances_m;
     int layersLeftOver = 0;
+
+    std::span<const float> factorsOf(std::uint32_t layer) const {
+        return {&factors[layer * factorCount], factorCount};
+    }
 };
 
 } // namespace irsg

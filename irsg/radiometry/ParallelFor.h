@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace irsg {
+
+/// Calls work(0) to work(count - 1), each once, in any order and on all cores; returns when all are
+/// done. Results do not depend on the number of cores where every call writes to a place of its own
+/// that follows from its number. Where another call of this function is under way, this one works
+/// on the calling thread alone. Throws what the call of the lowest number threw.
+void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// Splits 0 to before size into `parts` nearly equal pieces: piece `part` begins here and ends
+/// where the next begins.
+constexpr std::size_t beginOfPart(std::size_t part, std::size_t parts, std::size_t size) {
+    return size * part / parts;
+}
+
+/// Limits the threads that parallelFor uses, for tests; 0: as many as the machine has cores.
+void setMostThreads(unsigned threads);
+
+} // namespace irsg

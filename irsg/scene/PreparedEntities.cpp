@@ -1,0 +1,57 @@
+#include "irsg/scene/PreparedEntities.h"
+
+#include <algorithm>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/model/DrawPieces.h"
+
+namespace irsg {
+
+void PreparedEntities::keep(const std::vector<Entity>& entities) {
+    std::erase_if(models_, [&](const PreparedModel& known) {
+        return std::ranges::find(entities, known.model, &Entity::model) == entities.end();
+    });
+    for (const Entity& entity : entities) {
+        if (!entity.model || !entity.database)
+            throw LogicError("an entity needs a model and a database");
+        if (std::ranges::find(models_, entity.model, &PreparedModel::model) != models_.end())
+            continue;
+        PreparedModel& made = models_.emplace_back();
+        made.model = entity.model;
+        made.items = collectDrawItems(*entity.model);
+        made.ball = boundingBall(made.items, entity.model->bounds());
+        made.longEdges = longEdges(made.items, made.ball.radius_m);
+        made.items = inDrawPieces(made.items);
+    }
+}
+
+PreparedModel& PreparedEntities::of(const Entity& entity) {
+    const auto found = std::ranges::find(models_, entity.model, &PreparedModel::model);
+    if (found == models_.end())
+        throw LogicError("an entity was drawn that was not prepared");
+    return *found;
+}
+
+Vec3 PreparedEntities::referencePoint(const Entity& entity) {
+    if (entity.referencePoint_m)
+        return *entity.referencePoint_m;
+    const auto found = std::ranges::find_if(references_, [&](const Reference& known) {
+        return known.model == entity.model && known.database == entity.database &&
+               known.fallbackMaterial == entity.fallbackMaterial;
+    });
+    if (found != references_.end()) {
+        references_.splice(references_.begin(), references_, found);
+        return references_.front().point_m;
+    }
+    const BoundingBox opaque = entity.model->boundsOf([&](const IrCodes& codes) {
+        const Material* material = materialEntry(entity, codes.material);
+        return !material || material->isOpaque();
+    });
+    const BoundingBox& box = opaque.valid() ? opaque : entity.model->bounds();
+    references_.push_front({entity.model, entity.database, entity.fallbackMaterial, box.centre()});
+    if (references_.size() > mostReferences)
+        references_.pop_back();
+    return references_.front().point_m;
+}
+
+} // namespace irsg

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <list>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "irsg/scene/Entity.h"
+#include "irsg/scene/model/DrawList.h"
+#include "irsg/scene/model/LongEdges.h"
+#include "irsg/scene/sampling/HotParts.h"
+
+namespace irsg {
+
+/// What drawing takes of a model, made once.
+struct PreparedModel {
+    std::shared_ptr<const Model> model;
+    std::vector<DrawItem> items;
+    BoundingBall ball;
+    std::vector<ModelEdge> longEdges;
+    HotParts hotParts;
+};
+
+/// Prepared models by their identity, and reference points by what they follow from. Those of the
+/// last scene are kept.
+class PreparedEntities {
+  public:
+    /// Prepares what is new and forgets what is no longer in the scene.
+    void keep(const std::vector<Entity>& entities);
+    /// Of an entity of the scene that was kept last.
+    PreparedModel& of(const Entity& entity);
+    /// In model axes: the entity's own, or the centre of the box around what lets no light through,
+    /// or around all of it.
+    Vec3 referencePoint(const Entity& entity);
+
+  private:
+    struct Reference {
+        std::shared_ptr<const Model> model;
+        std::shared_ptr<const SignatureDatabase> database;
+        std::optional<int> fallbackMaterial;
+        Vec3 point_m;
+    };
+    static constexpr std::size_t mostReferences = 64;
+
+    std::list<PreparedModel> models_;
+    std::list<Reference> references_; // latest first
+};
+
+} // namespace irsg

@@ -1,0 +1,345 @@
+#include "irsg/scene/Renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+
+#include <osg/RenderInfo>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/scene/RendererParts.h"
+#include "irsg/scene/radiance/SceneScaledView.h"
+#include "irsg/scene/view/PixelGrid.h"
+
+namespace irsg {
+
+namespace {
+
+/// What the air's change over an object's extent may leave wrong without a word.
+constexpr double airErrorToTell = 0.0051;
+
+std::string text(double value) {
+    std::ostringstream out;
+    out.precision(9);
+    out << value;
+    return out.str();
+}
+
+void requireNoScales(const std::vector<Entity>& entities) {
+    for (const Entity& entity : entities)
+        if (!entity.temperatureScale.empty() || !entity.emissivityScale.empty())
+            throw LogicError("a view as a function of scales was asked of a scaled scene");
+}
+
+std::vector<double> rangesOf(const std::vector<ObjectGeometry>& geometry) {
+    std::vector<double> ranges_m;
+    for (const ObjectGeometry& object : geometry)
+        ranges_m.push_back(object.path.range_m);
+    return ranges_m;
+}
+
+/// Each wavelength once, ascending, and which of them each wavenumber is.
+struct Wavelengths {
+    std::vector<double> ascending_um;
+    std::vector<std::size_t> order;
+
+    explicit Wavelengths(const std::vector<double>& wavenumbers_cm1) {
+        for (const double wavenumber_cm1 : wavenumbers_cm1) {
+            if (!(wavenumber_cm1 > 0.0))
+                throw LogicError("a wavenumber that is not positive was asked for");
+            ascending_um.push_back(wavelengthFromWavenumber_um(wavenumber_cm1));
+        }
+        const std::vector<double> asked_um = ascending_um;
+        std::ranges::sort(ascending_um);
+        ascending_um.erase(std::ranges::unique(ascending_um).begin(), ascending_um.end());
+        for (const double wavelength_um : asked_um)
+            order.push_back(static_cast<std::size_t>(
+                std::ranges::lower_bound(ascending_um, wavelength_um) - ascending_um.begin()));
+    }
+};
+
+ScaledValues valuesOf(const ObjectRadiometry& sum) {
+    return {{sum.intensity_W_sr}, {sum.contrastIntensity_W_sr}, {sum.irradiance_W_m2}};
+}
+
+} // namespace
+
+Renderer::Renderer() : Renderer(RadianceTerms::standard()) {}
+Renderer::Renderer(const RadianceTerms& terms) : parts_(std::make_unique<Parts>(terms)) {
+    if (terms.factorCount() == 0 || terms.factorCount() > mostFactors)
+        throw LogicError("a list of terms has 1 to 7 drawn factors");
+}
+Renderer::~Renderer() {
+    parts_->context.run([&](osg::RenderInfo&) { parts_->pass.reset(); });
+}
+
+Rendered Renderer::render(const Scene& scene, const SensorView& view, const Wanted& wanted) {
+    Parts& p = *parts_;
+    if (!wanted.scalings.empty())
+        requireNoScales(scene.entities);
+    Rendered result;
+    const bool inBands = wanted.image || wanted.reports ||
+                         (!wanted.scalings.empty() && wanted.wavenumbers_cm1.empty());
+    if (inBands) {
+        const Parts::Frame frame = p.frame(scene, view, wanted);
+        if (wanted.image)
+            p.renderImage(frame, wanted, result);
+        else if (wanted.reports)
+            result.reports = p.reports(frame);
+        if (!wanted.scalings.empty() && wanted.wavenumbers_cm1.empty()) {
+            const ViewFactors& factors = p.factorsOf(frame);
+            const std::vector<RenderReport> nominal = p.reports(frame);
+            p.timed("scaled view", [&] {
+                const SceneRadiometry& radiometry = frame.evaluated->radiometry;
+                for (std::size_t k = 0; k < frame.bands.size(); ++k)
+                    result.scaled.push_back(std::make_unique<const SceneScaledView>(
+                        factors, radiometry, frame.evaluated->radiances, rangesOf(frame.geometry),
+                        radiometry.outputs()[k], wanted.scalings, false, valuesOf(nominal[k].all)));
+            });
+        }
+    }
+    if (!wanted.wavenumbers_cm1.empty()) {
+        Scene spectral = scene;
+        spectral.settings.mode = CalculationMode::spectral;
+        const Parts::Frame frame = p.frame(spectral, view, wanted);
+        result.spectrum = p.spectrum(frame, wanted, result);
+        if (scene.settings.mode == CalculationMode::wideband)
+            result.spectrum.warnings.push_back(
+                "spectra are computed in the spectral mode: a wideband term stands for the band, "
+                "not for its wavelength");
+    }
+    return result;
+}
+
+void Renderer::Parts::renderImage(const Frame& frame, const Wanted& wanted, Rendered& result) {
+    RenderReport report;
+    int layersLeftOver = 0;
+    const FrameReduction reduction =
+        wanted.followed ? followedPixels(frame, report.windows, report.warnings, layersLeftOver)
+                        : drawObjects(frame, report.windows, report.warnings, layersLeftOver);
+    timed("composition", [&] {
+        result.image = reduction.compose(frame.backgrounds.front());
+        describe(frame, result.image);
+        describeWindows(report.windows, result.image);
+    });
+    if (wanted.reports) {
+        // Sums in double on the objects' own windows; of one object those of the picture itself.
+        const std::size_t objects = frame.scene.entities.size();
+        if (objects > 1 || frame.bands.size() > 1)
+            result.reports = reports(frame);
+        else
+            result.reports.resize(1);
+        RenderReport& first = result.reports.front();
+        first.windows = std::move(report.windows);
+        const double range_m = frame.geometry.empty() ? 0.0 : frame.geometry.front().path.range_m;
+        ObjectRadiometry pixels = reduction.objects(frame.backgrounds.front(), range_m);
+        if (objects > 1) {
+            // The pixels do not tell whose they are; the objects' own sums do.
+            pixels.intensity_W_sr = first.all.intensity_W_sr;
+            pixels.contrastIntensity_W_sr = first.all.contrastIntensity_W_sr;
+            pixels.airError = first.all.airError;
+            first.all = pixels;
+            first.totalIrradiance_W_m2 = totalIrradiance_W_m2(frame, 0, pixels.irradiance_W_m2);
+        } else {
+            if (frame.bands.size() == 1)
+                fillReport(frame, 0, first);
+            first.all = pixels;
+            first.objects.assign(objects, first.all);
+            for (ObjectRadiometry& object : first.objects) {
+                object.name = frame.scene.entities.front().name;
+                object.airError = frame.geometry.front().airError;
+            }
+            first.totalIrradiance_W_m2 = totalIrradiance_W_m2(frame, 0, first.all.irradiance_W_m2);
+        }
+        for (std::string& warning : report.warnings)
+            first.warnings.push_back(std::move(warning));
+        first.layersLeftOver = layersLeftOver;
+    }
+    if (frame.scene.settings.truthLayers)
+        addTruthLayers(frame, result.image);
+}
+
+std::vector<RenderReport> Renderer::Parts::reports(const Frame& frame) {
+    const ViewFactors& factors = factorsOf(frame);
+    return timed("evaluation", [&] {
+        std::vector<int> varying;
+        int number = 0;
+        for (const FrameBackground& background : frame.backgrounds)
+            varying.push_back(background.isUniform() ? -1 : number++);
+        const std::vector<double> ranges_m = rangesOf(frame.geometry);
+        std::vector<ObjectSums> sums =
+            objectSums(factors, frame.evaluated->radiances, frame.surfaceRows(), ranges_m, varying);
+        std::vector<RenderReport> all(sums.size());
+        for (std::size_t band = 0; band < sums.size(); ++band) {
+            RenderReport& report = all[band];
+            report.objects = std::move(sums[band].objects);
+            report.all = std::move(sums[band].all);
+            report.all.name = "all";
+            report.all.range_m = ranges_m.empty() ? 0.0 : ranges_m.front();
+            for (std::size_t e = 0; e < report.objects.size(); ++e) {
+                report.objects[e].name = frame.scene.entities[e].name;
+                report.objects[e].range_m = ranges_m[e];
+                report.objects[e].airError = frame.geometry[e].airError;
+                report.all.airError = std::max(report.all.airError, frame.geometry[e].airError);
+            }
+            report.layersLeftOver = factors.layersLeftOver;
+            fillReport(frame, band, report);
+            report.totalIrradiance_W_m2 =
+                totalIrradiance_W_m2(frame, band, report.all.irradiance_W_m2);
+        }
+        return all;
+    });
+}
+
+IntensitySpectrum Renderer::Parts::spectrum(const Frame& frame, const Wanted& wanted,
+                                            Rendered& result) {
+    const ViewFactors& factors = factorsOf(frame);
+    return timed("evaluation", [&] {
+        const Wavelengths wavelengths(wanted.wavenumbers_cm1);
+        const AirScene scene{terms, frame.scene.entities, frame.geometry, frame.scene.settings,
+                             frame.centre};
+        const std::vector<SampledBand> bands{
+            SceneSampling::wavelengths(air, scene, wavelengths.ascending_um)};
+        EvaluatedScene evaluated(terms, frame.scene.entities, frame.geometry, bands, fronts);
+        evaluated.radiances.setBackground(backgroundOf(bands, frame.scene.settings));
+        const std::vector<double> ranges_m = rangesOf(frame.geometry);
+        const std::vector<ObjectSums> sums =
+            objectSums(factors, evaluated.radiances, evaluated.radiometry.rows(), ranges_m,
+                       std::vector<int>(wavelengths.ascending_um.size(), -1));
+
+        IntensitySpectrum spectrum;
+        spectrum.warnings = evaluated.radiometry.warnings();
+        ScaledValues nominal;
+        for (const ObjectSums& one : sums) {
+            nominal.intensity.push_back(one.all.intensity_W_sr);
+            nominal.contrastIntensity.push_back(one.all.contrastIntensity_W_sr);
+            nominal.irradiance.push_back(one.all.irradiance_W_m2);
+        }
+        for (std::size_t k = 0; k < wavelengths.order.size(); ++k) {
+            const std::size_t i = wavelengths.order[k];
+            spectrum.wavenumbers_cm1.push_back(wanted.wavenumbers_cm1[k]);
+            spectrum.wavelengths_um.push_back(wavelengths.ascending_um[i]);
+            spectrum.intensity_W_sr_um.push_back(nominal.intensity[i]);
+            spectrum.contrastIntensity_W_sr_um.push_back(nominal.contrastIntensity[i]);
+            spectrum.irradiance_W_m2_um.push_back(nominal.irradiance[i]);
+        }
+        for (std::size_t e = 0; ranges_m.size() > 1 && e < ranges_m.size(); ++e) {
+            ObjectSpectrum& object = spectrum.objects.emplace_back();
+            object.name = frame.scene.entities[e].name;
+            for (const std::size_t i : wavelengths.order) {
+                object.intensity_W_sr_um.push_back(sums[i].objects[e].intensity_W_sr);
+                object.contrastIntensity_W_sr_um.push_back(
+                    sums[i].objects[e].contrastIntensity_W_sr);
+                object.irradiance_W_m2_um.push_back(sums[i].objects[e].irradiance_W_m2);
+            }
+        }
+        // What is seen of objects, by whatever it is covered: the nearest layer of every sample.
+        factors.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
+            if (factors.field.kinds()[kind].front == 0)
+                spectrum.coveredPixels += numbers[factors.layout.pixels()];
+        });
+        if (!wanted.scalings.empty()) {
+            auto view = std::make_unique<SceneScaledView>(
+                factors, evaluated.radiometry, evaluated.radiances, ranges_m,
+                std::pair<std::size_t, std::size_t>{0, wavelengths.ascending_um.size()},
+                wanted.scalings, true, std::move(nominal));
+            view->reorder(wavelengths.order);
+            result.scaled.push_back(std::move(view));
+        }
+        return spectrum;
+    });
+}
+
+double Renderer::Parts::frameProjectedSolidAngle_sr(const Sensor& sensor) {
+    const std::array<double, 3> raster{static_cast<double>(sensor.width_px),
+                                       static_cast<double>(sensor.height_px),
+                                       sensor.horizontalFieldOfView_rad};
+    if (raster != solidAngle.raster) {
+        solidAngle.raster = raster;
+        solidAngle.projected_sr = PixelGrid(sensor).projectedSolidAngle_sr();
+    }
+    return solidAngle.projected_sr;
+}
+
+double Renderer::Parts::totalIrradiance_W_m2(const Frame& frame, std::size_t band,
+                                             double contrast_W_m2) {
+    const PixelGrid grid(frame.view.sensor);
+    const FrameBackground& background = frame.backgrounds[band];
+    if (background.isUniform())
+        return contrast_W_m2 +
+               background.centre_W_m2_sr() * frameProjectedSolidAngle_sr(frame.view.sensor);
+    double behind_W_m2 = 0.0;
+    for (int y = 0; y < frame.view.sensor.height_px; ++y)
+        for (int x = 0; x < frame.view.sensor.width_px; ++x) {
+            const PixelGrid::Pixel pixel = grid.at(x, y);
+            behind_W_m2 += background.at(x, y) * pixel.solidAngle_sr * pixel.cosOffAxis;
+        }
+    return contrast_W_m2 + behind_W_m2;
+}
+
+void Renderer::Parts::fillReport(const Frame& frame, std::size_t band, RenderReport& report) const {
+    report.background_W_m2_sr = frame.backgrounds[band].centre_W_m2_sr();
+    report.answeredBy = frame.answeredBy;
+    for (const std::string& line : frame.backgroundReport.answeredBy)
+        if (std::ranges::find(report.answeredBy, line) == report.answeredBy.end())
+            report.answeredBy.push_back(line);
+    std::ranges::copy(frame.warnings, std::back_inserter(report.warnings));
+    std::ranges::copy(frame.backgroundReport.warnings, std::back_inserter(report.warnings));
+    report.flooredPixels = frame.backgroundReport.flooredPixels;
+    if (report.flooredPixels > 0)
+        report.warnings.push_back("the background of " + std::to_string(report.flooredPixels) +
+                                  " pixels was below 0 and is 0 now");
+    for (std::size_t e = 0; e < frame.geometry.size(); ++e)
+        if (frame.geometry[e].airError > airErrorToTell)
+            report.warnings.push_back(
+                "the air changes over the extent of '" + frame.scene.entities[e].name +
+                "': its radiance may be wrong by up to " +
+                text(std::round(1000.0 * frame.geometry[e].airError) / 10.0) + " %");
+    report.renderer = context.rendererDescription();
+}
+
+void Renderer::Parts::describe(const Frame& frame, RadianceImage& image) const {
+    const Sensor& sensor = frame.view.sensor;
+    const RenderSettings& settings = frame.scene.settings;
+    const Band& band = frame.bands.front();
+    image.attributes["band.name"] = band.name();
+    image.attributes["band.min_um"] = text(band.range().min_um);
+    image.attributes["band.max_um"] = text(band.range().max_um);
+    image.attributes["sensor.horizontal_field_of_view_deg"] =
+        text(degrees(sensor.horizontalFieldOfView_rad));
+    if (settings.zoomWindow > 0)
+        image.attributes["zoom_window"] = std::to_string(settings.zoomWindow);
+    else
+        image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
+    image.attributes["background_W_m2_sr"] = text(frame.backgrounds.front().centre_W_m2_sr());
+    image.attributes["renderer"] = context.rendererDescription();
+    if (!frame.geometry.empty())
+        image.attributes["range_m"] = text(frame.geometry.front().path.range_m);
+}
+
+void Renderer::check(const Scene& scene, const SensorView& view, const Wanted& wanted) {
+    checkScene(scene.entities, parts_->geometry(scene, view), scene.environment, view.sensor,
+               wanted.bands.empty() ? std::vector<Band>{view.sensor.band} : wanted.bands,
+               scene.settings);
+}
+
+Vec3 Renderer::referencePoint(const Entity& entity) {
+    return parts_->prepared.referencePoint(entity);
+}
+std::string Renderer::rendererDescription() {
+    return parts_->context.rendererDescription();
+}
+std::size_t Renderer::graphicsMemory_bytes() const {
+    return parts_->pass ? parts_->pass->bytes() : 0;
+}
+StageTimes Renderer::stageTimes() const {
+    return {parts_->stages};
+}
+void Renderer::resetStageTimes() {
+    parts_->stages.clear();
+}
+
+} // namespace irsg

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "irsg/scene/Scene.h"
+
+namespace irsg {
+
+class RadianceTerms;
+
+/// Infrared scene generator: a scene, a view and what is wanted in; images, radiometry and spectra
+/// out. The result is a function of these values alone. What is kept between calls (prepared
+/// models, drawings, the air along a path, wideband terms, in-band radiances) are caches keyed by
+/// values, and nobody sees whether one was hit but by the time.
+///
+/// Draws on the process's off-screen OpenGL context (EGL, no display needed) and may be used from
+/// any one thread at a time; the caller's current context is left as it was.
+class Renderer {
+  public:
+    Renderer();
+    /// With a list of terms of one's own, which must live as long.
+    explicit Renderer(const RadianceTerms& terms);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Throws InputError with every offence of the scene: see check().
+    Rendered render(const Scene& scene, const SensorView& view, const Wanted& wanted);
+
+    /// Checks the whole scene: every code has an entry, spectra cover the bands, sensor and targets
+    /// are above the ground, an atmosphere has the calculation mode. Throws InputError with every
+    /// offence.
+    void check(const Scene& scene, const SensorView& view, const Wanted& wanted = {});
+
+    /// Of an entity, in model axes; see Entity::referencePoint_m.
+    Vec3 referencePoint(const Entity& entity);
+
+    /// GL renderer string: "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile)
+    /// Mesa 22.3.6".
+    std::string rendererDescription();
+    /// Memory that drawing keeps on the graphics card apart from models and textures, bytes.
+    std::size_t graphicsMemory_bytes() const;
+    StageTimes stageTimes() const;
+    void resetStageTimes();
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace irsg

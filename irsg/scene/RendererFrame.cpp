@@ -1,0 +1,316 @@
+#include <algorithm>
+#include <cmath>
+
+#include <osg/RenderInfo>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/RendererParts.h"
+#include "irsg/scene/background/BandSky.h"
+#include "irsg/scene/radiance/AirSlices.h"
+#include "irsg/scene/radiance/HotSurfaces.h"
+
+namespace irsg {
+
+namespace {
+
+/// Sets of wideband terms that are kept, so that bands and samples can take turns.
+constexpr std::size_t mostTermsKept = 128;
+
+LineOfSight centreOf(const Viewpoint& viewpoint) {
+    const Vec3 view = viewpoint.forward();
+    LineOfSight sight;
+    sight.sensorAltitude_m = std::max(viewpoint.position_m.z, 0.0);
+    sight.elevation_rad = std::asin(std::clamp(view.z, -1.0, 1.0));
+    sight.azimuth_rad = std::atan2(view.x, view.y);
+    return steadied(sight);
+}
+
+} // namespace
+
+void Renderer::Parts::addTime(const std::string& name, double seconds) {
+    auto found = std::ranges::find(stages, name, &StageTimes::Stage::name);
+    if (found == stages.end())
+        found = stages.insert(stages.end(), {name, 0.0, 0});
+    found->seconds += seconds;
+    ++found->calls;
+}
+
+bool Renderer::Parts::Frame::isTransparent() const {
+    return std::ranges::any_of(items, &SurfaceItem::transparent);
+}
+
+std::vector<ObjectGeometry> Renderer::Parts::geometry(const Scene& scene, const SensorView& view) {
+    prepared.keep(scene.entities);
+    std::vector<Vec3> points;
+    for (const Entity& entity : scene.entities)
+        points.push_back(entity.pose.toWorld(prepared.referencePoint(entity)));
+    std::vector<ObjectGeometry> objects = objectGeometry(scene.entities, points, view.viewpoint);
+    for (std::size_t e = 0; e < objects.size(); ++e) {
+        const Entity& entity = scene.entities[e];
+        // About the reference point, so that views from one distance have the same slices.
+        const BoundingBall& ball = prepared.of(entity).ball;
+        const double half_m =
+            ball.radius_m + length(ball.centre_m - prepared.referencePoint(entity));
+        objects[e].nearest_m = std::max(objects[e].path.range_m - half_m, 0.0);
+        objects[e].farthest_m = objects[e].path.range_m + half_m;
+    }
+    return objects;
+}
+
+Renderer::Parts::Frame Renderer::Parts::frame(const Scene& scene, const SensorView& view,
+                                              const Wanted& wanted) {
+    const std::vector<Band> bands =
+        wanted.bands.empty() ? std::vector<Band>{view.sensor.band} : wanted.bands;
+    Frame result(scene, view, bands);
+    result.centre = centreOf(view.viewpoint);
+    result.geometry = geometry(scene, view);
+    checkScene(scene.entities, result.geometry, scene.environment, view.sensor, bands,
+               scene.settings);
+    evaluate(result);
+    findDetails(result);
+    return result;
+}
+
+void Renderer::Parts::evaluate(Frame& frame) {
+    timed("radiometry", [&] {
+        air.setEnvironment(frame.scene.environment);
+        background.setSkybox(frame.scene.skybox);
+        background.setTerrain(frame.scene.terrain);
+        std::vector<SampledBand> bands = sampleBands(frame);
+        planSlices(frame, bands);
+        if (std::ranges::any_of(frame.geometry,
+                                [](const ObjectGeometry& o) { return o.slices_m.size() > 1; }))
+            bands = sampleBands(frame);
+        for (const SampledBand& band : bands) {
+            const auto add = [](std::vector<std::string>& all,
+                                const std::vector<std::string>& some) {
+                for (const std::string& line : some)
+                    if (std::ranges::find(all, line) == all.end())
+                        all.push_back(line);
+            };
+            add(frame.answeredBy, band.air.answeredBy);
+            add(frame.warnings, band.air.warnings);
+        }
+        frame.evaluated = radiometry.of(terms, frame.scene.entities, frame.geometry, bands, fronts);
+        frame.evaluated->radiances.setBackground(backgroundOf(bands, frame.scene.settings));
+        drawBackgrounds(frame, bands);
+        fillRows(frame);
+        fillItems(frame);
+        planPoints(frame);
+    });
+}
+
+std::vector<SampledBand> Renderer::Parts::sampleBands(const Frame& frame) {
+    const AirScene scene{terms, frame.scene.entities, frame.geometry, frame.scene.settings,
+                         frame.centre};
+    std::vector<SampledBand> sampled;
+    for (const Band& band : frame.bands)
+        sampled.push_back(frame.scene.settings.mode == CalculationMode::wideband
+                              ? SceneSampling::wideband(air, scene, wideband(frame.scene, band))
+                              : sampling.spectral(air, scene, band));
+    return sampled;
+}
+
+void Renderer::Parts::planSlices(Frame& frame, const std::vector<SampledBand>& bands) {
+    for (std::size_t e = 0; e < frame.geometry.size(); ++e)
+        planSlicesOf(air, bands, e, frame.scene.settings, frame.geometry[e]);
+}
+
+std::shared_ptr<const WidebandTerms> Renderer::Parts::wideband(const Scene& scene,
+                                                               const Band& band) {
+    WidebandSpectra spectra = widebandSpectraOf(scene.entities);
+    const auto found = std::ranges::find_if(widebandTerms, [&](const auto& kept) {
+        return kept->areOf(scene.environment, band, spectra);
+    });
+    if (found != widebandTerms.end()) {
+        std::rotate(widebandTerms.begin(), found, found + 1);
+    } else {
+        auto made = timed("wideband terms", [&] {
+            return std::make_shared<const WidebandTerms>(scene.environment, band,
+                                                         std::move(spectra));
+        });
+        widebandTerms.insert(widebandTerms.begin(), std::move(made));
+        if (widebandTerms.size() > mostTermsKept)
+            widebandTerms.pop_back();
+    }
+    return widebandTerms.front();
+}
+
+void Renderer::Parts::drawBackgrounds(Frame& frame, const std::vector<SampledBand>& bands) {
+    const RenderSettings& settings = frame.scene.settings;
+    for (std::size_t k = 0; k < bands.size(); ++k) {
+        const BandSky sky(frame.scene.environment, *bands[k].sampling);
+        BackgroundSettings wanted;
+        wanted.asksEnvironment = settings.background == BackgroundMode::environment;
+        wanted.uniform_W_m2_sr = frame.evaluated->radiances.background_W_m2_sr(k);
+        wanted.rows = settings.backgroundRows;
+        wanted.columns = settings.backgroundColumns;
+        wanted.sunDisc = settings.sunDisc;
+        wanted.skybox = settings.skybox;
+        wanted.terrain = settings.terrain;
+        BackgroundReport report;
+        frame.backgrounds.push_back(
+            background.draw(frame.view.sensor, frame.view.viewpoint, sky, wanted, report));
+        frame.backgroundReport.flooredPixels += report.flooredPixels;
+        for (std::string& line : report.answeredBy)
+            frame.backgroundReport.answeredBy.push_back(std::move(line));
+        for (std::string& line : report.warnings)
+            if (std::ranges::find(frame.backgroundReport.warnings, line) ==
+                frame.backgroundReport.warnings.end())
+                frame.backgroundReport.warnings.push_back(std::move(line));
+    }
+}
+
+void Renderer::Parts::fillRows(Frame& frame) {
+    const SurfaceRows& rows = frame.surfaceRows();
+    KindRadiances& radiances = frame.evaluated->radiances;
+    std::vector<FactorKind> kinds;
+    for (std::size_t drawn = 0; drawn < rows.keys().size(); ++drawn)
+        kinds.push_back({0, rows.first(static_cast<int>(drawn))});
+    radiances.prepare(kinds);
+    for (const FactorKind& kind : kinds) {
+        const KindRadiance radiance = radiances.of(kind);
+        SurfaceRow& row = frame.rows.emplace_back();
+        std::ranges::transform(radiance.perFactor, row.radiance.begin(),
+                               [](double value) { return static_cast<float>(value); });
+        row.constant = static_cast<float>(radiance.constant);
+        row.opacity = static_cast<float>(radiance.opacity);
+        row.nAngleFactor = static_cast<float>(
+            frame.evaluated->radiometry.surfaces()[static_cast<std::size_t>(kind.row)]
+                .nAngleFactor);
+    }
+}
+
+void Renderer::Parts::fillItems(Frame& frame) {
+    const RenderSettings& settings = frame.scene.settings;
+    const SurfaceRows& rows = frame.surfaceRows();
+    frame.hot.assign(rows.keys().size(), false);
+    if (settings.hotParts && settings.zoomWindow > 0 &&
+        settings.zoomStrategy == ZoomStrategy::aligned)
+        frame.hot = hotSurfaces(frame.evaluated->radiometry, frame.scene.entities);
+    for (int e = 0; e < static_cast<int>(frame.scene.entities.size()); ++e) {
+        const Entity& entity = frame.entity(e);
+        const PreparedModel& model = prepared.of(entity);
+        const auto seen =
+            zoomEntityInfo(e, frame.camera, entity.model->bounds(), model.ball, entity.pose);
+        if (!seen)
+            continue;
+        frame.seen.push_back(*seen);
+        frame.seen.back().edges = edgesOf(frame, frame.camera, e);
+
+        for (const DrawItem& item : model.items) {
+            const auto key = std::ranges::lower_bound(rows.keys(), SurfaceKey{e, item.codes});
+            if (key == rows.keys().end() || *key != SurfaceKey{e, item.codes})
+                throw LogicError("a surface was drawn that the model did not announce");
+            const auto drawn = static_cast<int>(key - rows.keys().begin());
+            frame.items.push_back({item.geometry.get(), item.modelFromLocal, e, drawn,
+                                   rows.isTransparent(drawn), item.cullsBackFaces, item.layer});
+        }
+    }
+}
+
+void Renderer::Parts::planPoints(Frame& frame) const {
+    const RenderSettings& settings = frame.scene.settings;
+    const bool mayBePoints = settings.zoomWindow > 0 &&
+                             settings.zoomStrategy == ZoomStrategy::aligned &&
+                             settings.pointSourceBelow_px > 0.0;
+    const ImageRectangle field{0.0, 0.0, static_cast<double>(frame.view.sensor.width_px),
+                               static_cast<double>(frame.view.sensor.height_px)};
+    for (const ZoomEntityInfo& object : frame.seen) {
+        const ImageRectangle& extent = object.extent;
+        const bool isWhole = extent.left > field.left && extent.right < field.right &&
+                             extent.top > field.top && extent.bottom < field.bottom;
+        const bool standsApart = std::ranges::none_of(frame.seen, [&](const ZoomEntityInfo& other) {
+            return other.entity != object.entity && other.extent.intersects(extent);
+        });
+        const bool isOneSlice =
+            frame.geometry[static_cast<std::size_t>(object.entity)].slices_m.size() < 2;
+        const bool isPoint = mayBePoints && isWhole && standsApart && isOneSlice &&
+                             extent.extent() < settings.pointSourceBelow_px &&
+                             !touchesTerrain(frame, extent);
+        (isPoint ? frame.points : frame.drawn).push_back(object);
+    }
+}
+
+bool Renderer::Parts::touchesTerrain(const Frame& frame, const ImageRectangle& extent) const {
+    const std::vector<double>& coverage = background.layers().coverage;
+    if (coverage.empty() || !frame.scene.settings.terrainHides)
+        return false;
+    const Sensor& sensor = frame.view.sensor;
+    const auto pixel = [](double place, int size) {
+        return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
+    };
+    for (int y = pixel(extent.top - 1.0, sensor.height_px);
+         y <= pixel(extent.bottom + 1.0, sensor.height_px); ++y)
+        for (int x = pixel(extent.left - 1.0, sensor.width_px);
+             x <= pixel(extent.right + 1.0, sensor.width_px); ++x)
+            if (coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(sensor.width_px) +
+                         static_cast<std::size_t>(x)] > 0.0)
+                return true;
+    return false;
+}
+
+std::vector<ImageRectangle> Renderer::Parts::detailsOf(const Frame& frame,
+                                                       const CameraFrame& camera, int entity) {
+    std::vector<IrCodes> hot;
+    const std::vector<SurfaceKey>& keys = frame.surfaceRows().keys();
+    for (std::size_t row = 0; row < frame.hot.size(); ++row)
+        if (frame.hot[row] && keys[row].first == entity)
+            hot.push_back(keys[row].second);
+    PreparedModel& model = prepared.of(frame.entity(entity));
+    const std::vector<HotPart> parts =
+        model.hotParts.seenBy(camera, frame.entity(entity).pose, model.items, hot);
+    std::vector<ImageRectangle> details;
+    if (parts.empty())
+        return details;
+    onContext([&](osg::RenderInfo& info) {
+        DrawnLayers drawn;
+        FactorSamples samples;
+        const SampleWindow probe = probeOf(parts, entity);
+        SurfaceScene scene = sceneOf(frame, camera, probe);
+        std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
+        scene.occluders.clear();
+        pass->drawFactors(info, scene, probe, true, drawn);
+        gatherLayers(drawn, frame.scene.settings.maximumLayers, samples);
+        for (const HotPart& part : parts)
+            if (!isHidden(part, probe, samples))
+                details.push_back(part.extent);
+    });
+    return details;
+}
+
+void Renderer::Parts::findDetails(Frame& frame) {
+    if (std::ranges::find(frame.hot, true) == frame.hot.end())
+        return;
+    ViewKey key = viewKey(frame);
+    if (details.key != key) {
+        details.byEntity.clear();
+        details.key = std::move(key);
+    }
+    for (std::vector<ZoomEntityInfo>* objects : {&frame.seen, &frame.drawn})
+        for (ZoomEntityInfo& object : *objects) {
+            const bool isPoint = std::ranges::find(frame.points, object.entity,
+                                                   &ZoomEntityInfo::entity) != frame.points.end();
+            if (isPoint && !frame.scene.settings.truthLayers)
+                continue;
+            const auto [known, isNew] = details.byEntity.try_emplace(object.entity);
+            if (isNew)
+                known->second = detailsOf(frame, frame.camera, object.entity);
+            object.details = known->second;
+        }
+}
+
+std::vector<ImageEdge> Renderer::Parts::edgesOf(const Frame& frame, const CameraFrame& camera,
+                                                int entity) {
+    const Pose& pose = frame.entity(entity).pose;
+    std::vector<ImageEdge> seen;
+    for (const ModelEdge& edge : prepared.of(frame.entity(entity)).longEdges) {
+        const auto from = camera.placeOf(pose.toWorld(edge.from_m));
+        const auto to = camera.placeOf(pose.toWorld(edge.to_m));
+        if (from && to)
+            seen.push_back({to->first - from->first, to->second - from->second});
+    }
+    return seen;
+}
+
+} // namespace irsg

@@ -1,0 +1,192 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "irsg/scene/PreparedEntities.h"
+#include "irsg/scene/Renderer.h"
+#include "irsg/scene/SceneCheck.h"
+#include "irsg/scene/background/SceneBackground.h"
+#include "irsg/scene/draw/OffscreenContext.h"
+#include "irsg/scene/draw/Stopwatch.h"
+#include "irsg/scene/draw/SurfacePass.h"
+#include "irsg/scene/radiance/AirAnswers.h"
+#include "irsg/scene/radiance/PointSources.h"
+#include "irsg/scene/radiance/RadiometryCache.h"
+#include "irsg/scene/radiance/Reductions.h"
+#include "irsg/scene/radiance/SceneSampling.h"
+#include "irsg/scene/radiance/ViewFactors.h"
+#include "irsg/scene/radiance/WidebandTerms.h"
+#include "irsg/scene/sampling/FrameReduction.h"
+#include "irsg/scene/sampling/ZoomAntialiasingManager.h"
+
+namespace irsg {
+
+/// What a renderer keeps, and the steps that its call is made of.
+struct Renderer::Parts {
+    explicit Parts(const RadianceTerms& list) : terms(list) {}
+
+    OffscreenContext& context = OffscreenContext::shared();
+    std::unique_ptr<SurfacePass> pass; // made and destroyed on the context's thread
+    const RadianceTerms& terms;
+    std::vector<StageTimes::Stage> stages;
+
+    PreparedEntities prepared;
+    ZoomAntialiasingManager antialiasing;
+    SceneBackground background;
+    AirAnswers air;
+    SceneSampling sampling;
+    std::vector<std::shared_ptr<const WidebandTerms>> widebandTerms; // latest first
+    RadiometryCache radiometry;
+    Fronts fronts;
+    PointSources pointSources;
+
+    /// All that the factors of a view depend on.
+    struct ViewKey {
+        std::vector<double> numbers;
+        std::vector<std::shared_ptr<const Model>> models;
+        std::shared_ptr<const Terrain> terrain;
+        SurfaceRows rows;
+        std::string shader;
+        bool operator==(const ViewKey&) const = default;
+    };
+    /// The factors of the last view, and the backgrounds that vary over it.
+    struct {
+        std::optional<ViewKey> key;
+        std::vector<FrameBackground> varying;
+        ViewFactors factors;
+    } view;
+    /// The details of the last view, by entity.
+    struct {
+        std::optional<ViewKey> key;
+        std::map<int, std::vector<ImageRectangle>> byEntity;
+    } details;
+    /// The last view of a followed image, and once it was asked for twice what its pixels are made
+    /// of.
+    struct {
+        std::optional<ViewKey> key;
+        std::optional<FactorField<float>> factors;
+    } pixels;
+
+    /// Sum of omega cos(theta) over the frame, of the last raster.
+    struct {
+        std::array<double, 3> raster{};
+        double projected_sr = 0.0;
+    } solidAngle;
+
+    /// Everything one call needs.
+    struct Frame {
+        Frame(const Scene& ofScene, const SensorView& ofView, std::vector<Band> inBands)
+            : scene(ofScene),
+              view(ofView),
+              camera(ofView.sensor, ofView.viewpoint),
+              bands(std::move(inBands)) {}
+
+        const Scene& scene;
+        const SensorView& view;
+        CameraFrame camera;
+        std::vector<Band> bands;
+        std::vector<ObjectGeometry> geometry;
+        LineOfSight centre; ///< through the middle of the field, unbounded
+        std::vector<std::string> answeredBy, warnings;
+        std::shared_ptr<EvaluatedScene> evaluated;
+        std::vector<FrameBackground> backgrounds; // by band
+        BackgroundReport backgroundReport;
+        std::vector<SurfaceItem> items;     // of all objects, in their model axes until sceneOf
+        std::vector<SurfaceRow> rows;       // by drawn row, of the first band
+        std::vector<bool> hot;              // by drawn row: worth samples of its own
+        std::vector<ZoomEntityInfo> seen;   // all that the frame can see
+        std::vector<ZoomEntityInfo> drawn;  // into windows
+        std::vector<ZoomEntityInfo> points; // as point sources
+
+        const Entity& entity(int e) const { return scene.entities[static_cast<std::size_t>(e)]; }
+        const SurfaceRows& surfaceRows() const { return evaluated->radiometry.rows(); }
+        bool isTransparent() const;
+    };
+
+    template <typename Work>
+    auto timed(const char* stage, Work work) {
+        double seconds = 0.0;
+        if constexpr (std::is_void_v<decltype(work())>) {
+            {
+                Stopwatch watch(seconds);
+                work();
+            }
+            addTime(stage, seconds);
+        } else {
+            auto result = [&] {
+                Stopwatch watch(seconds);
+                return work();
+            }();
+            addTime(stage, seconds);
+            return result;
+        }
+    }
+    void addTime(const std::string& name, double seconds);
+
+    // RendererFrame.cpp: the radiometry of a call and what is to be drawn.
+    std::vector<ObjectGeometry> geometry(const Scene& scene, const SensorView& view);
+    Frame frame(const Scene& scene, const SensorView& view, const Wanted& wanted);
+    void planSlices(Frame& frame, const std::vector<SampledBand>& bands);
+    std::vector<SampledBand> sampleBands(const Frame& frame);
+    void evaluate(Frame& frame);
+    std::shared_ptr<const WidebandTerms> wideband(const Scene& scene, const Band& band);
+    void drawBackgrounds(Frame& frame, const std::vector<SampledBand>& bands);
+    void fillRows(Frame& frame);
+    void fillItems(Frame& frame);
+    void planPoints(Frame& frame) const;
+    /// True where terrain that may hide objects is in or beside the pixels of a rectangle.
+    bool touchesTerrain(const Frame& frame, const ImageRectangle& extent) const;
+    /// Gives the objects that are drawn into windows their details.
+    void findDetails(Frame& frame);
+    /// Where a camera sees the hot parts of an entity that are not hidden by the entity itself.
+    std::vector<ImageRectangle> detailsOf(const Frame& frame, const CameraFrame& camera,
+                                          int entity);
+    /// Where it sees the long edges of an entity; those that reach behind it are left out.
+    std::vector<ImageEdge> edgesOf(const Frame& frame, const CameraFrame& camera, int entity);
+
+    // RendererDrawing.cpp
+    void onContext(const std::function<void(osg::RenderInfo&)>& work);
+    int largestDrawing() const;
+    FactorShader factorShader(const Frame& frame, const CameraFrame& camera) const;
+    /// What of the scene stands in a window as a camera sees it, between the depths it spans.
+    SurfaceScene sceneOf(const Frame& frame, const CameraFrame& camera, const SampleWindow& window);
+    /// Draws the objects with the strategy that the settings ask for.
+    FrameReduction drawObjects(const Frame& frame, std::vector<SampledWindow>& windows,
+                               std::vector<std::string>& warnings, int& layersLeftOver);
+    /// The pixels of a followed image: drawn, or a sum where the view is that of the last one.
+    FrameReduction followedPixels(const Frame& frame, std::vector<SampledWindow>& windows,
+                                  std::vector<std::string>& warnings, int& layersLeftOver);
+    std::vector<SampledWindow> sampledWindows(const Frame& frame,
+                                              const std::vector<DrawnWindow>& drawn) const;
+    /// Draws the factors of objects' windows and gives samples to `sink`, whose time counts as
+    /// `stage`.
+    void
+    drawFactorWindows(const Frame& frame, const std::vector<ZoomEntityInfo>& objects,
+                      bool withDistance, const char* stage,
+                      const std::function<void(const SampleWindow&, const FactorSamples&)>& sink);
+    ViewKey viewKey(const Frame& frame) const;
+    const ViewFactors& factorsOf(const Frame& frame);
+    static std::vector<const FrameBackground*> varyingBackgrounds(const Frame& frame);
+    /// Factors of a point source at unit distance, kept for its aspect.
+    const FactorField<double>& pointFactors(const Frame& frame, const ZoomEntityInfo& object);
+    PointPlace placeOf(const Frame& frame, const ZoomEntityInfo& object) const;
+    void addTruthLayers(const Frame& frame, RadianceImage& image);
+
+    // Renderer.cpp
+    void fillReport(const Frame& frame, std::size_t band, RenderReport& report) const;
+    std::vector<RenderReport> reports(const Frame& frame);
+    double totalIrradiance_W_m2(const Frame& frame, std::size_t band, double contrast_W_m2);
+    double frameProjectedSolidAngle_sr(const Sensor& sensor);
+    void describe(const Frame& frame, RadianceImage& image) const;
+    void renderImage(const Frame& frame, const Wanted& wanted, Rendered& result);
+    IntensitySpectrum spectrum(const Frame& frame, const Wanted& wanted, Rendered& result);
+};
+
+} // namespace irsg

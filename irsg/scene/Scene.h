@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "irsg/atmosphere/Environment.h"
+#include "irsg/scene/Entity.h"
+#include "irsg/scene/RenderReport.h"
+#include "irsg/scene/RenderSettings.h"
+#include "irsg/scene/radiance/ScaledView.h"
+#include "irsg/scene/view/Pose.h"
+#include "irsg/scene/view/Sensor.h"
+
+namespace irsg {
+
+class Skybox;
+class Terrain;
+
+/// What there is to see, and how it is to be computed: a value.
+struct Scene {
+    Environment environment = Environment::vacuum();
+    std::vector<Entity> entities;
+    RenderSettings settings;
+    /// Pictures around the eye and ground under it, added to the background; null for none.
+    std::shared_ptr<const Skybox> skybox;
+    std::shared_ptr<const Terrain> terrain;
+};
+
+/// Who looks, and from where.
+struct SensorView {
+    Sensor sensor;
+    Viewpoint viewpoint;
+};
+
+/// What of a view is asked for; whatever is not asked for is not computed.
+struct Wanted {
+    /// The radiance image of the first band.
+    bool image = false;
+    /// The image is one of a window that follows edits: for the second one of a view what each
+    /// pixel takes of each surface is drawn and kept, and from then on another time, temperature,
+    /// spectrum or air is a sum, equal to an image within the rounding of float.
+    bool followed = false;
+    /// The radiometry of the objects, in double: with an image that of its samples, else from
+    /// factors that are kept and drawn anew only when geometry, viewpoint, raster, transparency or
+    /// N change. A report for each band.
+    bool reports = false;
+    /// In-band quantities are asked for in these, from the same drawings; none: in the sensor's.
+    std::vector<Band> bands = {};
+    /// Wavenumbers of a spectrum, cm-1, > 0, in any order; it is computed in the spectral mode,
+    /// whichever is set.
+    std::vector<double> wavenumbers_cm1 = {};
+    /// The view as a function of these scales, in each band, or at the wavenumbers where there are
+    /// any. The entities' own scales must be empty then (LogicError).
+    std::vector<ScalingInput> scalings = {};
+};
+
+struct Rendered {
+    RadianceImage image;               ///< "L"; with truth layers the other planes of formats.md
+    std::vector<RenderReport> reports; ///< by band
+    IntensitySpectrum spectrum;
+    std::vector<std::unique_ptr<const ScaledView>> scaled; ///< by band, or one of the spectrum
+};
+
+} // namespace irsg

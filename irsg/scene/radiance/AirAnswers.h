@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "irsg/atmosphere/Environment.h"
+#include "irsg/radiometry/SpectralSampling.h"
+
+namespace irsg {
+
+/// What an environment answered, kept by value: a path that several cases share is asked once. A
+/// question is the same where its answer cannot differ; the azimuth counts only for air that
+/// answers by it.
+class AirAnswers {
+  public:
+    /// Forgets everything unless the atmospheres and defaults are those of before; the sun may
+    /// move. Answers stay where they are until the next call, which is due before every case.
+    void setEnvironment(const Environment& environment);
+    const Environment& environment() const { return environment_; }
+
+    /// On the nodes that the air has of itself. InputError where nobody answers.
+    const Answer<Spectrum>& spectrum(const AirQuestion& question, const SpectralRange& range);
+    /// On the nodes of a sampling, which is kept as long as its answers.
+    const Answer<std::vector<double>>& at(const AirQuestion& question,
+                                          const std::shared_ptr<const SpectralSampling>& sampling);
+
+    /// Calls to the environment so far.
+    long asked() const { return asked_; }
+
+  private:
+    /// Numbers that are kept from case to case (32 MiB): a sweep of some thousand paths would fill
+    /// memory.
+    static constexpr std::size_t mostKept = std::size_t{1} << 22;
+
+    Environment environment_;
+    std::map<std::pair<AirKey, std::pair<double, double>>, Answer<Spectrum>> spectra_;
+    std::map<std::pair<AirKey, const SpectralSampling*>, Answer<std::vector<double>>> samples_;
+    std::vector<std::shared_ptr<const SpectralSampling>> samplings_; // those of samples_
+    std::size_t numbers_ = 0;                                        // in all answers
+    long asked_ = 0;
+};
+
+} // namespace irsg

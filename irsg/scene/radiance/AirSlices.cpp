@@ -1,0 +1,134 @@
+#include "irsg/scene/radiance/AirSlices.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+/// Of the air's change over one slice: c^2 / 8 is then 5e-4.
+constexpr double changeOfSlice = 0.0632;
+constexpr int mostSlices = 64;
+/// Air next to an object can be this many times as dense as the mean of the path to it.
+constexpr double densest = 8.0;
+/// Changes beyond are those of a body whose far side is black.
+constexpr double largestChange = 20.0;
+/// Light by which transmittances are weighed, beside grey light.
+constexpr double ambientBody_K = 300.0;
+
+/// In-band sums of the air at a range: by weight, transmitted light and path radiance.
+struct InBand {
+    double grey = 0.0, ambient = 0.0, path = 0.0;
+};
+
+InBand sumsOf(const SpectralSampling& sampling, const std::vector<double>& ambient,
+              const std::vector<double>& transmittance, const std::vector<double>& path) {
+    InBand sums;
+    const std::vector<double>& weights_um = sampling.weights_um();
+    for (std::size_t i = 0; i < weights_um.size(); ++i) {
+        sums.grey += weights_um[i] * transmittance[i];
+        sums.ambient += weights_um[i] * ambient[i] * transmittance[i];
+        sums.path += weights_um[i] * path[i];
+    }
+    return sums;
+}
+
+/// |ln a / b|, at most `largestChange`.
+double change(double a, double b) {
+    if (!(a > 0.0) || !(b > 0.0))
+        return a == b ? 0.0 : largestChange;
+    return std::min(std::abs(std::log(a / b)), largestChange);
+}
+
+/// At most what the air changes over a part of the path, if it is not more than `densest` times
+/// denser there.
+double mostChange(const SpectralSampling& sampling, const std::vector<double>& ambient,
+                  const AirSamples& air, const std::vector<double>& path, double part) {
+    const std::vector<double>& weights_um = sampling.weights_um();
+    double grey = 0.0, warm = 0.0, greyDepth = 0.0, warmDepth = 0.0, fromPath = 0.0;
+    for (std::size_t i = 0; i < weights_um.size(); ++i) {
+        const double t = air.transmittance[i];
+        const double depth = t > 0.0 ? -t * std::log(t) : 0.0;
+        grey += weights_um[i] * t;
+        greyDepth += weights_um[i] * depth;
+        warm += weights_um[i] * ambient[i] * t;
+        warmDepth += weights_um[i] * ambient[i] * depth;
+        fromPath += weights_um[i] * path[i];
+    }
+    const double arrives = warm + fromPath;
+    if (!(grey > 0.0) || !(warm > 0.0))
+        return largestChange;
+    return densest * part *
+           std::max({greyDepth / grey, warmDepth / warm, arrives > 0.0 ? fromPath / arrives : 0.0});
+}
+
+} // namespace
+
+void planSlicesOf(AirAnswers& air, const std::vector<SampledBand>& bands, std::size_t number,
+                  const RenderSettings& settings, ObjectGeometry& geometry) {
+    geometry.slices_m.clear();
+    geometry.airError = 0.0;
+    const double extent_m = geometry.farthest_m - geometry.nearest_m;
+    if (!(extent_m > 0.0) || !(geometry.path.range_m > 0.0))
+        return;
+
+    double most = 0.0, estimate = 0.0;
+    bool isKnown = true; // some air holds the path to the reference point alone
+    const SunPosition& sun = air.environment().sun;
+    for (const SampledBand& band : bands) {
+        const SpectralSampling& sampling = *band.sampling;
+        const std::vector<double> ambient = sampling.planck(ambientBody_K);
+        const auto pathAt = [&](double range_m) {
+            return air
+                .at(AirQuestion::pathRadiance(atRange(geometry.path, range_m), sun), band.sampling)
+                .value;
+        };
+        const AirSamples& middle = band.air.objects[number].nodes.front();
+        const std::vector<double> path = pathAt(geometry.path.range_m);
+        const double bound =
+            mostChange(sampling, ambient, middle, path, extent_m / geometry.path.range_m);
+        estimate = std::max(estimate, bound);
+        if (bound < settings.airSliceFrom)
+            continue;
+        const auto at = [&](double range_m) {
+            const auto transmittance =
+                air.at(AirQuestion::transmittance(atRange(geometry.path, range_m)), band.sampling)
+                    .value;
+            return sumsOf(sampling, ambient, transmittance, pathAt(range_m));
+        };
+        InBand near, far;
+        try {
+            near = at(geometry.nearest_m);
+            far = at(geometry.farthest_m);
+        } catch (const InputError&) {
+            isKnown = false;
+            continue;
+        }
+        const double arrives = 0.5 * (near.ambient + near.path + far.ambient + far.path);
+        const double ofPath = arrives > 0.0 ? std::abs(far.path - near.path) / arrives : 0.0;
+        most = std::max(
+            {most, change(near.grey, far.grey), change(near.ambient, far.ambient), ofPath});
+    }
+    if (estimate < settings.airSliceFrom) {
+        geometry.airError = 0.5 * estimate;
+        return;
+    }
+    if (!isKnown) {
+        geometry.airError = 0.5 * std::min(estimate, largestChange);
+        return;
+    }
+    if (most < settings.airSliceFrom) {
+        geometry.airError = 0.5 * most;
+        return;
+    }
+    const int slices = std::min(static_cast<int>(std::ceil(most / changeOfSlice)), mostSlices);
+    for (int i = 0; i <= slices; ++i)
+        geometry.slices_m.push_back(geometry.nearest_m + extent_m * i / slices);
+    const double ofOne = most / slices;
+    geometry.airError = ofOne * ofOne / 8.0;
+}
+
+} // namespace irsg

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "irsg/scene/radiance/SceneSampling.h"
+
+namespace irsg {
+
+/// Decides whether the air of an entity (by its number) is that of its reference point, or is taken
+/// at several ranges over its extent (RenderSettings::airSliceFrom), and fills in
+/// `geometry.slices_m` and `geometry.airError`. `bands`: of the scene with one slice each.
+///
+/// With T(d) the in-band transmittance for grey light and for that of a body of 300 K, and L(d) the
+/// path radiance, the change over the extent is the larger of |ln T(near) / T(far)| and of
+/// |L(far) - L(near)| in terms of what arrives. Where it is a small part of the optical depth of
+/// the whole path, as most extents are, that is seen without asking the air again. Between the
+/// nodes of slices radiance is linear in range: with a change c over a slice at most c^2 / 8 is
+/// wrong. Air that answers for the path to the reference point alone is not sliced.
+void planSlicesOf(AirAnswers& air, const std::vector<SampledBand>& bands, std::size_t number,
+                  const RenderSettings& settings, ObjectGeometry& geometry);
+
+} // namespace irsg

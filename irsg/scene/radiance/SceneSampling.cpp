@@ -1,0 +1,145 @@
+#include "irsg/scene/radiance/SceneSampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Quadrature.h"
+
+namespace irsg {
+
+namespace {
+
+/// Colder bodies give nothing that a float keeps, in any band this program has data for.
+constexpr double coldestThatMatters_K = 30.0;
+/// Temperatures that share a quadrature: it is made for the coldest of them.
+constexpr double coldestStep_K = 10.0;
+
+double scaleOf(const std::map<int, double>& scales, int index) {
+    const auto found = scales.find(index);
+    return found == scales.end() ? 1.0 : found->second;
+}
+
+/// The coldest surface decides how fine the quadrature must be.
+double coldest_K(const AirAnswers& answers, const AirScene& scene) {
+    double coldest_K = 300.0;
+    std::vector<double> ambient_K;
+    for (const ObjectGeometry& object : scene.geometry)
+        ambient_K.push_back(ambientOf(answers, object).value);
+    for (const auto& [e, codes] : surfaceKeys(scene.entities)) {
+        const auto index = static_cast<std::size_t>(e);
+        const SurfaceInput input =
+            surfaceInput(scene.entities[index], codes, scene.geometry[index], ambient_K[index]);
+        if (input.temperature->mode == EmissionMode::temperature)
+            coldest_K = std::min(coldest_K, surfaceTemperature_K(input));
+    }
+    return std::max(coldestStep_K * std::floor(coldest_K / coldestStep_K), coldestThatMatters_K);
+}
+
+/// The spectra of a scene's surfaces, for their kinks.
+void addSurfaceSpectra(const std::vector<Entity>& entities, std::vector<const Spectrum*>& spectra) {
+    for (const auto& [e, codes] : surfaceKeys(entities)) {
+        const Entity& entity = entities[static_cast<std::size_t>(e)];
+        if (const Material* material = materialEntry(entity, codes.material)) {
+            spectra.push_back(&material->emissivity);
+            spectra.push_back(&material->transmissivity);
+        }
+        if (const TemperatureEntry* entry = temperatureEntry(entity, codes.temperature))
+            if (const UserSpectrum* user = userSpectrumOf(entity, *entry))
+                for (const SpectrumComponent& component : user->components)
+                    spectra.push_back(&component.radiance);
+    }
+}
+
+SampledBand sampledBand(AirAnswers& answers, const AirScene& scene,
+                        std::shared_ptr<const SpectralSampling> sampling) {
+    SampledBand band;
+    band.air = sceneAir(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
+                        scene.centre, sampling);
+    band.outputs = {{0, sampling->size()}};
+    band.sample = [sampling](const Spectrum& spectrum) { return sampling->sampled(spectrum); };
+    band.sampling = std::move(sampling);
+    return band;
+}
+
+} // namespace
+
+std::vector<SurfaceKey> surfaceKeys(const std::vector<Entity>& entities) {
+    std::vector<SurfaceKey> keys;
+    for (std::size_t e = 0; e < entities.size(); ++e)
+        for (const auto& [codes, use] : entities[e].model->codes())
+            keys.emplace_back(static_cast<int>(e), codes);
+    return keys;
+}
+
+SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
+                          const ObjectGeometry& geometry, double ambient_K) {
+    SurfaceInput input;
+    input.temperature = temperatureEntry(entity, codes.temperature);
+    input.material = materialEntry(entity, codes.material);
+    if (!input.temperature || !input.material)
+        throw LogicError("a surface without an entry reached the radiometry");
+    input.userSpectrum = userSpectrumOf(entity, *input.temperature);
+    input.state = entity.state;
+    input.state.altitude_m = geometry.path.targetAltitude_m;
+    input.state.ambient_K = ambient_K;
+    input.state.aspectAngle_rad = geometry.aspectAngle_rad;
+    input.temperatureScale = scaleOf(entity.temperatureScale, codes.temperature);
+    input.emissivityScale = scaleOf(entity.emissivityScale, codes.material);
+    return input;
+}
+
+std::shared_ptr<const SpectralSampling>
+SceneSampling::quadrature(AirAnswers& answers, const AirScene& scene, const Band& band) {
+    std::vector<const Spectrum*> spectra =
+        airSpectra(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
+                   scene.centre, band.range());
+    addSurfaceSpectra(scene.entities, spectra);
+    std::ranges::sort(spectra);
+    spectra.erase(std::ranges::unique(spectra).begin(), spectra.end());
+    std::vector<double> edges_um = mergeAxes(spectra, band.range());
+    const double finest_K = coldest_K(answers, scene);
+
+    const auto known = std::ranges::find_if(kept_, [&](const Kept& kept) {
+        return kept.band == band && kept.coldest_K == finest_K && kept.edges_um == edges_um;
+    });
+    if (known != kept_.end()) {
+        std::rotate(kept_.begin(), known, known + 1);
+        return kept_.front().sampling;
+    }
+    if (kept_.size() >= mostKept)
+        kept_.pop_back();
+    auto made = std::make_shared<const SpectralQuadrature>(band, spectra, finest_K);
+    kept_.insert(kept_.begin(), Kept{band, finest_K, std::move(edges_um), std::move(made)});
+    return kept_.front().sampling;
+}
+
+SampledBand SceneSampling::spectral(AirAnswers& answers, const AirScene& scene, const Band& band) {
+    SampledBand made = sampledBand(answers, scene, quadrature(answers, scene, band));
+    made.area_um = band.area_um();
+    return made;
+}
+
+SampledBand SceneSampling::wideband(AirAnswers& answers, const AirScene& scene,
+                                    const std::shared_ptr<const WidebandTerms>& terms) {
+    SampledBand made = sampledBand(answers, scene, terms->sampling());
+    made.sample = [terms](const Spectrum& spectrum) { return terms->sampled(spectrum); };
+    made.area_um = made.sampling->area_um();
+    made.air.answeredBy.insert(made.air.answeredBy.begin(), terms->description());
+    return made;
+}
+
+SampledBand SceneSampling::wavelengths(AirAnswers& answers, const AirScene& scene,
+                                       const std::vector<double>& wavelengths_um) {
+    if (wavelengths_um.empty())
+        throw LogicError("a spectrum without wavelengths was asked for");
+    SampledBand made =
+        sampledBand(answers, scene, std::make_shared<const SpectralPoints>(wavelengths_um));
+    made.area_um = made.sampling->range().width_um();
+    made.outputs.clear();
+    for (std::size_t i = 0; i < wavelengths_um.size(); ++i)
+        made.outputs.emplace_back(i, i + 1);
+    return made;
+}
+
+} // namespace irsg

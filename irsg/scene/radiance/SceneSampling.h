@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "irsg/radiometry/Band.h"
+#include "irsg/scene/radiance/SceneAir.h"
+#include "irsg/scene/radiance/WidebandTerms.h"
+
+namespace irsg {
+
+/// A band, or a set of wavelengths, with the nodes that its quantities are summed at and the air of
+/// a scene there.
+struct SampledBand {
+    std::shared_ptr<const SpectralSampling> sampling;
+    /// Nodes that are summed together, first and behind the last: all of a band, or one each.
+    std::vector<std::pair<std::size_t, std::size_t>> outputs;
+    /// Brings a surface's spectrum to the nodes.
+    SpectrumSampler sample;
+    double area_um = 0.0; ///< of the response, or of the interval of the wavelengths
+    SceneAir air;
+};
+
+/// A scene as its air sees it.
+struct AirScene {
+    const RadianceTerms& terms;
+    const std::vector<Entity>& entities;
+    const std::vector<ObjectGeometry>& geometry;
+    const RenderSettings& settings;
+    LineOfSight centre; ///< through the middle of the field
+};
+
+/// The samplings of bands, kept while their spectra stay what they are.
+class SceneSampling {
+  public:
+    /// In the spectral mode: Gauss points between the kinks of all spectra of the scene.
+    std::shared_ptr<const SpectralSampling> quadrature(AirAnswers& answers, const AirScene& scene,
+                                                       const Band& band);
+
+    SampledBand spectral(AirAnswers& answers, const AirScene& scene, const Band& band);
+    /// In the wideband mode: a node is a term, and spectra are means over its bin.
+    static SampledBand wideband(AirAnswers& answers, const AirScene& scene,
+                                const std::shared_ptr<const WidebandTerms>& terms);
+    /// For spectra: each of the ascending wavelengths is an output.
+    static SampledBand wavelengths(AirAnswers& answers, const AirScene& scene,
+                                   const std::vector<double>& wavelengths_um);
+
+  private:
+    static constexpr std::size_t mostKept = 256;
+
+    struct Kept {
+        Band band;
+        double coldest_K;
+        std::vector<double> edges_um; ///< of the panels: the kinks of all spectra
+        std::shared_ptr<const SpectralSampling> sampling;
+    };
+    std::vector<Kept> kept_; // latest first
+};
+
+/// The surfaces of a scene, entity by entity, codes ascending; the rows of a drawing.
+std::vector<SurfaceKey> surfaceKeys(const std::vector<Entity>& entities);
+
+/// What is known of a surface of a scene before its air: entry, material, state and scales.
+/// LogicError for one without an entry: the scene check names those.
+SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
+                          const ObjectGeometry& geometry, double ambient_K);
+
+} // namespace irsg
