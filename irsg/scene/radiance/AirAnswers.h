@@ -31,15 +31,21 @@ class AirAnswers {
     long asked() const { return asked_; }
 
   private:
-    /// Numbers that are kept from case to case (32 MiB): a sweep of some thousand paths would fill
-    /// memory.
+    /// Numbers that are kept from case to case (32 MiB), since a sweep of some thousand paths would
+    /// fill memory; of more, those of the last case alone.
     static constexpr std::size_t mostKept = std::size_t{1} << 22;
 
     Environment environment_;
-    std::map<std::pair<AirKey, std::pair<double, double>>, Answer<Spectrum>> spectra_;
-    std::map<std::pair<AirKey, const SpectralSampling*>, Answer<std::vector<double>>> samples_;
+    template <typename Value>
+    struct Kept {
+        Answer<Value> answer;
+        long used = 0; ///< the case that asked for it last
+    };
+    std::map<std::pair<AirKey, std::pair<double, double>>, Kept<Spectrum>> spectra_;
+    std::map<std::pair<AirKey, const SpectralSampling*>, Kept<std::vector<double>>> samples_;
     std::vector<std::shared_ptr<const SpectralSampling>> samplings_; // those of samples_
-    std::size_t numbers_ = 0;                                        // in all answers
+    long case_ = 0;
+    std::size_t numbers_ = 0; // in all answers
     long asked_ = 0;
 };
 
