@@ -53,6 +53,13 @@ class Irsg {
     RenderReport measure();
     /// The same in several bands, from the same drawings.
     std::vector<RenderReport> measure(const std::vector<Band>& bands);
+    /// Begins measure() of the present values, see Renderer::begin.
+    std::shared_ptr<Renderer::Begun> beginMeasure(const std::vector<Band>& bands) {
+        return renderer_->begin(scene_, view_, bands);
+    }
+    std::vector<RenderReport> finishMeasure(const std::shared_ptr<Renderer::Begun>& begun) {
+        return renderer_->finish(begun);
+    }
     /// The same, per wavelength; computed in the spectral mode, whichever is set.
     IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1);
     /// What measure() would say of all objects together, as a function of scales. The entities'

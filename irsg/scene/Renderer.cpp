@@ -73,6 +73,7 @@ Renderer::Renderer(const RadianceTerms& terms) : parts_(std::make_unique<Parts>(
         throw LogicError("a list of terms has 1 to 7 drawn factors");
 }
 Renderer::~Renderer() {
+    parts_->view.reset();
     parts_->context.run([&](osg::RenderInfo&) { parts_->pass.reset(); });
 }
 
@@ -112,6 +113,18 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Want
                 "not for its wavelength");
     }
     return result;
+}
+
+std::shared_ptr<Renderer::Begun> Renderer::begin(const Scene& scene, const SensorView& view,
+                                                 const std::vector<Band>& bands) {
+    auto begun =
+        std::make_shared<Begun>(*parts_, scene, view, Wanted{.reports = true, .bands = bands});
+    begun->drawing = parts_->beginFactors(begun->frame);
+    return begun;
+}
+
+std::vector<RenderReport> Renderer::finish(const std::shared_ptr<Begun>& begun) {
+    return parts_->reports(begun->frame, parts_->factorsOf(begun->frame, *begun->drawing));
 }
 
 void Renderer::Parts::renderImage(const Frame& frame, const Wanted& wanted, Rendered& result) {
@@ -162,9 +175,10 @@ void Renderer::Parts::renderImage(const Frame& frame, const Wanted& wanted, Rend
         addTruthLayers(frame, result.image);
 }
 
-std::vector<RenderReport> Renderer::Parts::reports(const Frame& frame) {
-    const ViewFactors& factors = factorsOf(frame);
+std::vector<RenderReport> Renderer::Parts::reports(const Frame& frame, const ViewFactors& factors) {
     return timed("evaluation", [&] {
+        // Frames share evaluated scenes, and another may have been begun since.
+        frame.evaluated->radiances.setBackground(frame.uniform_W_m2_sr);
         std::vector<int> varying;
         int number = 0;
         for (const FrameBackground& background : frame.backgrounds)

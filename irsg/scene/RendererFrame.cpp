@@ -92,7 +92,8 @@ void Renderer::Parts::evaluate(Frame& frame) {
             add(frame.warnings, band.air.warnings);
         }
         frame.evaluated = radiometry.of(terms, frame.scene.entities, frame.geometry, bands, fronts);
-        frame.evaluated->radiances.setBackground(backgroundOf(bands, frame.scene.settings));
+        frame.uniform_W_m2_sr = backgroundOf(bands, frame.scene.settings);
+        frame.evaluated->radiances.setBackground(frame.uniform_W_m2_sr);
         drawBackgrounds(frame, bands);
         fillRows(frame);
         fillItems(frame);
@@ -264,14 +265,12 @@ std::vector<ImageRectangle> Renderer::Parts::detailsOf(const Frame& frame,
     if (parts.empty())
         return details;
     onContext([&](osg::RenderInfo& info) {
-        DrawnLayers drawn;
         FactorSamples samples;
         const SampleWindow probe = probeOf(parts, entity);
         SurfaceScene scene = sceneOf(frame, camera, probe);
         std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
         scene.occluders.clear();
-        pass->drawFactors(info, scene, probe, true, drawn);
-        gatherLayers(drawn, frame.scene.settings.maximumLayers, samples);
+        pass->drawFactors(info, scene, probe, true, samples);
         for (const HotPart& part : parts)
             if (!isHidden(part, probe, samples))
                 details.push_back(part.extent);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "irsg/scene/draw/OffscreenContext.h"
 #include "irsg/scene/draw/Stopwatch.h"
 #include "irsg/scene/draw/SurfacePass.h"
+#include "irsg/scene/draw/WindowStream.h"
 #include "irsg/scene/radiance/AirAnswers.h"
 #include "irsg/scene/radiance/PointSources.h"
 #include "irsg/scene/radiance/RadiometryCache.h"
@@ -36,6 +38,7 @@ struct Renderer::Parts {
     std::unique_ptr<SurfacePass> pass; // made and destroyed on the context's thread
     const RadianceTerms& terms;
     std::vector<StageTimes::Stage> stages;
+    WindowStream windows{context};
 
     PreparedEntities prepared;
     ZoomAntialiasingManager antialiasing;
@@ -56,12 +59,9 @@ struct Renderer::Parts {
         std::string shader;
         bool operator==(const ViewKey&) const = default;
     };
-    /// The factors of the last view, and the backgrounds that vary over it.
-    struct {
-        std::optional<ViewKey> key;
-        std::vector<FrameBackground> varying;
-        ViewFactors factors;
-    } view;
+    struct FactorDrawing;
+    /// The factors of the view that was begun last.
+    std::shared_ptr<FactorDrawing> view;
     /// The details of the last view, by entity.
     struct {
         std::optional<ViewKey> key;
@@ -96,6 +96,7 @@ struct Renderer::Parts {
         LineOfSight centre; ///< through the middle of the field, unbounded
         std::vector<std::string> answeredBy, warnings;
         std::shared_ptr<EvaluatedScene> evaluated;
+        std::vector<double> uniform_W_m2_sr; ///< background as evaluated radiances have it, by band
         std::vector<FrameBackground> backgrounds; // by band
         BackgroundReport backgroundReport;
         std::vector<SurfaceItem> items;     // of all objects, in their model axes until sceneOf
@@ -153,6 +154,7 @@ struct Renderer::Parts {
 
     // RendererDrawing.cpp
     void onContext(const std::function<void(osg::RenderInfo&)>& work);
+    void readyPass(osg::RenderInfo& info);
     int largestDrawing() const;
     FactorShader factorShader(const Frame& frame, const CameraFrame& camera) const;
     /// What of the scene stands in a window as a camera sees it, between the depths it spans.
@@ -165,15 +167,24 @@ struct Renderer::Parts {
                                   std::vector<std::string>& warnings, int& layersLeftOver);
     std::vector<SampledWindow> sampledWindows(const Frame& frame,
                                               const std::vector<DrawnWindow>& drawn) const;
-    /// Draws the factors of objects' windows and gives samples to `sink`, whose time counts as
-    /// `stage`.
-    void
-    drawFactorWindows(const Frame& frame, const std::vector<ZoomEntityInfo>& objects,
-                      bool withDistance, const char* stage,
-                      const std::function<void(const SampleWindow&, const FactorSamples&)>& sink);
+    using TakeWindow = std::function<void(const SampleWindow&, const FactorSamples&)>;
+    /// Begins to draw the factors of objects' windows and to give their samples to `take`, on other
+    /// threads; the frame must live until it is done.
+    std::future<WindowStream::Seconds> beginWindows(const Frame& frame,
+                                                    const std::vector<ZoomEntityInfo>& objects,
+                                                    bool withDistance, TakeWindow take);
+    /// Waits for it. Of the time that others took, what was waited for counts, by stages in
+    /// proportion; that of `take` is called `stage`.
+    void waitFor(std::future<WindowStream::Seconds>& windows, const char* stage);
+    void drawFactorWindows(const Frame& frame, const std::vector<ZoomEntityInfo>& objects,
+                           bool withDistance, const char* stage, TakeWindow take);
+
+    // RendererFactors.cpp
     ViewKey viewKey(const Frame& frame) const;
+    /// Begins to draw the factors of a view, unless they are known or under way.
+    std::shared_ptr<FactorDrawing> beginFactors(const Frame& frame);
+    const ViewFactors& factorsOf(const Frame& frame, FactorDrawing& drawing);
     const ViewFactors& factorsOf(const Frame& frame);
-    static std::vector<const FrameBackground*> varyingBackgrounds(const Frame& frame);
     /// Factors of a point source at unit distance, kept for its aspect.
     const FactorField<double>& pointFactors(const Frame& frame, const ZoomEntityInfo& object);
     PointPlace placeOf(const Frame& frame, const ZoomEntityInfo& object) const;
@@ -181,12 +192,48 @@ struct Renderer::Parts {
 
     // Renderer.cpp
     void fillReport(const Frame& frame, std::size_t band, RenderReport& report) const;
-    std::vector<RenderReport> reports(const Frame& frame);
+    std::vector<RenderReport> reports(const Frame& frame, const ViewFactors& factors);
+    std::vector<RenderReport> reports(const Frame& frame) {
+        return reports(frame, factorsOf(frame));
+    }
     double totalIrradiance_W_m2(const Frame& frame, std::size_t band, double contrast_W_m2);
     double frameProjectedSolidAngle_sr(const Sensor& sensor);
     void describe(const Frame& frame, RadianceImage& image) const;
     void renderImage(const Frame& frame, const Wanted& wanted, Rendered& result);
     IntensitySpectrum spectrum(const Frame& frame, const Wanted& wanted, Rendered& result);
+};
+
+/// The factors of a view and how far they are.
+struct Renderer::Parts::FactorDrawing {
+    ViewKey key;
+    std::vector<FrameBackground> varying; // backgrounds that vary over the view
+    Fronts fronts;                        // of its own, as it is summed on another thread
+    std::optional<FactorSums> sums;
+    std::future<WindowStream::Seconds> windows; // until they were waited for
+    ViewFactors factors; // with the renderer's numbers of fronts from then on
+
+    ~FactorDrawing() {
+        if (windows.valid())
+            windows.wait();
+    }
+};
+
+/// Reports that were begun.
+struct Renderer::Begun {
+    Begun(Parts& of, Scene ofScene, SensorView ofView, Wanted ofWanted)
+        : scene(std::move(ofScene)),
+          view(std::move(ofView)),
+          wanted(std::move(ofWanted)),
+          frame(of.frame(scene, view, wanted)) {}
+    Begun(const Begun&) = delete;
+    Begun& operator=(const Begun&) = delete;
+    ~Begun() { drawing.reset(); }
+
+    const Scene scene;
+    const SensorView view;
+    const Wanted wanted;
+    const Parts::Frame frame; // of these
+    std::shared_ptr<Parts::FactorDrawing> drawing;
 };
 
 } // namespace irsg

@@ -1,6 +1,9 @@
 #include "smatcore/analysis/AnalysisGenerator.h"
 
 #include <chrono>
+#include <functional>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -44,9 +47,8 @@ void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan
 }
 
 /// One case of a sweep, in every band.
-void measureCase(AnalysisData& data, const SceneDescription& scene, ImageSource& source,
-                 const AnalysisCase& one, SweepTable& table, CaseWarnings& warnings) {
-    const std::vector<irsg::RenderReport> reports = source.measure(scene.allBands());
+void addReports(AnalysisData& data, const ImageSource::Reports& reports, const AnalysisCase& one,
+                SweepTable& table, CaseWarnings& warnings) {
     for (const irsg::RenderReport& report : reports) {
         addNew(data.answeredBy, report.answeredBy);
         warnings.addReport(report, data.settings.integer("render.layers"));
@@ -60,6 +62,57 @@ std::string caseName(const AnalysisPlan& plan, const AnalysisCase& one) {
     }
     return fmt::format("{}: {} {}", name(plan.kind), irsg::info(plan.coordinate).key,
                        plan.place(one));
+}
+
+bool isSweep(AnalysisKind kind) {
+    return kind != AnalysisKind::image && kind != AnalysisKind::spectrum;
+}
+
+/// What a case set, and what is to be said of it.
+struct CaseSetUp {
+    const AnalysisCase* one = nullptr;
+    std::vector<irsg::Pose> poses; ///< by entity
+    irsg::Viewpoint viewpoint;
+    std::vector<std::string> sentences;
+    std::function<ImageSource::Reports()> reports; ///< of a sweep: what was begun
+};
+
+/// Sets a case; `standing` is the target's pose as the scene has it.
+CaseSetUp setUp(ImageSource& source, const SceneDescription& scene, const AnalysisCase& one,
+                const irsg::Pose& standing, const std::vector<irsg::Vec3>& inModel) {
+    CaseSetUp set;
+    set.one = &one;
+    for (const irsg::Entity& entity : scene.entities) {
+        set.poses.push_back(entity.pose);
+    }
+    set.poses.front() = one.pose(standing, inModel.front());
+    source.setPose(0, set.poses.front());
+    set.viewpoint = one.viewpoint(standing.toWorld(inModel.front()));
+    source.setViewpoint(set.viewpoint);
+    for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+        const irsg::Entity& entity = scene.entities[i];
+        irsg::EntityState state = entity.state;
+        state.time_s = one.time_s;
+        source.setState(i, state);
+        for (std::string& sentence :
+             heldTables(entity, state, set.poses[i], set.poses[i].toWorld(inModel[i]),
+                        set.viewpoint.position_m)) {
+            set.sentences.push_back(std::move(sentence));
+        }
+    }
+    return set;
+}
+
+void addSetUp(const SceneDescription& scene, AnalysisKind kind, const std::string& place,
+              const CaseSetUp& set, CaseWarnings& warnings) {
+    warnings.beginCase(place);
+    // An image shows what it cuts off; a plot does not.
+    if (kind != AnalysisKind::image) {
+        warnings.addObjectsBeyondFrame(scene, set.poses, set.viewpoint);
+    }
+    for (const std::string& sentence : set.sentences) {
+        warnings.add(sentence);
+    }
 }
 
 } // namespace
@@ -120,50 +173,49 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             data.warnings = before;
             addNew(data.warnings, warnings.sentences());
         };
+        // A case of a sweep is finished when the next one has been begun: drawing never waits.
+        std::optional<CaseSetUp> begun;
+        const auto finish = [&](const CaseSetUp& set) {
+            addSetUp(scene, data.kind, cases.place(*set.one), set, warnings);
+            if (data.kind == AnalysisKind::image) {
+                drawImage(data, scene, source_, *set.one, table, warnings);
+            } else if (data.kind == AnalysisKind::spectrum) {
+                measureSpectrum(data, source_, cases, table, warnings);
+            } else {
+                addReports(data, set.reports(), *set.one, table, warnings);
+            }
+            tellWarnings();
+            ++done;
+        };
+        const auto finishBegun = [&] {
+            if (begun) {
+                finish(*std::exchange(begun, std::nullopt));
+            }
+        };
         for (const AnalysisCase& one : cases.cases) {
             if (progress) {
-                progress({done, cases.cases.size(), elapsed_s(), caseName(cases, one)});
+                progress({done + (begun ? 1 : 0), cases.cases.size(), elapsed_s(),
+                          caseName(cases, one)});
             }
             if (stop.stop_requested()) {
                 break;
             }
             logDebug(caseName(cases, one));
-
-            warnings.beginCase(cases.place(one));
-            std::vector<irsg::Pose> poses;
-            for (const irsg::Entity& entity : scene.entities) {
-                poses.push_back(entity.pose);
+            CaseSetUp set = setUp(source_, scene, one, standing, inModel);
+            if (!isSweep(data.kind)) {
+                finish(set);
+                continue;
             }
-            poses.front() = one.pose(standing, inModel.front());
-            source_.setPose(0, poses.front());
-            const irsg::Viewpoint viewpoint = one.viewpoint(referencePoint);
-            source_.setViewpoint(viewpoint);
-            // An image shows what it cuts off; a plot does not.
-            if (data.kind != AnalysisKind::image) {
-                warnings.addObjectsBeyondFrame(scene, poses, viewpoint);
+            try {
+                set.reports = source_.beginMeasure(scene.allBands());
+            } catch (...) {
+                finishBegun();
+                throw;
             }
-            for (std::size_t i = 0; i < scene.entities.size(); ++i) {
-                const irsg::Entity& entity = scene.entities[i];
-                irsg::EntityState state = entity.state;
-                state.time_s = one.time_s;
-                source_.setState(i, state);
-                for (const std::string& sentence :
-                     heldTables(entity, state, poses[i], poses[i].toWorld(inModel[i]),
-                                viewpoint.position_m)) {
-                    warnings.add(sentence);
-                }
-            }
-
-            if (data.kind == AnalysisKind::image) {
-                drawImage(data, scene, source_, one, table, warnings);
-            } else if (data.kind == AnalysisKind::spectrum) {
-                measureSpectrum(data, source_, cases, table, warnings);
-            } else {
-                measureCase(data, scene, source_, one, table, warnings);
-            }
-            tellWarnings();
-            ++done;
+            finishBegun();
+            begun = std::move(set);
         }
+        finishBegun();
         if (progress) {
             progress({done, cases.cases.size(), elapsed_s(), name(data.kind)});
         }

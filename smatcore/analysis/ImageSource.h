@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -49,6 +50,12 @@ class ImageSource {
     virtual irsg::RenderReport measure() = 0;
     /// A report for each of these bands, in place of the sensor's own, from the same drawing.
     virtual std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) = 0;
+    using Reports = std::vector<irsg::RenderReport>;
+    /// Begins measure() of what is set at present: drawing goes on while the caller sets the next
+    /// case. Called once, the result waits for the reports; it must not outlive this source.
+    virtual std::function<Reports()> beginMeasure(const std::vector<irsg::Band>& bands) {
+        return [reports = measure(bands)] { return reports; };
+    }
     virtual irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) = 0;
 
     /// The view as a function of scales: in the sensor's band, or, with wavenumbers, per

@@ -38,6 +38,9 @@ class IrsgImageSource : public ImageSource {
     std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) override {
         return irsg_.measure(bands);
     }
+    std::function<Reports()> beginMeasure(const std::vector<irsg::Band>& bands) override {
+        return [this, begun = irsg_.beginMeasure(bands)] { return irsg_.finishMeasure(begun); };
+    }
     irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) override {
         return irsg_.measureSpectrum(wavenumbers_cm1);
     }

@@ -1,12 +1,14 @@
 // What the factors of a view are kept in: fields, fronts, rows, and the walk through layers.
 #include "irsg/scene/radiance/FactorField.h"
 
+#include <bit>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/radiance/Fronts.h"
 #include "irsg/scene/radiance/LayerWalk.h"
 #include "irsg/scene/radiance/SurfaceRows.h"
@@ -28,14 +30,22 @@ struct Visit {
 
 std::vector<Visit> visitsOf(LayerWalk& walk, const std::vector<std::int32_t>& drawn,
                             const std::vector<float>& distances_m) {
+    // One sample whose layers were all listed, the nearest last.
     FactorSamples samples;
-    samples.first = {0, static_cast<std::uint32_t>(drawn.size())};
-    samples.rows = drawn;
-    samples.distances_m = distances_m;
+    samples.factorCount = 3;
+    samples.opaque = {0.0f, 0.0f, 0.0f, 0.0f};
+    for (std::size_t i = drawn.size(); i-- > 0;)
+        for (const float word :
+             {std::bit_cast<float>(0u), 1.0f / static_cast<float>(i + 1),
+              static_cast<float>(drawn[i] + 1), distances_m[i], 0.0f, 0.0f, 0.0f, 0.0f})
+            samples.words.push_back(word);
+    std::vector<float> room;
+    sortLayers(samples, 10, room);
     std::vector<Visit> visits;
-    walk.forEachLayer(samples, 0, [&](const FactorKind& kind, float weight, std::uint32_t) {
-        visits.push_back({kind, weight});
-    });
+    walk.forEachLayer(samples, 0,
+                      [&](const FactorKind& kind, float weight, const FactorSamples::Layer&) {
+                          visits.push_back({kind, weight});
+                      });
     return visits;
 }
 

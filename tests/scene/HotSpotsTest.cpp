@@ -175,12 +175,9 @@ TEST(HotSpots, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
     const auto samplesAt = [&](double distance_m) {
         FactorSamples samples;
         samples.width = probe.width(), samples.height = probe.height();
-        for (int i = 0; i < samples.width * samples.height; ++i) {
-            samples.first.push_back(static_cast<std::uint32_t>(i));
-            samples.rows.push_back(0);
-            samples.distances_m.push_back(static_cast<float>(distance_m));
-        }
-        samples.first.push_back(static_cast<std::uint32_t>(samples.rows.size()));
+        const auto count = static_cast<std::size_t>(samples.width * samples.height);
+        samples.opaque.assign(4 * count, 1.0f);
+        samples.distances_m.assign(count, static_cast<float>(distance_m));
         return samples;
     };
     EXPECT_TRUE(isHidden(part, probe, samplesAt(99.0)));

@@ -49,9 +49,9 @@ std::uint32_t FragmentList::count() const {
 }
 
 void FragmentList::read(std::uint32_t entries, int vectorsPerEntry,
-                        std::vector<std::uint32_t>& into) const {
+                        std::vector<float>& into) const {
     const GLsizeiptr bytes = bytesFor(entries, vectorsPerEntry);
-    into.resize(static_cast<std::size_t>(bytes) / sizeof(std::uint32_t));
+    into.resize(static_cast<std::size_t>(bytes) / sizeof(float));
     if (bytes == 0)
         return;
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, fragments_);

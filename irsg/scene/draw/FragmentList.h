@@ -25,7 +25,7 @@ class FragmentList {
     /// How many fragments were appended, also those that found no room.
     std::uint32_t count() const;
     /// The first `entries`, each 4 `vectorsPerEntry` words.
-    void read(std::uint32_t entries, int vectorsPerEntry, std::vector<std::uint32_t>& into) const;
+    void read(std::uint32_t entries, int vectorsPerEntry, std::vector<float>& into) const;
 
   private:
     GLuint counter_ = 0;

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 #include <numeric>
-#include <utility>
+#include <vector>
 
 #include "irsg/radiometry/ParallelFor.h"
 
@@ -15,135 +16,117 @@ namespace {
 /// Pieces that samples are divided into, whatever the number of cores.
 constexpr std::size_t parts = 16;
 
-float asFloat(std::uint32_t bits) {
-    return std::bit_cast<float>(bits);
+std::uint32_t bitsOf(float value) {
+    return std::bit_cast<std::uint32_t>(value);
 }
 
-/// Fragments of every sample next to each other, near to far. Only samples from `lowest` to before
-/// `highest` have any; of those, sample i owns fragments[first[i - lowest]] to before
-/// fragments[first[i - lowest + 1]], each the number of a fragment.
-struct Sorted {
-    std::size_t lowest = 0, highest = 0;
-    std::vector<std::uint32_t> first;
-    std::vector<std::uint32_t> fragments;
+/// One fragment: whole vectors of four words.
+void copyFragment(const float* from, std::size_t stride, float* to) {
+    for (std::size_t i = 0; i < stride; i += 4)
+        std::memcpy(to + i, from + i, 4 * sizeof(float));
+}
 
-    std::pair<std::uint32_t, std::uint32_t> of(std::size_t sample) const {
-        if (sample < lowest || sample >= highest)
-            return {0, 0};
-        return {first[sample - lowest], first[sample - lowest + 1]};
+/// The fragments of one sample, next to each other.
+class FragmentsOfSample {
+  public:
+    FragmentsOfSample(float* first, std::size_t count, std::size_t stride)
+        : first_(first), count_(count), stride_(stride) {}
+
+    /// By depth, and by value where depths are equal.
+    void sort(std::vector<float>& room) {
+        // A handful in runs that are sorted already, as a rule.
+        constexpr std::size_t few = 24;
+        if (count_ > few)
+            return sortMany(room);
+        room.resize(stride_);
+        for (std::size_t next = 1; next < count_; ++next) {
+            if (!isBefore(at(next), at(next - 1)))
+                continue;
+            copyFragment(at(next), stride_, room.data());
+            std::size_t place = next;
+            for (; place > 0 && isBefore(room.data(), at(place - 1)); --place)
+                copyFragment(at(place - 1), stride_, at(place));
+            copyFragment(room.data(), stride_, at(place));
+        }
     }
+
+  private:
+    float* at(std::size_t i) const { return first_ + i * stride_; }
+
+    bool isBefore(const float* a, const float* b) const {
+        if (a[1] != b[1])
+            return a[1] > b[1];
+        return std::lexicographical_compare(a + 2, a + stride_, b + 2, b + stride_,
+                                            [](float x, float y) { return bitsOf(x) < bitsOf(y); });
+    }
+
+    void sortMany(std::vector<float>& room) {
+        std::vector<std::size_t> order(count_);
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::ranges::sort(order,
+                          [&](std::size_t a, std::size_t b) { return isBefore(at(a), at(b)); });
+        room.assign(first_, at(count_));
+        for (std::size_t i = 0; i < count_; ++i)
+            copyFragment(room.data() + order[i] * stride_, stride_, at(i));
+    }
+
+    float* first_;
+    std::size_t count_, stride_;
 };
 
-Sorted sortFragments(const std::vector<std::uint32_t>& words, std::size_t wordsPerFragment) {
-    const std::size_t count = words.size() / wordsPerFragment;
-    Sorted sorted;
-    if (count == 0)
-        return sorted;
-    sorted.lowest = words[0];
+/// Brings the fragments of every sample next to each other: what follows reads them in order, where
+/// numbers of fragments would have it look all over the list.
+void gatherBySample(FactorSamples& samples, std::vector<float>& room) {
+    const std::size_t stride = samples.wordsPerFragment;
+    const std::size_t count = samples.words.size() / stride;
+    std::uint32_t lowest = bitsOf(samples.words[0]), highest = lowest;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t sample = words[i * wordsPerFragment];
-        sorted.lowest = std::min(sorted.lowest, sample);
-        sorted.highest = std::max(sorted.highest, sample + 1);
+        const std::uint32_t sample = bitsOf(samples.words[i * stride]);
+        lowest = std::min(lowest, sample);
+        highest = std::max(highest, sample);
     }
-    const std::size_t samples = sorted.highest - sorted.lowest;
+    samples.lowest = lowest;
+    samples.highest = highest + std::size_t{1};
 
-    // Counting sort by sample.
-    auto sampleOf = [&](std::size_t i) { return words[i * wordsPerFragment] - sorted.lowest; };
-    sorted.first.assign(samples + 1, 0);
+    // Where samples begin stands a place further up until their fragments have been put there.
+    samples.ends.assign(samples.highest - samples.lowest + 2, 0);
+    std::uint32_t* ends = samples.ends.data();
     for (std::size_t i = 0; i < count; ++i)
-        ++sorted.first[sampleOf(i) + 1];
-    std::partial_sum(sorted.first.begin(), sorted.first.end(), sorted.first.begin());
-    sorted.fragments.resize(count);
-    std::vector<std::uint32_t> next(sorted.first.begin(), sorted.first.end() - 1);
-    for (std::size_t i = 0; i < count; ++i)
-        sorted.fragments[next[sampleOf(i)]++] = static_cast<std::uint32_t>(i);
-
-    // A handful of layers each: by depth, and by value where depths are equal. Depths are positive
-    // floats, whose bits order as they do.
-    const auto isBefore = [&](std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t* wa = &words[a * wordsPerFragment];
-        const std::uint32_t* wb = &words[b * wordsPerFragment];
-        if (wa[1] != wb[1])
-            return wa[1] > wb[1];
-        return std::lexicographical_compare(wa + 2, wa + wordsPerFragment, wb + 2,
-                                            wb + wordsPerFragment);
-    };
-    parallelFor(parts, [&](std::size_t part) {
-        for (std::size_t i = beginOfPart(part, parts, samples);
-             i < beginOfPart(part + 1, parts, samples); ++i)
-            if (sorted.first[i + 1] - sorted.first[i] > 1)
-                std::sort(sorted.fragments.begin() + sorted.first[i],
-                          sorted.fragments.begin() + sorted.first[i + 1], isBefore);
-    });
-    return sorted;
+        ++ends[bitsOf(samples.words[i * stride]) - lowest + 2];
+    std::partial_sum(samples.ends.begin(), samples.ends.end(), samples.ends.begin());
+    room.resize(samples.words.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const float* fragment = &samples.words[i * stride];
+        copyFragment(fragment, stride, &room[ends[bitsOf(*fragment) - lowest + 1]++ * stride]);
+    }
+    samples.words.swap(room);
 }
-
-/// Layers of a part of the samples, numbered from 0.
-struct Part {
-    std::size_t begin = 0, end = 0;
-    std::size_t layers = 0;
-    int leftOver = 0;
-};
 
 } // namespace
 
-void gatherLayers(const DrawnLayers& drawn, int maximumLayers, FactorSamples& samples) {
-    const std::size_t count = drawn.opaque.size() / 4, factors = drawn.factorCount;
-    samples.width = drawn.width;
-    samples.height = drawn.height;
-    samples.factorCount = factors;
-    const Sorted sorted = sortFragments(drawn.words, drawn.wordsPerFragment);
-    const auto kept = static_cast<std::uint32_t>(maximumLayers);
-
-    // How many layers each sample has, then where they begin.
-    samples.first.assign(count + 1, 0);
-    std::array<Part, parts> all;
-    parallelFor(parts, [&](std::size_t p) {
-        Part& part = all[p];
-        part.begin = beginOfPart(p, parts, count);
-        part.end = beginOfPart(p + 1, parts, count);
-        for (std::size_t i = part.begin; i < part.end; ++i) {
-            const auto [begin, end] = sorted.of(i);
-            part.leftOver += end - begin > kept ? 1 : 0;
-            samples.first[i] = static_cast<std::uint32_t>(part.layers);
-            part.layers += std::min(end - begin, kept) + (drawn.opaque[4 * i] > 0.0f ? 1u : 0u);
-        }
-    });
-    std::size_t layers = 0;
+void sortLayers(FactorSamples& samples, int maximumLayers, std::vector<float>& room) {
+    samples.maximumLayers = static_cast<std::uint32_t>(maximumLayers);
     samples.layersLeftOver = 0;
-    std::array<std::size_t, parts> firstOf{};
-    for (std::size_t p = 0; p < parts; ++p) {
-        firstOf[p] = layers;
-        layers += all[p].layers;
-        samples.layersLeftOver += all[p].leftOver;
-    }
-    samples.first[count] = static_cast<std::uint32_t>(layers);
-    samples.rows.resize(layers);
-    samples.distances_m.resize(layers);
-    samples.factors.resize(layers * factors);
-
-    parallelFor(parts, [&](std::size_t p) {
-        for (std::size_t i = all[p].begin; i < all[p].end; ++i) {
-            auto layer = samples.first[i] += static_cast<std::uint32_t>(firstOf[p]);
-            auto [begin, end] = sorted.of(i);
-            end = std::min(end, begin + kept);
-            for (std::uint32_t k = begin; k < end; ++k, ++layer) {
-                const std::uint32_t* w = &drawn.words[sorted.fragments[k] * drawn.wordsPerFragment];
-                samples.rows[layer] = static_cast<std::int32_t>(asFloat(w[2])) - 1;
-                samples.distances_m[layer] = asFloat(w[3]);
-                for (std::size_t f = 0; f < factors; ++f)
-                    samples.factors[layer * factors + f] = asFloat(w[4 + f]);
-            }
-            const float* o = &drawn.opaque[4 * i];
-            if (!(o[0] > 0.0f))
-                continue;
-            samples.rows[layer] = static_cast<std::int32_t>(o[0]) - 1;
-            samples.distances_m[layer] = drawn.distances_m.empty() ? 0.0f : drawn.distances_m[i];
-            for (std::size_t f = 0; f < factors; ++f)
-                samples.factors[layer * factors + f] =
-                    f < 3 ? o[1 + f] : drawn.moreFactors[4 * i + f - 3];
+    samples.lowest = samples.highest = 0;
+    if (samples.words.empty())
+        return;
+    gatherBySample(samples, room);
+    std::array<int, parts> leftOver{};
+    parallelFor(parts, [&](std::size_t part) {
+        const std::size_t count = samples.highest - samples.lowest;
+        std::vector<float> own;
+        for (std::size_t i = beginOfPart(part, parts, count);
+             i < beginOfPart(part + 1, parts, count); ++i) {
+            const std::uint32_t begin = samples.ends[i], end = samples.ends[i + 1];
+            if (end - begin > samples.maximumLayers)
+                ++leftOver[part];
+            if (end - begin > 1)
+                FragmentsOfSample(&samples.words[begin * samples.wordsPerFragment], end - begin,
+                                  samples.wordsPerFragment)
+                    .sort(own);
         }
     });
+    samples.layersLeftOver = std::accumulate(leftOver.begin(), leftOver.end(), 0);
 }
 
 } // namespace irsg

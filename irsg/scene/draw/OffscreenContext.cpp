@@ -7,16 +7,14 @@
 #include <osg/State>
 
 #include <algorithm>
-#include <condition_variable>
 #include <cstdlib>
 #include <cstring>
-#include <exception>
-#include <mutex>
-#include <thread>
+#include <functional>
 #include <utility>
 #include <vector>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/TaskThread.h"
 
 namespace irsg {
 
@@ -145,16 +143,7 @@ struct OffscreenContext::Parts {
     std::string description;
     int maximumTargetSize = 0;
 
-    // One caller at a time hands its work over through `work`; the thread answers through
-    // `failure`.
-    std::mutex callers;
-    std::mutex mutex;
-    std::condition_variable changed;
-    const std::function<void(osg::RenderInfo&)>* work = nullptr;
-    bool done = false;
-    bool stop = false;
-    std::exception_ptr failure;
-    std::thread thread;
+    TaskThread thread;
 
     void open() {
         egl = new EglContext;
@@ -176,31 +165,7 @@ struct OffscreenContext::Parts {
         maximumTargetSize = std::min<GLint>(size, 16384);
     }
 
-    void loop() {
-        std::unique_lock lock(mutex);
-        try {
-            open();
-        } catch (...) {
-            failure = std::current_exception();
-        }
-        done = true;
-        changed.notify_all();
-
-        for (;;) {
-            changed.wait(lock, [&] { return work || stop; });
-            if (stop)
-                break;
-            failure = nullptr;
-            try {
-                (*work)(renderInfo);
-            } catch (...) {
-                failure = std::current_exception();
-            }
-            work = nullptr;
-            done = true;
-            changed.notify_all();
-        }
-
+    void close() {
         renderInfo.setState(nullptr);
         if (egl)
             egl->close(true);
@@ -215,38 +180,25 @@ OffscreenContext& OffscreenContext::shared() {
 }
 
 OffscreenContext::OffscreenContext() : parts_(std::make_unique<Parts>()) {
-    parts_->thread = std::thread([parts = parts_.get()] { parts->loop(); });
-    std::unique_lock lock(parts_->mutex);
-    parts_->changed.wait(lock, [&] { return parts_->done; });
-    if (!parts_->failure)
-        return;
-
-    std::exception_ptr failure = parts_->failure;
-    parts_->stop = true;
-    parts_->changed.notify_all();
-    lock.unlock();
-    parts_->thread.join();
-    std::rethrow_exception(failure);
+    try {
+        parts_->thread.post([this] { parts_->open(); }).get();
+    } catch (...) {
+        parts_->thread.post([this] { parts_->close(); }).get();
+        throw;
+    }
 }
 
 OffscreenContext::~OffscreenContext() {
-    {
-        std::lock_guard lock(parts_->mutex);
-        parts_->stop = true;
-        parts_->changed.notify_all();
-    }
-    parts_->thread.join();
+    parts_->thread.post([this] { parts_->close(); }).get();
+}
+
+std::future<void> OffscreenContext::post(std::function<void(osg::RenderInfo&)> work) {
+    return parts_->thread.post(
+        [parts = parts_.get(), work = std::move(work)] { work(parts->renderInfo); });
 }
 
 void OffscreenContext::run(const std::function<void(osg::RenderInfo&)>& work) {
-    std::lock_guard oneAtATime(parts_->callers);
-    std::unique_lock lock(parts_->mutex);
-    parts_->done = false;
-    parts_->work = &work;
-    parts_->changed.notify_all();
-    parts_->changed.wait(lock, [&] { return parts_->done; });
-    if (parts_->failure)
-        std::rethrow_exception(std::exchange(parts_->failure, nullptr));
+    post([&](osg::RenderInfo& info) { work(info); }).get();
 }
 
 const std::string& OffscreenContext::rendererDescription() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <string>
 
@@ -31,6 +32,8 @@ class OffscreenContext {
 
     /// Runs `work` on the context's thread and waits; what it throws is thrown here.
     void run(const std::function<void(osg::RenderInfo&)>& work);
+    /// The same without waiting: work is done in the order in which it comes.
+    std::future<void> post(std::function<void(osg::RenderInfo&)> work);
 
     /// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Compatibility Profile) Mesa 22.3.6".
     const std::string& rendererDescription() const;

@@ -260,7 +260,8 @@ void SurfacePass::drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene,
 }
 
 void SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
-                              const SampleWindow& window, bool withDistance, DrawnLayers& drawn) {
+                              const SampleWindow& window, bool withDistance,
+                              FactorSamples& samples) {
     Parts& p = *parts_;
     const Raster raster = rasterOf(scene, window);
     const bool manyFactors = scene.factors.factorCount > 3;
@@ -271,10 +272,10 @@ void SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
         listed = p.draw(info, scene, raster,
                         withDistance ? factorProductWithDistance : factorProduct, target);
     }
-    drawn.width = raster.width;
-    drawn.height = raster.height;
-    drawn.factorCount = scene.factors.factorCount;
-    drawn.wordsPerFragment = static_cast<std::size_t>(4 * vectorsOf(scene.factors));
+    samples.width = raster.width;
+    samples.height = raster.height;
+    samples.factorCount = scene.factors.factorCount;
+    samples.wordsPerFragment = static_cast<std::size_t>(4 * vectorsOf(scene.factors));
     Stopwatch watch(p.readSeconds);
     const auto read = [&](int plane, bool isThere, std::vector<float>& into) {
         if (isThere)
@@ -282,10 +283,10 @@ void SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
         else
             into.clear();
     };
-    read(0, true, drawn.opaque);
-    read(1, manyFactors, drawn.moreFactors);
-    read(manyFactors ? 2 : 1, withDistance, drawn.distances_m);
-    p.list.read(listed, vectorsOf(scene.factors), drawn.words);
+    read(0, true, samples.opaque);
+    read(1, manyFactors, samples.moreFactors);
+    read(manyFactors ? 2 : 1, withDistance, samples.distances_m);
+    p.list.read(listed, vectorsOf(scene.factors), samples.words);
 }
 
 std::size_t SurfacePass::bytes() const {

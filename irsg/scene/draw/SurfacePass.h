@@ -10,7 +10,6 @@
 #include <osg/Geometry>
 #include <osg/Matrixd>
 
-#include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/sampling/SampleWindow.h"
 #include "irsg/scene/sampling/Samples.h"
 #include "irsg/scene/view/CameraFrame.h"
@@ -20,9 +19,6 @@ class RenderInfo;
 }
 
 namespace irsg {
-
-/// Drawn factors that a shader has room for.
-inline constexpr std::size_t mostFactors = 7;
 
 /// What the shader is told of one kind of surface. Radiances are in-band, W m-2 sr-1.
 struct SurfaceRow {
@@ -67,7 +63,7 @@ struct SurfaceScene {
 };
 
 /// Draws surfaces into float targets. Opaque ones by depth; transparent ones into a list of
-/// fragments that gatherLayers sorts per sample, so that their order is exact also where they
+/// fragments that sortLayers sorts per sample, so that their order is exact also where they
 /// cross. Lives on the context's thread.
 class SurfacePass {
   public:
@@ -77,9 +73,9 @@ class SurfacePass {
     /// Radiances of rows; LogicError where an item is transparent.
     void drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene, const SampleWindow& window,
                       RadianceSamples& samples);
-    /// Factors of all layers; gatherLayers makes samples of them.
+    /// Factors of all layers, the transparent ones not sorted yet.
     void drawFactors(osg::RenderInfo& info, const SurfaceScene& scene, const SampleWindow& window,
-                     bool withDistance, DrawnLayers& drawn);
+                     bool withDistance, FactorSamples& samples);
 
     /// Memory of the targets and the list, which every drawing shares.
     std::size_t bytes() const;

@@ -70,16 +70,16 @@ class FactorField {
 
     /// Adds a field of equal width, entry by entry in its order. `cellOf(cell)` is the cell here of
     /// one there, `frontOf(front)` likewise.
-    template <typename CellOf, typename FrontOf>
-    void add(const FactorField& other, CellOf cellOf, FrontOf frontOf) {
+    template <typename Other, typename CellOf, typename FrontOf>
+    void add(const FactorField<Other>& other, CellOf cellOf, FrontOf frontOf) {
         std::vector<int> kinds;
-        for (const FactorKind& kind : other.kinds_)
+        for (const FactorKind& kind : other.kinds())
             kinds.push_back(kindOf({frontOf(kind.front), kind.row}));
-        for (std::size_t cell = 0; cell < other.heads_.size(); ++cell)
-            other.forEach(cell, [&](std::size_t kind, std::span<const Real> numbers) {
+        for (std::size_t cell = 0; cell < other.cells(); ++cell)
+            other.forEach(cell, [&](std::size_t kind, std::span<const Other> numbers) {
                 Real* sums = at(cellOf(cell), kinds[kind]);
                 for (std::size_t i = 0; i < width_; ++i)
-                    sums[i] += numbers[i];
+                    sums[i] += static_cast<Real>(numbers[i]);
             });
     }
 

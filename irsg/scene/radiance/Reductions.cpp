@@ -4,6 +4,7 @@
 #include <array>
 
 #include "irsg/radiometry/ParallelFor.h"
+#include "irsg/scene/radiance/LayerWalk.h"
 
 namespace irsg {
 
@@ -74,7 +75,7 @@ SampleRadiances::SampleRadiances(const SurfaceRows& rows, Fronts& fronts, KindRa
     : rows_(rows), fronts_(fronts), radiances_(radiances) {}
 
 void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& result) {
-    const std::size_t count = samples.first.size() - 1;
+    const std::size_t count = samples.size();
     result.width = samples.width;
     result.height = samples.height;
     result.layersLeftOver = samples.layersLeftOver;
@@ -91,9 +92,10 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
     parallelFor(parts, [&](std::size_t p) {
         for (std::size_t i = beginOfPart(p, parts, count); i < beginOfPart(p + 1, parts, count);
              ++i)
-            all[p].walk.forEachLayer(samples, i, [&](const FactorKind& kind, float, std::uint32_t) {
-                all[p].kinds.kindOf(kind);
-            });
+            all[p].walk.forEachLayer(
+                samples, i, [&](const FactorKind& kind, float, const FactorSamples::Layer&) {
+                    all[p].kinds.kindOf(kind);
+                });
     });
     const auto shared = [&](const Part& part, const FactorKind& kind) {
         return FactorKind{fronts_.numberOf(part.walk.fronts().materials(kind.front)), kind.row};
@@ -113,13 +115,13 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
              ++i) {
             double sent = 0.0, opacity = 0.0;
             part.walk.forEachLayer(
-                samples, i, [&](const FactorKind& kind, float weight, std::uint32_t layer) {
+                samples, i,
+                [&](const FactorKind& kind, float weight, const FactorSamples::Layer& layer) {
                     const KindRadiance& radiance =
                         part.radiances[static_cast<std::size_t>(part.kinds.kindOf(kind))];
-                    const auto factors = samples.factorsOf(layer);
                     double own = radiance.constant;
-                    for (std::size_t f = 0; f < factors.size(); ++f)
-                        own += radiance.perFactor[f] * static_cast<double>(factors[f]);
+                    for (std::size_t f = 0; f < layer.factors.size(); ++f)
+                        own += radiance.perFactor[f] * static_cast<double>(layer.factors[f]);
                     sent += static_cast<double>(weight) * own;
                     opacity += static_cast<double>(weight) * radiance.opacity;
                 });

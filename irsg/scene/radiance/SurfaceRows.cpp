@@ -4,18 +4,24 @@
 
 namespace irsg {
 
-SurfaceRows::SurfaceRows(std::vector<SurfaceKey> keys, std::vector<bool> transparent,
+SurfaceRows::SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& transparent,
                          std::vector<SliceNodes> slices)
-    : keys_(std::move(keys)), transparent_(std::move(transparent)), slices_(std::move(slices)) {
+    : keys_(std::move(keys)), slices_(std::move(slices)) {
     isSliced_ =
         std::ranges::any_of(slices_, [](const SliceNodes& nodes) { return nodes.size() > 1; });
-    first_.push_back(0);
-    for (const auto& [entity, codes] : keys_) {
-        const auto rows = static_cast<int>(
-            std::max<std::size_t>(slices_[static_cast<std::size_t>(entity)].size(), 1));
-        drawnOf_.insert(drawnOf_.end(), static_cast<std::size_t>(rows),
-                        static_cast<int>(first_.size()) - 1);
-        first_.push_back(first_.back() + rows);
+    for (std::size_t drawn = 0; drawn < keys_.size(); ++drawn) {
+        const SliceNodes& nodes_m = slices_[static_cast<std::size_t>(keys_[drawn].first)];
+        Drawn& own = drawn_.emplace_back();
+        own.isTransparent = transparent[drawn];
+        own.first = size();
+        if (nodes_m.size() > 1) {
+            own.lastSlice = static_cast<int>(nodes_m.size()) - 2;
+            own.nearest_m = nodes_m.front();
+            own.slicesPerMetre =
+                static_cast<double>(nodes_m.size() - 1) / (nodes_m.back() - nodes_m.front());
+        }
+        drawnOf_.insert(drawnOf_.end(), std::max<std::size_t>(nodes_m.size(), 1),
+                        static_cast<int>(drawn));
     }
 }
 

@@ -22,19 +22,21 @@ class SurfaceRows {
   public:
     SurfaceRows() = default;
     /// `transparent`: by key. `slices`: by entity.
-    SurfaceRows(std::vector<SurfaceKey> keys, std::vector<bool> transparent,
+    SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& transparent,
                 std::vector<SliceNodes> slices);
 
     const std::vector<SurfaceKey>& keys() const { return keys_; }
-    bool isTransparent(int drawn) const { return transparent_[static_cast<std::size_t>(drawn)]; }
+    bool isTransparent(int drawn) const {
+        return drawn_[static_cast<std::size_t>(drawn)].isTransparent;
+    }
     FrontMaterial material(int drawn) const {
         const auto& [entity, codes] = keys_[static_cast<std::size_t>(drawn)];
         return {entity, codes.material};
     }
     /// The first of a drawn row's rows.
-    int first(int drawn) const { return first_[static_cast<std::size_t>(drawn)]; }
+    int first(int drawn) const { return drawn_[static_cast<std::size_t>(drawn)].first; }
     /// Number of all rows.
-    int size() const { return first_.empty() ? 0 : first_.back(); }
+    int size() const { return static_cast<int>(drawnOf_.size()); }
     int drawnOf(int row) const { return drawnOf_[static_cast<std::size_t>(row)]; }
     /// 0 for the nearest node.
     int nodeOf(int row) const { return row - first(drawnOf(row)); }
@@ -46,37 +48,32 @@ class SurfaceRows {
     /// one of weight 1, or the two nodes around it, between which radiance is linear.
     template <typename Visit>
     void forEachRow(int drawn, float distance_m, Visit visit) const {
-        const int row = first(drawn);
-        if (!isSliced_)
-            return visit(row, 1.0f);
-        const auto& nodes_m =
-            slices_[static_cast<std::size_t>(keys_[static_cast<std::size_t>(drawn)].first)];
-        if (nodes_m.size() < 2)
-            return visit(row, 1.0f);
-        const auto [node, part] = nodeAt(nodes_m, static_cast<double>(distance_m));
-        visit(row + node, 1.0f - part);
-        visit(row + node + 1, part);
+        const Drawn& own = drawn_[static_cast<std::size_t>(drawn)];
+        if (own.lastSlice < 0)
+            return visit(own.first, 1.0f);
+        const double place = (static_cast<double>(distance_m) - own.nearest_m) * own.slicesPerMetre;
+        const int node = std::clamp(static_cast<int>(place), 0, own.lastSlice);
+        const float part = std::clamp(static_cast<float>(place - node), 0.0f, 1.0f);
+        visit(own.first + node, 1.0f - part);
+        visit(own.first + node + 1, part);
     }
 
     bool operator==(const SurfaceRows&) const = default;
 
   private:
-    /// The node before a distance, at most the last but one, and the part of the way to the next.
-    static std::pair<int, float> nodeAt(const SliceNodes& nodes_m, double distance_m) {
-        const auto slices = static_cast<double>(nodes_m.size() - 1);
-        const double place =
-            std::clamp((distance_m - nodes_m.front()) / (nodes_m.back() - nodes_m.front()) * slices,
-                       0.0, slices);
-        const int node = std::min(static_cast<int>(place), static_cast<int>(slices) - 1);
-        return {node, static_cast<float>(place - node)};
-    }
-
     std::vector<SurfaceKey> keys_;
-    std::vector<bool> transparent_;
     std::vector<SliceNodes> slices_;
-    std::vector<int> first_;   // by key, and the number of all rows
     std::vector<int> drawnOf_; // by row
     bool isSliced_ = false;
+    /// What the walk through samples asks of a drawn row.
+    struct Drawn {
+        bool isTransparent = false;
+        int first = 0;      // of its rows
+        int lastSlice = -1; // -1: not sliced
+        double nearest_m = 0.0, slicesPerMetre = 0.0;
+        bool operator==(const Drawn&) const = default;
+    };
+    std::vector<Drawn> drawn_; // by key
 };
 
 } // namespace irsg

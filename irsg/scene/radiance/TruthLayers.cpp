@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace irsg {
 
@@ -66,18 +67,21 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
         const std::size_t last = first + static_cast<std::size_t>(count);
         std::ranges::fill(sums, 0.0);
         for (std::size_t i = first; i < last; ++i) {
-            if (samples.first[i] == samples.first[i + 1])
+            if (samples.isEmpty(i))
                 continue;
+            std::optional<FactorSamples::Layer> nearest;
             walk_.forEachLayer(
-                samples, i, [&](const FactorKind& kind, float part, std::uint32_t layer) {
+                samples, i,
+                [&](const FactorKind& kind, float part, const FactorSamples::Layer& layer) {
+                    if (!nearest)
+                        nearest = layer;
                     const KindTerms& known = termsOf(kind);
-                    const auto factors = samples.factorsOf(layer);
                     for (std::size_t k = 0; k < list.size(); ++k) {
                         const TermFactor& factor = list[k].factor;
                         double drawn = 1.0;
                         if (factor.drawn >= 0)
                             drawn = static_cast<double>(
-                                factors[static_cast<std::size_t>(factor.drawn)]);
+                                layer.factors[static_cast<std::size_t>(factor.drawn)]);
                         if (factor.complement)
                             drawn = 1.0 - drawn;
                         sums[k] += static_cast<double>(part) * drawn * known.terms[k];
@@ -93,12 +97,10 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
             const auto off_px = static_cast<float>(std::hypot(right_px, below_px));
             if (off_px < offMiddle_px_[pixel]) {
                 offMiddle_px_[pixel] = off_px;
-                const std::uint32_t nearest = samples.first[i];
-                const IrCodes& codes =
-                    rows.keys()[static_cast<std::size_t>(samples.rows[nearest])].second;
+                const IrCodes& codes = rows.keys()[static_cast<std::size_t>(nearest->row)].second;
                 temperatureIndex[pixel] = static_cast<float>(codes.temperature);
                 materialIndex[pixel] = static_cast<float>(codes.material);
-                range[pixel] = samples.distances_m[nearest];
+                range[pixel] = nearest->distance_m;
             }
         }
         for (std::size_t term = 0; term < planes.size(); ++term)

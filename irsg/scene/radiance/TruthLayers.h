@@ -6,6 +6,7 @@
 #include "irsg/image/RadianceImage.h"
 #include "irsg/scene/radiance/KindRadiances.h"
 #include "irsg/scene/radiance/LayerWalk.h"
+#include "irsg/scene/sampling/SampleWindow.h"
 #include "irsg/scene/view/FrameBackground.h"
 
 namespace irsg {

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include "irsg/radiometry/ParallelFor.h"
+#include "irsg/scene/radiance/KindSums.h"
+#include "irsg/scene/radiance/LayerWalk.h"
 
 namespace irsg {
 
@@ -12,6 +16,35 @@ namespace {
 
 /// Pieces that the rows of a window are divided into, whatever the number of cores.
 constexpr std::size_t parts = 8;
+
+/// Adds the samples of some rows of a window, counted from the top, to sums of theirs.
+template <typename Sums>
+void addRows(const SampleWindow& window, const FactorSamples& samples, std::size_t firstRow,
+             std::size_t lastRow, LayerWalk& walk, Sums& sums) {
+    window.forEachRun(static_cast<int>(firstRow), static_cast<int>(lastRow),
+                      [&](std::size_t first, int count, int x, int y, double weight) {
+                          const std::size_t last = first + static_cast<std::size_t>(count);
+                          while (first < last && samples.isEmpty(first))
+                              ++first;
+                          if (first == last)
+                              return;
+                          sums.goTo(x, y, weight);
+                          for (std::size_t i = first; i < last; ++i)
+                              walk.forEachLayer(samples, i,
+                                                [&](const FactorKind& kind, float share,
+                                                    const FactorSamples::Layer& layer) {
+                                                    sums.add(kind, share, layer.factors.data());
+                                                });
+                      });
+}
+
+/// The numbers that a walk's fronts have in a common list.
+std::vector<int> numbersOf(const Fronts& own, Fronts& common) {
+    std::vector<int> numbers;
+    for (std::size_t front = 0; front < own.size(); ++front)
+        numbers.push_back(common.numberOf(own.materials(static_cast<int>(front))));
+    return numbers;
+}
 
 } // namespace
 
@@ -34,62 +67,22 @@ FactorField<float> FactorSums::emptyPixels() const {
             layout_.factorCount + 1};
 }
 
-template <typename Real, typename Weigh>
-void FactorSums::add(const SampleWindow& window, const FactorSamples& samples, bool byPixel,
-                     FactorField<Real>& into, Weigh weigh) {
-    struct Part {
-        std::unique_ptr<LayerWalk> walk;
-        FactorField<Real> field;
-    };
-    std::array<Part, parts> all;
-    const PixelWindow pixels = window.pixels();
-    const auto width = static_cast<std::size_t>(pixels.width);
+template <std::size_t Factors>
+void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSamples& samples,
+                                  ViewFactors& view) {
     const auto rows = static_cast<std::size_t>(window.height());
-    const auto pixelRow = [&](std::size_t row) {
-        return static_cast<std::size_t>(
-            static_cast<int>((window.tileY + static_cast<int>(row) / window.samplesDown) >>
-                             window.level) -
-            pixels.y);
-    };
-    std::array<std::size_t, parts> firstPixelRow{};
+    std::vector<LayerWalk> walks(parts, LayerWalk(rows_));
+    std::array<FactorField<double>, parts> fields;
     parallelFor(parts, [&](std::size_t p) {
-        const std::size_t begin = beginOfPart(p, parts, rows),
-                          end = beginOfPart(p + 1, parts, rows);
-        if (begin == end)
-            return;
-        Part& part = all[p];
-        part.walk = std::make_unique<LayerWalk>(rows_);
-        firstPixelRow[p] = pixelRow(begin);
-        const std::size_t pixelRows = pixelRow(end - 1) - firstPixelRow[p] + 1;
-        part.field = FactorField<Real>(byPixel ? width * pixelRows : 1, into.width());
-        RunSums sums(rows_, *part.walk, layout_.factorCount);
-        sums.add(window, samples, static_cast<int>(begin), static_cast<int>(end),
-                 [&](int x, int y, double weight, const FactorKind& kind, const double* run) {
-                     const std::size_t cell =
-                         byPixel
-                             ? (static_cast<std::size_t>(y - pixels.y) - firstPixelRow[p]) * width +
-                                   static_cast<std::size_t>(x - pixels.x)
-                             : 0;
-                     weigh(x, y, weight, run, part.field.at(cell, part.field.kindOf(kind)));
-                 });
+        ViewKindSums<Factors> sums(rows_, grid_, varying_, window.share());
+        addRows(window, samples, beginOfPart(p, parts, rows), beginOfPart(p + 1, parts, rows),
+                walks[p], sums);
+        fields[p] = sums.field(layout_);
     });
     for (std::size_t p = 0; p < parts; ++p) {
-        if (!all[p].walk)
-            continue;
-        const Fronts& own = all[p].walk->fronts();
-        std::vector<int> fronts;
-        for (std::size_t front = 0; front < own.size(); ++front)
-            fronts.push_back(fronts_.numberOf(own.materials(static_cast<int>(front))));
-        into.add(
-            all[p].field,
-            [&](std::size_t cell) {
-                if (!byPixel)
-                    return std::size_t{0};
-                const std::size_t y =
-                    static_cast<std::size_t>(pixels.y) + firstPixelRow[p] + cell / width;
-                return y * static_cast<std::size_t>(width_px_) +
-                       static_cast<std::size_t>(pixels.x) + cell % width;
-            },
+        const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
+        view.field.add(
+            fields[p], [](std::size_t) { return std::size_t{0}; },
             [&](int front) { return fronts[static_cast<std::size_t>(front)]; });
     }
 }
@@ -97,36 +90,48 @@ void FactorSums::add(const SampleWindow& window, const FactorSamples& samples, b
 void FactorSums::addToView(const SampleWindow& window, const FactorSamples& samples,
                            ViewFactors& view) {
     view.layersLeftOver += samples.layersLeftOver;
-    const double share = window.share();
-    const std::size_t count = layout_.factorCount + 1;
-    add(window, samples, false, view.field,
-        [&](int x, int y, double weight, const double* run, double* sums) {
-            const PixelGrid::Pixel pixel = grid_.at(x, y);
-            const double part = weight * share;
-            const double omega_sr = pixel.solidAngle_sr * part;
-            for (std::size_t i = 0; i < count; ++i) {
-                const double sum_sr = omega_sr * run[i];
-                sums[i] += sum_sr;
-                sums[layout_.withCosine(i)] += sum_sr * pixel.cosOffAxis;
-            }
-            sums[layout_.pixels()] += part * run[0];
-            for (std::size_t k = 0; k < varying_.size(); ++k) {
-                const double behind_W_m2 = omega_sr * run[0] * varying_[k]->at(x, y);
-                sums[layout_.background(k)] += behind_W_m2;
-                sums[layout_.backgroundCosine(k)] += behind_W_m2 * pixel.cosOffAxis;
-            }
-        });
+    const auto addFor = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        ((layout_.factorCount == I + 1 ? addFactorsToView<I + 1>(window, samples, view) : void()),
+         ...);
+    };
+    addFor(std::make_index_sequence<mostFactors>());
 }
 
 void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& samples,
                              FactorField<float>& pixels) {
-    const double share = window.share();
-    const std::size_t count = layout_.factorCount + 1;
-    add(window, samples, true, pixels,
-        [&](int, int, double weight, const double* run, float* sums) {
-            for (std::size_t i = 0; i < count; ++i)
-                sums[i] += static_cast<float>(weight * share * run[i]);
-        });
+    const auto rows = static_cast<std::size_t>(window.height());
+    std::vector<LayerWalk> walks(parts, LayerWalk(rows_));
+    std::array<std::optional<PixelKindSums>, parts> sums;
+    parallelFor(parts, [&](std::size_t p) {
+        const std::size_t begin = beginOfPart(p, parts, rows),
+                          end = beginOfPart(p + 1, parts, rows);
+        if (begin == end)
+            return;
+        const auto pixelRow = [&](std::size_t row) {
+            return static_cast<int>((window.tileY + static_cast<int>(row) / window.samplesDown) >>
+                                    window.level);
+        };
+        PixelWindow own = window.pixels();
+        own.y = pixelRow(begin);
+        own.height = pixelRow(end - 1) - own.y + 1;
+        sums[p].emplace(rows_, own, layout_.factorCount, window.share());
+        addRows(window, samples, begin, end, walks[p], *sums[p]);
+    });
+    for (std::size_t p = 0; p < parts; ++p) {
+        if (!sums[p])
+            continue;
+        const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
+        const PixelWindow& own = sums[p]->pixels();
+        const auto width = static_cast<std::size_t>(own.width);
+        pixels.add(
+            sums[p]->field(),
+            [&](std::size_t cell) {
+                return (static_cast<std::size_t>(own.y) + cell / width) *
+                           static_cast<std::size_t>(width_px_) +
+                       static_cast<std::size_t>(own.x) + cell % width;
+            },
+            [&](int front) { return fronts[static_cast<std::size_t>(front)]; });
+    }
 }
 
 void addPointToView(const FactorField<double>& atUnitDistance_sr_m2, const SurfaceRows& rows,

@@ -5,8 +5,9 @@
 
 #include "irsg/scene/radiance/FactorField.h"
 #include "irsg/scene/radiance/Fronts.h"
-#include "irsg/scene/radiance/LayerWalk.h"
 #include "irsg/scene/radiance/SurfaceRows.h"
+#include "irsg/scene/sampling/SampleWindow.h"
+#include "irsg/scene/sampling/Samples.h"
 #include "irsg/scene/view/FrameBackground.h"
 #include "irsg/scene/view/PixelGrid.h"
 
@@ -55,9 +56,9 @@ class FactorSums {
     FactorField<float> emptyPixels() const;
 
   private:
-    template <typename Real, typename Weigh>
-    void add(const SampleWindow& window, const FactorSamples& samples, bool byPixel,
-             FactorField<Real>& into, Weigh weigh);
+    template <std::size_t Factors>
+    void addFactorsToView(const SampleWindow& window, const FactorSamples& samples,
+                          ViewFactors& view);
 
     int width_px_, height_px_;
     PixelGrid grid_;

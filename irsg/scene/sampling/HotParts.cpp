@@ -162,14 +162,10 @@ bool isHidden(const HotPart& part, const SampleWindow& probe, const FactorSample
     const int bottom = tile(part.extent.bottom + side_px, all.top, probe.tilesHigh);
     for (int row = top; row <= bottom; ++row)
         for (int column = left; column <= right; ++column) {
-            // Bottom row first, and the opaque layer last.
-            const auto sample =
+            const auto sample = // bottom row first
                 static_cast<std::size_t>((probe.tilesHigh - 1 - row) * probe.tilesWide + column);
-            const std::uint32_t end = samples.first[sample + 1];
-            if (end == samples.first[sample])
-                return false;
-            const double found_m = static_cast<double>(samples.distances_m[end - 1]);
-            if (!(found_m > 0.0 && found_m < nearer * part.nearest_m))
+            if (!samples.isOpaque(sample) ||
+                !(static_cast<double>(samples.distances_m[sample]) < nearer * part.nearest_m))
                 return false;
         }
     return true;

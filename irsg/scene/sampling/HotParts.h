@@ -25,8 +25,9 @@ struct HotPart {
 /// One sample a tile around all the parts, some hundred along the longer side: to find out which of
 /// them are hidden.
 SampleWindow probeOf(const std::vector<HotPart>& parts, int entity);
-/// True where a probe finds an opaque surface before all of a part and a tile around it. What is
-/// seen through a gap narrower than a tile is hidden, too: it is left to the window around.
+/// True where a probe, drawn with distances, finds an opaque surface before all of a part and a
+/// tile around it. What is seen through a gap narrower than a tile is hidden, too: it is left to
+/// the window around.
 bool isHidden(const HotPart& part, const SampleWindow& probe, const FactorSamples& samples);
 
 /// The hot parts of one object, found once for each pair of codes that was ever hot.

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace irsg {
+
+/// Drawn factors that a shader has room for.
+inline constexpr std::size_t mostFactors = 7;
 
 /// One window of samples, bottom row first.
 struct RadianceSamples {
@@ -15,21 +20,71 @@ struct RadianceSamples {
 };
 
 /// One window of samples, bottom row first, each with the surfaces that it meets and what geometry
-/// makes of them: factors, which know no wavelength.
+/// makes of them: factors, which know no wavelength. What was read back of a drawing stays where it
+/// is (surface.frag.glsl); sortLayers brings the transparent layers into the order of the samples.
 struct FactorSamples {
     int width = 0, height = 0;
     std::size_t factorCount = 0; ///< drawn factors of a layer
-    /// Layers of sample i, front to back and the opaque one last: from first[i] to before first[i +
-    /// 1].
-    std::vector<std::uint32_t> first;
-    std::vector<std::int32_t> rows; ///< by layer: of the drawing
-    std::vector<float> factors;     ///< by layer, `factorCount` each
-    /// By layer, m; of opaque surfaces only where it was asked for, else 0.
-    std::vector<float> distances_m;
-    int layersLeftOver = 0;
 
-    std::span<const float> factorsOf(std::uint32_t layer) const {
-        return {&factors[layer * factorCount], factorCount};
+    /// (row + 1, first three factors) of the opaque surface of each sample, row + 1 = 0 for none.
+    std::vector<float> opaque;
+    std::vector<float> moreFactors; ///< the next four of each sample, or empty
+    std::vector<float> distances_m; ///< of the opaque surface of each sample, or empty
+    /// Listed fragments of transparent surfaces: (the bits of the sample's number, depth, row + 1,
+    /// distance) and the factors, padded to whole vectors of four words.
+    std::vector<float> words;
+    std::size_t wordsPerFragment = 8; ///< 8 for up to four factors
+
+    /// Once sorted, the fragments of every sample stand next to each other, near to far. Only
+    /// samples from `lowest` to before `highest` have any; sample i owns those from ends[i -
+    /// lowest] to before ends[i - lowest + 1], of which the first `maximumLayers` count.
+    std::size_t lowest = 0, highest = 0;
+    std::vector<std::uint32_t> ends;
+    std::vector<float> room; ///< for sorting, kept from window to window
+    std::uint32_t maximumLayers = 0;
+    int layersLeftOver = 0; ///< samples that have more
+
+    std::size_t size() const { return opaque.size() / 4; }
+    bool isOpaque(std::size_t sample) const { return opaque[4 * sample] > 0.0f; }
+    bool isListed(std::size_t sample) const {
+        return sample >= lowest && sample < highest &&
+               ends[sample - lowest] != ends[sample - lowest + 1];
+    }
+    bool isEmpty(std::size_t sample) const { return !isOpaque(sample) && !isListed(sample); }
+
+    struct Layer {
+        int row = 0; ///< of the drawing
+        /// 0 for an opaque surface where distances were not asked for.
+        float distance_m = 0.0f;
+        std::span<const float> factors;
+    };
+    /// Calls visit(layer) for the layers of a sample, front to back and the opaque one last.
+    template <typename Visit>
+    void forEachLayer(std::size_t sample, Visit visit) const {
+        if (sample >= lowest && sample < highest) {
+            const std::uint32_t begin = ends[sample - lowest];
+            const std::uint32_t end = std::min(ends[sample - lowest + 1], begin + maximumLayers);
+            for (std::uint32_t i = begin; i < end; ++i)
+                visit(fragment(i));
+        }
+        if (!isOpaque(sample))
+            return;
+        const float* first = &opaque[4 * sample];
+        Layer layer{static_cast<int>(first[0]) - 1,
+                    distances_m.empty() ? 0.0f : distances_m[sample],
+                    {first + 1, factorCount}};
+        if (factorCount <= 3)
+            return visit(layer);
+        std::array<float, mostFactors> all{first[1], first[2], first[3]};
+        std::copy_n(&moreFactors[4 * sample], factorCount - 3, all.begin() + 3);
+        layer.factors = {all.data(), factorCount};
+        visit(layer);
+    }
+
+  private:
+    Layer fragment(std::uint32_t number) const {
+        const float* w = &words[number * wordsPerFragment];
+        return {static_cast<int>(w[2]) - 1, w[3], {w + 4, factorCount}};
     }
 };
 

@@ -1,0 +1,80 @@
+#include "irsg/scene/draw/WindowStream.h"
+
+#include <exception>
+#include <utility>
+
+#include "irsg/scene/draw/LayerSort.h"
+#include "irsg/scene/draw/OffscreenContext.h"
+#include "irsg/scene/draw/Stopwatch.h"
+
+namespace irsg {
+
+struct WindowStream::Stream {
+    Work work;
+    Seconds seconds;
+    std::promise<Seconds> done;
+    std::exception_ptr failure; // of taking in
+};
+
+std::future<WindowStream::Seconds> WindowStream::start(Work work) {
+    auto stream = std::make_shared<Stream>();
+    stream->work = std::move(work);
+    std::future<Seconds> done = stream->done.get_future();
+    context_.post([this, stream](osg::RenderInfo& info) { drawAll(info, stream); });
+    return done;
+}
+
+void WindowStream::drawAll(osg::RenderInfo& info, const std::shared_ptr<Stream>& stream) {
+    std::exception_ptr failure;
+    for (std::size_t window = 0; window < stream->work.windows; ++window) {
+        FactorSamples& samples = free();
+        try {
+            stream->work.draw(info, window, samples, stream->seconds);
+        } catch (...) {
+            failure = std::current_exception();
+            giveBack(samples);
+            break;
+        }
+        taker_.post([this, stream, window, &samples] {
+            try {
+                if (!stream->failure) {
+                    {
+                        Stopwatch watch(stream->seconds.sorting);
+                        sortLayers(samples, stream->work.maximumLayers, room_);
+                    }
+                    Stopwatch watch(stream->seconds.taking);
+                    stream->work.take(window, samples);
+                }
+            } catch (...) {
+                stream->failure = std::current_exception();
+            }
+            giveBack(samples);
+        });
+    }
+    taker_.post([stream, failure] {
+        // What the work holds may go when the future is ready, so that nothing is kept of it.
+        stream->work = {};
+        if (failure || stream->failure)
+            stream->done.set_exception(failure ? failure : stream->failure);
+        else
+            stream->done.set_value(stream->seconds);
+    });
+}
+
+FactorSamples& WindowStream::free() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return !free_.empty(); });
+    FactorSamples& samples = *free_.back();
+    free_.pop_back();
+    return samples;
+}
+
+void WindowStream::giveBack(FactorSamples& samples) {
+    {
+        const std::lock_guard lock(mutex_);
+        free_.push_back(&samples);
+    }
+    changed_.notify_one();
+}
+
+} // namespace irsg

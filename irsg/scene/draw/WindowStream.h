@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "irsg/radiometry/TaskThread.h"
+#include "irsg/scene/sampling/Samples.h"
+
+namespace osg {
+class RenderInfo;
+}
+
+namespace irsg {
+
+class OffscreenContext;
+
+/// Draws windows one after the other on the context's thread while what was drawn before is sorted
+/// and taken in on another thread: two sets of samples take turns. The first window of a stream is
+/// drawn while the last one of the stream before is taken in.
+class WindowStream {
+  public:
+    /// Time that a stream took on its threads, s.
+    struct Seconds {
+        double drawing = 0.0, reading = 0.0, sorting = 0.0, taking = 0.0;
+    };
+    struct Work {
+        std::size_t windows = 0;
+        int maximumLayers = 0;
+        /// On the context's thread; adds to `drawing` and `reading`.
+        std::function<void(osg::RenderInfo&, std::size_t window, FactorSamples&, Seconds&)> draw;
+        /// In the order of the windows, with sorted layers.
+        std::function<void(std::size_t window, const FactorSamples&)> take;
+    };
+
+    explicit WindowStream(OffscreenContext& context) : context_(context) {}
+
+    /// Returns at once. The future is ready when all is drawn and taken in, or has failed, and then
+    /// throws why; what the work refers to must live until then.
+    std::future<Seconds> start(Work work);
+
+  private:
+    struct Stream;
+    void drawAll(osg::RenderInfo& info, const std::shared_ptr<Stream>& stream);
+    FactorSamples& free();
+    void giveBack(FactorSamples& samples);
+
+    OffscreenContext& context_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::array<FactorSamples, 2> samples_;
+    std::vector<FactorSamples*> free_{&samples_[0], &samples_[1]};
+    std::vector<float> room_; // for sorting
+    TaskThread taker_;        // last: what it does uses all others
+};
+
+} // namespace irsg

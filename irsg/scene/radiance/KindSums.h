@@ -1,0 +1,154 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "irsg/scene/radiance/FactorField.h"
+#include "irsg/scene/radiance/SurfaceRows.h"
+#include "irsg/scene/radiance/ViewFactors.h"
+#include "irsg/scene/view/FrameBackground.h"
+#include "irsg/scene/view/PixelGrid.h"
+
+namespace irsg {
+
+/// Sums of a part of a view's samples by kind, as ViewLayout has them, for `Factors` drawn factors.
+/// Every layer of every sample comes here: sums are dense, and their number is known when this is
+/// compiled.
+template <std::size_t Factors>
+class ViewKindSums {
+  public:
+    /// All must live as long. `share`: a sample's part of a pixel.
+    ViewKindSums(const SurfaceRows& rows, const PixelGrid& grid,
+                 const std::vector<const FrameBackground*>& varying, double share)
+        : rows_(static_cast<std::size_t>(rows.size())),
+          grid_(grid),
+          varying_(varying),
+          share_(share),
+          behind_W_m2_sr_(varying.size()) {}
+
+    /// Samples that are added now lie in a pixel and count with `weight`.
+    void goTo(int x, int y, double weight) {
+        const PixelGrid::Pixel pixel = grid_.at(x, y);
+        part_ = weight * share_;
+        omega_sr_ = pixel.solidAngle_sr * part_;
+        projected_sr_ = omega_sr_ * pixel.cosOffAxis;
+        for (std::size_t k = 0; k < varying_.size(); ++k)
+            behind_W_m2_sr_[k] = varying_[k]->at(x, y);
+    }
+
+    void add(const FactorKind& kind, float weight, const float* factors) {
+        const std::size_t place =
+            static_cast<std::size_t>(kind.front) * rows_ + static_cast<std::size_t>(kind.row);
+        if (place >= sums_.size())
+            grow(kind.front);
+        Sums& sums = sums_[place];
+        const auto own = static_cast<double>(weight);
+        const double omega_sr = own * omega_sr_, projected_sr = own * projected_sr_;
+        std::array<double, Factors + 1> numbers{1.0};
+        std::copy_n(factors, Factors, numbers.begin() + 1);
+        for (std::size_t i = 0; i <= Factors; ++i)
+            sums.plain[i] += omega_sr * numbers[i];
+        for (std::size_t i = 0; i <= Factors; ++i)
+            sums.cosine[i] += projected_sr * numbers[i];
+        sums.pixels += own * part_;
+        for (std::size_t k = 0; k < varying_.size(); ++k) {
+            double* behind_W_m2 = &behind_W_m2_[2 * (place * varying_.size() + k)];
+            behind_W_m2[0] += omega_sr * behind_W_m2_sr_[k];
+            behind_W_m2[1] += projected_sr * behind_W_m2_sr_[k];
+        }
+    }
+
+    /// What was seen, of one cell.
+    FactorField<double> field(const ViewLayout& layout) const {
+        FactorField<double> field(1, layout.width());
+        for (std::size_t place = 0; place < sums_.size(); ++place) {
+            const Sums& sums = sums_[place];
+            if (sums.plain[0] == 0.0)
+                continue;
+            double* numbers = field.at(0, field.kindOf({static_cast<int>(place / rows_),
+                                                        static_cast<int>(place % rows_)}));
+            std::ranges::copy(sums.plain, numbers);
+            std::ranges::copy(sums.cosine, numbers + layout.withCosine(0));
+            numbers[layout.pixels()] = sums.pixels;
+            for (std::size_t k = 0; k < varying_.size(); ++k) {
+                const double* behind_W_m2 = &behind_W_m2_[2 * (place * varying_.size() + k)];
+                numbers[layout.background(k)] = behind_W_m2[0];
+                numbers[layout.backgroundCosine(k)] = behind_W_m2[1];
+            }
+        }
+        return field;
+    }
+
+  private:
+    /// Coverage and factors, times solid angle and times projected solid angle, sr.
+    struct Sums {
+        std::array<double, Factors + 1> plain{}, cosine{};
+        double pixels = 0.0;
+    };
+
+    void grow(int front) {
+        sums_.resize((static_cast<std::size_t>(front) + 1) * rows_);
+        behind_W_m2_.resize(2 * sums_.size() * varying_.size());
+    }
+
+    std::size_t rows_;
+    const PixelGrid& grid_;
+    const std::vector<const FrameBackground*>& varying_;
+    double share_;
+    double part_ = 0.0, omega_sr_ = 0.0, projected_sr_ = 0.0; // of a sample in its pixel
+    std::vector<double> behind_W_m2_sr_;                      // by varying background
+    std::vector<Sums> sums_;                                  // by front and row
+    std::vector<double> behind_W_m2_; // by front, row and background: without and with cosine
+};
+
+/// The same by pixel: coverage and factors as parts of a pixel.
+class PixelKindSums {
+  public:
+    /// `pixels`: those of the part. `share`: a sample's part of a pixel.
+    PixelKindSums(const SurfaceRows& rows, const PixelWindow& pixels, std::size_t factorCount,
+                  double share)
+        : rows_(static_cast<std::size_t>(rows.size())),
+          pixels_(pixels),
+          factorCount_(factorCount),
+          share_(share),
+          field_(static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height),
+                 factorCount + 1) {}
+
+    void goTo(int x, int y, double weight) {
+        part_ = weight * share_;
+        cell_ = static_cast<std::size_t>(y - pixels_.y) * static_cast<std::size_t>(pixels_.width) +
+                static_cast<std::size_t>(x - pixels_.x);
+    }
+
+    void add(const FactorKind& kind, float weight, const float* factors) {
+        const std::size_t place =
+            static_cast<std::size_t>(kind.front) * rows_ + static_cast<std::size_t>(kind.row);
+        if (place >= numbers_.size())
+            numbers_.resize((static_cast<std::size_t>(kind.front) + 1) * rows_, -1);
+        int& number = numbers_[place];
+        if (number < 0)
+            number = field_.kindOf(kind);
+        double* sums = field_.at(cell_, number);
+        const double own = static_cast<double>(weight) * part_;
+        sums[0] += own;
+        for (std::size_t f = 0; f < factorCount_; ++f)
+            sums[1 + f] += own * static_cast<double>(factors[f]);
+    }
+
+    const FactorField<double>& field() const { return field_; }
+    const PixelWindow& pixels() const { return pixels_; }
+
+  private:
+    std::size_t rows_;
+    PixelWindow pixels_;
+    std::size_t factorCount_;
+    double share_;
+    FactorField<double> field_; // float would round thousands of samples of a pixel
+    std::vector<int> numbers_;  // of the field, by front and row
+    double part_ = 0.0;
+    std::size_t cell_ = 0;
+};
+
+} // namespace irsg
