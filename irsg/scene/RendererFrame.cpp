@@ -4,9 +4,9 @@
 #include <osg/RenderInfo>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/NewLines.h"
 #include "irsg/scene/RendererParts.h"
 #include "irsg/scene/background/BandSky.h"
-#include "irsg/scene/radiance/AirSlices.h"
 #include "irsg/scene/radiance/HotSurfaces.h"
 
 namespace irsg {
@@ -76,45 +76,32 @@ void Renderer::Parts::evaluate(Frame& frame) {
         air.setEnvironment(frame.scene.environment);
         background.setSkybox(frame.scene.skybox);
         background.setTerrain(frame.scene.terrain);
-        std::vector<SampledBand> bands = sampleBands(frame);
-        planSlices(frame, bands);
-        if (std::ranges::any_of(frame.geometry,
-                                [](const ObjectGeometry& o) { return o.slices_m.size() > 1; }))
-            bands = sampleBands(frame);
-        for (const SampledBand& band : bands) {
-            const auto add = [](std::vector<std::string>& all,
-                                const std::vector<std::string>& some) {
-                for (const std::string& line : some)
-                    if (std::ranges::find(all, line) == all.end())
-                        all.push_back(line);
-            };
-            add(frame.answeredBy, band.air.answeredBy);
-            add(frame.warnings, band.air.warnings);
+        const std::shared_ptr<const SampledScene> sampled = sample(frame);
+        for (std::size_t e = 0; e < frame.geometry.size(); ++e) {
+            frame.geometry[e].slices_m = sampled->slices_m[e];
+            frame.geometry[e].airError = sampled->airError[e];
         }
-        frame.evaluated = radiometry.of(terms, frame.scene.entities, frame.geometry, bands, fronts);
-        frame.uniform_W_m2_sr = backgroundOf(bands, frame.scene.settings);
+        frame.answeredBy = sampled->answeredBy;
+        frame.warnings = sampled->warnings;
+        frame.evaluated =
+            radiometry.of(terms, frame.scene.entities, frame.geometry, sampled, fronts);
+        frame.uniform_W_m2_sr = sampled->background;
         frame.evaluated->radiances.setBackground(frame.uniform_W_m2_sr);
-        drawBackgrounds(frame, bands);
+        drawBackgrounds(frame, sampled->bands);
         fillRows(frame);
         fillItems(frame);
         planPoints(frame);
     });
 }
 
-std::vector<SampledBand> Renderer::Parts::sampleBands(const Frame& frame) {
+std::shared_ptr<const SampledScene> Renderer::Parts::sample(const Frame& frame) {
     const AirScene scene{terms, frame.scene.entities, frame.geometry, frame.scene.settings,
                          frame.centre};
-    std::vector<SampledBand> sampled;
-    for (const Band& band : frame.bands)
-        sampled.push_back(frame.scene.settings.mode == CalculationMode::wideband
-                              ? SceneSampling::wideband(air, scene, wideband(frame.scene, band))
-                              : sampling.spectral(air, scene, band));
-    return sampled;
-}
-
-void Renderer::Parts::planSlices(Frame& frame, const std::vector<SampledBand>& bands) {
-    for (std::size_t e = 0; e < frame.geometry.size(); ++e)
-        planSlicesOf(air, bands, e, frame.scene.settings, frame.geometry[e]);
+    return sampledScenes.of(air, scene, frame.bands, [&](const AirScene& own, const Band& band) {
+        return own.settings.mode == CalculationMode::wideband
+                   ? SceneSampling::wideband(air, own, wideband(frame.scene, band))
+                   : sampling.spectral(air, own, band);
+    });
 }
 
 std::shared_ptr<const WidebandTerms> Renderer::Parts::wideband(const Scene& scene,
@@ -155,10 +142,7 @@ void Renderer::Parts::drawBackgrounds(Frame& frame, const std::vector<SampledBan
         frame.backgroundReport.flooredPixels += report.flooredPixels;
         for (std::string& line : report.answeredBy)
             frame.backgroundReport.answeredBy.push_back(std::move(line));
-        for (std::string& line : report.warnings)
-            if (std::ranges::find(frame.backgroundReport.warnings, line) ==
-                frame.backgroundReport.warnings.end())
-                frame.backgroundReport.warnings.push_back(std::move(line));
+        addNew(frame.backgroundReport.warnings, report.warnings);
     }
 }
 
@@ -176,9 +160,8 @@ void Renderer::Parts::fillRows(Frame& frame) {
                                [](double value) { return static_cast<float>(value); });
         row.constant = static_cast<float>(radiance.constant);
         row.opacity = static_cast<float>(radiance.opacity);
-        row.nAngleFactor = static_cast<float>(
-            frame.evaluated->radiometry.surfaces()[static_cast<std::size_t>(kind.row)]
-                .nAngleFactor);
+        row.nAngleFactor =
+            static_cast<float>(frame.evaluated->radiometry.surface(kind.row).nAngleFactor);
     }
 }
 

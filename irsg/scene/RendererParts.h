@@ -22,6 +22,7 @@
 #include "irsg/scene/radiance/PointSources.h"
 #include "irsg/scene/radiance/RadiometryCache.h"
 #include "irsg/scene/radiance/Reductions.h"
+#include "irsg/scene/radiance/SampledScene.h"
 #include "irsg/scene/radiance/SceneSampling.h"
 #include "irsg/scene/radiance/ViewFactors.h"
 #include "irsg/scene/radiance/WidebandTerms.h"
@@ -45,6 +46,7 @@ struct Renderer::Parts {
     SceneBackground background;
     AirAnswers air;
     SceneSampling sampling;
+    SampledScenes sampledScenes;
     std::vector<std::shared_ptr<const WidebandTerms>> widebandTerms; // latest first
     RadiometryCache radiometry;
     Fronts fronts;
@@ -134,8 +136,7 @@ struct Renderer::Parts {
     // RendererFrame.cpp: the radiometry of a call and what is to be drawn.
     std::vector<ObjectGeometry> geometry(const Scene& scene, const SensorView& view);
     Frame frame(const Scene& scene, const SensorView& view, const Wanted& wanted);
-    void planSlices(Frame& frame, const std::vector<SampledBand>& bands);
-    std::vector<SampledBand> sampleBands(const Frame& frame);
+    std::shared_ptr<const SampledScene> sample(const Frame& frame);
     void evaluate(Frame& frame);
     std::shared_ptr<const WidebandTerms> wideband(const Scene& scene, const Band& band);
     void drawBackgrounds(Frame& frame, const std::vector<SampledBand>& bands);

@@ -96,15 +96,14 @@ TEST(WidebandRadiometry, MultipliesMonochromaticallyAtEveryTerm) {
         smart->transfer().pathRadiance(ck.nodes(), geometry.path, environment.sun);
     const std::vector<double> gas = ck.sampled(hotGas());
     ASSERT_EQ(scene.rows().keys(), (std::vector<SurfaceKey>{{0, one}, {0, two}}));
-    const SurfaceSpectra& skin = scene.surfaces()[0];
-    const SurfaceSpectra& plume = scene.surfaces()[1];
+    const int skin = scene.rows().first(0), plume = scene.rows().first(1);
     ASSERT_EQ(scene.weights_um(), ck.weights_um());
     for (std::size_t i = 0; i < ck.size(); ++i) {
-        EXPECT_DOUBLE_EQ(term(skin, "thermal")[i],
+        EXPECT_DOUBLE_EQ(term(scene, skin, "thermal")[i],
                          0.9 * planckRadiance_W_m2_sr_um(ck.wavelengths_um()[i], 320.0) * path[i]);
-        EXPECT_DOUBLE_EQ(term(plume, "thermal")[i],
+        EXPECT_DOUBLE_EQ(term(scene, plume, "thermal")[i],
                          inside[i] < 1e-30 ? 0.0 : gas[i] * (path[i] / inside[i]));
-        EXPECT_DOUBLE_EQ(term(skin, "path")[i], light[i]);
+        EXPECT_DOUBLE_EQ(term(scene, skin, "path")[i], light[i]);
     }
 }
 
@@ -134,14 +133,14 @@ TEST_P(WidebandScenes, ReflectAsIfMultipliedAtEveryNodeOfTheBand) {
         };
         const double altitude_m = path.targetAltitude_m;
         const SunPosition& sun = environment.sun;
-        const SurfaceSpectra& skin = scene.surfaces().front();
-        EXPECT_NEAR(scene.integrate(term(skin, "sun")) /
+        const int skin = scene.rows().first(0);
+        EXPECT_NEAR(scene.integrate(term(scene, skin, "sun")) /
                         reflected(transfer.solarIrradiance(nodes, altitude_m, sun)),
                     1.0, 5e-3);
-        EXPECT_NEAR(scene.integrate(term(skin, "down")) /
+        EXPECT_NEAR(scene.integrate(term(scene, skin, "down")) /
                         reflected(transfer.downwardFlux(nodes, altitude_m, sun)),
                     1.0, 5e-3);
-        EXPECT_NEAR(scene.integrate(term(skin, "up")) /
+        EXPECT_NEAR(scene.integrate(term(scene, skin, "up")) /
                         reflected(transfer.upwardFlux(nodes, altitude_m, sun)),
                     1.0, 5e-3);
     }

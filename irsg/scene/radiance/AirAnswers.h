@@ -8,6 +8,7 @@
 
 #include "irsg/atmosphere/Environment.h"
 #include "irsg/radiometry/SpectralSampling.h"
+#include "irsg/scene/radiance/SharedValues.h"
 
 namespace irsg {
 
@@ -24,15 +25,14 @@ class AirAnswers {
     /// On the nodes that the air has of itself. InputError where nobody answers.
     const Answer<Spectrum>& spectrum(const AirQuestion& question, const SpectralRange& range);
     /// On the nodes of a sampling, which is kept as long as its answers.
-    const Answer<std::vector<double>>& at(const AirQuestion& question,
-                                          const std::shared_ptr<const SpectralSampling>& sampling);
-
-    /// Calls to the environment so far.
-    long asked() const { return asked_; }
+    const Answer<SharedValues>& at(const AirQuestion& question,
+                                   const std::shared_ptr<const SpectralSampling>& sampling);
 
   private:
+    void beginCase();
+
     /// Numbers that are kept from case to case (32 MiB), since a sweep of some thousand paths would
-    /// fill memory; of more, those of the last case alone.
+    /// fill memory; of more, those of the last case that asked.
     static constexpr std::size_t mostKept = std::size_t{1} << 22;
 
     Environment environment_;
@@ -42,11 +42,12 @@ class AirAnswers {
         long used = 0; ///< the case that asked for it last
     };
     std::map<std::pair<AirKey, std::pair<double, double>>, Kept<Spectrum>> spectra_;
-    std::map<std::pair<AirKey, const SpectralSampling*>, Kept<std::vector<double>>> samples_;
-    std::vector<std::shared_ptr<const SpectralSampling>> samplings_; // those of samples_
-    long case_ = 0;
+    std::map<std::pair<AirKey, const SpectralSampling*>, Kept<SharedValues>> samples_;
+    /// Those of samples_.
+    std::map<const SpectralSampling*, std::shared_ptr<const SpectralSampling>> samplings_;
+    long case_ = 0; // that asked last
+    bool isNewCase_ = false;
     std::size_t numbers_ = 0; // in all answers
-    long asked_ = 0;
 };
 
 } // namespace irsg

@@ -46,11 +46,12 @@ double change(double a, double b) {
 /// At most what the air changes over a part of the path, if it is not more than `densest` times
 /// denser there.
 double mostChange(const SpectralSampling& sampling, const std::vector<double>& ambient,
-                  const AirSamples& air, const std::vector<double>& path, double part) {
+                  const std::vector<double>& transmittance, const std::vector<double>& path,
+                  double part) {
     const std::vector<double>& weights_um = sampling.weights_um();
     double grey = 0.0, warm = 0.0, greyDepth = 0.0, warmDepth = 0.0, fromPath = 0.0;
     for (std::size_t i = 0; i < weights_um.size(); ++i) {
-        const double t = air.transmittance[i];
+        const double t = transmittance[i];
         const double depth = t > 0.0 ? -t * std::log(t) : 0.0;
         grey += weights_um[i] * t;
         greyDepth += weights_um[i] * depth;
@@ -87,17 +88,17 @@ void planSlicesOf(AirAnswers& air, const std::vector<SampledBand>& bands, std::s
                 .value;
         };
         const AirSamples& middle = band.air.objects[number].nodes.front();
-        const std::vector<double> path = pathAt(geometry.path.range_m);
-        const double bound =
-            mostChange(sampling, ambient, middle, path, extent_m / geometry.path.range_m);
+        const SharedValues path = pathAt(geometry.path.range_m);
+        const double bound = mostChange(sampling, ambient, *middle.transmittance, *path,
+                                        extent_m / geometry.path.range_m);
         estimate = std::max(estimate, bound);
         if (bound < settings.airSliceFrom)
             continue;
         const auto at = [&](double range_m) {
-            const auto transmittance =
+            const SharedValues transmittance =
                 air.at(AirQuestion::transmittance(atRange(geometry.path, range_m)), band.sampling)
                     .value;
-            return sumsOf(sampling, ambient, transmittance, pathAt(range_m));
+            return sumsOf(sampling, ambient, *transmittance, *pathAt(range_m));
         };
         InBand near, far;
         try {

@@ -13,34 +13,28 @@ namespace {
 /// Below this a transmittance ratio is 0 over 0: nothing arrives.
 constexpr double opaque = 1e-30;
 
-/// Transmittance of the path beyond the reference distance of a measured spectrum.
-double beyondReference(const SurfaceInput& surface, double transmittance, std::size_t i) {
-    if (surface.insideReference)
-        return 1.0;
-    if (surface.referenceTransmittance.empty())
-        return transmittance;
-    const double reference = surface.referenceTransmittance[i];
-    if (reference < opaque)
-        return 0.0;
-    return transmittance / reference;
+/// Components of a measured spectrum at the source: what the air up to the reference distance took
+/// is given back.
+void addMeasured(const SurfaceInput& surface, const SpectrumSampler& sample,
+                 SurfaceSpectra& result) {
+    result.emissionPassesAir = !surface.insideReference;
+    const std::vector<double> factors = componentFactors(surface);
+    for (std::size_t j = 0; j < factors.size(); ++j) {
+        std::vector<double> radiance = sample(surface.userSpectrum->components[j].radiance);
+        for (std::size_t i = 0; i < radiance.size(); ++i) {
+            radiance[i] *= surface.emissivityScale;
+            if (surface.insideReference || surface.referenceTransmittance.empty())
+                continue;
+            const double reference = surface.referenceTransmittance[i];
+            radiance[i] = reference < opaque ? 0.0 : radiance[i] / reference;
+        }
+        result.emission.push_back({factors[j], std::move(radiance)});
+    }
 }
 
-/// Sum of c_j L_j of eq. 6 at the source.
-std::vector<double> userRadiance(const SurfaceInput& surface, const SpectrumSampler& sample,
-                                 std::size_t count) {
-    std::vector<double> sum(count, 0.0);
-    for (const SpectrumComponent& component : surface.userSpectrum->components) {
-        double factor = 1.0;
-        for (const ComponentFactor& candidate : surface.temperature->factors)
-            if (candidate.component == component.name)
-                factor = candidate.at(surface.state);
-        if (factor == 0.0)
-            continue;
-        const std::vector<double> samples = sample(component.radiance);
-        for (std::size_t i = 0; i < sum.size(); ++i)
-            sum[i] += factor * samples[i];
-    }
-    return sum;
+void multiply(std::vector<double>& values, const std::vector<double>& factors) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] *= factors[i];
 }
 
 } // namespace
@@ -50,9 +44,20 @@ double surfaceTemperature_K(const SurfaceInput& surface) {
            surfaceTemperature_K(surface.temperature->terms, surface.state);
 }
 
-SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const RadianceTerms& terms,
-                                const AirSamples& air, const std::vector<double>& wavelengths_um,
-                                const SpectrumSampler& sample) {
+std::vector<double> componentFactors(const SurfaceInput& surface) {
+    std::vector<double> factors;
+    for (const SpectrumComponent& component : surface.userSpectrum->components) {
+        double& factor = factors.emplace_back(1.0);
+        for (const ComponentFactor& candidate : surface.temperature->factors)
+            if (candidate.component == component.name)
+                factor = candidate.at(surface.state);
+    }
+    return factors;
+}
+
+SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
+                              const std::vector<double>& wavelengths_um,
+                              const SpectrumSampler& sample) {
     const std::size_t count = wavelengths_um.size();
     const bool usesSpectrum = surface.temperature->mode == EmissionMode::userSpectrum;
     if (usesSpectrum && !surface.userSpectrum)
@@ -65,52 +70,61 @@ SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const RadianceTerms
     // A scaled emissivity stays within what transmission leaves; reflectivity takes the rest.
     result.emissivity = sample(surface.material->emissivity);
     std::vector<double> emissivity = result.emissivity;
-    std::vector<double> reflectance(count), opacity(count);
+    result.reflectance.resize(count);
+    result.opacity.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        opacity[i] = 1.0 - result.transmissivity[i];
-        emissivity[i] = std::clamp(emissivity[i] * surface.emissivityScale, 0.0, opacity[i]);
-        reflectance[i] = (opacity[i] - emissivity[i]) / pi;
+        result.opacity[i] = 1.0 - result.transmissivity[i];
+        emissivity[i] = std::clamp(emissivity[i] * surface.emissivityScale, 0.0, result.opacity[i]);
+        result.reflectance[i] = (result.opacity[i] - emissivity[i]) / pi;
     }
 
     // Emission: of a body at the temperature of eq. 7, or as measured.
-    std::vector<double> emission(count);
     if (usesSpectrum) {
-        const std::vector<double> source = userRadiance(surface, sample, count);
-        for (std::size_t i = 0; i < count; ++i)
-            emission[i] = surface.emissivityScale * source[i] *
-                          beyondReference(surface, air.transmittance[i], i);
-    } else {
-        result.temperature_K = surfaceTemperature_K(surface);
-        if (!(result.temperature_K > 0.0))
-            throw LogicError("a surface temperature that is not positive reached the radiometry");
-        for (std::size_t i = 0; i < count; ++i)
-            emission[i] = emissivity[i] *
-                          planckRadiance_W_m2_sr_um(wavelengths_um[i], result.temperature_K) *
-                          air.transmittance[i];
+        addMeasured(surface, sample, result);
+        return result;
     }
-
-    for (std::size_t k = 0; k < terms.terms.size(); ++k) {
-        const RadianceTerm& term = terms.terms[k];
-        std::vector<double>& sent = result.terms.emplace_back();
-        if (term.light && air.light[k].empty())
-            continue;
-        switch (term.surface) {
-        case SurfaceQuantity::emission:
-            sent = emission;
-            break;
-        case SurfaceQuantity::reflectance:
-            sent = reflectance;
-            break;
-        case SurfaceQuantity::opacity:
-            sent = opacity;
-            break;
-        }
-        for (std::size_t i = 0; term.light && i < count; ++i)
-            sent[i] *= air.light[k][i];
-        for (std::size_t i = 0; term.passesAir && i < count; ++i)
-            sent[i] *= air.transmittance[i];
-    }
+    result.temperature_K = surfaceTemperature_K(surface);
+    if (!(result.temperature_K > 0.0))
+        throw LogicError("a surface temperature that is not positive reached the radiometry");
+    for (std::size_t i = 0; i < count; ++i)
+        emissivity[i] *= planckRadiance_W_m2_sr_um(wavelengths_um[i], result.temperature_K);
+    result.emission.push_back({1.0, std::move(emissivity)});
     return result;
+}
+
+const std::vector<double>& SurfaceSpectra::quantity(SurfaceQuantity quantity) const {
+    switch (quantity) {
+    case SurfaceQuantity::reflectance:
+        return reflectance;
+    case SurfaceQuantity::opacity:
+        return opacity;
+    case SurfaceQuantity::emission:
+        break;
+    }
+    throw LogicError("the emission of a surface was asked for as a whole");
+}
+
+std::vector<double> apparentTerm(const SurfaceSpectra& surface, const RadianceTerms& terms,
+                                 std::size_t number, const AirSamples& air) {
+    const RadianceTerm& term = terms.terms[number];
+    if (term.light && !air.light[number])
+        return {};
+    std::vector<double> sent;
+    if (term.surface == SurfaceQuantity::emission) {
+        sent.assign(surface.opacity.size(), 0.0);
+        for (const SurfaceSpectra::Emission& part : surface.emission)
+            for (std::size_t i = 0; i < sent.size(); ++i)
+                sent[i] += part.factor * part.radiance[i];
+        if (surface.emissionPassesAir)
+            multiply(sent, *air.transmittance);
+    } else {
+        sent = surface.quantity(term.surface);
+    }
+    if (term.light)
+        multiply(sent, *air.light[number]);
+    if (term.passesAir)
+        multiply(sent, *air.transmittance);
+    return sent;
 }
 
 } // namespace irsg

@@ -7,6 +7,7 @@
 
 #include "irsg/atmosphere/Environment.h"
 #include "irsg/scene/radiance/RadianceTerms.h"
+#include "irsg/scene/radiance/SharedValues.h"
 #include "irsg/signature/EntityState.h"
 #include "irsg/signature/SignatureDatabase.h"
 
@@ -14,11 +15,14 @@ namespace irsg {
 
 /// The air between one place of an object and the sensor, on the nodes of a sampling.
 struct AirSamples {
-    std::vector<double> transmittance;
+    SharedValues transmittance;
     /// By term of a RadianceTerms: what the air sends in it, W m-2 sr-1 um-1 into the path or
-    /// W m-2 um-1 onto the object; empty for a term without light, and where it is off.
-    std::vector<std::vector<double>> light;
-    bool operator==(const AirSamples&) const = default;
+    /// W m-2 um-1 onto the object; null for a term without light, and where it is off.
+    std::vector<SharedValues> light;
+    bool operator==(const AirSamples& other) const {
+        return areEqual(transmittance, other.transmittance) &&
+               std::ranges::equal(light, other.light, areEqual);
+    }
 };
 
 /// One surface and what it is doing.
@@ -35,15 +39,23 @@ struct SurfaceInput {
     bool insideReference = false;
 };
 
-/// Apparent spectral radiance of a surface at the sensor, W m-2 sr-1 um-1, term by term and each at
-/// geometric factor 1 (report eqs. 1 to 3, 6; corrected as docs/physics.md says), with the terms of
-/// RadianceTerms: surface quantity times light, times tau where the light passes the air.
-///   emission:    epsilon L_bb(T) tau, or sum of c_j L_j tau / tau_ref for a user-defined spectrum
+/// What a surface's own properties make of the terms of RadianceTerms, at the surface (report eqs.
+/// 1 to 3, 6; corrected as docs/physics.md says). A term is a surface quantity times light, times
+/// tau where the light passes the air:
+///   emission:    epsilon L_bb(T), or sum of c_j L_j / tau_ref for a user-defined spectrum
 ///   reflectance: rho / pi
 ///   opacity:     1 - t
 /// Emission and reflection are not multiplied by 1 - t again: epsilon + rho + t = 1 already.
 struct SurfaceSpectra {
-    std::vector<std::vector<double>> terms; ///< by term; empty where it is off
+    /// A body emits one part, of factor 1; a measured spectrum one of each component L_j, whose
+    /// factor c_j alone depends on time and aspect.
+    struct Emission {
+        double factor = 1.0;
+        std::vector<double> radiance; ///< W m-2 sr-1 um-1 at a factor of 1
+    };
+    std::vector<Emission> emission;
+    bool emissionPassesAir = true; ///< false: measured from farther away, with all its air
+    std::vector<double> reflectance, opacity;
     std::vector<double> transmissivity;
     std::vector<double> emissivity; ///< of the material, before any scaling
     double nAngleFactor = 0.0;
@@ -52,6 +64,8 @@ struct SurfaceSpectra {
     bool isTransparent() const {
         return std::ranges::any_of(transmissivity, [](double t) { return t > 0.0; });
     }
+    /// The reflectance or the opacity; LogicError for emission, which has parts.
+    const std::vector<double>& quantity(SurfaceQuantity quantity) const;
 };
 
 /// Temperature of the surface, K, with its scaling.
@@ -63,8 +77,16 @@ using SpectrumSampler = std::function<std::vector<double>(const Spectrum&)>;
 
 /// All vectors as long as `wavelengths_um`. The temperature must be positive (LogicError: the scene
 /// check names the entry).
-SurfaceSpectra apparentRadiance(const SurfaceInput& surface, const RadianceTerms& terms,
-                                const AirSamples& air, const std::vector<double>& wavelengths_um,
-                                const SpectrumSampler& sample);
+SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
+                              const std::vector<double>& wavelengths_um,
+                              const SpectrumSampler& sample);
+
+/// c_j of eq. 6, by component of a user-defined spectrum.
+std::vector<double> componentFactors(const SurfaceInput& surface);
+
+/// Apparent spectral radiance of a surface at the sensor in term `number` of a list at a geometric
+/// factor of 1, W m-2 sr-1 um-1; empty where the term is off.
+std::vector<double> apparentTerm(const SurfaceSpectra& surface, const RadianceTerms& terms,
+                                 std::size_t number, const AirSamples& air);
 
 } // namespace irsg

@@ -6,8 +6,7 @@ namespace {
 
 void addHotIn(std::size_t output, const SceneRadiometry& radiometry,
               const std::vector<Entity>& entities, std::vector<bool>& hot) {
-    const SurfaceRows& rows = radiometry.rows();
-    const std::vector<SurfaceKey>& keys = rows.keys();
+    const std::vector<SurfaceKey>& keys = radiometry.rows().keys();
     std::vector<double> radiance_W_m2_sr, area_m2;
     std::vector<double> emitted_W_sr(entities.size()), whole_m2(entities.size());
     for (std::size_t drawn = 0; drawn < keys.size(); ++drawn) {
@@ -16,8 +15,7 @@ void addHotIn(std::size_t output, const SceneRadiometry& radiometry,
         const auto& uses = entities[e].model->codes();
         const auto use = uses.find(codes);
         area_m2.push_back(use == uses.end() ? 0.0 : use->second.area_m2);
-        radiance_W_m2_sr.push_back(
-            radiometry.thermal_W_m2_sr(rows.first(static_cast<int>(drawn)), output));
+        radiance_W_m2_sr.push_back(radiometry.thermal_W_m2_sr(static_cast<int>(drawn), output));
         emitted_W_sr[e] += radiance_W_m2_sr.back() * area_m2.back();
         whole_m2[e] += area_m2.back();
     }

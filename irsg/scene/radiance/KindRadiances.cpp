@@ -1,31 +1,34 @@
 #include "irsg/scene/radiance/KindRadiances.h"
 
 #include <algorithm>
-#include <map>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/ParallelFor.h"
+#include "irsg/scene/radiance/NodeBlocks.h"
 
 namespace irsg {
 
 namespace {
 
-/// Sum of a[i] b[i] in four strands, which do not wait for each other.
-double sumOfProducts(const double* a, const double* b, std::size_t count) {
-    double strands[4] = {0.0, 0.0, 0.0, 0.0};
-    std::size_t i = 0;
-    for (; i + 4 <= count; i += 4)
-        for (std::size_t strand = 0; strand < 4; ++strand)
-            strands[strand] += a[i + strand] * b[i + strand];
-    for (; i < count; ++i)
-        strands[0] += a[i] * b[i];
-    return (strands[0] + strands[1]) + (strands[2] + strands[3]);
+/// Pieces that kinds are divided into.
+constexpr std::size_t combineParts = 8;
+
+double sumOf(const double* a, std::size_t count) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+        sum += a[i];
+    return sum;
 }
 
-void addTo(std::vector<double>& sum, const std::vector<double>& values, double sign) {
-    sum.resize(values.size(), 0.0);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        sum[i] += sign * values[i];
+/// A place of a table that grows as it is asked.
+template <typename Entry>
+Entry& at(std::vector<std::vector<Entry>>& table, int front, int row, std::size_t rows) {
+    const auto number = static_cast<std::size_t>(front);
+    if (number >= table.size())
+        table.resize(number + 1);
+    if (table[number].empty())
+        table[number].resize(rows);
+    return table[number][static_cast<std::size_t>(row)];
 }
 
 } // namespace
@@ -34,63 +37,79 @@ KindRadiances::KindRadiances(const SceneRadiometry& radiometry, const Fronts& fr
     : radiometry_(radiometry),
       fronts_(fronts),
       outputs_(radiometry.outputs().size()),
-      factorCount_(radiometry.terms().factorCount()),
-      rows_(radiometry.surfaces().size()) {
-    for (const auto& [first, last] : radiometry.outputs()) {
-        double area_um = 0.0;
-        for (std::size_t i = first; i < last; ++i)
-            area_um += radiometry.weights_um()[i];
-        area_um_.push_back(area_um);
-    }
-    setBackground(std::vector<double>(radiometry.wavelengths_um().size(), 0.0));
+      factorCount_(radiometry.terms().factorCount()) {
+    for (const auto& [first, last] : radiometry.outputs())
+        area_um_.push_back(sumOf(&radiometry.weights_um()[first], last - first));
+    for (std::size_t drawn = 0; drawn < radiometry.surfaces().size(); ++drawn)
+        strandsOf_.push_back(strandsOf(static_cast<int>(drawn)));
+    setBackground(
+        std::make_shared<const std::vector<double>>(radiometry.wavelengths_um().size(), 0.0));
 }
 
-void KindRadiances::setBackground(std::vector<double> background) {
-    if (background == background_)
+void KindRadiances::setBackground(SharedValues background) {
+    if (areEqual(background, background_)) {
+        background_ = std::move(background);
         return;
+    }
     background_ = std::move(background);
     inBand_.clear();
     for (std::size_t output = 0; output < outputs_; ++output)
-        inBand_.push_back(radiometry_.integrate(background_, output));
-    hidden_.clear();
-    for (std::vector<Place>& ofFront : places_)
-        for (Place& place : ofFront)
-            place.hasHidden = false;
+        inBand_.push_back(radiometry_.integrate(*background_, output));
+    for (std::vector<HiddenPlace>& ofFront : hiddenPlaces_)
+        for (HiddenPlace& place : ofFront)
+            place.isKnown = false;
 }
 
-void KindRadiances::forget(const std::vector<int>& rows) {
-    for (const int row : rows) {
-        for (std::vector<Place>& ofFront : places_)
-            if (!ofFront.empty())
-                ofFront[static_cast<std::size_t>(row)].isKnown = false;
+void KindRadiances::turn(const std::vector<int>& drawn) {
+    for (std::vector<Place>& ofFront : places_)
+        for (const int one : drawn)
+            for (int row = radiometry_.rows().first(one);
+                 row < radiometry_.rows().first(one + 1) && !ofFront.empty(); ++row)
+                ofFront[static_cast<std::size_t>(row)].isCombined = false;
+}
+
+std::vector<KindRadiances::Strand> KindRadiances::strandsOf(int drawn) const {
+    const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
+    const AirSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
+    std::vector<Strand> strands;
+    const auto add = [&](std::size_t term, double sign, Strand strand) {
+        auto known = std::ranges::find_if(strands, [&](const Strand& other) {
+            return other.slot == strand.slot && other.part == strand.part &&
+                   other.passesAir == strand.passesAir && other.pathLight == strand.pathLight;
+        });
+        if (known == strands.end())
+            known = strands.insert(strands.end(), std::move(strand));
+        known->terms.emplace_back(term, sign);
+    };
+    for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
+        const RadianceTerm& term = radiometry_.terms().terms[k];
+        if (term.light && !air.light[k])
+            continue;
+        const bool isEmission = term.surface == SurfaceQuantity::emission;
+        Strand strand;
+        strand.passesAir = term.passesAir || (isEmission && surface.emissionPassesAir);
+        if (term.light && irsg::placeOf(*term.light) == AirPlace::path)
+            strand.pathLight = static_cast<int>(k);
+        const auto parts = static_cast<int>(surface.emission.size());
+        for (int part = isEmission ? 0 : -1; part < (isEmission ? parts : 0); ++part) {
+            strand.part = part;
+            strand.slot = factorCount_;
+            if (term.factor.drawn < 0 || term.factor.complement)
+                add(k, 1.0, strand);
+            strand.slot = static_cast<std::size_t>(term.factor.drawn);
+            if (term.factor.drawn >= 0)
+                add(k, term.factor.complement ? -1.0 : 1.0, strand);
+        }
     }
+    return strands;
 }
 
 KindRadiances::Place& KindRadiances::placeOf(const FactorKind& kind) {
-    const auto front = static_cast<std::size_t>(kind.front);
-    if (front >= places_.size())
-        places_.resize(front + 1);
-    if (places_[front].empty())
-        places_[front].resize(rows_.size());
-    return places_[front][static_cast<std::size_t>(kind.row)];
+    return at(places_, kind.front, kind.row, static_cast<std::size_t>(radiometry_.rows().size()));
 }
 
-void KindRadiances::fillRow(Row& made, int row) const {
-    const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(row)];
-    const std::size_t count = radiometry_.wavelengths_um().size();
-    made.perFactor.resize(factorCount_);
-    made.constant.assign(count, 0.0);
-    for (std::size_t k = 0; k < surface.terms.size(); ++k) {
-        const TermFactor& factor = radiometry_.terms().terms[k].factor;
-        const std::vector<double>& sent = surface.terms[k];
-        if (sent.empty())
-            continue;
-        if (factor.drawn < 0 || factor.complement)
-            addTo(made.constant, sent, 1.0);
-        if (factor.drawn >= 0)
-            addTo(made.perFactor[static_cast<std::size_t>(factor.drawn)], sent,
-                  factor.complement ? -1.0 : 1.0);
-    }
+KindRadiances::HiddenPlace& KindRadiances::hiddenPlaceOf(int front, int drawn) {
+    return at(hiddenPlaces_, front, drawn, strandsOf_.size());
 }
 
 std::vector<double> KindRadiances::passed(int front) const {
@@ -103,82 +122,158 @@ std::vector<double> KindRadiances::passed(int front) const {
     return product;
 }
 
-void KindRadiances::prepare(const std::vector<FactorKind>& kinds) {
-    // What is new, front by front.
-    struct Wanted {
-        FactorKind kind;
-        Place place;
-        bool sent, hidden;
-    };
-    std::map<int, std::vector<Wanted>> wanted;
-    std::vector<int> newRows;
+std::map<std::pair<int, int>, KindRadiances::Work>
+KindRadiances::plan(const std::vector<FactorKind>& kinds) {
+    std::map<std::pair<int, int>, Work> all;
     for (const FactorKind& kind : kinds) {
+        const int drawn = radiometry_.rows().drawnOf(kind.row);
         Place& place = placeOf(kind);
-        if (place.isKnown && place.hasHidden)
+        HiddenPlace& hidden = hiddenPlaceOf(kind.front, drawn);
+        if (place.isKnown && hidden.isKnown)
             continue;
-        const bool sent = !place.isKnown, hidden = !place.hasHidden;
-        if (sent) {
-            if (!place.hasRoom) {
-                place.sent = sent_.size();
-                sent_.resize(sent_.size() + outputs_ * valuesOfKind());
-                place.hasRoom = true;
+        Work& work = all[{kind.front, drawn}];
+        if (!place.isKnown) {
+            place.strands = strands_.size();
+            strands_.resize(strands_.size() +
+                            outputs_ * strandsOf_[static_cast<std::size_t>(drawn)].size());
+            place.sent = sent_.size();
+            sent_.resize(sent_.size() + outputs_ * valuesOfKind());
+            work.rows.push_back(kind.row);
+        }
+        if (!hidden.isKnown) {
+            if (!hidden.hasRoom) {
+                hidden.at = hidden_.size();
+                hidden_.resize(hidden_.size() + 2 * outputs_);
             }
-            newRows.push_back(kind.row);
+            work.hidden = true;
         }
-        if (hidden) {
-            place.hidden = hidden_.size();
-            hidden_.resize(hidden_.size() + 2 * outputs_);
-        }
-        place.isKnown = place.hasHidden = true;
-        wanted[kind.front].push_back({kind, place, sent, hidden});
+        place.isKnown = hidden.isKnown = hidden.hasRoom = true;
     }
-    std::ranges::sort(newRows);
-    newRows.erase(std::ranges::unique(newRows).begin(), newRows.end());
-    parallelFor(newRows.size(), [&](std::size_t i) {
-        fillRow(rows_[static_cast<std::size_t>(newRows[i])], newRows[i]);
-    });
+    return all;
+}
 
-    std::vector<const std::pair<const int, std::vector<Wanted>>*> all;
-    for (const auto& ofFront : wanted)
-        all.push_back(&ofFront);
+void KindRadiances::prepare(const std::vector<FactorKind>& kinds) {
+    const std::map<std::pair<int, int>, Work> wanted = plan(kinds);
+    std::vector<std::pair<int, std::vector<double>>> through; // by front
+    std::vector<std::pair<std::size_t, const std::pair<const std::pair<int, int>, Work>*>> all;
+    for (const auto& one : wanted) {
+        if (through.empty() || through.back().first != one.first.first)
+            through.emplace_back(one.first.first, std::vector<double>());
+        all.emplace_back(through.size() - 1, &one);
+    }
+    parallelFor(through.size(),
+                [&](std::size_t i) { through[i].second = passed(through[i].first); });
     parallelFor(all.size(), [&](std::size_t i) {
-        const std::vector<double> through = passed(all[i]->first);
-        for (const Wanted& one : all[i]->second) {
-            if (one.sent)
-                evaluateSent(one.kind, through, &sent_[one.place.sent]);
-            if (one.hidden)
-                evaluateHidden(one.kind, through, &hidden_[one.place.hidden]);
-        }
+        const auto& [surface, work] = *all[i].second;
+        evaluate(surface.first, surface.second, work, through[all[i].first].second);
     });
-    for (const int row : newRows)
-        rows_[static_cast<std::size_t>(row)] = {};
+    std::vector<FactorKind> changed;
+    for (const FactorKind& kind : kinds)
+        if (!std::exchange(placeOf(kind).isCombined, true))
+            changed.push_back(kind);
+    parallelFor(combineParts, [&](std::size_t part) {
+        for (std::size_t i = beginOfPart(part, combineParts, changed.size());
+             i < beginOfPart(part + 1, combineParts, changed.size()); ++i)
+            combine(changed[i]);
+    });
 }
 
-void KindRadiances::evaluateSent(const FactorKind& kind, const std::vector<double>& passed,
-                                 double* into) const {
-    const Row& row = rows_[static_cast<std::size_t>(kind.row)];
-    for (const auto& [first, last] : radiometry_.outputs()) {
-        const auto sum = [&, from = first,
-                          count = last - first](const std::vector<double>& values) {
-            return values.empty() ? 0.0 : sumOfProducts(&passed[from], &values[from], count);
-        };
-        for (const std::vector<double>& factor : row.perFactor)
-            *into++ = sum(factor);
-        *into++ = sum(row.constant);
+void KindRadiances::evaluate(int front, int drawn, const Work& work,
+                             const std::vector<double>& passed) {
+    if (work.hidden)
+        evaluateHidden(drawn, passed, &hidden_[hiddenPlaceOf(front, drawn).at]);
+    if (work.rows.empty())
+        return;
+    const std::size_t strands = strandsOf_[static_cast<std::size_t>(drawn)].size();
+    std::vector<double> sums;
+    for (std::size_t output = 0; output < outputs_; ++output) {
+        const auto& [first, last] = radiometry_.outputs()[output];
+        sums.assign(work.rows.size() * strands, 0.0);
+        for (std::size_t begin = first; begin < last; begin += nodesOfBlock)
+            addBlock(drawn, work.rows, passed, begin, std::min(nodesOfBlock, last - begin), sums);
+        for (std::size_t r = 0; r < work.rows.size(); ++r)
+            std::copy_n(&sums[r * strands], strands,
+                        &strands_[placeOf({front, work.rows[r]}).strands + output * strands]);
     }
 }
 
-void KindRadiances::evaluateHidden(const FactorKind& kind, const std::vector<double>& passed,
+void KindRadiances::addBlock(int drawn, const std::vector<int>& rows,
+                             const std::vector<double>& passed, std::size_t begin,
+                             std::size_t count, std::vector<double>& sums) const {
+    double values[nodesOfBlock], through[nodesOfBlock];
+    const std::vector<Strand>& strands = strandsOf_[static_cast<std::size_t>(drawn)];
+    for (std::size_t s = 0; s < strands.size(); ++s) {
+        const Strand& strand = strands[s];
+        fillStrand(drawn, strand, &passed[begin], begin, count, values);
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            const AirSamples& air = radiometry_.air(rows[r]);
+            const double* of = strand.passesAir ? air.transmittance->data() + begin : nullptr;
+            if (strand.pathLight >= 0) {
+                const double* light =
+                    air.light[static_cast<std::size_t>(strand.pathLight)]->data() + begin;
+                if (of)
+                    fillBlock(through, count, [=](std::size_t i) { return of[i] * light[i]; });
+                of = of ? through : light;
+            }
+            sums[r * strands.size() + s] +=
+                of ? sumOfProducts(values, of, count) : sumOf(values, count);
+        }
+    }
+}
+
+void KindRadiances::fillStrand(int drawn, const Strand& strand, const double* passed,
+                               std::size_t begin, std::size_t count, double* values) const {
+    const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
+    const AirSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
+    double sum[nodesOfBlock] = {};
+    for (const auto& [k, sign] : strand.terms) {
+        const RadianceTerm& term = radiometry_.terms().terms[k];
+        const double* own =
+            (strand.part < 0 ? surface.quantity(term.surface)
+                             : surface.emission[static_cast<std::size_t>(strand.part)].radiance)
+                .data() +
+            begin;
+        if (term.light && strand.pathLight < 0) {
+            const double* light = air.light[k]->data() + begin;
+            fillBlock(sum, count, [&, sign = sign](std::size_t i) {
+                return sum[i] + sign * own[i] * light[i];
+            });
+        } else {
+            fillBlock(sum, count,
+                      [&, sign = sign](std::size_t i) { return sum[i] + sign * own[i]; });
+        }
+    }
+    fillBlock(values, count, [&](std::size_t i) { return sum[i] * passed[i]; });
+}
+
+void KindRadiances::combine(const FactorKind& kind) {
+    const int drawn = radiometry_.rows().drawnOf(kind.row);
+    const std::vector<Strand>& strands = strandsOf_[static_cast<std::size_t>(drawn)];
+    const std::vector<SurfaceSpectra::Emission>& emission =
+        radiometry_.surfaces()[static_cast<std::size_t>(drawn)].emission;
+    const Place& place = placeOf(kind);
+    for (std::size_t output = 0; output < outputs_; ++output) {
+        double* sent = &sent_[place.sent + output * valuesOfKind()];
+        std::fill_n(sent, valuesOfKind(), 0.0);
+        for (std::size_t s = 0; s < strands.size(); ++s)
+            sent[strands[s].slot] +=
+                strands_[place.strands + output * strands.size() + s] *
+                (strands[s].part < 0 ? 1.0
+                                     : emission[static_cast<std::size_t>(strands[s].part)].factor);
+    }
+}
+
+void KindRadiances::evaluateHidden(int drawn, const std::vector<double>& passed,
                                    double* into) const {
-    const std::vector<double>& t =
-        radiometry_.surfaces()[static_cast<std::size_t>(kind.row)].transmissivity;
+    const std::vector<double>& opacity =
+        radiometry_.surfaces()[static_cast<std::size_t>(drawn)].opacity;
     for (std::size_t output = 0; output < outputs_; ++output) {
         const auto& [first, last] = radiometry_.outputs()[output];
         // As radiance, and as a part of the background, or of the response where there is none.
         double hidden = 0.0, part = 0.0;
         for (std::size_t i = first; i < last; ++i) {
-            const double stopped = passed[i] * (1.0 - t[i]);
-            hidden += stopped * background_[i];
+            const double stopped = passed[i] * opacity[i];
+            hidden += stopped * (*background_)[i];
             part += stopped;
         }
         *into++ = hidden;
@@ -186,26 +281,30 @@ void KindRadiances::evaluateHidden(const FactorKind& kind, const std::vector<dou
     }
 }
 
-KindRadiance KindRadiances::of(const FactorKind& kind, std::size_t output) const {
+KindRadiances::InOutputs KindRadiances::inOutputs(const FactorKind& kind) const {
     const auto front = static_cast<std::size_t>(kind.front);
     const auto row = static_cast<std::size_t>(kind.row);
-    if (front >= places_.size() || places_[front].empty() || !places_[front][row].isKnown ||
-        !places_[front][row].hasHidden)
+    const auto drawn = static_cast<std::size_t>(radiometry_.rows().drawnOf(kind.row));
+    if (front >= places_.size() || places_[front].empty() || !places_[front][row].isCombined ||
+        !hiddenPlaces_[front][drawn].isKnown)
         throw LogicError("a kind of surface was evaluated that was not prepared");
-    const Place& place = places_[front][row];
-    const double* sent = &sent_[place.sent + output * valuesOfKind()];
-    const double* hidden = &hidden_[place.hidden + 2 * output];
-    return {{sent, factorCount_}, sent[factorCount_], hidden[0], hidden[1]};
+    InOutputs found;
+    found.sent_ = &sent_[places_[front][row].sent];
+    found.hidden_ = &hidden_[hiddenPlaces_[front][drawn].at];
+    found.factorCount_ = factorCount_;
+    return found;
 }
 
 std::vector<double> KindRadiances::terms(const FactorKind& kind, std::size_t output) const {
     const std::vector<double> through = passed(kind.front);
     const auto& [first, last] = radiometry_.outputs()[output];
     std::vector<double> sums;
-    for (const std::vector<double>& sent :
-         radiometry_.surfaces()[static_cast<std::size_t>(kind.row)].terms)
+    for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
+        const std::vector<double> sent = apparentTerm(
+            radiometry_.surface(kind.row), radiometry_.terms(), k, radiometry_.air(kind.row));
         sums.push_back(sent.empty() ? 0.0
                                     : sumOfProducts(&through[first], &sent[first], last - first));
+    }
     return sums;
 }
 

@@ -4,39 +4,47 @@
 
 namespace irsg {
 
-std::shared_ptr<EvaluatedScene> RadiometryCache::of(const RadianceTerms& terms,
-                                                    const std::vector<Entity>& entities,
-                                                    const std::vector<ObjectGeometry>& geometry,
-                                                    const std::vector<SampledBand>& bands,
-                                                    const Fronts& fronts) {
+namespace {
+
+/// The same nodes and the same air on the way to the objects: of one sampled scene, or of two that
+/// lie behind paths of equal air.
+bool areAlike(const SampledScene& a, const SampledScene& b) {
+    return &a == &b || (a.slices_m == b.slices_m &&
+                        std::ranges::equal(
+                            a.bands, b.bands, [](const SampledBand& one, const SampledBand& two) {
+                                return one.sampling == two.sampling && one.outputs == two.outputs &&
+                                       one.air.objects == two.air.objects;
+                            }));
+}
+
+} // namespace
+
+std::shared_ptr<EvaluatedScene>
+RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entities,
+                    const std::vector<ObjectGeometry>& geometry,
+                    const std::shared_ptr<const SampledScene>& sampled, const Fronts& fronts) {
     Kept key;
     for (std::size_t e = 0; e < entities.size(); ++e) {
-        const Entity& entity = entities[e];
-        EntityState state = entity.state;
-        state.altitude_m = geometry[e].path.targetAltitude_m;
-        state.ambient_K = bands.front().air.objects[e].ambient_K;
-        state.aspectAngle_rad = 0.0; // what depends on it is evaluated anew
+        key.entities.push_back(EntityKey::of(entities[e]));
+        key.altitudes_m.push_back(geometry[e].path.targetAltitude_m);
         key.aspects_rad.push_back(geometry[e].aspectAngle_rad);
-        key.entities.push_back({entity.model, entity.database, state, entity.fallbackTemperature,
-                                entity.fallbackMaterial, entity.temperatureScale,
-                                entity.emissivityScale, geometry[e].slices_m});
     }
-    for (const SampledBand& band : bands)
-        key.bands.push_back({band.sampling, band.outputs, band.air.objects});
-
     const auto known = std::ranges::find_if(kept_, [&](const Kept& kept) {
-        return kept.entities == key.entities && kept.bands == key.bands;
+        return kept.entities == key.entities && kept.altitudes_m == key.altitudes_m &&
+               areAlike(*kept.sampled, *sampled);
     });
     if (known != kept_.end()) {
         kept_.splice(kept_.begin(), kept_, known);
-        EvaluatedScene& scene = *kept_.front().scene;
-        if (kept_.front().aspects_rad != key.aspects_rad) {
-            scene.radiances.forget(scene.radiometry.turn(entities, geometry, bands));
-            kept_.front().aspects_rad = std::move(key.aspects_rad);
+        Kept& kept = kept_.front();
+        kept.sampled = sampled; // which is found without a look at its values from now on
+        if (kept.aspects_rad != key.aspects_rad) {
+            kept.scene->radiances.turn(kept.scene->radiometry.turn(entities, geometry));
+            kept.aspects_rad = std::move(key.aspects_rad);
         }
-        return kept_.front().scene;
+        return kept.scene;
     }
-    key.scene = std::make_shared<EvaluatedScene>(terms, entities, geometry, bands, fronts);
+    key.sampled = sampled;
+    key.scene = std::make_shared<EvaluatedScene>(terms, entities, geometry, sampled->bands, fronts);
     kept_.push_front(std::move(key));
     if (kept_.size() > mostKept)
         kept_.pop_back();

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <list>
-#include <map>
 #include <memory>
-#include <optional>
 #include <vector>
 
+#include "irsg/scene/radiance/EntityKey.h"
 #include "irsg/scene/radiance/KindRadiances.h"
+#include "irsg/scene/radiance/SampledScene.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
 
 namespace irsg {
@@ -23,34 +23,23 @@ struct EvaluatedScene {
 };
 
 /// Evaluated scenes by all that their spectra depend on: samplings, air, databases, states, scales.
-/// Cases of a sweep that differ in geometry alone share one; where measured spectra depend on the
-/// aspect their rows are evaluated anew, so that a scene is good until the next one is asked for.
+/// Cases of a sweep that differ in geometry alone share one; where factors of measured spectra
+/// depend on the aspect these become others, so that a scene is good until the next one is asked
+/// for.
 class RadiometryCache {
   public:
+    /// `geometry` has the slices of `sampled`.
     std::shared_ptr<EvaluatedScene> of(const RadianceTerms& terms,
                                        const std::vector<Entity>& entities,
                                        const std::vector<ObjectGeometry>& geometry,
-                                       const std::vector<SampledBand>& bands, const Fronts& fronts);
+                                       const std::shared_ptr<const SampledScene>& sampled,
+                                       const Fronts& fronts);
 
   private:
-    struct EntityKey {
-        std::shared_ptr<const Model> model;
-        std::shared_ptr<const SignatureDatabase> database;
-        EntityState state;
-        std::optional<int> fallbackTemperature, fallbackMaterial;
-        std::map<int, double> temperatureScale, emissivityScale;
-        SliceNodes slices_m;
-        bool operator==(const EntityKey&) const = default;
-    };
-    struct BandKey {
-        std::shared_ptr<const SpectralSampling> sampling;
-        std::vector<std::pair<std::size_t, std::size_t>> outputs;
-        std::vector<ObjectAir> objects;
-        bool operator==(const BandKey&) const = default;
-    };
     struct Kept {
         std::vector<EntityKey> entities;
-        std::vector<BandKey> bands;
+        std::vector<double> altitudes_m;
+        std::shared_ptr<const SampledScene> sampled;
         std::vector<double> aspects_rad; ///< that `scene` is of now, by entity
         std::shared_ptr<EvaluatedScene> scene;
     };

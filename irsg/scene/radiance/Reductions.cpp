@@ -29,45 +29,61 @@ std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radia
                                    const std::vector<int>& varying) {
     radiances.prepare(view.field.kinds());
     const ViewLayout& layout = view.layout;
+    struct Seen {
+        std::size_t entity;
+        const double* numbers;
+        KindRadiances::InOutputs radiance;
+    };
+    std::vector<Seen> seen;
+    view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
+        const FactorKind& kind = view.field.kinds()[number];
+        const int drawn = rows.drawnOf(kind.row);
+        seen.push_back(
+            {static_cast<std::size_t>(rows.keys()[static_cast<std::size_t>(drawn)].first),
+             numbers.data(), radiances.inOutputs(kind)});
+    });
     std::vector<ObjectSums> result(radiances.outputs());
     for (ObjectSums& sums : result)
         sums.objects.resize(ranges_m.size());
-    // Outputs do not meet, so that each can be summed on a core of its own.
-    parallelFor(result.size(), [&](std::size_t output) {
-        view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
-            const FactorKind& kind = view.field.kinds()[number];
-            const KindRadiance radiance = radiances.of(kind, output);
-            const auto entity = static_cast<std::size_t>(
-                rows.keys()[static_cast<std::size_t>(rows.drawnOf(kind.row))].first);
-            const double* plain = &numbers[layout.coverage()];
-            const double* cosine = &numbers[layout.withCosine(layout.coverage())];
 
-            // The background that this surface hides, as seen through what is in front of it.
-            double hidden_W_m2 = radiance.hidden * *plain;
-            double hiddenCos_W_m2 = radiance.hidden * *cosine;
-            if (const int k = varying[output]; k >= 0) {
-                const auto background = static_cast<std::size_t>(k);
-                hidden_W_m2 = radiance.opacity * numbers[layout.background(background)];
-                hiddenCos_W_m2 = radiance.opacity * numbers[layout.backgroundCosine(background)];
-            }
-            const double square_m2 = ranges_m[entity] * ranges_m[entity];
-            const double sent_W_m2 = radianceOf(radiance, plain);
-            ObjectRadiometry& object = result[output].objects[entity];
-            object.intensity_W_sr += sent_W_m2 * square_m2;
-            object.contrastIntensity_W_sr += (sent_W_m2 - hidden_W_m2) * square_m2;
-            object.irradiance_W_m2 += radianceOf(radiance, cosine) - hiddenCos_W_m2;
-            object.coveredPixels += radiance.opacity * numbers[layout.pixels()];
-            object.solidAngle_sr += radiance.opacity * *plain;
-        });
-        ObjectRadiometry& all = result[output].all;
-        for (const ObjectRadiometry& object : result[output].objects) {
-            all.intensity_W_sr += object.intensity_W_sr;
-            all.contrastIntensity_W_sr += object.contrastIntensity_W_sr;
-            all.irradiance_W_m2 += object.irradiance_W_m2;
-            all.coveredPixels += object.coveredPixels;
-            all.solidAngle_sr += object.solidAngle_sr;
+    const auto add = [&](const Seen& one, std::size_t output) {
+        const KindRadiance radiance = one.radiance.at(output);
+        const double* plain = one.numbers + layout.coverage();
+        const double* cosine = one.numbers + layout.withCosine(layout.coverage());
+
+        // The background that this surface hides, as seen through what is in front of it.
+        double hidden_W_m2 = radiance.hidden * *plain;
+        double hiddenCos_W_m2 = radiance.hidden * *cosine;
+        if (const int k = varying[output]; k >= 0) {
+            const auto background = static_cast<std::size_t>(k);
+            hidden_W_m2 = radiance.opacity * one.numbers[layout.background(background)];
+            hiddenCos_W_m2 = radiance.opacity * one.numbers[layout.backgroundCosine(background)];
         }
+        const double square_m2 = ranges_m[one.entity] * ranges_m[one.entity];
+        const double sent_W_m2 = radianceOf(radiance, plain);
+        ObjectRadiometry& object = result[output].objects[one.entity];
+        object.intensity_W_sr += sent_W_m2 * square_m2;
+        object.contrastIntensity_W_sr += (sent_W_m2 - hidden_W_m2) * square_m2;
+        object.irradiance_W_m2 += radianceOf(radiance, cosine) - hiddenCos_W_m2;
+        object.coveredPixels += radiance.opacity * one.numbers[layout.pixels()];
+        object.solidAngle_sr += radiance.opacity * *plain;
+    };
+    // Outputs do not meet, so that some can be summed on a core of their own.
+    parallelFor(parts, [&](std::size_t part) {
+        const std::size_t first = beginOfPart(part, parts, result.size());
+        const std::size_t last = beginOfPart(part + 1, parts, result.size());
+        for (const Seen& one : seen)
+            for (std::size_t output = first; output < last; ++output)
+                add(one, output);
     });
+    for (ObjectSums& sums : result)
+        for (const ObjectRadiometry& object : sums.objects) {
+            sums.all.intensity_W_sr += object.intensity_W_sr;
+            sums.all.contrastIntensity_W_sr += object.contrastIntensity_W_sr;
+            sums.all.irradiance_W_m2 += object.irradiance_W_m2;
+            sums.all.coveredPixels += object.coveredPixels;
+            sums.all.solidAngle_sr += object.solidAngle_sr;
+        }
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/NewLines.h"
 
 namespace irsg {
 
@@ -39,7 +40,19 @@ AirPath nearTarget(const AirPath& path, double range_m) {
     return part;
 }
 
+bool areEqual(const std::map<std::string, SharedValues>& a,
+              const std::map<std::string, SharedValues>& b) {
+    return std::ranges::equal(a, b, [](const auto& one, const auto& other) {
+        return one.first == other.first && irsg::areEqual(one.second, other.second);
+    });
+}
+
 } // namespace
+
+bool ObjectAir::operator==(const ObjectAir& other) const {
+    return ambient_K == other.ambient_K && insideReference == other.insideReference &&
+           nodes == other.nodes && areEqual(toReference, other.toReference);
+}
 
 AirPath steadied(const AirPath& path) {
     const double step_m = std::max(1e-8, 1e-12 * path.range_m);
@@ -62,6 +75,28 @@ AirPath atRange(const AirPath& path, double range_m) {
     return part;
 }
 
+std::vector<AirKey> airQuestions(const Environment& environment, const RadianceTerms& terms,
+                                 const std::vector<ObjectGeometry>& geometry,
+                                 const RenderSettings& settings, const LineOfSight& centre) {
+    std::vector<AirKey> keys;
+    const auto add = [&](const AirQuestion& question) {
+        keys.push_back(
+            question.key(std::ranges::any_of(environment.atmospheres(), [&](const auto& air) {
+                return air->answersByAzimuth(question.quantity);
+            })));
+    };
+    for (const ObjectGeometry& object : geometry) {
+        add(AirQuestion::transmittance(object.path));
+        add(AirQuestion::pathRadiance(object.path, environment.sun));
+        for (const RadianceTerm& term : terms.terms)
+            if (isOn(term, settings))
+                add(questionOf(*term.light, object.path, environment.sun));
+    }
+    if (settings.background == BackgroundMode::environment)
+        add(AirQuestion::backgroundRadiance(centre, environment.sun));
+    return keys;
+}
+
 Answer<double> ambientOf(const AirAnswers& answers, const ObjectGeometry& geometry) {
     return answers.environment().ambientTemperature_K(geometry.path.targetAltitude_m);
 }
@@ -76,8 +111,7 @@ SceneAir sceneAir(AirAnswers& answers, const RadianceTerms& terms,
         std::string line = quantity;
         line += ": ";
         line += who;
-        if (std::ranges::find(scene.answeredBy, line) == scene.answeredBy.end())
-            scene.answeredBy.push_back(line);
+        addNew(scene.answeredBy, std::move(line));
     };
     const auto take = [&](const AirQuestion& question, const char* quantity) {
         const auto& answer = answers.at(question, sampling);
@@ -98,7 +132,7 @@ SceneAir sceneAir(AirAnswers& answers, const RadianceTerms& terms,
             AirSamples& node = air.nodes.emplace_back();
             node.transmittance = take(AirQuestion::transmittance(toNode), "transmittance");
             for (const RadianceTerm& term : terms.terms) {
-                std::vector<double>& light = node.light.emplace_back();
+                SharedValues& light = node.light.emplace_back();
                 if (!isOn(term, settings))
                     continue;
                 // Light onto an object is that at its reference point; light of a path ends at the

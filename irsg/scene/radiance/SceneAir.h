@@ -40,15 +40,15 @@ struct ObjectAir {
     std::vector<AirSamples> nodes; ///< by node of its slices, or one
     double ambient_K = 288.15;
     /// Transmittance to the reference distance of a user-defined spectrum, by its name.
-    std::map<std::string, std::vector<double>> toReference;
+    std::map<std::string, SharedValues> toReference;
     std::set<std::string> insideReference; ///< names of spectra measured from farther away
-    bool operator==(const ObjectAir&) const = default;
+    bool operator==(const ObjectAir& other) const;
 };
 
 /// All that a scene asks of its environment: once per object, and once for the background.
 struct SceneAir {
     std::vector<ObjectAir> objects;
-    std::vector<double> background;      ///< empty where the environment is not asked for it
+    SharedValues background;             ///< null where the environment is not asked for it
     std::vector<std::string> answeredBy; ///< "transmittance: vacuum", each once
     std::vector<std::string> warnings;   ///< each once
 };
@@ -66,6 +66,12 @@ std::vector<const Spectrum*> airSpectra(AirAnswers& answers, const RadianceTerms
                                         const std::vector<ObjectGeometry>& geometry,
                                         const RenderSettings& settings, const LineOfSight& centre,
                                         const SpectralRange& range);
+
+/// The questions behind all that: equal ones have equal answers of the same environment, whatever
+/// the band. Those at other ranges of the same paths are left out.
+std::vector<AirKey> airQuestions(const Environment& environment, const RadianceTerms& terms,
+                                 const std::vector<ObjectGeometry>& geometry,
+                                 const RenderSettings& settings, const LineOfSight& centre);
 
 /// Ambient temperature at an object's altitude, K, and who said so.
 Answer<double> ambientOf(const AirAnswers& answers, const ObjectGeometry& geometry);

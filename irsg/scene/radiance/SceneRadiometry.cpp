@@ -1,9 +1,9 @@
 #include "irsg/scene/radiance/SceneRadiometry.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/ParallelFor.h"
 
 namespace irsg {
@@ -14,10 +14,16 @@ void append(std::vector<double>& all, const std::vector<double>& some) {
     all.insert(all.end(), some.begin(), some.end());
 }
 
-void appendNew(std::vector<std::string>& all, const std::vector<std::string>& some) {
-    std::ranges::copy_if(some, std::back_inserter(all), [&](const std::string& line) {
-        return std::ranges::find(all, line) == all.end();
-    });
+/// What `of(band)` has in each band, one behind the other; null where no band has any.
+template <typename Of>
+SharedValues joined(const std::vector<SampledBand>& bands, Of of) {
+    if (bands.size() == 1)
+        return of(bands.front());
+    std::vector<double> all;
+    for (const SampledBand& band : bands)
+        if (const SharedValues& some = of(band))
+            append(all, *some);
+    return all.empty() ? nullptr : std::make_shared<const std::vector<double>>(std::move(all));
 }
 
 } // namespace
@@ -36,18 +42,9 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
             outputs_.emplace_back(wavelengths_um_.size() + first, wavelengths_um_.size() + last);
         append(wavelengths_um_, band.sampling->wavelengths_um());
         append(weights_um_, band.sampling->weights_um());
-        appendNew(answeredBy_, band.air.answeredBy);
-        appendNew(warnings_, band.air.warnings);
-        for (std::size_t e = 0; e < entities.size(); ++e)
-            for (std::size_t node = 0; node < air_[e].size(); ++node) {
-                const AirSamples& some = band.air.objects[e].nodes[node];
-                AirSamples& all = air_[e][node];
-                append(all.transmittance, some.transmittance);
-                all.light.resize(some.light.size());
-                for (std::size_t k = 0; k < some.light.size(); ++k)
-                    append(all.light[k], some.light[k]);
-            }
+        addNew(warnings_, band.air.warnings);
     }
+    joinAir(bands);
 
     std::vector<SurfaceKey> keys = surfaceKeys(entities);
     std::vector<bool> transparent;
@@ -63,47 +60,100 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
     }
     rows_ = SurfaceRows(std::move(keys), std::move(transparent), std::move(slices));
 
-    surfaces_.resize(static_cast<std::size_t>(rows_.size()));
-    parallelFor(surfaces_.size(), [&](std::size_t row) {
-        fillRow(static_cast<int>(row), entities, geometry, bands);
+    surfaces_.resize(rows_.keys().size());
+    thermal_W_m2_sr_.resize(surfaces_.size());
+    parallelFor(surfaces_.size(), [&](std::size_t drawn) {
+        fillSurface(static_cast<int>(drawn), entities, geometry, bands);
+        fillThermal(static_cast<int>(drawn));
     });
+    samples_.clear();
 }
 
-void SceneRadiometry::fillRow(int row, const std::vector<Entity>& entities,
-                              const std::vector<ObjectGeometry>& geometry,
-                              const std::vector<SampledBand>& bands) {
-    const auto& [e, codes] = rows_.keys()[static_cast<std::size_t>(rows_.drawnOf(row))];
+void SceneRadiometry::joinAir(const std::vector<SampledBand>& bands) {
+    for (std::size_t e = 0; e < air_.size(); ++e) {
+        ambient_K_.push_back(bands.front().air.objects[e].ambient_K);
+        for (std::size_t node = 0; node < air_[e].size(); ++node) {
+            const auto ofNode = [&](const SampledBand& band) -> const AirSamples& {
+                return band.air.objects[e].nodes[node];
+            };
+            AirSamples& air = air_[e][node];
+            air.transmittance =
+                joined(bands, [&](const SampledBand& b) { return ofNode(b).transmittance; });
+            for (std::size_t k = 0; k < terms_->terms.size(); ++k) {
+                // Light onto an object is the same at all nodes.
+                const auto& light = terms_->terms[k].light;
+                const bool isKnown = node > 0 && light && placeOf(*light) != AirPlace::path;
+                air.light.push_back(isKnown ? air_[e].front().light[k]
+                                            : joined(bands, [&](const SampledBand& b) {
+                                                  return ofNode(b).light[k];
+                                              }));
+            }
+        }
+    }
+}
+
+SurfaceInput SceneRadiometry::inputOf(int drawn, const std::vector<Entity>& entities,
+                                      const std::vector<ObjectGeometry>& geometry) const {
+    const auto& [e, codes] = rows_.keys()[static_cast<std::size_t>(drawn)];
     const auto index = static_cast<std::size_t>(e);
-    SurfaceInput input = surfaceInput(entities[index], codes, geometry[index],
-                                      bands.front().air.objects[index].ambient_K);
+    return surfaceInput(entities[index], codes, geometry[index], ambient_K_[index]);
+}
+
+void SceneRadiometry::fillSurface(int drawn, const std::vector<Entity>& entities,
+                                  const std::vector<ObjectGeometry>& geometry,
+                                  const std::vector<SampledBand>& bands) {
+    const auto entity =
+        static_cast<std::size_t>(rows_.keys()[static_cast<std::size_t>(drawn)].first);
+    SurfaceInput input = inputOf(drawn, entities, geometry);
     if (input.userSpectrum) {
         const std::string& name = input.temperature->userSpectrum;
         for (const SampledBand& band : bands) {
-            const ObjectAir& object = band.air.objects[index];
+            const ObjectAir& object = band.air.objects[entity];
             const auto reference = object.toReference.find(name);
             if (reference != object.toReference.end())
-                append(input.referenceTransmittance, reference->second);
+                append(input.referenceTransmittance, *reference->second);
             input.insideReference = object.insideReference.contains(name);
         }
     }
-    surfaces_[static_cast<std::size_t>(row)] =
-        apparentRadiance(input, *terms_, air(row), wavelengths_um_,
-                         [&](const Spectrum& spectrum) { return sampled(spectrum, bands); });
+    surfaces_[static_cast<std::size_t>(drawn)] = surfaceSpectra(
+        input, wavelengths_um_, [&](const Spectrum& spectrum) { return sampled(spectrum, bands); });
+}
+
+void SceneRadiometry::fillThermal(int drawn) {
+    const SurfaceSpectra& surface = surfaces_[static_cast<std::size_t>(drawn)];
+    const AirSamples& samples = air(rows_.first(drawn));
+    std::vector<double>& all = thermal_W_m2_sr_[static_cast<std::size_t>(drawn)];
+    for (const SurfaceSpectra::Emission& part : surface.emission) {
+        SurfaceSpectra alone;
+        alone.emission.push_back({1.0, part.radiance});
+        alone.emissionPassesAir = surface.emissionPassesAir;
+        alone.opacity.resize(part.radiance.size());
+        std::vector<double> ofPart(outputs_.size(), 0.0);
+        for (std::size_t k = 0; k < terms_->terms.size(); ++k) {
+            if (terms_->terms[k].surface != SurfaceQuantity::emission)
+                continue;
+            const std::vector<double> sent = apparentTerm(alone, *terms_, k, samples);
+            for (std::size_t output = 0; output < outputs_.size() && !sent.empty(); ++output)
+                ofPart[output] += integrate(sent, output);
+        }
+        append(all, ofPart);
+    }
 }
 
 std::vector<int> SceneRadiometry::turn(const std::vector<Entity>& entities,
-                                       const std::vector<ObjectGeometry>& geometry,
-                                       const std::vector<SampledBand>& bands) {
+                                       const std::vector<ObjectGeometry>& geometry) {
     std::vector<int> turned;
-    for (int row = 0; row < rows_.size(); ++row) {
-        const auto& [e, codes] = rows_.keys()[static_cast<std::size_t>(rows_.drawnOf(row))];
+    for (int drawn = 0; drawn < static_cast<int>(surfaces_.size()); ++drawn) {
+        const auto& [e, codes] = rows_.keys()[static_cast<std::size_t>(drawn)];
         const TemperatureEntry* entry =
             temperatureEntry(entities[static_cast<std::size_t>(e)], codes.temperature);
-        if (entry && dependsOnAspect(*entry))
-            turned.push_back(row);
+        if (!entry || !dependsOnAspect(*entry))
+            continue;
+        turned.push_back(drawn);
+        const std::vector<double> factors = componentFactors(inputOf(drawn, entities, geometry));
+        for (std::size_t j = 0; j < factors.size(); ++j)
+            surfaces_[static_cast<std::size_t>(drawn)].emission[j].factor = factors[j];
     }
-    parallelFor(turned.size(),
-                [&](std::size_t i) { fillRow(turned[i], entities, geometry, bands); });
     return turned;
 }
 
@@ -146,26 +196,24 @@ double SceneRadiometry::integrate(const std::vector<double>& values, std::size_t
     return sum;
 }
 
-double SceneRadiometry::thermal_W_m2_sr(int row, std::size_t output) const {
+double SceneRadiometry::thermal_W_m2_sr(int drawn, std::size_t output) const {
+    const auto row = static_cast<std::size_t>(drawn);
     double sum = 0.0;
-    for (std::size_t k = 0; k < terms_->terms.size(); ++k)
-        if (terms_->terms[k].surface == SurfaceQuantity::emission)
-            sum += integrate(surfaces_[static_cast<std::size_t>(row)].terms[k], output);
+    for (std::size_t j = 0; j < surfaces_[row].emission.size(); ++j)
+        sum +=
+            surfaces_[row].emission[j].factor * thermal_W_m2_sr_[row][j * outputs_.size() + output];
     return sum;
 }
 
-std::vector<double> backgroundOf(const std::vector<SampledBand>& bands,
-                                 const RenderSettings& settings) {
-    std::vector<double> all;
-    for (const SampledBand& band : bands) {
+SharedValues backgroundOf(const std::vector<SampledBand>& bands, const RenderSettings& settings) {
+    return joined(bands, [&](const SampledBand& band) -> SharedValues {
+        if (settings.background == BackgroundMode::environment)
+            return band.air.background;
         const double uniform_W_m2_sr =
             settings.background == BackgroundMode::constant ? settings.background_W_m2_sr : 0.0;
-        append(all,
-               settings.background == BackgroundMode::environment
-                   ? band.air.background
-                   : std::vector<double>(band.sampling->size(), uniform_W_m2_sr / band.area_um));
-    }
-    return all;
+        return std::make_shared<const std::vector<double>>(band.sampling->size(),
+                                                           uniform_W_m2_sr / band.area_um);
+    });
 }
 
 } // namespace irsg

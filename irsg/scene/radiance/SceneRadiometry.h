@@ -13,8 +13,9 @@
 
 namespace irsg {
 
-/// A scene's spectra on the nodes of its bands, one band behind the other: what every row of
-/// SurfaceRows sends to the sensor, term by term.
+/// A scene's spectra on the nodes of its bands, one band behind the other: what every drawn row of
+/// SurfaceRows sends, and the air between each row and the sensor. Their products, which are what
+/// arrives, are left to KindRadiances: an object has many more rows than surfaces and air.
 class SceneRadiometry {
   public:
     /// `bands` hold the air of the entities in the same order, sliced as `geometry` says. Their
@@ -23,16 +24,18 @@ class SceneRadiometry {
                     const std::vector<ObjectGeometry>& geometry,
                     const std::vector<SampledBand>& bands);
 
-    /// The same but for the aspect angles in `geometry`: evaluates the rows anew whose measured
-    /// spectra depend on them, and returns these. `bands` are those of before.
+    /// The same but for the aspect angles in `geometry`: changes the factors of measured spectra
+    /// that depend on them, and returns the drawn rows that they have changed of.
     std::vector<int> turn(const std::vector<Entity>& entities,
-                          const std::vector<ObjectGeometry>& geometry,
-                          const std::vector<SampledBand>& bands);
+                          const std::vector<ObjectGeometry>& geometry);
 
     const RadianceTerms& terms() const { return *terms_; }
     const SurfaceRows& rows() const { return rows_; }
-    /// By row.
+    /// By drawn row.
     const std::vector<SurfaceSpectra>& surfaces() const { return surfaces_; }
+    const SurfaceSpectra& surface(int row) const {
+        return surfaces_[static_cast<std::size_t>(rows_.drawnOf(row))];
+    }
 
     const std::vector<double>& wavelengths_um() const { return wavelengths_um_; }
     const std::vector<double>& weights_um() const { return weights_um_; }
@@ -45,16 +48,19 @@ class SceneRadiometry {
 
     /// Sum of weight times value over an output.
     double integrate(const std::vector<double>& values, std::size_t output = 0) const;
-    /// In-band emission of a row as it arrives, W m-2 sr-1.
-    double thermal_W_m2_sr(int row, std::size_t output = 0) const;
+    /// In-band emission of a drawn row as it arrives from its first row, W m-2 sr-1.
+    double thermal_W_m2_sr(int drawn, std::size_t output = 0) const;
 
-    const std::vector<std::string>& answeredBy() const { return answeredBy_; }
     const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
-    void fillRow(int row, const std::vector<Entity>& entities,
-                 const std::vector<ObjectGeometry>& geometry,
-                 const std::vector<SampledBand>& bands);
+    void joinAir(const std::vector<SampledBand>& bands);
+    void fillSurface(int drawn, const std::vector<Entity>& entities,
+                     const std::vector<ObjectGeometry>& geometry,
+                     const std::vector<SampledBand>& bands);
+    void fillThermal(int drawn);
+    SurfaceInput inputOf(int drawn, const std::vector<Entity>& entities,
+                         const std::vector<ObjectGeometry>& geometry) const;
     /// A spectrum of the scene's databases at the nodes; sampled once.
     std::vector<double> sampled(const Spectrum& spectrum, const std::vector<SampledBand>& bands);
 
@@ -64,8 +70,11 @@ class SceneRadiometry {
     std::vector<std::pair<std::size_t, std::size_t>> outputs_;
     std::vector<SurfaceSpectra> surfaces_;
     std::vector<std::vector<AirSamples>> air_; // by entity and node
+    std::vector<double> ambient_K_;            // by entity
+    /// By drawn row: in-band emission of every part at a factor of 1, output by output.
+    std::vector<std::vector<double>> thermal_W_m2_sr_;
     std::map<std::pair<int, int>, std::vector<double>> transmissivities_;
-    std::vector<std::string> answeredBy_, warnings_;
+    std::vector<std::string> warnings_;
     std::mutex sampling_;
     std::map<const Spectrum*, std::vector<double>> samples_;
 };
@@ -75,7 +84,6 @@ bool dependsOnAspect(const TemperatureEntry& entry);
 
 /// Spectral radiance behind the objects at the field's centre on the nodes of the bands, one behind
 /// the other, as the settings ask for it.
-std::vector<double> backgroundOf(const std::vector<SampledBand>& bands,
-                                 const RenderSettings& settings);
+SharedValues backgroundOf(const std::vector<SampledBand>& bands, const RenderSettings& settings);
 
 } // namespace irsg

@@ -51,11 +51,8 @@ void addSurfaceSpectra(const std::vector<Entity>& entities, std::vector<const Sp
     }
 }
 
-SampledBand sampledBand(AirAnswers& answers, const AirScene& scene,
-                        std::shared_ptr<const SpectralSampling> sampling) {
+SampledBand sampledBand(std::shared_ptr<const SpectralSampling> sampling) {
     SampledBand band;
-    band.air = sceneAir(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
-                        scene.centre, sampling);
     band.outputs = {{0, sampling->size()}};
     band.sample = [sampling](const Spectrum& spectrum) { return sampling->sampled(spectrum); };
     band.sampling = std::move(sampling);
@@ -114,18 +111,27 @@ SceneSampling::quadrature(AirAnswers& answers, const AirScene& scene, const Band
     return kept_.front().sampling;
 }
 
+void SceneSampling::takeAir(AirAnswers& answers, const AirScene& scene, SampledBand& band) {
+    band.air = sceneAir(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
+                        scene.centre, band.sampling);
+    if (!band.description.empty())
+        band.air.answeredBy.insert(band.air.answeredBy.begin(), band.description);
+}
+
 SampledBand SceneSampling::spectral(AirAnswers& answers, const AirScene& scene, const Band& band) {
-    SampledBand made = sampledBand(answers, scene, quadrature(answers, scene, band));
+    SampledBand made = sampledBand(quadrature(answers, scene, band));
     made.area_um = band.area_um();
+    takeAir(answers, scene, made);
     return made;
 }
 
 SampledBand SceneSampling::wideband(AirAnswers& answers, const AirScene& scene,
                                     const std::shared_ptr<const WidebandTerms>& terms) {
-    SampledBand made = sampledBand(answers, scene, terms->sampling());
+    SampledBand made = sampledBand(terms->sampling());
     made.sample = [terms](const Spectrum& spectrum) { return terms->sampled(spectrum); };
     made.area_um = made.sampling->area_um();
-    made.air.answeredBy.insert(made.air.answeredBy.begin(), terms->description());
+    made.description = terms->description();
+    takeAir(answers, scene, made);
     return made;
 }
 
@@ -133,12 +139,12 @@ SampledBand SceneSampling::wavelengths(AirAnswers& answers, const AirScene& scen
                                        const std::vector<double>& wavelengths_um) {
     if (wavelengths_um.empty())
         throw LogicError("a spectrum without wavelengths was asked for");
-    SampledBand made =
-        sampledBand(answers, scene, std::make_shared<const SpectralPoints>(wavelengths_um));
+    SampledBand made = sampledBand(std::make_shared<const SpectralPoints>(wavelengths_um));
     made.area_um = made.sampling->range().width_um();
     made.outputs.clear();
     for (std::size_t i = 0; i < wavelengths_um.size(); ++i)
         made.outputs.emplace_back(i, i + 1);
+    takeAir(answers, scene, made);
     return made;
 }
 

@@ -19,7 +19,8 @@ struct SampledBand {
     std::vector<std::pair<std::size_t, std::size_t>> outputs;
     /// Brings a surface's spectrum to the nodes.
     SpectrumSampler sample;
-    double area_um = 0.0; ///< of the response, or of the interval of the wavelengths
+    double area_um = 0.0;    ///< of the response, or of the interval of the wavelengths
+    std::string description; ///< what is to be told of the nodes, or nothing
     SceneAir air;
 };
 
@@ -46,6 +47,9 @@ class SceneSampling {
     /// For spectra: each of the ascending wavelengths is an output.
     static SampledBand wavelengths(AirAnswers& answers, const AirScene& scene,
                                    const std::vector<double>& wavelengths_um);
+
+    /// The air of the scene at the nodes of a band, anew: with the slices that its geometry has.
+    static void takeAir(AirAnswers& answers, const AirScene& scene, SampledBand& band);
 
   private:
     static constexpr std::size_t mostKept = 256;

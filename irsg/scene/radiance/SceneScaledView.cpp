@@ -118,8 +118,7 @@ SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry&
 
 SceneScaledView::Surface SceneScaledView::surfaceOf(const SceneRadiometry& radiometry,
                                                     int drawn) const {
-    const SurfaceSpectra& spectra =
-        radiometry.surfaces()[static_cast<std::size_t>(radiometry.rows().first(drawn))];
+    const SurfaceSpectra& spectra = radiometry.surfaces()[static_cast<std::size_t>(drawn)];
     Surface surface;
     surface.temperature_K = spectra.temperature_K;
     for (std::size_t i = nodes_.first; i < nodes_.second; ++i) {
@@ -139,7 +138,7 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
         const FactorKind& kind = view.field.kinds()[number];
         const int drawn = radiometry.rows().drawnOf(kind.row);
         Surface& surface = surfaces[static_cast<std::size_t>(drawn)];
-        const SurfaceSpectra& spectra = radiometry.surfaces()[static_cast<std::size_t>(kind.row)];
+        const SurfaceSpectra& spectra = radiometry.surfaces()[static_cast<std::size_t>(drawn)];
         const AirSamples& air = radiometry.air(kind.row);
         const double range_m = ranges_m[static_cast<std::size_t>(
             radiometry.rows().keys()[static_cast<std::size_t>(drawn)].first)];
@@ -155,7 +154,7 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
         for (std::size_t k = 0; k < terms.size(); ++k) {
             const RadianceTerm& term = terms[k];
             const bool isEmission = term.surface == SurfaceQuantity::emission;
-            if (term.surface == SurfaceQuantity::opacity || (term.light && air.light[k].empty()))
+            if (term.surface == SurfaceQuantity::opacity || (term.light && !air.light[k]))
                 continue;
             // Coverage, a factor, or what is left of the coverage beside it.
             const auto sumOf = [&](std::size_t coverage) {
@@ -169,14 +168,17 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
             const double plain_sr = sumOf(view.layout.coverage());
             const double cosine_sr = sumOf(view.layout.withCosine(view.layout.coverage()));
             Drive& drive = isEmission ? surface.emitted : surface.reflected;
+            const bool isMeasured = isEmission && !(surface.temperature_K > 0.0);
+            const std::vector<double> measured =
+                isMeasured ? apparentTerm(spectra, radiometry.terms(), k, air)
+                           : std::vector<double>();
             for (std::size_t i = 0; i < count; ++i) {
                 const std::size_t node = nodes_.first + i;
                 double unit = front->second[node];
                 if (isEmission)
-                    unit *= surface.temperature_K > 0.0 ? air.transmittance[node]
-                                                        : spectra.terms[k][node];
+                    unit *= isMeasured ? measured[node] : (*air.transmittance)[node];
                 else
-                    unit *= air.light[k][node] * air.transmittance[node] / pi;
+                    unit *= (*air.light[k])[node] * (*air.transmittance)[node] / pi;
                 drive.intensity[i] += unit * plain_sr * square_m2;
                 drive.irradiance[i] += unit * cosine_sr;
             }

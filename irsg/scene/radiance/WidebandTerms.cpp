@@ -80,10 +80,6 @@ std::vector<double> WidebandTerms::sampled(const Spectrum& spectrum) const {
     return data_->sampled(spectrum);
 }
 
-double WidebandTerms::area_um() const {
-    return data_->area_um();
-}
-
 std::string WidebandTerms::description() const {
     char percent[32];
     std::snprintf(percent, sizeof percent, "%.2g", 100.0 * data_->largestError());

@@ -35,8 +35,6 @@ class WidebandTerms {
     std::shared_ptr<const SpectralSampling> sampling() const;
     /// Means over the bins of the terms.
     std::vector<double> sampled(const Spectrum& spectrum) const;
-    /// The area of the response as the terms have it, um.
-    double area_um() const;
     /// "wideband-ck: 107 terms, trained to 0.3 %, of AtmosphereSmart (clear.xml)"
     std::string description() const;
 

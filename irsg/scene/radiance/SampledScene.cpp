@@ -1,0 +1,96 @@
+#include "irsg/scene/radiance/SampledScene.h"
+
+#include <algorithm>
+
+#include "irsg/radiometry/NewLines.h"
+#include "irsg/scene/radiance/AirSlices.h"
+#include "irsg/scene/radiance/SceneRadiometry.h"
+
+namespace irsg {
+
+namespace {
+
+std::size_t sizeOf(const SampledScene& scene) {
+    std::size_t numbers = 0;
+    for (const SampledBand& band : scene.bands)
+        for (const ObjectAir& object : band.air.objects)
+            for (const AirSamples& node : object.nodes)
+                numbers +=
+                    band.sampling->size() *
+                    (1 + static_cast<std::size_t>(std::ranges::count_if(
+                             node.light, [](const SharedValues& v) { return v != nullptr; })));
+    return numbers;
+}
+
+} // namespace
+
+SampledScenes::Key SampledScenes::keyOf(const Environment& environment, const AirScene& scene,
+                                        const std::vector<Band>& bands) {
+    const RenderSettings& settings = scene.settings;
+    Key key{environment.atmospheres(),
+            environment.defaultBackground,
+            environment.defaultAmbient_K,
+            airQuestions(environment, scene.terms, scene.geometry, settings, scene.centre),
+            {environment.sun.azimuth_rad, environment.sun.elevation_rad, settings.airSliceFrom,
+             settings.background_W_m2_sr, static_cast<double>(settings.background),
+             static_cast<double>(settings.mode)},
+            bands,
+            {}};
+    for (const RadianceTerm& term : scene.terms.terms)
+        key.numbers.push_back(term.isOn(settings) ? 1.0 : 0.0);
+    for (const ObjectGeometry& object : scene.geometry)
+        key.numbers.insert(key.numbers.end(), {object.nearest_m, object.farthest_m});
+    for (const Entity& entity : scene.entities)
+        key.entities.push_back(EntityKey::of(entity));
+    return key;
+}
+
+std::shared_ptr<const SampledScene> SampledScenes::make(AirAnswers& answers, const AirScene& scene,
+                                                        const std::vector<Band>& bands,
+                                                        const Sampler& sample) {
+    std::vector<ObjectGeometry> geometry = scene.geometry;
+    for (ObjectGeometry& object : geometry)
+        object.slices_m.clear();
+    const AirScene own{scene.terms, scene.entities, geometry, scene.settings, scene.centre};
+    auto made = std::make_shared<SampledScene>();
+    for (const Band& band : bands)
+        made->bands.push_back(sample(own, band));
+    bool isSliced = false;
+    for (std::size_t e = 0; e < geometry.size(); ++e) {
+        planSlicesOf(answers, made->bands, e, scene.settings, geometry[e]);
+        isSliced = isSliced || geometry[e].slices_m.size() > 1;
+        made->slices_m.push_back(geometry[e].slices_m);
+        made->airError.push_back(geometry[e].airError);
+    }
+    for (SampledBand& band : made->bands) {
+        if (isSliced)
+            SceneSampling::takeAir(answers, own, band);
+        addNew(made->answeredBy, band.air.answeredBy);
+        addNew(made->warnings, band.air.warnings);
+    }
+    made->background = backgroundOf(made->bands, scene.settings);
+    return made;
+}
+
+std::shared_ptr<const SampledScene> SampledScenes::of(AirAnswers& answers, const AirScene& scene,
+                                                      const std::vector<Band>& bands,
+                                                      const Sampler& sample) {
+    Key key = keyOf(answers.environment(), scene, bands);
+    const auto known =
+        std::ranges::find_if(kept_, [&](const Kept& kept) { return kept.key == key; });
+    if (known != kept_.end()) {
+        kept_.splice(kept_.begin(), kept_, known);
+        return kept_.front().scene;
+    }
+    auto made = make(answers, scene, bands, sample);
+    const std::size_t size = sizeOf(*made);
+    kept_.push_front({std::move(key), std::move(made), size});
+    std::size_t scenes = 0, numbers = 0;
+    std::erase_if(kept_, [&](const Kept& kept) {
+        numbers += kept.size;
+        return ++scenes > 1 && (scenes > mostKept || numbers > mostNumbers);
+    });
+    return kept_.front().scene;
+}
+
+} // namespace irsg

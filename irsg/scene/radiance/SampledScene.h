@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "irsg/scene/radiance/EntityKey.h"
+#include "irsg/scene/radiance/SceneSampling.h"
+
+namespace irsg {
+
+/// A scene's bands with their nodes and air, sliced where the air changes over an object.
+struct SampledScene {
+    std::vector<SampledBand> bands;
+    // By entity: see ObjectGeometry.
+    std::vector<SliceNodes> slices_m;
+    std::vector<double> airError;
+    SharedValues background; ///< see backgroundOf
+    std::vector<std::string> answeredBy, warnings;
+};
+
+/// Sampled scenes by what they follow from: few numbers, so that cases of a sweep that share their
+/// paths find theirs without a look at a spectrum. Aspect and azimuth count only where the air
+/// answers by them.
+class SampledScenes {
+  public:
+    /// Samples a band of a scene whose objects have one slice each.
+    using Sampler = std::function<SampledBand(const AirScene&, const Band&)>;
+
+    /// `scene.geometry` may hold any slices: they come out.
+    std::shared_ptr<const SampledScene> of(AirAnswers& answers, const AirScene& scene,
+                                           const std::vector<Band>& bands, const Sampler& sample);
+
+  private:
+    struct Key {
+        std::vector<std::shared_ptr<const Atmosphere>> atmospheres;
+        std::optional<Spectrum> defaultBackground;
+        std::optional<double> defaultAmbient_K;
+        std::vector<AirKey> questions;
+        /// The sun, the extent of each object, settings, and which terms are on.
+        std::vector<double> numbers;
+        std::vector<Band> bands;
+        std::vector<EntityKey> entities;
+        bool operator==(const Key&) const = default;
+    };
+    struct Kept {
+        Key key;
+        std::shared_ptr<const SampledScene> scene;
+        std::size_t size; ///< numbers in it
+    };
+    /// As many as a Monte Carlo analysis has phases and more; of large scenes as many as hold so
+    /// many numbers (64 MiB), and the last one.
+    static constexpr std::size_t mostKept = 16, mostNumbers = std::size_t{1} << 23;
+
+    static Key keyOf(const Environment& environment, const AirScene& scene,
+                     const std::vector<Band>& bands);
+    static std::shared_ptr<const SampledScene> make(AirAnswers& answers, const AirScene& scene,
+                                                    const std::vector<Band>& bands,
+                                                    const Sampler& sample);
+
+    std::list<Kept> kept_; // latest first
+};
+
+} // namespace irsg
