@@ -225,7 +225,13 @@ void KindRadiances::fillStrand(int drawn, const Strand& strand, const double* pa
                                std::size_t begin, std::size_t count, double* values) const {
     const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
     const AirSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
-    double sum[nodesOfBlock] = {};
+    bool isFirst = true;
+    const auto add = [&](const auto& make) {
+        if (std::exchange(isFirst, false))
+            fillBlock(values, count, make);
+        else
+            fillBlock(values, count, [&](std::size_t i) { return values[i] + make(i); });
+    };
     for (const auto& [k, sign] : strand.terms) {
         const RadianceTerm& term = radiometry_.terms().terms[k];
         const double* own =
@@ -233,17 +239,14 @@ void KindRadiances::fillStrand(int drawn, const Strand& strand, const double* pa
                              : surface.emission[static_cast<std::size_t>(strand.part)].radiance)
                 .data() +
             begin;
+        const double of = sign;
         if (term.light && strand.pathLight < 0) {
             const double* light = air.light[k]->data() + begin;
-            fillBlock(sum, count, [&, sign = sign](std::size_t i) {
-                return sum[i] + sign * own[i] * light[i];
-            });
+            add([=](std::size_t i) { return of * passed[i] * own[i] * light[i]; });
         } else {
-            fillBlock(sum, count,
-                      [&, sign = sign](std::size_t i) { return sum[i] + sign * own[i]; });
+            add([=](std::size_t i) { return of * passed[i] * own[i]; });
         }
     }
-    fillBlock(values, count, [&](std::size_t i) { return sum[i] * passed[i]; });
 }
 
 void KindRadiances::combine(const FactorKind& kind) {
