@@ -178,7 +178,8 @@ void Renderer::Parts::renderImage(const Frame& frame, const Wanted& wanted, Rend
 std::vector<RenderReport> Renderer::Parts::reports(const Frame& frame, const ViewFactors& factors) {
     return timed("evaluation", [&] {
         // Frames share evaluated scenes, and another may have been begun since.
-        frame.evaluated->radiances.setBackground(frame.uniform_W_m2_sr);
+        frame.evaluated->turnTo(frame.scene.entities, frame.geometry);
+        frame.evaluated->radiances.setBackground(frame.background);
         std::vector<int> varying;
         int number = 0;
         for (const FrameBackground& background : frame.backgrounds)

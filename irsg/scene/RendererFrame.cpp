@@ -85,8 +85,8 @@ void Renderer::Parts::evaluate(Frame& frame) {
         frame.warnings = sampled->warnings;
         frame.evaluated =
             radiometry.of(terms, frame.scene.entities, frame.geometry, sampled, fronts);
-        frame.uniform_W_m2_sr = sampled->background;
-        frame.evaluated->radiances.setBackground(frame.uniform_W_m2_sr);
+        frame.background = sampled->background;
+        frame.evaluated->radiances.setBackground(frame.background);
         drawBackgrounds(frame, sampled->bands);
         fillRows(frame);
         fillItems(frame);

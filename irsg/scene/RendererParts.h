@@ -98,7 +98,7 @@ struct Renderer::Parts {
         LineOfSight centre; ///< through the middle of the field, unbounded
         std::vector<std::string> answeredBy, warnings;
         std::shared_ptr<EvaluatedScene> evaluated;
-        std::vector<double> uniform_W_m2_sr; ///< background as evaluated radiances have it, by band
+        SharedValues background;                  ///< uniform, as evaluated radiances have it
         std::vector<FrameBackground> backgrounds; // by band
         BackgroundReport backgroundReport;
         std::vector<SurfaceItem> items;     // of all objects, in their model axes until sceneOf

@@ -17,7 +17,30 @@ bool areAlike(const SampledScene& a, const SampledScene& b) {
                             }));
 }
 
+std::vector<double> aspectsOf(const std::vector<ObjectGeometry>& geometry) {
+    std::vector<double> aspects_rad;
+    for (const ObjectGeometry& object : geometry)
+        aspects_rad.push_back(object.aspectAngle_rad);
+    return aspects_rad;
+}
+
 } // namespace
+
+EvaluatedScene::EvaluatedScene(const RadianceTerms& terms, const std::vector<Entity>& entities,
+                               const std::vector<ObjectGeometry>& geometry,
+                               const std::vector<SampledBand>& bands, const Fronts& fronts)
+    : radiometry(terms, entities, geometry, bands),
+      radiances(radiometry, fronts),
+      aspects_rad_(aspectsOf(geometry)) {}
+
+void EvaluatedScene::turnTo(const std::vector<Entity>& entities,
+                            const std::vector<ObjectGeometry>& geometry) {
+    std::vector<double> aspects_rad = aspectsOf(geometry);
+    if (aspects_rad == aspects_rad_)
+        return;
+    radiances.turn(radiometry.turn(entities, geometry));
+    aspects_rad_ = std::move(aspects_rad);
+}
 
 std::shared_ptr<EvaluatedScene>
 RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entities,
@@ -27,7 +50,6 @@ RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entit
     for (std::size_t e = 0; e < entities.size(); ++e) {
         key.entities.push_back(EntityKey::of(entities[e]));
         key.altitudes_m.push_back(geometry[e].path.targetAltitude_m);
-        key.aspects_rad.push_back(geometry[e].aspectAngle_rad);
     }
     const auto known = std::ranges::find_if(kept_, [&](const Kept& kept) {
         return kept.entities == key.entities && kept.altitudes_m == key.altitudes_m &&
@@ -37,10 +59,7 @@ RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entit
         kept_.splice(kept_.begin(), kept_, known);
         Kept& kept = kept_.front();
         kept.sampled = sampled; // which is found without a look at its values from now on
-        if (kept.aspects_rad != key.aspects_rad) {
-            kept.scene->radiances.turn(kept.scene->radiometry.turn(entities, geometry));
-            kept.aspects_rad = std::move(key.aspects_rad);
-        }
+        kept.scene->turnTo(entities, geometry);
         return kept.scene;
     }
     key.sampled = sampled;

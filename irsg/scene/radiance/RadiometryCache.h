@@ -15,17 +15,22 @@ namespace irsg {
 struct EvaluatedScene {
     EvaluatedScene(const RadianceTerms& terms, const std::vector<Entity>& entities,
                    const std::vector<ObjectGeometry>& geometry,
-                   const std::vector<SampledBand>& bands, const Fronts& fronts)
-        : radiometry(terms, entities, geometry, bands), radiances(radiometry, fronts) {}
+                   const std::vector<SampledBand>& bands, const Fronts& fronts);
+
+    /// Makes it that of other aspects.
+    void turnTo(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry);
 
     SceneRadiometry radiometry;
     KindRadiances radiances;
+
+  private:
+    std::vector<double> aspects_rad_; // by entity
 };
 
 /// Evaluated scenes by all that their spectra depend on: samplings, air, databases, states, scales.
 /// Cases of a sweep that differ in geometry alone share one; where factors of measured spectra
-/// depend on the aspect these become others, so that a scene is good until the next one is asked
-/// for.
+/// depend on the aspect these become others, so that whoever asked for a scene before turns it
+/// back.
 class RadiometryCache {
   public:
     /// `geometry` has the slices of `sampled`.
@@ -40,7 +45,6 @@ class RadiometryCache {
         std::vector<EntityKey> entities;
         std::vector<double> altitudes_m;
         std::shared_ptr<const SampledScene> sampled;
-        std::vector<double> aspects_rad; ///< that `scene` is of now, by entity
         std::shared_ptr<EvaluatedScene> scene;
     };
     static constexpr std::size_t mostKept = 4;

@@ -33,8 +33,11 @@ class SurfaceRows {
         const auto& [entity, codes] = keys_[static_cast<std::size_t>(drawn)];
         return {entity, codes.material};
     }
-    /// The first of a drawn row's rows.
-    int first(int drawn) const { return drawn_[static_cast<std::size_t>(drawn)].first; }
+    /// The first of a drawn row's rows; of the one behind the last the number of all.
+    int first(int drawn) const {
+        const auto number = static_cast<std::size_t>(drawn);
+        return number < drawn_.size() ? drawn_[number].first : size();
+    }
     /// Number of all rows.
     int size() const { return static_cast<int>(drawnOf_.size()); }
     int drawnOf(int row) const { return drawnOf_[static_cast<std::size_t>(row)]; }
