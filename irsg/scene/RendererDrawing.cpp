@@ -127,7 +127,7 @@ FrameReduction Renderer::Parts::drawObjects(const Frame& frame, std::vector<Samp
             parts_.pass->drawFactors(info_, scene, window, isSliced, factors_);
             {
                 Stopwatch sorting(sortSeconds);
-                sortLayers(factors_, frame_.scene.settings.maximumLayers, room_);
+                sortLayers(factors_, frame_.scene.settings.maximumLayers);
             }
             Stopwatch evaluating(evaluateSeconds);
             radiances_.evaluate(factors_, samples);
@@ -142,7 +142,6 @@ FrameReduction Renderer::Parts::drawObjects(const Frame& frame, std::vector<Samp
         osg::RenderInfo& info_;
         SampleRadiances radiances_;
         FactorSamples factors_;
-        std::vector<float> room_;
     };
 
     double all_s = 0.0, drawing_s = 0.0, sorting_s = 0.0, evaluating_s = 0.0;

@@ -173,14 +173,13 @@ const FactorField<double>& Renderer::Parts::pointFactors(const Frame& frame,
             seen->edges = edgesOf(frame, zoom, object.entity);
             onContext([&](osg::RenderInfo& info) {
                 FactorSamples samples;
-                std::vector<float> room;
                 const PixelAlignedStrategy strategy(settings.zoomWindow * 3 / 2);
                 for (const SampleWindow& window :
                      piecesOf(strategy.windows({*seen}), largestDrawing())) {
                     SurfaceScene alone = sceneOf(frame, zoom, window);
                     alone.occluders.clear(); // no terrain is before a point as the sensor sees it
                     pass->drawFactors(info, alone, window, false, samples);
-                    sortLayers(samples, settings.maximumLayers, room);
+                    sortLayers(samples, settings.maximumLayers);
                     sums.addToView(window, samples, view);
                 }
             });

@@ -34,13 +34,14 @@ std::vector<Visit> visitsOf(LayerWalk& walk, const std::vector<std::int32_t>& dr
     FactorSamples samples;
     samples.factorCount = 3;
     samples.opaque = {0.0f, 0.0f, 0.0f, 0.0f};
+    std::vector<float> list;
     for (std::size_t i = drawn.size(); i-- > 0;)
         for (const float word :
              {std::bit_cast<float>(0u), 1.0f / static_cast<float>(i + 1),
               static_cast<float>(drawn[i] + 1), distances_m[i], 0.0f, 0.0f, 0.0f, 0.0f})
-            samples.words.push_back(word);
-    std::vector<float> room;
-    sortLayers(samples, 10, room);
+            list.push_back(word);
+    gatherFragments(list, samples);
+    sortLayers(samples, 10);
     std::vector<Visit> visits;
     walk.forEachLayer(samples, 0,
                       [&](const FactorKind& kind, float weight, const FactorSamples::Layer&) {

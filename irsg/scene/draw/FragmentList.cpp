@@ -2,6 +2,10 @@
 
 #include "irsg/scene/draw/FragmentList.h"
 
+#include <string>
+
+#include "irsg/radiometry/Errors.h"
+
 namespace irsg {
 
 namespace {
@@ -49,13 +53,22 @@ std::uint32_t FragmentList::count() const {
 }
 
 void FragmentList::read(std::uint32_t entries, int vectorsPerEntry,
-                        std::vector<float>& into) const {
+                        const std::function<void(std::span<const float>)>& take) const {
+    if (entries == 0)
+        return take({});
     const GLsizeiptr bytes = bytesFor(entries, vectorsPerEntry);
-    into.resize(static_cast<std::size_t>(bytes) / sizeof(float));
-    if (bytes == 0)
-        return;
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, fragments_);
-    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, bytes, into.data());
+    const void* mapped = glMapBufferRange(GL_SHADER_STORAGE_BUFFER, 0, bytes, GL_MAP_READ_BIT);
+    if (!mapped)
+        throw InputError(Offence{"OpenGL", "list of fragments", std::to_string(bytes) + " bytes",
+                                 "a driver that lets a storage buffer be read"});
+    try {
+        take({static_cast<const float*>(mapped), static_cast<std::size_t>(bytes) / sizeof(float)});
+    } catch (...) {
+        glUnmapBuffer(GL_SHADER_STORAGE_BUFFER);
+        throw;
+    }
+    glUnmapBuffer(GL_SHADER_STORAGE_BUFFER);
 }
 
 } // namespace irsg

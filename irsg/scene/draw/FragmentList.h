@@ -2,7 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <functional>
+#include <span>
 
 #include <osg/GL>
 
@@ -24,8 +25,9 @@ class FragmentList {
     void begin(std::uint32_t entries, int vectorsPerEntry);
     /// How many fragments were appended, also those that found no room.
     std::uint32_t count() const;
-    /// The first `entries`, each 4 `vectorsPerEntry` words.
-    void read(std::uint32_t entries, int vectorsPerEntry, std::vector<float>& into) const;
+    /// Shows the first `entries`, each 4 `vectorsPerEntry` words, where they lie.
+    void read(std::uint32_t entries, int vectorsPerEntry,
+              const std::function<void(std::span<const float>)>& take) const;
 
   private:
     GLuint counter_ = 0;

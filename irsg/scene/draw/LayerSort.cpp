@@ -74,14 +74,17 @@ class FragmentsOfSample {
     std::size_t count_, stride_;
 };
 
-/// Brings the fragments of every sample next to each other: what follows reads them in order, where
-/// numbers of fragments would have it look all over the list.
-void gatherBySample(FactorSamples& samples, std::vector<float>& room) {
+} // namespace
+
+void gatherFragments(std::span<const float> list, FactorSamples& samples) {
     const std::size_t stride = samples.wordsPerFragment;
-    const std::size_t count = samples.words.size() / stride;
-    std::uint32_t lowest = bitsOf(samples.words[0]), highest = lowest;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t sample = bitsOf(samples.words[i * stride]);
+    samples.words.resize(list.size());
+    samples.lowest = samples.highest = 0;
+    if (list.empty())
+        return;
+    std::uint32_t lowest = bitsOf(list[0]), highest = lowest;
+    for (std::size_t i = 0; i < list.size(); i += stride) {
+        const std::uint32_t sample = bitsOf(list[i]);
         lowest = std::min(lowest, sample);
         highest = std::max(highest, sample);
     }
@@ -91,26 +94,16 @@ void gatherBySample(FactorSamples& samples, std::vector<float>& room) {
     // Where samples begin stands a place further up until their fragments have been put there.
     samples.ends.assign(samples.highest - samples.lowest + 2, 0);
     std::uint32_t* ends = samples.ends.data();
-    for (std::size_t i = 0; i < count; ++i)
-        ++ends[bitsOf(samples.words[i * stride]) - lowest + 2];
+    for (std::size_t i = 0; i < list.size(); i += stride)
+        ++ends[bitsOf(list[i]) - lowest + 2];
     std::partial_sum(samples.ends.begin(), samples.ends.end(), samples.ends.begin());
-    room.resize(samples.words.size());
-    for (std::size_t i = 0; i < count; ++i) {
-        const float* fragment = &samples.words[i * stride];
-        copyFragment(fragment, stride, &room[ends[bitsOf(*fragment) - lowest + 1]++ * stride]);
-    }
-    samples.words.swap(room);
+    for (std::size_t i = 0; i < list.size(); i += stride)
+        copyFragment(&list[i], stride,
+                     &samples.words[ends[bitsOf(list[i]) - lowest + 1]++ * stride]);
 }
 
-} // namespace
-
-void sortLayers(FactorSamples& samples, int maximumLayers, std::vector<float>& room) {
+void sortLayers(FactorSamples& samples, int maximumLayers) {
     samples.maximumLayers = static_cast<std::uint32_t>(maximumLayers);
-    samples.layersLeftOver = 0;
-    samples.lowest = samples.highest = 0;
-    if (samples.words.empty())
-        return;
-    gatherBySample(samples, room);
     std::array<int, parts> leftOver{};
     parallelFor(parts, [&](std::size_t part) {
         const std::size_t count = samples.highest - samples.lowest;

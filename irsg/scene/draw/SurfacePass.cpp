@@ -18,6 +18,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/draw/FloatTarget.h"
 #include "irsg/scene/draw/FragmentList.h"
+#include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/draw/ReversedDepth.h"
 #include "irsg/scene/draw/ShaderProgram.h"
 #include "irsg/scene/draw/Stopwatch.h"
@@ -286,7 +287,8 @@ void SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
     read(0, true, samples.opaque);
     read(1, manyFactors, samples.moreFactors);
     read(manyFactors ? 2 : 1, withDistance, samples.distances_m);
-    p.list.read(listed, vectorsOf(scene.factors), samples.words);
+    p.list.read(listed, vectorsOf(scene.factors),
+                [&](std::span<const float> list) { gatherFragments(list, samples); });
 }
 
 std::size_t SurfacePass::bytes() const {

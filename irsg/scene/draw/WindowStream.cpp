@@ -40,7 +40,7 @@ void WindowStream::drawAll(osg::RenderInfo& info, const std::shared_ptr<Stream>&
                 if (!stream->failure) {
                     {
                         Stopwatch watch(stream->seconds.sorting);
-                        sortLayers(samples, stream->work.maximumLayers, room_);
+                        sortLayers(samples, stream->work.maximumLayers);
                     }
                     Stopwatch watch(stream->seconds.taking);
                     stream->work.take(window, samples);

@@ -55,8 +55,7 @@ class WindowStream {
     std::condition_variable changed_;
     std::array<FactorSamples, 2> samples_;
     std::vector<FactorSamples*> free_{&samples_[0], &samples_[1]};
-    std::vector<float> room_; // for sorting
-    TaskThread taker_;        // last: what it does uses all others
+    TaskThread taker_; // last: what it does uses all others
 };
 
 } // namespace irsg

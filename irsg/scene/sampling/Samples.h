@@ -20,8 +20,7 @@ struct RadianceSamples {
 };
 
 /// One window of samples, bottom row first, each with the surfaces that it meets and what geometry
-/// makes of them: factors, which know no wavelength. What was read back of a drawing stays where it
-/// is (surface.frag.glsl); sortLayers brings the transparent layers into the order of the samples.
+/// makes of them: factors, which know no wavelength (surface.frag.glsl, LayerSort).
 struct FactorSamples {
     int width = 0, height = 0;
     std::size_t factorCount = 0; ///< drawn factors of a layer
@@ -30,17 +29,16 @@ struct FactorSamples {
     std::vector<float> opaque;
     std::vector<float> moreFactors; ///< the next four of each sample, or empty
     std::vector<float> distances_m; ///< of the opaque surface of each sample, or empty
-    /// Listed fragments of transparent surfaces: (the bits of the sample's number, depth, row + 1,
+    /// Fragments of transparent surfaces: (the bits of the sample's number, depth, row + 1,
     /// distance) and the factors, padded to whole vectors of four words.
     std::vector<float> words;
     std::size_t wordsPerFragment = 8; ///< 8 for up to four factors
 
-    /// Once sorted, the fragments of every sample stand next to each other, near to far. Only
-    /// samples from `lowest` to before `highest` have any; sample i owns those from ends[i -
-    /// lowest] to before ends[i - lowest + 1], of which the first `maximumLayers` count.
+    /// Those of every sample stand next to each other; once sorted, near to far. Only samples from
+    /// `lowest` to before `highest` have any; sample i owns those from ends[i - lowest] to before
+    /// ends[i - lowest + 1], of which the first `maximumLayers` count.
     std::size_t lowest = 0, highest = 0;
     std::vector<std::uint32_t> ends;
-    std::vector<float> room; ///< for sorting, kept from window to window
     std::uint32_t maximumLayers = 0;
     int layersLeftOver = 0; ///< samples that have more
 
