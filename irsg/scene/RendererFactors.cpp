@@ -88,6 +88,8 @@ std::shared_ptr<Renderer::Parts::FactorDrawing> Renderer::Parts::beginFactors(co
 }
 
 const ViewFactors& Renderer::Parts::factorsOf(const Frame& frame, FactorDrawing& drawing) {
+    if (drawing.failure)
+        std::rethrow_exception(drawing.failure);
     if (!drawing.windows.valid())
         return drawing.factors;
     try {
@@ -101,7 +103,8 @@ const ViewFactors& Renderer::Parts::factorsOf(const Frame& frame, FactorDrawing&
             addPointToView(pointFactors(frame, object), frame.surfaceRows(), placeOf(frame, object),
                            pointersTo(drawing.varying), drawing.factors);
     } catch (...) {
-        view.reset();
+        drawing.failure = std::current_exception();
+        view.reset(); // the next one tries again
         throw;
     }
     return drawing.factors;

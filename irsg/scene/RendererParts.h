@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <exception>
 #include <functional>
 #include <future>
 #include <map>
@@ -213,10 +214,12 @@ struct Renderer::Parts::FactorDrawing {
     std::future<WindowStream::Seconds> windows; // until they were waited for
     ViewFactors factors; // with the renderer's numbers of fronts from then on
 
-    ~FactorDrawing() {
+    /// Waits until nothing refers to the frame any more that it was begun for.
+    void wait() const {
         if (windows.valid())
             windows.wait();
     }
+    ~FactorDrawing() { wait(); }
 };
 
 /// Reports that were begun.
@@ -228,7 +231,10 @@ struct Renderer::Begun {
           frame(of.frame(scene, view, wanted)) {}
     Begun(const Begun&) = delete;
     Begun& operator=(const Begun&) = delete;
-    ~Begun() { drawing.reset(); }
+    ~Begun() {
+        if (drawing)
+            drawing->wait();
+    }
 
     const Scene scene;
     const SensorView view;

@@ -1,0 +1,167 @@
+// Reports that are begun before others are finished are those of one call each, bit by bit.
+#include <array>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "irsg/scene/Irsg.h"
+#include "irsg/scene/draw/OffscreenContext.h"
+#include "irsg/scene/draw/WindowStream.h"
+#include "tests/support/SceneFixtures.h"
+
+using namespace irsg;
+using namespace irsg::test;
+
+namespace {
+
+/// A glass box around a body and a plate, of which the body's light is measured and falls from the
+/// nose to the tail.
+SignatureDatabase measuredBody() {
+    SignatureDatabase database;
+    database.temperatures[1].mode = EmissionMode::userSpectrum;
+    database.temperatures[1].userSpectrum = "flame";
+    database.temperatures[1].factors = {{"core", 1.0, {}, LookupTable({0, 180}, {2.0, 0.5})}};
+    database.temperatures[2] = fixedTemperature(300.0);
+    database.temperatures[3] = fixedTemperature(350.0);
+    database.materials[1] = database.materials[2] = greyMaterial(0.8);
+    database.materials[3] = greyMaterial(0.3, 0.6);
+    UserSpectrum flame;
+    flame.name = "flame";
+    flame.components = {{"core", Spectrum({2.0, 4.0, 6.0}, {0.0, 100.0, 0.0})}};
+    database.spectra["flame"] = flame;
+    return database;
+}
+
+void aim(Irsg& irsg, double azimuth_rad) {
+    look(irsg, {.range_m = 80.0, .azimuth_rad = azimuth_rad, .elevation_rad = 0.1});
+}
+
+Irsg glazedBody() {
+    Irsg irsg;
+    irsg.setEnvironment(brightAir());
+    irsg.setEntities({entityOf(modelOf(glazedMesh()), measuredBody())});
+    return irsg;
+}
+
+auto numbersOf(const std::vector<RenderReport>& reports) {
+    const ObjectRadiometry& all = reports.front().all;
+    return std::tuple{all.intensity_W_sr, all.contrastIntensity_W_sr, all.irradiance_W_m2,
+                      all.coveredPixels, reports.front().totalIrradiance_W_m2};
+}
+
+constexpr std::array azimuths_rad{0.0, 0.7, 1.9, 3.1};
+
+} // namespace
+
+TEST(BegunReports, AreThoseOfOneCallEachInWhateverOrderTheyAreFinished) {
+    std::vector<decltype(numbersOf({}))> expected;
+    for (const double azimuth_rad : azimuths_rad) {
+        Irsg alone = glazedBody();
+        aim(alone, azimuth_rad);
+        expected.push_back(numbersOf(alone.measure(std::vector<Band>{})));
+    }
+    EXPECT_NE(std::get<0>(expected[0]), std::get<0>(expected[1]));
+
+    for (const auto& order : {std::array<std::size_t, 4>{0, 1, 2, 3}, {3, 1, 0, 2}}) {
+        Irsg irsg = glazedBody();
+        std::vector<std::shared_ptr<Renderer::Begun>> begun;
+        for (const double azimuth_rad : azimuths_rad) {
+            aim(irsg, azimuth_rad);
+            begun.push_back(irsg.beginMeasure({}));
+        }
+        for (const std::size_t i : order)
+            EXPECT_EQ(numbersOf(irsg.finishMeasure(begun[i])), expected[i]) << i;
+    }
+}
+
+TEST(BegunReports, OfOneViewShareItsDrawing) {
+    Irsg irsg = glazedBody();
+    aim(irsg, 0.4);
+    const auto first = irsg.beginMeasure({});
+    EntityState hotter = irsg.entities().front().state;
+    hotter.time_s = 5.0;
+    irsg.setState(0, hotter);
+    const auto second = irsg.beginMeasure({Band::topHat(3.5, 4.5)});
+    const auto ofSecond = numbersOf(irsg.finishMeasure(second));
+    const auto ofFirst = numbersOf(irsg.finishMeasure(first));
+    for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
+        EXPECT_TRUE(stage.name != "factor sums" || stage.calls == 1);
+
+    Irsg alone = glazedBody();
+    aim(alone, 0.4);
+    EXPECT_EQ(ofFirst, numbersOf(alone.measure(std::vector<Band>{})));
+    alone.setState(0, hotter);
+    EXPECT_EQ(ofSecond, numbersOf(alone.measure(std::vector<Band>{Band::topHat(3.5, 4.5)})));
+}
+
+TEST(BegunReports, MayBeDroppedUnfinished) {
+    Irsg irsg = glazedBody();
+    aim(irsg, 0.4);
+    const auto expected = numbersOf(irsg.measure(std::vector<Band>{}));
+    for (const double azimuth_rad : azimuths_rad) {
+        aim(irsg, azimuth_rad);
+        irsg.beginMeasure({});
+    }
+    aim(irsg, 0.4);
+    EXPECT_EQ(numbersOf(irsg.measure(std::vector<Band>{})), expected);
+}
+
+TEST(WindowStream, TakesWindowsInOrderAndStreamsOneAfterTheOther) {
+    WindowStream stream(OffscreenContext::shared());
+    std::vector<std::pair<int, std::size_t>> taken;
+    std::vector<std::future<WindowStream::Seconds>> all;
+    for (int number = 0; number < 3; ++number) {
+        WindowStream::Work work;
+        work.windows = 5;
+        work.draw = [](osg::RenderInfo&, std::size_t window, FactorSamples& samples,
+                       WindowStream::Seconds&) {
+            samples.words.clear();
+            samples.width = static_cast<int>(window);
+        };
+        work.take = [&taken, number](std::size_t window, const FactorSamples& samples) {
+            EXPECT_EQ(samples.width, static_cast<int>(window));
+            taken.emplace_back(number, window);
+        };
+        all.push_back(stream.start(std::move(work)));
+    }
+    for (auto& one : all)
+        one.get();
+    std::vector<std::pair<int, std::size_t>> expected;
+    for (int number = 0; number < 3; ++number)
+        for (std::size_t window = 0; window < 5; ++window)
+            expected.emplace_back(number, window);
+    EXPECT_EQ(taken, expected);
+}
+
+TEST(WindowStream, TellsWhatFailedAndGoesOn) {
+    WindowStream stream(OffscreenContext::shared());
+    const auto streamThat = [&](bool failsInDrawing, bool failsInTaking) {
+        WindowStream::Work work;
+        work.windows = 4;
+        work.draw = [=](osg::RenderInfo&, std::size_t window, FactorSamples&,
+                        WindowStream::Seconds&) {
+            if (failsInDrawing && window == 2)
+                throw std::runtime_error("drawing");
+        };
+        work.take = [=](std::size_t window, const FactorSamples&) {
+            if (failsInTaking && window == 1)
+                throw std::runtime_error("taking");
+        };
+        return stream.start(std::move(work));
+    };
+    const auto failureOf = [](std::future<WindowStream::Seconds> done) -> std::string {
+        try {
+            done.get();
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(failureOf(streamThat(true, false)), "drawing");
+    EXPECT_EQ(failureOf(streamThat(false, true)), "taking");
+    EXPECT_EQ(failureOf(streamThat(false, false)), "");
+}
