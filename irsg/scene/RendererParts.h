@@ -212,7 +212,8 @@ struct Renderer::Parts::FactorDrawing {
     Fronts fronts;                        // of its own, as it is summed on another thread
     std::optional<FactorSums> sums;
     std::future<WindowStream::Seconds> windows; // until they were waited for
-    ViewFactors factors; // with the renderer's numbers of fronts from then on
+    ViewFactors factors;        // with the renderer's numbers of fronts from then on
+    std::exception_ptr failure; // of the drawing, for all who share it
 
     /// Waits until nothing refers to the frame any more that it was begun for.
     void wait() const {
