@@ -102,8 +102,8 @@ void study(const Analytic& function, DrawSequence sequence, std::size_t pairs, i
     for (int repeat = 0; repeat < repeats; ++repeat) {
         const ScalingDraws draws(unitScales(d), sequence, 1000 + static_cast<std::uint64_t>(repeat),
                                  true);
-        for (const RankedScaling& one :
-             rankScalings(draws, sequence, pairs, model, [](std::size_t) { return true; })) {
+        for (const RankedScaling& one : rankScalings(
+                 draws, sequence, pairs, [&] { return model; }, [](std::size_t) { return true; })) {
             const auto holds = [](const Estimate& found, double truth) {
                 return found.low95 <= truth && truth <= found.high95;
             };

@@ -97,8 +97,9 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Want
                 const SceneRadiometry& radiometry = frame.evaluated->radiometry;
                 for (std::size_t k = 0; k < frame.bands.size(); ++k)
                     result.scaled.push_back(std::make_unique<const SceneScaledView>(
-                        factors, radiometry, frame.evaluated->radiances, rangesOf(frame.geometry),
-                        radiometry.outputs()[k], wanted.scalings, false, valuesOf(nominal[k].all)));
+                        factors, radiometry, frame.evaluated->radiances, frame.evaluated->planck,
+                        rangesOf(frame.geometry), radiometry.outputs()[k], wanted.scalings, false,
+                        valuesOf(nominal[k].all)));
             });
         }
     }
@@ -258,7 +259,7 @@ IntensitySpectrum Renderer::Parts::spectrum(const Frame& frame, const Wanted& wa
         });
         if (!wanted.scalings.empty()) {
             auto view = std::make_unique<SceneScaledView>(
-                factors, evaluated.radiometry, evaluated.radiances, ranges_m,
+                factors, evaluated.radiometry, evaluated.radiances, evaluated.planck, ranges_m,
                 std::pair<std::size_t, std::size_t>{0, wavelengths.ascending_um.size()},
                 wanted.scalings, true, std::move(nominal));
             view->reorder(wavelengths.order);

@@ -94,10 +94,9 @@ class Run {
             say(fmt::format("draw {}", data_.draws()));
             const std::size_t end = std::min(options.samples, data_.draws() + batch);
             std::vector<std::vector<double>> drawn(end - data_.draws());
-            for (std::size_t i = 0; i < drawn.size(); ++i)
-                drawn[i] = draws_->at(data_.draws() + i);
-            irsg::parallelFor(drawn.size(),
-                              [&](std::size_t i) { drawn[i] = views_->valuesAt(drawn[i]); });
+            irsg::parallelFor(drawn.size(), [&](std::size_t i) {
+                drawn[i] = views_->valuesAt(draws_->at(data_.draws() + i));
+            });
             for (const std::vector<double>& all : drawn)
                 for (std::size_t k = 0; k < all.size(); ++k)
                     data_.values[k].push_back(all[k]);
@@ -123,10 +122,10 @@ class Run {
         std::optional<std::size_t> only;
         if (data_.options.rankingAt)
             only = data_.nearest(*data_.options.rankingAt);
-        data_.ranking = rankScalings(
-            *companions_, data_.options.sequence, data_.options.rankingPairs,
-            [&](const std::vector<double>& scales) {
-                std::vector<double> all = views_->valuesNear(scales);
+        const auto modelOfPair = [&]() -> ScaledModel {
+            const auto memos = std::make_shared<MonteCarloViews::Memos>(views_->memos());
+            return [this, only, memos](const std::vector<double>& scales) {
+                std::vector<double> all = views_->valuesNear(scales, *memos);
                 if (!only)
                     return all;
                 // That abscissa in every band.
@@ -134,13 +133,16 @@ class Run {
                 for (std::size_t k = *only; k < all.size(); k += data_.abscissae.size())
                     chosen.push_back(all[k]);
                 return chosen;
-            },
-            [&](std::size_t pairs) {
-                if (pairs % 16 == 0)
-                    say(fmt::format("ranking: pair {}", pairs));
-                rankedPairs_ = pairs;
-                return pairs < 64 || !stop_.stop_requested();
-            });
+            };
+        };
+        data_.ranking =
+            rankScalings(*companions_, data_.options.sequence, data_.options.rankingPairs,
+                         modelOfPair, [&](std::size_t pairs) {
+                             if (pairs % 16 == 0)
+                                 say(fmt::format("ranking: pair {}", pairs));
+                             rankedPairs_ = pairs;
+                             return pairs < 64 || !stop_.stop_requested();
+                         });
         ++done_;
     }
 

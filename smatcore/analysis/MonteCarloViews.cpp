@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/ParallelFor.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/project/SceneBuilder.h"
@@ -161,36 +160,28 @@ void MonteCarloViews::addNumericalError(const std::vector<Drawing>& atPhases) {
 }
 
 std::vector<double> MonteCarloViews::valuesAt(const std::vector<double>& scales) const {
+    Memos none(views_.size() * bands_.size());
+    return valuesNear(scales, none);
+}
+
+MonteCarloViews::Memos MonteCarloViews::memos() const {
+    Memos memos;
+    for (std::size_t band = 0; band < bands_.size(); ++band)
+        for (const auto& ofCase : views_)
+            memos.push_back(ofCase[band]->memo());
+    return memos;
+}
+
+std::vector<double> MonteCarloViews::valuesNear(const std::vector<double>& scales,
+                                                Memos& memos) const {
     std::vector<double> all;
     all.reserve(data_.nominal.size());
     irsg::ScaledValues values;
+    auto memo = memos.begin();
     for (std::size_t band = 0; band < bands_.size(); ++band)
         for (const auto& ofCase : views_) {
-            ofCase[band]->evaluate(scales, values);
+            ofCase[band]->evaluate(scales, values, (memo++)->get());
             const std::vector<double>& chosen = column(values, data_.options.quantity);
-            all.insert(all.end(), chosen.begin(), chosen.end());
-        }
-    return all;
-}
-
-std::vector<double> MonteCarloViews::valuesNear(const std::vector<double>& scales) {
-    if (memos_.empty())
-        for (const auto& ofCase : views_)
-            for (const auto& view : ofCase)
-                memos_.push_back(view->memo());
-    std::vector<irsg::ScaledValues> values(memos_.size());
-    irsg::parallelFor(views_.size(), [&](std::size_t i) {
-        for (std::size_t band = 0; band < bands_.size(); ++band) {
-            const std::size_t place = i * bands_.size() + band;
-            views_[i][band]->evaluate(scales, values[place], memos_[place].get());
-        }
-    });
-    std::vector<double> all;
-    all.reserve(data_.nominal.size());
-    for (std::size_t band = 0; band < bands_.size(); ++band)
-        for (std::size_t i = 0; i < views_.size(); ++i) {
-            const std::vector<double>& chosen =
-                column(values[i * bands_.size() + band], data_.options.quantity);
             all.insert(all.end(), chosen.begin(), chosen.end());
         }
     return all;

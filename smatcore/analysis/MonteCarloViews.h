@@ -30,9 +30,11 @@ class MonteCarloViews {
     bool areAll() const { return views_.size() == plan_.cases.size(); }
     /// The quantity at every place that was drawn. May be asked by several threads at a time.
     std::vector<double> valuesAt(const std::vector<double>& scales) const;
-    /// The same, on all cores and with what the views remember of the last scales: for draws that
-    /// differ from earlier ones in a few of them. By one thread at a time.
-    std::vector<double> valuesNear(const std::vector<double>& scales);
+    /// What the views remember of the last scales; for one thread at a time.
+    using Memos = std::vector<std::unique_ptr<irsg::ScaledView::Memo>>;
+    Memos memos() const;
+    /// The same bit by bit: for draws that differ from earlier ones in a few scales.
+    std::vector<double> valuesNear(const std::vector<double>& scales, Memos& memos) const;
 
   private:
     struct Drawing {
@@ -55,8 +57,6 @@ class MonteCarloViews {
     std::vector<std::vector<std::unique_ptr<const irsg::ScaledView>>> views_;
     /// By band, then by abscissa.
     std::vector<std::vector<double>> nominal_, numericalError_;
-    /// Of valuesNear, by case and band.
-    std::vector<std::unique_ptr<irsg::ScaledView::Memo>> memos_;
 };
 
 } // namespace smat

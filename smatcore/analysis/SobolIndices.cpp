@@ -3,7 +3,36 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/radiometry/ParallelFor.h"
+
 namespace smat {
+
+namespace {
+
+/// Pairs that are evaluated at a time.
+constexpr std::size_t pairsOfBlock = 16;
+
+/// Values of a pair: of the draw, of its companion, and of the draw with each scale of the
+/// companion in turn.
+struct PairValues {
+    std::vector<double> atA, atB;
+    std::vector<std::vector<double>> atMixed;
+};
+
+PairValues valuesOf(const ScalingDraws& draws, std::size_t pair,
+                    const std::vector<std::size_t>& varying, const ScaledModel& model) {
+    const std::vector<double> a = draws.at(pair), b = draws.companionAt(pair);
+    PairValues values{model(a), model(b), {}};
+    for (const std::size_t scaling : varying) {
+        // A with this scale of B shares it with B, and all others with A.
+        std::vector<double> mixed = a;
+        mixed[scaling] = b[scaling];
+        values.atMixed.push_back(model(mixed));
+    }
+    return values;
+}
+
+} // namespace
 
 void PickFreeze::add(const std::vector<double>& values, const std::vector<double>& shared,
                      std::size_t replicate) {
@@ -104,7 +133,8 @@ Estimate PickFreeze::index(bool byReplicates) const {
 }
 
 std::vector<RankedScaling> rankScalings(const ScalingDraws& draws, DrawSequence sequence,
-                                        std::size_t pairs, const ScaledModel& model,
+                                        std::size_t pairs,
+                                        const std::function<ScaledModel()>& modelOfPair,
                                         const std::function<bool(std::size_t done)>& goOn) {
     std::vector<std::size_t> varying;
     for (std::size_t i = 0; i < draws.scalings().size(); ++i) {
@@ -113,19 +143,19 @@ std::vector<RankedScaling> rankScalings(const ScalingDraws& draws, DrawSequence 
         }
     }
     std::vector<PickFreeze> ofOne(varying.size()), ofOthers(varying.size());
-    for (std::size_t pair = 0; pair < pairs; ++pair) {
-        const std::vector<double> a = draws.at(pair), b = draws.companionAt(pair);
-        const std::vector<double> atA = model(a), atB = model(b);
-        for (std::size_t j = 0; j < varying.size(); ++j) {
-            // A with this scale of B shares it with B, and all others with A.
-            std::vector<double> mixed = a;
-            mixed[varying[j]] = b[varying[j]];
-            const std::vector<double> atMixed = model(mixed);
-            ofOne[j].add(atB, atMixed, draws.replicateOf(pair));
-            ofOthers[j].add(atA, atMixed, draws.replicateOf(pair));
-        }
-        if (!goOn(pair + 1)) {
-            break;
+    bool isWanted = true;
+    for (std::size_t begin = 0; begin < pairs && isWanted; begin += pairsOfBlock) {
+        std::vector<PairValues> block(std::min(pairsOfBlock, pairs - begin));
+        irsg::parallelFor(block.size(), [&](std::size_t i) {
+            block[i] = valuesOf(draws, begin + i, varying, modelOfPair());
+        });
+        for (std::size_t i = 0; i < block.size() && isWanted; ++i) {
+            const std::size_t pair = begin + i;
+            for (std::size_t j = 0; j < varying.size(); ++j) {
+                ofOne[j].add(block[i].atB, block[i].atMixed[j], draws.replicateOf(pair));
+                ofOthers[j].add(block[i].atA, block[i].atMixed[j], draws.replicateOf(pair));
+            }
+            isWanted = goOn(pair + 1);
         }
     }
     std::vector<RankedScaling> ranking;

@@ -50,10 +50,12 @@ class PickFreeze {
 using ScaledModel = std::function<std::vector<double>(const std::vector<double>& scales)>;
 
 /// Ranks the scales that vary by their first-order index, the largest first, from `pairs` draws
-/// with companions: pairs (2 + d) evaluations. `goOn` is asked after every pair; false ends early,
-/// with what there is.
+/// with companions: pairs (2 + d) evaluations, on all cores. `modelOfPair` gives a model for the
+/// draws of one pair, which differ in few scales; several threads have one each at a time. `goOn`
+/// is asked after every pair, in their order; false ends early, with what there is.
 std::vector<RankedScaling> rankScalings(const ScalingDraws& draws, DrawSequence sequence,
-                                        std::size_t pairs, const ScaledModel& model,
+                                        std::size_t pairs,
+                                        const std::function<ScaledModel()>& modelOfPair,
                                         const std::function<bool(std::size_t done)>& goOn);
 
 } // namespace smat

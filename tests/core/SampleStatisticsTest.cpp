@@ -215,8 +215,9 @@ TEST(Coverage, ofSobolIndicesIsNinetyFivePercent) {
             for (int repeat = 0; repeat < repeats; ++repeat) {
                 const ScalingDraws draws(unitScales(3), sequence,
                                          static_cast<std::uint64_t>(repeat), true);
-                for (const RankedScaling& one :
-                     rankScalings(draws, sequence, 256, model, [](std::size_t) { return true; })) {
+                for (const RankedScaling& one : rankScalings(
+                         draws, sequence, 256, [&] { return model; },
+                         [](std::size_t) { return true; })) {
                     held[one.scaling] += holds(one.firstOrder, function.firstOrder[one.scaling]);
                     heldTotal[one.scaling] += holds(one.total, function.total[one.scaling]);
                 }
@@ -276,8 +277,8 @@ TEST(SobolIndices, StayBetweenMinusOneAndOneWithTheirIntervals) {
     };
     for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
         const ScalingDraws draws(unitScales(2), sequence, 3, true);
-        const auto ranking =
-            rankScalings(draws, sequence, 256, model, [](std::size_t) { return true; });
+        const auto ranking = rankScalings(
+            draws, sequence, 256, [&] { return model; }, [](std::size_t) { return true; });
         EXPECT_NEAR(ranking[0].firstOrder.value, 1.0, 1e-12);
         EXPECT_NEAR(ranking[0].firstOrder.high95, 1.0, 1e-12);
         EXPECT_NEAR(ranking[1].total.value, 0.0, 1e-12);

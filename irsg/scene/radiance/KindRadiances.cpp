@@ -112,10 +112,13 @@ KindRadiances::HiddenPlace& KindRadiances::hiddenPlaceOf(int front, int drawn) {
     return at(hiddenPlaces_, front, drawn, strandsOf_.size());
 }
 
-std::vector<double> KindRadiances::passed(int front) const {
-    std::vector<double> product = radiometry_.weights_um();
+std::vector<double> KindRadiances::passed(int front,
+                                          std::pair<std::size_t, std::size_t> nodes) const {
+    const auto& [first, last] = nodes;
+    std::vector<double> product(&radiometry_.weights_um()[first],
+                                radiometry_.weights_um().data() + last);
     for (const auto& [entity, material] : fronts_.materials(front)) {
-        const std::vector<double>& t = radiometry_.transmissivity(entity, material);
+        const double* t = radiometry_.transmissivity(entity, material).data() + first;
         for (std::size_t i = 0; i < product.size(); ++i)
             product[i] *= t[i];
     }
@@ -161,8 +164,9 @@ void KindRadiances::prepare(const std::vector<FactorKind>& kinds) {
             through.emplace_back(one.first.first, std::vector<double>());
         all.emplace_back(through.size() - 1, &one);
     }
-    parallelFor(through.size(),
-                [&](std::size_t i) { through[i].second = passed(through[i].first); });
+    parallelFor(through.size(), [&](std::size_t i) {
+        through[i].second = passed(through[i].first, {0, radiometry_.weights_um().size()});
+    });
     parallelFor(all.size(), [&](std::size_t i) {
         const auto& [surface, work] = *all[i].second;
         evaluate(surface.first, surface.second, work, through[all[i].first].second);
@@ -299,14 +303,14 @@ KindRadiances::InOutputs KindRadiances::inOutputs(const FactorKind& kind) const 
 }
 
 std::vector<double> KindRadiances::terms(const FactorKind& kind, std::size_t output) const {
-    const std::vector<double> through = passed(kind.front);
     const auto& [first, last] = radiometry_.outputs()[output];
+    const std::vector<double> through = passed(kind.front, {first, last});
     std::vector<double> sums;
     for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
         const std::vector<double> sent = apparentTerm(
             radiometry_.surface(kind.row), radiometry_.terms(), k, radiometry_.air(kind.row));
         sums.push_back(sent.empty() ? 0.0
-                                    : sumOfProducts(&through[first], &sent[first], last - first));
+                                    : sumOfProducts(through.data(), &sent[first], last - first));
     }
     return sums;
 }

@@ -70,8 +70,8 @@ class KindRadiances {
 
     /// In an output: one value for each term at factor 1 (truth layers).
     std::vector<double> terms(const FactorKind& kind, std::size_t output = 0) const;
-    /// By node: weight times what the materials in front let through.
-    std::vector<double> passed(int front) const;
+    /// By node, first and before last: weight times what the materials in front let through.
+    std::vector<double> passed(int front, std::pair<std::size_t, std::size_t> nodes) const;
 
   private:
     /// One of the sums over nodes that a kind is made of.

@@ -31,6 +31,7 @@ EvaluatedScene::EvaluatedScene(const RadianceTerms& terms, const std::vector<Ent
                                const std::vector<SampledBand>& bands, const Fronts& fronts)
     : radiometry(terms, entities, geometry, bands),
       radiances(radiometry, fronts),
+      planck(radiometry.wavelengths_um()),
       aspects_rad_(aspectsOf(geometry)) {}
 
 void EvaluatedScene::turnTo(const std::vector<Entity>& entities,

@@ -6,6 +6,7 @@
 
 #include "irsg/scene/radiance/EntityKey.h"
 #include "irsg/scene/radiance/KindRadiances.h"
+#include "irsg/scene/radiance/PlanckTable.h"
 #include "irsg/scene/radiance/SampledScene.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
 
@@ -22,6 +23,7 @@ struct EvaluatedScene {
 
     SceneRadiometry radiometry;
     KindRadiances radiances;
+    PlanckTable planck; ///< of scaled views
 
   private:
     std::vector<double> aspects_rad_; // by entity

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <span>
 
@@ -12,63 +11,8 @@
 
 namespace irsg {
 
-template <typename Function>
-std::optional<ScaleSeries> ScaleSeries::fitted(double least, double most,
-                                               const Function& function) {
-    if (!(most > least))
-        return ScaleSeries(function(least));
-    ScaleSeries series;
-    series.middle_ = 0.5 * (1.0 / least + 1.0 / most);
-    series.halfWidth_ = 0.5 * (1.0 / least - 1.0 / most);
-    const auto valueAt = [&](double x) {
-        return function(1.0 / (series.middle_ + series.halfWidth_ * x));
-    };
-    for (int count = 9; count <= 65; count = 2 * count - 1) {
-        std::vector<double> logs;
-        for (int i = 0; i < count; ++i) {
-            const double value = valueAt(std::cos(pi * (i + 0.5) / count));
-            if (!(value > 0.0) || !std::isfinite(value))
-                return std::nullopt;
-            logs.push_back(std::log(value));
-        }
-        series.terms_.assign(static_cast<std::size_t>(count), 0.0);
-        for (int j = 0; j < count; ++j) {
-            double sum = 0.0;
-            for (int i = 0; i < count; ++i)
-                sum += logs[static_cast<std::size_t>(i)] * std::cos(pi * j * (i + 0.5) / count);
-            series.terms_[static_cast<std::size_t>(j)] = sum * (j == 0 ? 1.0 : 2.0) / count;
-        }
-        bool isExact = true;
-        for (const double x : {-1.0, -0.83, -0.41, 0.07, 0.52, 0.91, 1.0}) {
-            const double value = valueAt(x);
-            const double found = series.at(1.0 / (series.middle_ + series.halfWidth_ * x));
-            isExact = isExact && std::abs(found - value) <= 1e-11 * value;
-        }
-        if (isExact) {
-            while (series.terms_.size() > 2 && std::abs(series.terms_.back()) < 1e-14)
-                series.terms_.pop_back();
-            return series;
-        }
-    }
-    return std::nullopt;
-}
-
-double ScaleSeries::at(double scale) const {
-    if (terms_.empty())
-        return constant_;
-    // Clenshaw's recurrence.
-    const double x = (1.0 / scale - middle_) / halfWidth_;
-    double next = 0.0, afterNext = 0.0;
-    for (std::size_t j = terms_.size() - 1; j > 0; --j) {
-        const double here = terms_[j] + 2.0 * x * next - afterNext;
-        afterNext = next;
-        next = here;
-    }
-    return std::exp(terms_[0] + x * next - afterNext);
-}
-
 SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
-                                 const KindRadiances& radiances,
+                                 const KindRadiances& radiances, PlanckTable& planck,
                                  const std::vector<double>& ranges_m,
                                  std::pair<std::size_t, std::size_t> nodes,
                                  const std::vector<ScalingInput>& inputs, bool isSpectrum,
@@ -106,7 +50,7 @@ SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry&
             continue;
         add(surface, 1.0, 1.0, atOne);
         if (!isSpectrum)
-            close(surface, inputs);
+            close(surface, planck, inputs);
         surfaces_.push_back(std::move(surface));
     }
     for (std::size_t i = 0; i < base_.intensity.size(); ++i) {
@@ -145,8 +89,8 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
         const double square_m2 = range_m * range_m;
         const auto [front, isNew] = passed.try_emplace(kind.front);
         if (isNew)
-            front->second = radiances.passed(kind.front);
-        for (Drive* drive : {&surface.emitted, &surface.reflected}) {
+            front->second = radiances.passed(kind.front, nodes_);
+        for (Surface::Drive* drive : {&surface.emitted, &surface.reflected}) {
             drive->intensity.resize(count);
             drive->irradiance.resize(count);
         }
@@ -167,14 +111,14 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
             };
             const double plain_sr = sumOf(view.layout.coverage());
             const double cosine_sr = sumOf(view.layout.withCosine(view.layout.coverage()));
-            Drive& drive = isEmission ? surface.emitted : surface.reflected;
+            Surface::Drive& drive = isEmission ? surface.emitted : surface.reflected;
             const bool isMeasured = isEmission && !(surface.temperature_K > 0.0);
             const std::vector<double> measured =
                 isMeasured ? apparentTerm(spectra, radiometry.terms(), k, air)
                            : std::vector<double>();
             for (std::size_t i = 0; i < count; ++i) {
                 const std::size_t node = nodes_.first + i;
-                double unit = front->second[node];
+                double unit = front->second[i];
                 if (isEmission)
                     unit *= isMeasured ? measured[node] : (*air.transmittance)[node];
                 else
@@ -186,96 +130,27 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
     });
 }
 
-std::vector<SceneScaledView::Group> SceneScaledView::groupsOf(const Surface& surface,
-                                                              double mostEmissivity) const {
-    constexpr double never = std::numeric_limits<double>::infinity();
-    std::vector<std::pair<double, std::size_t>> limits;
-    for (std::size_t i = 0; i < wavelengths_um_.size(); ++i) {
-        const double emissivity = surface.emissivity[i], most = surface.absorbedAtMost[i];
-        limits.emplace_back(emissivity * mostEmissivity <= most ? never : most / emissivity, i);
+void SceneScaledView::close(Surface& surface, PlanckTable& planck,
+                            const std::vector<ScalingInput>& inputs) const {
+    ScaledSum::Range range;
+    if (surface.temperatureInput >= 0) {
+        const ScalingInput& input = inputs[static_cast<std::size_t>(surface.temperatureInput)];
+        range.least = input.least;
+        range.most = input.most;
     }
-    std::ranges::sort(limits);
-    std::vector<Group> groups;
-    for (const auto& [limit, i] : limits) {
-        if (groups.empty() || limit > groups.back().limit * (1.0 + 1e-12))
-            groups.emplace_back().limit = limit;
-        groups.back().wavelengths.push_back(i);
-    }
-    return groups;
-}
-
-void SceneScaledView::close(Surface& surface, const std::vector<ScalingInput>& inputs) const {
-    constexpr std::size_t mostGroups = 16;
-    const double mostEmissivity =
-        surface.emissivityInput < 0
-            ? 1.0
-            : inputs[static_cast<std::size_t>(surface.emissivityInput)].most;
-    std::vector<Group> groups = groupsOf(surface, mostEmissivity);
-    if (groups.size() > mostGroups)
+    if (surface.emissivityInput >= 0)
+        range.mostEmissivity = inputs[static_cast<std::size_t>(surface.emissivityInput)].most;
+    surface.sum = ScaledSum::of(surface, planck, nodes_.first, range);
+    if (!surface.sum)
         return;
-
-    for (Group& group : groups) {
-        const auto seriesOf = [&](const std::vector<double>& drive) -> std::optional<ScaleSeries> {
-            const auto emission = [&](double scale) {
-                double sum = 0.0;
-                for (const std::size_t i : group.wavelengths)
-                    sum += drive[i] * surface.emissivity[i] *
-                           planckRadiance_W_m2_sr_um(wavelengths_um_[i],
-                                                     scale * surface.temperature_K);
-                return sum;
-            };
-            const double one = surface.temperature_K > 0.0 ? emission(1.0) : 0.0;
-            if (surface.temperatureInput < 0 || one == 0.0)
-                return ScaleSeries(one);
-            const ScalingInput& input = inputs[static_cast<std::size_t>(surface.temperatureInput)];
-            return ScaleSeries::fitted(input.least, input.most, emission);
-        };
-        const auto emission = seriesOf(surface.emitted.intensity);
-        const auto onDetector = seriesOf(surface.emitted.irradiance);
-        if (!emission || !onDetector)
-            return;
-        group.emission = *emission;
-        group.emissionOnDetector = *onDetector;
-        for (const std::size_t i : group.wavelengths) {
-            group.reflectedLess.intensity += surface.emissivity[i] * surface.reflected.intensity[i];
-            group.reflectedLess.irradiance +=
-                surface.emissivity[i] * surface.reflected.irradiance[i];
-        }
-        group.wavelengths.clear();
-    }
-    for (std::size_t i = 0; i < wavelengths_um_.size(); ++i) {
-        const double white = surface.absorbedAtMost[i];
-        surface.reflectedWhite.intensity += white * surface.reflected.intensity[i];
-        surface.reflectedWhite.irradiance += white * surface.reflected.irradiance[i];
-        if (!(surface.temperature_K > 0.0)) {
-            surface.measured.intensity += surface.emitted.intensity[i];
-            surface.measured.irradiance += surface.emitted.irradiance[i];
-        }
-    }
-    surface.groups = std::move(groups);
-    surface.isClosed = true;
     surface.emitted = surface.reflected = {};
-    surface.emissivity.clear();
-    surface.absorbedAtMost.clear();
-}
-
-SceneScaledView::Pair SceneScaledView::closedSum(const Surface& surface, double scaleT,
-                                                 double scaleE) {
-    Pair sum{surface.reflectedWhite.intensity + scaleE * surface.measured.intensity,
-             surface.reflectedWhite.irradiance + scaleE * surface.measured.irradiance};
-    for (const Group& group : surface.groups) {
-        const double scale = std::min(scaleE, group.limit);
-        sum.intensity += scale * (group.emission.at(scaleT) - group.reflectedLess.intensity);
-        sum.irradiance +=
-            scale * (group.emissionOnDetector.at(scaleT) - group.reflectedLess.irradiance);
-    }
-    return sum;
+    surface.emissivity = surface.absorbedAtMost = {};
 }
 
 void SceneScaledView::add(const Surface& surface, double scaleT, double scaleE,
                           ScaledValues& values) const {
-    if (surface.isClosed) {
-        const Pair sum = closedSum(surface, scaleT, scaleE);
+    if (surface.sum) {
+        const ScaledPair sum = surface.sum->at(scaleT, scaleE);
         values.intensity[0] += sum.intensity;
         values.contrastIntensity[0] += sum.intensity;
         values.irradiance[0] += sum.irradiance;
@@ -301,7 +176,7 @@ void SceneScaledView::add(const Surface& surface, double scaleT, double scaleE,
 }
 
 std::unique_ptr<ScaledView::Memo> SceneScaledView::memo() const {
-    if (std::ranges::none_of(surfaces_, &Surface::isClosed))
+    if (std::ranges::none_of(surfaces_, [](const Surface& one) { return one.sum.has_value(); }))
         return nullptr;
     auto made = std::make_unique<SceneMemo>();
     made->surfaces.resize(surfaces_.size());
@@ -319,7 +194,7 @@ void SceneScaledView::evaluate(std::span<const double> scales, ScaledValues& val
         const Surface& surface = surfaces_[i];
         const double scaleT = scaleOf(surface.temperatureInput);
         const double scaleE = scaleOf(surface.emissivityInput);
-        if (known == nullptr || !surface.isClosed) {
+        if (known == nullptr || !surface.sum) {
             add(surface, scaleT, scaleE, values);
             continue;
         }
@@ -330,7 +205,7 @@ void SceneScaledView::evaluate(std::span<const double> scales, ScaledValues& val
         if (found == own.known.end()) {
             found = own.known.begin() + static_cast<std::ptrdiff_t>(own.oldest);
             own.oldest = (own.oldest + 1) % own.known.size();
-            *found = {scaleT, scaleE, closedSum(surface, scaleT, scaleE)};
+            *found = {scaleT, scaleE, surface.sum->at(scaleT, scaleE)};
         }
         values.intensity[0] += found->sum.intensity;
         values.contrastIntensity[0] += found->sum.intensity;
