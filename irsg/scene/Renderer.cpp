@@ -9,6 +9,7 @@
 #include <osg/RenderInfo>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/RendererParts.h"
 #include "irsg/scene/radiance/SceneScaledView.h"
@@ -299,9 +300,7 @@ double Renderer::Parts::totalIrradiance_W_m2(const Frame& frame, std::size_t ban
 void Renderer::Parts::fillReport(const Frame& frame, std::size_t band, RenderReport& report) const {
     report.background_W_m2_sr = frame.backgrounds[band].centre_W_m2_sr();
     report.answeredBy = frame.answeredBy;
-    for (const std::string& line : frame.backgroundReport.answeredBy)
-        if (std::ranges::find(report.answeredBy, line) == report.answeredBy.end())
-            report.answeredBy.push_back(line);
+    addNew(report.answeredBy, frame.backgroundReport.answeredBy);
     std::ranges::copy(frame.warnings, std::back_inserter(report.warnings));
     std::ranges::copy(frame.backgroundReport.warnings, std::back_inserter(report.warnings));
     report.flooredPixels = frame.backgroundReport.flooredPixels;

@@ -140,8 +140,7 @@ void Renderer::Parts::drawBackgrounds(Frame& frame, const std::vector<SampledBan
         frame.backgrounds.push_back(
             background.draw(frame.view.sensor, frame.view.viewpoint, sky, wanted, report));
         frame.backgroundReport.flooredPixels += report.flooredPixels;
-        for (std::string& line : report.answeredBy)
-            frame.backgroundReport.answeredBy.push_back(std::move(line));
+        addNew(frame.backgroundReport.answeredBy, report.answeredBy);
         addNew(frame.backgroundReport.warnings, report.warnings);
     }
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "irsg/radiometry/NewLines.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/CaseWarnings.h"
@@ -14,7 +15,6 @@
 #include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/analysis/SweepTable.h"
 #include "smatcore/support/Log.h"
-#include "smatcore/support/NewSentences.h"
 
 namespace smat {
 
@@ -23,7 +23,7 @@ namespace {
 void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& source,
                const AnalysisCase& one, SweepTable& table, CaseWarnings& warnings) {
     irsg::RenderedImage rendered = source.render();
-    addNew(data.answeredBy, rendered.report.answeredBy);
+    irsg::addNew(data.answeredBy, rendered.report.answeredBy);
     warnings.addReport(rendered.report, data.settings.integer("render.layers"));
     table.addCase(one, {rendered.report});
     data.image = std::move(rendered.image);
@@ -37,7 +37,7 @@ void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan
                      SweepTable& table, CaseWarnings& warnings) {
     // The sums of the same view say who answered for the air.
     const irsg::RenderReport report = source.measure();
-    addNew(data.answeredBy, report.answeredBy);
+    irsg::addNew(data.answeredBy, report.answeredBy);
     warnings.addReport(report, data.settings.integer("render.layers"));
     const irsg::IntensitySpectrum spectrum = source.measureSpectrum(plan.wavenumbers_cm1);
     for (const std::string& sentence : spectrum.warnings) {
@@ -50,7 +50,7 @@ void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan
 void addReports(AnalysisData& data, const ImageSource::Reports& reports, const AnalysisCase& one,
                 SweepTable& table, CaseWarnings& warnings) {
     for (const irsg::RenderReport& report : reports) {
-        addNew(data.answeredBy, report.answeredBy);
+        irsg::addNew(data.answeredBy, report.answeredBy);
         warnings.addReport(report, data.settings.integer("render.layers"));
     }
     table.addCase(one, reports);
@@ -154,7 +154,7 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         data.renderer = source_.rendererDescription();
         source_.resetStageTimes();
     }
-    addNew(data.warnings, scene.remarks);
+    irsg::addNew(data.warnings, scene.remarks);
     const irsg::Pose standing = scene.entities.front().pose;
     const irsg::Vec3 referencePoint = standing.toWorld(inModel.front());
     SweepTable table(cases, scene, data.table);
@@ -171,7 +171,7 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         const std::vector<std::string> before = data.warnings;
         const auto tellWarnings = [&] {
             data.warnings = before;
-            addNew(data.warnings, warnings.sentences());
+            irsg::addNew(data.warnings, warnings.sentences());
         };
         // A case of a sweep is finished when the next one has been begun: drawing never waits.
         std::optional<CaseSetUp> begun;

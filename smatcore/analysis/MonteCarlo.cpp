@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/ParallelFor.h"
 #include "smatcore/analysis/MonteCarloReport.h"
 #include "smatcore/analysis/MonteCarloViews.h"
 #include "smatcore/support/Log.h"
-#include "smatcore/support/NewSentences.h"
 
 namespace smat {
 
@@ -44,7 +44,7 @@ class Run {
         analysis.settings.set("scaling.use", "false");
         plan_ = planAnalysis(analysis.kind, analysis.project, analysis.settings);
         scene_ = scenes(analysis.project, analysis.settings);
-        addNew(analysis.warnings, scene_.remarks);
+        irsg::addNew(analysis.warnings, scene_.remarks);
         data_.scalings = sceneScalings(analysis.project, scene_, analysis.warnings);
         const bool anyVaries = std::any_of(data_.scalings.begin(), data_.scalings.end(),
                                            [](const SceneScaling& one) { return !one.isFixed(); });

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "irsg/radiometry/NewLines.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/project/SceneBuilder.h"
-#include "smatcore/support/NewSentences.h"
 
 namespace smat {
 
@@ -84,7 +84,7 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
         }
         drawPhases(one, viewpoint, tell, warnings, stop);
     }
-    addNew(analysis.warnings, warnings.sentences());
+    irsg::addNew(analysis.warnings, warnings.sentences());
     for (std::size_t band = 0; band < bands_.size(); ++band) {
         const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
             all.insert(all.end(), more.begin(), more.end());
@@ -109,7 +109,7 @@ MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, CaseW
     Drawing drawing{{one.coordinate}, {}, {}};
     for (const irsg::RenderReport& report : source_.measure(bands_)) {
         drawing.values.push_back({number(report.all, asked)});
-        addNew(drawing.answeredBy, report.answeredBy);
+        irsg::addNew(drawing.answeredBy, report.answeredBy);
         if (warnings != nullptr)
             warnings->addReport(report, data_.analysis.settings.integer("render.layers"));
     }
@@ -133,7 +133,7 @@ void MonteCarloViews::drawPhases(const AnalysisCase& one, const irsg::Viewpoint&
             append(data_.abscissae, drawing.abscissae);
             for (std::size_t band = 0; band < bands_.size(); ++band)
                 append(nominal_[band], drawing.values[band]);
-            addNew(data_.analysis.answeredBy, drawing.answeredBy);
+            irsg::addNew(data_.analysis.answeredBy, drawing.answeredBy);
             std::vector<irsg::ScalingInput> inputs;
             for (const SceneScaling& scaling : data_.scalings)
                 inputs.push_back(scaling.input);

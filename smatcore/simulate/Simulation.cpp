@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/NewLines.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/support/Log.h"
-#include "smatcore/support/NewSentences.h"
 
 namespace smat {
 
@@ -33,7 +33,7 @@ SensorResult resultOf(const LoadedScenario& loaded, std::size_t sensor) {
                         .table = {},
                         .answeredBy = {},
                         .warnings = loaded.sensors[sensor].warnings};
-    addNew(result.warnings, loaded.sensors[sensor].scene.remarks);
+    irsg::addNew(result.warnings, loaded.sensors[sensor].scene.remarks);
     result.table.add(Quantity::time);
     result.table.add("frame", "");
     const std::vector<std::string> bands = labelsOf(loaded, sensor);
@@ -88,9 +88,9 @@ void takeFrame(SensorResult& result, const SensorFrame& frame, StepSums& sums) {
     sums.totalIrradiance_W_m2.push_back(frame.rendered.report.totalIrradiance_W_m2);
     sums.of.push_back(frame.objects);
     ++result.frames;
-    addNew(result.answeredBy, frame.rendered.report.answeredBy);
-    addNew(result.warnings, frame.rendered.report.warnings);
-    addNew(result.warnings, frame.warnings);
+    irsg::addNew(result.answeredBy, frame.rendered.report.answeredBy);
+    irsg::addNew(result.warnings, frame.rendered.report.warnings);
+    irsg::addNew(result.warnings, frame.warnings);
 }
 
 void addRow(SensorResult& result, const SimulationPlan::Step& step, const StepSums& sums) {

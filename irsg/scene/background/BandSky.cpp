@@ -1,6 +1,6 @@
 #include "irsg/scene/background/BandSky.h"
 
-#include <algorithm>
+#include "irsg/radiometry/NewLines.h"
 
 namespace irsg {
 
@@ -12,8 +12,7 @@ double BandSky::ask(const char* quantity, const AirQuestion& question) const {
     std::string line = quantity;
     line += ": ";
     line += answer.answeredBy;
-    if (std::ranges::find(answeredBy_, line) == answeredBy_.end())
-        answeredBy_.push_back(line);
+    addNew(answeredBy_, std::move(line));
     return sampling_.integrate(answer.value);
 }
 
