@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "irsg/radiometry/ParallelFor.h"
 #include "irsg/signature/random/Philox.h"
 #include "smatcore/analysis/SobolIndices.h"
 
@@ -284,6 +285,36 @@ TEST(SobolIndices, StayBetweenMinusOneAndOneWithTheirIntervals) {
         EXPECT_NEAR(ranking[1].total.value, 0.0, 1e-12);
         EXPECT_LE(std::abs(ranking[1].firstOrder.low95), 1.0);
     }
+}
+
+TEST(SobolIndices, AreTheSameForAnyNumberOfThreads) {
+    // A model that remembers the draws of its pair: it must see those of no other.
+    const auto modelOfPair = []() -> ScaledModel {
+        return [seen = std::make_shared<std::vector<double>>()](const std::vector<double>& u) {
+            seen->push_back(u[0]);
+            return std::vector<double>{u[0] + 0.1 * u[1] * seen->front(), u[2]};
+        };
+    };
+    const auto rankedBy = [&](unsigned threads) {
+        irsg::setMostThreads(threads);
+        const ScalingDraws draws(unitScales(3), DrawSequence::sobol, 3, true);
+        std::vector<double> numbers;
+        std::size_t last = 0;
+        for (const RankedScaling& one :
+             rankScalings(draws, DrawSequence::sobol, 256, modelOfPair, [&](std::size_t pairs) {
+                 EXPECT_EQ(pairs, last + 1);
+                 last = pairs;
+                 return pairs < 205;
+             }))
+            numbers.insert(numbers.end(), {one.firstOrder.value, one.firstOrder.high95,
+                                           one.total.value, one.total.low95});
+        irsg::setMostThreads(0);
+        EXPECT_EQ(last, 205u);
+        return numbers;
+    };
+    const std::vector<double> one = rankedBy(1);
+    EXPECT_EQ(rankedBy(2), one);
+    EXPECT_EQ(rankedBy(7), one);
 }
 
 } // namespace smat

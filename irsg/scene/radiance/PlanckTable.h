@@ -13,6 +13,7 @@ namespace irsg {
 /// several threads at a time.
 class PlanckTable {
   public:
+    /// They must live as long.
     explicit PlanckTable(const std::vector<double>& wavelengths_um)
         : wavelengths_um_(wavelengths_um) {}
 
