@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 
 namespace irsg {
 
@@ -12,16 +13,25 @@ inline constexpr std::size_t nodesOfBlock = 256;
 
 /// Sum of a[i] b[i].
 inline double sumOfProducts(const double* a, const double* b, std::size_t count) {
-    constexpr std::size_t width = 8;
-    double strands[width] = {};
+    using Two = double __attribute__((vector_size(2 * sizeof(double))));
+    const auto product = [=](std::size_t i) {
+        Two of, by;
+        std::memcpy(&of, a + i, sizeof of);
+        std::memcpy(&by, b + i, sizeof by);
+        return of * by;
+    };
+    Two sums[4] = {};
     std::size_t i = 0;
-    for (; i + width <= count; i += width)
-        for (std::size_t strand = 0; strand < width; ++strand)
-            strands[strand] += a[i + strand] * b[i + strand];
+    for (; i + 8 <= count; i += 8) {
+        sums[0] += product(i);
+        sums[1] += product(i + 2);
+        sums[2] += product(i + 4);
+        sums[3] += product(i + 6);
+    }
     for (; i < count; ++i)
-        strands[0] += a[i] * b[i];
-    return ((strands[0] + strands[1]) + (strands[2] + strands[3])) +
-           ((strands[4] + strands[5]) + (strands[6] + strands[7]));
+        sums[0][0] += a[i] * b[i];
+    const Two sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    return sum[0] + sum[1];
 }
 
 /// values[i] = make(i).
