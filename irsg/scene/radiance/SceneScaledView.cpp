@@ -112,22 +112,38 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
             const double plain_sr = sumOf(view.layout.coverage());
             const double cosine_sr = sumOf(view.layout.withCosine(view.layout.coverage()));
             Surface::Drive& drive = isEmission ? surface.emitted : surface.reflected;
-            const bool isMeasured = isEmission && !(surface.temperature_K > 0.0);
-            const std::vector<double> measured =
-                isMeasured ? apparentTerm(spectra, radiometry.terms(), k, air)
-                           : std::vector<double>();
+            const std::vector<double> unit = unitOf(spectra, term, air, k, front->second);
             for (std::size_t i = 0; i < count; ++i) {
-                const std::size_t node = nodes_.first + i;
-                double unit = front->second[i];
-                if (isEmission)
-                    unit *= isMeasured ? measured[node] : (*air.transmittance)[node];
-                else
-                    unit *= (*air.light[k])[node] * (*air.transmittance)[node] / pi;
-                drive.intensity[i] += unit * plain_sr * square_m2;
-                drive.irradiance[i] += unit * cosine_sr;
+                drive.intensity[i] += unit[i] * plain_sr * square_m2;
+                drive.irradiance[i] += unit[i] * cosine_sr;
             }
         }
     });
+}
+
+std::vector<double> SceneScaledView::unitOf(const SurfaceSpectra& surface, const RadianceTerm& term,
+                                            const AirSamples& air, std::size_t number,
+                                            std::vector<double> passed) const {
+    const auto multiply = [&](const std::vector<double>& values) {
+        for (std::size_t i = 0; i < passed.size(); ++i)
+            passed[i] *= values[nodes_.first + i];
+    };
+    const bool isEmission = term.surface == SurfaceQuantity::emission;
+    if (term.light)
+        multiply(*air.light[number]);
+    if (term.passesAir || (isEmission && surface.emissionPassesAir))
+        multiply(*air.transmittance);
+    if (!isEmission)
+        for (double& value : passed)
+            value /= pi;
+    if (isEmission && !(surface.temperature_K > 0.0))
+        for (std::size_t i = 0; i < passed.size(); ++i) {
+            double measured = 0.0;
+            for (const SurfaceSpectra::Emission& part : surface.emission)
+                measured += part.factor * part.radiance[nodes_.first + i];
+            passed[i] *= measured;
+        }
+    return passed;
 }
 
 void SceneScaledView::close(Surface& surface, PlanckTable& planck,

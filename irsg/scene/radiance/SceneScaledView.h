@@ -51,6 +51,11 @@ class SceneScaledView : public ScaledView {
     void gather(const ViewFactors& view, const SceneRadiometry& radiometry,
                 const KindRadiances& radiances, const std::vector<double>& ranges_m,
                 std::vector<Surface>& surfaces) const;
+    /// By node, from what passes the materials in front: what multiplies the emissivity times
+    /// Planck's law, the measured emission's scale or the reflectivity in a term.
+    std::vector<double> unitOf(const SurfaceSpectra& surface, const RadianceTerm& term,
+                               const AirSamples& air, std::size_t number,
+                               std::vector<double> passed) const;
     /// Sums over the band what can be summed.
     void close(Surface& surface, PlanckTable& planck,
                const std::vector<ScalingInput>& inputs) const;
