@@ -39,6 +39,11 @@ std::vector<RenderReport> Irsg::measure(const std::vector<Band>& bands) {
     return renderer_->render(scene_, view_, {.reports = true, .bands = bands}).reports;
 }
 
+std::vector<RenderReport> Irsg::measureAlongRange(const std::vector<Band>& bands) {
+    return renderer_->render(scene_, view_, {.reports = true, .alongRange = true, .bands = bands})
+        .reports;
+}
+
 IntensitySpectrum Irsg::measureSpectrum(const std::vector<double>& wavenumbers_cm1) {
     return renderer_->render(scene_, view_, {.wavenumbers_cm1 = wavenumbers_cm1}).spectrum;
 }

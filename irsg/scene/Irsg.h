@@ -53,9 +53,13 @@ class Irsg {
     RenderReport measure();
     /// The same in several bands, from the same drawings.
     std::vector<RenderReport> measure(const std::vector<Band>& bands);
+    /// The same at one of many ranges along a line of sight (Wanted::alongRange).
+    std::vector<RenderReport> measureAlongRange(const std::vector<Band>& bands);
     /// Begins measure() of the present values, see Renderer::begin.
-    std::shared_ptr<Renderer::Begun> beginMeasure(const std::vector<Band>& bands) {
-        return renderer_->begin(scene_, view_, bands);
+    std::shared_ptr<Renderer::Begun> beginMeasure(const std::vector<Band>& bands,
+                                                  bool alongRange = false) {
+        return renderer_->begin(scene_, view_,
+                                {.reports = true, .alongRange = alongRange, .bands = bands});
     }
     std::vector<RenderReport> finishMeasure(const std::shared_ptr<Renderer::Begun>& begun) {
         return renderer_->finish(begun);

@@ -118,9 +118,8 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Want
 }
 
 std::shared_ptr<Renderer::Begun> Renderer::begin(const Scene& scene, const SensorView& view,
-                                                 const std::vector<Band>& bands) {
-    auto begun =
-        std::make_shared<Begun>(*parts_, scene, view, Wanted{.reports = true, .bands = bands});
+                                                 const Wanted& wanted) {
+    auto begun = std::make_shared<Begun>(*parts_, scene, view, wanted);
     begun->drawing = parts_->beginFactors(begun->frame);
     return begun;
 }

@@ -31,12 +31,11 @@ class Renderer {
     /// Throws InputError with every offence of the scene: see check().
     Rendered render(const Scene& scene, const SensorView& view, const Wanted& wanted);
 
-    /// Begins what render() would say of the objects' radiometry in some bands, or, for none, in
-    /// the sensor's: the view is drawn while the caller does something else, most of all sets up
-    /// the next one. Throws what render() throws; what fails in drawing is thrown by finish().
+    /// Begins what render() would say when reports are wanted, `alongRange` or not: the view is
+    /// drawn while the caller does something else, most of all sets up the next one. Throws what
+    /// render() throws; what fails in drawing is thrown by finish().
     struct Begun;
-    std::shared_ptr<Begun> begin(const Scene& scene, const SensorView& view,
-                                 const std::vector<Band>& bands);
+    std::shared_ptr<Begun> begin(const Scene& scene, const SensorView& view, const Wanted& wanted);
     /// Its reports, by band. What was begun must not outlive this renderer.
     std::vector<RenderReport> finish(const std::shared_ptr<Begun>& begun);
 

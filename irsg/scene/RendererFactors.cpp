@@ -1,12 +1,7 @@
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include <osg/RenderInfo>
-
 #include "irsg/scene/RendererParts.h"
-#include "irsg/scene/draw/LayerSort.h"
-#include "irsg/scene/sampling/PixelAlignedStrategy.h"
 
 namespace irsg {
 
@@ -53,6 +48,8 @@ Renderer::Parts::ViewKey Renderer::Parts::viewKey(const Frame& frame) const {
     for (const SurfaceRow& row : frame.rows)
         key.numbers.push_back(static_cast<double>(row.nAngleFactor));
     key.numbers.insert(key.numbers.end(), frame.hot.begin(), frame.hot.end());
+    for (const ZoomEntityInfo& object : frame.alongRange)
+        key.numbers.push_back(static_cast<double>(object.entity));
     key.terrain = frame.scene.terrain;
     key.rows = frame.surfaceRows();
     key.shader = terms.glsl(settings);
@@ -112,89 +109,6 @@ const ViewFactors& Renderer::Parts::factorsOf(const Frame& frame, FactorDrawing&
 
 const ViewFactors& Renderer::Parts::factorsOf(const Frame& frame) {
     return factorsOf(frame, *beginFactors(frame));
-}
-
-PointPlace Renderer::Parts::placeOf(const Frame& frame, const ZoomEntityInfo& object) const {
-    const ImageRectangle& extent = object.extent;
-    const int x = static_cast<int>(0.5 * (extent.left + extent.right));
-    const int y = static_cast<int>(0.5 * (extent.top + extent.bottom));
-    const PixelGrid::Pixel pixel = PixelGrid(frame.view.sensor).at(x, y);
-    return {x, y, length(object.centre_m - frame.view.viewpoint.position_m), pixel.solidAngle_sr,
-            pixel.cosOffAxis};
-}
-
-const FactorField<double>& Renderer::Parts::pointFactors(const Frame& frame,
-                                                         const ZoomEntityInfo& object) {
-    const Entity& entity = frame.entity(object.entity);
-    const RenderSettings& settings = frame.scene.settings;
-    const SurfaceRows& rows = frame.surfaceRows();
-    const Rotation toWorld = entity.pose.attitude.rotation();
-    const Rotation toModel = toWorld.transposed();
-    const Vec3 from = PointSources::onGrid(
-        toModel * normalized(frame.view.viewpoint.position_m - object.centre_m));
-    PointAspect aspect{
-        entity.model,
-        {static_cast<double>(settings.zoomWindow), static_cast<double>(settings.maximumLayers)},
-        terms.glsl(settings)};
-    append(aspect.numbers, from);
-    for (const FrameDirection& direction : terms.directions)
-        append(aspect.numbers, toModel * direction.world(frame.scene.environment.sun));
-    for (std::size_t row = 0; row < rows.keys().size(); ++row) {
-        // Rows are numbered through the scene.
-        aspect.numbers.push_back(rows.keys()[row].first);
-        if (rows.keys()[row].first == object.entity) {
-            aspect.numbers.push_back(static_cast<double>(frame.rows[row].nAngleFactor));
-            aspect.numbers.push_back(rows.isTransparent(static_cast<int>(row)) ? 1.0 : 0.0);
-            aspect.numbers.push_back(frame.hot[row] ? 1.0 : 0.0);
-        }
-    }
-
-    const double distance_m = PointSources::cameraDistance_radii * object.radius_m;
-    return pointSources.sums_sr_m2(object.entity, aspect, [&] {
-        // A few pixels of a camera that looks at it from far. No phases average its error, so its
-        // window is larger than that of other objects, but not by much: one that turns is drawn
-        // anew for every frame.
-        Sensor few = frame.view.sensor;
-        few.width_px = few.height_px = 4;
-        few.horizontalFieldOfView_rad = 2.0 * std::asin(1.0 / PointSources::cameraDistance_radii);
-        const Vec3 place = object.centre_m + toWorld * from * distance_m;
-        const CameraFrame zoom(few,
-                               Viewpoint::lookAt(place, object.centre_m, toWorld * Vec3{0, 0, 1},
-                                                 toWorld * Vec3{0, 1, 0}));
-        auto seen = zoomEntityInfo(object.entity, zoom, entity.model->bounds(),
-                                   prepared.of(entity).ball, entity.pose);
-        // Rows as they are drawn: the air is no matter here.
-        std::vector<bool> transparent;
-        for (std::size_t row = 0; row < rows.keys().size(); ++row)
-            transparent.push_back(rows.isTransparent(static_cast<int>(row)));
-        const SurfaceRows drawnRows(rows.keys(), std::move(transparent),
-                                    std::vector<SliceNodes>(frame.scene.entities.size()));
-        FactorSums sums(few, drawnRows, fronts, terms.factorCount());
-        ViewFactors view = sums.emptyView();
-        if (seen) {
-            seen->details = detailsOf(frame, zoom, object.entity);
-            seen->edges = edgesOf(frame, zoom, object.entity);
-            onContext([&](osg::RenderInfo& info) {
-                FactorSamples samples;
-                const PixelAlignedStrategy strategy(settings.zoomWindow * 3 / 2);
-                for (const SampleWindow& window :
-                     piecesOf(strategy.windows({*seen}), largestDrawing())) {
-                    SurfaceScene alone = sceneOf(frame, zoom, window);
-                    alone.occluders.clear(); // no terrain is before a point as the sensor sees it
-                    pass->drawFactors(info, alone, window, false, samples);
-                    sortLayers(samples, settings.maximumLayers);
-                    sums.addToView(window, samples, view);
-                }
-            });
-        }
-        FactorField<double> atUnitDistance(1, terms.factorCount() + 1);
-        view.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
-            double* own = atUnitDistance.at(0, atUnitDistance.kindOf(view.field.kinds()[kind]));
-            for (std::size_t i = 0; i < atUnitDistance.width(); ++i)
-                own[i] = numbers[i] * distance_m * distance_m;
-        });
-        return atUnitDistance;
-    });
 }
 
 } // namespace irsg

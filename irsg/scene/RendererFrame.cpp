@@ -39,6 +39,11 @@ bool Renderer::Parts::Frame::isTransparent() const {
     return std::ranges::any_of(items, &SurfaceItem::transparent);
 }
 
+double Renderer::Parts::reachOf_m(const Entity& entity) {
+    const BoundingBall& ball = prepared.of(entity).ball;
+    return ball.radius_m + length(ball.centre_m - prepared.referencePoint(entity));
+}
+
 std::vector<ObjectGeometry> Renderer::Parts::geometry(const Scene& scene, const SensorView& view) {
     prepared.keep(scene.entities);
     std::vector<Vec3> points;
@@ -48,11 +53,9 @@ std::vector<ObjectGeometry> Renderer::Parts::geometry(const Scene& scene, const 
     for (std::size_t e = 0; e < objects.size(); ++e) {
         const Entity& entity = scene.entities[e];
         // About the reference point, so that views from one distance have the same slices.
-        const BoundingBall& ball = prepared.of(entity).ball;
-        const double half_m =
-            ball.radius_m + length(ball.centre_m - prepared.referencePoint(entity));
-        objects[e].nearest_m = std::max(objects[e].path.range_m - half_m, 0.0);
-        objects[e].farthest_m = objects[e].path.range_m + half_m;
+        const double reach_m = reachOf_m(entity);
+        objects[e].nearest_m = std::max(objects[e].path.range_m - reach_m, 0.0);
+        objects[e].farthest_m = objects[e].path.range_m + reach_m;
     }
     return objects;
 }
@@ -67,6 +70,8 @@ Renderer::Parts::Frame Renderer::Parts::frame(const Scene& scene, const SensorVi
     checkScene(scene.entities, result.geometry, scene.environment, view.sensor, bands,
                scene.settings);
     evaluate(result);
+    if (wanted.alongRange && !wanted.image)
+        planAlongRange(result);
     findDetails(result);
     return result;
 }
@@ -197,22 +202,24 @@ void Renderer::Parts::planPoints(Frame& frame) const {
     const bool mayBePoints = settings.zoomWindow > 0 &&
                              settings.zoomStrategy == ZoomStrategy::aligned &&
                              settings.pointSourceBelow_px > 0.0;
-    const ImageRectangle field{0.0, 0.0, static_cast<double>(frame.view.sensor.width_px),
-                               static_cast<double>(frame.view.sensor.height_px)};
     for (const ZoomEntityInfo& object : frame.seen) {
-        const ImageRectangle& extent = object.extent;
-        const bool isWhole = extent.left > field.left && extent.right < field.right &&
-                             extent.top > field.top && extent.bottom < field.bottom;
-        const bool standsApart = std::ranges::none_of(frame.seen, [&](const ZoomEntityInfo& other) {
-            return other.entity != object.entity && other.extent.intersects(extent);
-        });
         const bool isOneSlice =
             frame.geometry[static_cast<std::size_t>(object.entity)].slices_m.size() < 2;
-        const bool isPoint = mayBePoints && isWhole && standsApart && isOneSlice &&
-                             extent.extent() < settings.pointSourceBelow_px &&
-                             !touchesTerrain(frame, extent);
+        const bool isPoint = mayBePoints && isWholeAndApart(frame, object) && isOneSlice &&
+                             object.extent.extent() < settings.pointSourceBelow_px &&
+                             !touchesTerrain(frame, object.extent);
         (isPoint ? frame.points : frame.drawn).push_back(object);
     }
+}
+
+bool Renderer::Parts::isWholeAndApart(const Frame& frame, const ZoomEntityInfo& object) {
+    const Sensor& sensor = frame.view.sensor;
+    const ImageRectangle& extent = object.extent;
+    const bool isWhole = extent.left > 0.0 && extent.right < sensor.width_px && extent.top > 0.0 &&
+                         extent.bottom < sensor.height_px;
+    return isWhole && std::ranges::none_of(frame.seen, [&](const ZoomEntityInfo& other) {
+               return other.entity != object.entity && other.extent.intersects(extent);
+           });
 }
 
 bool Renderer::Parts::touchesTerrain(const Frame& frame, const ImageRectangle& extent) const {

@@ -22,6 +22,7 @@
 #include "irsg/scene/radiance/AirAnswers.h"
 #include "irsg/scene/radiance/PointSources.h"
 #include "irsg/scene/radiance/RadiometryCache.h"
+#include "irsg/scene/radiance/RangeFactors.h"
 #include "irsg/scene/radiance/Reductions.h"
 #include "irsg/scene/radiance/SampledScene.h"
 #include "irsg/scene/radiance/SceneSampling.h"
@@ -52,6 +53,7 @@ struct Renderer::Parts {
     RadiometryCache radiometry;
     Fronts fronts;
     PointSources pointSources;
+    RangeFactors rangeFactors;
 
     /// All that the factors of a view depend on.
     struct ViewKey {
@@ -108,6 +110,8 @@ struct Renderer::Parts {
         std::vector<ZoomEntityInfo> seen;   // all that the frame can see
         std::vector<ZoomEntityInfo> drawn;  // into windows
         std::vector<ZoomEntityInfo> points; // as point sources
+        /// Not drawn, nor among those above: their factors are interpolated between distances.
+        std::vector<ZoomEntityInfo> alongRange;
 
         const Entity& entity(int e) const { return scene.entities[static_cast<std::size_t>(e)]; }
         const SurfaceRows& surfaceRows() const { return evaluated->radiometry.rows(); }
@@ -135,6 +139,8 @@ struct Renderer::Parts {
     void addTime(const std::string& name, double seconds);
 
     // RendererFrame.cpp: the radiometry of a call and what is to be drawn.
+    /// How far an entity reaches from its reference point at most, m.
+    double reachOf_m(const Entity& entity);
     std::vector<ObjectGeometry> geometry(const Scene& scene, const SensorView& view);
     Frame frame(const Scene& scene, const SensorView& view, const Wanted& wanted);
     std::shared_ptr<const SampledScene> sample(const Frame& frame);
@@ -144,6 +150,8 @@ struct Renderer::Parts {
     void fillRows(Frame& frame);
     void fillItems(Frame& frame);
     void planPoints(Frame& frame) const;
+    /// True where all of an object is inside the frame, and no other object in its part of it.
+    static bool isWholeAndApart(const Frame& frame, const ZoomEntityInfo& object);
     /// True where terrain that may hide objects is in or beside the pixels of a rectangle.
     bool touchesTerrain(const Frame& frame, const ImageRectangle& extent) const;
     /// Gives the objects that are drawn into windows their details.
@@ -187,10 +195,25 @@ struct Renderer::Parts {
     std::shared_ptr<FactorDrawing> beginFactors(const Frame& frame);
     const ViewFactors& factorsOf(const Frame& frame, FactorDrawing& drawing);
     const ViewFactors& factorsOf(const Frame& frame);
+    void addTruthLayers(const Frame& frame, RadianceImage& image);
+
+    // RendererAspects.cpp: what is drawn once for an aspect and serves at many distances.
+    /// An entity as it is seen from a direction in its model's axes.
+    PointAspect aspectOf(const Frame& frame, int entity, const Vec3& from) const;
+    /// Factors of one entity as a camera of its own sees it, with nothing before it.
+    ViewFactors drawAlone(const Frame& frame, int entity, const CameraFrame& camera, int zoomWindow,
+                          const SurfaceRows& rows);
     /// Factors of a point source at unit distance, kept for its aspect.
     const FactorField<double>& pointFactors(const Frame& frame, const ZoomEntityInfo& object);
     PointPlace placeOf(const Frame& frame, const ZoomEntityInfo& object) const;
-    void addTruthLayers(const Frame& frame, RadianceImage& image);
+    /// Takes the objects whose factors are interpolated out of those that are drawn.
+    void planAlongRange(Frame& frame);
+    bool isAlongRange(const Frame& frame, const ZoomEntityInfo& object);
+    /// From an entity's reference point.
+    Vec3 towardsSensor(const Frame& frame, int entity);
+    void addAlongRange(const Frame& frame, const ZoomEntityInfo& object, ViewFactors& view);
+    ViewFactors drawAtNode(const Frame& frame, int entity, const Vec3& from, std::size_t node,
+                           const SurfaceRows& rows);
 
     // Renderer.cpp
     void fillReport(const Frame& frame, std::size_t band, RenderReport& report) const;

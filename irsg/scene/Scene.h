@@ -46,6 +46,12 @@ struct Wanted {
     /// factors that are kept and drawn anew only when geometry, viewpoint, raster, transparency or
     /// N change. A report for each band.
     bool reports = false;
+    /// The reports are of one of many ranges along a line of sight. The object that the sensor
+    /// looks at is not drawn for each: its factors are interpolated between those of a few
+    /// distances, the same for every range, so that a curve has no noise of drawings and costs few.
+    /// At a single range it then differs from an image by the sampling errors of both. See
+    /// RangeFactors for when; else it is drawn as without. Without effect on images.
+    bool alongRange = false;
     /// In-band quantities are asked for in these, from the same drawings; none: in the sensor's.
     std::vector<Band> bands = {};
     /// Wavenumbers of a spectrum, cm-1, > 0, in any order; it is computed in the spectral mode,

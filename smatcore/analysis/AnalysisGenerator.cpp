@@ -207,7 +207,8 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
                 continue;
             }
             try {
-                set.reports = source_.beginMeasure(scene.allBands());
+                set.reports =
+                    source_.beginMeasure(scene.allBands(), data.kind == AnalysisKind::range);
             } catch (...) {
                 finishBegun();
                 throw;

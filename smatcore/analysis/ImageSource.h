@@ -50,11 +50,20 @@ class ImageSource {
     virtual irsg::RenderReport measure() = 0;
     /// A report for each of these bands, in place of the sensor's own, from the same drawing.
     virtual std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) = 0;
+    /// The same at one of many ranges along a line of sight, which a source may know from few of
+    /// them (irsg::Wanted::alongRange).
+    virtual std::vector<irsg::RenderReport>
+    measureAlongRange(const std::vector<irsg::Band>& bands) {
+        return measure(bands);
+    }
     using Reports = std::vector<irsg::RenderReport>;
-    /// Begins measure() of what is set at present: drawing goes on while the caller sets the next
-    /// case. Called once, the result waits for the reports; it must not outlive this source.
-    virtual std::function<Reports()> beginMeasure(const std::vector<irsg::Band>& bands) {
-        return [reports = measure(bands)] { return reports; };
+    /// Begins measure(), or measureAlongRange(), of what is set at present: drawing goes on while
+    /// the caller sets the next case. Called once, the result waits for the reports; it must not
+    /// outlive this source.
+    virtual std::function<Reports()> beginMeasure(const std::vector<irsg::Band>& bands,
+                                                  bool alongRange) {
+        return
+            [reports = alongRange ? measureAlongRange(bands) : measure(bands)] { return reports; };
     }
     virtual irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) = 0;
 

@@ -38,8 +38,15 @@ class IrsgImageSource : public ImageSource {
     std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) override {
         return irsg_.measure(bands);
     }
-    std::function<Reports()> beginMeasure(const std::vector<irsg::Band>& bands) override {
-        return [this, begun = irsg_.beginMeasure(bands)] { return irsg_.finishMeasure(begun); };
+    std::vector<irsg::RenderReport>
+    measureAlongRange(const std::vector<irsg::Band>& bands) override {
+        return irsg_.measureAlongRange(bands);
+    }
+    std::function<Reports()> beginMeasure(const std::vector<irsg::Band>& bands,
+                                          bool alongRange) override {
+        return [this, begun = irsg_.beginMeasure(bands, alongRange)] {
+            return irsg_.finishMeasure(begun);
+        };
     }
     irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) override {
         return irsg_.measureSpectrum(wavenumbers_cm1);

@@ -308,6 +308,24 @@ TEST(AnalysisGenerator, PutsEverythingBackWhenADrawingFails) {
     EXPECT_EQ(box.poses.front(), targetPoseOf(data.settings));
 }
 
+// Sweeps over range alone take their factors from few distances; the others agree with images.
+TEST(AnalysisGenerator, MeasuresAlongTheRangeInRangeSweepsAlone) {
+    struct Counting : GreySphere {
+        int alongRange = 0;
+        std::vector<irsg::RenderReport>
+        measureAlongRange(const std::vector<irsg::Band>& bands) override {
+            ++alongRange;
+            return measure(bands);
+        }
+    };
+    for (const auto& [kind, expected] :
+         {std::pair{AnalysisKind::range, 7}, {AnalysisKind::polar, 0}, {AnalysisKind::time, 0}}) {
+        Counting sphere;
+        ran(asked(kind, {{"range.points", "7"}, {"polar.step", "90"}}), sphere);
+        EXPECT_EQ(sphere.alongRange, expected) << name(kind);
+    }
+}
+
 TEST(AnalysisGenerator, GivesTheSameBytesTwice) {
     SixSidedBox box;
     const auto data = asked(AnalysisKind::polar, {});

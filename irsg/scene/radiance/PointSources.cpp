@@ -5,10 +5,8 @@
 
 namespace irsg {
 
-Vec3 PointSources::onGrid(const Vec3& direction) {
-    const auto rounded = [](double component) {
-        return directionStep * std::round(component / directionStep);
-    };
+Vec3 PointSources::onGrid(const Vec3& direction, double step) {
+    const auto rounded = [step](double component) { return step * std::round(component / step); };
     return normalized({rounded(direction.x), rounded(direction.y), rounded(direction.z)});
 }
 

@@ -38,8 +38,8 @@ class PointSources {
     /// Where the camera stands that draws an object, in radii of its ball: the rays are parallel.
     static constexpr double cameraDistance_radii = 1e6;
 
-    /// The nearest direction on the grid.
-    static Vec3 onGrid(const Vec3& direction);
+    /// The nearest direction on a grid.
+    static Vec3 onGrid(const Vec3& direction, double step = directionStep);
 
     /// Sums of an entity times the square of its distance, sr m2: coverage, then each drawn factor,
     /// in the one cell of a field whose rows are those of the drawing. `draw` makes them where none

@@ -1,0 +1,353 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "irsg/atmosphere/BeerLambert.h"
+#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/radiometry/Planck.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/radiance/RangeFactors.h"
+#include "irsg/signature/SignatureFile.h"
+#include "tests/support/SceneFixtures.h"
+
+using namespace irsg;
+using namespace irsg::test;
+
+namespace {
+
+constexpr IrCodes one{1, 1};
+constexpr double emissivity = 0.9, temperature_K = 320.0;
+
+RenderSettings settingsOf(int zoomWindow) {
+    RenderSettings settings;
+    settings.zoomWindow = zoomWindow;
+    settings.background = BackgroundMode::constant;
+    settings.background_W_m2_sr = 0.5;
+    return settings;
+}
+
+Entity grey(const Mesh& mesh) {
+    return entityOf(modelOf(mesh), greyDatabase(emissivity, temperature_K));
+}
+
+Entity aircraft() {
+    const std::filesystem::path folder =
+        std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / "turboprop4";
+    Entity entity = entityOf(Model::load(folder / "turboprop4.flt"),
+                             loadSignatureFile(folder / "turboprop4.sigdb").database);
+    entity.state.mach = 0.4;
+    entity.state.power = 0.7;
+    return entity;
+}
+
+Irsg generatorOf(std::vector<Entity> entities, int zoomWindow = 256) {
+    Irsg irsg;
+    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    irsg.setSettings(settingsOf(zoomWindow));
+    irsg.setEntities(std::move(entities));
+    return irsg;
+}
+
+std::vector<double> rangesFrom(double nearest_m, double times, int count) {
+    std::vector<double> ranges_m;
+    for (int i = 0; i < count; ++i)
+        ranges_m.push_back(nearest_m * std::pow(times, static_cast<double>(i) / (count - 1)));
+    return ranges_m;
+}
+
+struct Aspect {
+    double azimuth_deg = 0.0, elevation_deg = 0.0;
+};
+
+void look(Irsg& irsg, const Aspect& aspect, double range_m) {
+    test::look(irsg, {.range_m = range_m,
+                      .azimuth_rad = radians(aspect.azimuth_deg),
+                      .elevation_rad = radians(aspect.elevation_deg),
+                      .width_px = 400,
+                      .height_px = 300,
+                      .fieldOfView_rad = 0.2});
+}
+
+RenderReport along(Irsg& irsg) {
+    return irsg.measureAlongRange({}).front();
+}
+
+long drawings(const Irsg& irsg) {
+    for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
+        if (stage.name == "drawing")
+            return stage.calls;
+    return 0;
+}
+
+double rmsOf(const std::vector<double>& values) {
+    return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0) /
+                     static_cast<double>(values.size()));
+}
+double worstOf(const std::vector<double>& values) {
+    double worst = 0.0;
+    for (const double value : values)
+        worst = std::max(worst, std::abs(value));
+    return worst;
+}
+std::vector<double> steps(const std::vector<double>& values) {
+    std::vector<double> result(values.size());
+    std::adjacent_difference(values.begin(), values.end(), result.begin());
+    result.erase(result.begin());
+    return result;
+}
+
+} // namespace
+
+TEST(RangeFactors, WeighFewNodesSoThatParabolasStayWhatTheyAre) {
+    for (const double nearness : {0.0, 1e-6, 1e-3, 0.012, 1.0 / 64, 0.02, 0.035, 0.05, 1.0 / 16}) {
+        double sum = 0.0, linear = 0.0, square = 0.0;
+        for (const auto& [node, weight] : RangeFactors::weightsAt(nearness)) {
+            const double at = RangeFactors::nodes[node];
+            sum += weight, linear += weight * at, square += weight * at * at;
+        }
+        EXPECT_LE(RangeFactors::weightsAt(nearness).size(), 4u);
+        EXPECT_NEAR(sum, 1.0, 1e-13) << nearness;
+        EXPECT_NEAR(linear, nearness, 1e-14) << nearness;
+        EXPECT_NEAR(square, nearness * nearness, 1e-15) << nearness;
+    }
+    // At a node it is that node's alone, and the slope is the same on both sides.
+    for (std::size_t node = 1; node + 1 < RangeFactors::nodes.size(); ++node) {
+        const double at = RangeFactors::nodes[node], step = 1e-7;
+        const auto weights = [](double nearness) {
+            std::vector<double> all(RangeFactors::nodes.size());
+            for (const auto& [i, weight] : RangeFactors::weightsAt(nearness))
+                all[i] = weight;
+            return all;
+        };
+        EXPECT_EQ(RangeFactors::weightsAt(at).size(), 1u);
+        const std::vector<double> before = weights(at - step), here = weights(at),
+                                  after = weights(at + step);
+        for (std::size_t i = 0; i < here.size(); ++i)
+            EXPECT_NEAR(after[i] - here[i], here[i] - before[i], 1e-9) << node << ' ' << i;
+    }
+}
+
+TEST(RangeCurve, OfConvexBodiesIsTheirSolidAngle) {
+    struct Body {
+        const char* name;
+        Mesh mesh;
+        Aspect aspect;
+        double most;
+        bool hasCorner = false; ///< of the true curve: a side comes into sight
+    };
+    const std::vector<IrCodes> sides(6, one);
+    const Body bodies[] = {
+        {"sphere", sphereMesh(2.0, 48, 96, one), {0, 0}, 5e-4},
+        {"box, nose on", boxMesh({2, 6, 1.5}, sides), {0, 0}, 1e-3},
+        {"box, a degree beside", boxMesh({2, 6, 1.5}, sides), {1, 0}, 1e-3, true},
+        {"box, from a corner", boxMesh({2, 6, 1.5}, sides), {40, 25}, 5e-4},
+        {"rod", boxMesh({0.05, 6, 0.05}, sides), {62, 0}, 1e-3},
+    };
+    const double radiance_W_m2_sr =
+        emissivity * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), temperature_K);
+    for (const Body& body : bodies) {
+        Irsg irsg = generatorOf({grey(body.mesh)});
+        std::vector<double> errors, ofIrradiance, ofPixels;
+        for (const double range_m : rangesFrom(120.0, 100.0, 40)) {
+            look(irsg, body.aspect, range_m);
+            const RenderReport report = along(irsg);
+            const Vec3 from = irsg.viewpoint().position_m - irsg.entities()[0].pose.position_m;
+            const double truth_sr = convexSolidAngle_sr(body.mesh, from);
+            errors.push_back(report.all.intensity_W_sr /
+                                 (radiance_W_m2_sr * truth_sr * range_m * range_m) -
+                             1.0);
+            // Seen at the axis, where cosines are near 1 and pixels alike.
+            const double pitch = irsg.sensor().pixelPitch();
+            ofIrradiance.push_back(report.all.irradiance_W_m2 * range_m * range_m /
+                                       report.all.contrastIntensity_W_sr -
+                                   1.0);
+            ofPixels.push_back(report.all.coveredPixels * pitch * pitch / report.all.solidAngle_sr -
+                               1.0);
+        }
+        EXPECT_LT(rmsOf(errors), body.most) << body.name;
+        EXPECT_LT(worstOf(errors), 3.0 * body.most) << body.name;
+        EXPECT_LE(worstOf(steps(errors)), body.hasCorner ? 2e-3 : 3.0 * rmsOf(errors)) << body.name;
+        EXPECT_LT(worstOf(ofIrradiance), 2e-3) << body.name;
+        EXPECT_LT(worstOf(ofPixels), 6e-3) << body.name;
+        EXPECT_LE(drawings(irsg), 5) << body.name;
+        std::printf("%-22s RMS %.1e, largest %.1e, step %.1e\n", body.name, rmsOf(errors),
+                    worstOf(errors), worstOf(steps(errors)));
+    }
+}
+
+TEST(RangeCurve, OfAHotAircraftIsRightAndSmooth) {
+    for (const Aspect& aspect : {Aspect{0, 0}, Aspect{3, 0}, Aspect{150, 12}}) {
+        Irsg irsg = generatorOf({aircraft()}, 128);
+        const std::vector<double> ranges_m = rangesFrom(470.0, 40.0, 40);
+        std::vector<double> curve, fine, ofDrawings, ofNodes;
+        for (const double range_m : ranges_m) {
+            look(irsg, aspect, range_m);
+            curve.push_back(std::log(along(irsg).all.intensity_W_sr));
+        }
+        EXPECT_LE(drawings(irsg), 2 * 5) << "with the probes for hot parts";
+        for (const double range_m : ranges_m) {
+            look(irsg, aspect, range_m);
+            ofDrawings.push_back(std::log(irsg.measure().all.intensity_W_sr));
+        }
+        // The truth is drawn with 2048 samples a side, some of it at every range for itself.
+        irsg.setSettings(settingsOf(2048));
+        for (std::size_t i = 0; i < ranges_m.size(); ++i) {
+            look(irsg, aspect, ranges_m[i]);
+            fine.push_back(std::log(along(irsg).all.intensity_W_sr));
+            if (i % 10 == 0)
+                ofNodes.push_back(fine.back() - std::log(irsg.measure().all.intensity_W_sr));
+        }
+        std::vector<double> errors, errorsOfDrawings;
+        for (std::size_t i = 0; i < fine.size(); ++i) {
+            errors.push_back(curve[i] - fine[i]);
+            errorsOfDrawings.push_back(ofDrawings[i] - fine[i]);
+        }
+        const std::vector<double> bends = steps(steps(errors));
+        EXPECT_LT(worstOf(ofNodes), 6e-4) << "what interpolation leaves";
+        EXPECT_LT(rmsOf(errors), 4e-3);
+        EXPECT_LT(worstOf(errors), 1e-2);
+        EXPECT_LT(rmsOf(errors), rmsOf(errorsOfDrawings));
+        EXPECT_LE(worstOf(steps(errors)), 3.0 * rmsOf(errors));
+        EXPECT_LE(worstOf(bends), 3.0 * rmsOf(errors));
+        EXPECT_LT(3.0 * rmsOf(bends), rmsOf(steps(steps(errorsOfDrawings))));
+        std::printf("azimuth %3.0f: RMS %.1e, largest %.1e, step %.1e, bend %.1e; each drawn: RMS "
+                    "%.1e, largest %.1e, step %.1e; at 2048 largest %.1e\n",
+                    aspect.azimuth_deg, rmsOf(errors), worstOf(errors), worstOf(steps(errors)),
+                    worstOf(bends), rmsOf(errorsOfDrawings), worstOf(errorsOfDrawings),
+                    worstOf(steps(errorsOfDrawings)), worstOf(ofNodes));
+    }
+}
+
+// Two walls one behind the other and a body of glass, in air in which the near side outshines the
+// far one: what is drawn once moves with its slices.
+TEST(RangeCurve, TakesStrongAirAlongAnObjectAtEveryRange) {
+    Environment environment;
+    BeerLambertParameters parameters;
+    parameters.extinction_per_m = Spectrum::constant(0.02);
+    parameters.airTemperature_K = parameters.groundTemperature_K = 250.0;
+    environment.add(std::make_shared<BeerLambert>(parameters));
+    SignatureDatabase database = greyDatabase(emissivity, temperature_K);
+    database.materials[2] = greyMaterial(0.3, 0.6);
+    constexpr IrCodes glassCodes{1, 2};
+    Mesh glass = boxMesh({0.8, 0.8, 0.8}, std::vector<IrCodes>(6, glassCodes));
+    for (Triangle& triangle : glass)
+        for (Vec3& vertex : triangle.vertex)
+            vertex = vertex + Vec3{0, 2.5, 0};
+    const Mesh mesh = joined(joined(plateMesh({-2, 4, 0}, {0, 0, 2}, {1.5, 0, 0}, one),
+                                    plateMesh({2, -4, 0}, {0, 0, 2}, {1.5, 0, 0}, one)),
+                             glass);
+    Irsg irsg = generatorOf({entityOf(modelOf(mesh), database)}, 512);
+    irsg.setEnvironment(environment);
+    bool wasSliced = false;
+    for (const double range_m : rangesFrom(110.0, 8.0, 9)) {
+        look(irsg, {10, 5}, range_m);
+        const ObjectRadiometry drawn = irsg.measure().all, curve = along(irsg).all;
+        EXPECT_NEAR(curve.intensity_W_sr / drawn.intensity_W_sr, 1.0, 2e-3) << range_m;
+        EXPECT_NEAR(curve.contrastIntensity_W_sr / drawn.contrastIntensity_W_sr, 1.0, 4e-3)
+            << range_m;
+        EXPECT_EQ(curve.airError, drawn.airError);
+        RenderSettings settings = irsg.settings();
+        settings.airSliceFrom = 1e9;
+        irsg.setSettings(settings);
+        wasSliced |=
+            std::abs(irsg.measure().all.intensity_W_sr / drawn.intensity_W_sr - 1.0) > 5e-3;
+        settings.airSliceFrom = RenderSettings{}.airSliceFrom;
+        irsg.setSettings(settings);
+    }
+    EXPECT_TRUE(wasSliced) << "slices matter here";
+}
+
+TEST(RangeCurve, DrawsWhatIsNearOrCutOffOrOverlapsOrIsNotLookedAt) {
+    const Mesh box = boxMesh({2, 6, 1.5}, std::vector<IrCodes>(6, one));
+    const auto isDrawn = [](Irsg& irsg) {
+        const ObjectRadiometry drawn = irsg.measure().all, curve = along(irsg).all;
+        return drawn.intensity_W_sr == curve.intensity_W_sr &&
+               drawn.irradiance_W_m2 == curve.irradiance_W_m2;
+    };
+    Irsg irsg = generatorOf({grey(box)});
+    look(irsg, {30, 10}, 300.0);
+    EXPECT_FALSE(isDrawn(irsg));
+
+    look(irsg, {30, 10}, 90.0);
+    EXPECT_TRUE(isDrawn(irsg)) << "nearer than 16 times what it reaches";
+
+    look(irsg, {30, 10}, 300.0);
+    Sensor narrow = irsg.sensor();
+    narrow.horizontalFieldOfView_rad = 0.02;
+    irsg.setSensor(narrow);
+    EXPECT_TRUE(isDrawn(irsg)) << "cut off";
+
+    look(irsg, {30, 10}, 300.0);
+    irsg.setPose(0, {{3, 0, standingAltitude_m}, {}});
+    EXPECT_TRUE(isDrawn(irsg)) << "the sensor looks beside it";
+
+    irsg.setPose(0, {{0, 0, standingAltitude_m}, {}});
+    for (const auto& [name, change] :
+         {std::pair{"supersampling", +[](RenderSettings& s) { s.zoomWindow = 0; }},
+          {"published zoom", +[](RenderSettings& s) { s.zoomStrategy = ZoomStrategy::sills; }}}) {
+        RenderSettings settings = settingsOf(256);
+        change(settings);
+        irsg.setSettings(settings);
+        look(irsg, {30, 10}, 300.0);
+        EXPECT_TRUE(isDrawn(irsg)) << name;
+    }
+
+    Entity behind = grey(box);
+    behind.pose.position_m = irsg.entities()[0].pose.position_m + Vec3{0, -20, 0};
+    Irsg two = generatorOf({irsg.entities()[0], behind});
+    look(two, {5, 2}, 300.0);
+    EXPECT_TRUE(isDrawn(two)) << "one before the other";
+}
+
+TEST(RangeCurve, DrawsOtherObjectsBesideTheOneThatIsLookedAt) {
+    const Mesh box = boxMesh({2, 6, 1.5}, std::vector<IrCodes>(6, one));
+    Entity beside = grey(sphereMesh(1.0, 16, 32, one));
+    Irsg irsg = generatorOf({grey(box), beside});
+    irsg.setPose(0, {{0, 0, standingAltitude_m}, {}});
+    irsg.setPose(1, {{12, 0, standingAltitude_m}, {}});
+    look(irsg, {0, 0}, 300.0);
+    const RenderReport drawn = irsg.measure(), curve = along(irsg);
+    EXPECT_EQ(curve.objects[1].intensity_W_sr, drawn.objects[1].intensity_W_sr);
+    EXPECT_NE(curve.objects[0].intensity_W_sr, drawn.objects[0].intensity_W_sr);
+    EXPECT_NEAR(curve.objects[0].intensity_W_sr / drawn.objects[0].intensity_W_sr, 1.0, 1e-2);
+    EXPECT_NEAR(curve.all.intensity_W_sr,
+                curve.objects[0].intensity_W_sr + curve.objects[1].intensity_W_sr, 1e-9);
+}
+
+TEST(RangeCurve, HasTheSameBitsForAnyNumberOfThreadsAndInAnyOrder) {
+    const std::vector<double> ranges_m = rangesFrom(500.0, 20.0, 7);
+    const auto curveOf = [&](unsigned threads, bool isReversed) {
+        setMostThreads(threads);
+        Irsg irsg = generatorOf({aircraft()}, 128);
+        std::vector<double> curve(ranges_m.size());
+        for (std::size_t i = 0; i < ranges_m.size(); ++i) {
+            const std::size_t k = isReversed ? ranges_m.size() - 1 - i : i;
+            look(irsg, {150, 12}, ranges_m[k]);
+            curve[k] = along(irsg).all.contrastIntensity_W_sr;
+        }
+        setMostThreads(0);
+        return curve;
+    };
+    const std::vector<double> curve = curveOf(1, false);
+    EXPECT_EQ(curve, curveOf(3, false));
+    const std::vector<double> reversed = curveOf(0, true);
+    for (std::size_t i = 0; i < curve.size(); ++i)
+        EXPECT_NEAR(reversed[i] / curve[i], 1.0, 1e-12) << i;
+}
+
+TEST(RangeCurve, LeavesImagesAndOtherSweepsAsTheyAre) {
+    Irsg irsg = generatorOf({aircraft()}, 128);
+    look(irsg, {150, 12}, 2000.0);
+    const double image = irsg.render().report.all.intensity_W_sr;
+    const double drawn = irsg.measure().all.intensity_W_sr;
+    EXPECT_NEAR(image / drawn, 1.0, 1e-5);
+    along(irsg);
+    EXPECT_EQ(irsg.measure().all.intensity_W_sr, drawn);
+    EXPECT_EQ(irsg.render().report.all.intensity_W_sr, image);
+}
