@@ -196,9 +196,8 @@ ViewFactors Renderer::Parts::drawAtNode(const Frame& frame, int entity, const Ve
                                         std::size_t node, const SurfaceRows& rows) {
     // Pixels that are small in terms of the object, as each has the solid angle of its middle.
     constexpr int pixels = 32;
-    // No phases average the error of a node, so that its window is larger than that of a frame, and
-    // edges along rows of samples are turned a little, another way at each.
-    constexpr double turn_rad = 0.02, turnOfNode_rad = 0.0061803398875;
+    // No phases average the error of a node, so that its window is larger than that of a frame.
+    const int zoomWindow = frame.scene.settings.zoomWindow * 3 / 2;
     const Entity& own = frame.entity(entity);
     const double distance_m = reachOf_m(own) / RangeFactors::nodes[node];
     const Rotation toWorld = own.pose.attitude.rotation();
@@ -206,15 +205,11 @@ ViewFactors Renderer::Parts::drawAtNode(const Frame& frame, int entity, const Ve
     Sensor sensor = frame.view.sensor;
     sensor.width_px = sensor.height_px = pixels;
     sensor.horizontalFieldOfView_rad = 2.0 * std::asin(RangeFactors::nodes[node]);
-    Viewpoint viewpoint = Viewpoint::lookAt(at_m + toWorld * from * distance_m, at_m,
-                                            toWorld * Vec3{0, 0, 1}, toWorld * Vec3{0, 1, 0});
-    const double turned_rad = turn_rad + turnOfNode_rad * static_cast<double>(node);
-    const Vec3 right = viewpoint.right;
-    viewpoint.right = right * std::cos(turned_rad) + viewpoint.up * std::sin(turned_rad);
-    viewpoint.up = viewpoint.up * std::cos(turned_rad) - right * std::sin(turned_rad);
+    const CameraFrame camera(sensor,
+                             Viewpoint::lookAt(at_m + toWorld * from * distance_m, at_m,
+                                               toWorld * Vec3{0, 0, 1}, toWorld * Vec3{0, 1, 0}));
 
-    const ViewFactors view = drawAlone(frame, entity, CameraFrame(sensor, viewpoint),
-                                       frame.scene.settings.zoomWindow * 3 / 2, rows);
+    const ViewFactors view = drawAlone(frame, entity, camera, zoomWindow, rows);
     ViewFactors atUnitDistance{view.layout, FactorField<double>(1, view.layout.width()),
                                view.layersLeftOver};
     const double square_m2 = distance_m * distance_m;

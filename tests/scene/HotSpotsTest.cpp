@@ -126,7 +126,7 @@ Errors errorsOf(Irsg& irsg, const Spots& spots) {
 
 TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
     Irsg& irsg = generator();
-    for (const auto& [size, most] : {std::pair{128, 0.008}, {256, 0.004}, {512, 0.0025}}) {
+    for (const auto& [size, most] : {std::pair{128, 0.007}, {256, 0.003}, {512, 0.001}}) {
         double before = 0.0;
         for (const int count : {1, 4, 16, 17, 40, 90, 200}) {
             const Spots spots(count);
@@ -135,9 +135,11 @@ TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
             const Errors errors = errorsOf(irsg, spots);
             EXPECT_LT(errors.rms(), most) << count << " spots, window " << size;
             EXPECT_LT(errors.worst, 3.0 * most) << count << " spots, window " << size;
-            // No cliff: some more spots do not make it three times as bad.
+            // No cliff: some more spots do not make it three times as bad, but for few, which are
+            // drawn as finely as can be.
             if (before > 0.0) {
-                EXPECT_LT(errors.rms(), 3.0 * before + 1e-4) << count << " spots, window " << size;
+                EXPECT_LT(errors.rms(), 3.0 * std::max(before, 0.1 * most) + 1e-4)
+                    << count << " spots, window " << size;
             }
             before = errors.rms();
             std::printf("%3d spots, window %d: RMS %.2e, largest %.2e\n", count, size, errors.rms(),
@@ -259,7 +261,7 @@ TEST(HotAircraft, TurnsWithoutAJump) {
 TEST(LongThinBody, KeepsItsIntensityFromOneAspectToTheNext) {
     // 86 x 4 pixels and slimmer, seen from its edge and ever more from above.
     Irsg& irsg = generator();
-    for (const auto& [thickness_m, most] : {std::pair{4.0, 0.006}, {1.2, 0.012}, {0.4, 0.03}}) {
+    for (const auto& [thickness_m, most] : {std::pair{4.0, 3e-4}, {1.2, 6e-4}, {0.4, 1e-3}}) {
         const Mesh mesh = boxMesh({43.0, 30.0, 0.5 * thickness_m}, std::vector<IrCodes>(6, skin));
         irsg.setEntities({hotAndCold(mesh)});
         irsg.setSettings(settingsOf(256));

@@ -28,12 +28,13 @@ struct Bar {
     }
 };
 
-SampleWindow windowOf(int across, int down, int shearRows) {
+SampleWindow windowOf(int across, int down, int shearRows, int fall = 0) {
     SampleWindow window;
     window.tilesWide = window.tilesHigh = 20;
     window.samplesAcross = across;
     window.samplesDown = down;
     window.shearRows = shearRows;
+    window.fall = fall;
     return window;
 }
 
@@ -50,8 +51,10 @@ double countedVariance_px4(const SampleWindow& window, const Bar& bar) {
             const int drawn = static_cast<int>(first);
             const int row = window.height() - 1 - drawn / window.width();
             for (int s = 0; s < count; ++s) {
-                const double column = drawn % window.width() + s + 0.5 - window.shift(row);
-                inside += bar.holds(column * wide_px - right_px, (row + 0.5) * high_px - down_px);
+                const int place = drawn % window.width() + s;
+                const double column = place + 0.5 - window.shift(row);
+                inside += bar.holds(column * wide_px - right_px,
+                                    (row + 0.5 + window.drop(place)) * high_px - down_px);
             }
         });
         const double error = inside * wide_px * high_px - bar.long_px * bar.short_px;
@@ -61,7 +64,8 @@ double countedVariance_px4(const SampleWindow& window, const Bar& bar) {
 }
 
 TEST(SampleLattice, KnowsTheErrorThatCountingFinds) {
-    for (const SampleWindow& window : {windowOf(10, 16, 26), windowOf(8, 12, 24)}) {
+    for (const SampleWindow& window : {windowOf(10, 16, 26), windowOf(8, 12, 24),
+                                       windowOf(10, 16, 26, 1), windowOf(8, 12, 24, -1)}) {
         double counted = 0.0, computed = 0.0;
         for (double angle_deg = 2.5; angle_deg < 180.0; angle_deg += 5.0) {
             // Equal edges add up or cancel, as far apart as they are.
@@ -101,6 +105,24 @@ TEST(SampleLattice, HasOthersNearItOfWhichOneSuitsAnyEdge) {
     }
     EXPECT_LT(worstOfBest, worst / 16.0);
     EXPECT_EQ(varianceOfEdges_px4(window, {{0.0, 0.0}}), 0.0);
+}
+
+TEST(SampleLattice, ThatIsTiltedDoesNotMeetALevelEdgeAlongItsRows) {
+    const std::vector<ImageEdge> level = {{17.0, 0.0}, {-17.0, 0.0}};
+    const double flat = varianceOfEdges_px4(windowOf(10, 16, 26), level);
+    for (const int fall : {1, -1}) {
+        const SampleWindow window = windowOf(10, 16, 26, fall);
+        EXPECT_LT(varianceOfEdges_px4(window, level), flat / 10.0);
+        // A row's samples fall from end to end by one, each within its cell.
+        EXPECT_NEAR(window.drop(window.width() - 0.5) - window.drop(-0.5), fall, 1e-12);
+        EXPECT_LT(std::abs(window.drop(0)), 0.5);
+        EXPECT_LT(std::abs(window.drop(window.width() - 1)), 0.5);
+    }
+    // Not all edges want the same: along tilted rows it is the other way round.
+    const double slope = 1.0 / windowOf(10, 16, 26).width() * 10.0 / 16.0;
+    const std::vector<ImageEdge> along = {{17.0, 17.0 * slope}};
+    EXPECT_GT(varianceOfEdges_px4(windowOf(10, 16, 26, 1), along),
+              10.0 * varianceOfEdges_px4(windowOf(10, 16, 26), along));
 }
 
 TEST(SampleLattice, CountsEqualEdgesOnce) {

@@ -55,6 +55,12 @@ Raster rasterOf(const SurfaceScene& scene, const SampleWindow& window) {
         shear(3, 0) = (raster.height - 1) * perClip;
         raster.clipFromEye = raster.clipFromEye * shear;
     }
+    if (window.fall) {
+        // y_clip + x / height moves the sample in column c down by (c + 1/2) / width - 1/2.
+        osg::Matrixd tilt;
+        tilt(0, 1) = static_cast<double>(window.fall) / raster.height;
+        raster.clipFromEye = raster.clipFromEye * tilt;
+    }
     return raster;
 }
 

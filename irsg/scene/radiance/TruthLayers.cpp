@@ -91,9 +91,11 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
 
             // GL's rows run from the bottom up.
             const int row = window.height() - 1 - static_cast<int>(i / width);
-            const double column = static_cast<double>(i % width) - window.shift(row);
+            const auto drawnColumn = static_cast<double>(i % width);
+            const double column = drawnColumn - window.shift(row);
             const double right_px = place.left + (column + 0.5) * across_px - (x + 0.5);
-            const double below_px = place.top + (row + 0.5) * down_px - (y + 0.5);
+            const double below_px =
+                place.top + (row + 0.5 + window.drop(drawnColumn)) * down_px - (y + 0.5);
             const auto off_px = static_cast<float>(std::hypot(right_px, below_px));
             if (off_px < offMiddle_px_[pixel]) {
                 offMiddle_px_[pixel] = off_px;

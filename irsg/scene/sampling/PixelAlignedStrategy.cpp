@@ -100,12 +100,13 @@ void chooseSamples(SampleWindow& window, double samples) {
     window.samplesDown = downFor(best);
 }
 
-/// The window of an extent for a budget of samples, with sheared rows.
+/// The window of an extent for a budget of samples, with sheared and tilted rows.
 SampleWindow sampleWindow(const ImageRectangle& extent, double samples) {
     SampleWindow window = windowOnTiles(extent, levelFor(extent, samples));
     chooseSamples(window, samples);
     window.shearRows = static_cast<int>(
         std::lround(window.samplesDown / (uprightSlope(window) * window.samplesAcross)));
+    window.fall = 1;
     return window;
 }
 
@@ -155,6 +156,33 @@ SampleWindow bestFor(const std::vector<ImageEdge>& edges, const SampleWindow& wi
     return best;
 }
 
+/// A window for a part of an object with the tilt of rows that suits edges as the object has them:
+/// those of a part are likely to go the same ways, but not farther than the part.
+SampleWindow tiltedFor(const std::vector<ImageEdge>& edges, const SampleWindow& window) {
+    const ImageRectangle part = window.rectangle();
+    std::vector<ImageEdge> within;
+    for (ImageEdge edge : edges) {
+        const double times = std::max(std::abs(edge.right_px) / part.width(),
+                                      std::abs(edge.down_px) / part.height());
+        if (times > 1.0)
+            edge.right_px /= times, edge.down_px /= times;
+        within.push_back(edge);
+    }
+    const std::vector<ImageEdge> different = withEqualsCounted(within, window);
+    SampleWindow best = window;
+    double least = std::numeric_limits<double>::infinity();
+    for (const int fall : {1, -1, 0}) {
+        SampleWindow tilted = window;
+        tilted.fall = fall;
+        const double variance = varianceOfEdges_px4(tilted, different, least);
+        if (variance < least) {
+            least = variance;
+            best = tilted;
+        }
+    }
+    return best;
+}
+
 /// What is this many times finer than the window around it is drawn apart.
 constexpr double refinementFrom = 2.0;
 /// The same for details: a finer window is worth its drawing the sooner the more shines from it.
@@ -194,7 +222,7 @@ std::vector<SampleWindow> PixelAlignedStrategy::windowsOf(const EntityGroup& gro
     std::vector<SampleWindow> windows = evenly(whole, budget(), mostUnused);
     const std::vector<Part> parts = partsOf(group);
     for (std::size_t i = 0, coarse = windows.size(); i < coarse; ++i)
-        refine(windows, i, parts, mostCuts);
+        refine(windows, i, parts, edges, mostCuts);
     if (windows.size() == 1)
         return evenly(windows.front(), budget());
     return windows;
@@ -217,7 +245,8 @@ PixelAlignedStrategy::partsOf(const EntityGroup& group) const {
 }
 
 void PixelAlignedStrategy::refine(std::vector<SampleWindow>& windows, std::size_t coarse,
-                                  const std::vector<Part>& parts, std::size_t most) const {
+                                  const std::vector<Part>& parts,
+                                  const std::vector<ImageEdge>& edges, std::size_t most) const {
     // A part with a little around it, so that rounding puts none of it across the border; whole
     // cells of the coarse window, so that every point is drawn exactly once.
     constexpr double little = 0.1; // of a cell
@@ -250,14 +279,16 @@ void PixelAlignedStrategy::refine(std::vector<SampleWindow>& windows, std::size_
             finerFrom = std::min(finerFrom, part.finerFrom);
             part.finerFrom = part.finerAgainFrom;
         }
-        SampleWindow finer = sampleWindow(cut.rectangle, std::min(samples, budget()));
+        SampleWindow finer =
+            tiltedFor(edges, sampleWindow(cut.rectangle, std::min(samples, budget())));
         if (fineness(finer) < finerFrom * finenessAround)
             continue;
         finer.only = cut.rectangle;
         finer.entities = windows[coarse].entities;
         windows[coarse].leftOut.push_back(cut.rectangle);
         windows.push_back(std::move(finer));
-        refine(windows, windows.size() - 1, inside, std::max<std::size_t>(most / cuts.size(), 1));
+        refine(windows, windows.size() - 1, inside, edges,
+               std::max<std::size_t>(most / cuts.size(), 1));
     }
 }
 

@@ -41,7 +41,8 @@ class PixelAlignedStrategy : public AbstractZoomAntialiasingStrategy {
     /// Cuts at most so many windows for the parts out of the one at `coarse`, and out of those in
     /// turn.
     void refine(std::vector<SampleWindow>& windows, std::size_t coarse,
-                const std::vector<Part>& parts, std::size_t most) const;
+                const std::vector<Part>& parts, const std::vector<ImageEdge>& edges,
+                std::size_t most) const;
 
     int size_;
 };

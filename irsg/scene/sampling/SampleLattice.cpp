@@ -23,17 +23,23 @@ double squareOfSinc(double x) {
 }
 
 /// Frequencies of the dual lattice, whole numbers along its two directions: (m, l) stands for
-/// (m / cell width, (l + m / shearRows) / cell height).
+/// (m / cell width, (l + m / shearRows) / cell height) where rows are not tilted. `lean`: how far a
+/// row is moved against the one above it, `fall`: a sample against the one left of it, samples.
 struct DualLattice {
-    double perWidth, perHeight, lean;
+    double perWidth, perHeight, lean, fall;
 
     explicit DualLattice(const SampleWindow& window)
         : perWidth(1.0 / window.cellWidth_px()),
           perHeight(1.0 / window.cellHeight_px()),
-          lean(window.shearRows ? 1.0 / window.shearRows : 0.0) {}
+          lean(window.shearRows ? 1.0 / window.shearRows : 0.0),
+          fall(window.drop(1.0) - window.drop(0.0)) {}
 
-    double right(double m) const { return m * perWidth; }
-    double down(double m, double l) const { return (l + m * lean) * perHeight; }
+    double right(double m, double l) const { return (m - l * fall) / area() * perWidth; }
+    double down(double m, double l) const { return (l + m * lean) / area() * perHeight; }
+
+  private:
+    /// Of a cell, in terms of one that is neither sheared nor tilted.
+    double area() const { return 1.0 + fall * lean; }
 };
 
 double wholeNumberNear(double x) {
@@ -49,20 +55,22 @@ double squareOfOne(const ImageEdge& edge, double right, double down) {
 
 double varianceOf(const ImageEdge& edge, const DualLattice& dual) {
     constexpr int rows = 24; // beyond, their share is small: it falls with the frequency squared
+    // In steps along the lattice: across its rows, and along them.
     const double cellsRight = edge.right_px * dual.perWidth;
     const double cellsDown = edge.down_px * dual.perHeight;
+    const double across = cellsDown - dual.fall * cellsRight;
+    const double along = cellsRight + dual.lean * cellsDown;
     const bool isSteep = std::abs(cellsDown) > std::abs(cellsRight);
-    const double slope = isSteep ? cellsRight / cellsDown + dual.lean
-                                 : cellsDown / (cellsRight + dual.lean * cellsDown);
+    const double slope = isSteep ? along / across : across / along;
     double sum = 0.0;
     for (int i = 1; i <= rows; ++i) {
-        // The frequency nearest across the edge: m cellsRight + (l + m lean) cellsDown near 0.
+        // The frequency nearest across the edge: m along + l across near 0.
         double m = i, l = i;
         if (isSteep)
             l = wholeNumberNear(-i * slope);
         else
             m = wholeNumberNear(-i * slope);
-        sum += 2.0 * squareOfOne(edge, dual.right(m), dual.down(m, l));
+        sum += 2.0 * squareOfOne(edge, dual.right(m, l), dual.down(m, l));
     }
     return sum;
 }
@@ -129,12 +137,14 @@ std::vector<SampleWindow> latticesNear(const SampleWindow& window, int size) {
         if (across * down < window.samplesAcross * window.samplesDown || down < 2 ||
             ratio < narrowest || ratio > widest)
             continue;
-        for (const double times : slopes) {
-            SampleWindow& other = lattices.emplace_back(window);
-            other.samplesAcross = across;
-            other.samplesDown = down;
-            other.shearRows = static_cast<int>(std::lround(down / (times * slope * across)));
-        }
+        for (const double times : slopes)
+            for (const int fall : {1, -1, 0}) {
+                SampleWindow& other = lattices.emplace_back(window);
+                other.samplesAcross = across;
+                other.samplesDown = down;
+                other.shearRows = static_cast<int>(std::lround(down / (times * slope * across)));
+                other.fall = fall;
+            }
     }
     return lattices;
 }

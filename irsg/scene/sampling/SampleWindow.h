@@ -24,6 +24,10 @@ struct SampleWindow {
     /// so that an upright edge does not meet whole columns; 0: none is. Each row still has exactly
     /// `samplesAcross` samples in each tile.
     int shearRows = 0;
+    /// Samples that a row of them falls from the left end of a drawing to its right end: 1, 0 or
+    /// -1. Where rows are tilted a level edge does not meet a whole row; each sample stays inside
+    /// its cell.
+    int fall = 0;
     std::vector<int> entities; ///< what is drawn into it
     /// Parts that finer windows draw; they begin and end at cells of this window.
     std::vector<ImageRectangle> leftOut;
@@ -52,6 +56,8 @@ struct SampleWindow {
     ImageRectangle drawnRectangle() const;
     /// How far the samples of a row, counted from the top, are moved, samples.
     double shift(int row) const { return shearRows ? static_cast<double>(row) / shearRows : 0.0; }
+    /// How far the sample in a column of the drawing is moved down, samples: -1/2 to 1/2.
+    double drop(double column) const { return fall * ((column + 0.5) / width() - 0.5); }
     /// What one sample is of a pixel's area.
     double share() const;
     /// Samples per pixel and axis, the coarser of the two axes.
