@@ -11,10 +11,6 @@ namespace irsg {
 
 namespace {
 
-void append(std::vector<double>& numbers, const Vec3& v) {
-    numbers.insert(numbers.end(), {v.x, v.y, v.z});
-}
-
 /// The rows of a frame as they are drawn, without or with slices of one entity alone.
 SurfaceRows drawnRows(const SurfaceRows& rows, std::size_t entities, int sliced = -1,
                       SliceNodes slices_m = {}) {

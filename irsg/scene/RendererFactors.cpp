@@ -7,10 +7,6 @@ namespace irsg {
 
 namespace {
 
-void append(std::vector<double>& numbers, const Vec3& v) {
-    numbers.insert(numbers.end(), {v.x, v.y, v.z});
-}
-
 std::vector<const FrameBackground*> pointersTo(const std::vector<FrameBackground>& backgrounds) {
     std::vector<const FrameBackground*> pointers;
     for (const FrameBackground& background : backgrounds)

@@ -33,6 +33,10 @@
 
 namespace irsg {
 
+inline void append(std::vector<double>& numbers, const Vec3& v) {
+    numbers.insert(numbers.end(), {v.x, v.y, v.z});
+}
+
 /// What a renderer keeps, and the steps that its call is made of.
 struct Renderer::Parts {
     explicit Parts(const RadianceTerms& list) : terms(list) {}
