@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "irsg/scene/radiance/FactorField.h"
@@ -38,26 +39,16 @@ class ViewKindSums {
             behind_W_m2_sr_[k] = varying_[k]->at(x, y);
     }
 
-    void add(const FactorKind& kind, float weight, const float* factors) {
+    void add(int front, const SurfaceRows::Between& between, const float* factors) {
         const std::size_t place =
-            static_cast<std::size_t>(kind.front) * rows_ + static_cast<std::size_t>(kind.row);
-        if (place >= sums_.size())
-            grow(kind.front);
-        Sums& sums = sums_[place];
-        const auto own = static_cast<double>(weight);
-        const double omega_sr = own * omega_sr_, projected_sr = own * projected_sr_;
-        std::array<double, Factors + 1> numbers{1.0};
-        std::copy_n(factors, Factors, numbers.begin() + 1);
-        for (std::size_t i = 0; i <= Factors; ++i)
-            sums.plain[i] += omega_sr * numbers[i];
-        for (std::size_t i = 0; i <= Factors; ++i)
-            sums.cosine[i] += projected_sr * numbers[i];
-        sums.pixels += own * part_;
-        for (std::size_t k = 0; k < varying_.size(); ++k) {
-            double* behind_W_m2 = &behind_W_m2_[2 * (place * varying_.size() + k)];
-            behind_W_m2[0] += omega_sr * behind_W_m2_sr_[k];
-            behind_W_m2[1] += projected_sr * behind_W_m2_sr_[k];
-        }
+            static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(between.row);
+        if (place >= places_)
+            grow(front);
+        addTo(place, 1.0 - static_cast<double>(between.next), factors,
+              std::make_index_sequence<Factors>());
+        if (between.next > 0.0f)
+            addTo(place + 1, static_cast<double>(between.next), factors,
+                  std::make_index_sequence<Factors>());
     }
 
     /// What was seen, of one cell.
@@ -82,18 +73,39 @@ class ViewKindSums {
     }
 
   private:
+    using Numbers = std::array<double, Factors + 1>;
     /// Coverage and factors, times solid angle and times projected solid angle, sr.
     struct Sums {
-        std::array<double, Factors + 1> plain{}, cosine{};
+        Numbers plain{}, cosine{};
         double pixels = 0.0;
     };
 
+    /// Each number in a register of its own: an array would go through memory twice, in pieces of
+    /// different sizes, for which processors wait.
+    template <std::size_t... I>
+    void addTo(std::size_t place, double weight, const float* factors, std::index_sequence<I...>) {
+        Sums& sums = sums_[place];
+        const double omega_sr = weight * omega_sr_, projected_sr = weight * projected_sr_;
+        sums.plain[0] += omega_sr;
+        sums.cosine[0] += projected_sr;
+        ((sums.plain[1 + I] += omega_sr * static_cast<double>(factors[I]),
+          sums.cosine[1 + I] += projected_sr * static_cast<double>(factors[I])),
+         ...);
+        sums.pixels += weight * part_;
+        for (std::size_t k = 0; k < behind_W_m2_sr_.size(); ++k) {
+            double* behind_W_m2 = &behind_W_m2_[2 * (place * behind_W_m2_sr_.size() + k)];
+            behind_W_m2[0] += omega_sr * behind_W_m2_sr_[k];
+            behind_W_m2[1] += projected_sr * behind_W_m2_sr_[k];
+        }
+    }
+
     void grow(int front) {
-        sums_.resize((static_cast<std::size_t>(front) + 1) * rows_);
+        places_ = (static_cast<std::size_t>(front) + 1) * rows_;
+        sums_.resize(places_);
         behind_W_m2_.resize(2 * sums_.size() * varying_.size());
     }
 
-    std::size_t rows_;
+    std::size_t rows_, places_ = 0;
     const PixelGrid& grid_;
     const std::vector<const FrameBackground*>& varying_;
     double share_;
@@ -122,7 +134,18 @@ class PixelKindSums {
                 static_cast<std::size_t>(x - pixels_.x);
     }
 
-    void add(const FactorKind& kind, float weight, const float* factors) {
+    void add(int front, const SurfaceRows::Between& between, const float* factors) {
+        const auto next = static_cast<double>(between.next);
+        addTo({front, between.row}, 1.0 - next, factors);
+        if (next > 0.0)
+            addTo({front, between.row + 1}, next, factors);
+    }
+
+    const FactorField<double>& field() const { return field_; }
+    const PixelWindow& pixels() const { return pixels_; }
+
+  private:
+    void addTo(const FactorKind& kind, double weight, const float* factors) {
         const std::size_t place =
             static_cast<std::size_t>(kind.front) * rows_ + static_cast<std::size_t>(kind.row);
         if (place >= numbers_.size())
@@ -131,16 +154,12 @@ class PixelKindSums {
         if (number < 0)
             number = field_.kindOf(kind);
         double* sums = field_.at(cell_, number);
-        const double own = static_cast<double>(weight) * part_;
+        const double own = weight * part_;
         sums[0] += own;
         for (std::size_t f = 0; f < factorCount_; ++f)
             sums[1 + f] += own * static_cast<double>(factors[f]);
     }
 
-    const FactorField<double>& field() const { return field_; }
-    const PixelWindow& pixels() const { return pixels_; }
-
-  private:
     std::size_t rows_;
     PixelWindow pixels_;
     std::size_t factorCount_;

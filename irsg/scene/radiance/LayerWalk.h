@@ -18,6 +18,16 @@ class LayerWalk {
 
     const Fronts& fronts() const { return fronts_; }
 
+    /// Calls visit(front, between, layer) for every layer of a sample, front to back.
+    template <typename Visit>
+    void forEachPlace(const FactorSamples& samples, std::size_t sample, Visit visit) {
+        int front = 0;
+        samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
+            visit(front, rows_.at(layer.row, layer.distance_m), layer);
+            if (rows_.isTransparent(layer.row))
+                front = behind(front, layer.row);
+        });
+    }
     /// Calls visit(kind, weight, layer) for every layer of a sample, front to back; twice for one
     /// between two nodes of its entity's slices.
     template <typename Visit>

@@ -47,18 +47,27 @@ class SurfaceRows {
     const std::vector<SliceNodes>& slices() const { return slices_; }
     bool isSliced() const { return isSliced_; }
 
-    /// Calls visit(row, weight) for the rows that a sample of a drawn row at a distance belongs to:
-    /// one of weight 1, or the two nodes around it, between which radiance is linear.
-    template <typename Visit>
-    void forEachRow(int drawn, float distance_m, Visit visit) const {
+    /// What a sample of a drawn row at a distance belongs to: a row, or two nodes next to each
+    /// other, between which radiance is linear.
+    struct Between {
+        int row = 0;
+        float next = 0.0f; ///< the weight of the row behind it; 1 - next is that of the row
+    };
+    [[gnu::always_inline]] Between at(int drawn, float distance_m) const {
         const Drawn& own = drawn_[static_cast<std::size_t>(drawn)];
         if (own.lastSlice < 0)
-            return visit(own.first, 1.0f);
+            return {own.first, 0.0f};
         const double place = (static_cast<double>(distance_m) - own.nearest_m) * own.slicesPerMetre;
         const int node = std::clamp(static_cast<int>(place), 0, own.lastSlice);
-        const float part = std::clamp(static_cast<float>(place - node), 0.0f, 1.0f);
-        visit(own.first + node, 1.0f - part);
-        visit(own.first + node + 1, part);
+        return {own.first + node, std::clamp(static_cast<float>(place - node), 0.0f, 1.0f)};
+    }
+    /// Calls visit(row, weight) for it, or for both of them.
+    template <typename Visit>
+    void forEachRow(int drawn, float distance_m, Visit visit) const {
+        const Between between = at(drawn, distance_m);
+        visit(between.row, 1.0f - between.next);
+        if (drawn_[static_cast<std::size_t>(drawn)].lastSlice >= 0)
+            visit(between.row + 1, between.next);
     }
 
     bool operator==(const SurfaceRows&) const = default;

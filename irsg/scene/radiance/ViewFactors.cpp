@@ -30,10 +30,10 @@ void addRows(const SampleWindow& window, const FactorSamples& samples, std::size
                               return;
                           sums.goTo(x, y, weight);
                           for (std::size_t i = first; i < last; ++i)
-                              walk.forEachLayer(samples, i,
-                                                [&](const FactorKind& kind, float share,
+                              walk.forEachPlace(samples, i,
+                                                [&](int front, const SurfaceRows::Between& between,
                                                     const FactorSamples::Layer& layer) {
-                                                    sums.add(kind, share, layer.factors.data());
+                                                    sums.add(front, between, layer.factors.data());
                                                 });
                       });
 }
