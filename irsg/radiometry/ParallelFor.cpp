@@ -107,12 +107,23 @@ Shared& shared() {
     return one;
 }
 
+thread_local int onThisThread = 0; // how many OnThisThread live
+
 } // namespace
+
+OnThisThread::OnThisThread() {
+    ++onThisThread;
+}
+OnThisThread::~OnThisThread() {
+    --onThisThread;
+}
 
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work) {
     Shared& all = shared();
-    const std::unique_lock lock(all.mutex, std::try_to_lock);
-    if (count > 1 && lock.owns_lock()) {
+    std::unique_lock<std::mutex> lock;
+    if (count > 1 && onThisThread == 0)
+        lock = std::unique_lock(all.mutex, std::try_to_lock);
+    if (lock.owns_lock()) {
         const unsigned threads =
             all.wanted ? all.wanted : std::max(1U, std::thread::hardware_concurrency());
         if (!all.pool || all.threads != threads) {

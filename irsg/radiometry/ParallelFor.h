@@ -11,6 +11,16 @@ namespace irsg {
 /// on the calling thread alone. Throws what the call of the lowest number threw.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work);
 
+/// While it lives parallelFor works on the calling thread alone where it is called from that
+/// thread: for what goes on beside other work, which would otherwise get in each other's way.
+class OnThisThread {
+  public:
+    OnThisThread();
+    ~OnThisThread();
+    OnThisThread(const OnThisThread&) = delete;
+    OnThisThread& operator=(const OnThisThread&) = delete;
+};
+
 /// Splits 0 to before size into `parts` nearly equal pieces: piece `part` begins here and ends
 /// where the next begins.
 constexpr std::size_t beginOfPart(std::size_t part, std::size_t parts, std::size_t size) {

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -66,4 +67,16 @@ TEST(ParallelFor, DividesASizeWithoutGaps) {
         for (std::size_t part = 0; part < 16; ++part)
             EXPECT_LE(beginOfPart(part, 16, size), beginOfPart(part + 1, 16, size));
     }
+}
+
+TEST(ParallelFor, KeepsToOneThreadWhereItIsAsked) {
+    const Threads limited(4);
+    std::vector<std::thread::id> threads(100);
+    {
+        const OnThisThread alone;
+        parallelFor(threads.size(),
+                    [&](std::size_t i) { threads[i] = std::this_thread::get_id(); });
+    }
+    for (const std::thread::id& thread : threads)
+        EXPECT_EQ(thread, std::this_thread::get_id());
 }

@@ -1,8 +1,10 @@
 #include "irsg/scene/draw/WindowStream.h"
 
 #include <exception>
+#include <optional>
 #include <utility>
 
+#include "irsg/radiometry/ParallelFor.h"
 #include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/draw/OffscreenContext.h"
 #include "irsg/scene/draw/Stopwatch.h"
@@ -20,6 +22,7 @@ std::future<WindowStream::Seconds> WindowStream::start(Work work) {
     auto stream = std::make_shared<Stream>();
     stream->work = std::move(work);
     std::future<Seconds> done = stream->done.get_future();
+    ahead_ += stream->work.windows;
     context_.post([this, stream](osg::RenderInfo& info) { drawAll(info, stream); });
     return done;
 }
@@ -27,29 +30,19 @@ std::future<WindowStream::Seconds> WindowStream::start(Work work) {
 void WindowStream::drawAll(osg::RenderInfo& info, const std::shared_ptr<Stream>& stream) {
     std::exception_ptr failure;
     for (std::size_t window = 0; window < stream->work.windows; ++window) {
-        FactorSamples& samples = free();
-        try {
-            stream->work.draw(info, window, samples, stream->seconds);
-        } catch (...) {
-            failure = std::current_exception();
-            giveBack(samples);
-            break;
-        }
-        taker_.post([this, stream, window, &samples] {
+        FactorSamples* samples = nullptr;
+        if (!failure) {
+            samples = &free();
             try {
-                if (!stream->failure) {
-                    {
-                        Stopwatch watch(stream->seconds.sorting);
-                        sortLayers(samples, stream->work.maximumLayers);
-                    }
-                    Stopwatch watch(stream->seconds.taking);
-                    stream->work.take(window, samples);
-                }
+                stream->work.draw(info, window, *samples, stream->seconds);
             } catch (...) {
-                stream->failure = std::current_exception();
+                failure = std::current_exception();
+                giveBack(*samples);
             }
-            giveBack(samples);
-        });
+        }
+        --ahead_;
+        if (!failure)
+            taker_.post([this, stream, window, samples] { takeIn(*stream, window, *samples); });
     }
     taker_.post([stream, failure] {
         // What the work holds may go when the future is ready, so that nothing is kept of it.
@@ -59,6 +52,25 @@ void WindowStream::drawAll(osg::RenderInfo& info, const std::shared_ptr<Stream>&
         else
             stream->done.set_value(stream->seconds);
     });
+}
+
+void WindowStream::takeIn(Stream& stream, std::size_t window, FactorSamples& samples) {
+    std::optional<OnThisThread> besideDrawing;
+    if (ahead_ > 0)
+        besideDrawing.emplace();
+    try {
+        if (!stream.failure) {
+            {
+                Stopwatch watch(stream.seconds.sorting);
+                sortLayers(samples, stream.work.maximumLayers);
+            }
+            Stopwatch watch(stream.seconds.taking);
+            stream.work.take(window, samples);
+        }
+    } catch (...) {
+        stream.failure = std::current_exception();
+    }
+    giveBack(samples);
 }
 
 FactorSamples& WindowStream::free() {

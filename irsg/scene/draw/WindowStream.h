@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -21,8 +22,9 @@ namespace irsg {
 class OffscreenContext;
 
 /// Draws windows one after the other on the context's thread while what was drawn before is sorted
-/// and taken in on another thread: two sets of samples take turns. The first window of a stream is
-/// drawn while the last one of the stream before is taken in.
+/// and taken in on another thread, and on all cores once all is drawn: two sets of samples take
+/// turns. The first window of a stream is drawn while the last one of the stream before is taken
+/// in.
 class WindowStream {
   public:
     /// Time that a stream took on its threads, s.
@@ -47,10 +49,12 @@ class WindowStream {
   private:
     struct Stream;
     void drawAll(osg::RenderInfo& info, const std::shared_ptr<Stream>& stream);
+    void takeIn(Stream& stream, std::size_t window, FactorSamples& samples);
     FactorSamples& free();
     void giveBack(FactorSamples& samples);
 
     OffscreenContext& context_;
+    std::atomic<std::size_t> ahead_ = 0; // windows that are not drawn yet
     std::mutex mutex_;
     std::condition_variable changed_;
     std::array<FactorSamples, 2> samples_;
