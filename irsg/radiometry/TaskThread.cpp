@@ -18,11 +18,9 @@ TaskThread::~TaskThread() {
 std::future<void> TaskThread::post(std::function<void()> task) {
     std::packaged_task<void()> packaged(std::move(task));
     std::future<void> done = packaged.get_future();
-    {
-        const std::lock_guard lock(mutex_);
-        tasks_.push_back(std::move(packaged));
-    }
-    changed_.notify_all();
+    const std::lock_guard lock(mutex_);
+    tasks_.push_back(std::move(packaged));
+    changed_.notify_all(); // with the lock: when the task is done, this may go
     return done;
 }
 

@@ -251,7 +251,9 @@ void Renderer::Parts::waitFor(std::future<WindowStream::Seconds>& drawn, const c
         seconds = drawn.get();
     }
     const double all_s = seconds.drawing + seconds.reading + seconds.sorting + seconds.taking;
-    const double part = all_s > 0.0 ? waited_s / all_s : 0.0;
+    if (!(all_s > 0.0))
+        return; // nothing was drawn
+    const double part = waited_s / all_s;
     addTime("drawing", part * seconds.drawing);
     addTime("read back", part * seconds.reading);
     addTime("layer sorting", part * seconds.sorting);

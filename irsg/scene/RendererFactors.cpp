@@ -95,6 +95,8 @@ const ViewFactors& Renderer::Parts::factorsOf(const Frame& frame, FactorDrawing&
         for (const ZoomEntityInfo& object : frame.points)
             addPointToView(pointFactors(frame, object), frame.surfaceRows(), placeOf(frame, object),
                            pointersTo(drawing.varying), drawing.factors);
+        for (const ZoomEntityInfo& object : frame.alongRange)
+            addAlongRange(frame, object, drawing.factors);
     } catch (...) {
         drawing.failure = std::current_exception();
         view.reset(); // the next one tries again

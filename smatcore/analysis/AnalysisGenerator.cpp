@@ -215,6 +215,9 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             }
             finishBegun();
             begun = std::move(set);
+            if (!source_.drawsBeside()) {
+                finishBegun();
+            }
         }
         finishBegun();
         if (progress) {

@@ -65,6 +65,9 @@ class ImageSource {
         return
             [reports = alongRange ? measureAlongRange(bands) : measure(bands)] { return reports; };
     }
+    /// True where beginMeasure() returns before all is drawn, so that it is worth beginning the
+    /// next case before this one is finished.
+    virtual bool drawsBeside() const { return false; }
     virtual irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) = 0;
 
     /// The view as a function of scales: in the sensor's band, or, with wavenumbers, per

@@ -48,6 +48,7 @@ class IrsgImageSource : public ImageSource {
             return irsg_.finishMeasure(begun);
         };
     }
+    bool drawsBeside() const override { return true; }
     irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) override {
         return irsg_.measureSpectrum(wavenumbers_cm1);
     }
