@@ -160,12 +160,12 @@ void Renderer::Parts::renderImage(const Frame& frame, const Wanted& wanted, Rend
         } else {
             if (frame.bands.size() == 1)
                 fillReport(frame, 0, first);
+            if (objects > 0)
+                pixels.airError = frame.geometry.front().airError;
             first.all = pixels;
             first.objects.assign(objects, first.all);
-            for (ObjectRadiometry& object : first.objects) {
+            for (ObjectRadiometry& object : first.objects)
                 object.name = frame.scene.entities.front().name;
-                object.airError = frame.geometry.front().airError;
-            }
             first.totalIrradiance_W_m2 = totalIrradiance_W_m2(frame, 0, first.all.irradiance_W_m2);
         }
         for (std::string& warning : report.warnings)

@@ -2,6 +2,7 @@
 // number gives the same number, and the air may change over an object.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
@@ -342,6 +343,60 @@ TEST(AirAlongAnObject, IsTakenAtTheRangeOfEverySample) {
     EXPECT_GT(std::abs(wrong), 0.05);
     EXPECT_GE(coarse.report.objects.front().airError, std::abs(wrong));
     EXPECT_FALSE(coarse.report.warnings.empty());
+}
+
+// The ship of the samples from its bow: 122 m of depth. The integral over depth is exact where the
+// distance of every sample is known.
+TEST(AirAlongAnObject, IsTakenAlongAShipThatIsSeenFromItsBow) {
+    const double perMetre = 2e-3;
+    Environment environment;
+    BeerLambertParameters parameters;
+    parameters.extinction_per_m = Spectrum::constant(perMetre);
+    parameters.airTemperature_K = parameters.groundTemperature_K = 50.0; // it does not shine
+    environment.add(std::make_shared<BeerLambert>(parameters));
+    Entity ship =
+        entityOf(Model::load(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.flt"),
+                 greyDatabase(1.0, 320.0));
+    ship.fallbackTemperature = ship.fallbackMaterial = 1;
+    Irsg irsg;
+    irsg.setEnvironment(environment);
+    irsg.setEntities({ship});
+    RenderSettings settings = emissionAlone();
+    settings.zoomWindow = 0;
+    settings.samplesPerAxis = 1; // whose distance is that of the pixel
+    settings.truthLayers = true;
+    look(irsg, {.range_m = 300.0, .elevation_rad = 0.14, .fieldOfView_rad = 0.2});
+
+    const double black = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
+    struct Sums {
+        double found = 0.0, exact = 0.0, nearest_m = 1e9, farthest_m = 0.0, airError = 0.0;
+        double wrong() const { return std::abs(found / exact - 1.0); }
+    };
+    const auto sumsWith = [&](double airSliceFrom) {
+        settings.airSliceFrom = airSliceFrom;
+        irsg.setSettings(settings);
+        RenderedImage rendered = irsg.render();
+        Sums sums;
+        sums.airError = rendered.report.all.airError;
+        const std::vector<float>& ranges = rendered.image.channel("range", "m").values;
+        for (std::size_t i = 0; i < ranges.size(); ++i) {
+            if (std::isnan(ranges[i]))
+                continue;
+            const auto range_m = static_cast<double>(ranges[i]);
+            sums.nearest_m = std::min(sums.nearest_m, range_m);
+            sums.farthest_m = std::max(sums.farthest_m, range_m);
+            sums.found += static_cast<double>(rendered.image.primary().values[i]);
+            sums.exact += black * std::exp(-perMetre * range_m);
+        }
+        return sums;
+    };
+    const Sums sliced = sumsWith(RenderSettings().airSliceFrom);
+    EXPECT_GT(sliced.farthest_m - sliced.nearest_m, 80.0);
+    EXPECT_LT(sliced.wrong(), 5e-3);
+    EXPECT_LE(sliced.wrong(), sliced.airError);
+    const Sums whole = sumsWith(1e9);
+    EXPECT_GT(whole.wrong(), 5e-3);
+    EXPECT_LE(whole.wrong(), whole.airError);
 }
 
 // Views that share a path ask for its air once.
