@@ -135,6 +135,11 @@ std::vector<SampleWindow> evenly(const SampleWindow& window, double samples, dou
     return {upper, lower};
 }
 
+/// What another lattice's variance must be below in terms of that of the best so far. Lattices that
+/// mirror each other are as good for what is as high as low, and rounding must not choose: a view
+/// has one lattice, in whatever way its poses were computed.
+constexpr double clearlyBetter = 1.0 - 1e-6;
+
 /// The window with the lattice that suits the edges best.
 SampleWindow bestFor(const std::vector<ImageEdge>& edges, const SampleWindow& window, int size) {
     if (edges.empty())
@@ -148,7 +153,7 @@ SampleWindow bestFor(const std::vector<ImageEdge>& edges, const SampleWindow& wi
             const double share = static_cast<double>(part.tilesHigh) / window.tilesHigh;
             variance += share * varianceOfEdges_px4(part, different, least / share);
         }
-        if (variance < least) {
+        if (variance < clearlyBetter * least) {
             least = variance;
             best = lattice;
         }
@@ -175,7 +180,7 @@ SampleWindow tiltedFor(const std::vector<ImageEdge>& edges, const SampleWindow& 
         SampleWindow tilted = window;
         tilted.fall = fall;
         const double variance = varianceOfEdges_px4(tilted, different, least);
-        if (variance < least) {
+        if (variance < clearlyBetter * least) {
             least = variance;
             best = tilted;
         }

@@ -108,10 +108,16 @@ std::vector<ImageEdge> withEqualsCounted(const std::vector<ImageEdge>& edges,
             return std::abs(edge.right_px - other.right_px) < near_px &&
                    std::abs(edge.down_px - other.down_px) < near_px;
         });
-        if (equal == different.end())
+        if (equal == different.end()) {
             different.push_back(edge);
-        else
-            equal->count += edge.count;
+            continue;
+        }
+        // Their mean: which of them comes first may be a matter of rounding.
+        const int count = equal->count + edge.count;
+        const double share = static_cast<double>(edge.count) / count;
+        equal->right_px += share * (edge.right_px - equal->right_px);
+        equal->down_px += share * (edge.down_px - equal->down_px);
+        equal->count = count;
     }
     return different;
 }
