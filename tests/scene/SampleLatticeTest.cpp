@@ -157,25 +157,20 @@ TEST(SampleLattice, OfAWindowIsTheOneForItsEdges) {
 
 } // namespace
 
-TEST(SampleLattice, IsNotChosenByRounding) {
-    // Level and upright edges: rows that rise are as good as rows that fall.
-    const auto windowFor = [](double error_px) {
-        ZoomEntityInfo object;
-        object.extent = {40.0, 50.0, 126.0, 54.0};
-        for (const double wing_px : {86.0, 40.0, 17.0})
-            object.edges.insert(object.edges.end(), {{wing_px + error_px, 0.012},
-                                                     {wing_px - error_px, -0.012},
-                                                     {error_px, 4.0},
-                                                     {0.3 * wing_px, 0.1 * wing_px + error_px},
-                                                     {0.3 * wing_px, -0.1 * wing_px + error_px}});
-        return PixelAlignedStrategy(256).windows({object}).front();
+// The upper and the lower edge of a wing go as far to the right, up to rounding: which of them
+// comes first must not choose the lattice.
+TEST(SampleLattice, TakesEdgesAsOneWhateverRoundingSays) {
+    const SampleWindow window = windowOf(4, 4, 16);
+    const double little_px = 0.04 * window.cellHeight_px();
+    const auto edgeFor = [&](double error_px) {
+        const std::vector<ImageEdge> different =
+            withEqualsCounted({{9.0 + error_px, little_px}, {9.0 - error_px, -little_px}}, window);
+        EXPECT_EQ(different.size(), 1u);
+        EXPECT_EQ(different.front().count, 2);
+        return different.front();
     };
-    const SampleWindow expected = windowFor(0.0);
-    EXPECT_NE(expected.fall, 0);
     for (const double error_px : {1e-12, -1e-12, 3e-11, -3e-11}) {
-        const SampleWindow found = windowFor(error_px);
-        EXPECT_EQ(found.fall, expected.fall) << error_px;
-        EXPECT_EQ(found.shearRows, expected.shearRows) << error_px;
-        EXPECT_EQ(found.samplesAcross, expected.samplesAcross) << error_px;
+        EXPECT_NEAR(edgeFor(error_px).right_px, 9.0, 1e-9);
+        EXPECT_NEAR(edgeFor(error_px).down_px, 0.0, 1e-9);
     }
 }
