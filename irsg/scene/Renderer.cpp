@@ -129,51 +129,42 @@ std::vector<RenderReport> Renderer::finish(const std::shared_ptr<Begun>& begun) 
 }
 
 void Renderer::Parts::renderImage(const Frame& frame, const Wanted& wanted, Rendered& result) {
-    RenderReport report;
-    int layersLeftOver = 0;
+    RenderReport drawn;
     const FrameReduction reduction =
-        wanted.followed ? followedPixels(frame, report.windows, report.warnings, layersLeftOver)
-                        : drawObjects(frame, report.windows, report.warnings, layersLeftOver);
+        wanted.followed ? followedPixels(frame, drawn.windows, drawn.warnings, drawn.layersLeftOver)
+                        : drawObjects(frame, drawn.windows, drawn.warnings, drawn.layersLeftOver);
     timed("composition", [&] {
         result.image = reduction.compose(frame.backgrounds.front());
         describe(frame, result.image);
-        describeWindows(report.windows, result.image);
+        describeWindows(drawn.windows, result.image);
     });
     if (wanted.reports) {
-        // Sums in double on the objects' own windows; of one object those of the picture itself.
-        const std::size_t objects = frame.scene.entities.size();
-        if (objects > 1 || frame.bands.size() > 1)
-            result.reports = reports(frame);
-        else
-            result.reports.resize(1);
+        // Sums are those of a sweep. Where it samples as the picture does, they are the picture's.
+        const bool isPictures = frame.scene.entities.size() <= 1 && frame.bands.size() == 1 &&
+                                sumsSampleAsPictures(frame);
+        result.reports = isPictures ? std::vector{reportOf(frame, reduction)} : reports(frame);
         RenderReport& first = result.reports.front();
-        first.windows = std::move(report.windows);
-        const double range_m = frame.geometry.empty() ? 0.0 : frame.geometry.front().path.range_m;
-        ObjectRadiometry pixels = reduction.objects(frame.backgrounds.front(), range_m);
-        if (objects > 1) {
-            // The pixels do not tell whose they are; the objects' own sums do.
-            pixels.intensity_W_sr = first.all.intensity_W_sr;
-            pixels.contrastIntensity_W_sr = first.all.contrastIntensity_W_sr;
-            pixels.airError = first.all.airError;
-            first.all = pixels;
-            first.totalIrradiance_W_m2 = totalIrradiance_W_m2(frame, 0, pixels.irradiance_W_m2);
-        } else {
-            if (frame.bands.size() == 1)
-                fillReport(frame, 0, first);
-            if (objects > 0)
-                pixels.airError = frame.geometry.front().airError;
-            first.all = pixels;
-            first.objects.assign(objects, first.all);
-            for (ObjectRadiometry& object : first.objects)
-                object.name = frame.scene.entities.front().name;
-            first.totalIrradiance_W_m2 = totalIrradiance_W_m2(frame, 0, first.all.irradiance_W_m2);
-        }
-        for (std::string& warning : report.warnings)
+        first.windows = std::move(drawn.windows);
+        for (std::string& warning : drawn.warnings)
             first.warnings.push_back(std::move(warning));
-        first.layersLeftOver = layersLeftOver;
+        first.layersLeftOver = drawn.layersLeftOver;
     }
     if (frame.scene.settings.truthLayers)
         addTruthLayers(frame, result.image);
+}
+
+RenderReport Renderer::Parts::reportOf(const Frame& frame, const FrameReduction& pixels) {
+    RenderReport report;
+    const double range_m = frame.geometry.empty() ? 0.0 : frame.geometry.front().path.range_m;
+    report.all = pixels.objects(frame.backgrounds.front(), range_m);
+    fillReport(frame, 0, report);
+    if (!frame.geometry.empty()) {
+        report.all.airError = frame.geometry.front().airError;
+        report.objects.assign(1, report.all);
+        report.objects.front().name = frame.scene.entities.front().name;
+    }
+    report.totalIrradiance_W_m2 = totalIrradiance_W_m2(frame, 0, report.all.irradiance_W_m2);
+    return report;
 }
 
 std::vector<RenderReport> Renderer::Parts::reports(const Frame& frame, const ViewFactors& factors) {

@@ -75,7 +75,7 @@ ViewFactors Renderer::Parts::drawAlone(const Frame& frame, int entity, const Cam
         for (const SampleWindow& window : piecesOf(strategy.windows({*seen}), largestDrawing())) {
             SurfaceScene alone = sceneOf(frame, camera, window);
             alone.occluders.clear();
-            pass->drawFactors(info, alone, window, rows.isSliced(), samples);
+            pass->drawFactors(info, {SampleSheet::of(window), {alone}}, rows.isSliced(), samples);
             timed("layer sorting",
                   [&] { sortLayers(samples, frame.scene.settings.maximumLayers); });
             timed("factor sums", [&] { sums.addToView(window, samples, view); });

@@ -10,6 +10,7 @@
 #include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/radiance/TruthLayers.h"
 #include "irsg/scene/sampling/PixelAlignedStrategy.h"
+#include "irsg/scene/sampling/SampleSheet.h"
 
 namespace irsg {
 
@@ -89,6 +90,14 @@ SurfaceScene Renderer::Parts::sceneOf(const Frame& frame, const CameraFrame& cam
     return scene;
 }
 
+SheetScene Renderer::Parts::scenesOf(const Frame& frame, const CameraFrame& camera,
+                                     const SampleSheet& sheet) {
+    SheetScene result{sheet, {}};
+    for (const SampleWindow& window : sheet.windows)
+        result.scenes.push_back(sceneOf(frame, camera, window));
+    return result;
+}
+
 FrameReduction Renderer::Parts::drawObjects(const Frame& frame, std::vector<SampledWindow>& windows,
                                             std::vector<std::string>& warnings,
                                             int& layersLeftOver) {
@@ -115,16 +124,22 @@ FrameReduction Renderer::Parts::drawObjects(const Frame& frame, std::vector<Samp
               info_(info),
               radiances_(frame.surfaceRows(), parts.fronts, frame.evaluated->radiances) {}
         int largestSide() const override { return parts_.largestDrawing(); }
-        void draw(const CameraFrame& camera, const SampleWindow& window,
+        void draw(const CameraFrame& camera, const SampleSheet& sheet,
                   RadianceSamples& samples) override {
             Stopwatch watch(seconds);
-            const SurfaceScene scene = parts_.sceneOf(frame_, camera, window);
-            const bool isSliced = std::ranges::any_of(window.entities, [&](int e) {
-                return frame_.geometry[static_cast<std::size_t>(e)].slices_m.size() > 1;
-            });
-            if (!isSliced && std::ranges::none_of(scene.items, &SurfaceItem::transparent))
-                return parts_.pass->drawRadiance(info_, scene, window, samples);
-            parts_.pass->drawFactors(info_, scene, window, isSliced, factors_);
+            const SheetScene scene = parts_.scenesOf(frame_, camera, sheet);
+            const auto isSlicedIn = [&](const SampleWindow& window) {
+                return std::ranges::any_of(window.entities, [&](int e) {
+                    return frame_.geometry[static_cast<std::size_t>(e)].slices_m.size() > 1;
+                });
+            };
+            const auto isTransparentIn = [](const SurfaceScene& ofWindow) {
+                return std::ranges::any_of(ofWindow.items, &SurfaceItem::transparent);
+            };
+            const bool isSliced = std::ranges::any_of(sheet.windows, isSlicedIn);
+            if (!isSliced && std::ranges::none_of(scene.scenes, isTransparentIn))
+                return parts_.pass->drawRadiance(info_, scene, samples);
+            parts_.pass->drawFactors(info_, scene, isSliced, factors_);
             {
                 Stopwatch sorting(sortSeconds);
                 sortLayers(factors_, frame_.scene.settings.maximumLayers);
@@ -218,29 +233,28 @@ Renderer::Parts::sampledWindows(const Frame& frame, const std::vector<DrawnWindo
 }
 
 std::future<WindowStream::Seconds>
-Renderer::Parts::beginWindows(const Frame& frame, const std::vector<ZoomEntityInfo>& objects,
+Renderer::Parts::beginWindows(const Frame& frame, const std::vector<SampleWindow>& windows,
                               bool withDistance, TakeWindow take) {
-    auto planned = std::make_shared<const std::vector<SampleWindow>>(
-        objects.empty() ? std::vector<SampleWindow>{}
-                        : piecesOf(antialiasing.strategyFor(frame.scene.settings).windows(objects),
-                                   largestDrawing()));
+    auto planned = std::make_shared<const std::vector<SampleSheet>>(
+        windows.empty() ? std::vector<SampleSheet>{}
+                        : sheetsOf(piecesOf(windows, largestDrawing()), largestDrawing()));
     WindowStream::Work work;
-    work.windows = planned->size();
+    work.drawings = planned->size();
     work.maximumLayers = frame.scene.settings.maximumLayers;
     work.draw = [this, &frame, planned, withDistance](osg::RenderInfo& info, std::size_t i,
                                                       FactorSamples& samples,
                                                       WindowStream::Seconds& seconds) {
-        const SampleWindow& window = (*planned)[i];
+        const SampleSheet& sheet = (*planned)[i];
         readyPass(info);
-        pass->drawFactors(info, sceneOf(frame, frame.camera, window), window, withDistance,
-                          samples);
+        pass->drawFactors(info, scenesOf(frame, frame.camera, sheet), withDistance, samples);
         seconds.drawing += pass->takeDrawSeconds();
         seconds.reading += pass->takeReadSeconds();
     };
     work.take = [planned, take = std::move(take)](std::size_t i, const FactorSamples& samples) {
-        take((*planned)[i], samples);
+        for (const SampleWindow& window : (*planned)[i].windows)
+            take(window, samples);
     };
-    return windows.start(std::move(work));
+    return stream.start(std::move(work));
 }
 
 void Renderer::Parts::waitFor(std::future<WindowStream::Seconds>& drawn, const char* stage) {
@@ -265,7 +279,9 @@ void Renderer::Parts::drawFactorWindows(const Frame& frame,
                                         bool withDistance, const char* stage, TakeWindow take) {
     if (objects.empty())
         return;
-    auto drawn = beginWindows(frame, objects, withDistance, std::move(take));
+    auto drawn =
+        beginWindows(frame, antialiasing.strategyFor(frame.scene.settings).windows(objects),
+                     withDistance, std::move(take));
     waitFor(drawn, stage);
 }
 

@@ -52,6 +52,18 @@ Renderer::Parts::ViewKey Renderer::Parts::viewKey(const Frame& frame) const {
     return key;
 }
 
+std::vector<SampleWindow> Renderer::Parts::windowsOfSums(const Frame& frame) {
+    if (frame.drawn.empty())
+        return {};
+    return antialiasing.strategyFor(frame.scene.settings).windowsOfSums(frame.drawn);
+}
+
+bool Renderer::Parts::sumsSampleAsPictures(const Frame& frame) {
+    return frame.drawn.empty() ||
+           windowsOfSums(frame) ==
+               antialiasing.strategyFor(frame.scene.settings).windows(frame.drawn);
+}
+
 std::shared_ptr<Renderer::Parts::FactorDrawing> Renderer::Parts::beginFactors(const Frame& frame) {
     ViewKey key = viewKey(frame);
     std::vector<FrameBackground> varying;
@@ -73,7 +85,7 @@ std::shared_ptr<Renderer::Parts::FactorDrawing> Renderer::Parts::beginFactors(co
     drawing->factors = drawing->sums->emptyView();
     // The drawing outlives what is begun here: it waits for that when it goes.
     drawing->windows = beginWindows(
-        frame, frame.drawn, frame.surfaceRows().isSliced(),
+        frame, windowsOfSums(frame), frame.surfaceRows().isSliced(),
         [own = drawing.get()](const SampleWindow& window, const FactorSamples& samples) {
             own->sums->addToView(window, samples, own->factors);
         });

@@ -259,7 +259,7 @@ std::vector<ImageRectangle> Renderer::Parts::detailsOf(const Frame& frame,
         SurfaceScene scene = sceneOf(frame, camera, probe);
         std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
         scene.occluders.clear();
-        pass->drawFactors(info, scene, probe, true, samples);
+        pass->drawFactors(info, {SampleSheet::of(probe), {scene}}, true, samples);
         for (const HotPart& part : parts)
             if (!isHidden(part, probe, samples))
                 details.push_back(part.extent);

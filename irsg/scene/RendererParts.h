@@ -45,7 +45,7 @@ struct Renderer::Parts {
     std::unique_ptr<SurfacePass> pass; // made and destroyed on the context's thread
     const RadianceTerms& terms;
     std::vector<StageTimes::Stage> stages;
-    WindowStream windows{context};
+    WindowStream stream{context};
 
     PreparedEntities prepared;
     ZoomAntialiasingManager antialiasing;
@@ -173,6 +173,7 @@ struct Renderer::Parts {
     FactorShader factorShader(const Frame& frame, const CameraFrame& camera) const;
     /// What of the scene stands in a window as a camera sees it, between the depths it spans.
     SurfaceScene sceneOf(const Frame& frame, const CameraFrame& camera, const SampleWindow& window);
+    SheetScene scenesOf(const Frame& frame, const CameraFrame& camera, const SampleSheet& sheet);
     /// Draws the objects with the strategy that the settings ask for.
     FrameReduction drawObjects(const Frame& frame, std::vector<SampledWindow>& windows,
                                std::vector<std::string>& warnings, int& layersLeftOver);
@@ -182,10 +183,10 @@ struct Renderer::Parts {
     std::vector<SampledWindow> sampledWindows(const Frame& frame,
                                               const std::vector<DrawnWindow>& drawn) const;
     using TakeWindow = std::function<void(const SampleWindow&, const FactorSamples&)>;
-    /// Begins to draw the factors of objects' windows and to give their samples to `take`, on other
-    /// threads; the frame must live until it is done.
+    /// Begins to draw the factors of windows and to give their samples to `take`, on other threads;
+    /// the frame must live until it is done.
     std::future<WindowStream::Seconds> beginWindows(const Frame& frame,
-                                                    const std::vector<ZoomEntityInfo>& objects,
+                                                    const std::vector<SampleWindow>& windows,
                                                     bool withDistance, TakeWindow take);
     /// Waits for it. Of the time that others took, what was waited for counts, by stages in
     /// proportion; that of `take` is called `stage`.
@@ -194,6 +195,9 @@ struct Renderer::Parts {
                            bool withDistance, const char* stage, TakeWindow take);
 
     // RendererFactors.cpp
+    /// What the objects of a frame are sampled by where only their sums are asked for.
+    std::vector<SampleWindow> windowsOfSums(const Frame& frame);
+    bool sumsSampleAsPictures(const Frame& frame);
     ViewKey viewKey(const Frame& frame) const;
     /// Begins to draw the factors of a view, unless they are known or under way.
     std::shared_ptr<FactorDrawing> beginFactors(const Frame& frame);
@@ -229,6 +233,8 @@ struct Renderer::Parts {
     double frameProjectedSolidAngle_sr(const Sensor& sensor);
     void describe(const Frame& frame, RadianceImage& image) const;
     void renderImage(const Frame& frame, const Wanted& wanted, Rendered& result);
+    /// What the pixels of a picture of at most one object add up to.
+    RenderReport reportOf(const Frame& frame, const FrameReduction& pixels);
     IntensitySpectrum spectrum(const Frame& frame, const Wanted& wanted, Rendered& result);
 };
 

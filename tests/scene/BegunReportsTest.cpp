@@ -110,13 +110,37 @@ TEST(BegunReports, MayBeDroppedUnfinished) {
     EXPECT_EQ(numbersOf(irsg.measure(std::vector<Band>{})), expected);
 }
 
+TEST(BegunReports, OfAPictureAreThoseOfASweepHoweverLarge) {
+    RenderSettings settings;
+    settings.zoomWindow = 128;
+    for (const double fieldOfView_deg : {60.0, 6.0}) { // a few dozen pixels, and most of the frame
+        Irsg irsg = glazedBody();
+        irsg.setSettings(settings);
+        irsg.setSensor(sensorOf(640, 512, fieldOfView_deg));
+        aim(irsg, 0.7);
+        const RenderedImage picture = irsg.render();
+        const ObjectRadiometry swept = irsg.measure().all;
+        EXPECT_NEAR(picture.report.all.intensity_W_sr / swept.intensity_W_sr, 1.0, 1e-6);
+        EXPECT_NEAR(picture.report.all.contrastIntensity_W_sr / swept.contrastIntensity_W_sr, 1.0,
+                    1e-6);
+
+        // The pixels themselves are sampled more finely.
+        double above_W_m2_sr = 0.0;
+        for (const float pixel : picture.image.primary().values)
+            above_W_m2_sr += static_cast<double>(pixel) - picture.report.background_W_m2_sr;
+        const double pitch = irsg.sensor().pixelPitch();
+        const double ofPixels_W_sr = above_W_m2_sr * pitch * pitch * 80.0 * 80.0;
+        EXPECT_NEAR(ofPixels_W_sr / swept.contrastIntensity_W_sr, 1.0, 0.01) << fieldOfView_deg;
+    }
+}
+
 TEST(WindowStream, TakesWindowsInOrderAndStreamsOneAfterTheOther) {
     WindowStream stream(OffscreenContext::shared());
     std::vector<std::pair<int, std::size_t>> taken;
     std::vector<std::future<WindowStream::Seconds>> all;
     for (int number = 0; number < 3; ++number) {
         WindowStream::Work work;
-        work.windows = 5;
+        work.drawings = 5;
         work.draw = [](osg::RenderInfo&, std::size_t window, FactorSamples& samples,
                        WindowStream::Seconds&) {
             samples.words.clear();
@@ -141,7 +165,7 @@ TEST(WindowStream, TellsWhatFailedAndGoesOn) {
     WindowStream stream(OffscreenContext::shared());
     const auto streamThat = [&](bool failsInDrawing, bool failsInTaking) {
         WindowStream::Work work;
-        work.windows = 4;
+        work.drawings = 4;
         work.draw = [=](osg::RenderInfo&, std::size_t window, FactorSamples&,
                         WindowStream::Seconds&) {
             if (failsInDrawing && window == 2)

@@ -39,13 +39,16 @@ int angleMode(float nAngleFactor) {
     return nAngleFactor == 0.0f ? 0 : nAngleFactor == 1.0f ? 1 : 2;
 }
 
+/// What a window is of a drawing.
 struct Raster {
-    int width, height;
+    int x, y, width, height;
     osg::Matrixd clipFromEye;
 };
 
 Raster rasterOf(const SurfaceScene& scene, const SampleWindow& window) {
-    Raster raster{window.width(), window.height(),
+    const std::size_t stride = window.stride();
+    Raster raster{static_cast<int>(window.firstSample % stride),
+                  static_cast<int>(window.firstSample / stride), window.width(), window.height(),
                   scene.camera->clipFromEye(window.drawnRectangle(), scene.depth)};
     if (window.shearRows) {
         // x_clip + a w - b y moves the sample's row r, counted from the top, by r / shearRows.
@@ -91,6 +94,23 @@ std::vector<SurfaceItem> itemsWithin(const SurfaceScene& scene, const Raster& ra
     return items;
 }
 
+/// One window of a drawing with what can be seen in it.
+struct RasterItems {
+    const SurfaceScene& scene;
+    Raster raster;
+    std::vector<SurfaceItem> items;
+
+    RasterItems(const SurfaceScene& ofWindow, const SampleWindow& window)
+        : scene(ofWindow), raster(rasterOf(ofWindow, window)), items(itemsWithin(scene, raster)) {}
+};
+
+std::vector<RasterItems> rastersOf(const SheetScene& sheet) {
+    std::vector<RasterItems> rasters;
+    for (std::size_t i = 0; i < sheet.scenes.size(); ++i)
+        rasters.emplace_back(sheet.scenes[i], sheet.sheet.windows[i]);
+    return rasters;
+}
+
 } // namespace
 
 struct SurfacePass::Parts {
@@ -123,6 +143,13 @@ struct SurfacePass::Parts {
             .first->second;
     }
 
+    /// Draws into what a window is of the drawing alone. A guard band may let triangles reach over
+    /// a viewport.
+    static void goTo(const Raster& raster) {
+        glViewport(raster.x, raster.y, raster.width, raster.height);
+        glScissor(raster.x, raster.y, raster.width, raster.height);
+    }
+
     /// Leaves the depth of what hides surfaces, and no colour. What is nearer than the depth range
     /// is drawn at its near end.
     void drawOccluders(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster) {
@@ -145,9 +172,9 @@ struct SurfacePass::Parts {
     }
 
     /// Draws the items of one kind with the surface shader into the bound target.
-    void drawItems(osg::RenderInfo& info, const SurfaceScene& scene,
-                   const std::vector<SurfaceItem>& items, const Raster& raster, bool transparent,
-                   Product product) {
+    void drawItems(osg::RenderInfo& info, const RasterItems& window, bool transparent,
+                   Product product, int rasterWidth) {
+        const auto& [scene, raster, items] = window;
         const ShaderProgram* current = nullptr;
         int currentAngle = 0;
         for (const SurfaceItem& item : items) {
@@ -158,7 +185,7 @@ struct SurfacePass::Parts {
             if (!current || angle != currentAngle) {
                 current = &program(product, angle, transparent, scene.factors);
                 currentAngle = angle;
-                useProgram(*current, scene, raster);
+                useProgram(*current, scene, rasterWidth);
             }
             const ShaderProgram& shader = *current;
             if (product == radianceProduct)
@@ -195,53 +222,67 @@ struct SurfacePass::Parts {
         glPolygonOffset(static_cast<float>(layer), steps * static_cast<float>(layer));
     }
 
-    void useProgram(const ShaderProgram& shader, const SurfaceScene& scene, const Raster& raster) {
+    void useProgram(const ShaderProgram& shader, const SurfaceScene& scene, int rasterWidth) {
         shader.use();
         for (const auto& [name, v] : scene.factors.directionsEye)
             shader.set(name.c_str(), static_cast<float>(v.x), static_cast<float>(v.y),
                        static_cast<float>(v.z));
-        shader.set("rasterWidth", raster.width);
+        shader.set("rasterWidth", rasterWidth);
         shader.set("capacity", static_cast<int>(roomInList));
     }
 
-    /// Draws a window: the opaque surfaces into `target`, the transparent ones before them into the
-    /// list. Returns the length of the list.
-    std::uint32_t draw(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster,
-                       Product product, FloatTarget& target) {
-        const std::vector<SurfaceItem> items = itemsWithin(scene, raster);
+    /// Draws the windows of a sheet: the opaque surfaces into `target`, the transparent ones before
+    /// them into the list. Returns the length of the list.
+    std::uint32_t draw(osg::RenderInfo& info, const SheetScene& sheet, Product product,
+                       FloatTarget& target) {
+        const int width = sheet.sheet.width, height = sheet.sheet.height;
+        const std::vector<RasterItems> windows = rastersOf(sheet);
         const ReversedDepth reversed;
-        target.reserve(raster.width, raster.height);
-        target.bind(raster.width, raster.height);
+        target.reserve(width, height);
+        target.bind(width, height);
         glEnable(GL_SCISSOR_TEST);
-        glScissor(0, 0, raster.width, raster.height);
+        glScissor(0, 0, width, height);
         target.clear();
-        glDisable(GL_SCISSOR_TEST);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
         glDisable(GL_BLEND);
-        if (!items.empty())
-            drawOccluders(info, scene, raster);
-        drawItems(info, scene, items, raster, false, product);
-
-        std::uint32_t listed = 0;
-        if (std::ranges::any_of(items, &SurfaceItem::transparent)) {
-            // What goes to the list leaves the planes alone; a shader that writes none would fill
-            // them with whatever it likes.
-            glDepthMask(GL_FALSE);
-            glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-            const int vectors = vectorsOf(scene.factors);
-            for (;;) {
-                list.begin(roomInList, vectors);
-                drawItems(info, scene, items, raster, true, product);
-                listed = list.count();
-                if (listed <= roomInList)
-                    break;
-                roomInList = std::bit_ceil(listed);
-            }
-            glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-            glDepthMask(GL_TRUE);
+        for (const RasterItems& window : windows) {
+            goTo(window.raster);
+            if (!window.items.empty())
+                drawOccluders(info, window.scene, window.raster);
+            drawItems(info, window, false, product, width);
         }
+        const std::uint32_t listed = drawTransparent(info, windows, width, product);
+        glDisable(GL_SCISSOR_TEST);
         glFinish();
+        return listed;
+    }
+
+    std::uint32_t drawTransparent(osg::RenderInfo& info, const std::vector<RasterItems>& windows,
+                                  int width, Product product) {
+        const auto isAny = [](const RasterItems& window) {
+            return std::ranges::any_of(window.items, &SurfaceItem::transparent);
+        };
+        if (std::ranges::none_of(windows, isAny))
+            return 0;
+        // What goes to the list leaves the planes alone; a shader that writes none would fill them
+        // with whatever it likes.
+        glDepthMask(GL_FALSE);
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        std::uint32_t listed = 0;
+        for (;;) {
+            list.begin(roomInList, vectorsOf(windows.front().scene.factors));
+            for (const RasterItems& window : windows) {
+                goTo(window.raster);
+                drawItems(info, window, true, product, width);
+            }
+            listed = list.count();
+            if (listed <= roomInList)
+                break;
+            roomInList = std::bit_ceil(listed);
+        }
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDepthMask(GL_TRUE);
         return listed;
     }
 };
@@ -249,51 +290,51 @@ struct SurfacePass::Parts {
 SurfacePass::SurfacePass() : parts_(std::make_unique<Parts>()) {}
 SurfacePass::~SurfacePass() = default;
 
-void SurfacePass::drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene,
-                               const SampleWindow& window, RadianceSamples& samples) {
+void SurfacePass::drawRadiance(osg::RenderInfo& info, const SheetScene& sheet,
+                               RadianceSamples& samples) {
     Parts& p = *parts_;
-    if (std::ranges::any_of(scene.items, &SurfaceItem::transparent))
-        throw LogicError("radiance alone was drawn of what lies behind a transparent surface");
-    const Raster raster = rasterOf(scene, window);
+    for (const SurfaceScene& scene : sheet.scenes)
+        if (std::ranges::any_of(scene.items, &SurfaceItem::transparent))
+            throw LogicError("radiance alone was drawn of what lies behind a transparent surface");
     {
         Stopwatch watch(p.drawSeconds);
-        p.draw(info, scene, raster, radianceProduct, p.radiance);
+        p.draw(info, sheet, radianceProduct, p.radiance);
     }
-    samples.width = raster.width;
-    samples.height = raster.height;
+    samples.width = sheet.sheet.width;
+    samples.height = sheet.sheet.height;
     samples.layersLeftOver = 0;
     Stopwatch watch(p.readSeconds);
-    p.radiance.read(0, raster.width, raster.height, samples.planes);
+    p.radiance.read(0, samples.width, samples.height, samples.planes);
 }
 
-void SurfacePass::drawFactors(osg::RenderInfo& info, const SurfaceScene& scene,
-                              const SampleWindow& window, bool withDistance,
+void SurfacePass::drawFactors(osg::RenderInfo& info, const SheetScene& sheet, bool withDistance,
                               FactorSamples& samples) {
     Parts& p = *parts_;
-    const Raster raster = rasterOf(scene, window);
-    const bool manyFactors = scene.factors.factorCount > 3;
+    const int width = sheet.sheet.width, height = sheet.sheet.height;
+    const FactorShader& factors = sheet.scenes.front().factors;
+    const bool manyFactors = factors.factorCount > 3;
     FloatTarget& target = p.factors[manyFactors ? 1 : 0][withDistance ? 1 : 0];
     std::uint32_t listed = 0;
     {
         Stopwatch watch(p.drawSeconds);
-        listed = p.draw(info, scene, raster,
-                        withDistance ? factorProductWithDistance : factorProduct, target);
+        listed =
+            p.draw(info, sheet, withDistance ? factorProductWithDistance : factorProduct, target);
     }
-    samples.width = raster.width;
-    samples.height = raster.height;
-    samples.factorCount = scene.factors.factorCount;
-    samples.wordsPerFragment = static_cast<std::size_t>(4 * vectorsOf(scene.factors));
+    samples.width = width;
+    samples.height = height;
+    samples.factorCount = factors.factorCount;
+    samples.wordsPerFragment = static_cast<std::size_t>(4 * vectorsOf(factors));
     Stopwatch watch(p.readSeconds);
     const auto read = [&](int plane, bool isThere, std::vector<float>& into) {
         if (isThere)
-            target.read(plane, raster.width, raster.height, into);
+            target.read(plane, width, height, into);
         else
             into.clear();
     };
     read(0, true, samples.opaque);
     read(1, manyFactors, samples.moreFactors);
     read(manyFactors ? 2 : 1, withDistance, samples.distances_m);
-    p.list.read(listed, vectorsOf(scene.factors),
+    p.list.read(listed, vectorsOf(factors),
                 [&](std::span<const float> list) { gatherFragments(list, samples); });
 }
 

@@ -10,7 +10,7 @@
 #include <osg/Geometry>
 #include <osg/Matrixd>
 
-#include "irsg/scene/sampling/SampleWindow.h"
+#include "irsg/scene/sampling/SampleSheet.h"
 #include "irsg/scene/sampling/Samples.h"
 #include "irsg/scene/view/CameraFrame.h"
 
@@ -62,6 +62,12 @@ struct SurfaceScene {
     std::vector<SurfaceRow> rows;
 };
 
+/// The windows of a sheet, and what stands in each.
+struct SheetScene {
+    SampleSheet sheet;
+    std::vector<SurfaceScene> scenes;
+};
+
 /// Draws surfaces into float targets. Opaque ones by depth; transparent ones into a list of
 /// fragments that sortLayers sorts per sample, so that their order is exact also where they
 /// cross. Lives on the context's thread.
@@ -71,11 +77,10 @@ class SurfacePass {
     ~SurfacePass();
 
     /// Radiances of rows; LogicError where an item is transparent.
-    void drawRadiance(osg::RenderInfo& info, const SurfaceScene& scene, const SampleWindow& window,
-                      RadianceSamples& samples);
+    void drawRadiance(osg::RenderInfo& info, const SheetScene& sheet, RadianceSamples& samples);
     /// Factors of all layers, the transparent ones not sorted yet.
-    void drawFactors(osg::RenderInfo& info, const SurfaceScene& scene, const SampleWindow& window,
-                     bool withDistance, FactorSamples& samples);
+    void drawFactors(osg::RenderInfo& info, const SheetScene& sheet, bool withDistance,
+                     FactorSamples& samples);
 
     /// Memory of the targets and the list, which every drawing shares.
     std::size_t bytes() const;

@@ -22,19 +22,19 @@ std::future<WindowStream::Seconds> WindowStream::start(Work work) {
     auto stream = std::make_shared<Stream>();
     stream->work = std::move(work);
     std::future<Seconds> done = stream->done.get_future();
-    ahead_ += stream->work.windows;
+    ahead_ += stream->work.drawings;
     context_.post([this, stream](osg::RenderInfo& info) { drawAll(info, stream); });
     return done;
 }
 
 void WindowStream::drawAll(osg::RenderInfo& info, const std::shared_ptr<Stream>& stream) {
     std::exception_ptr failure;
-    for (std::size_t window = 0; window < stream->work.windows; ++window) {
+    for (std::size_t drawing = 0; drawing < stream->work.drawings; ++drawing) {
         FactorSamples* samples = nullptr;
         if (!failure) {
             samples = &free();
             try {
-                stream->work.draw(info, window, *samples, stream->seconds);
+                stream->work.draw(info, drawing, *samples, stream->seconds);
             } catch (...) {
                 failure = std::current_exception();
                 giveBack(*samples);
@@ -42,7 +42,7 @@ void WindowStream::drawAll(osg::RenderInfo& info, const std::shared_ptr<Stream>&
         }
         --ahead_;
         if (!failure)
-            taker_.post([this, stream, window, samples] { takeIn(*stream, window, *samples); });
+            taker_.post([this, stream, drawing, samples] { takeIn(*stream, drawing, *samples); });
     }
     taker_.post([stream, failure] {
         // What the work holds may go when the future is ready, so that nothing is kept of it.
@@ -54,7 +54,7 @@ void WindowStream::drawAll(osg::RenderInfo& info, const std::shared_ptr<Stream>&
     });
 }
 
-void WindowStream::takeIn(Stream& stream, std::size_t window, FactorSamples& samples) {
+void WindowStream::takeIn(Stream& stream, std::size_t drawing, FactorSamples& samples) {
     std::optional<OnThisThread> besideDrawing;
     if (ahead_ > 0)
         besideDrawing.emplace();
@@ -65,7 +65,7 @@ void WindowStream::takeIn(Stream& stream, std::size_t window, FactorSamples& sam
                 sortLayers(samples, stream.work.maximumLayers);
             }
             Stopwatch watch(stream.seconds.taking);
-            stream.work.take(window, samples);
+            stream.work.take(drawing, samples);
         }
     } catch (...) {
         stream.failure = std::current_exception();

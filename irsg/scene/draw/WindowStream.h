@@ -21,10 +21,10 @@ namespace irsg {
 
 class OffscreenContext;
 
-/// Draws windows one after the other on the context's thread while what was drawn before is sorted
-/// and taken in on another thread, and on all cores once all is drawn: two sets of samples take
-/// turns. The first window of a stream is drawn while the last one of the stream before is taken
-/// in.
+/// Makes drawings, of one window or several, one after the other on the context's thread while what
+/// was drawn before is sorted and taken in on another thread, and on all cores once all is drawn:
+/// two sets of samples take turns. The first drawing of a stream is made while the last one of the
+/// stream before is taken in.
 class WindowStream {
   public:
     /// Time that a stream took on its threads, s.
@@ -32,12 +32,12 @@ class WindowStream {
         double drawing = 0.0, reading = 0.0, sorting = 0.0, taking = 0.0;
     };
     struct Work {
-        std::size_t windows = 0;
+        std::size_t drawings = 0;
         int maximumLayers = 0;
         /// On the context's thread; adds to `drawing` and `reading`.
-        std::function<void(osg::RenderInfo&, std::size_t window, FactorSamples&, Seconds&)> draw;
-        /// In the order of the windows, with sorted layers.
-        std::function<void(std::size_t window, const FactorSamples&)> take;
+        std::function<void(osg::RenderInfo&, std::size_t drawing, FactorSamples&, Seconds&)> draw;
+        /// In the order of the drawings, with sorted layers.
+        std::function<void(std::size_t drawing, const FactorSamples&)> take;
     };
 
     explicit WindowStream(OffscreenContext& context) : context_(context) {}
@@ -49,12 +49,12 @@ class WindowStream {
   private:
     struct Stream;
     void drawAll(osg::RenderInfo& info, const std::shared_ptr<Stream>& stream);
-    void takeIn(Stream& stream, std::size_t window, FactorSamples& samples);
+    void takeIn(Stream& stream, std::size_t drawing, FactorSamples& samples);
     FactorSamples& free();
     void giveBack(FactorSamples& samples);
 
     OffscreenContext& context_;
-    std::atomic<std::size_t> ahead_ = 0; // windows that are not drawn yet
+    std::atomic<std::size_t> ahead_ = 0; // drawings that are not made yet
     std::mutex mutex_;
     std::condition_variable changed_;
     std::array<FactorSamples, 2> samples_;

@@ -60,7 +60,6 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
         planes.push_back(&image_.channel(term.name).values);
     planes.push_back(&image_.channel(backgroundChannel).values);
 
-    const auto width = static_cast<std::size_t>(window.width());
     std::vector<double> sums(planes.size());
     window.forEachRun([&](std::size_t first, int count, int x, int y, double weight) {
         const std::size_t pixel = image_.offset(x, y);
@@ -90,8 +89,9 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
                 });
 
             // GL's rows run from the bottom up.
-            const int row = window.height() - 1 - static_cast<int>(i / width);
-            const auto drawnColumn = static_cast<double>(i % width);
+            const std::size_t drawn = i - window.firstSample;
+            const int row = window.height() - 1 - static_cast<int>(drawn / window.stride());
+            const auto drawnColumn = static_cast<double>(drawn % window.stride());
             const double column = drawnColumn - window.shift(row);
             const double right_px = place.left + (column + 0.5) * across_px - (x + 0.5);
             const double below_px =

@@ -38,6 +38,17 @@ void addRows(const SampleWindow& window, const FactorSamples& samples, std::size
                       });
 }
 
+/// Samples of a window, which may share the drawing, that have more layers than are kept.
+int layersLeftOver(const SampleWindow& window, const FactorSamples& samples) {
+    int count = 0;
+    if (samples.layersLeftOver > 0)
+        window.forEachRun([&](std::size_t first, int length, int, int, double) {
+            for (std::size_t i = first; i < first + static_cast<std::size_t>(length); ++i)
+                count += samples.isLeftOver(i);
+        });
+    return count;
+}
+
 /// The numbers that a walk's fronts have in a common list.
 std::vector<int> numbersOf(const Fronts& own, Fronts& common) {
     std::vector<int> numbers;
@@ -89,7 +100,7 @@ void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSample
 
 void FactorSums::addToView(const SampleWindow& window, const FactorSamples& samples,
                            ViewFactors& view) {
-    view.layersLeftOver += samples.layersLeftOver;
+    view.layersLeftOver += layersLeftOver(window, samples);
     const auto addFor = [&]<std::size_t... I>(std::index_sequence<I...>) {
         ((layout_.factorCount == I + 1 ? addFactorsToView<I + 1>(window, samples, view) : void()),
          ...);

@@ -25,9 +25,10 @@ FrameReduction AbstractZoomAntialiasingStrategy::draw(const CameraFrame& camera,
     const std::vector<SampleWindow> pieces = piecesOf(planned, pass.largestSide());
     FrameReduction frame(camera.sensor(), pieces);
     RadianceSamples samples;
-    for (const SampleWindow& window : pieces) {
-        pass.draw(camera, window, samples);
-        frame.add(window, samples);
+    for (const SampleSheet& sheet : sheetsOf(pieces, pass.largestSide())) {
+        pass.draw(camera, sheet, samples);
+        for (const SampleWindow& window : sheet.windows)
+            frame.add(window, samples);
     }
     return frame;
 }

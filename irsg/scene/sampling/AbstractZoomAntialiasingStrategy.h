@@ -30,6 +30,12 @@ class AbstractZoomAntialiasingStrategy {
     /// windows leave out to finer ones make every point of an object's extent drawn exactly once.
     virtual std::vector<SampleWindow> windows(const std::vector<ZoomEntityInfo>& objects) const = 0;
 
+    /// The same where nothing but sums over all pixels is asked for.
+    virtual std::vector<SampleWindow>
+    windowsOfSums(const std::vector<ZoomEntityInfo>& objects) const {
+        return windows(objects);
+    }
+
     /// Draws the objects into the pixels of a frame: those windows, unless the strategy has a way
     /// of its own.
     virtual FrameReduction draw(const CameraFrame& camera,

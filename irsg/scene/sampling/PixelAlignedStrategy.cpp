@@ -66,9 +66,8 @@ double samplesPerTile(const SampleWindow& window, double samples) {
 constexpr int longestDrawing = 2048;
 
 /// Columns and rows of samples in every tile: of the whole numbers near the wanted shape those that
-/// use the budget, as far as one drawing holds them.
-void chooseSamples(SampleWindow& window, double samples) {
-    constexpr int fewest = PixelAlignedStrategy::fewestSamplesPerAxis;
+/// use the budget, as far as one drawing holds them; at least `fewest`.
+void chooseSamples(SampleWindow& window, double samples, int fewest) {
     constexpr int otherColumns = 3;
     constexpr double enough = 0.9; // of the budget: nearer shapes are better then
     const double shapeWanted = columnsOfRows(window) * columnsOfRows(window);
@@ -98,16 +97,6 @@ void chooseSamples(SampleWindow& window, double samples) {
         }
     window.samplesAcross = best;
     window.samplesDown = downFor(best);
-}
-
-/// The window of an extent for a budget of samples, with sheared and tilted rows.
-SampleWindow sampleWindow(const ImageRectangle& extent, double samples) {
-    SampleWindow window = windowOnTiles(extent, levelFor(extent, samples));
-    chooseSamples(window, samples);
-    window.shearRows = static_cast<int>(
-        std::lround(window.samplesDown / (uprightSlope(window) * window.samplesAcross)));
-    window.fall = 1;
-    return window;
 }
 
 /// Samples an axis of a pixel, the mean of both axes.
@@ -188,6 +177,9 @@ SampleWindow tiltedFor(const std::vector<ImageEdge>& edges, const SampleWindow& 
     return best;
 }
 
+/// Samples of pixels of a window, beyond which a sum over them needs no more than it has by the
+/// budget, or by one in each pixel.
+constexpr double enoughForASum = 98'304.0;
 /// What is this many times finer than the window around it is drawn apart.
 constexpr double refinementFrom = 2.0;
 /// The same for details: a finer window is worth its drawing the sooner the more shines from it.
@@ -218,11 +210,33 @@ PixelAlignedStrategy::windows(const std::vector<ZoomEntityInfo>& objects) const 
     return result;
 }
 
+std::vector<SampleWindow>
+PixelAlignedStrategy::windowsOfSums(const std::vector<ZoomEntityInfo>& objects) const {
+    PixelAlignedStrategy ofSums(size_);
+    ofSums.isOfSums_ = true;
+    return ofSums.windows(objects);
+}
+
+SampleWindow PixelAlignedStrategy::windowFor(const ImageRectangle& extent, double samples) const {
+    SampleWindow window = windowOnTiles(extent, levelFor(extent, samples));
+    constexpr int fewest = fewestSamplesPerAxis;
+    const double tiles = static_cast<double>(window.tilesWide) * window.tilesHigh;
+    if (isOfSums_)
+        chooseSamples(window, std::max(samples, std::min(fewest * fewest * tiles, enoughForASum)),
+                      1);
+    else
+        chooseSamples(window, samples, fewest);
+    window.shearRows = static_cast<int>(
+        std::lround(window.samplesDown / (uprightSlope(window) * window.samplesAcross)));
+    window.fall = 1;
+    return window;
+}
+
 std::vector<SampleWindow> PixelAlignedStrategy::windowsOf(const EntityGroup& group) const {
     std::vector<ImageEdge> edges;
     for (const ZoomEntityInfo& member : group.members)
         edges.insert(edges.end(), member.edges.begin(), member.edges.end());
-    SampleWindow whole = bestFor(edges, sampleWindow(group.extent, budget()), size_);
+    SampleWindow whole = bestFor(edges, windowFor(group.extent, budget()), size_);
     whole.entities = group.entities();
     std::vector<SampleWindow> windows = evenly(whole, budget(), mostUnused);
     const std::vector<Part> parts = partsOf(group);
@@ -267,7 +281,7 @@ void PixelAlignedStrategy::refine(std::vector<SampleWindow>& windows, std::size_
         const ImageRectangle ofPart = around.cellsAround(wider);
         part.samples *= std::min(1.0, area_px2(ofPart) / area_px2(wider)); // what of it is here
         if (ofPart.empty() ||
-            fineness(sampleWindow(ofPart, part.samples)) < part.finerFrom * finenessAround)
+            fineness(windowFor(ofPart, part.samples)) < part.finerFrom * finenessAround)
             continue;
         cells.push_back(ofPart);
         finerParts.push_back(part);
@@ -285,7 +299,7 @@ void PixelAlignedStrategy::refine(std::vector<SampleWindow>& windows, std::size_
             part.finerFrom = part.finerAgainFrom;
         }
         SampleWindow finer =
-            tiltedFor(edges, sampleWindow(cut.rectangle, std::min(samples, budget())));
+            tiltedFor(edges, windowFor(cut.rectangle, std::min(samples, budget())));
         if (fineness(finer) < finerFrom * finenessAround)
             continue;
         finer.only = cut.rectangle;

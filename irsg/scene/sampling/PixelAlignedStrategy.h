@@ -10,11 +10,12 @@ namespace irsg {
 /// one to one.
 ///
 /// A large object is drawn on whole pixels, each sampled as often as the window's size squared
-/// allows and at least twice an axis, whatever the shape of its extent. A small or slim one is
-/// drawn on tiles of a power of two, at least 16 along its longer side, which lie close around it.
-/// Objects that overlap share a window, with depth. Finer windows are cut out of it for what is
-/// much smaller: members of the group, in which the others stand before and behind them, and the
-/// details that an object has.
+/// allows and at least twice an axis, whatever the shape of its extent. Where only a sum over
+/// pixels is asked for, whose error is that of all samples together, a very large one has fewer:
+/// down to one a pixel. A small or slim one is drawn on tiles of a power of two, at least 16 along
+/// its longer side, which lie close around it. Objects that overlap share a window, with depth.
+/// Finer windows are cut out of it for what is much smaller: members of the group, in which the
+/// others stand before and behind them, and the details that an object has.
 class PixelAlignedStrategy : public AbstractZoomAntialiasingStrategy {
   public:
     /// Side of a window, samples: 128, 256 or 512 for modes 3 to 5; any from 8.
@@ -22,6 +23,10 @@ class PixelAlignedStrategy : public AbstractZoomAntialiasingStrategy {
 
     std::vector<SampleWindow> windows(const std::vector<ZoomEntityInfo>& objects) const override;
 
+    std::vector<SampleWindow>
+    windowsOfSums(const std::vector<ZoomEntityInfo>& objects) const override;
+
+    /// Of a pixel or tile of a picture.
     static constexpr int fewestSamplesPerAxis = 2;
 
   private:
@@ -44,7 +49,11 @@ class PixelAlignedStrategy : public AbstractZoomAntialiasingStrategy {
                 const std::vector<Part>& parts, const std::vector<ImageEdge>& edges,
                 std::size_t most) const;
 
+    /// The window of an extent for a budget of samples, with sheared and tilted rows.
+    SampleWindow windowFor(const ImageRectangle& extent, double samples) const;
+
     int size_;
+    bool isOfSums_ = false;
 };
 
 } // namespace irsg

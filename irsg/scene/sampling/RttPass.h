@@ -1,6 +1,6 @@
 #pragma once
 
-#include "irsg/scene/sampling/SampleWindow.h"
+#include "irsg/scene/sampling/SampleSheet.h"
 #include "irsg/scene/sampling/Samples.h"
 #include "irsg/scene/view/CameraFrame.h"
 
@@ -13,8 +13,8 @@ class RttPass {
 
     /// Largest side of a drawing, samples.
     virtual int largestSide() const = 0;
-    /// Draws the entities of a window as a camera sees them, no background behind.
-    virtual void draw(const CameraFrame& camera, const SampleWindow& window,
+    /// Draws the entities of each window of a sheet as a camera sees them, no background behind.
+    virtual void draw(const CameraFrame& camera, const SampleSheet& sheet,
                       RadianceSamples& samples) = 0;
 };
 

@@ -134,13 +134,15 @@ std::vector<SampleWindow> latticesNear(const SampleWindow& window, int size) {
     constexpr std::array slopes = {1.0, 16.0 / 12.0, 16.0 / 14.0, 16.0 / 19.0, 16.0 / 24.0, 1.6};
     const double slope = static_cast<double>(window.samplesDown) /
                          (static_cast<double>(window.shearRows) * window.samplesAcross);
-    const double perTile = static_cast<double>(size) * size /
-                           (static_cast<double>(window.tilesWide) * window.tilesHigh);
-    for (int across = std::max(2, window.samplesAcross - otherColumns);
+    const int fewest = std::min({2, window.samplesAcross, window.samplesDown});
+    const double perTile = std::max(static_cast<double>(size) * size /
+                                        (static_cast<double>(window.tilesWide) * window.tilesHigh),
+                                    static_cast<double>(window.samplesAcross) * window.samplesDown);
+    for (int across = std::max(fewest, window.samplesAcross - otherColumns);
          across <= window.samplesAcross + otherColumns; ++across) {
         const int down = static_cast<int>(perTile / across);
         const double ratio = static_cast<double>(across) / std::max(down, 1);
-        if (across * down < window.samplesAcross * window.samplesDown || down < 2 ||
+        if (across * down < window.samplesAcross * window.samplesDown || down < fewest ||
             ratio < narrowest || ratio > widest)
             continue;
         for (const double times : slopes)

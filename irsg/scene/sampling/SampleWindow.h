@@ -33,6 +33,12 @@ struct SampleWindow {
     std::vector<ImageRectangle> leftOut;
     /// What it draws of its tiles: a sample counts with what of its cell lies inside. None: all.
     std::optional<ImageRectangle> only{};
+    /// Where its lower left sample lies in a drawing that other windows share, and how many samples
+    /// a row of that has; 0: the drawing is its own.
+    std::size_t firstSample = 0;
+    int drawingWidth = 0;
+
+    bool operator==(const SampleWindow&) const = default;
 
     static constexpr int deepestLevel = 40;
 
@@ -52,6 +58,16 @@ struct SampleWindow {
     /// Of its drawing, samples.
     int width() const { return tilesWide * samplesAcross + columnsOfShear(); }
     int height() const { return tilesHigh * samplesDown; }
+    /// Puts it into a drawing of other windows.
+    void placeIn(int width, int x, int y) {
+        drawingWidth = width;
+        firstSample = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x);
+    }
+    /// Samples from one row of its drawing to the next.
+    std::size_t stride() const {
+        return static_cast<std::size_t>(drawingWidth > 0 ? drawingWidth : width());
+    }
     /// Rectangle of its drawing, which a shear makes wider.
     ImageRectangle drawnRectangle() const;
     /// How far the samples of a row, counted from the top, are moved, samples.
@@ -88,9 +104,8 @@ void SampleWindow::forEachRun(int firstRow, int lastRow, Visit visit) const {
         const std::vector<double> weights =
             leftOut.empty() && !only ? std::vector<double>{} : weightsOf(row);
         const int y = static_cast<int>((tileY + row / samplesDown) >> level);
-        std::size_t first =
-            static_cast<std::size_t>(height() - 1 - row) * static_cast<std::size_t>(width()) +
-            static_cast<std::size_t>(std::ceil(shift(row) - 0.5));
+        std::size_t first = firstSample + static_cast<std::size_t>(height() - 1 - row) * stride() +
+                            static_cast<std::size_t>(std::ceil(shift(row) - 0.5));
         for (int tile = 0; tile < tilesWide;
              ++tile, first += static_cast<std::size_t>(samplesAcross)) {
             const int x = static_cast<int>((tileX + tile) >> level);

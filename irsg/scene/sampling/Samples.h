@@ -48,6 +48,11 @@ struct FactorSamples {
         return sample >= lowest && sample < highest &&
                ends[sample - lowest] != ends[sample - lowest + 1];
     }
+    /// Whether it has more layers than count.
+    bool isLeftOver(std::size_t sample) const {
+        return isListed(sample) &&
+               ends[sample - lowest + 1] - ends[sample - lowest] > maximumLayers;
+    }
     bool isEmpty(std::size_t sample) const { return !isOpaque(sample) && !isListed(sample); }
 
     struct Layer {

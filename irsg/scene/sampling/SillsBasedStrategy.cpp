@@ -77,7 +77,7 @@ void SillsBasedStrategy::drawTexture(const CameraFrame& camera, const ZoomEntity
     const int side_px = std::min(nextPowerOfTwo(diameter_px), size_);
     const CameraFrame zoom = zoomCamera(camera, object.centre_m, side_px, size_);
     RadianceSamples samples;
-    pass.draw(zoom, SampleWindow::ofFrame(size_, {object.entity}), samples);
+    pass.draw(zoom, SampleSheet::of(SampleWindow::ofFrame(size_, {object.entity})), samples);
     const ObjectTexture texture = MultipassComposer(size_, side_px).apply(textureOf(samples));
 
     // Phase 3: the square in the frame.
@@ -103,7 +103,7 @@ void SillsBasedStrategy::drawAsItIs(const CameraFrame& camera, const ZoomEntityI
     drawn_.push_back(DrawnWindow::of(whole));
     RadianceSamples samples;
     for (const SampleWindow& window : whole.pieces(pass.largestSide())) {
-        pass.draw(camera, window, samples);
+        pass.draw(camera, SampleSheet::of(window), samples);
         window.forEachRun([&](std::size_t first, int, int x, int y, double) {
             frame.cover(x, y, static_cast<double>(samples.planes[2 * first]),
                         static_cast<double>(samples.planes[2 * first + 1]));

@@ -17,6 +17,7 @@ struct ImageRectangle {
     bool intersects(const ImageRectangle& other) const;
     ImageRectangle unitedWith(const ImageRectangle& other) const;
     ImageRectangle intersectedWith(const ImageRectangle& other) const;
+    bool operator==(const ImageRectangle&) const = default;
 };
 
 /// A rectangle of pixels of the sensor, top left pixel first.
