@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/MonotoneCubic.h"
 
 namespace irsg {
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace irsg {
+
+/// Memory that FFTW's vector instructions can use.
+struct FftRelease {
+    void operator()(void* memory) const;
+};
+template <typename Value>
+using FftBuffer = std::unique_ptr<Value[], FftRelease>;
+FftBuffer<float> fftReals(std::size_t count);
+FftBuffer<std::complex<float>> fftComplex(std::size_t count);
+
+/// The next size from `atLeast` on whose factors are 2, 3, 5 and 7.
+int fastFftSize(int atLeast);
+
+/// Two-dimensional real transforms of a size, forward and back, planned once (FFTW_MEASURE) and
+/// kept. Rows are contiguous; a spectrum has width / 2 + 1 columns; neither direction divides by
+/// the number of points. What planning found out (FFTW's wisdom) is kept in
+/// $XDG_CACHE_HOME/smat/fftw-wisdom, or ~/.cache/smat; a folder that cannot be written costs a
+/// second planning and nothing else. Large transforms use the threads of parallelFor.
+class FftPlans {
+  public:
+    /// One for the process, as FFTW's planner is.
+    static FftPlans& shared();
+
+    void forward(int width, int height, float* reals, std::complex<float>* spectrum);
+    /// Destroys the spectrum.
+    void backward(int width, int height, std::complex<float>* spectrum, float* reals);
+    /// Plans both directions of a size, unless they are known.
+    void prepare(int width, int height);
+    /// Sizes that were planned since the program began.
+    std::size_t planned() const;
+
+    /// Where wisdom is kept; empty where there is no home.
+    static std::filesystem::path wisdomFile();
+
+  private:
+    struct Pair;
+    FftPlans();
+    ~FftPlans();
+    const Pair& of(int width, int height);
+    void keepWisdom() const;
+
+    mutable std::mutex mutex_;
+    std::vector<std::unique_ptr<Pair>> pairs_;
+};
+
+} // namespace irsg
