@@ -29,6 +29,7 @@ void addCompareCommand(CLI::App& app, Context& context);
 void addConvertCommand(CLI::App& app, Context& context);
 void addModelCommand(CLI::App& app, Context& context);
 void addMonteCarloCommand(CLI::App& app, Context& context);
+void addMtfCommand(CLI::App& app, Context& context);
 void addAtmosphereCommand(CLI::App& app, Context& context);
 void addSettingsCommand(CLI::App& app, Context& context);
 void addRadiativeCommand(CLI::App& app, Context& context);

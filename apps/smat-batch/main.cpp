@@ -62,6 +62,7 @@ int main(int argc, char** argv) {
     addConvertCommand(app, context);
     addModelCommand(app, context);
     addMonteCarloCommand(app, context);
+    addMtfCommand(app, context);
     addAtmosphereCommand(app, context);
     addSettingsCommand(app, context);
     addSimulateCommand(app, context);

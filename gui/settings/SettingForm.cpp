@@ -15,6 +15,7 @@
 
 #include "gui/Readable.h"
 #include "gui/Theme.h"
+#include "smatcore/settings/SettingAvailability.h"
 
 namespace smat::gui {
 namespace {
@@ -70,6 +71,12 @@ SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser choos
         auto* label = new QLabel(textOf(info.label), this);
         label->setToolTip(field->toolTip());
         label->setBuddy(fields_.at(key).widget);
+        const QString missing = textOf(whyUnavailable(info));
+        if (!missing.isEmpty())
+            for (QWidget* widget : {field, static_cast<QWidget*>(label)}) {
+                widget->setEnabled(false);
+                widget->setToolTip(missing);
+            }
 
         auto* row = new QHBoxLayout;
         row->setSpacing(8);
@@ -83,6 +90,8 @@ SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser choos
             continue;
         }
         QString words = textOf(info.help).toHtmlEscaped();
+        if (!missing.isEmpty())
+            words = tr("Not available: %1.").arg(missing.toHtmlEscaped()) + " " + words;
         if (isTyped(info)) {
             QString expected = expectedText(info).toHtmlEscaped();
             expected.replace(0, 1, expected.left(1).toUpper());

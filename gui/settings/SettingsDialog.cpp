@@ -9,10 +9,12 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
+#include <QVBoxLayout>
 
 #include "gui/DialogButtons.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
+#include "gui/settings/MtfNote.h"
 
 namespace smat::gui {
 
@@ -34,6 +36,9 @@ std::vector<SettingsPage> SettingsDialog::optionPages() {
           "environment.terrainEast", "environment.terrainNorth", "environment.terrainAltitude",
           "render.terrainHides"}},
         {tr("Atmosphere"), "air", {"environment.atmospheres", "environment.ambientTemperature"}},
+        {tr("Scattering"),
+         "air",
+         {"render.scattering", "environment.mtf", "environment.scatteringCoefficient"}},
         {tr("Scalings"), "montecarlo", {"scaling.use", "scaling.seed"}}};
 }
 
@@ -71,7 +76,7 @@ SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const
         auto* scroll = new QScrollArea(stack);
         scroll->setWidgetResizable(true);
         scroll->setFrameShape(QFrame::NoFrame);
-        scroll->setWidget(form);
+        scroll->setWidget(withNotes(form));
         stack->addWidget(scroll);
     }
     connect(list_, &QListWidget::currentRowChanged, stack, &QStackedWidget::setCurrentIndex);
@@ -107,6 +112,26 @@ SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const
     showPage(0);
     showExperts(false);
     refresh();
+}
+
+QWidget* SettingsDialog::withNotes(SettingForm* form) {
+    const std::string key = "environment.mtf";
+    if (std::ranges::find(form->keys(), key) == form->keys().end())
+        return form;
+    auto* page = new QWidget(this);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* note = new MtfNote(page);
+    column->addWidget(form);
+    column->addWidget(note);
+    column->addStretch(1);
+    const auto tell = [this, form, note, key] {
+        const std::string file = form->value(key);
+        note->tell(file.empty() ? std::filesystem::path() : workbench_.project().resolve(file));
+    };
+    connect(form, &SettingForm::edited, note, tell);
+    tell();
+    return page;
 }
 
 void SettingsDialog::showPage(int page) {

@@ -34,7 +34,7 @@ class SettingsDialog : public QDialog {
     SettingsDialog(Workbench& workbench, const QString& title, const QString& step,
                    const std::vector<SettingsPage>& pages, FileChooser chooseFile,
                    QWidget* parent = nullptr);
-    /// Antialiasing, background, skybox, terrain, atmosphere.
+    /// Antialiasing, background, skybox, terrain, atmosphere, scattering, scalings.
     static std::vector<SettingsPage> optionPages();
     /// Sun and fluxes, background source, calculation mode, band and response.
     static std::vector<SettingsPage> analysisPages();
@@ -46,6 +46,8 @@ class SettingsDialog : public QDialog {
 
   private:
     void refresh();
+    /// A form with what is to be told below it: the header of its MTF database.
+    QWidget* withNotes(SettingForm* form);
     void showExperts(bool visible);
     Settings edited() const;
 

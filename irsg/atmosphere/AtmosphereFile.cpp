@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/SpectraAtmosphere.h"
@@ -15,10 +16,14 @@ std::shared_ptr<const Atmosphere> fromKarmaXml(const std::filesystem::path& file
     const KarmaXml document = KarmaXml::read(file);
     if (document.typeName() == "AtmosphereSmart")
         return AtmosphereSmart::fromXml(file);
-    throw InputError(document.offence(
-        "type", document.type().empty() ? "no type" : "'" + document.type() + "'",
-        document.typeName() == "Environment" ? "one atmosphere: an Environment holds several"
-                                             : "a type that ends in /AtmosphereSmart"));
+    if (document.typeName() == "AtmosphereScatteringLUT")
+        return std::make_shared<AtmosphereScatteringLut>(
+            AtmosphereScatteringLut::fromKarma(document));
+    throw InputError(
+        document.offence("type", document.type().empty() ? "no type" : "'" + document.type() + "'",
+                         document.typeName() == "Environment"
+                             ? "one atmosphere: an Environment holds several"
+                             : "a type that ends in /AtmosphereSmart or /AtmosphereScatteringLUT"));
 }
 
 } // namespace
@@ -41,7 +46,8 @@ std::shared_ptr<const Atmosphere> loadAtmosphere(const std::filesystem::path& fi
         return std::make_shared<BeerLambert>(BeerLambert::fromCsv(file));
     }
     throw InputError({file.string(), "", "no atmosphere of a kind that is known",
-                      "an .xml of AtmosphereSmart, a .csv of a homogeneous atmosphere or of a "
+                      "an .xml of AtmosphereSmart or AtmosphereScatteringLUT, a .csv of a "
+                      "homogeneous atmosphere or of a "
                       "radiative output, a .smatatm, or "
                       "MODTRAN's tape7, CSV or JSON"});
 }

@@ -10,6 +10,9 @@ namespace irsg {
 namespace {
 
 constexpr int piecesPerInterval = 8;
+/// Fall of the last piece, over the whole frequency, from which the end counts as an edge; a part
+/// of the energy.
+constexpr double sharpEnd = 1e-3;
 
 } // namespace
 
@@ -35,6 +38,10 @@ HazeFunction::HazeFunction(const MtfCurve& curve) {
     // What ends a piece begins the next one: one term for each end.
     for (std::size_t i = 0; i < frequencies_.size(); ++i)
         turns_.push_back((i > 0 ? slopes[i - 1] : 0.0) - (i < slopes.size() ? slopes[i] : 0.0));
+}
+
+bool HazeFunction::endsSharply() const {
+    return std::abs(turns_.back()) * frequencies_.back() > sharpEnd * std::abs(energy_);
 }
 
 double HazeFunction::density_sr(double angle_rad) const {

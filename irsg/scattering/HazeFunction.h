@@ -26,6 +26,9 @@ class HazeFunction {
     /// Energy nearer to the point than an angle.
     double energyWithin(double angle_rad) const;
     double highestFrequency_per_rad() const { return frequencies_.back(); }
+    /// The curve is cut off while it still falls, so that the density has rings of the highest
+    /// frequency.
+    bool endsSharply() const;
 
   private:
     std::vector<double> frequencies_; ///< ends of the pieces

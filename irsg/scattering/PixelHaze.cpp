@@ -26,10 +26,14 @@ constexpr int closeBelow_px = 6, nodesClose = 12, nodesFar = 3;
 class RadialTable {
   public:
     RadialTable(const HazeFunction& function, double pitch_rad, double end_px) {
-        const double ripple_px = 1.0 / (8.0 * function.highestFrequency_per_rad() * pitch_rad);
+        const double ripple_px =
+            function.endsSharply()
+                ? std::max(1.0 / (8.0 * function.highestFrequency_per_rad() * pitch_rad),
+                           narrowestStep_px)
+                : end_px;
         for (double r = nearest_px; r < end_px + 1.0;) {
             at_px_.push_back(r);
-            r += std::min(widestStep * r, std::max(ripple_px, narrowestStep_px));
+            r += std::min(widestStep * r, ripple_px);
         }
         while (at_px_.size() < 3)
             at_px_.push_back(at_px_.back() + narrowestStep_px);

@@ -60,6 +60,9 @@ struct RenderSettings {
     int backgroundRows = 1, backgroundColumns = 1;
     /// The sun is seen as a disc, see SunDisc.
     bool sunDisc = false;
+    /// Images show the light that droplets scatter around objects, with the MTF database of the
+    /// environment's AtmosphereScatteringLUT; see SceneScattering.
+    bool scattering = false;
     /// What the texels of skybox and terrain mean.
     TextureScale skybox, terrain;
     /// Terrain before an object hides it; else terrain is a picture behind all objects, as in the

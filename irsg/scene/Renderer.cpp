@@ -21,6 +21,9 @@ namespace {
 
 /// What the air's change over an object's extent may leave wrong without a word.
 constexpr double airErrorToTell = 0.0051;
+constexpr const char* scatteringInSums =
+    "scattering: images show the haze; intensities, contrast and irradiances of objects are those "
+    "of their direct light";
 
 std::string text(double value) {
     std::ostringstream out;
@@ -138,6 +141,8 @@ void Renderer::Parts::renderImage(const Frame& frame, const Wanted& wanted, Rend
         describe(frame, result.image);
         describeWindows(drawn.windows, result.image);
     });
+    if (frame.scene.settings.scattering)
+        scatter(frame, result.image, report.warnings);
     if (wanted.reports) {
         // Sums are those of a sweep. Where it samples as the picture does, they are the picture's.
         const bool isPictures = frame.scene.entities.size() <= 1 && frame.bands.size() == 1 &&
@@ -297,6 +302,8 @@ void Renderer::Parts::fillReport(const Frame& frame, std::size_t band, RenderRep
     if (report.flooredPixels > 0)
         report.warnings.push_back("the background of " + std::to_string(report.flooredPixels) +
                                   " pixels was below 0 and is 0 now");
+    if (frame.scene.settings.scattering)
+        report.warnings.push_back(scatteringInSums);
     for (std::size_t e = 0; e < frame.geometry.size(); ++e)
         if (frame.geometry[e].airError > airErrorToTell)
             report.warnings.push_back(

@@ -30,6 +30,7 @@
 #include "irsg/scene/radiance/WidebandTerms.h"
 #include "irsg/scene/sampling/FrameReduction.h"
 #include "irsg/scene/sampling/ZoomAntialiasingManager.h"
+#include "irsg/scene/scattering/SceneScattering.h"
 
 namespace irsg {
 
@@ -58,6 +59,7 @@ struct Renderer::Parts {
     Fronts fronts;
     PointSources pointSources;
     RangeFactors rangeFactors;
+    SceneScattering scattering;
 
     /// All that the factors of a view depend on.
     struct ViewKey {
@@ -222,6 +224,13 @@ struct Renderer::Parts {
     void addAlongRange(const Frame& frame, const ZoomEntityInfo& object, ViewFactors& view);
     ViewFactors drawAtNode(const Frame& frame, int entity, const Vec3& from, std::size_t node,
                            const SurfaceRows& rows);
+
+    // RendererScattering.cpp
+    /// The objects of a scene with the optical depths of their paths, still without pixels.
+    std::vector<ScatteredObject> objectsToScatter(const Frame& frame,
+                                                  std::vector<std::string>& warnings);
+    /// Adds the haze of all objects to a composed picture.
+    void scatter(const Frame& frame, RadianceImage& image, std::vector<std::string>& warnings);
 
     // Renderer.cpp
     void fillReport(const Frame& frame, std::size_t band, RenderReport& report) const;

@@ -6,7 +6,9 @@
 #include <map>
 #include <sstream>
 
+#include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/scene/scattering/SceneScattering.h"
 
 namespace irsg {
 
@@ -175,6 +177,14 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
         offences.push_back({"settings", "background", text(settings.background_W_m2_sr),
                             "a finite radiance of at least 0 W m-2 sr-1"});
 
+    if (settings.scattering) {
+        if (!isScatteringBuilt())
+            offences.push_back({"settings", "scattering", whyNoScattering(),
+                                "scattering off, or a build with FFTW"});
+        else if (!scatteringLutOf(environment))
+            offences.push_back({"environment", "scattering", "no scattering atmosphere",
+                                "an AtmosphereScatteringLUT or an MTF database"});
+    }
     if (settings.mode == CalculationMode::wideband) {
         for (const Band& band : bands) {
             try {

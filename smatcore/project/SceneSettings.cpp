@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/atmosphere/import/EnvironmentXml.h"
 #include "irsg/radiometry/Errors.h"
@@ -64,8 +65,15 @@ irsg::Environment environmentOf(const Project& project, const Settings& settings
     irsg::Environment environment;
     environment.defaultAmbient_K = settings.real("environment.ambientTemperature");
 
+    // What the project names itself goes before an AtmosphereScatteringLUT of a file.
+    const auto mtf = settings.paths("environment.mtf");
+    if (!mtf.empty()) {
+        environment.add(std::make_shared<irsg::AtmosphereScatteringLut>(
+            project.resolve(mtf.front()),
+            1e-3 * settings.real("environment.scatteringCoefficient")));
+    }
     environment.sun = sunFrom(settings, addAir(environment, resolvedAir(project, settings)));
-    if (environment.atmospheres().empty()) {
+    if (environment.atmospheres().size() == mtf.size()) {
         environment.add(std::make_shared<irsg::Vacuum>());
     }
     return environment;
@@ -153,6 +161,7 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
     render.backgroundRows = settings.integer("render.backgroundRows");
     render.backgroundColumns = settings.integer("render.backgroundColumns");
     render.sunDisc = settings.boolean("render.sunDisc");
+    render.scattering = settings.boolean("render.scattering");
     render.skybox = {settings.real("environment.skyboxSlope"),
                      settings.real("environment.skyboxOffset")};
     render.terrain = {settings.real("environment.terrainSlope"),

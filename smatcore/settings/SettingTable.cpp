@@ -160,6 +160,17 @@ void addEnvironment(std::vector<SettingInfo>& table) {
                            "one."));
 }
 
+void addScattering(std::vector<SettingInfo>& table) {
+    table.push_back(text("environment.mtf", "--mtf", "MTF database", "", SettingKind::path, "",
+                         "How droplets spread light (.mtf, see smat-batch mtf): what scattering "
+                         "uses in place of an AtmosphereScatteringLUT among the atmospheres."));
+    table.push_back(number("environment.scatteringCoefficient", "--scattering-coefficient",
+                           "Scattering coefficient", "km-1", 0, 1e5, "0",
+                           "Scattering by droplets of one concentration along the path, for the "
+                           "haze of that database; 0 leaves it to the atmospheres. The "
+                           "transmittance is theirs in any case."));
+}
+
 void addSurroundings(std::vector<SettingInfo>& table) {
     const std::string scaleUnit = "W m-2 sr-1";
     table.push_back(text("environment.skybox", "--skybox", "Skybox", "", SettingKind::pathList,
@@ -269,6 +280,11 @@ void addRendering(std::vector<SettingInfo>& table) {
                          "false",
                          "Draws the sun as a disc of 0.53 degrees where nothing hides it; a "
                          "skybox should have no sun of its own then."));
+    table.push_back(
+        text("render.scattering", "--scattering", "Scattering", "", SettingKind::boolean, "false",
+             "Images show the haze that droplets scatter around objects. Needs an MTF "
+             "database, or an AtmosphereScatteringLUT among the atmospheres; works with "
+             "every antialiasing. Sums over objects stay those of direct light."));
     table.push_back(text("render.terrainHides", "--terrain-hides", "Terrain hides", "",
                          SettingKind::boolean, "true",
                          "Terrain hides what is behind it; else it is a picture behind all "
@@ -343,6 +359,7 @@ const std::vector<SettingInfo>& settingTable() {
         addViewAndTarget(made);
         addScalings(made);
         addEnvironment(made);
+        addScattering(made);
         addSurroundings(made);
         addRendering(made);
         addDisplay(made);

@@ -50,9 +50,9 @@ ImagingSensorSettings settingsOf(const ImagingSensorParameters& parameters) {
     set("environment.terrainSlope", parameters.terrainTextureRadianceSlope);
     set("environment.terrainOffset", parameters.terrainTextureColorOffset);
 
-    if (isOn(parameters.useAtmosphereScattering)) {
-        result.warnings.emplace_back("UseAtmosphereScattering is 1, but this version has no "
-                                     "aerosol scattering: frames are made without it");
+    if (parameters.useAtmosphereScattering) {
+        result.settings.set("render.scattering",
+                            isOn(parameters.useAtmosphereScattering) ? "true" : "false");
     }
     return result;
 }
@@ -72,7 +72,7 @@ ImagingSensorParameters imagingSensorParametersOf(const Settings& settings) {
     parameters.skyboxTextureColorOffset = settings.real("environment.skyboxOffset");
     parameters.terrainTextureRadianceSlope = settings.real("environment.terrainSlope");
     parameters.terrainTextureColorOffset = settings.real("environment.terrainOffset");
-    parameters.useAtmosphereScattering = 0.0;
+    parameters.useAtmosphereScattering = switchOf(settings.boolean("render.scattering"));
     return parameters;
 }
 

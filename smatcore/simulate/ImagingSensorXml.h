@@ -67,7 +67,6 @@ struct ImagingSensorSettings {
 
     Settings settings;
     std::vector<Needed> needed;
-    std::vector<std::string> warnings; ///< parameters that are on and have no effect
 };
 ImagingSensorSettings settingsOf(const ImagingSensorParameters& parameters);
 /// The settings in effect as parameters: all of them.

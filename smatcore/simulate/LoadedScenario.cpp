@@ -140,10 +140,8 @@ class Loader {
         const ImagingSensorSettings set = settingsOf(reading.parameters);
         needed_ = set.needed;
         loaded.settings = loaded.settings.with(set.settings);
-        for (const auto* sentences : {&reading.remarks, &set.warnings}) {
-            for (const std::string& sentence : *sentences) {
-                loaded.warnings.push_back(file.filename().string() + ": " + sentence);
-            }
+        for (const std::string& remark : reading.remarks) {
+            loaded.warnings.push_back(file.filename().string() + ": " + remark);
         }
     }
 

@@ -224,15 +224,17 @@ TEST(SmatBatchSimulate, AnImagingSensorFileSetsWhatItSays) {
           "<parameter name=\"UseAtmosphereScattering\"><double>1</double></parameter></data>");
     write(folder / "s.json", passing(R"({"name": "south", "position_m": [0, 0, 100],
                                          "imagingSensor": "i.xml"})"));
+    // Scattering without a database is no scattering: refused, not left out.
     const Ran ran = simulated(folder, {"--to", "0", "--json"});
-    ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    const auto sensor = nlohmann::json::parse(ran.out)["sensors"][0];
+    EXPECT_EQ(ran.exitCode, 2);
+    EXPECT_THAT(ran.err, HasSubstr("an AtmosphereScatteringLUT or an MTF database"));
+    const std::string database =
+        std::filesystem::path(SMAT_SOURCE_DIR) / "resources/scattering/droplets-100um-mwir.mtf";
+    const Ran with = simulated(folder, {"--to", "0", "--json", "--mtf", database});
+    ASSERT_EQ(with.exitCode, 0) << with.err;
+    const auto sensor = nlohmann::json::parse(with.out)["sensors"][0];
     EXPECT_EQ(sensor["settings"]["render.antialiasing"], "1");
-    EXPECT_THAT(sensor["warnings"][0].get<std::string>(), HasSubstr("UseAtmosphereScattering"));
-    // Said once before the first frame, however many frames there are.
-    const std::size_t first = ran.err.find("UseAtmosphereScattering");
-    ASSERT_NE(first, std::string::npos);
-    EXPECT_EQ(ran.err.rfind("UseAtmosphereScattering"), first);
+    EXPECT_EQ(sensor["settings"]["render.scattering"], "true");
 }
 
 TEST(SmatBatchSimulate, WidebandTermsAreTrainedOnceForEachSensor) {

@@ -155,7 +155,6 @@ TEST(ImagingSensorSettings, everyParameterSetsItsSetting) {
     EXPECT_TRUE(set.settings.paths("environment.terrain").empty());
     ASSERT_EQ(set.needed.size(), 1u);
     EXPECT_EQ(set.needed[0].setting, "environment.skybox");
-    EXPECT_TRUE(set.warnings.empty());
     EXPECT_TRUE(settingsOf({}).settings.values().empty());
 }
 
@@ -174,10 +173,14 @@ TEST(ImagingSensorSettings, asManyRowsAsAreNeededBecomeANumberOfTheFile) {
     EXPECT_EQ(parameters.isUniformBackground, 0.0);
 }
 
-TEST(ImagingSensorSettings, scatteringThatIsNotThereIsSaidPlainly) {
-    const ImagingSensorSettings set = settingsOf({.useAtmosphereScattering = 1});
-    ASSERT_EQ(set.warnings.size(), 1u);
-    EXPECT_THAT(set.warnings[0], HasSubstr("UseAtmosphereScattering"));
+TEST(ImagingSensorSettings, turnScatteringOnAndOff) {
+    EXPECT_TRUE(settingsOf({.useAtmosphereScattering = 1}).settings.boolean("render.scattering"));
+    const ImagingSensorSettings off = settingsOf({.useAtmosphereScattering = 0});
+    EXPECT_TRUE(off.settings.isSet("render.scattering"));
+    EXPECT_FALSE(off.settings.boolean("render.scattering"));
+    Settings settings;
+    settings.set("render.scattering", "true");
+    EXPECT_EQ(imagingSensorParametersOf(settings).useAtmosphereScattering, 1.0);
 }
 
 TEST(ImagingSensorSettings, comeBackFromTheSettings) {

@@ -245,9 +245,10 @@ TEST_F(ASimulation, everySensorHasItsOwnSettings) {
     EXPECT_EQ(loaded.sensors[0].scene.render.samplesPerAxis, 1);
     EXPECT_EQ(loaded.sensors[1].scene.render.samplesPerAxis, 2);
     EXPECT_TRUE(loaded.sensors[0].warnings.empty());
-    ASSERT_EQ(loaded.sensors[1].warnings.size(), 2u);
+    ASSERT_EQ(loaded.sensors[1].warnings.size(), 1u);
     EXPECT_THAT(loaded.sensors[1].warnings[0], HasSubstr("i.xml: line 1: Gain"));
-    EXPECT_THAT(loaded.sensors[1].warnings[1], HasSubstr("i.xml: UseAtmosphereScattering"));
+    EXPECT_FALSE(loaded.sensors[0].scene.render.scattering);
+    EXPECT_TRUE(loaded.sensors[1].scene.render.scattering);
     // The sensor's own word goes before that of its file.
     scenario.sensors[1].settings.set("render.antialiasing", 2);
     EXPECT_EQ(load().sensors[1].scene.render.samplesPerAxis, 4);

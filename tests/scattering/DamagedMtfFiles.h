@@ -1,13 +1,13 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "tests/scattering/MtfBytes.h"
 #include "tests/scattering/SmallDatabase.h"
 
 namespace irsg {
@@ -16,17 +16,6 @@ namespace irsg {
 struct DamagedMtf {
     std::string name, bytes, position;
 };
-
-inline void putDouble(std::string& bytes, std::size_t at, double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    for (std::size_t i = 0; i < 8; ++i)
-        bytes[at + i] = static_cast<char>(static_cast<unsigned char>(bits >> (8 * i)));
-}
-inline void putInt(std::string& bytes, std::size_t at, std::int32_t value) {
-    for (std::size_t i = 0; i < 4; ++i)
-        bytes[at + i] = static_cast<char>(
-            static_cast<unsigned char>(static_cast<std::uint32_t>(value) >> (8 * i)));
-}
 
 /// 40 bytes of header, 4 frequencies, then 2 curves of 40 bytes from bytes 72 and 112: 152 bytes.
 inline std::vector<DamagedMtf> damagedMtfFiles() {

@@ -1,0 +1,238 @@
+#include <chrono>
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/smat-batch/MtfCommand.h"
+#include "apps/smat-batch/NumberOptions.h"
+#include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/StopSignal.h"
+#include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/scattering/MtfBuild.h"
+#include "irsg/scattering/PhaseFunction.h"
+#include "smatcore/data/ResultTable.h"
+
+namespace smat::batch {
+
+namespace {
+
+irsg::InputError refusal(const char* option, std::string value, std::string expected) {
+    return irsg::InputError({option, "", std::move(value), std::move(expected)});
+}
+
+/// "1,2,3" or "1:2,3:4" as numbers.
+std::vector<std::vector<double>> lists(const char* option, const std::string& text,
+                                       const char* expected) {
+    std::vector<std::vector<double>> result;
+    std::istringstream entries(text);
+    for (std::string entry; std::getline(entries, entry, ',');) {
+        result.emplace_back();
+        std::istringstream parts(entry);
+        for (std::string part; std::getline(parts, part, ':');) {
+            const auto number = irsg::parseNumber(part);
+            if (!number)
+                throw refusal(option, text, expected);
+            result.back().push_back(*number);
+        }
+    }
+    return result;
+}
+
+/// `smat-batch mtf build --out FILE.mtf`.
+class MtfBuildCommand {
+  public:
+    explicit MtfBuildCommand(CLI::App& command) : numbers_(command) {
+        const auto word = [&](const char* option, std::string& text, const char* type,
+                              const char* help) {
+            command.add_option(option, text, help)->type_name(type);
+        };
+        word("--out", out_, "FILE", "The database, .mtf");
+        word("--table", table_, "FILE", "Its curves with their standard errors, .csv or .json");
+        word("--method", method_, "WORD", "small-angle (default) or monte-carlo");
+        word("--droplets", droplets_, "WORD",
+             "single (default), gamma, log-normal, advection-fog or radiation-fog; the fogs are "
+             "those of Shettle and Fenn 1979");
+        numbers_.add("--diameter", "um",
+                     "Of single droplets, or mode (gamma) or median (log-normal); 100 by default");
+        numbers_.add("--width", "X",
+                     "Of a gamma distribution (3 by default), or the geometric standard deviation "
+                     "of a log-normal one (1.5)");
+        numbers_.add("--wavelength", "um", "0.4 to 14, 4 by default; droplets are water");
+        word("--optical-depths", depths_, "LIST",
+             "Scattering optical depths, 0.25,0.5,1,2,3,4,6,8 by default");
+        word("--layers", layers_, "LIST",
+             "THICKNESS:CONCENTRATION of each layer from the sensor to the target, relative; one "
+             "by default");
+        numbers_.add("--fov", "deg",
+                     "Full angle that haze is meant for, beyond which it is cut; 60 by default");
+        numbers_.add("--frequencies", "N", "Points of a curve, 201 by default");
+        numbers_.add("--lowest-frequency", "1/rad", "Behind 0; 0.05 cycles per rad by default");
+        numbers_.add("--highest-frequency", "1/rad", "100000 cycles per rad by default");
+        numbers_.add("--photons", "N", "For each optical depth, 1000000 by default");
+        numbers_.add("--seed", "S", "Of the photons, 1 by default");
+    }
+
+    int run(const Context& context) const {
+        const irsg::MtfRecipe recipe = this->recipe();
+        recipe.check();
+        catchStopSignal();
+        const std::filesystem::path part = out_ + ".part";
+        const bool isLong = recipe.method == irsg::MtfRecipe::Method::monteCarlo;
+        std::optional<irsg::BuiltMtf> built;
+        try {
+            ProgressLine line;
+            const auto begun = std::chrono::steady_clock::now();
+            built = irsg::buildMtf(
+                recipe,
+                [&](double fraction) {
+                    const std::chrono::duration<double> elapsed =
+                        std::chrono::steady_clock::now() - begun;
+                    line.show({static_cast<std::size_t>(1000.0 * fraction), 1000, elapsed.count(),
+                               isLong ? "photons" : "droplets"});
+                    return !stopWasAsked();
+                },
+                isLong ? std::optional(part) : std::nullopt);
+        } catch (const irsg::Cancelled&) {
+            warn(isLong ? "stopped; the same command goes on from " + part.string()
+                        : std::string("stopped; nothing was written"));
+            return warned;
+        }
+        built->database.write(out_);
+        if (!table_.empty())
+            tableOf(*built, context).save(table_);
+        std::error_code ignored;
+        std::filesystem::remove(part, ignored);
+        tell(*built, context);
+        return done;
+    }
+
+  private:
+    void take(const char* option, double& number) const {
+        if (const auto given = numbers_.value(option))
+            number = *given;
+    }
+    template <typename Number>
+    void takeWhole(const char* option, Number& number) const {
+        const auto given = numbers_.value(option);
+        if (!given)
+            return;
+        if (!(*given >= 0.0 && *given <= 1e9 && *given == std::floor(*given)))
+            throw refusal(option, irsg::numberText(*given), "a whole number");
+        number = static_cast<Number>(*given);
+    }
+
+    irsg::SizeDistribution sizes() const {
+        using irsg::SizeDistribution;
+        if (droplets_ == "advection-fog" || droplets_ == "radiation-fog") {
+            for (const char* option : {"--diameter", "--width"})
+                if (const auto given = numbers_.value(option))
+                    throw refusal(option, irsg::numberText(*given),
+                                  "nothing: the fog has sizes of its own");
+            return droplets_ == "advection-fog" ? SizeDistribution::advectionFog()
+                                                : SizeDistribution::radiationFog();
+        }
+        SizeDistribution sizes;
+        if (droplets_ == "gamma")
+            sizes = {SizeDistribution::Kind::gamma, 50.0, 3.0};
+        else if (droplets_ == "log-normal")
+            sizes = {SizeDistribution::Kind::logNormal, 50.0, 1.5};
+        else if (droplets_ != "single")
+            throw refusal("--droplets", droplets_,
+                          "single, gamma, log-normal, advection-fog or radiation-fog");
+        double diameter_um = 2.0 * sizes.radius_um;
+        take("--diameter", diameter_um);
+        sizes.radius_um = 0.5 * diameter_um;
+        take("--width", sizes.width);
+        return sizes;
+    }
+
+    irsg::MtfRecipe recipe() const {
+        numbers_.check();
+        if (out_.empty() || std::filesystem::path(out_).extension() != ".mtf")
+            throw refusal("--out", out_.empty() ? "nothing" : out_, "a file that ends in .mtf");
+        if (const std::string kind = std::filesystem::path(table_).extension().string();
+            !table_.empty() && kind != ".csv" && kind != ".json")
+            throw refusal("--table", table_, "a file of one of .csv, .json");
+        irsg::MtfRecipe recipe;
+        if (method_ == "monte-carlo")
+            recipe.method = irsg::MtfRecipe::Method::monteCarlo;
+        else if (method_ != "small-angle")
+            throw refusal("--method", method_, "small-angle or monte-carlo");
+        recipe.sizes = sizes();
+        take("--wavelength", recipe.wavelength_um);
+        if (!depths_.empty()) {
+            recipe.opticalDepths.clear();
+            for (const auto& entry : lists("--optical-depths", depths_, "numbers, as 0.5,1,2"))
+                recipe.opticalDepths.insert(recipe.opticalDepths.end(), entry.begin(), entry.end());
+        }
+        if (!layers_.empty()) {
+            const char* expected = "THICKNESS:CONCENTRATION of each layer, as 1:2,3:0";
+            recipe.layers.clear();
+            for (const auto& entry : lists("--layers", layers_, expected)) {
+                if (entry.size() != 2)
+                    throw refusal("--layers", layers_, expected);
+                recipe.layers.push_back({entry[0], entry[1]});
+            }
+        }
+        double fov_deg = 60.0;
+        take("--fov", fov_deg);
+        recipe.fieldOfView_rad = irsg::radians(fov_deg);
+        takeWhole("--frequencies", recipe.frequencies);
+        take("--lowest-frequency", recipe.lowestFrequency_per_rad);
+        take("--highest-frequency", recipe.highestFrequency_per_rad);
+        takeWhole("--photons", recipe.photons);
+        takeWhole("--seed", recipe.seed);
+        return recipe;
+    }
+
+    static ResultTable tableOf(const irsg::BuiltMtf& built, const Context& context) {
+        ResultTable table;
+        table.provenance.add("program", "smat-batch " + programVersion());
+        table.provenance.add("command", context.commandLine);
+        const irsg::MtfDatabase& database = built.database;
+        table.add("frequency", "rad-1").values = database.frequencies_per_rad();
+        for (std::size_t m = 0; m < database.opticalDepths().size(); ++m) {
+            const std::string depth = irsg::numberText(database.opticalDepths()[m]);
+            table.add("mtf_" + depth, "").values = database.values(m);
+            if (!built.standardErrors.empty())
+                table.add("error_mtf_" + depth, "").values = built.standardErrors[m];
+        }
+        return table;
+    }
+
+    void tell(const irsg::BuiltMtf& built, const Context& context) const {
+        if (context.json) {
+            fmt::print("{}\n", nlohmann::ordered_json{{"file", out_},
+                                                      {"lines", built.database.description()},
+                                                      {"albedo", built.albedo},
+                                                      {"asymmetry", built.asymmetry},
+                                                      {"forward_share", built.forwardShare}}
+                                   .dump(1));
+            return;
+        }
+        fmt::print("{}\n", out_);
+        for (const std::string& line : built.database.description())
+            fmt::print("  {}\n", line);
+        fmt::print("  droplets: albedo {:.4g}, asymmetry {:.4g}, scattered forward {:.4g}\n",
+                   built.albedo, built.asymmetry, built.forwardShare);
+    }
+
+    NumberOptions numbers_;
+    std::string out_, table_, method_ = "small-angle", droplets_ = "single", depths_, layers_;
+};
+
+} // namespace
+
+void addMtfBuildCommand(CLI::App& mtf, Context& context) {
+    CLI::App* command = mtf.add_subcommand(
+        "build", "Makes a database: Mie theory with the small-angle theory or traced photons");
+    auto shared = std::make_shared<MtfBuildCommand>(*command);
+    command->callback(
+        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+}
+
+} // namespace smat::batch

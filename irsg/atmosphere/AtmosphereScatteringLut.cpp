@@ -1,0 +1,80 @@
+#include "irsg/atmosphere/AtmosphereScatteringLut.h"
+
+#include <cmath>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr const char* databaseName = "MTFDatabase";
+constexpr const char* coefficientName = "ScatteringCoefficient";
+constexpr double perKilometre = 1e-3;
+
+} // namespace
+
+AtmosphereScatteringLut::AtmosphereScatteringLut(std::filesystem::path database,
+                                                 double coefficient_per_m)
+    : database_(std::move(database)), coefficient_per_m_(coefficient_per_m) {
+    if (!(coefficient_per_m >= 0.0) || !std::isfinite(coefficient_per_m))
+        throw InputError({database_.string(), "scattering coefficient",
+                          numberText(coefficient_per_m) + " m-1", "a finite number of at least 0"});
+}
+
+AtmosphereScatteringLut AtmosphereScatteringLut::fromKarma(const KarmaXml& document) {
+    std::vector<Offence> offences;
+    const KarmaParameter* database = document.find(databaseName);
+    const KarmaParameter* coefficient = document.find(coefficientName);
+    if (!database)
+        offences.push_back(
+            document.offence(databaseName, "nothing", "the path of an MTF database"));
+    else if (database->kind != KarmaKind::string)
+        offences.push_back(document.offence(*database,
+                                            std::string("a ") + irsg::name(database->kind),
+                                            "a string, the path of an MTF database"));
+    if (coefficient &&
+        (coefficient->kind != KarmaKind::number || !(coefficient->numbers.front() >= 0.0)))
+        offences.push_back(document.offence(*coefficient,
+                                            coefficient->kind == KarmaKind::number
+                                                ? numberText(coefficient->numbers.front())
+                                                : std::string("a ") + irsg::name(coefficient->kind),
+                                            "a double of at least 0 km-1"));
+    if (!offences.empty())
+        throw InputError(std::move(offences));
+    return AtmosphereScatteringLut(resolveKarmaPath(database->text, document.file(),
+                                                    document.offence(*database, "", "").position),
+                                   coefficient ? perKilometre * coefficient->numbers.front() : 0.0);
+}
+
+std::string AtmosphereScatteringLut::name() const {
+    return "AtmosphereScatteringLUT (" + database_.filename().string() + ")";
+}
+
+bool AtmosphereScatteringLut::supports(AtmosphereProperty property) const {
+    return property == AtmosphereProperty::scatteringOpticalDepth && coefficient_per_m_ > 0.0;
+}
+
+AirDescription AtmosphereScatteringLut::describe() const {
+    const std::string depth =
+        coefficient_per_m_ > 0.0
+            ? "scattering coefficient " + general(coefficient_per_m_ / perKilometre) + " km-1"
+            : "scattering optical depth from the other atmospheres";
+    return {{"MTF database " + database_.string(), depth},
+            {{"mtf_database", {database_.string()}},
+             {"scattering_coefficient_per_km", {coefficient_per_m_ / perKilometre}}}};
+}
+
+Spectrum AtmosphereScatteringLut::nativeSpectrum(const AirQuestion& question,
+                                                 const SpectralRange&) const {
+    return Spectrum::constant(coefficient_per_m_ * question.path.range_m);
+}
+
+const AtmosphereScatteringLut* scatteringLutOf(const Environment& environment) {
+    for (const auto& atmosphere : environment.atmospheres())
+        if (const auto* lut = dynamic_cast<const AtmosphereScatteringLut*>(atmosphere.get()))
+            return lut;
+    return nullptr;
+}
+
+} // namespace irsg

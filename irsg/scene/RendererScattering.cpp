@@ -1,0 +1,112 @@
+#include <cmath>
+#include <sstream>
+
+#include <osg/RenderInfo>
+
+#include "irsg/atmosphere/AtmosphereScatteringLut.h"
+#include "irsg/radiometry/NewLines.h"
+#include "irsg/scene/RendererParts.h"
+#include "irsg/scene/radiance/ScatteringDepth.h"
+
+namespace irsg {
+
+namespace {
+
+std::string text(double value) {
+    std::ostringstream out;
+    out.precision(9);
+    out << value;
+    return out.str();
+}
+
+/// What one kind of surface sends, of factors that begin with the coverage.
+template <typename Real>
+double sentBy(const KindRadiance& kind, std::span<const Real> numbers) {
+    double sum = kind.constant * static_cast<double>(numbers[0]);
+    for (std::size_t f = 0; f < kind.perFactor.size(); ++f)
+        sum += kind.perFactor[f] * static_cast<double>(numbers[1 + f]);
+    return sum;
+}
+
+} // namespace
+
+std::vector<ScatteredObject> Renderer::Parts::objectsToScatter(const Frame& frame,
+                                                               std::vector<std::string>& warnings) {
+    std::vector<ScatteredObject> objects;
+    for (std::size_t e = 0; e < frame.scene.entities.size(); ++e) {
+        const PathScattering path =
+            scatteringAlong(air, frame.geometry[e].path, frame.bands.front());
+        const std::string& name = frame.scene.entities[e].name;
+        objects.push_back({name, path.opticalDepth, {}});
+        if (path.fromTransmittance)
+            addNew(warnings, {"scattering: no atmosphere has a scattering optical depth, so that "
+                              "eq. 10 takes it from the transmittance of " +
+                              path.answeredBy + ": absorption by gases blurs as if it scattered"});
+        else if (path.opticalDepth == 0.0)
+            addNew(warnings, {"scattering: nothing scatters on the path to '" + name + "', as " +
+                              path.answeredBy + " says: it has no haze"});
+    }
+    return objects;
+}
+
+void Renderer::Parts::scatter(const Frame& frame, RadianceImage& image,
+                              std::vector<std::string>& warnings) {
+    std::vector<ScatteredObject> objects = objectsToScatter(frame, warnings);
+    // What every pixel shows of each object, from the windows of the sampling. The published zoom
+    // resamples what it draws, so that its objects are drawn on the pixels' own grid here.
+    FactorSums sums(frame.view.sensor, frame.surfaceRows(), fronts, terms.factorCount());
+    FactorField<float> field = sums.emptyPixels();
+    drawFactorWindows(frame, frame.drawn, frame.surfaceRows().isSliced(), "factors of pixels",
+                      [&](const SampleWindow& window, const FactorSamples& samples) {
+                          sums.addToPixels(window, samples, field);
+                      });
+    timed("scattering", [&] {
+        KindRadiances& radiances = frame.evaluated->radiances;
+        const SurfaceRows& rows = frame.surfaceRows();
+        const auto objectOf = [&](const FactorKind& kind) -> ScatteredObject& {
+            const auto drawn = static_cast<std::size_t>(rows.drawnOf(kind.row));
+            return objects[static_cast<std::size_t>(rows.keys()[drawn].first)];
+        };
+        radiances.prepare(field.kinds());
+        const int width = frame.view.sensor.width_px;
+        for (std::size_t cell = 0; cell < field.cells(); ++cell) {
+            const int x = static_cast<int>(cell) % width, y = static_cast<int>(cell) / width;
+            field.forEach(cell, [&](std::size_t number, std::span<const float> numbers) {
+                const FactorKind& kind = field.kinds()[number];
+                const KindRadiance radiance = radiances.of(kind);
+                std::vector<ScatteredObject::Pixel>& pixels = objectOf(kind).pixels;
+                if (pixels.empty() || pixels.back().x != x || pixels.back().y != y)
+                    pixels.push_back({x, y, 0.0, 0.0});
+                pixels.back().radiance_W_m2_sr += sentBy(radiance, numbers);
+                pixels.back().opacity += radiance.opacity * static_cast<double>(numbers[0]);
+            });
+        }
+        for (const ZoomEntityInfo& object : frame.points) {
+            const PointPlace place = placeOf(frame, object);
+            const double scale = 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr);
+            ScatteredObject::Pixel pixel{place.x, place.y, 0.0, 0.0};
+            const FactorField<double>& factors = pointFactors(frame, object);
+            factors.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
+                const FactorKind& own = factors.kinds()[number];
+                const FactorKind kind{own.front, rows.first(own.row)};
+                radiances.prepare({kind});
+                const KindRadiance radiance = radiances.of(kind);
+                pixel.radiance_W_m2_sr += scale * sentBy(radiance, numbers);
+                pixel.opacity += scale * radiance.opacity * numbers[0];
+            });
+            objects[static_cast<std::size_t>(object.entity)].pixels.push_back(pixel);
+        }
+        const auto& database = scatteringLutOf(frame.scene.environment)->database();
+        for (const ScatteredLight& light :
+             scattering.addHaze(database, frame.view.sensor, frame.backgrounds.front(), objects,
+                                image, warnings)) {
+            const std::string key = "scattering." + light.name + ".";
+            image.attributes[key + "optical_depth"] = text(light.opticalDepth);
+            image.attributes[key + "gain"] = text(light.gain);
+            image.attributes[key + "cut"] = text(light.cut);
+        }
+        image.attributes["scattering.database"] = database.string();
+    });
+}
+
+} // namespace irsg

@@ -1,0 +1,212 @@
+#include "irsg/scene/scattering/SceneScattering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <list>
+#include <optional>
+#include <system_error>
+
+#include "irsg/radiometry/NewLines.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/scattering/MtfFilter.h"
+
+namespace irsg {
+
+namespace {
+
+/// Filters that are kept, so that the objects of a scene can take turns.
+constexpr std::size_t mostFilters = 16;
+/// Half the field that haze is cut at where a database states none, rad.
+constexpr double halfFieldUnstated_rad = 0.5;
+/// The taper begins here, as a part of its end.
+constexpr double taperBegin = 0.75;
+
+/// The pixels of an object that are not 0, as planes of what is to be filtered.
+struct Planes {
+    HazeWindow window;
+    std::vector<float> contrast, coverage;
+};
+
+Planes planesOf(const ScatteredObject& object, double centre_W_m2_sr) {
+    int left = std::numeric_limits<int>::max(), top = left, right = -1, bottom = -1;
+    for (const ScatteredObject::Pixel& pixel : object.pixels) {
+        left = std::min(left, pixel.x);
+        right = std::max(right, pixel.x);
+        top = std::min(top, pixel.y);
+        bottom = std::max(bottom, pixel.y);
+    }
+    Planes planes;
+    if (right < 0)
+        return planes;
+    planes.window = {left, top, right - left + 1, bottom - top + 1};
+    planes.contrast.assign(planes.window.size(), 0.0f);
+    planes.coverage.assign(planes.window.size(), 0.0f);
+    for (const ScatteredObject::Pixel& pixel : object.pixels) {
+        const std::size_t i = static_cast<std::size_t>(pixel.y - top) *
+                                  static_cast<std::size_t>(planes.window.width) +
+                              static_cast<std::size_t>(pixel.x - left);
+        planes.contrast[i] =
+            static_cast<float>(pixel.radiance_W_m2_sr - pixel.opacity * centre_W_m2_sr);
+        planes.coverage[i] = static_cast<float>(pixel.opacity);
+    }
+    return planes;
+}
+
+/// What of a database does not fit a sensor.
+std::vector<std::string> misfits(const std::filesystem::path& file, const MtfDatabase& database,
+                                 const Sensor& sensor, double half_rad) {
+    std::vector<std::string> sentences;
+    const std::string name = file.filename().string();
+    if (taperBegin * half_rad < 0.5 * sensor.horizontalFieldOfView_rad)
+        sentences.push_back("scattering: the field of view of " + name + ", " +
+                            numberText(std::round(10.0 * degrees(2.0 * half_rad)) / 10.0) +
+                            " deg, is too small for that of the sensor: haze ends inside the "
+                            "frame");
+    const double wavelength_um = database.header().wavelength_um();
+    const SpectralRange range = sensor.band.range();
+    if (wavelength_um > 0.0 && (wavelength_um < range.min_um || wavelength_um > range.max_um))
+        sentences.push_back("scattering: " + name + " is for " +
+                            numberText(std::round(1000.0 * wavelength_um) / 1000.0) +
+                            " um, outside the band " + numberText(range.min_um) + " to " +
+                            numberText(range.max_um) + " um");
+    return sentences;
+}
+
+/// Adds F - 1 of one object to sums over the frame.
+void addObject(const ScatteredObject& object, double direct, const FrameBackground& background,
+               MtfFilter& filter, const RadianceImage& frame, std::vector<double>& sums) {
+    const Planes planes = planesOf(object, background.centre_W_m2_sr());
+    if (planes.window.isEmpty())
+        return;
+    const HazeWindow to =
+        planes.window.grown(filter.haze().support_px(), frame.width(), frame.height());
+    std::vector<float> haze(to.size(), 0.0f);
+    filter.addHaze(planes.window, planes.contrast, to, haze);
+    std::vector<float> hidden(background.isUniform() ? 0 : to.size(), 0.0f);
+    if (!hidden.empty())
+        filter.addHaze(planes.window, planes.coverage, to, hidden);
+    std::size_t i = 0;
+    for (int y = to.y; y < to.y + to.height; ++y)
+        for (int x = to.x; x < to.x + to.width; ++x, ++i) {
+            const double over = background.at(x, y) - background.centre_W_m2_sr();
+            sums[frame.offset(x, y)] +=
+                static_cast<double>(haze[i]) -
+                (hidden.empty() ? 0.0 : over * static_cast<double>(hidden[i]));
+        }
+    // What the database calls direct at its highest frequency may differ from 1.
+    for (const ScatteredObject::Pixel& pixel : object.pixels)
+        sums[frame.offset(pixel.x, pixel.y)] +=
+            (direct - 1.0) *
+            (pixel.radiance_W_m2_sr - pixel.opacity * background.at(pixel.x, pixel.y));
+}
+
+} // namespace
+
+struct SceneScattering::Parts {
+    /// A database with what tells whether its file is still the same.
+    struct Loaded {
+        std::filesystem::path file;
+        std::filesystem::file_time_type written;
+        std::uintmax_t size;
+        MtfDatabase database;
+    };
+    struct Filter {
+        double opticalDepth, pitch_rad;
+        int support_px;
+        double gain, direct;
+        MtfFilter filter;
+    };
+
+    const MtfDatabase& load(const std::filesystem::path& file) {
+        std::error_code unknown;
+        const auto written = std::filesystem::last_write_time(file, unknown);
+        const auto size = std::filesystem::file_size(file, unknown);
+        if (!loaded || loaded->file != file || loaded->written != written || loaded->size != size) {
+            filters.clear();
+            loaded.reset();
+            loaded.emplace(Loaded{file, written, size, MtfDatabase::read(file)});
+        }
+        return loaded->database;
+    }
+
+    Filter& filterOf(const MtfDatabase& database, double opticalDepth, const std::string& name,
+                     double pitch_rad, int support_px) {
+        const auto known = std::ranges::find_if(filters, [&](const Filter& kept) {
+            return kept.opticalDepth == opticalDepth && kept.pitch_rad == pitch_rad &&
+                   kept.support_px == support_px;
+        });
+        if (known != filters.end()) {
+            filters.splice(filters.begin(), filters, known);
+            return filters.front();
+        }
+        const MtfCurve curve = database.at(opticalDepth, "the path to '" + name + "'");
+        filters.push_front({opticalDepth, pitch_rad, support_px, curve.gain(), curve.direct(),
+                            MtfFilter(std::make_shared<const PixelHaze>(HazeFunction(curve),
+                                                                        pitch_rad, support_px))});
+        if (filters.size() > mostFilters)
+            filters.pop_back();
+        return filters.front();
+    }
+
+    std::optional<Loaded> loaded;
+    std::list<Filter> filters; // latest first
+};
+
+bool isScatteringBuilt() {
+    return true;
+}
+
+std::string whyNoScattering() {
+    return "";
+}
+
+std::vector<std::string> describeMtf(const std::filesystem::path& database) {
+    const MtfDatabase read = MtfDatabase::read(database);
+    std::vector<std::string> lines = read.description();
+    for (const std::string& remark : read.remarks())
+        lines.push_back("note: " + remark);
+    return lines;
+}
+
+SceneScattering::SceneScattering() : parts_(std::make_unique<Parts>()) {}
+SceneScattering::~SceneScattering() = default;
+
+void SceneScattering::check(const std::filesystem::path& database) {
+    parts_->load(database);
+}
+
+std::vector<ScatteredLight> SceneScattering::addHaze(const std::filesystem::path& file,
+                                                     const Sensor& sensor,
+                                                     const FrameBackground& background,
+                                                     const std::vector<ScatteredObject>& objects,
+                                                     RadianceImage& image,
+                                                     std::vector<std::string>& warnings) {
+    const MtfDatabase& database = parts_->load(file);
+    const double pitch_rad = sensor.pixelPitch();
+    const double stated_rad = database.header().fieldOfView_rad;
+    const double half_rad = stated_rad > 0.0 ? 0.5 * stated_rad : halfFieldUnstated_rad;
+    const double farthest_px = std::hypot(sensor.width_px, sensor.height_px) / taperBegin;
+    const int support_px =
+        std::max(1, static_cast<int>(std::ceil(std::min(half_rad / pitch_rad, farthest_px))));
+    addNew(warnings, misfits(file, database, sensor, half_rad));
+
+    std::vector<ScatteredLight> told;
+    std::vector<double> sums(image.primary().values.size(), 0.0);
+    for (const ScatteredObject& object : objects) {
+        if (object.pixels.empty())
+            continue;
+        Parts::Filter& filter =
+            parts_->filterOf(database, object.opticalDepth, object.name, pitch_rad, support_px);
+        told.push_back({object.name, object.opticalDepth, filter.gain,
+                        filter.filter.haze().cut() / filter.gain, static_cast<double>(support_px)});
+        if (object.opticalDepth > 0.0)
+            addObject(object, filter.direct, background, filter.filter, image, sums);
+    }
+    std::vector<float>& pixels = image.primary().values;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        pixels[i] = static_cast<float>(static_cast<double>(pixels[i]) + sums[i]);
+    return told;
+}
+
+} // namespace irsg

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "irsg/image/RadianceImage.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/view/FrameBackground.h"
+#include "irsg/scene/view/Sensor.h"
+
+namespace irsg {
+
+/// True where this build has the floor irsg/scattering.
+bool isScatteringBuilt();
+/// Why it has not: "this build has no irsg/scattering (...)"; empty where it has.
+std::string whyNoScattering();
+
+/// Header and axes of an MTF database in lines for a reader, with what looks odd behind them as
+/// "note: ...". Throws InputError for a file that is none, and where there is no irsg/scattering.
+std::vector<std::string> describeMtf(const std::filesystem::path& database);
+
+/// What a frame shows of one object, and how its light is spread.
+struct ScatteredObject {
+    struct Pixel {
+        int x, y;
+        double radiance_W_m2_sr, opacity; ///< premultiplied, through the air
+    };
+    std::string name;
+    double opticalDepth = 0.0; ///< scattering, in the band
+    std::vector<Pixel> pixels; ///< each at most once
+};
+
+/// What became of the light of an object that the frame shows.
+struct ScatteredLight {
+    std::string name;
+    double opticalDepth = 0.0;
+    double gain = 1.0;       ///< MTF(0), of the whole light over the direct light
+    double cut = 0.0;        ///< part of the gain beyond the taper
+    double support_px = 0.0; ///< where the taper ends
+};
+
+/// Haze around objects in finished pictures. With A the light of an object as it arrives (that of
+/// the path before it included), c its coverage, F the filter of its MTF and L the background:
+///   picture = L + F{A - c L0} - (L - L0) F{c},
+/// L0 the background at the field's centre. That is F{A} + (1 - F{c}) L, but differences are taken
+/// before they are filtered, so that what shines like its background stays invisible. Neither F{c}
+/// nor a pixel is clamped. Keeps databases and filters between calls.
+class SceneScattering {
+  public:
+    SceneScattering();
+    ~SceneScattering();
+    SceneScattering(const SceneScattering&) = delete;
+    SceneScattering& operator=(const SceneScattering&) = delete;
+
+    /// Throws InputError for a file that is no MTF database.
+    void check(const std::filesystem::path& database);
+    /// Adds F - 1 of every object to the primary plane of a picture that is composed without haze.
+    /// Haze of more than the database's field of view is cut by a taper, and so is what would be
+    /// farther away than any pixel of the frame. Warnings are added, each once. Throws InputError
+    /// for an optical depth that the database does not reach.
+    std::vector<ScatteredLight> addHaze(const std::filesystem::path& database, const Sensor& sensor,
+                                        const FrameBackground& background,
+                                        const std::vector<ScatteredObject>& objects,
+                                        RadianceImage& image, std::vector<std::string>& warnings);
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace irsg

@@ -1,0 +1,135 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "irsg/image/ImageFile.h"
+#include "smatcore/data/ResultTable.h"
+#include "tests/cli/Program.h"
+#include "tests/scattering/DamagedMtfFiles.h"
+#include "tests/support/TemporaryFolder.h"
+
+namespace smat::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::filesystem::path shipped =
+    std::filesystem::path(SMAT_SOURCE_DIR) / "resources/scattering";
+
+class SmatBatchMtf : public testing::Test {
+  protected:
+    TemporaryFolder folder;
+};
+
+TEST_F(SmatBatchMtf, InfoShowsTheHeaderOfEveryShippedDatabase) {
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(shipped)) {
+        if (entry.path().extension() != ".mtf")
+            continue;
+        ++files;
+        const Ran ran = smatBatch({"mtf", "info", entry.path()});
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        EXPECT_THAT(ran.out, HasSubstr("field of view: 60 deg"));
+        EXPECT_THAT(ran.out, HasSubstr("optical depths: 8 from 0.25 to 8"));
+        EXPECT_EQ(ran.out.find("note:"), std::string::npos) << ran.out;
+    }
+    EXPECT_GE(files, 6);
+}
+
+TEST_F(SmatBatchMtf, InfoRefusesDamagedFilesByNameAndByte) {
+    const auto damaged = irsg::damagedMtfFiles();
+    ASSERT_GE(damaged.size(), 30u);
+    for (std::size_t i = 0; i < damaged.size(); ++i) {
+        SCOPED_TRACE(damaged[i].name);
+        const std::filesystem::path file = folder / ("damaged-" + std::to_string(i) + ".mtf");
+        write(file, damaged[i].bytes);
+        const Ran ran = smatBatch({"mtf", "info", file});
+        EXPECT_EQ(ran.exitCode, 2);
+        EXPECT_THAT(ran.err, StartsWith("error: " + file.string()));
+        EXPECT_THAT(ran.err, HasSubstr(damaged[i].position));
+        EXPECT_THAT(ran.err, HasSubstr("expected"));
+    }
+    EXPECT_EQ(smatBatch({"mtf", "info", folder / "none.mtf"}).exitCode, 2);
+    EXPECT_EQ(smatBatch({"mtf", "info", folder.path()}).exitCode, 2);
+}
+
+TEST_F(SmatBatchMtf, BuildMakesWhatInfoReads) {
+    const Ran built = smatBatch({"mtf", "build", "--out", "a.mtf", "--diameter", "10",
+                                 "--wavelength", "10", "--optical-depths", "0.5,2", "--layers",
+                                 "1:0,2:3", "--frequencies", "41", "--table", "a.csv"},
+                                folder.path());
+    EXPECT_EQ(built.exitCode, 0) << built.err;
+    EXPECT_THAT(built.out, HasSubstr("particle diameter: 10 um"));
+    EXPECT_EQ(smatBatch({"mtf", "info", "a.mtf"}, folder.path()).exitCode, 0);
+    const ResultTable table = ResultTable::load(folder / "a.csv");
+    EXPECT_EQ(table.rowCount(), 41u);
+    EXPECT_NE(table.find("mtf_0.5"), nullptr);
+}
+
+TEST_F(SmatBatchMtf, BuildIsInterruptedAndResumedToTheSameFile) {
+    const std::vector<std::string> words{
+        "mtf",          "build", "--method",         "monte-carlo", "--diameter",    "10",
+        "--wavelength", "10",    "--optical-depths", "0.5,2",       "--frequencies", "31",
+        "--photons",    "400000"};
+    auto whole = words, cut = words;
+    whole.insert(whole.end(), {"--out", "whole.mtf", "--table", "whole.csv"});
+    cut.insert(cut.end(), {"--out", "cut.mtf"});
+    EXPECT_EQ(smatBatch(whole, folder.path()).exitCode, 0);
+    const ResultTable table = ResultTable::load(folder / "whole.csv");
+    EXPECT_NE(table.find("error_mtf_2"), nullptr);
+    write(folder / "cut.mtf.part", "another recipe\n");
+    EXPECT_EQ(smatBatch(cut, folder.path()).exitCode, 0);
+    EXPECT_EQ(contentOf(folder / "cut.mtf"), contentOf(folder / "whole.mtf"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "cut.mtf.part"));
+}
+
+TEST_F(SmatBatchMtf, BuildRefusesWhatCannotBe) {
+    const std::vector<std::vector<std::string>> wrong{
+        {"--out", "a.txt"},
+        {},
+        {"--out", "a.mtf", "--wavelength", "20"},
+        {"--out", "a.mtf", "--diameter", "-1"},
+        {"--out", "a.mtf", "--droplets", "snow"},
+        {"--out", "a.mtf", "--droplets", "advection-fog", "--diameter", "3"},
+        {"--out", "a.mtf", "--optical-depths", "2,1"},
+        {"--out", "a.mtf", "--optical-depths", "2,x"},
+        {"--out", "a.mtf", "--layers", "1"},
+        {"--out", "a.mtf", "--layers", "1:0"},
+        {"--out", "a.mtf", "--photons", "0.5"},
+        {"--out", "a.mtf", "--method", "magic"},
+        {"--out", "a.mtf", "--fov", "200"},
+        {"--out", "nowhere/a.mtf", "--diameter", "1"}};
+    for (std::vector<std::string> words : wrong) {
+        words.insert(words.begin(), {"mtf", "build"});
+        const Ran ran = smatBatch(words, folder.path());
+        EXPECT_EQ(ran.exitCode, 2) << words.back();
+        EXPECT_THAT(ran.err, HasSubstr("expected"));
+    }
+}
+
+TEST_F(SmatBatchMtf, AnImageHasTheHazeThatIsAskedFor) {
+    const std::string project = sample("chessboard/chessboard.smat");
+    const std::vector<std::string> words{"image",    project, "--width", "64",
+                                         "--height", "48",    "--out",   "clear.exr"};
+    EXPECT_EQ(smatBatch(words, folder.path()).exitCode, 0);
+    auto hazy = words;
+    hazy.back() = "hazy.exr";
+    hazy.insert(hazy.end(), {"--scattering", "--mtf", shipped / "advection-fog-mwir.mtf",
+                             "--scattering-coefficient", "20"});
+    const Ran ran = smatBatch(hazy, folder.path());
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_NE(contentOf(folder / "clear.exr"), contentOf(folder / "hazy.exr"));
+    const irsg::RadianceImage image = irsg::readImageFile(folder / "hazy.exr");
+    EXPECT_NEAR(std::stod(image.attributes.at("scattering.chessboard.optical_depth")), 1.2, 0.01);
+
+    // Without a database scattering is refused, not left out.
+    auto without = words;
+    without.insert(without.end(), {"--scattering"});
+    const Ran refused = smatBatch(without, folder.path());
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_THAT(refused.err, HasSubstr("an AtmosphereScatteringLUT or an MTF database"));
+}
+
+} // namespace
+} // namespace smat::test
