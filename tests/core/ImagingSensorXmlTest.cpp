@@ -194,6 +194,7 @@ TEST(ImagingSensorSettings, comeBackFromTheSettings) {
                                     {"environment.terrainSlope", "0.75"},
                                     {"environment.terrainOffset", "0.25"},
                                     {"environment.skybox", "none"},
+                                    {"render.scattering", "true"},
                                     {"environment.terrain", ""}}) {
         settings.set(key, text);
     }

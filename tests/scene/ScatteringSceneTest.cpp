@@ -9,6 +9,7 @@
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "tests/scattering/MtfBytes.h"
@@ -25,8 +26,9 @@ const IrCodes one{1, 1};
 
 /// exp(tau q(f)), q falling from 0.9 to 0 about a width, for a field of view.
 std::filesystem::path databaseFile(double fieldOfView_rad, double width_per_rad = 200.0) {
-    const auto file = std::filesystem::temp_directory_path() /
-                      ("haze-" + std::to_string(fieldOfView_rad) + ".mtf");
+    const auto file =
+        std::filesystem::temp_directory_path() /
+        ("haze-" + std::to_string(fieldOfView_rad) + "-" + std::to_string(width_per_rad) + ".mtf");
     std::vector<double> frequencies{0.0};
     for (int i = 0; i < 120; ++i)
         frequencies.push_back(1e-2 * width_per_rad * std::pow(1e4, i / 119.0));
@@ -115,14 +117,23 @@ double number(const RadianceImage& image, const std::string& key) {
 } // namespace
 
 TEST_F(ScatteringScene, LeavesAnObjectInvisibleThatShinesAsItsBackground) {
-    for (const double coefficient_per_m : {0.001, 0.02, 0.06}) {
-        const Environment air =
-            with(isothermal(300.0, 0.005), databaseFile(0.02), coefficient_per_m);
-        const RenderedImage seen = sphere(300.0, air, {}).render();
-        const auto [least, most] = std::ranges::minmax(seen.image.primary().values);
-        EXPECT_GT(number(seen.image, "scattering.mesh.gain"), 1.05);
-        EXPECT_LE((most - least) / most, 1e-5f) << coefficient_per_m;
-    }
+    // Half of its light and that of the air before it are exactly what lies behind.
+    ConstantAir air;
+    air.transmittanceValue = 0.5;
+    air.pathRadianceValue = 0.25;
+    RenderSettings settings = scattering();
+    settings.background = BackgroundMode::constant;
+    settings.background_W_m2_sr =
+        0.5 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 300.0) + 0.25 * 2.0;
+    for (const double coefficient_per_m : {0.001, 0.005, 0.02, 0.04, 0.06})
+        for (const double width_per_rad : {20.0, 200.0}) {
+            const Environment hazy =
+                with(environmentOf(air), databaseFile(0.05, width_per_rad), coefficient_per_m);
+            const RenderedImage seen = sphere(300.0, hazy, {}, settings).render();
+            const auto [least, most] = std::ranges::minmax(seen.image.primary().values);
+            EXPECT_GT(number(seen.image, "scattering.mesh.gain"), 1.05);
+            EXPECT_LE((most - least) / most, 1e-5f) << coefficient_per_m;
+        }
 }
 
 TEST_F(ScatteringScene, GivesItsLightTheGainOfTheMtfLessTheReportedCut) {
@@ -153,7 +164,7 @@ TEST_F(ScatteringScene, ReachesPointSourcesToo) {
 }
 
 TEST_F(ScatteringScene, IsTheSameHazeWithEveryAntialiasing) {
-    const Environment air = with(darkness(), databaseFile(0.05), 0.02);
+    const Environment air = with(darkness(), databaseFile(0.2, 20.0), 0.02);
     const View view{.width_px = 64, .height_px = 64};
     const RadianceImage aligned = sphere(400.0, air, view).render().image;
     RenderSettings settings = scattering();
@@ -192,7 +203,7 @@ TEST_F(ScatteringScene, FollowsAnUnevenBackground) {
     // Haze hides what is behind it by its own coverage: an isothermal scene seen over the horizon.
     RenderSettings settings = scattering();
     settings.backgroundRows = 8;
-    const Environment air = with(isothermal(300.0, 0.005), databaseFile(0.02), 0.02);
+    const Environment air = with(isothermal(300.0, 0.005), databaseFile(0.02), 0.005);
     const RadianceImage seen = sphere(300.0, air, {.elevation_rad = 0.01}, settings).render().image;
     const auto [least, most] = std::ranges::minmax(seen.primary().values);
     EXPECT_LE((most - least) / most, 1e-5f);
