@@ -6,7 +6,7 @@ namespace smat::batch {
 
 void addMtfBuildCommand(CLI::App& mtf, Context& context) {
     CLI::App* command = mtf.add_subcommand("build", "Makes a database (not in this build)");
-    command->allow_extras();
+    command->prefix_command(); // whatever its options are
     command->callback([&context] {
         context.work = []() -> int {
             throw irsg::InputError({"mtf build", "", irsg::whyNoScattering(),

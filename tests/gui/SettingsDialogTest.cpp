@@ -1,5 +1,6 @@
 #include "gui/settings/SettingsDialog.h"
 
+#include <algorithm>
 #include <set>
 
 #include <QAbstractButton>
@@ -19,6 +20,8 @@
 #include "gui/HelpDialogs.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/settings/Preferences.h"
+#include "smatcore/settings/SettingAvailability.h"
+#include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -99,7 +102,8 @@ TEST_F(SettingsDialogTest, EverySettingOfBothDialogsIsChangedAppliedUndoneAndReo
             for (std::size_t page = 0; page < pages.size(); ++page) {
                 form.showPage(static_cast<int>(page));
                 for (const std::string& key : pages[page].keys)
-                    change(dialog, settingInfo(key), before.text(key));
+                    if (whyUnavailable(settingInfo(key)).empty())
+                        change(dialog, settingInfo(key), before.text(key));
             }
             dialog.findChild<QPushButton*>("apply")->click();
             form.accept();
@@ -109,6 +113,8 @@ TEST_F(SettingsDialogTest, EverySettingOfBothDialogsIsChangedAppliedUndoneAndReo
         int settings = 0;
         for (const SettingsPage& page : pages)
             for (const std::string& key : page.keys) {
+                if (!whyUnavailable(settingInfo(key)).empty())
+                    continue;
                 EXPECT_NE(changed.text(key), before.text(key)) << key;
                 ++settings;
             }
@@ -123,6 +129,41 @@ TEST_F(SettingsDialogTest, EverySettingOfBothDialogsIsChangedAppliedUndoneAndReo
         EXPECT_EQ(again.settings(), changed) << action;
         trigger("undo");
     }
+}
+
+TEST_F(SettingsDialogTest, ScatteringShowsItsDatabaseOrWhyItCannotBeHad) {
+    openSample();
+    onDialog = [&](QDialog& dialog) {
+        const auto pages = SettingsDialog::optionPages();
+        const auto page = std::ranges::find(pages, QString("Scattering"), &SettingsPage::title);
+        ASSERT_NE(page, pages.end());
+        auto& form = dynamic_cast<SettingsDialog&>(dialog);
+        form.showPage(static_cast<int>(page - pages.begin()));
+        auto* check = dialog.findChild<QCheckBox*>("render.scattering");
+        auto* note = dialog.findChild<QLabel*>("mtfNote");
+        const QString missing =
+            QString::fromStdString(whyUnavailable(settingInfo("render.scattering")));
+        EXPECT_EQ(check->isEnabled(), missing.isEmpty());
+        if (!missing.isEmpty()) {
+            EXPECT_TRUE(missing.contains("irsg/scattering"));
+            EXPECT_FALSE(dialog.findChild<QLineEdit*>("environment.mtf")->isEnabled());
+            EXPECT_EQ(check->toolTip(), missing);
+            EXPECT_TRUE(
+                dialog.findChild<QLabel*>("render.scattering.help")->text().contains(missing));
+            test::keepScreenshot(dialog, "options-scattering-missing");
+            return;
+        }
+        EXPECT_FALSE(note->isVisible());
+        type(dialog, "environment.mtf",
+             SMAT_SOURCE_DIR "/resources/scattering/advection-fog-mwir.mtf");
+        EXPECT_TRUE(note->isVisible());
+        EXPECT_TRUE(note->text().contains("field of view: 60 deg")) << note->text().toStdString();
+        check->click();
+        test::keepScreenshot(dialog, "options-scattering");
+        type(dialog, "environment.mtf", "none.mtf");
+        EXPECT_TRUE(note->text().contains("none.mtf")) << note->text().toStdString();
+    };
+    trigger("options");
 }
 
 TEST_F(SettingsDialogTest, EveryFieldOfEveryAnalysisReachesItsInputAndItsCommand) {
