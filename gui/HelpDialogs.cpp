@@ -15,6 +15,7 @@
 #include "gui/Theme.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageView.h"
+#include "irsg/scene/scattering/SceneScattering.h"
 #include "smatcore/data/Provenance.h"
 
 namespace smat::gui {
@@ -80,8 +81,10 @@ AboutDialog::AboutDialog(const QString& viewRenderer, const QString& sceneRender
     auto* label = new QLabel(
         tr("<h2>SMAT</h2><p>Infrared signature modelling workbench</p><table>%1</table>"
            "<p>MIT licence. Linked libraries keep their own licences:<br>Qt and Qwt LGPL, "
-           "OpenSceneGraph OSGPL, OpenEXR BSD, SQLite public domain.</p>")
-            .arg(table),
+           "OpenSceneGraph OSGPL, OpenEXR BSD, SQLite public domain%2.</p>")
+            .arg(table, irsg::isScatteringBuilt()
+                            ? tr("; scattering links FFTW, GPL, whose terms hold for the whole")
+                            : QString()),
         this);
     label->setObjectName("aboutText");
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);

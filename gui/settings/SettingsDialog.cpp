@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include <QCheckBox>
+#include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
-#include <QVBoxLayout>
 
 #include "gui/DialogButtons.h"
 #include "gui/Theme.h"
@@ -76,7 +76,8 @@ SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const
         auto* scroll = new QScrollArea(stack);
         scroll->setWidgetResizable(true);
         scroll->setFrameShape(QFrame::NoFrame);
-        scroll->setWidget(withNotes(form));
+        addNotes(form);
+        scroll->setWidget(form);
         stack->addWidget(scroll);
     }
     connect(list_, &QListWidget::currentRowChanged, stack, &QStackedWidget::setCurrentIndex);
@@ -114,24 +115,18 @@ SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const
     refresh();
 }
 
-QWidget* SettingsDialog::withNotes(SettingForm* form) {
+void SettingsDialog::addNotes(SettingForm* form) {
     const std::string key = "environment.mtf";
     if (std::ranges::find(form->keys(), key) == form->keys().end())
-        return form;
-    auto* page = new QWidget(this);
-    auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(0, 0, 0, 0);
-    auto* note = new MtfNote(page);
-    column->addWidget(form);
-    column->addWidget(note);
-    column->addStretch(1);
+        return;
+    auto* note = new MtfNote(form);
+    dynamic_cast<QFormLayout&>(*form->layout()).addRow(note);
     const auto tell = [this, form, note, key] {
         const std::string file = form->value(key);
         note->tell(file.empty() ? std::filesystem::path() : workbench_.project().resolve(file));
     };
     connect(form, &SettingForm::edited, note, tell);
     tell();
-    return page;
 }
 
 void SettingsDialog::showPage(int page) {

@@ -46,8 +46,8 @@ class SettingsDialog : public QDialog {
 
   private:
     void refresh();
-    /// A form with what is to be told below it: the header of its MTF database.
-    QWidget* withNotes(SettingForm* form);
+    /// Adds what is to be told below a form: the header of its MTF database.
+    void addNotes(SettingForm* form);
     void showExperts(bool visible);
     Settings edited() const;
 

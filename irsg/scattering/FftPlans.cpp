@@ -19,6 +19,9 @@ namespace {
 /// From this many points on a transform is divided into this many pieces, whatever the machine.
 constexpr long threadedFrom = 256L * 256L;
 constexpr int pieces = 4;
+/// Sizes are taken from as many in each octave, so that objects that move are not planned for anew
+/// at every step.
+constexpr int stepsOfOctave = 8;
 
 fftwf_complex* raw(std::complex<float>* values) {
     return reinterpret_cast<fftwf_complex*>(values);
@@ -50,7 +53,10 @@ FftBuffer<std::complex<float>> fftComplex(std::size_t count) {
 }
 
 int fastFftSize(int atLeast) {
-    for (int size = std::max(atLeast, 1);; ++size) {
+    int step = 1;
+    while (step * 2 * stepsOfOctave <= atLeast)
+        step *= 2;
+    for (int size = (std::max(atLeast, 1) + step - 1) / step * step;; size += step) {
         int rest = size;
         for (const int factor : {2, 3, 5, 7})
             while (rest % factor == 0)

@@ -18,7 +18,7 @@ using FftBuffer = std::unique_ptr<Value[], FftRelease>;
 FftBuffer<float> fftReals(std::size_t count);
 FftBuffer<std::complex<float>> fftComplex(std::size_t count);
 
-/// The next size from `atLeast` on whose factors are 2, 3, 5 and 7.
+/// The next size from `atLeast` on whose factors are 2, 3, 5 and 7, of a few in each octave.
 int fastFftSize(int atLeast);
 
 /// Two-dimensional real transforms of a size, forward and back, planned once (FFTW_MEASURE) and

@@ -232,6 +232,9 @@ TEST(FftPlans, ChoosesSizesOfSmallFactors) {
     EXPECT_EQ(fastFftSize(11), 12);
     EXPECT_EQ(fastFftSize(127), 128);
     EXPECT_EQ(fastFftSize(575), 576);
+    // Few in each octave: windows that grow by a pixel mostly keep their plan.
+    EXPECT_EQ(fastFftSize(321), 384);
+    EXPECT_EQ(fastFftSize(384), 384);
 }
 
 } // namespace
