@@ -25,6 +25,8 @@ void MtfNote::tell(const std::filesystem::path& file) {
         }
     }
     setText(lines.join('\n'));
+    // Forms give a label that wraps a line alone.
+    setMinimumHeight(fontMetrics().lineSpacing() * (static_cast<int>(lines.size()) + 1));
     setVisible(!lines.isEmpty());
 }
 
