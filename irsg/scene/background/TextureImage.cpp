@@ -4,20 +4,16 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <mutex>
 #include <string>
 
 #include <osg/Image>
 #include <osgDB/FileNameUtils>
-#include <osgDB/Registry>
 
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/PngPlane.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/GuardedReading.h"
-#include "irsg/scene/model/ModelLoader.h"
 #include "irsg/scene/model/OpenableFiles.h"
-#include "irsg/scene/model/OsgNotices.h"
+#include "irsg/scene/model/apart/PicturesApart.h"
 
 namespace irsg {
 
@@ -44,34 +40,12 @@ TextureImage readExrTexture(const fs::path& file) {
     return {image.width(), image.height(), red ? red->values : image.primary().values};
 }
 
-osg::ref_ptr<osg::Image> readByPlugin(const fs::path& file, const std::string& extension) {
+osg::ref_ptr<osg::Image> readApart(const fs::path& file) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored))
         throw InputError({file.string(), "", "no such file", expectationOf(FileKind::picture)});
-    const std::scoped_lock lock(osgRegistryMutex());
-    OsgNotices notices;
-    const GuardedReading guard;
-    auto* reader = osgDB::Registry::instance()->getReaderWriterForExtension(extension);
-    if (!reader)
-        throw InputError(
-            {file.string(), "",
-             "a file of type \"." + extension + "\" and no plug-in of OpenSceneGraph for it",
-             expectationOf(FileKind::picture)});
-    std::string complaint;
-    osg::ref_ptr<osg::Image> image;
-    try {
-        auto result = reader->readImage(file.string(), GuardedReading::options());
-        complaint = result.message();
-        image = result.takeImage();
-    } catch (const std::exception& error) {
-        complaint = error.what();
-    }
-    if (!image || !image->valid())
-        throw InputError({file.string(), "",
-                          "a file that cannot be read as a picture" +
-                              (complaint.empty() ? "" : " (" + complaint + ")"),
-                          "a whole picture of type ." + extension});
-    return image;
+    ReaderProcess process;
+    return readPictureApart(process, file);
 }
 
 template <typename Number>
@@ -145,7 +119,7 @@ TextureImage readTexture(const fs::path& file) {
         checkFinite(image, file.string());
         return image;
     }
-    return textureOf(*readByPlugin(file, extension), file.string());
+    return textureOf(*readApart(file), file.string());
 }
 
 } // namespace irsg

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -12,9 +13,18 @@
 #include <osg/ScriptEngine>
 #include <osg/Texture>
 #include <osgDB/Callbacks>
+#include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
 #include <osgDB/Registry>
 
+#include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/OpenableFiles.h"
+#include "irsg/scene/model/apart/PicturesApart.h"
+#include "irsg/scene/model/apart/PluginReading.h"
+#include "irsg/scene/model/apart/ReaderService.h"
+#include "irsg/scene/model/apart/ReadingLimits.h"
+#include "irsg/scene/model/read/ObjReader.h"
+#include "irsg/scene/model/read/StlReader.h"
 
 namespace irsg {
 
@@ -29,6 +39,10 @@ using Result = osgDB::ReaderWriter::ReadResult;
 void noteRefusal(const std::string& remark) {
     if (reading && std::ranges::find(reading->refused_, remark) == reading->refused_.end())
         reading->refused_.push_back(remark);
+}
+
+ReaderProcess& processOf(GuardedReading& guard) {
+    return guard.process_;
 }
 
 namespace {
@@ -66,12 +80,19 @@ class ReadGuard : public osgDB::ReadFileCallback {
     Result readObject(const std::string& name, const osgDB::Options* options) override {
         if (!passes(name, {FileKind::model, FileKind::picture, FileKind::attributes}))
             return Result::FILE_NOT_HANDLED;
+        // Outside the reading process nothing else is read in this way.
+        if (!isReadHere() && refusalOf(name, FileKind::attributes))
+            return Result::FILE_NOT_HANDLED;
         return next_ ? next_->readObject(name, options)
                      : ReadFileCallback::readObject(name, options);
     }
     Result readImage(const std::string& name, const osgDB::Options* options) override {
         if (!passes(name, {FileKind::picture}))
             return Result::FILE_NOT_HANDLED;
+        const std::string file = osgDB::findDataFile(name, options);
+        if (!isReadHere())
+            return file.empty() ? Result(Result::FILE_NOT_FOUND) : readApart(file);
+        noteSize(file);
         return next_ ? next_->readImage(name, options) : ReadFileCallback::readImage(name, options);
     }
     Result readHeightField(const std::string& name, const osgDB::Options* options) override {
@@ -83,6 +104,17 @@ class ReadGuard : public osgDB::ReadFileCallback {
     Result readNode(const std::string& name, const osgDB::Options* options) override {
         if (!passes(name, {FileKind::model}))
             return Result::FILE_NOT_HANDLED;
+        if (!isReadHere()) {
+            noteRefusal("refers to " + name + ", which is left out");
+            return Result::FILE_NOT_HANDLED;
+        }
+        const std::string file = osgDB::findDataFile(name, options);
+        noteSize(file);
+        if (const auto graph = readOurs(file)) {
+            for (const std::string& remark : graph->remarks)
+                noteRefusal(remark);
+            return graph->node.get();
+        }
         return next_ ? next_->readNode(name, options) : ReadFileCallback::readNode(name, options);
     }
     Result readShader(const std::string& name, const osgDB::Options* options) override {
@@ -99,8 +131,40 @@ class ReadGuard : public osgDB::ReadFileCallback {
     }
 
   private:
+    bool isGuarded() const { return always_ || reading; }
     bool passes(const std::string& name, std::initializer_list<FileKind> kinds) const {
-        return (!always_ && !reading) || mayOpen(name, kinds);
+        return !isGuarded() || mayOpen(name, kinds);
+    }
+    /// Plug-ins read what is guarded in a process of its own alone.
+    bool isReadHere() const { return !isGuarded() || isReader(); }
+    static void noteSize(const std::string& file) {
+        std::error_code failure;
+        const std::uintmax_t size = std::filesystem::file_size(file, failure);
+        if (isReader() && !failure)
+            allowMore(size);
+    }
+    /// Formats that we have a reader of our own for.
+    static std::optional<LoadedGraph> readOurs(const std::string& file) {
+        const auto extension = osgDB::getLowerCaseFileExtension(file);
+        if (extension != "obj" && extension != "stl")
+            return std::nullopt;
+        try {
+            return extension == "stl" ? readStl(file) : readObj(file, readPictureHere);
+        } catch (const InputError& error) {
+            noteRefusal(error.what());
+            return std::nullopt;
+        }
+    }
+    static Result readApart(const std::string& file) {
+        try {
+            ReaderProcess own;
+            const auto image = readPictureApart(reading ? processOf(*reading) : own, file);
+            image->setFileName(file);
+            return image;
+        } catch (const InputError& error) {
+            noteRefusal(error.what());
+            return Result::ERROR_IN_READING_FILE;
+        }
     }
 
     bool always_;

@@ -25,25 +25,6 @@ int integerOf(const osgSim::ShapeAttribute& entry) {
                                                              : entry.getInt();
 }
 
-/// Codes an object states itself; false where it states none.
-bool ownCodes(const osg::Object& object, IrCodes& codes) {
-    const auto* list = dynamic_cast<const osgSim::ShapeAttributeList*>(object.getUserData());
-    const auto* temperature = attribute(list, "IRColor");
-    const auto* material = attribute(list, "IRMaterial");
-    if (temperature || material) {
-        codes = {temperature ? integerOf(*temperature) : 0, material ? integerOf(*material) : 0};
-        return true;
-    }
-    if (!object.getUserDataContainer())
-        return false;
-    IrCodes values;
-    const bool first = object.getUserValue(temperatureValue, values.temperature);
-    const bool second = object.getUserValue(materialValue, values.material);
-    if (first || second)
-        codes = values;
-    return first || second;
-}
-
 class PolygonCounter : public osg::NodeVisitor {
   public:
     PolygonCounter() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) { setNodeMaskOverride(~0u); }
@@ -67,22 +48,36 @@ class PolygonCounter : public osg::NodeVisitor {
 
 } // namespace
 
+std::optional<IrCodes> statedCodes(const osg::Object& object) {
+    const auto* list = dynamic_cast<const osgSim::ShapeAttributeList*>(object.getUserData());
+    const auto* temperature = attribute(list, "IRColor");
+    const auto* material = attribute(list, "IRMaterial");
+    if (temperature || material)
+        return IrCodes{temperature ? integerOf(*temperature) : 0,
+                       material ? integerOf(*material) : 0};
+    if (!object.getUserDataContainer())
+        return std::nullopt;
+    IrCodes values;
+    const bool first = object.getUserValue(temperatureValue, values.temperature);
+    const bool second = object.getUserValue(materialValue, values.material);
+    return first || second ? std::optional(values) : std::nullopt;
+}
+
 IrCodes codesOf(const osg::Drawable& drawable, const std::vector<osg::Node*>& path) {
-    IrCodes codes;
-    if (ownCodes(drawable, codes))
-        return codes;
+    if (const auto codes = statedCodes(drawable))
+        return *codes;
     for (auto node = path.rbegin(); node != path.rend(); ++node)
-        if (ownCodes(**node, codes))
-            return codes;
+        if (const auto codes = statedCodes(**node))
+            return *codes;
     return {};
 }
 
-void setCodes(osg::Drawable& drawable, const IrCodes& codes) {
+void setCodes(osg::Object& object, const IrCodes& codes) {
     osg::ref_ptr<osgSim::ShapeAttributeList> list = new osgSim::ShapeAttributeList;
     list->push_back(osgSim::ShapeAttribute("IRColor", codes.temperature));
     list->push_back(osgSim::ShapeAttribute("IRMaterial", codes.material));
-    drawable.setUserDataContainer(nullptr);
-    drawable.setUserData(list);
+    object.setUserDataContainer(nullptr);
+    object.setUserData(list);
 }
 
 std::map<IrCodes, long> polygonCounts(osg::Node& graph) {

@@ -4,10 +4,7 @@
 #include <sstream>
 
 #include <osg/Group>
-#include <osg/NodeVisitor>
-#include <osg/ProxyNode>
 #include <osgDB/FileNameUtils>
-#include <osgDB/ReadFile>
 #include <osgDB/Registry>
 
 #include "irsg/scene/model/FlightScanner.h"
@@ -15,6 +12,12 @@
 #include "irsg/scene/model/IrCodes.h"
 #include "irsg/scene/model/OpenableFiles.h"
 #include "irsg/scene/model/OsgNotices.h"
+#include "irsg/scene/model/ProxyNodes.h"
+#include "irsg/scene/model/apart/Bytes.h"
+#include "irsg/scene/model/apart/GraphCoding.h"
+#include "irsg/scene/model/apart/PicturesApart.h"
+#include "irsg/scene/model/read/ObjReader.h"
+#include "irsg/scene/model/read/StlReader.h"
 
 namespace irsg {
 namespace {
@@ -31,49 +34,11 @@ osg::ref_ptr<osgDB::Options> privateOptions(const fs::path& folder) {
     return options;
 }
 
-/// What OpenSceneGraph printed, the first lines of it.
-void say(std::vector<std::string>& remarks, const std::vector<std::string>& lines) {
-    constexpr std::size_t most = 8;
-    for (std::size_t i = 0; i < std::min(most, lines.size()); ++i)
-        remarks.push_back("OpenSceneGraph: " + lines[i]);
-    if (lines.size() > most)
-        remarks.push_back("OpenSceneGraph: " + std::to_string(lines.size() - most) +
-                          " more lines like these");
-}
-
 void say(std::vector<std::string>& remarks, GuardedReading& guard, osg::Node& graph) {
     for (auto& refused : guard.take())
         remarks.push_back(std::move(refused));
     for (auto& removed : removeLateReaders(graph))
         remarks.push_back(std::move(removed));
-}
-
-class ProxyCollector : public osg::NodeVisitor {
-  public:
-    ProxyCollector() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) { setNodeMaskOverride(~0u); }
-    void apply(osg::ProxyNode& node) override {
-        if (std::find(found.begin(), found.end(), &node) == found.end())
-            found.push_back(&node);
-        traverse(node);
-    }
-    std::vector<osg::ref_ptr<osg::ProxyNode>> found;
-};
-
-/// Replaces each proxy node by a plain group with its children: written to a file, a proxy would
-/// read its own file again and without the codes.
-void removeProxies(osg::Node& graph) {
-    ProxyCollector proxies;
-    graph.accept(proxies);
-    for (const auto& proxy : proxies.found) {
-        osg::ref_ptr<osg::Group> group = new osg::Group;
-        group->setName(proxy->getName());
-        group->setStateSet(proxy->getStateSet());
-        group->setNodeMask(proxy->getNodeMask());
-        for (unsigned int i = 0; i < proxy->getNumChildren(); ++i)
-            group->addChild(proxy->getChild(i));
-        while (proxy->getNumParents() > 0)
-            proxy->getParent(0)->replaceChild(proxy, group);
-    }
 }
 
 /// The files of one scan, handed to the plug-in as validated bytes.
@@ -103,9 +68,7 @@ class FlightReader {
 
         // Each external reference carries the palettes it lends; a file referred to twice is
         // shared.
-        ProxyCollector proxies;
-        node->accept(proxies);
-        for (const auto& proxy : proxies.found) {
+        for (const auto& proxy : proxiesOf(*node)) {
             const osg::ref_ptr<osg::Referenced> lent = proxy->getUserData();
             proxy->setUserData(nullptr);
             const auto external = std::find_if(
@@ -144,7 +107,7 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
     GuardedReading guard;
     loaded.node = FlightReader(scan, purpose).read(scan.files.front().path, nullptr);
     removeProxies(*loaded.node);
-    say(loaded.remarks, notices.take());
+    addNotices(loaded.remarks, notices.take());
     say(loaded.remarks, guard, *loaded.node);
 
     // A plug-in that drops the codes would paint everything with code 0.
@@ -159,55 +122,23 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
     return loaded;
 }
 
-LoadedGraph loadOther(const fs::path& file) {
-    const auto extension = osgDB::getLowerCaseFileExtension(file.string());
-
-    const std::scoped_lock lock(osgRegistryMutex());
-    OsgNotices notices;
-    GuardedReading guard;
-    LoadedGraph loaded;
-    std::string complaint;
-    auto* reader = osgDB::Registry::instance()->getReaderWriterForExtension(extension);
-    if (!reader)
+/// What a process of its own reads and hands over as bytes.
+LoadedGraph loadApart(const fs::path& file) {
+    try {
+        const std::string answer = ReaderProcess().read(FileKind::model, file);
+        ByteSource source(answer);
+        LoadedGraph loaded;
+        loaded.remarks.resize(source.getCount(8));
+        for (std::string& remark : loaded.remarks)
+            remark = source.getText();
+        loaded.node = getGraph(source, file.string(), loaded.remarks);
+        return loaded;
+    } catch (const DamagedBytes& damage) {
         throw InputError(
             {file.string(), "",
-             "a file of type \"." + extension + "\" and no plug-in of OpenSceneGraph for it",
-             expectationOf(FileKind::model)});
-    try {
-        auto result = reader->readNode(file.string(), privateOptions(file.parent_path()));
-        complaint = result.message();
-        loaded.node = result.takeNode();
-    } catch (const std::exception& error) {
-        complaint = error.what();
+             "a file at which the reader of OpenSceneGraph gives " + std::string(damage.what()),
+             "a whole model"});
     }
-    const auto lines = notices.take();
-    if (!loaded.node) {
-        for (const auto& said : {lines, guard.take()})
-            for (const auto& line : said)
-                complaint += (complaint.empty() ? "" : "; ") + line;
-        throw InputError({file.string(), "",
-                          "a file that OpenSceneGraph cannot read as a model" +
-                              (complaint.empty() ? "" : " (" + complaint + ")"),
-                          "a whole model file of type ." + extension});
-    }
-    say(loaded.remarks, lines);
-    say(loaded.remarks, guard, *loaded.node);
-
-    ProxyCollector proxies;
-    loaded.node->accept(proxies);
-    for (const auto& proxy : proxies.found)
-        for (unsigned int i = 0; i < proxy->getNumFileNames(); ++i)
-            loaded.remarks.push_back("refers to " + proxy->getFileName(i) +
-                                     (i < proxy->getNumChildren()
-                                          ? ", which is read without being validated"
-                                          : ", which is missing"));
-    if (dynamic_cast<osg::ProxyNode*>(loaded.node.get())) {
-        osg::ref_ptr<osg::Group> root = new osg::Group;
-        root->addChild(loaded.node);
-        loaded.node = root;
-    }
-    removeProxies(*loaded.node);
-    return loaded;
 }
 
 } // namespace
@@ -226,8 +157,20 @@ LoadedGraph loadGraph(const fs::path& file, LoadPurpose purpose) {
                           refusal ? expectationOf(FileKind::model) : "a model file"});
     if (refusal)
         throw InputError({file.string(), "", *refusal, expectationOf(FileKind::model)});
-    return osgDB::getLowerCaseFileExtension(file.string()) == "flt" ? loadFlight(file, purpose)
-                                                                    : loadOther(file);
+    const auto extension = osgDB::getLowerCaseFileExtension(file.string());
+    if (extension == "flt")
+        return loadFlight(file, purpose);
+    if (extension == "stl")
+        return readStl(file);
+    if (extension == "obj") {
+        // The infrared picture has no use for others.
+        ReaderProcess process;
+        return readObj(file,
+                       purpose == LoadPurpose::visible
+                           ? [&](const fs::path& name) { return readPictureApart(process, name); }
+                           : PictureReading());
+    }
+    return loadApart(file);
 }
 
 } // namespace irsg

@@ -8,7 +8,7 @@ namespace {
 
 constexpr FileFormat models[] = {
     {"flt", "openflight"}, {"osgt", "osg"}, {"osgb", "osg"}, {"ive", "ive"}, {"osg", "osg"},
-    {"osgx", "osg"},       {"obj", "obj"},  {"3ds", "3ds"},  {"stl", "stl"}, {"ply", "ply"},
+    {"osgx", "osg"},       {"obj", ""},     {"3ds", "3ds"},  {"stl", ""},    {"ply", "ply"},
     {"ac", "ac"},          {"dxf", "dxf"},  {"lwo", "lwo"},  {"x", "x"},
 };
 
@@ -21,6 +21,8 @@ constexpr FileFormat pictures[] = {
 };
 
 constexpr FileFormat attributes[] = {{"attr", "openflight"}};
+
+constexpr FileFormat materials[] = {{"mtl", ""}};
 
 std::string lowerCase(std::string text) {
     std::ranges::transform(text, text.begin(),
@@ -68,9 +70,12 @@ std::span<const FileFormat> formatsOf(FileKind kind) {
         return models;
     case FileKind::picture:
         return pictures;
-    default:
+    case FileKind::attributes:
         return attributes;
+    case FileKind::materials:
+        return materials;
     }
+    return {};
 }
 
 std::optional<std::string> refusalOf(const std::string& name, FileKind kind) {
@@ -88,9 +93,10 @@ std::optional<std::string> refusalOf(const std::string& name, FileKind kind) {
 }
 
 std::string expectationOf(FileKind kind) {
-    std::string text = kind == FileKind::model     ? "a model of type "
-                       : kind == FileKind::picture ? "a picture of type "
-                                                   : "attributes of a picture, of type ";
+    std::string text = kind == FileKind::model       ? "a model of type "
+                       : kind == FileKind::picture   ? "a picture of type "
+                       : kind == FileKind::materials ? "a library of materials of type "
+                                                     : "attributes of a picture, of type ";
     const auto formats = formatsOf(kind);
     for (std::size_t i = 0; i < formats.size(); ++i)
         text += (i == 0                    ? "."

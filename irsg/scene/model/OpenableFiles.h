@@ -11,7 +11,8 @@ namespace irsg {
 enum class FileKind {
     model,
     picture,
-    attributes ///< what OpenFlight keeps beside a picture, NAME.attr
+    attributes, ///< what OpenFlight keeps beside a picture, NAME.attr
+    materials   ///< what a Wavefront object is painted with
 };
 
 /// A format and the plug-in of OpenSceneGraph that reads it ("" where we read it ourselves).

@@ -47,4 +47,13 @@ std::vector<std::string> OsgNotices::take() {
     return lines;
 }
 
+void addNotices(std::vector<std::string>& remarks, const std::vector<std::string>& lines) {
+    constexpr std::size_t most = 8;
+    for (std::size_t i = 0; i < std::min(most, lines.size()); ++i)
+        remarks.push_back("OpenSceneGraph: " + lines[i]);
+    if (lines.size() > most)
+        remarks.push_back("OpenSceneGraph: " + std::to_string(lines.size() - most) +
+                          " more lines like these");
+}
+
 } // namespace irsg

@@ -23,4 +23,7 @@ class OsgNotices {
     friend class OsgNoticeHandler;
 };
 
+/// Adds the first of such sentences to what a reader has to say.
+void addNotices(std::vector<std::string>& remarks, const std::vector<std::string>& lines);
+
 } // namespace irsg

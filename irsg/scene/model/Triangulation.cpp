@@ -44,11 +44,16 @@ Plane project(const std::vector<PolygonCorner>& corners, const osg::Vec3d& norma
     return plane;
 }
 
+/// Looks at corners a polygon may take, for each of its own: more than any that is drawn by a
+/// person needs, and a bound for one that is made to take for ever.
+constexpr std::size_t mostLooks = 4096;
+
 /// Cuts an ear off until three corners are left; false where no ear is to be found.
 bool cutEars(const Plane& plane, std::vector<std::array<std::size_t, 3>>& triangles) {
     std::vector<std::size_t> left(plane.x.size());
     for (std::size_t i = 0; i < left.size(); ++i)
         left[i] = i;
+    std::size_t looks = mostLooks * left.size();
     while (left.size() > 3) {
         bool found = false;
         for (std::size_t i = 0; i < left.size() && !found; ++i) {
@@ -56,6 +61,9 @@ bool cutEars(const Plane& plane, std::vector<std::array<std::size_t, 3>>& triang
                        c = left[(i + 1) % left.size()];
             if (plane.turn(a, b, c) < 0)
                 continue;
+            if (looks < left.size())
+                return false;
+            looks -= left.size();
             const bool ear = std::none_of(left.begin(), left.end(), [&](std::size_t p) {
                 return p != a && p != b && p != c && !plane.same(p, a) && !plane.same(p, b) &&
                        !plane.same(p, c) && plane.turn(a, b, c) > 0 && plane.inside(p, a, b, c);

@@ -12,7 +12,7 @@ struct Triangulation {
     std::vector<std::array<std::size_t, 3>> triangles; ///< none for a polygon without area
     osg::Vec3d normal;                                 ///< unit, Newell's
     double area = 0.0;                                 ///< of the triangles
-    bool folded = false;                               ///< crosses itself: a fan was all it gave
+    bool folded = false; ///< crosses itself, or has too many corners: a fan was all it gave
 };
 
 /// Cuts a polygon, counter-clockwise about its normal: a convex one into a fan as OpenGL does, a

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace irsg {
+
+/// What came from a reading process does not hold together.
+class DamagedBytes : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Values one behind the other, as two processes of one machine hand them to each other.
+class ByteSink {
+  public:
+    template <typename Value>
+    void put(const Value& value) {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        putBytes(&value, sizeof value);
+    }
+    void putText(std::string_view text) {
+        putCount(text.size());
+        putBytes(text.data(), text.size());
+    }
+    void putCount(std::size_t count) { put(static_cast<std::uint64_t>(count)); }
+    void putBytes(const void* from, std::size_t size) {
+        bytes_.append(static_cast<const char*>(from), size);
+    }
+    const std::string& bytes() const { return bytes_; }
+    std::string take() { return std::move(bytes_); }
+
+  private:
+    std::string bytes_;
+};
+
+/// The same on the other side, which trusts none of it: throws DamagedBytes for whatever is not
+/// there.
+class ByteSource {
+  public:
+    explicit ByteSource(std::string_view bytes) : bytes_(bytes) {}
+
+    template <typename Value>
+    Value get() {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        Value value;
+        std::memcpy(&value, getBytes(sizeof value).data(), sizeof value);
+        return value;
+    }
+    bool getFlag() { return get<std::uint8_t>() != 0; }
+    std::string_view getBytes(std::size_t size) {
+        if (size > bytes_.size())
+            throw DamagedBytes("an answer that ends too early");
+        const std::string_view taken = bytes_.substr(0, size);
+        bytes_.remove_prefix(size);
+        return taken;
+    }
+    /// A count of things of `each` bytes or more that follow.
+    std::size_t getCount(std::size_t each) {
+        const auto count = get<std::uint64_t>();
+        if (count > bytes_.size() / each)
+            throw DamagedBytes("a count beyond the end of the answer");
+        return static_cast<std::size_t>(count);
+    }
+    std::string getText() { return std::string(getBytes(getCount(1))); }
+    /// A number below `end`.
+    std::uint32_t getIndex(std::size_t end) {
+        const auto index = get<std::uint32_t>();
+        if (index >= end)
+            throw DamagedBytes("a reference to what is not there");
+        return index;
+    }
+    bool atEnd() const { return bytes_.empty(); }
+
+  private:
+    std::string_view bytes_;
+};
+
+} // namespace irsg

@@ -1,0 +1,23 @@
+#include "irsg/scene/model/apart/PicturesApart.h"
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/model/apart/Bytes.h"
+#include "irsg/scene/model/apart/StateCoding.h"
+
+namespace irsg {
+
+osg::ref_ptr<osg::Image> readPictureApart(ReaderProcess& process,
+                                          const std::filesystem::path& file) {
+    try {
+        const std::string answer = process.read(FileKind::picture, file);
+        ByteSource source(answer);
+        return getImage(source);
+    } catch (const DamagedBytes& damage) {
+        throw InputError(
+            {file.string(), "",
+             "a file at which the reader of OpenSceneGraph gives " + std::string(damage.what()),
+             "a whole picture"});
+    }
+}
+
+} // namespace irsg

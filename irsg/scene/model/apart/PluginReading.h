@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include <osg/Image>
+
+#include "irsg/scene/model/ModelLoader.h"
+
+namespace irsg {
+
+/// What is to be in place before a process gives up what it does not need.
+void preparePlugins();
+
+/// Reads a model by OpenSceneGraph in this process, with all that it refers to. Remarks are as
+/// loadGraph() gives them. Throws InputError for one that cannot be read, or that ends before it
+/// says it does.
+LoadedGraph readModelHere(const std::filesystem::path& file);
+
+/// A picture likewise.
+osg::ref_ptr<osg::Image> readPictureHere(const std::filesystem::path& file);
+
+} // namespace irsg

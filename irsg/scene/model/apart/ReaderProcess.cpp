@@ -1,0 +1,240 @@
+#include "irsg/scene/model/apart/ReaderProcess.h"
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/model/apart/Bytes.h"
+#include "irsg/scene/model/apart/ReaderService.h"
+#include "irsg/scene/model/apart/ReadingLimits.h"
+
+namespace irsg {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* programName = "irsg-reader";
+
+/// Beside this library, in a build tree and where it is installed.
+fs::path findProgram() {
+    static const char here = 0;
+    Dl_info info{};
+    if (dladdr(&here, &info) == 0 || !info.dli_fname)
+        throw LogicError("the place of irsg's library is not known");
+    std::error_code failure;
+    const fs::path folder = fs::canonical(info.dli_fname, failure).parent_path();
+    for (const char* place : {".", "../bin", "../../bin", "../libexec", "../../libexec"})
+        if (const fs::path program = folder / place / programName;
+            access(program.c_str(), X_OK) == 0)
+            return program;
+    throw LogicError("the program " + std::string(programName) + " is not beside " +
+                     folder.string());
+}
+
+/// Of our own surroundings what programs need to start. Numbers have points, messages are English.
+std::vector<std::string> surroundings() {
+    std::vector<std::string> kept = {"LC_ALL=C"};
+    for (const char* name : {"LD_LIBRARY_PATH", "ASAN_OPTIONS", "UBSAN_OPTIONS", "LSAN_OPTIONS"})
+        if (const char* value = std::getenv(name))
+            kept.push_back(std::string(name) + "=" + value);
+    return kept;
+}
+
+pid_t start(int socket) {
+    const std::string program = findProgram().string();
+    std::vector<std::string> kept = surroundings();
+    std::vector<char*> environment;
+    for (std::string& line : kept)
+        environment.push_back(line.data());
+    environment.push_back(nullptr);
+    std::string name = programName;
+    char* arguments[] = {name.data(), nullptr};
+
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    // The socket is what it is asked through; what plug-ins print goes nowhere.
+    posix_spawn_file_actions_adddup2(&actions, socket, STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t none, all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &all);
+    // A group of its own: Ctrl-C is for the program that asks.
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
+                                              POSIX_SPAWN_SETPGROUP);
+    pid_t process = -1;
+    const int error = posix_spawn(&process, program.c_str(), &actions, &attributes, arguments,
+                                  environment.data());
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0)
+        throw LogicError(program + " cannot be started: " + std::strerror(error));
+    return process;
+}
+
+} // namespace
+
+class ReaderProcess::Child {
+  public:
+    Child() {
+        int ends[2];
+        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+            throw LogicError(std::string("no pair of sockets: ") + std::strerror(errno));
+        socket_ = ends[0];
+        try {
+            process_ = start(ends[1]);
+        } catch (...) {
+            close(ends[0]);
+            close(ends[1]);
+            throw;
+        }
+        close(ends[1]);
+    }
+    ~Child() { end(); }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    bool send(std::string_view bytes) {
+        while (!bytes.empty()) {
+            const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+            if (count < 0 && errno == EINTR)
+                continue;
+            if (count <= 0)
+                return false;
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        }
+        return true;
+    }
+
+    enum class Received { all, nothingMore, tooLate };
+    Received receive(char* into, std::size_t size, Clock::time_point deadline) {
+        while (size > 0) {
+            const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+            pollfd end{socket_, POLLIN, 0};
+            const int ready = poll(&end, 1, static_cast<int>(std::max<long>(0, left.count())));
+            if (ready < 0 && errno == EINTR)
+                continue;
+            if (ready <= 0)
+                return Received::tooLate;
+            const ssize_t count = recv(socket_, into, size, 0);
+            if (count < 0 && errno == EINTR)
+                continue;
+            if (count <= 0)
+                return Received::nothingMore;
+            into += count;
+            size -= static_cast<std::size_t>(count);
+        }
+        return Received::all;
+    }
+
+    /// Ends the process, and tells how it had ended before that: the status of waitpid.
+    int end() {
+        if (process_ < 0)
+            return status_;
+        close(socket_);
+        kill(process_, SIGKILL);
+        while (waitpid(process_, &status_, 0) < 0 && errno == EINTR) {
+        }
+        process_ = -1;
+        return status_;
+    }
+    /// Waits for one that has closed its socket; its own end tells more than ours.
+    int awaitEnd() {
+        for (int i = 0; i < 200 && process_ >= 0; ++i) {
+            const pid_t ended = waitpid(process_, &status_, WNOHANG);
+            if (ended == process_) {
+                process_ = -1;
+                close(socket_);
+                return status_;
+            }
+            usleep(5000);
+        }
+        return end();
+    }
+
+  private:
+    int socket_ = -1, status_ = 0;
+    pid_t process_ = -1;
+};
+
+namespace {
+
+std::string endText(int status, const ReadingLimits& limits) {
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF)
+        return "a file whose reading takes more than " + numberText(limits.processor_s) +
+               " s of processor time";
+    if (WIFSIGNALED(status))
+        return "a file at which the reader of OpenSceneGraph crashes (" +
+               std::string(strsignal(WTERMSIG(status))) + ")";
+    return "a file at which the reader of OpenSceneGraph gives up (exit code " +
+           std::to_string(WEXITSTATUS(status)) + ")";
+}
+
+[[noreturn]] void refuse(const fs::path& file, FileKind kind, std::string value) {
+    throw InputError({file.string(), "", std::move(value),
+                      kind == FileKind::model ? "a whole model" : "a whole picture"});
+}
+
+} // namespace
+
+ReaderProcess::ReaderProcess() = default;
+ReaderProcess::~ReaderProcess() = default;
+
+std::string ReaderProcess::read(FileKind kind, const fs::path& file) {
+    if (!child_)
+        child_ = std::make_unique<Child>();
+    std::error_code failure;
+    const std::uintmax_t size = fs::file_size(file, failure);
+    const ReadingLimits limits = ReadingLimits::of(failure ? 0 : size);
+    const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                             std::chrono::duration<double>(limits.wall_s()));
+    ByteSink question;
+    question.put(QuestionHead{static_cast<std::uint8_t>(kind), limits, file.string().size()});
+    question.putBytes(file.string().data(), file.string().size());
+
+    AnswerHead head;
+    std::string answer;
+    auto received = child_->send(question.bytes())
+                        ? child_->receive(reinterpret_cast<char*>(&head), sizeof head, deadline)
+                        : Child::Received::nothingMore;
+    if (received == Child::Received::all) {
+        if (head.size > limits.memory_B)
+            received = Child::Received::nothingMore;
+        else {
+            answer.resize(head.size);
+            received = child_->receive(answer.data(), answer.size(), deadline);
+        }
+    }
+    if (received != Child::Received::all) {
+        const std::unique_ptr<Child> child = std::move(child_);
+        if (received == Child::Received::tooLate)
+            refuse(file, kind,
+                   "a file whose reading takes more than " + numberText(limits.wall_s()) + " s");
+        refuse(file, kind, endText(child->awaitEnd(), limits));
+    }
+    if (head.refused)
+        throwRefusal(answer);
+    return answer;
+}
+
+} // namespace irsg

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "irsg/scene/model/OpenableFiles.h"
+
+namespace irsg {
+
+/// A process of its own in which OpenSceneGraph reads what others made: with little memory and
+/// time, and without the means to write a file, to open a connection or to start a program. It is
+/// started by the first question and ends with this object; one that crashes or takes too long is
+/// ended, and the next question starts another.
+class ReaderProcess {
+  public:
+    ReaderProcess();
+    ~ReaderProcess();
+    ReaderProcess(const ReaderProcess&) = delete;
+    ReaderProcess& operator=(const ReaderProcess&) = delete;
+
+    /// What the process makes of a model or a picture, as ReaderService writes it. Throws
+    /// InputError, naming the file, where it refuses, crashes, or needs more than ReadingLimits.
+    std::string read(FileKind kind, const std::filesystem::path& file);
+
+  private:
+    class Child;
+    std::unique_ptr<Child> child_;
+};
+
+} // namespace irsg

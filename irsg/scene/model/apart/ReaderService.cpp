@@ -1,0 +1,135 @@
+#include "irsg/scene/model/apart/ReaderService.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <new>
+#include <string>
+
+#include <csignal>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/model/OpenableFiles.h"
+#include "irsg/scene/model/apart/GraphCoding.h"
+#include "irsg/scene/model/apart/PluginReading.h"
+#include "irsg/scene/model/apart/StateCoding.h"
+
+namespace irsg {
+
+namespace {
+
+bool serving = false;
+
+bool readAll(int socket, void* into, std::size_t size) {
+    auto* at = static_cast<char*>(into);
+    while (size > 0) {
+        const ssize_t count = ::read(socket, at, size);
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count <= 0)
+            return false;
+        at += count;
+        size -= static_cast<std::size_t>(count);
+    }
+    return true;
+}
+
+bool writeAll(int socket, const void* from, std::size_t size) {
+    const auto* at = static_cast<const char*>(from);
+    while (size > 0) {
+        const ssize_t count = ::write(socket, at, size);
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count <= 0)
+            return false;
+        at += count;
+        size -= static_cast<std::size_t>(count);
+    }
+    return true;
+}
+
+std::string answerTo(FileKind kind, const std::filesystem::path& file) {
+    ByteSink sink;
+    if (kind == FileKind::picture) {
+        putImage(sink, *readPictureHere(file));
+        return sink.take();
+    }
+    LoadedGraph loaded = readModelHere(file);
+    ByteSink graph;
+    putGraph(graph, *loaded.node, file.string(), loaded.remarks);
+    sink.putCount(loaded.remarks.size());
+    for (const std::string& remark : loaded.remarks)
+        sink.putText(remark);
+    sink.putBytes(graph.bytes().data(), graph.bytes().size());
+    return sink.take();
+}
+
+std::string refusalText(const std::vector<Offence>& offences) {
+    ByteSink sink;
+    sink.putCount(offences.size());
+    for (const Offence& offence : offences)
+        for (const auto* text :
+             {&offence.file, &offence.position, &offence.value, &offence.expected})
+            sink.putText(*text);
+    return sink.take();
+}
+
+/// The answer to one question; what is wrong with a file is an answer, too.
+std::string answer(FileKind kind, const std::string& name, bool& refused) {
+    const auto refuse = [&](const std::string& value) {
+        refused = true;
+        return refusalText(
+            {{name, "", value, kind == FileKind::model ? "a whole model" : "a whole picture"}});
+    };
+    try {
+        return answerTo(kind, name);
+    } catch (const InputError& error) {
+        refused = true;
+        return refusalText(error.offences());
+    } catch (const std::bad_alloc&) {
+        return refuse("a file whose reading takes more memory than a file of its size may");
+    } catch (const std::exception& error) {
+        return refuse("a file that OpenSceneGraph cannot read (" + std::string(error.what()) + ")");
+    }
+}
+
+} // namespace
+
+bool isReader() {
+    return serving;
+}
+
+void throwRefusal(std::string_view answer) {
+    ByteSource source(answer);
+    std::vector<Offence> offences(source.getCount(32));
+    for (Offence& offence : offences)
+        for (auto* text : {&offence.file, &offence.position, &offence.value, &offence.expected})
+            *text = source.getText();
+    if (offences.empty())
+        throw DamagedBytes("a refusal without a reason");
+    throw InputError(std::move(offences));
+}
+
+void serveReadings(int socket) {
+    serving = true;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    preparePlugins();
+    shutIn();
+    for (QuestionHead question; readAll(socket, &question, sizeof question);) {
+        allow(question.limits);
+        std::string name(question.nameSize, '\0');
+        if (!readAll(socket, name.data(), name.size()))
+            return;
+        AnswerHead head;
+        bool refused = false;
+        const std::string bytes = answer(static_cast<FileKind>(question.kind), name, refused);
+        head.refused = refused;
+        head.size = bytes.size();
+        stopClock();
+        if (!writeAll(socket, &head, sizeof head) || !writeAll(socket, bytes.data(), bytes.size()))
+            return;
+    }
+}
+
+} // namespace irsg

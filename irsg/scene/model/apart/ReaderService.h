@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "irsg/scene/model/apart/ReadingLimits.h"
+
+namespace irsg {
+
+/// What goes before the name of a file that is asked for.
+struct QuestionHead {
+    std::uint8_t kind = 0; ///< a FileKind
+    ReadingLimits limits;
+    std::uint64_t nameSize = 0;
+};
+
+/// What goes before the answer: remarks and a graph, a picture, or the offences of a refusal.
+struct AnswerHead {
+    std::uint8_t refused = 0;
+    std::uint64_t size = 0;
+};
+
+/// Throws the InputError that the other process refused with.
+[[noreturn]] void throwRefusal(std::string_view answer);
+
+/// True in a process that serves: there OpenSceneGraph reads, and nowhere else.
+bool isReader();
+
+/// Answers questions through a socket until nobody asks any more, with all that shutIn() takes.
+void serveReadings(int socket);
+
+} // namespace irsg

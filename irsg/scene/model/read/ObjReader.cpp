@@ -1,0 +1,197 @@
+#include "irsg/scene/model/read/ObjReader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include <osg/Geode>
+#include <osg/Group>
+
+#include "irsg/image/FileBytes.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/model/read/ObjDrawable.h"
+#include "irsg/scene/model/read/ObjMaterials.h"
+#include "irsg/scene/model/read/TextWords.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr std::size_t mostOffences = 100;
+
+/// Words of the format that no surface of facets comes of.
+constexpr std::string_view otherWords[] = {
+    "l",          "p",         "s",    "mg",     "vp",     "deg",   "bmat",  "step",     "cstype",
+    "curv",       "curv2",     "surf", "parm",   "trim",   "hole",  "scrv",  "sp",       "end",
+    "con",        "bevel",     "lod",  "maplib", "usemap", "ctech", "stech", "c_interp", "d_interp",
+    "shadow_obj", "trace_obj", "call", "csh",    "bzp",    "bsp",   "res",   "cdc"};
+
+class ObjText {
+  public:
+    ObjText(std::string_view text, const std::filesystem::path& file, const PictureReading& picture)
+        : words_(text, file.string()), materials_(file.parent_path(), picture) {}
+
+    LoadedGraph read() {
+        while (words_.next()) {
+            const std::string_view word = words_.words()[0];
+            if (word[0] == '#')
+                continue;
+            readLine(word);
+            if (offences_.size() >= mostOffences)
+                break;
+        }
+        if (!offences_.empty())
+            throw InputError(std::move(offences_));
+        return finish();
+    }
+
+  private:
+    void readLine(std::string_view word) {
+        double values[3];
+        if (word == "v") {
+            if (words_.numbers(1, 3, values, offences_))
+                // y is up in the file.
+                shape_.vertices.emplace_back(values[0], -values[2], values[1]);
+            else
+                shape_.vertices.emplace_back();
+        } else if (word == "vn") {
+            if (words_.numbers(1, 3, values, offences_))
+                shape_.normals.emplace_back(values[0], -values[2], values[1]);
+            else
+                shape_.normals.emplace_back();
+        } else if (word == "vt") {
+            values[1] = 0.0;
+            if (words_.numbers(1, words_.words().size() > 2 ? 2 : 1, values, offences_))
+                shape_.places.emplace_back(values[0], values[1]);
+            else
+                shape_.places.emplace_back();
+        } else if (word == "f" || word == "fo") {
+            readFace();
+        } else if (word == "g" || word == "o") {
+            name_ = words_.rest();
+            drawable_ = nullptr;
+        } else if (word == "usemtl") {
+            material_ = words_.rest();
+            drawable_ = nullptr;
+        } else if (word == "mtllib") {
+            materials_.read(words_.rest(), remarks_);
+        } else if (std::ranges::find(otherWords, word) == std::end(otherWords)) {
+            if (unknown_++ == 0)
+                firstUnknown_ = words_.offence(quoted(word), "").message();
+        } else if (word != "s" && word != "mg" && word != "lod") {
+            ++others_;
+        }
+    }
+
+    /// A number of a vertex from 1 on, or from the last one backwards below 0; -1 where it is none.
+    int place(std::string_view text, std::size_t count, const char* what) {
+        long long number = 0;
+        const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        const auto last = static_cast<long long>(count);
+        const long long index = number > 0 ? number - 1 : last + number;
+        if (error != std::errc{} || stop != text.data() + text.size() || number == 0 || index < 0 ||
+            index >= last) {
+            offences_.push_back(words_.offence(quoted(text), std::string("the number of a ") +
+                                                                 what + ", 1 to " +
+                                                                 std::to_string(count) + " or -" +
+                                                                 std::to_string(count) + " to -1"));
+            return -1;
+        }
+        return static_cast<int>(index);
+    }
+
+    bool readCorner(std::string_view word, ObjCorner& corner) {
+        std::string_view parts[3];
+        for (auto& part : parts) {
+            const auto slash = std::min(word.find('/'), word.size());
+            part = word.substr(0, slash);
+            word.remove_prefix(std::min(slash + 1, word.size()));
+        }
+        corner.vertex = place(parts[0], shape_.vertices.size(), "vertex");
+        bool good = corner.vertex >= 0 && word.empty();
+        if (good && !parts[1].empty()) {
+            corner.place = place(parts[1], shape_.places.size(), "texture coordinate");
+            good = corner.place >= 0;
+        }
+        if (good && !parts[2].empty()) {
+            corner.normal = place(parts[2], shape_.normals.size(), "normal");
+            good = corner.normal >= 0;
+        }
+        return good;
+    }
+
+    void readFace() {
+        const auto& words = words_.words();
+        if (words.size() < 4) {
+            offences_.push_back(words_.offence(
+                "a face of " + std::to_string(words.size() - 1) + " corners", "3 or more"));
+            return;
+        }
+        face_.clear();
+        for (std::size_t i = 1; i < words.size() && words[i][0] != '#'; ++i) {
+            ObjCorner corner;
+            if (!readCorner(words[i], corner))
+                return;
+            face_.push_back(corner);
+        }
+        if (face_.size() >= 3)
+            drawable().add(face_);
+    }
+
+    ObjDrawable& drawable() {
+        if (!drawable_) {
+            const auto [at, added] = drawables_.try_emplace({name_, material_}, shape_);
+            drawable_ = &at->second;
+            if (added)
+                order_.push_back(at);
+        }
+        return *drawable_;
+    }
+
+    LoadedGraph finish() {
+        LoadedGraph loaded;
+        osg::ref_ptr<osg::Group> group = new osg::Group;
+        for (const auto& at : order_) {
+            osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+            geode->setName(at->first.first);
+            const auto geometry = at->second.make();
+            geometry->setStateSet(materials_.state(at->first.second));
+            geode->addDrawable(geometry);
+            group->addChild(geode);
+        }
+        if (others_ > 0)
+            remarks_.push_back(std::to_string(others_) +
+                               " lines, points and free forms have no facets and are left out");
+        if (unknown_ > 0)
+            remarks_.push_back(firstUnknown_ + ", which the format does not have (" +
+                               std::to_string(unknown_) + " lines like this are left out)");
+        loaded.node = group;
+        loaded.remarks = std::move(remarks_);
+        return loaded;
+    }
+
+    TextWords words_;
+    ObjMaterials materials_;
+    ObjShape shape_;
+    std::map<std::pair<std::string, std::string>, ObjDrawable> drawables_;
+    std::vector<decltype(drawables_)::iterator> order_;
+    ObjDrawable* drawable_ = nullptr; ///< of this name and material
+    std::string name_, material_;
+    std::vector<ObjCorner> face_;
+    std::vector<Offence> offences_;
+    std::vector<std::string> remarks_;
+    long others_ = 0, unknown_ = 0;
+    std::string firstUnknown_;
+};
+
+} // namespace
+
+LoadedGraph readObj(const std::filesystem::path& file, const PictureReading& picture) {
+    const std::string text = readFileBytes(file);
+    if (const auto at = text.find('\0'); at != text.npos)
+        throw InputError({file.string(), "byte " + std::to_string(at), "a zero byte",
+                          "a Wavefront object, which is a text"});
+    return ObjText(text, file, picture).read();
+}
+
+} // namespace irsg

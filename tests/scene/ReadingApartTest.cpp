@@ -1,0 +1,304 @@
+#include <cmath>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <osg/Billboard>
+#include <osg/Geode>
+#include <osg/Geometry>
+#include <osg/LOD>
+#include <osg/Material>
+#include <osg/MatrixTransform>
+#include <osg/ProxyNode>
+#include <osg/Sequence>
+#include <osg/Switch>
+#include <osg/Texture2D>
+#include <osgDB/WriteFile>
+#include <osgSim/MultiSwitch>
+
+#include "irsg/scene/background/TextureImage.h"
+#include "irsg/scene/model/IrCodes.h"
+#include "irsg/scene/model/Model.h"
+#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/apart/Bytes.h"
+#include "irsg/scene/model/apart/GraphCoding.h"
+#include "irsg/scene/model/apart/StateCoding.h"
+#include "tests/support/FlightBytes.h"
+#include "tests/support/QuietListener.h"
+#include "tests/support/Refusal.h"
+#include "tests/support/SharedMaterial.h"
+
+using namespace irsg;
+using namespace irsg::test;
+using smat::test::QuietListener;
+using smat::test::refusalOf;
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+namespace {
+
+osg::ref_ptr<osg::Geometry> square(const IrCodes& codes = {}) {
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    const osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array(4);
+    (*vertices)[1] = {1, 0, 0};
+    (*vertices)[2] = {1, 1, 0};
+    (*vertices)[3] = {0, 1, 0};
+    geometry->setVertexArray(vertices);
+    geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
+    if (codes != IrCodes{})
+        setCodes(*geometry, codes);
+    return geometry;
+}
+
+osg::ref_ptr<osg::Geode> geode(const IrCodes& codes = {}) {
+    osg::ref_ptr<osg::Geode> node = new osg::Geode;
+    node->addDrawable(square(codes));
+    return node;
+}
+
+/// Through bytes and back.
+osg::ref_ptr<osg::Node> handedOver(osg::Node& graph, std::vector<std::string>& remarks) {
+    ByteSink sink;
+    putGraph(sink, graph, "a", remarks);
+    ByteSource source(sink.bytes());
+    const auto back = getGraph(source, "a", remarks);
+    EXPECT_TRUE(source.atEnd());
+    return back;
+}
+
+osg::ref_ptr<osg::Node> handedOver(osg::Node& graph) {
+    std::vector<std::string> remarks;
+    const auto back = handedOver(graph, remarks);
+    EXPECT_THAT(remarks, testing::IsEmpty());
+    return back;
+}
+
+template <typename Kind>
+const Kind& as(const osg::Node& node) {
+    return dynamic_cast<const Kind&>(node);
+}
+
+/// Groups of twice the same: 2^levels squares in a file of some kilobytes.
+osg::ref_ptr<osg::Node> doubled(int levels) {
+    osg::ref_ptr<osg::Node> node = geode();
+    for (int i = 0; i < levels; ++i) {
+        osg::ref_ptr<osg::Group> group = new osg::Group;
+        group->addChild(node);
+        group->addChild(node);
+        node = group;
+    }
+    return node;
+}
+
+} // namespace
+
+TEST(GraphCoding, KeepsNodesStatesAndCodes) {
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    osg::ref_ptr<osg::MatrixTransform> moved =
+        new osg::MatrixTransform(osg::Matrixd::translate(1, 2, 3));
+    moved->setName("moved");
+    moved->setNodeMask(0x12);
+    moved->addChild(geode({1, 2}));
+    root->addChild(moved);
+    osg::ref_ptr<osg::Switch> choice = new osg::Switch;
+    choice->addChild(geode(), false);
+    choice->addChild(moved, true);
+    root->addChild(choice);
+    osg::ref_ptr<osg::LOD> lod = new osg::LOD;
+    lod->addChild(geode(), 10.0f, 20.0f);
+    root->addChild(lod);
+    osg::ref_ptr<osgSim::MultiSwitch> sets = new osgSim::MultiSwitch;
+    sets->addChild(geode());
+    sets->setValue(1, 0, false);
+    sets->setActiveSwitchSet(1);
+    root->addChild(sets);
+    osg::ref_ptr<osg::Sequence> film = new osg::Sequence;
+    film->addChild(geode(), 0.5);
+    root->addChild(film);
+    osg::ref_ptr<osg::Billboard> tree = new osg::Billboard;
+    tree->addDrawable(square({3, 4}), osg::Vec3(5, 6, 7));
+    root->addChild(tree);
+
+    const auto back = handedOver(*root);
+    EXPECT_EQ(polygonCounts(*back), polygonCounts(*root));
+    const auto& group = as<osg::Group>(*back);
+    ASSERT_EQ(group.getNumChildren(), 6u);
+    const auto& transform = as<osg::MatrixTransform>(*group.getChild(0));
+    EXPECT_EQ(transform.getMatrix().getTrans(), osg::Vec3d(1, 2, 3));
+    EXPECT_EQ(transform.getName(), "moved");
+    EXPECT_EQ(transform.getNodeMask(), 0x12u);
+    const auto& switched = as<osg::Switch>(*group.getChild(1));
+    EXPECT_FALSE(switched.getValue(0));
+    EXPECT_TRUE(switched.getValue(1));
+    EXPECT_EQ(switched.getChild(1), group.getChild(0)) << "one node in two places stays one";
+    EXPECT_EQ(as<osg::LOD>(*group.getChild(2)).getMinRange(0), 10.0f);
+    EXPECT_EQ(as<osg::LOD>(*group.getChild(2)).getMaxRange(0), 20.0f);
+    const auto& multi = as<osgSim::MultiSwitch>(*group.getChild(3));
+    EXPECT_EQ(multi.getActiveSwitchSet(), 1u);
+    EXPECT_FALSE(multi.getValue(1, 0));
+    EXPECT_EQ(as<osg::Sequence>(*group.getChild(4)).getTime(0), 0.5);
+    EXPECT_EQ(as<osg::Billboard>(*group.getChild(5)).getPosition(0), osg::Vec3(5, 6, 7));
+}
+
+TEST(GraphCoding, KeepsMaterialsAndPictures) {
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(3, 2, 1, GL_RGB, GL_UNSIGNED_BYTE, 4);
+    for (unsigned int i = 0; i < image->getTotalSizeInBytes(); ++i)
+        image->data()[i] = static_cast<unsigned char>(i);
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::MIRROR);
+    osg::ref_ptr<osg::Material> material = new osg::Material;
+    material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(0.25f, 0.5f, 0.75f, 1));
+    const auto drawable = square();
+    auto* state = drawable->getOrCreateStateSet();
+    state->setTextureAttributeAndModes(0, texture);
+    state->setAttributeAndModes(material, osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
+    state->setMode(GL_BLEND, osg::StateAttribute::ON);
+    osg::ref_ptr<osg::Geode> node = new osg::Geode;
+    node->addDrawable(drawable);
+
+    const auto back = handedOver(*node);
+    const auto& read = *as<osg::Geode>(*back).getDrawable(0)->getStateSet();
+    EXPECT_EQ(read.getMode(GL_BLEND), static_cast<unsigned int>(osg::StateAttribute::ON));
+    EXPECT_EQ(read.getAttributePair(osg::StateAttribute::MATERIAL)->second,
+              static_cast<unsigned int>(osg::StateAttribute::OVERRIDE));
+    const auto* paint =
+        dynamic_cast<const osg::Material*>(read.getAttribute(osg::StateAttribute::MATERIAL));
+    ASSERT_TRUE(paint);
+    EXPECT_EQ(paint->getDiffuse(osg::Material::BACK), osg::Vec4(0.25f, 0.5f, 0.75f, 1));
+    const auto* wall = dynamic_cast<const osg::Texture2D*>(
+        read.getTextureAttribute(0, osg::StateAttribute::TEXTURE));
+    ASSERT_TRUE(wall && wall->getImage());
+    EXPECT_EQ(wall->getWrap(osg::Texture::WRAP_S), osg::Texture::MIRROR);
+    EXPECT_EQ(std::memcmp(wall->getImage()->data(), image->data(), image->getTotalSizeInBytes()),
+              0);
+}
+
+TEST(GraphCoding, RefusesBytesThatDoNotHoldTogether) {
+    ByteSink sink;
+    std::vector<std::string> remarks;
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(geode({1, 2}));
+    putGraph(sink, *root, "a", remarks);
+    const std::string good = sink.take();
+    // Every cut, and every byte changed: refused, or another graph, but never anything else.
+    for (std::size_t i = 0; i < good.size(); ++i) {
+        ByteSource cut(std::string_view(good).substr(0, i));
+        EXPECT_THROW(getGraph(cut, "a", remarks), DamagedBytes) << i;
+        for (const int flip : {0x01, 0x80, 0xff}) {
+            std::string bytes = good;
+            bytes[i] = static_cast<char>(bytes[i] ^ flip);
+            ByteSource changed(bytes);
+            try {
+                getGraph(changed, "a", remarks);
+            } catch (const DamagedBytes&) {
+            } catch (const InputError&) {
+            }
+        }
+    }
+}
+
+TEST(ReadingApart, RefusesFacesOfVerticesThatThereAreNot) {
+    const TemporaryFolder folder;
+    for (const char* kind : {"osgt", "osgb", "ive"}) {
+        auto node = geode();
+        auto& geometry = *node->getDrawable(0)->asGeometry();
+        geometry.setPrimitiveSet(0, new osg::DrawArrays(GL_TRIANGLES, 0, 6));
+        const auto file = folder / ("a." + std::string(kind));
+        ASSERT_TRUE(osgDB::writeNodeFile(*node, file.string()));
+        EXPECT_THAT(refusalOf([&] { loadGraph(file, LoadPurpose::visible); }),
+                    AllOf(HasSubstr(file.string()), HasSubstr("number of vertices, 4")));
+    }
+}
+
+TEST(ReadingApart, RefusesGraphsThatGrowOutOfAllProportion) {
+    const TemporaryFolder folder;
+    for (const char* kind : {"osgt", "osgb", "ive"}) {
+        const auto file = folder / ("a." + std::string(kind));
+        ASSERT_TRUE(osgDB::writeNodeFile(*doubled(15), file.string()));
+        EXPECT_EQ(polygonCounts(*loadGraph(file, LoadPurpose::visible).node).begin()->second,
+                  32768);
+    }
+    std::vector<std::string> remarks;
+    const auto many = doubled(40);
+    EXPECT_THAT(refusalOf([&] { handedOver(*many, remarks); }), HasSubstr("copies of parts"));
+    osg::ref_ptr<osg::Node> deep = geode();
+    for (int i = 0; i < 1500; ++i) {
+        osg::ref_ptr<osg::Group> group = new osg::Group;
+        group->addChild(deep);
+        deep = group;
+    }
+    EXPECT_THAT(refusalOf([&] { handedOver(*deep, remarks); }), HasSubstr("1000 levels"));
+}
+
+TEST(ReadingApart, RefusesCutFilesWhereTheFormatCanTell) {
+    const TemporaryFolder folder;
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(geode({1, 2}));
+    root->addChild(geode({3, 4}));
+    for (const char* kind : {"osg", "osgt", "osgx"}) {
+        const auto whole = folder / ("whole." + std::string(kind));
+        ASSERT_TRUE(osgDB::writeNodeFile(*root, whole.string()));
+        const std::string bytes = readBytes(whole);
+        const auto last = bytes.find_last_not_of(" \t\r\n");
+        for (int part = 1; part < 20; ++part) {
+            const std::size_t size = last * static_cast<std::size_t>(part) / 20;
+            const auto file = folder.write("cut." + std::string(kind), bytes.substr(0, size));
+            EXPECT_NE(refusalOf([&] { Model::load(file); }), "nothing was refused")
+                << kind << " of " << size << " of " << bytes.size() << " bytes";
+        }
+    }
+}
+
+TEST(ReadingApart, OpensNoConnectionAndRunsNothing) {
+    const TemporaryFolder folder;
+    const QuietListener listener;
+    const auto trace = folder / "ran";
+    const std::string script = "os.execute('touch " + trace.string() + "')\n";
+    folder.write("evil.lua", script);
+    for (const std::string& name :
+         {std::string("evil.lua"), listener.address("evil.lua"), listener.address("a.png"),
+          listener.address("a.osgt"), std::string("evil.lua.gz"), std::string("x.zip/evil.lua")}) {
+        // As another scene, as a picture, and as materials.
+        osg::ref_ptr<osg::ProxyNode> proxy = new osg::ProxyNode;
+        proxy->setFileName(0, name);
+        osg::ref_ptr<osg::Image> image = new osg::Image;
+        image->setFileName(name);
+        const auto node = geode();
+        node->getOrCreateStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D(image));
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        root->addChild(node);
+        root->addChild(proxy);
+        for (const char* kind : {"osgt", "osgb", "osgx", "osg"}) {
+            const auto file = folder / ("a." + std::string(kind));
+            osg::ref_ptr<osgDB::Options> options = new osgDB::Options("WriteImageHint=UseExternal");
+            ASSERT_TRUE(osgDB::writeNodeFile(*root, file.string(), options));
+            EXPECT_NO_THROW(loadGraph(file, LoadPurpose::visible)) << kind << ": " << name;
+        }
+        folder.write("a.mtl", "newmtl m\nmap_Kd " + name + "\n");
+        loadGraph(folder.write("a.obj", "mtllib a.mtl\nmtllib " + name +
+                                            "\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl m\nf 1 2 3\n"),
+                  LoadPurpose::visible);
+        EXPECT_NE(refusalOf([&] { readTexture(name); }), "nothing was refused");
+        EXPECT_NE(refusalOf([&] { Model::load(name); }), "nothing was refused");
+    }
+    EXPECT_FALSE(listener.heard());
+    EXPECT_FALSE(fs::exists(trace));
+}
+
+TEST(ReadingApart, RefusesDamagedModelsByName) {
+    const fs::path damaged = smat::test::sharedMaterial("data/damaged");
+    if (damaged.empty())
+        GTEST_SKIP() << "the shared folder data/damaged is absent";
+    int tried = 0;
+    for (const auto& entry : fs::directory_iterator(damaged)) {
+        if (!entry.path().filename().string().starts_with("model-"))
+            continue;
+        ++tried;
+        EXPECT_THAT(refusalOf([&] { Model::load(entry.path()); }),
+                    AllOf(HasSubstr(entry.path().string()), HasSubstr("expected")));
+    }
+    EXPECT_GT(tried, 0);
+}
