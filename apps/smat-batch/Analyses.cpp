@@ -8,6 +8,7 @@
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/StopSignal.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/project/SceneBuilder.h"
 
@@ -74,6 +75,9 @@ int runJobs(std::vector<Job> jobs, Context& context) {
             const StageTimer::Scope scope(&context.timer, "load");
             builder.build(job.data.project, job.data.settings);
         }
+        for (const std::filesystem::path& file : job.files) {
+            irsg::refuseInputAsOutput(file);
+        }
         if (!source) {
             const StageTimer::Scope scope(&context.timer, "start renderer");
             source = makeIrsgImageSource();
@@ -108,6 +112,8 @@ int runJobs(std::vector<Job> jobs, Context& context) {
                 outcome.files.push_back(file);
             }
         }
+        // What is written need not wait for the end of all.
+        job.data.image = {};
         outcomes.push_back(outcome);
         if (stopWasAsked()) {
             warn("stopped; what was done so far is kept");
@@ -133,7 +139,7 @@ int describeJobs(const std::vector<Job>& given, const Context& context) {
         }
     }
     if (context.json) {
-        fmt::print("{}\n", nlohmann::ordered_json{{"plans", list}}.dump(1));
+        fmt::print("{}\n", jsonText(nlohmann::ordered_json{{"plans", list}}));
     }
     return done;
 }

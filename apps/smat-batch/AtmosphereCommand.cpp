@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 int info(const std::string& file, Context& context) {
     const StageTimer::Scope scope(&context.timer, "load");
     if (context.json) {
-        fmt::print("{}\n", atmosphereInfo(file).dump(1));
+        fmt::print("{}\n", jsonText(atmosphereInfo(file)));
     } else {
         printAtmosphereInfo(file);
     }
@@ -37,7 +37,7 @@ int import(const std::vector<std::string>& names, const std::string& out, Contex
     if (context.json) {
         ordered_json result = {{"file", out}, {"name", table.name()}};
         result.update(factsOf(table));
-        fmt::print("{}\n", result.dump(1));
+        fmt::print("{}\n", jsonText(result));
         return done;
     }
     for (const std::string& warning : table.warnings()) {

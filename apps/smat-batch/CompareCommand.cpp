@@ -217,11 +217,10 @@ int compare(const CompareOptions& options, Context& context) {
         }
     }
     if (context.json) {
-        fmt::print("{}\n", ordered_json{{"a", options.fileA},
-                                        {"b", options.fileB},
-                                        {"verdict", irsg::verdictWord(worst)},
-                                        {"comparisons", results}}
-                               .dump(1));
+        fmt::print("{}\n", jsonText(ordered_json{{"a", options.fileA},
+                                                 {"b", options.fileB},
+                                                 {"verdict", irsg::verdictWord(worst)},
+                                                 {"comparisons", results}}));
     }
     return worst == irsg::Verdict::pass ? done : worst == irsg::Verdict::warning ? warned : refused;
 }

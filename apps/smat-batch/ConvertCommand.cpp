@@ -37,13 +37,13 @@ int convert(const ConvertOptions& options, Context& context) {
                              {"polygons_written",
                               written == report.polygonsWritten.end() ? 0 : written->second}});
         }
-        fmt::print("{}\n", nlohmann::ordered_json{{"in", options.in},
-                                                  {"out", options.out},
-                                                  {"drawables_read", report.drawablesRead},
-                                                  {"drawables_written", report.drawablesWritten},
-                                                  {"codes", codes},
-                                                  {"remarks", report.remarks}}
-                               .dump(1));
+        fmt::print("{}\n",
+                   jsonText(nlohmann::ordered_json{{"in", options.in},
+                                                   {"out", options.out},
+                                                   {"drawables_read", report.drawablesRead},
+                                                   {"drawables_written", report.drawablesWritten},
+                                                   {"codes", codes},
+                                                   {"remarks", report.remarks}}));
         return done;
     }
     fmt::print("{} -> {}: {} pairs of codes, {} polygons in {} drawables ({} polygons in {} as "

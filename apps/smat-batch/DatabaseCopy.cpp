@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/smat-batch/DatabaseCommand.h"
+#include "apps/smat-batch/Output.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/CopyEntries.h"
@@ -90,11 +91,11 @@ int copy(const CopyOptions& options, Context& context) {
         irsg::copyEntries(from, made, request, options.from, options.to);
     irsg::saveSignatureFile(made, options.to, opened);
     if (context.json) {
-        fmt::print("{}\n", nlohmann::ordered_json{{"file", options.to},
-                                                  {"temperatures", jsonOf(result.temperatures)},
-                                                  {"materials", jsonOf(result.materials)},
-                                                  {"spectra", jsonOf(result.spectra)}}
-                               .dump(1));
+        fmt::print("{}\n",
+                   jsonText(nlohmann::ordered_json{{"file", options.to},
+                                                   {"temperatures", jsonOf(result.temperatures)},
+                                                   {"materials", jsonOf(result.materials)},
+                                                   {"spectra", jsonOf(result.spectra)}}));
         return done;
     }
     fmt::print("{}\n", options.to);

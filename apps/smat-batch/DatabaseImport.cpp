@@ -19,7 +19,7 @@ struct ImportOptions {
     std::string in, file, kind = "spectrum", unit, name, model;
     std::optional<double> referenceDistance_m;
     std::optional<int> temperature, material;
-    bool loop = false;
+    bool loop = false, replace = false;
 };
 
 /// A user-defined spectrum from CSV into the database; one of the same name is replaced. The
@@ -111,12 +111,28 @@ void createScalings(const irsg::SignatureDatabase& database, const ImportOptions
         irsg::createScalingFiles(options.model, database);
 }
 
+/// What took its time to make is not lost to a whole database from elsewhere.
+void createNew(const irsg::SignatureDatabase& database, const std::string& file) {
+    std::error_code failure;
+    if (std::filesystem::exists(file, failure)) {
+        throw irsg::InputError({.file = file,
+                                .position = "",
+                                .value = "a file that exists already",
+                                .expected = "a new name, or --replace"});
+    }
+    irsg::createSignatureFile(database, file);
+}
+
 int import(const ImportOptions& options, Context& context) {
     const StageTimer::Scope scope(&context.timer, "import");
     if (std::filesystem::path(options.in).extension() == ".json") {
         const irsg::SignatureDatabase database =
             irsg::signatureFromJson(readTextFile(options.in), options.in);
-        irsg::saveSignatureFile(database, options.file);
+        if (options.replace) {
+            irsg::saveSignatureFile(database, options.file);
+        } else {
+            createNew(database, options.file);
+        }
         createScalings(database, options);
         warnOfNew({}, database, options.file);
         return done;
@@ -168,6 +184,8 @@ void addDatabaseImport(CLI::App& database, Context& context) {
     command->add_option("--model", options->model,
                         "Model whose two scaling files are written where they are not there");
     command->add_flag("--loop", options->loop, "Time factors repeat");
+    command->add_flag("--replace", options->replace,
+                      "JSON takes the place of a database that exists");
     command->callback([&context, options] {
         context.work = [&context, options] { return import(*options, context); };
     });

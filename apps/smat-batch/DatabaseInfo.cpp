@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/smat-batch/DatabaseCommand.h"
+#include "apps/smat-batch/Output.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::batch {
@@ -145,7 +146,7 @@ int info(const InfoOptions& options, Context& context) {
     if (context.json) {
         ordered_json json{{"file", options.file}};
         json.update(jsonOf(database));
-        fmt::print("{}\n", json.dump(1));
+        fmt::print("{}\n", jsonText(json));
         return done;
     }
     fmt::print("{}: {}\n", options.file, database.title);

@@ -152,7 +152,7 @@ int lint(const LintOptions& options, Context& context) {
             result["repaired"] = jsonOf(mended);
             result["out"] = writes ? nlohmann::ordered_json(options.out) : nullptr;
         }
-        fmt::print("{}\n", result.dump(1));
+        fmt::print("{}\n", jsonText(result));
         return exitCode;
     }
     print(mended, "repaired");

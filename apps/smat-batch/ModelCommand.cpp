@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/smat-batch/Command.h"
+#include "apps/smat-batch/Output.h"
 #include "irsg/scene/model/Model.h"
 
 namespace smat::batch {
@@ -23,12 +24,12 @@ int info(const std::string& file, Context& context) {
                              {"faces", use.faces},
                              {"area_m2", use.area_m2}});
         }
-        fmt::print("{}\n", nlohmann::ordered_json{{"file", file},
-                                                  {"min_m", {box.min.x, box.min.y, box.min.z}},
-                                                  {"max_m", {box.max.x, box.max.y, box.max.z}},
-                                                  {"codes", codes},
-                                                  {"remarks", model->remarks()}}
-                               .dump(1));
+        fmt::print("{}\n",
+                   jsonText(nlohmann::ordered_json{{"file", file},
+                                                   {"min_m", {box.min.x, box.min.y, box.min.z}},
+                                                   {"max_m", {box.max.x, box.max.y, box.max.z}},
+                                                   {"codes", codes},
+                                                   {"remarks", model->remarks()}}));
         return done;
     }
     int faces = 0;

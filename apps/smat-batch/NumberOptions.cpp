@@ -1,4 +1,5 @@
 #include "apps/smat-batch/NumberOptions.h"
+#include "apps/smat-batch/Output.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -64,12 +65,11 @@ void TableFiles::write(const std::string& kind, const ResultTable& table,
         for (const SummaryItem& item : summary) {
             items.push_back({{"label", item.label}, {"value", item.value}, {"unit", item.unit}});
         }
-        fmt::print("{}\n", Json{{"kind", kind},
-                                {"files", files_},
-                                {"warnings", warnings},
-                                {"summary", items},
-                                {"table", Json::parse(table.toJson())}}
-                               .dump(1));
+        fmt::print("{}\n", jsonText(Json{{"kind", kind},
+                                         {"files", files_},
+                                         {"warnings", warnings},
+                                         {"summary", items},
+                                         {"table", Json::parse(table.toJson())}}));
         return;
     }
     std::size_t widest = 20;

@@ -27,13 +27,18 @@ const char* stateName(AnalysisState state) {
 
 } // namespace
 
+void tell(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fflush(stderr);
+}
+
 void warn(const std::string& sentence) {
-    fmt::print(stderr, "warning: {}\n", sentence);
+    tell("warning: " + sentence + "\n");
 }
 
 void complain(const irsg::InputError& error) {
     for (const irsg::Offence& offence : error.offences()) {
-        fmt::print(stderr, "error: {}\n", offence.message());
+        tell("error: " + offence.message() + "\n");
     }
 }
 
@@ -48,8 +53,7 @@ void checkFolderGiven(const std::string& folder, const std::string& what) {
 
 ProgressLine::~ProgressLine() {
     if (width_ > 0) {
-        fmt::print(stderr, "\r{:{}}\r", "", width_);
-        std::fflush(stderr);
+        tell(fmt::format("\r{:{}}\r", "", width_));
     }
 }
 
@@ -62,8 +66,7 @@ void ProgressLine::show(const Progress& progress) {
     if (const auto remaining_s = progress.remaining_s()) {
         line += fmt::format(", {:.0f} s left", *remaining_s);
     }
-    fmt::print(stderr, "\r{:<{}}", line, width_);
-    std::fflush(stderr);
+    tell(fmt::format("\r{:<{}}", line, width_));
     width_ = std::max(width_, line.size());
 }
 
@@ -124,7 +127,7 @@ std::string summaryJson(const std::vector<Outcome>& outcomes) {
                         {"settings", settings},
                         {"table", Json::parse(data.table.toJson())}});
     }
-    return Json{{"analyses", list}}.dump(1) + "\n";
+    return jsonText(Json{{"analyses", list}}) + "\n";
 }
 
 } // namespace smat::batch

@@ -2,13 +2,25 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/support/Progress.h"
 
 namespace smat::batch {
+
+/// Text on standard error. What nobody can be told is lost, and changes nothing else.
+void tell(std::string_view text);
+/// JSON as the commands print it. A text that is no UTF-8, of a file of others, has its wrong bytes
+/// replaced.
+template <typename Json>
+std::string jsonText(const Json& json) {
+    return json.dump(1, ' ', false, Json::error_handler_t::replace);
+}
 
 /// One sentence a line on standard error.
 void warn(const std::string& sentence);

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/smat-batch/Command.h"
+#include "apps/smat-batch/Output.h"
 #include "smatcore/settings/SettingInfo.h"
 
 namespace smat::batch {
@@ -24,7 +25,7 @@ int list(bool markdown, const Context& context) {
                             {"expected", setting.expected()},
                             {"help", setting.help}});
         }
-        fmt::print("{}\n", nlohmann::ordered_json{{"settings", rows}}.dump(1));
+        fmt::print("{}\n", jsonText(nlohmann::ordered_json{{"settings", rows}}));
         return done;
     }
     for (const SettingInfo& setting : settingTable()) {

@@ -196,7 +196,7 @@ class SimulateCommand {
             }
         }
         if (context.json) {
-            fmt::print("{}\n", Json{{"plans", list}}.dump(1));
+            fmt::print("{}\n", jsonText(Json{{"plans", list}}));
         }
     }
 
@@ -239,11 +239,10 @@ class SimulateCommand {
                  {"table", Json::parse(sensor.table.toJson())}});
         }
         const char* state = result.state == AnalysisState::complete ? "complete" : "partial";
-        return Json{{"scenario", loaded.scenario.displayName()},
-                    {"state", state},
-                    {"elapsed_s", result.elapsed_s},
-                    {"sensors", list}}
-                   .dump(1) +
+        return jsonText(Json{{"scenario", loaded.scenario.displayName()},
+                             {"state", state},
+                             {"elapsed_s", result.elapsed_s},
+                             {"sensors", list}}) +
                "\n";
     }
 

@@ -18,7 +18,8 @@ void catchStopSignal() {
     struct sigaction action {};
     action.sa_handler = note;
     action.sa_flags = SA_RESETHAND; // the second one has its ordinary effect
-    sigaction(SIGINT, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM})
+        sigaction(signal, &action, nullptr);
 }
 
 bool stopWasAsked() {

@@ -2,9 +2,10 @@
 
 namespace smat::batch {
 
-/// From here on Ctrl-C is noted instead of ending the program; a second one ends it.
+/// From here on Ctrl-C and SIGTERM are noted instead of ending the program; a second one of its
+/// kind ends it.
 void catchStopSignal();
-/// True once Ctrl-C was pressed.
+/// True once one of them has come.
 bool stopWasAsked();
 
 } // namespace smat::batch

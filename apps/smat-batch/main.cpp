@@ -1,11 +1,14 @@
-#include <cstdio>
 #include <exception>
+#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/Streams.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
+#include "irsg/signature/Utf8.h"
 #include "smatcore/analysis/ImageSource.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/support/FreedMemory.h"
@@ -46,10 +49,44 @@ void addCommonOptions(CLI::App& app, Context& context) {
     app.fallthrough(); // inherited by the commands, which are added after this
 }
 
+/// What commands are written in: names and texts of other encodings would come out broken.
+void checkArguments(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        if (!irsg::isUtf8(argv[i])) {
+            throw irsg::InputError(
+                irsg::Offence{.file = "argument " + std::to_string(i),
+                              .position = "",
+                              .value = irsg::asciiText(argv[i]) + ", which is no UTF-8",
+                              .expected = "names and texts in UTF-8; a file may be renamed"});
+        }
+    }
+}
+
+int parseAndWork(CLI::App& app, Context& context, int argc, char** argv) {
+    checkArguments(argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        tell(
+            fmt::format("error: {} (smat-batch COMMAND --help lists the options)\n", error.what()));
+        return refused;
+    }
+    if (!context.work) {
+        tell("error: no command was given, expected one of those below\n\n" + app.help());
+        return refused;
+    }
+    setLogLevel(context.verbose ? LogLevel::info : LogLevel::quiet);
+    return context.work();
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+    openStreams();
     keepFreedMemory();
+    irsg::protectInputs();
     Context context;
     context.commandLine = commandLineOf(argc, argv);
     CLI::App app("Infrared signatures from the command line: everything the window does.",
@@ -68,33 +105,31 @@ int main(int argc, char** argv) {
     addSimulateCommand(app, context);
     addRadiativeCommand(app, context);
     addTemperatureProfileCommand(app, context);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& help) {
-        return app.exit(help);
-    } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "error: {} (smat-batch COMMAND --help lists the options)\n",
-                   error.what());
-        return refused;
-    }
-    if (!context.work) {
-        fmt::print(stderr, "error: no command was given, expected one of those below\n\n{}",
-                   app.help());
-        return refused;
-    }
 
     int exitCode = ourFault;
-    setLogLevel(context.verbose ? LogLevel::info : LogLevel::quiet);
     try {
-        exitCode = context.work();
+        exitCode = parseAndWork(app, context, argc, argv);
     } catch (const irsg::InputError& error) {
         complain(error);
         exitCode = refused;
+    } catch (const std::filesystem::filesystem_error& error) {
+        // The world's fault, where nobody found better words.
+        tell("error: " + error.path1().string() + ": found " + error.code().message() +
+             ", expected a file or folder that can be used\n");
+        exitCode = refused;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "error: this is a fault of smat-batch itself: {}\n", error.what());
+        if (!outputFailed()) {
+            tell("error: this is a fault of smat-batch itself: " + std::string(error.what()) +
+                 "\n");
+        }
+    }
+    if (outputFailed()) {
+        tell("error: standard output: found a place that takes no more (" + outputProblem() +
+             "), expected room for what is printed\n");
+        exitCode = refused;
     }
     if (context.timing) {
-        fmt::print(stderr, "{}", context.timer.toText());
+        tell(context.timer.toText());
     }
     return exitCode;
 }

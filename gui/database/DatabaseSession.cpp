@@ -1,14 +1,13 @@
 #include "gui/database/DatabaseSession.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include <QCoreApplication>
-#include <QSaveFile>
 #include <QUndoStack>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/FileReplacement.h"
 
 namespace smat::gui {
 namespace {
@@ -27,9 +26,7 @@ bool isWriteProtected(const fs::path& file) {
 }
 
 irsg::SignatureDatabase readDraft(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    return irsg::signatureFromJson(text, file.string(), irsg::LintErrors::accept);
+    return irsg::signatureFromJson(irsg::readFile(file), file.string(), irsg::LintErrors::accept);
 }
 
 } // namespace
@@ -394,12 +391,13 @@ void DatabaseSession::writeRecoveryNow() {
         recovery_ = file_.string() + ".recovery" +
                     (free ? "" : "-" + std::to_string(QCoreApplication::applicationPid()));
     }
-    // Written aside and renamed, so that a crash leaves the copy before or this one.
-    QSaveFile copy(QString::fromStdString(recovery_.string()));
-    if (copy.open(QIODevice::WriteOnly))
-        copy.write(QByteArray::fromStdString(irsg::draftToJson(*value_)));
-    // What failed before is still known here, and is told.
-    setRecoveryProblem(copy.commit() ? QString() : copy.errorString());
+    // A crash leaves the copy before or this one.
+    try {
+        irsg::writeFileDurably(recovery_, irsg::draftToJson(*value_));
+        setRecoveryProblem(QString());
+    } catch (const irsg::InputError& error) {
+        setRecoveryProblem(QString::fromStdString(error.what()));
+    }
 }
 
 void DatabaseSession::setRecoveryProblem(const QString& problem) {

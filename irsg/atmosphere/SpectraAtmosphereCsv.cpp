@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 #include <map>
 #include <optional>
 #include <utility>
@@ -11,6 +11,7 @@
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Quantity.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/radiometry/FileReading.h"
 
 namespace irsg {
 
@@ -208,7 +209,12 @@ SpectraAtmosphere SpectraAtmosphere::fromCsv(const std::filesystem::path& file) 
 }
 
 bool SpectraAtmosphere::isSpectraCsv(const std::filesystem::path& file) {
-    std::ifstream in(file);
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(file, failure)) {
+        return false;
+    }
+    // What is asked for stands among the first lines.
+    std::istringstream in(readFileBeginning(file, std::size_t{1} << 20));
     std::string line;
     while (std::getline(in, line) && line.starts_with('#')) {
         const std::string_view text = trimmed(std::string_view(line).substr(1));

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "irsg/atmosphere/import/ModtranCsv.h"
 #include "irsg/atmosphere/import/ModtranJson.h"
 #include "irsg/atmosphere/import/Tape7.h"
+#include "irsg/radiometry/FileReplacement.h"
 
 namespace irsg {
 
@@ -50,6 +50,8 @@ class TableReader {
         } catch (const json::parse_error& error) {
             throw InputError(
                 {file, "byte " + std::to_string(error.byte), "no JSON", "a tabulated atmosphere"});
+        } catch (const json::out_of_range& error) {
+            throw InputError({file, "", error.what(), "a tabulated atmosphere"});
         }
         if (!root_.is_object() || root_.value("format", json()) != formatName) {
             throw InputError({file, "format",
@@ -270,16 +272,12 @@ std::string TabulatedAtmosphere::toText() const {
         }
         root["runs"].push_back(std::move(object));
     }
-    return root.dump() + "\n";
+    // Cards of old programs are in the encodings of their time.
+    return root.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 void TabulatedAtmosphere::write(const std::filesystem::path& file) const {
-    std::ofstream stream(file, std::ios::binary);
-    stream << toText();
-    stream.close();
-    if (!stream) {
-        throw InputError({file.string(), "", "a file that cannot be written", "room for a table"});
-    }
+    writeFileDurably(file, toText());
 }
 
 TabulatedAtmosphere TabulatedAtmosphere::read(const std::filesystem::path& file) {

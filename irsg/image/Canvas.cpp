@@ -6,8 +6,8 @@
 
 #include <png.h>
 
-#include "irsg/image/FileBytes.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReplacement.h"
 
 namespace irsg {
 
@@ -85,7 +85,7 @@ void writePng(const Canvas& canvas, const std::filesystem::path& file) {
     if (!problem.empty())
         throw LogicError("a picture could not be made into PNG: " + problem);
     bytes.resize(size);
-    writeFileBytes(file, bytes);
+    writeFileDurably(file, bytes);
 }
 
 } // namespace irsg

@@ -10,8 +10,9 @@
 #include <string_view>
 
 #include "irsg/image/ExrFile.h"
-#include "irsg/image/FileBytes.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/FileReplacement.h"
 
 namespace irsg {
 
@@ -301,11 +302,11 @@ void writeCsvImage(const RadianceImage& image, const std::filesystem::path& file
             appendNumber(out, plane->values[image.offset(x, y)]);
             out += x + 1 < image.width() ? ',' : '\n';
         }
-    writeFileBytes(file, out);
+    writeFileDurably(file, out);
 }
 
 RadianceImage readCsvImage(const std::filesystem::path& file) {
-    const std::string bytes = readFileBytes(file);
+    const std::string bytes = readFile(file);
     std::string_view rest = bytes;
     if (const std::size_t nul = rest.find('\0'); nul != std::string_view::npos)
         throw InputError({file.string(), "byte " + std::to_string(nul), "a NUL byte", "text"});

@@ -21,8 +21,9 @@
 #include <OpenEXR/ImfStringVectorAttribute.h>
 
 #include "irsg/image/ExrHeader.h"
-#include "irsg/image/FileBytes.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/FileReplacement.h"
 
 namespace irsg {
 
@@ -253,11 +254,11 @@ void writeExr(const RadianceImage& image, const std::filesystem::path& file) {
         output.setFrameBuffer(source);
         output.writePixels(image.height());
     }
-    writeFileBytes(file, bytes.str());
+    writeFileDurably(file, bytes.str());
 }
 
 RadianceImage readExr(const std::filesystem::path& file) {
-    const std::string bytes = readFileBytes(file);
+    const std::string bytes = readFile(file);
     const std::string name = file.string();
     if (bytes.size() < 4 || std::string_view(bytes).substr(0, 4) != "\x76\x2f\x31\x01")
         throw InputError({name, "byte 0", bytes.empty() ? "an empty file" : "no OpenEXR signature",

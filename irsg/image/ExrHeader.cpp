@@ -1,10 +1,12 @@
 #include "irsg/image/ExrHeader.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
 
 #include "irsg/image/ExrFile.h"
+#include "irsg/image/PixelBound.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
@@ -77,15 +79,17 @@ void walkStrings(Walk& walk, std::size_t end) {
 }
 
 /// A name and 16 bytes each, and an empty name behind the last.
-void walkChannels(Walk& walk, std::size_t end) {
-    while (!walk.name().empty())
+std::uint64_t walkChannels(Walk& walk, std::size_t end) {
+    std::uint64_t channels = 0;
+    for (; !walk.name().empty(); ++channels)
         walk.skip(16, "a channel");
     if (walk.at() != end)
         walk.refuse("a list of channels that does not end with its attribute", "one that does");
+    return channels;
 }
 
 /// Two corners; the library makes a table of all rows between them.
-void walkDataWindow(Walk& walk) {
+std::uint64_t walkDataWindow(Walk& walk) {
     std::array<std::int64_t, 4> corners{};
     for (std::int64_t& corner : corners)
         corner = static_cast<std::int32_t>(walk.number());
@@ -93,9 +97,15 @@ void walkDataWindow(Walk& walk) {
     if (width < 1 || height < 1 || width > largestImageSide_px || height > largestImageSide_px)
         walk.refuse(std::to_string(width) + " x " + std::to_string(height) + " pixels",
                     "1 to " + std::to_string(largestImageSide_px) + " pixels a side");
+    return static_cast<std::uint64_t>(width * height);
 }
 
-void walkAttribute(Walk& walk, std::string_view attribute) {
+/// What a part holds.
+struct Extent {
+    std::uint64_t pixels = 0, channels = 1;
+};
+
+void walkAttribute(Walk& walk, std::string_view attribute, Extent& extent) {
     const std::string_view type = walk.name();
     const std::uint32_t size = walk.number();
     walk.need(size, "an attribute");
@@ -105,11 +115,11 @@ void walkAttribute(Walk& walk, std::string_view attribute) {
             walk.refuse("a " + std::string(type) + " of " + std::to_string(size) + " bytes",
                         std::to_string(fixed));
     if (attribute == "dataWindow" && type == "box2i") {
-        walkDataWindow(walk);
+        extent.pixels = walkDataWindow(walk);
     } else if (type == "stringvector") {
         walkStrings(walk, end);
     } else if (type == "chlist") {
-        walkChannels(walk, end);
+        extent.channels = walkChannels(walk, end);
     } else if (type == "preview") {
         const std::uint64_t width = walk.number(), height = walk.number();
         if (8 + 4 * width * height != size)
@@ -129,10 +139,13 @@ void checkExrHeader(std::string_view bytes, const std::string& file) {
     const std::uint32_t version = walk.number();
     do {
         std::size_t attributes = 0;
+        Extent extent;
         for (auto name = walk.name(); !name.empty(); name = walk.name(), ++attributes)
-            walkAttribute(walk, name);
+            walkAttribute(walk, name, extent);
         if (attributes == 0)
             return; // behind the last part
+        checkPixelCount(extent.pixels * std::max<std::uint64_t>(1, extent.channels), bytes.size(),
+                        file);
     } while ((version & severalParts) != 0);
 }
 

@@ -1,12 +1,12 @@
 #include "irsg/image/ImageFile.h"
 
 #include <array>
-#include <fstream>
 #include <string_view>
 
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
 
 namespace irsg {
 
@@ -26,19 +26,10 @@ constexpr std::array<Signature, 7> otherFormats = {{{"\x89PNG", "a PNG picture"}
 
 constexpr std::string_view exrBytes = "\x76\x2f\x31\x01";
 
-/// At most `size` bytes; nothing of a file that cannot be read.
-std::string beginningOf(const std::filesystem::path& file, std::size_t size) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes(size, '\0');
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
-    return bytes;
-}
-
 } // namespace
 
 RadianceImage readImageFile(const std::filesystem::path& file) {
-    const std::string beginning = beginningOf(file, 16);
+    const std::string beginning = readFileBeginning(file, 16);
     if (beginning.starts_with(exrBytes))
         return readExr(file);
     for (const Signature& other : otherFormats)
@@ -52,7 +43,7 @@ bool holdsImage(const std::filesystem::path& file) {
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(file, unknown))
         return false;
-    const std::string beginning = beginningOf(file, std::size_t{256} << 10);
+    const std::string beginning = readFileBeginning(file, std::size_t{256} << 10);
     if (beginning.starts_with(exrBytes))
         return true;
     return beginning.find('\0') == std::string::npos && beginsAsCsvImage(beginning);

@@ -8,8 +8,9 @@
 #include <png.h>
 
 #include "irsg/image/ExrFile.h"
-#include "irsg/image/FileBytes.h"
+#include "irsg/image/PixelBound.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
 
 namespace irsg {
 
@@ -45,8 +46,8 @@ void keepComplaint(png_structp png, png_const_charp message) {
 
 void ignoreWarning(png_structp, png_const_charp) {}
 
-/// False where libpng complained.
-bool decode(Decoding& d) {
+/// False where libpng complained. With `sizeOnly` width and height alone are read.
+bool decode(Decoding& d, bool sizeOnly) {
     if (setjmp(png_jmpbuf(d.png)))
         return false;
     png_set_read_fn(d.png, &d, readBytes);
@@ -54,6 +55,8 @@ bool decode(Decoding& d) {
     png_read_info(d.png, d.info);
     d.width = png_get_image_width(d.png, d.info);
     d.height = png_get_image_height(d.png, d.info);
+    if (sizeOnly)
+        return true;
 
     // Whole bytes, as they are: no gamma.
     if (png_get_color_type(d.png, d.info) == PNG_COLOR_TYPE_PALETTE)
@@ -74,16 +77,25 @@ bool decode(Decoding& d) {
     return true;
 }
 
-} // namespace
-
-PngPlane readPngPlane(const std::filesystem::path& file) {
-    Decoding d;
-    d.bytes = readFileBytes(file);
+void start(Decoding& d, const std::filesystem::path& file) {
+    png_destroy_read_struct(&d.png, &d.info, nullptr);
+    d.position = 0;
     d.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &d, keepComplaint, ignoreWarning);
     d.info = d.png ? png_create_info_struct(d.png) : nullptr;
     if (!d.info)
         throw InputError({file.string(), "", "no memory to read it", "a PNG file"});
-    if (!decode(d))
+}
+
+} // namespace
+
+PngPlane readPngPlane(const std::filesystem::path& file) {
+    Decoding d;
+    d.bytes = readFile(file);
+    start(d, file);
+    if (decode(d, true))
+        checkPixelCount(std::uint64_t{d.width} * d.height, d.bytes.size(), file.string());
+    start(d, file);
+    if (!decode(d, false))
         throw InputError({file.string(), "byte " + std::to_string(d.position),
                           "a file that cannot be read as PNG (" + d.complaint + ")",
                           "a whole PNG file"});

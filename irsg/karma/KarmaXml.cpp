@@ -2,32 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <utility>
 
 #include "irsg/karma/KarmaXmlReader.h"
+#include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/FileReplacement.h"
 
 namespace irsg {
 
 namespace {
 
-constexpr std::uintmax_t mostBytes = 16u << 20;
-
-std::string contentOf(const std::filesystem::path& file) {
-    std::error_code error;
-    if (std::filesystem::is_directory(file, error))
-        throw InputError({file.string(), "", "a folder", "an XML file"});
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream)
-        throw InputError({file.string(), "", "a file that cannot be read", "an XML file"});
-    if (const auto size = std::filesystem::file_size(file, error); !error && size > mostBytes)
-        throw InputError({file.string(), "", std::to_string(size) + " bytes",
-                          "a parameter file of at most 16 MiB"});
-    std::ostringstream content;
-    content << stream.rdbuf();
-    return std::move(content).str();
-}
+constexpr std::uint64_t mostBytes = 16u << 20;
 
 /// The child of that name, made where it is missing: before the documentation, which is last.
 pugi::xml_node childOf(pugi::xml_node parent, const char* name) {
@@ -140,7 +126,7 @@ KarmaXml& KarmaXml::operator=(KarmaXml&&) noexcept = default;
 KarmaXml::~KarmaXml() = default;
 
 KarmaXml KarmaXml::read(const std::filesystem::path& file) {
-    return parse(contentOf(file), file.string());
+    return parse(readFile(file, mostBytes), file.string());
 }
 
 KarmaXml KarmaXml::parse(std::string text, std::string file) {
@@ -246,11 +232,7 @@ std::string KarmaXml::text() const {
 }
 
 void KarmaXml::write(const std::filesystem::path& file) const {
-    std::ofstream stream(file, std::ios::binary);
-    stream << text();
-    stream.close();
-    if (!stream)
-        throw InputError({file.string(), "", "a file that cannot be written", ""});
+    writeFileDurably(file, text());
 }
 
 Offence KarmaXml::offence(const KarmaParameter& parameter, std::string value,
@@ -270,7 +252,10 @@ Offence KarmaXml::offence(std::string position, std::string value, std::string e
 }
 
 bool isXml(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(file, failure))
+        return false;
+    std::istringstream stream(readFileBeginning(file, std::size_t{64} << 10));
     for (const char expected : std::string_view("\xEF\xBB\xBF"))
         if (stream.peek() == static_cast<unsigned char>(expected))
             stream.get();

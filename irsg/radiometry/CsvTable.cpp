@@ -2,14 +2,15 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <utility>
+
+#include "irsg/radiometry/FileReading.h"
 
 namespace irsg {
 
 namespace {
 
-constexpr std::size_t largestFile_bytes = std::size_t{256} << 20;
+constexpr std::uint64_t largestTable_B = std::uint64_t{256} << 20;
 constexpr std::size_t longestQuote = 60;
 
 /// What was found, fit for one line of an error message.
@@ -125,30 +126,7 @@ std::optional<double> numberOr(std::string_view text, Offence offence,
 } // namespace
 
 CsvTable CsvTable::read(const std::filesystem::path& file) {
-    const std::string name = file.string();
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) {
-        throw InputError({name, "", "a folder", "a file"});
-    }
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-        throw InputError({name, "", "no readable file", "a readable text file"});
-    }
-
-    // Read in pieces, so that a device or a pipe without end is refused as well.
-    std::string text;
-    std::vector<char> piece(std::size_t{1} << 16);
-    while (stream) {
-        stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-        text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
-        if (text.size() > largestFile_bytes) {
-            throw InputError({name, "", "more than 256 MiB", "a table of at most 256 MiB"});
-        }
-    }
-    if (stream.bad()) {
-        throw InputError({name, "", "an unreadable file", "a readable text file"});
-    }
-    return parse(text, name);
+    return parse(readFile(file, largestTable_B), file.string());
 }
 
 CsvTable CsvTable::parse(std::string_view text, std::string name) {

@@ -2,11 +2,35 @@
 
 #include <array>
 #include <charconv>
+#include <map>
 #include <utility>
 
 namespace irsg {
 
 namespace {
+
+constexpr std::size_t mostOffences = 100;
+
+/// The first offences of each file; nobody reads more, and a file of nothing but offences would
+/// take its size in sentences.
+std::vector<Offence> bounded(std::vector<Offence> offences) {
+    if (offences.size() <= mostOffences) {
+        return offences;
+    }
+    std::vector<Offence> kept;
+    std::map<std::string, std::size_t> counts;
+    for (Offence& offence : offences) {
+        if (++counts[offence.file] <= mostOffences) {
+            kept.push_back(std::move(offence));
+        }
+    }
+    for (const auto& [file, count] : counts) {
+        if (count > mostOffences) {
+            kept.push_back({file, "", std::to_string(count - mostOffences) + " more", ""});
+        }
+    }
+    return kept;
+}
 
 std::string messageOf(const std::vector<Offence>& offences) {
     if (offences.empty()) {
@@ -30,7 +54,7 @@ std::string Offence::message() const {
     }
     std::string finding;
     if (!value.empty()) {
-        finding = "found " + value;
+        finding = (value.ends_with(" more") && expected.empty() ? "and " : "found ") + value;
     }
     if (!expected.empty()) {
         finding += (finding.empty() ? "expected " : ", expected ") + expected;
@@ -44,7 +68,10 @@ std::string Offence::message() const {
 InputError::InputError(Offence offence) : InputError(std::vector<Offence>{std::move(offence)}) {}
 
 InputError::InputError(std::vector<Offence> offences)
-    : std::runtime_error(messageOf(offences)), offences_(std::move(offences)) {}
+    : InputError(Bounded{bounded(std::move(offences))}) {}
+
+InputError::InputError(Bounded offences)
+    : std::runtime_error(messageOf(offences.list)), offences_(std::move(offences.list)) {}
 
 std::string numberText(double value) {
     std::array<char, 32> text{};

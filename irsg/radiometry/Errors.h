@@ -29,12 +29,18 @@ struct Offence {
 class InputError : public std::runtime_error {
   public:
     explicit InputError(Offence offence);
-    /// `offences` must not be empty (LogicError).
+    /// `offences` must not be empty (LogicError). Of each file the first 100 are kept, and how many
+    /// more there are.
     explicit InputError(std::vector<Offence> offences);
 
     const std::vector<Offence>& offences() const { return offences_; }
 
   private:
+    struct Bounded {
+        std::vector<Offence> list;
+    };
+    explicit InputError(Bounded offences);
+
     std::vector<Offence> offences_;
 };
 

@@ -3,15 +3,18 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <map>
+#include <mutex>
 #include <system_error>
-#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
 
 namespace irsg {
 
@@ -19,9 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto patience = std::chrono::seconds(2);
-constexpr auto pause = std::chrono::milliseconds(5);
 constexpr mode_t ordinary = 0666;
+constexpr std::string_view partEnding = ".part";
 
 [[noreturn]] void refuse(const fs::path& file, std::string value, std::string expected) {
     throw InputError({file.string(), "", std::move(value), std::move(expected)});
@@ -47,35 +49,14 @@ constexpr mode_t ordinary = 0666;
     }
 }
 
-/// True where the open file still has this name: its last owner may have moved it in the meantime.
-bool isAt(int descriptor, const fs::path& path) {
-    struct stat opened {};
-    struct stat named {};
-    return fstat(descriptor, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
-           opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
-}
-
-/// Opens and locks the neighbour, empty; what a killed program left there is taken over.
-int openAlone(const fs::path& part, const fs::path& target) {
-    const auto deadline = std::chrono::steady_clock::now() + patience;
-    for (;;) {
-        const int descriptor = open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, ordinary);
-        if (descriptor < 0) {
-            refuse(target, errno);
-        }
-        if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 && isAt(descriptor, part)) {
-            if (ftruncate(descriptor, 0) != 0) {
-                const int error = errno;
-                close(descriptor);
-                refuse(target, error);
-            }
-            return descriptor;
-        }
-        close(descriptor);
-        if (std::chrono::steady_clock::now() > deadline) {
-            refuse(target, "a file that another program is writing", "one writer at a time");
-        }
-        std::this_thread::sleep_for(pause);
+void writeAll(int descriptor, std::string_view bytes, const fs::path& named) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0)
+            refuse(named, errno);
+        bytes.remove_prefix(static_cast<std::size_t>(count));
     }
 }
 
@@ -92,76 +73,189 @@ fs::path folderOf(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
+/// Twelve letters that nobody foresees.
+std::string randomName() {
+    unsigned char bytes[12] = {};
+    static_cast<void>(getrandom(bytes, sizeof bytes, 0));
+    std::string name;
+    for (const unsigned char byte : bytes)
+        name += static_cast<char>('a' + byte % 26);
+    return name;
+}
+
+fs::path neighbourOf(const fs::path& target) {
+    constexpr std::size_t longest = 200; // of the 255 bytes that names have
+    return folderOf(target) / ("." + target.filename().string().substr(0, longest) + "." +
+                               randomName() + std::string(partEnding));
+}
+
+bool isLeftOver(const fs::path& file) {
+    const std::string name = file.filename().string();
+    return name.size() > 19 && name[0] == '.' && name.ends_with(partEnding) &&
+           name[name.size() - 18] == '.';
+}
+
+/// Removes what killed programs left: neighbours that nobody holds a lock on. Looks into a folder
+/// once a second at most: one of ten thousand frames is not looked through for each of them.
+void sweep(const fs::path& folder) {
+    using Clock = std::chrono::steady_clock;
+    static std::mutex mutex;
+    static std::map<fs::path, Clock::time_point> swept;
+    std::error_code failure;
+    const std::scoped_lock lock(mutex);
+    const auto now = Clock::now();
+    const auto [known, added] = swept.try_emplace(fs::weakly_canonical(folder, failure), now);
+    if (!added && now - known->second < std::chrono::seconds(1))
+        return;
+    known->second = now;
+    for (const auto& entry : fs::directory_iterator(folder, failure)) {
+        if (!isLeftOver(entry.path()) || !entry.is_regular_file(failure))
+            continue;
+        const int descriptor = open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+        if (descriptor < 0)
+            continue;
+        if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+            fs::remove(entry.path(), failure);
+        close(descriptor);
+    }
+}
+
+/// How a file without a name is called.
+std::string callingOf(int descriptor) {
+    return "/proc/self/fd/" + std::to_string(descriptor);
+}
+
 } // namespace
 
 FileReplacement::FileReplacement(const fs::path& target) : named_(target), target_(target) {
     std::error_code failure;
-    if (fs::is_symlink(target, failure)) {
+    if (fs::is_symlink(target, failure))
         target_ = fs::weakly_canonical(target, failure);
-    }
-    if (fs::is_directory(target_, failure)) {
+    if (fs::is_directory(target_, failure))
         refuse(named_, "a folder", "the name of a file to write");
-    }
-    if (fs::exists(target_, failure) && !fs::is_regular_file(target_, failure)) {
+    if (fs::exists(target_, failure) && !fs::is_regular_file(target_, failure))
         refuse(named_, "no regular file", "the name of a file to write");
-    }
-    if (!fs::is_directory(folderOf(target_), failure)) {
+    const fs::path folder = folderOf(target_);
+    if (!fs::is_directory(folder, failure))
         refuse(named_, ENOENT);
+    refuseInputAsOutput(named_);
+    sweep(folder);
+
+    descriptor_ = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, ordinary);
+    if (descriptor_ >= 0 && access(callingOf(descriptor_).c_str(), F_OK) != 0) {
+        close(descriptor_); // without /proc it would never get a name
+        descriptor_ = -1;
     }
-    part_ = folderOf(target_) / ("." + target_.filename().string() + ".part");
-    descriptor_ = openAlone(part_, named_);
-    // The new file may be read and written by whom the old one may.
-    struct stat old {};
-    if (stat(target_.c_str(), &old) == 0) {
-        static_cast<void>(fchmod(descriptor_, old.st_mode & 07777));
+    if (descriptor_ < 0) {
+        const fs::path part = neighbourOf(target_);
+        descriptor_ = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, ordinary);
+        if (descriptor_ < 0)
+            refuse(named_, errno);
+        part_ = part;
+    }
+    // Whoever sweeps leaves alone what is locked.
+    static_cast<void>(flock(descriptor_, LOCK_EX | LOCK_NB));
+    try {
+        takePermissions();
+    } catch (...) {
+        if (!part_.empty())
+            fs::remove(part_, failure);
+        close(descriptor_);
+        throw;
     }
 }
 
 FileReplacement::~FileReplacement() {
-    if (!done_) {
-        std::error_code ignored;
+    std::error_code ignored;
+    if (!part_.empty())
         fs::remove(part_, ignored);
-    }
-    close(descriptor_);
+    if (descriptor_ >= 0)
+        close(descriptor_);
+}
+
+void FileReplacement::takePermissions() {
+    struct stat old {};
+    if (stat(target_.c_str(), &old) != 0)
+        return;
+    if ((old.st_mode & 0222) == 0)
+        refuse(named_, "a write-protected file", "a file that can be written");
+    // Who may not give files away keeps his own.
+    static_cast<void>(!fchown(descriptor_, old.st_uid, old.st_gid));
+    static_cast<void>(fchmod(descriptor_, old.st_mode & 07777));
 }
 
 void FileReplacement::write(std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) {
-            continue;
-        }
-        if (count < 0) {
-            refuse(named_, errno);
-        }
-        bytes.remove_prefix(static_cast<std::size_t>(count));
+    writeAll(descriptor_, bytes, named_);
+}
+
+void FileReplacement::giveName() {
+    if (!part_.empty())
+        return;
+    const fs::path part = neighbourOf(target_);
+    if (linkat(AT_FDCWD, callingOf(descriptor_).c_str(), AT_FDCWD, part.c_str(),
+               AT_SYMLINK_FOLLOW) != 0)
+        refuse(named_, errno);
+    part_ = part;
+}
+
+/// In one step; false where something is, in one way or another.
+bool FileReplacement::putWhereNothingIs() {
+    if (part_.empty()) {
+        if (linkat(AT_FDCWD, callingOf(descriptor_).c_str(), AT_FDCWD, target_.c_str(),
+                   AT_SYMLINK_FOLLOW) == 0)
+            return true;
+    } else if (renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) ==
+               0) {
+        part_.clear();
+        return true;
     }
+    const int error = errno;
+    std::error_code failure;
+    // Some file systems cannot tell in one step.
+    if (error != EEXIST && error != EINVAL)
+        refuse(named_, error);
+    if (error == EEXIST || fs::exists(fs::symlink_status(target_, failure)))
+        return false;
+    giveName();
+    if (rename(part_.c_str(), target_.c_str()) != 0)
+        refuse(named_, errno);
+    part_.clear();
+    return true;
 }
 
 void FileReplacement::commit(Existing existing) {
-    if (fsync(descriptor_) != 0) {
+    if (fsync(descriptor_) != 0)
         refuse(named_, errno);
-    }
-    if (existing == Existing::replace) {
-        if (rename(part_.c_str(), target_.c_str()) != 0) {
+    std::error_code failure;
+    const bool stands = fs::exists(fs::symlink_status(target_, failure));
+    bool done = (existing == Existing::refuse || !stands) && putWhereNothingIs();
+    if (!done && existing == Existing::refuse)
+        refuse(named_, "a file that exists already", "the name of a new file");
+    if (!done) {
+        giveName();
+        if (rename(part_.c_str(), target_.c_str()) != 0)
             refuse(named_, errno);
-        }
-    } else if (renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) !=
-               0) {
-        const int error = errno;
-        if (error == EEXIST || fs::exists(target_)) {
-            refuse(named_, "a file that exists already", "the name of a new file");
-        }
-        // Some file systems cannot tell in one step.
-        if (error != EINVAL || rename(part_.c_str(), target_.c_str()) != 0) {
-            refuse(named_, errno);
-        }
+        part_.clear();
     }
-    done_ = true;
     bringFolderToDisk(folderOf(target_));
 }
 
 void writeFileDurably(const fs::path& file, std::string_view bytes) {
+    std::error_code failure;
+    const fs::file_status status = fs::status(file, failure);
+    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+        const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor < 0)
+            refuse(file, errno);
+        try {
+            writeAll(descriptor, bytes, file);
+        } catch (...) {
+            close(descriptor);
+            throw;
+        }
+        close(descriptor);
+        return;
+    }
     FileReplacement replacement(file);
     replacement.write(bytes);
     replacement.commit();

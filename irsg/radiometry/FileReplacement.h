@@ -1,27 +1,28 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace irsg {
 
-/// A file that is written beside the one it will replace, and takes its place in one step: whoever
-/// is killed at any moment leaves the old file or the new one, and at most one hidden neighbour,
-/// which the next replacement takes over. Two writers of one file wait for each other.
+/// A file that is written without a name, or with one that nobody guesses where the file system
+/// knows no files without names, and takes its place in one step: whoever is killed at any moment
+/// leaves the old file or the new one. A killed writer leaves a hidden neighbour (".NAME.XXX.part")
+/// at most between two calls of the system; the next program that writes into the folder removes
+/// it. Writers of one file do not meet: the last one wins.
 class FileReplacement {
   public:
-    /// Makes the neighbour, empty (".NAME.part" in the same folder). A link is followed. Throws
-    /// InputError naming `target` where its folder is missing or cannot be written, where it is a
-    /// folder, and where another program keeps writing it for two seconds.
+    /// A link is followed. The new file gets owner and permissions of the one that stands. Throws
+    /// InputError naming `target` where its folder is missing or cannot be written, and where it is
+    /// a folder, no regular file, write-protected, or an input (protectInputs).
     explicit FileReplacement(const std::filesystem::path& target);
-    /// Removes the neighbour, unless it has become the target.
+    /// Leaves nothing behind, unless it was committed.
     ~FileReplacement();
     FileReplacement(const FileReplacement&) = delete;
     FileReplacement& operator=(const FileReplacement&) = delete;
 
-    /// Where to write.
-    const std::filesystem::path& path() const { return part_; }
-    /// Appends to the neighbour. Throws InputError, on a full disk say.
+    /// Appends. Throws InputError, on a full disk say.
     void write(std::string_view bytes);
 
     enum class Existing { replace, refuse };
@@ -30,14 +31,18 @@ class FileReplacement {
     void commit(Existing existing = Existing::replace);
 
   private:
+    void takePermissions();
+    void giveName();
+    bool putWhereNothingIs();
+
     std::filesystem::path named_;  ///< as messages call it
     std::filesystem::path target_; ///< behind a link
-    std::filesystem::path part_;
+    std::filesystem::path part_;   ///< empty while it has no name
     int descriptor_ = -1;
-    bool done_ = false;
 };
 
-/// The whole of a file in one step, as above.
+/// The whole of a file in one step, as above. What is no regular file but may be written (a device,
+/// a pipe) is written as it stands.
 void writeFileDurably(const std::filesystem::path& file, std::string_view bytes);
 
 } // namespace irsg

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "irsg/karma/KarmaXml.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReplacement.h"
 #include "irsg/signature/random/Philox.h"
 
 namespace irsg {
@@ -73,18 +73,14 @@ std::optional<ScalingEntry> entryOf(const KarmaXml& xml, const KarmaParameter& p
 bool writtenIfAbsent(const fs::path& file, const std::string& text) {
     if (fs::exists(file))
         return false;
-    std::FILE* stream = std::fopen(file.c_str(), "wbx");
-    if (stream == nullptr && fs::exists(file))
-        return false;
-    const bool isWritten =
-        stream != nullptr && std::fwrite(text.data(), 1, text.size(), stream) == text.size();
-    const bool isClosed = stream != nullptr && std::fclose(stream) == 0;
-    if (!isWritten || !isClosed) {
-        std::error_code ignored;
-        if (stream != nullptr)
-            fs::remove(file, ignored);
-        throw InputError({file.string(), "", "a scaling file that cannot be written",
-                          "a folder with leave and room to write"});
+    try {
+        FileReplacement replacement(file);
+        replacement.write(text);
+        replacement.commit(FileReplacement::Existing::refuse);
+    } catch (const InputError&) {
+        if (fs::exists(file))
+            return false;
+        throw;
     }
     return true;
 }

@@ -1,13 +1,14 @@
 #include "irsg/signature/SignatureFile.h"
 
-#include <fstream>
 #include <map>
+#include <memory>
 #include <set>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <sqlite3.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/FileReplacement.h"
 #include "irsg/signature/EntryJson.h"
 #include "irsg/signature/LintErrors.h"
@@ -42,16 +43,11 @@ Existing inspect(const fs::path& file) {
         throw refusal(file, fs::is_directory(status) ? "a folder" : "no regular file",
                       "a signature database (.sigdb)");
     }
-    std::string head(sqliteMagic.size(), '\0');
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-        throw refusal(file, "a file that cannot be read", "a readable signature database (.sigdb)");
-    }
-    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-    if (stream.gcount() == 0) {
+    const std::string head = readFileBeginning(file, sqliteMagic.size());
+    if (head.empty()) {
         return Existing::empty;
     }
-    if (!stream || head != sqliteMagic) {
+    if (head != sqliteMagic) {
         throw refusal(file, "a file that does not begin as an SQLite database does",
                       "a signature database (.sigdb)");
     }
@@ -200,20 +196,26 @@ void saveInPlace(const SignatureDatabase& database, const fs::path& file,
     transaction.commit();
 }
 
+/// The bytes of a new file. Small pages keep small databases small.
+std::string bytesOf(const SignatureDatabase& database) {
+    SQLite::Database sqlite(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    sqlite.exec("PRAGMA page_size = 1024; PRAGMA foreign_keys = ON");
+    SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
+    write(database, sqlite);
+    transaction.commit();
+    sqlite3_int64 size = 0;
+    const std::unique_ptr<unsigned char, void (*)(void*)> bytes(
+        sqlite3_serialize(sqlite.getHandle(), "main", &size, 0), sqlite3_free);
+    if (!bytes)
+        throw SQLite::Exception("no memory for the file", SQLITE_NOMEM);
+    return {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)};
+}
+
 /// A new file comes whole: made beside its place and then put there.
 void saveNew(const SignatureDatabase& database, const fs::path& file,
              FileReplacement::Existing existing) {
     FileReplacement replacement(file);
-    {
-        SQLite::Database sqlite(replacement.path().string(), SQLite::OPEN_READWRITE,
-                                busyTimeout_ms);
-        // Small pages keep small databases small. Nothing here needs a journal of its own.
-        sqlite.exec("PRAGMA page_size = 1024; PRAGMA journal_mode = MEMORY;"
-                    " PRAGMA synchronous = OFF; PRAGMA foreign_keys = ON");
-        SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
-        write(database, sqlite);
-        transaction.commit();
-    }
+    replacement.write(bytesOf(database));
     replacement.commit(existing);
 }
 

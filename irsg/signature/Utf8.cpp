@@ -28,4 +28,17 @@ bool isUtf8(std::string_view text) {
     return true;
 }
 
+std::string asciiText(std::string_view text) {
+    constexpr char digits[] = "0123456789abcdef";
+    std::string result;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 && byte < 0x7f)
+            result += c;
+        else
+            (result += "\\x") += {digits[byte >> 4], digits[byte & 15]};
+    }
+    return result;
+}
+
 } // namespace irsg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace irsg {
@@ -7,5 +8,8 @@ namespace irsg {
 /// Well-formed UTF-8 after RFC 3629: no stray or missing continuation, no overlong form, no
 /// surrogate, nothing above U+10FFFF.
 bool isUtf8(std::string_view text);
+
+/// The text with every byte that is not a character of ASCII as \\xNN: fit for any message.
+std::string asciiText(std::string_view text);
 
 } // namespace irsg

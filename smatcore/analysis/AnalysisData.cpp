@@ -22,6 +22,17 @@ std::string commandValue(const Project& project, const Settings& settings,
     return text.empty() ? setting.defaultText : text;
 }
 
+/// A project with no more than one of its analyses: a result keeps its project, and thousands of
+/// analyses that each kept them all would take the square of their number.
+Project withAnalysis(const Project& project, const NamedAnalysis* analysis) {
+    Project alone{project.file, project.title, project.notes, project.models, project.settings, {},
+                  project.unknownKeys};
+    if (analysis != nullptr) {
+        alone.analyses.push_back(*analysis);
+    }
+    return alone;
+}
+
 } // namespace
 
 AnalysisData AnalysisData::of(const Project& project, const std::string& name) {
@@ -41,7 +52,7 @@ AnalysisData AnalysisData::of(const Project& project, const std::string& name) {
     AnalysisData data;
     data.name = found->name;
     data.kind = found->kind;
-    data.project = project;
+    data.project = withAnalysis(project, found);
     data.settings = project.settings.with(found->settings);
     return data;
 }
@@ -51,7 +62,7 @@ AnalysisData AnalysisData::of(const Project& project, AnalysisKind kind,
     AnalysisData data;
     data.name = smat::name(kind);
     data.kind = kind;
-    data.project = project;
+    data.project = withAnalysis(project, nullptr);
     data.settings = project.settings.with(overrides);
     return data;
 }

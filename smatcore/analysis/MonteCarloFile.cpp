@@ -239,7 +239,7 @@ std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
                            {"total", jsonOf(one.total)}});
     }
     json["ranking"] = ranking;
-    writeTextFile(file, json.dump(1) + "\n");
+    writeTextFile(file, json.dump(1, ' ', false, decltype(json)::error_handler_t::replace) + "\n");
     return {file};
 }
 

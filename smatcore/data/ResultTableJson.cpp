@@ -29,7 +29,9 @@ std::string ResultTable::toJson() const {
         }
         columnsJson.push_back({{"name", column.key}, {"unit", column.unit}, {"values", values}});
     }
-    return Json{{"provenance", provenanceJson}, {"columns", columnsJson}}.dump(1) + "\n";
+    return Json{{"provenance", provenanceJson}, {"columns", columnsJson}}.dump(
+               1, ' ', false, Json::error_handler_t::replace) +
+           "\n";
 }
 
 ResultTable ResultTable::fromJson(const std::filesystem::path& file) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -37,6 +39,13 @@ Json parseJsonText(const std::string& text, const std::string& file, const std::
         return Json::parse(text);
     } catch (const typename Json::parse_error& error) {
         refuse(error.byte, "text that is not JSON");
+    } catch (const typename Json::out_of_range& error) {
+        // The library's words: "number overflow parsing '1e999'".
+        const std::string_view words = error.what();
+        const std::size_t from = words.find('\''), to = words.rfind('\'');
+        const std::string number(from < to ? words.substr(from + 1, to - from - 1) : "");
+        refuse(std::min(text.find(number), text.size()),
+               "the number " + number + ", which is too large");
     }
     return {};
 }

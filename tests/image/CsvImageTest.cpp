@@ -4,7 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include "irsg/image/FileBytes.h"
+#include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/FileReplacement.h"
 #include "tests/image/ImageFixtures.h"
 
 namespace irsg {
@@ -17,7 +18,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 RadianceImage readText(const test::TemporaryFolder& folder, const std::string& text) {
-    writeFileBytes(folder / "m.csv", text);
+    writeFileDurably(folder / "m.csv", text);
     return readCsvImage(folder / "m.csv");
 }
 
@@ -41,7 +42,7 @@ TEST(CsvImage, WritesTheTopRowFirstWithNineDigits) {
     image.primary().values = {1.0F / 3.0F, test::nanValue, -test::infinity, 16777216.0F};
     image.attributes["band"] = "3-5 um";
     writeCsvImage(image, folder / "a.csv");
-    EXPECT_EQ(readFileBytes(folder / "a.csv"), "# channel: L\n"
+    EXPECT_EQ(readFile(folder / "a.csv"), "# channel: L\n"
                                                "# unit: W m-2 sr-1\n"
                                                "# width: 2\n"
                                                "# height: 2\n"
@@ -162,7 +163,7 @@ TEST(CsvImage, RefusesBadTextWithItsPlace) {
 
 TEST(CsvImage, CollectsOffencesButNotWithoutEnd) {
     const test::TemporaryFolder folder;
-    writeFileBytes(folder / "m.csv", "1,2\na,b\n3\n");
+    writeFileDurably(folder / "m.csv", "1,2\na,b\n3\n");
     try {
         readCsvImage(folder / "m.csv");
         FAIL();
@@ -172,7 +173,7 @@ TEST(CsvImage, CollectsOffencesButNotWithoutEnd) {
     std::string text;
     for (int i = 0; i < 1000; ++i)
         text += "1x,y\n";
-    writeFileBytes(folder / "m.csv", text);
+    writeFileDurably(folder / "m.csv", text);
     try {
         readCsvImage(folder / "m.csv");
         FAIL();
@@ -186,7 +187,7 @@ TEST(CsvImage, ATableOfResultsIsRefusedInOneSentence) {
     std::string text = "step [m],L [W m-2 sr-1]\n";
     for (int i = 0; i < 100; ++i)
         text += "1,two\n";
-    writeFileBytes(folder / "m.csv", text);
+    writeFileDurably(folder / "m.csv", text);
     try {
         readCsvImage(folder / "m.csv");
         FAIL();

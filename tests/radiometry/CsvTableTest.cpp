@@ -107,7 +107,7 @@ TEST(CsvTable, showsLongAndUnprintableTextInOneShortLine) {
 TEST(CsvTable, refusesWhatIsNotAReadableTextTable) {
     const std::filesystem::path folder = smat::test::ownFolder();
     EXPECT_THAT(smat::test::refusalOf([&] { CsvTable::read(folder / "absent.csv"); }),
-                HasSubstr("absent.csv: found no readable file"));
+                HasSubstr("absent.csv: found no such file"));
     EXPECT_THAT(smat::test::refusalOf([&] { CsvTable::read(folder); }),
                 HasSubstr("found a folder"));
     EXPECT_THAT(smat::test::refusalOf([] { CsvTable::parse(std::string("ab\0c", 4), "f.csv"); }),

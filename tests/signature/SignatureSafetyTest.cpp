@@ -131,7 +131,8 @@ TEST(SignatureSafety, AHundredKillsOfAnExportLeaveTheOldOrTheNewText) {
         const std::string found = readBytes(file);
         ASSERT_TRUE(found == texts[0] || found == texts[1]) << i;
     }
-    // What the killed ones left is taken over, and is gone with the next.
+    // What the killed ones left is gone with the next, once the folder is looked into again.
+    usleep(1100000);
     writeFileDurably(file, texts[0]);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }

@@ -1,12 +1,13 @@
 #include <bit>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 
 #include <zlib.h>
 
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/FileReplacement.h"
 
 // A .gastable is little-endian: the magic, then text, numbers and arrays, each array after its
 // number of elements (64 bit), and at the end the CRC-32 of everything before it.
@@ -112,20 +113,11 @@ void GasTable::write(const std::filesystem::path& file) const {
         writer.array(set.nodes);
         writer.array(set.weights);
     }
-    const std::string bytes = writer.finished();
-    std::ofstream out(file, std::ios::binary | std::ios::trunc);
-    if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush())
-        throw InputError(Offence{file.string(), "", "a file that cannot be written",
-                                 "a place to write the table"});
+    writeFileDurably(file, writer.finished());
 }
 
 std::shared_ptr<const GasTable> GasTable::read(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in)
-        throw InputError(
-            Offence{file.string(), "", "no file that can be read", "a table of gases"});
-    const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-
+    const std::string bytes = readFile(file);
     Reader reader(bytes, file.string());
     auto table = std::shared_ptr<GasTable>(new GasTable);
     reader.array(table->header_);

@@ -107,6 +107,8 @@ class Document {
         } catch (const json::parse_error& error) {
             throw InputError(
                 {file, "byte " + std::to_string(error.byte), "no JSON", "a MODTRAN 6 document"});
+        } catch (const json::out_of_range& error) {
+            throw InputError({file, "", error.what(), "a MODTRAN 6 document"});
         }
         if (!root_.is_object() || !root_.contains("MODTRAN") || !root_["MODTRAN"].is_array() ||
             root_["MODTRAN"].empty()) {

@@ -1,35 +1,20 @@
 #include "irsg/atmosphere/import/TextLines.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <system_error>
 
 #include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/FileReading.h"
 
 namespace irsg {
 
 namespace {
 
-constexpr std::uintmax_t largestFile_B = 512u << 20;
+constexpr std::uint64_t largestText_B = 512u << 20;
 
 } // namespace
 
 std::string readTextFile(const std::filesystem::path& file) {
-    std::error_code problem;
-    const std::uintmax_t size_B = std::filesystem::file_size(file, problem);
-    if (problem || std::filesystem::is_directory(file)) {
-        throw InputError({file.string(), "", "no file that can be read", "a text file"});
-    }
-    if (size_B > largestFile_B) {
-        throw InputError({file.string(), "", std::to_string(size_B) + " bytes", "at most 512 MiB"});
-    }
-    std::ifstream stream(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (stream.bad() || text.size() != size_B) {
-        throw InputError(
-            {file.string(), "", "a file that cannot be read to its end", "a text file"});
-    }
+    std::string text = readFile(file, largestText_B);
     if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
         throw InputError(
             {file.string(), "byte " + std::to_string(zero), "a NUL byte", "text, not binary data"});

@@ -1,10 +1,10 @@
 #include "irsg/scene/model/FlightScanner.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
+#include "irsg/radiometry/FileReading.h"
 #include "irsg/scene/model/FlightValidator.h"
+#include "irsg/scene/model/OpenableFiles.h"
 
 namespace irsg {
 namespace {
@@ -14,16 +14,6 @@ namespace fs = std::filesystem;
 constexpr double mostFaces = 20e6;
 constexpr int highest = 1024;
 constexpr std::size_t longestChain = 32;
-
-std::string readAll(const fs::path& file) {
-    std::error_code ignored;
-    if (!fs::exists(file, ignored))
-        throw InputError({file.string(), "", "no such file", "an OpenFlight file"});
-    std::ifstream in(file, std::ios::binary);
-    if (!in || !fs::is_regular_file(file, ignored))
-        throw InputError({file.string(), "", "a file that cannot be read", "an OpenFlight file"});
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 /// The file a reference means: beside the referring file, with either kind of slash; a path of
 /// another machine is looked for by its name alone. Empty when there is none.
@@ -56,7 +46,7 @@ class Follower {
         if (open_.size() >= longestChain)
             throw InputError(
                 {path.string(), "", "a chain of more than 32 external references", "at most 32"});
-        scan_.files.push_back(scanFlightBytes(readAll(path), path, coloursGiven));
+        scan_.files.push_back(scanFlightBytes(readFile(path, largestModel_B), path, coloursGiven));
         const auto index = scan_.files.size() - 1;
         open_.push_back(key);
 

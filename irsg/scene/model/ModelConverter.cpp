@@ -1,13 +1,14 @@
 #include "irsg/scene/model/ModelConverter.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <sstream>
 
 #include <osgDB/FileNameUtils>
-#include <osgDB/WriteFile>
+#include <osgDB/Registry>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReplacement.h"
 #include "irsg/scene/model/CodeSafeMerge.h"
 #include "irsg/scene/model/GeometryCollector.h"
 #include "irsg/scene/model/IrCodes.h"
@@ -19,11 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string writeOptions(const std::string& extension) {
-    // Textures go into the file where its kind can hold them.
-    return extension == "osgt" || extension == "osgb" || extension == "osgx"
-               ? "WriteImageHint=IncludeFile"
-               : "";
+/// Kinds of one plug-in that are told from each other by a word, where there is no file name.
+const char* fileType(const std::string& extension) {
+    return extension == "osgt"   ? "Ascii"
+           : extension == "osgx" ? "XML"
+           : extension == "osgb" ? "Binary"
+                                 : "";
 }
 
 std::string checkedExtension(const fs::path& in, const fs::path& out) {
@@ -59,44 +61,32 @@ bool sameAreas(const std::map<IrCodes, double>& a, const std::map<IrCodes, doubl
     });
 }
 
-/// Writes beside the target first, so that a failure leaves no half of a file.
-void write(const osg::Node& graph, const fs::path& part, const fs::path& out,
-           const std::string& extension) {
+std::string bytesOf(const osg::Node& graph, const fs::path& out, const std::string& extension) {
+    const std::scoped_lock lock(osgRegistryMutex());
     OsgNotices notices;
-    osg::ref_ptr<osgDB::Options> options = new osgDB::Options(writeOptions(extension));
+    osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
+    const std::string type = fileType(extension);
+    if (!type.empty()) {
+        // Textures go into the file where its kind can hold them.
+        options->setOptionString("WriteImageHint=IncludeFile");
+        options->setPluginStringData("fileType", type);
+    }
+    std::ostringstream stream;
     bool written = false;
     std::string complaint;
     try {
-        written = osgDB::writeNodeFile(graph, part.string(), options);
+        auto* writer = osgDB::Registry::instance()->getReaderWriterForExtension(extension);
+        written = writer && writer->writeNode(graph, stream, options).success() && stream;
     } catch (const std::exception& error) {
         complaint = error.what();
     }
     for (const auto& line : notices.take())
         complaint += (complaint.empty() ? "" : "; ") + line;
     if (!written)
-        throw InputError({out.string(), "", "a file that cannot be written (" + complaint + ")",
-                          "a place that can be written to"});
+        throw InputError({out.string(), "", "a graph that cannot be written (" + complaint + ")",
+                          "another kind of output"});
+    return std::move(stream).str();
 }
-
-/// A name beside the target that no other conversion of this process uses: one that was stopped may
-/// still be writing.
-fs::path partOf(const fs::path& out, const std::string& extension) {
-    static std::atomic<int> number = 0;
-    return out.parent_path() /
-           (out.stem().string() + ".part" + std::to_string(++number) + "." + extension);
-}
-
-class Removal {
-  public:
-    explicit Removal(fs::path file) : file_(std::move(file)) {}
-    ~Removal() {
-        std::error_code ignored;
-        fs::remove(file_, ignored);
-    }
-
-  private:
-    fs::path file_;
-};
 
 } // namespace
 
@@ -128,25 +118,19 @@ ConversionReport convertModel(const fs::path& in, const fs::path& out,
     if (stop.stop_requested())
         return {};
 
-    const auto part = partOf(out, extension);
-    const Removal removal(part);
-    write(*graph->getChild(0), part, out, extension);
-
+    const std::string bytes = bytesOf(*graph->getChild(0), out, extension);
     if (stop.stop_requested())
         return {};
 
-    // What was written is worth what can be read from it.
-    const auto back = loadGraph(part, LoadPurpose::visible);
+    // What is written is worth what can be read from it.
+    const auto back = loadWritten(bytes, out);
     if (polygonCounts(*back.node) != report.polygonsWritten ||
         !sameAreas(areas(*back.node, out.string()), areasRead))
         throw InputError({out.string(), "", "a file that lost codes or faces of " + in.string(),
                           "codes and areas as read; another kind of output may keep them"});
     if (stop.stop_requested())
         return {};
-    std::error_code failed;
-    fs::rename(part, out, failed);
-    if (failed)
-        throw InputError({out.string(), "", failed.message(), "a place that can be written to"});
+    writeFileDurably(out, bytes);
     return report;
 }
 

@@ -1,11 +1,15 @@
 #include "irsg/scene/model/ModelLoader.h"
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
+#include <string_view>
 
 #include <osg/Group>
 #include <osgDB/FileNameUtils>
 #include <osgDB/Registry>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "irsg/scene/model/FlightScanner.h"
 #include "irsg/scene/model/GuardedReading.h"
@@ -123,9 +127,9 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
 }
 
 /// What a process of its own reads and hands over as bytes.
-LoadedGraph loadApart(const fs::path& file) {
+LoadedGraph loadApart(const fs::path& place, const fs::path& file) {
     try {
-        const std::string answer = ReaderProcess().read(FileKind::model, file);
+        const std::string answer = ReaderProcess().read(FileKind::model, place, file);
         ByteSource source(answer);
         LoadedGraph loaded;
         loaded.remarks.resize(source.getCount(8));
@@ -170,7 +174,21 @@ LoadedGraph loadGraph(const fs::path& file, LoadPurpose purpose) {
                            ? [&](const fs::path& name) { return readPictureApart(process, name); }
                            : PictureReading());
     }
-    return loadApart(file);
+    return loadApart(file, file);
+}
+
+LoadedGraph loadWritten(const std::string& bytes, const fs::path& name) {
+    const int descriptor = memfd_create("model", MFD_CLOEXEC);
+    const std::unique_ptr<const int, void (*)(const int*)> closing(&descriptor,
+                                                                   [](const int* d) { close(*d); });
+    for (std::string_view rest = bytes; !rest.empty();) {
+        const ssize_t count = write(descriptor, rest.data(), rest.size());
+        if (count <= 0)
+            throw LogicError("there is no memory for a copy of " + name.string());
+        rest.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return loadApart("/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(descriptor),
+                     name);
 }
 
 } // namespace irsg

@@ -36,4 +36,8 @@ std::mutex& osgRegistryMutex();
 /// that is missing, malformed, of a kind that is not opened, or empty.
 LoadedGraph loadGraph(const std::filesystem::path& file, LoadPurpose purpose);
 
+/// What OpenSceneGraph reads of these bytes as those of a file of this name, .flt, .obj and .stl
+/// excepted.
+LoadedGraph loadWritten(const std::string& bytes, const std::filesystem::path& name);
+
 } // namespace irsg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +15,9 @@ enum class FileKind {
     attributes, ///< what OpenFlight keeps beside a picture, NAME.attr
     materials   ///< what a Wavefront object is painted with
 };
+
+/// A text model of 30 million facets.
+constexpr std::uint64_t largestModel_B = std::uint64_t{4} << 30;
 
 /// A format and the plug-in of OpenSceneGraph that reads it ("" where we read it ourselves).
 struct FileFormat {

@@ -1,5 +1,7 @@
 #include "irsg/scene/model/apart/PluginReading.h"
 
+#include <fstream>
+
 #include <osg/Group>
 #include <osgDB/FileNameUtils>
 #include <osgDB/Registry>
@@ -56,8 +58,8 @@ void preparePlugins() {
     osgDB::Registry::instance();
 }
 
-LoadedGraph readModelHere(const fs::path& file) {
-    checkWhole(file);
+LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
+    checkWhole(place, file);
     OsgNotices notices;
     GuardedReading guard;
     LoadedGraph loaded;
@@ -65,7 +67,11 @@ LoadedGraph readModelHere(const fs::path& file) {
     std::string complaint = complaintOf([&] {
         const auto options = GuardedReading::options();
         options->getDatabasePathList().push_back(file.parent_path().string());
-        auto result = reader.readNode(file.string(), options);
+        std::ifstream stream;
+        if (place != file)
+            stream.open(place, std::ios::binary);
+        auto result = place == file ? reader.readNode(file.string(), options)
+                                    : reader.readNode(stream, options);
         loaded.node = result.takeNode();
         return result.message();
     });

@@ -11,10 +11,11 @@ namespace irsg {
 /// What is to be in place before a process gives up what it does not need.
 void preparePlugins();
 
-/// Reads a model by OpenSceneGraph in this process, with all that it refers to. Remarks are as
-/// loadGraph() gives them. Throws InputError for one that cannot be read, or that ends before it
+/// Reads a model by OpenSceneGraph in this process, with all that it refers to: the bytes at
+/// `place` as those of `file`, which is the same place as a rule. Remarks are as loadGraph() gives
+/// them. Throws InputError for one that cannot be read, or that ends before it
 /// says it does.
-LoadedGraph readModelHere(const std::filesystem::path& file);
+LoadedGraph readModelHere(const std::filesystem::path& place, const std::filesystem::path& file);
 
 /// A picture likewise.
 osg::ref_ptr<osg::Image> readPictureHere(const std::filesystem::path& file);

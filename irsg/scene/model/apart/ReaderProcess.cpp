@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
 #include "irsg/scene/model/apart/Bytes.h"
 #include "irsg/scene/model/apart/ReaderService.h"
 #include "irsg/scene/model/apart/ReadingLimits.h"
@@ -200,17 +201,21 @@ std::string endText(int status, const ReadingLimits& limits) {
 ReaderProcess::ReaderProcess() = default;
 ReaderProcess::~ReaderProcess() = default;
 
-std::string ReaderProcess::read(FileKind kind, const fs::path& file) {
+std::string ReaderProcess::read(FileKind kind, const fs::path& place, const fs::path& name) {
+    const fs::path& file = name.empty() ? place : name;
     if (!child_)
         child_ = std::make_unique<Child>();
     std::error_code failure;
-    const std::uintmax_t size = fs::file_size(file, failure);
+    const std::uintmax_t size = fs::file_size(place, failure);
+    noteInput(place);
     const ReadingLimits limits = ReadingLimits::of(failure ? 0 : size);
     const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                              std::chrono::duration<double>(limits.wall_s()));
     ByteSink question;
-    question.put(QuestionHead{static_cast<std::uint8_t>(kind), limits, file.string().size()});
-    question.putBytes(file.string().data(), file.string().size());
+    question.put(QuestionHead{static_cast<std::uint8_t>(kind), limits, place.native().size(),
+                              file.native().size()});
+    question.putBytes(place.native().data(), place.native().size());
+    question.putBytes(file.native().data(), file.native().size());
 
     AnswerHead head;
     std::string answer;

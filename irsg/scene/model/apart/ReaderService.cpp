@@ -49,13 +49,14 @@ bool writeAll(int socket, const void* from, std::size_t size) {
     return true;
 }
 
-std::string answerTo(FileKind kind, const std::filesystem::path& file) {
+std::string answerTo(FileKind kind, const std::filesystem::path& place,
+                     const std::filesystem::path& file) {
     ByteSink sink;
     if (kind == FileKind::picture) {
         putImage(sink, *readPictureHere(file));
         return sink.take();
     }
-    LoadedGraph loaded = readModelHere(file);
+    LoadedGraph loaded = readModelHere(place, file);
     ByteSink graph;
     putGraph(graph, *loaded.node, file.string(), loaded.remarks);
     sink.putCount(loaded.remarks.size());
@@ -76,14 +77,15 @@ std::string refusalText(const std::vector<Offence>& offences) {
 }
 
 /// The answer to one question; what is wrong with a file is an answer, too.
-std::string answer(FileKind kind, const std::string& name, bool& refused) {
+std::string answer(FileKind kind, const std::string& place, const std::string& name,
+                   bool& refused) {
     const auto refuse = [&](const std::string& value) {
         refused = true;
         return refusalText(
             {{name, "", value, kind == FileKind::model ? "a whole model" : "a whole picture"}});
     };
     try {
-        return answerTo(kind, name);
+        return answerTo(kind, place, name);
     } catch (const InputError& error) {
         refused = true;
         return refusalText(error.offences());
@@ -118,12 +120,14 @@ void serveReadings(int socket) {
     shutIn();
     for (QuestionHead question; readAll(socket, &question, sizeof question);) {
         allow(question.limits);
-        std::string name(question.nameSize, '\0');
-        if (!readAll(socket, name.data(), name.size()))
+        std::string place(question.placeSize, '\0'), name(question.nameSize, '\0');
+        if (!readAll(socket, place.data(), place.size()) ||
+            !readAll(socket, name.data(), name.size()))
             return;
         AnswerHead head;
         bool refused = false;
-        const std::string bytes = answer(static_cast<FileKind>(question.kind), name, refused);
+        const std::string bytes =
+            answer(static_cast<FileKind>(question.kind), place, name, refused);
         head.refused = refused;
         head.size = bytes.size();
         stopClock();

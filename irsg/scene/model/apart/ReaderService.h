@@ -7,11 +7,11 @@
 
 namespace irsg {
 
-/// What goes before the name of a file that is asked for.
+/// What goes before the place and the name of a file that is asked for.
 struct QuestionHead {
     std::uint8_t kind = 0; ///< a FileKind
     ReadingLimits limits;
-    std::uint64_t nameSize = 0;
+    std::uint64_t placeSize = 0, nameSize = 0; ///< where the bytes are, and what they are called
 };
 
 /// What goes before the answer: remarks and a graph, a picture, or the offences of a refusal.

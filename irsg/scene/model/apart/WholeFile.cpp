@@ -5,8 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "irsg/image/FileBytes.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
+#include "irsg/scene/model/OpenableFiles.h"
 
 namespace irsg {
 
@@ -118,7 +119,7 @@ constexpr Check checks[] = {
 
 } // namespace
 
-void checkWhole(const std::filesystem::path& file) {
+void checkWhole(const std::filesystem::path& place, const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::ranges::transform(extension, extension.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -126,7 +127,7 @@ void checkWhole(const std::filesystem::path& file) {
         checks, [&](const Check& known) { return extension == known.extension; });
     if (check == std::end(checks))
         return;
-    const std::string bytes = readFileBytes(file);
+    const std::string bytes = readFile(place, largestModel_B);
     // Binary files of some kinds have the extension of text.
     if (check->isText && bytes.substr(0, 256).find('\0') != bytes.npos)
         return;

@@ -7,8 +7,8 @@
 #include <osg/Material>
 #include <osg/Texture2D>
 
-#include "irsg/image/FileBytes.h"
 #include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/scene/model/OpenableFiles.h"
 #include "irsg/scene/model/read/TextWords.h"
@@ -72,7 +72,7 @@ void ObjMaterials::read(const std::string& name, std::vector<std::string>& remar
         return;
     }
     try {
-        readText(readFileBytes(file), file.string(), remarks);
+        readText(readFile(file), file.string(), remarks);
     } catch (const InputError& error) {
         addNew(remarks, error.what());
     }

@@ -7,8 +7,9 @@
 #include <osg/Geode>
 #include <osg/Group>
 
-#include "irsg/image/FileBytes.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
+#include "irsg/scene/model/OpenableFiles.h"
 #include "irsg/scene/model/read/ObjDrawable.h"
 #include "irsg/scene/model/read/ObjMaterials.h"
 #include "irsg/scene/model/read/TextWords.h"
@@ -187,7 +188,7 @@ class ObjText {
 } // namespace
 
 LoadedGraph readObj(const std::filesystem::path& file, const PictureReading& picture) {
-    const std::string text = readFileBytes(file);
+    const std::string text = readFile(file, largestModel_B);
     if (const auto at = text.find('\0'); at != text.npos)
         throw InputError({file.string(), "byte " + std::to_string(at), "a zero byte",
                           "a Wavefront object, which is a text"});

@@ -8,8 +8,9 @@
 #include <osg/Geometry>
 #include <osg/Group>
 
-#include "irsg/image/FileBytes.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
+#include "irsg/scene/model/OpenableFiles.h"
 #include "irsg/scene/model/read/TextWords.h"
 
 namespace irsg {
@@ -185,7 +186,7 @@ bool isText(std::string_view bytes) {
 } // namespace
 
 LoadedGraph readStl(const std::filesystem::path& file) {
-    const std::string bytes = readFileBytes(file);
+    const std::string bytes = readFile(file, largestModel_B);
     LoadedGraph loaded;
     osg::ref_ptr<osg::Group> group = new osg::Group;
     if (isText(bytes)) {

@@ -1,0 +1,85 @@
+#include "irsg/radiometry/FileReading.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "irsg/radiometry/FileReplacement.h"
+#include "tests/support/Refusal.h"
+#include "tests/support/TemporaryFolder.h"
+
+namespace irsg {
+namespace {
+
+using smat::test::refusalOf;
+using smat::test::TemporaryFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(FileReading, GivesTheWholeOrTheBeginning) {
+    const TemporaryFolder folder;
+    std::string bytes(10000, 'x');
+    bytes.replace(0, 6, std::string("a\0b\r\n\xff", 6));
+    writeFileDurably(folder / "a", bytes);
+    EXPECT_EQ(readFile(folder / "a"), bytes);
+    EXPECT_EQ(readFileBeginning(folder / "a", 3), bytes.substr(0, 3));
+    EXPECT_EQ(readFileBeginning(folder / "a", 100000), bytes);
+    writeFileDurably(folder / "a", "");
+    EXPECT_EQ(readFile(folder / "a"), "");
+    EXPECT_EQ(readFile("/proc/self/statm").empty(), false) << "of no size that is known before";
+}
+
+TEST(FileReading, RefusesWhatHasNoEndOrIsNoFile) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+    const struct {
+        std::filesystem::path file;
+        const char* value;
+    } rows[] = {{"/dev/zero", "no file"},
+                {folder / "pipe", "no file"},
+                {folder.path(), "a folder"},
+                {folder / "none", "no such file"}};
+    for (const auto& row : rows) {
+        EXPECT_THAT(refusalOf([&] { readFile(row.file); }),
+                    AllOf(HasSubstr(row.file.string()), HasSubstr(row.value)));
+        EXPECT_THAT(refusalOf([&] { readFileBeginning(row.file, 4); }), HasSubstr(row.value));
+    }
+    writeFileDurably(folder / "a", std::string(3 << 20, 'x'));
+    EXPECT_EQ(readFile(folder / "a", 3 << 20).size(), std::size_t{3} << 20);
+    EXPECT_THAT(refusalOf([&] { readFile(folder / "a", (3 << 20) - 1); }),
+                AllOf(HasSubstr("3145728 bytes"), HasSubstr("at most 2 MiB")));
+}
+
+/// For a process of its own: protection stays to the end.
+void protectAndWrite() {
+    const TemporaryFolder folder;
+    for (const char* name : {"read", "changed", "noted", "other"})
+        writeFileDurably(folder / name, "1");
+    protectInputs();
+    readFile(folder / "read");
+    readFile(folder / "changed");
+    allowChange(folder / "changed");
+    noteInput(folder / "noted");
+    std::filesystem::create_hard_link(folder / "read", folder / "link");
+    std::filesystem::create_symlink(folder / "read", folder / "arrow");
+    for (const char* name : {"read", "noted", "link", "arrow"})
+        EXPECT_THAT(refusalOf([&] { writeFileDurably(folder / name, "2"); }),
+                    AllOf(HasSubstr(name), HasSubstr("an input as output")));
+    EXPECT_EQ(readFile(folder / "read"), "1");
+    writeFileDurably(folder / "changed", "2");
+    writeFileDurably(folder / "other", "2");
+    writeFileDurably(folder / "new", "2");
+}
+
+TEST(FileReading, KeepsInputsFromBeingWrittenOver) {
+    EXPECT_EXIT(
+        {
+            protectAndWrite();
+            _exit(testing::Test::HasFailure() ? 1 : 0);
+        },
+        testing::ExitedWithCode(0), "");
+}
+
+} // namespace
+} // namespace irsg
