@@ -142,7 +142,7 @@ void Renderer::Parts::renderImage(const Frame& frame, const Wanted& wanted, Rend
         describeWindows(drawn.windows, result.image);
     });
     if (frame.scene.settings.scattering)
-        scatter(frame, result.image, report.warnings);
+        scatter(frame, result.image, drawn.warnings);
     if (wanted.reports) {
         // Sums are those of a sweep. Where it samples as the picture does, they are the picture's.
         const bool isPictures = frame.scene.entities.size() <= 1 && frame.bands.size() == 1 &&
