@@ -1,5 +1,6 @@
 #include "irsg/scattering/MtfBuild.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>

@@ -1,6 +1,8 @@
 #include "irsg/scattering/SmallAngleMtf.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 
