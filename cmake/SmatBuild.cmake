@@ -32,7 +32,9 @@ option(SMAT_PRECOMPILE "Precompile the Qt, OpenSceneGraph and GoogleTest headers
 
 # Applies the house rules to one target of ours.
 function(smat_configure_target target)
-    target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion)
+    # In C++ the conversions that gcc warns of leave signs out.
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion
+                                             $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
     if(SMAT_WARNINGS_AS_ERRORS)
         target_compile_options(${target} PRIVATE -Werror)
     endif()

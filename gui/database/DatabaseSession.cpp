@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QUndoStack>
 
 #include "irsg/radiometry/Errors.h"

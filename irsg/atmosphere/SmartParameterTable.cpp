@@ -8,29 +8,24 @@ namespace {
 
 using S = AtmosphereSmartParameters;
 
-/// Numbers from `Least` to `Most`.
-template <double Least, double Most>
-bool within(double value) {
-    return value >= Least && value <= Most;
+bool within(double value, double least, double most) {
+    return value >= least && value <= most;
 }
-/// 0, or from `Least` to `Most`.
-template <double Least, double Most>
-bool zeroOrWithin(double value) {
-    return value == 0.0 || within<Least, Most>(value);
+bool zeroOrWithin(double value, double least, double most) {
+    return value == 0.0 || within(value, least, most);
 }
-/// Anything below 0 (the model's own), or up to `Most`.
-template <double Most>
-bool atMost(double value) {
-    return value >= -1e9 && value <= Most;
+/// Anything below 0 (the model's own), or up to `most`.
+bool atMost(double value, double most) {
+    return value >= -1e9 && value <= most;
 }
 bool isCloud(double code) {
-    return within<0.0, 10.0>(code) || code == 18.0 || code == 19.0;
+    return within(code, 0.0, 10.0) || code == 18.0 || code == 19.0;
 }
 bool isResolution(double code) {
     return code == 1.0 || code == 5.0 || code == 15.0;
 }
 bool isThickness(double value) {
-    return within<-1e9, 0.0>(value) || within<1.0, 20e3>(value);
+    return within(value, -1e9, 0.0) || within(value, 1.0, 20e3);
 }
 // A full turn that was written with four decimals is still one.
 constexpr double fullTurn_rad = 6.2832;
@@ -38,29 +33,38 @@ constexpr double fullTurn_rad = 6.2832;
 constexpr KarmaKind number = KarmaKind::number;
 
 constexpr std::array report = {
-    SmartParameter{"AerosolModel", "", &S::aerosolModel, number, within<0.0, 7.0>, "0 to 7",
+    SmartParameter{"AerosolModel", "", &S::aerosolModel, number,
+                   [](double v) { return within(v, 0.0, 7.0); }, "0 to 7",
                    "Aerosol: 0 rural, 1 urban, 2 maritime, 3 Navy maritime, 4 tropospheric, 5 "
                    "advective fog, 6 radiative fog, 7 desert."},
-    SmartParameter{"AirMass", "", &S::airMass, number, within<1.0, 10.0>, "1 to 10",
+    SmartParameter{"AirMass", "", &S::airMass, number,
+                   [](double v) { return within(v, 1.0, 10.0); }, "1 to 10",
                    "Air mass character of the Navy maritime aerosol (MODTRAN ICSTL): 1 open ocean "
                    "to 10 continental."},
-    SmartParameter{"AlbedoValues", "", &S::albedoValues, KarmaKind::vector, within<0.0, 1.0>,
+    SmartParameter{"AlbedoValues", "", &S::albedoValues, KarmaKind::vector,
+                   [](double v) { return within(v, 0.0, 1.0); },
                    "numbers from 0 to 1, as many as AlbedoWavelengths",
                    "Albedo of the ground; its emissivity is 1 less the albedo."},
     SmartParameter{"AlbedoWavelengths", "um", &S::albedoWavelengths_um, KarmaKind::vector,
-                   within<0.1, 1000.0>, "ascending numbers from 0.1 to 1000 um",
+                   [](double v) { return within(v, 0.1, 1000.0); },
+                   "ascending numbers from 0.1 to 1000 um",
                    "Wavelengths of the albedo values; the ends hold outside."},
-    SmartParameter{"AtmosphereModel", "", &S::atmosphereModel, number, within<1.0, 6.0>, "1 to 6",
+    SmartParameter{"AtmosphereModel", "", &S::atmosphereModel, number,
+                   [](double v) { return within(v, 1.0, 6.0); }, "1 to 6",
                    "1 tropical, 2 mid-latitude summer, 3 mid-latitude winter, 4 sub-arctic summer, "
                    "5 sub-arctic winter, 6 US standard 1976."},
-    SmartParameter{"BaseWavelengthMax", "um", &S::baseWavelengthMax_um, number, within<0.2, 40.0>,
+    SmartParameter{"BaseWavelengthMax", "um", &S::baseWavelengthMax_um, number,
+                   [](double v) { return within(v, 0.2, 40.0); },
                    "0.2 to 40 um, above BaseWavelengthMin", "Upper end of the band."},
-    SmartParameter{"BaseWavelengthMin", "um", &S::baseWavelengthMin_um, number, within<0.2, 40.0>,
+    SmartParameter{"BaseWavelengthMin", "um", &S::baseWavelengthMin_um, number,
+                   [](double v) { return within(v, 0.2, 40.0); },
                    "0.2 to 40 um, below BaseWavelengthMax", "Lower end of the band."},
-    SmartParameter{"CloudBaseAltitude", "m", &S::cloudBaseAltitude_m, number, atMost<20e3>,
+    SmartParameter{"CloudBaseAltitude", "m", &S::cloudBaseAltitude_m, number,
+                   [](double v) { return atMost(v, 20e3); },
                    "negative for the cloud model's own, or 0 to 20000 m",
                    "Cloud base above ground; negative: the cloud model's own."},
-    SmartParameter{"CloudExtinction", "m-1", &S::cloudExtinction_per_m, number, atMost<1.0>,
+    SmartParameter{"CloudExtinction", "m-1", &S::cloudExtinction_per_m, number,
+                   [](double v) { return atMost(v, 1.0); },
                    "0 or less for the cloud model's own, or up to 1 m-1 (not km-1)",
                    "Extinction of the cloud at 0.55 um, mean over its thickness; 0 or less: not "
                    "scaled."},
@@ -71,52 +75,63 @@ constexpr std::array report = {
     SmartParameter{"CloudThickness", "m", &S::cloudThickness_m, number, isThickness,
                    "0 or less for the cloud model's own, or 1 to 20000 m",
                    "Vertical thickness of the cloud; 0 or less: the cloud model's own."},
-    SmartParameter{"GroundTemperature", "C", &S::groundTemperature_C, number, within<-100.0, 100.0>,
-                   "-100 to 100 C", "Ground or sea surface temperature."},
-    SmartParameter{"IrradianceMode", "", &S::irradianceMode, number, within<1.0, 2.0>, "1 or 2",
+    SmartParameter{"GroundTemperature", "C", &S::groundTemperature_C, number,
+                   [](double v) { return within(v, -100.0, 100.0); }, "-100 to 100 C",
+                   "Ground or sea surface temperature."},
+    SmartParameter{"IrradianceMode", "", &S::irradianceMode, number,
+                   [](double v) { return within(v, 1.0, 2.0); }, "1 or 2",
                    "1 tables computed beforehand, 2 computed on the fly."},
-    SmartParameter{"MeasurementHeight", "m", &S::measurementHeight_m, number, within<2.0, 40.0>,
-                   "2 to 40 m",
+    SmartParameter{"MeasurementHeight", "m", &S::measurementHeight_m, number,
+                   [](double v) { return within(v, 2.0, 40.0); }, "2 to 40 m",
                    "Height of the temperature, pressure and humidity measurement; MeteoModel 2 "
                    "only."},
-    SmartParameter{"MeteoModel", "", &S::meteoModel, number, within<1.0, 2.0>, "1 or 2",
+    SmartParameter{"MeteoModel", "", &S::meteoModel, number,
+                   [](double v) { return within(v, 1.0, 2.0); }, "1 or 2",
                    "1 the model atmosphere, 2 its lowest kilometre reshaped by the measurements."},
     SmartParameter{"ModelType", "", &S::modelType, KarmaKind::entityType, nullptr,
                    "SMART_ATMOSPHERIC_MODEL", "Kind of the model."},
-    SmartParameter{"PressureMH", "mbar", &S::pressureMH_mbar, number, within<800.0, 1200.0>,
-                   "800 to 1200 mbar", "Pressure at measurement height; MeteoModel 2 only."},
+    SmartParameter{"PressureMH", "mbar", &S::pressureMH_mbar, number,
+                   [](double v) { return within(v, 800.0, 1200.0); }, "800 to 1200 mbar",
+                   "Pressure at measurement height; MeteoModel 2 only."},
     SmartParameter{"RelativeHumidityMH", "%", &S::relativeHumidityMH_percent, number,
-                   within<0.0, 100.0>, "0 to 100 %",
+                   [](double v) { return within(v, 0.0, 100.0); }, "0 to 100 %",
                    "Relative humidity at measurement height; MeteoModel 2 only."},
     SmartParameter{"Resolution", "cm-1", &S::resolution_cm, number, isResolution, "1, 5 or 15 cm-1",
                    "Spectral resolution."},
-    SmartParameter{"ScatteringMode", "", &S::scatteringMode, number, within<1.0, 2.0>, "1 or 2",
+    SmartParameter{"ScatteringMode", "", &S::scatteringMode, number,
+                   [](double v) { return within(v, 1.0, 2.0); }, "1 or 2",
                    "1 single scattering, 2 two-stream multiple scattering (needed for clouds and "
                    "fluxes)."},
-    SmartParameter{"TemperatureALT0", "C", &S::temperatureALT0_C, number, within<-10.0, 40.0>,
-                   "-10 to 40 C",
+    SmartParameter{"TemperatureALT0", "C", &S::temperatureALT0_C, number,
+                   [](double v) { return within(v, -10.0, 40.0); }, "-10 to 40 C",
                    "Air temperature at altitude 0, within 10 C of TemperatureMH; MeteoModel 2 "
                    "only."},
-    SmartParameter{"TemperatureMH", "C", &S::temperatureMH_C, number, within<-40.0, 40.0>,
-                   "-40 to 40 C", "Air temperature at measurement height; MeteoModel 2 only."},
-    SmartParameter{"Visibility", "m", &S::visibility_m, number, zeroOrWithin<10.0, 300e3>,
+    SmartParameter{"TemperatureMH", "C", &S::temperatureMH_C, number,
+                   [](double v) { return within(v, -40.0, 40.0); }, "-40 to 40 C",
+                   "Air temperature at measurement height; MeteoModel 2 only."},
+    SmartParameter{"Visibility", "m", &S::visibility_m, number,
+                   [](double v) { return zeroOrWithin(v, 10.0, 300e3); },
                    "0 for the aerosol model's own, or 10 to 300000 m",
                    "Koschmieder visibility; 0: the aerosol model's own."},
     SmartParameter{"WindDirection", "rad", &S::windDirection_rad, number,
-                   within<-fullTurn_rad, fullTurn_rad>, "-2 pi to 2 pi rad",
+                   [](double v) { return within(v, -fullTurn_rad, fullTurn_rad); },
+                   "-2 pi to 2 pi rad",
                    "Wind direction, East of North; the air is the same in all directions, so that "
                    "it has no effect."},
-    SmartParameter{"WindSpeed", "m/s", &S::windSpeed_m_s, number, within<0.1, 30.0>,
-                   "0.1 to 30 m/s", "Wind speed now, for the Navy maritime and desert aerosols."},
+    SmartParameter{"WindSpeed", "m/s", &S::windSpeed_m_s, number,
+                   [](double v) { return within(v, 0.1, 30.0); }, "0.1 to 30 m/s",
+                   "Wind speed now, for the Navy maritime and desert aerosols."},
     SmartParameter{"WindSpeedAverage24", "m/s", &S::windSpeedAverage24_m_s, number,
-                   within<0.1, 30.0>, "0.1 to 30 m/s",
+                   [](double v) { return within(v, 0.1, 30.0); }, "0.1 to 30 m/s",
                    "Mean wind speed of the last 24 h, for the Navy maritime aerosol."},
     SmartParameter{"WindSpeedMeasurementHeight", "m", &S::windSpeedMeasurementHeight_m, number,
-                   within<2.0, 40.0>, "2 to 40 m", "Height of the wind measurements."}};
+                   [](double v) { return within(v, 2.0, 40.0); }, "2 to 40 m",
+                   "Height of the wind measurements."}};
 static_assert(report.size() == 27);
 
 constexpr std::array own = {
-    SmartParameter{"Co2_ppmv", "ppmv", &S::co2_ppmv, number, within<0.0, 1e5>, "0 to 100000 ppmv",
+    SmartParameter{"Co2_ppmv", "ppmv", &S::co2_ppmv, number,
+                   [](double v) { return within(v, 0.0, 1e5); }, "0 to 100000 ppmv",
                    "Carbon dioxide near the ground; 400 where it is not given. Not one of the "
                    "report's parameters."},
     SmartParameter{"Radiosonde", "", &S::radiosonde, KarmaKind::string, nullptr,

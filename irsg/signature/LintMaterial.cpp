@@ -162,11 +162,13 @@ void lintMaterial(int index, const Material& material, const std::vector<Spectra
         lintFraction(index, ".emissivity", material, &Material::emissivity, findings);
     const bool transmits =
         lintFraction(index, ".transmissivity", material, &Material::transmissivity, findings);
-    const bool axes =
-        lintAxis(index, ".emissivity", material, &Material::emissivity, bands, findings) &
+    // Each is looked at, whatever the other is.
+    const bool emitsOverAxis =
+        lintAxis(index, ".emissivity", material, &Material::emissivity, bands, findings);
+    const bool transmitsOverAxis =
         lintAxis(index, ".transmissivity", material, &Material::transmissivity, bands, findings);
     // A sum of values at different wavelengths says nothing.
-    if (emits && transmits && axes) {
+    if (emits && transmits && emitsOverAxis && transmitsOverAxis) {
         lintSum(index, material, findings);
     }
     if (!(material.nAngleFactor >= 0.0) || !std::isfinite(material.nAngleFactor)) {

@@ -106,10 +106,14 @@ void lintExtremes(const TemperatureTerms& terms, Findings& findings) {
 void lintTerms(int index, const TemperatureEntry& entry, std::vector<Finding>& into) {
     Findings findings(into, temperaturePath(index));
     const TemperatureTerms& terms = entry.terms;
-    const bool finite = checkFinite("base_K", terms.base_K, findings) &
-                        checkFinite("ambientFactor", terms.ambientFactor, findings) &
-                        checkFinite("recoveryFactor", terms.recoveryFactor, findings) &
-                        checkFinite("ambientOffset_K", terms.ambientOffset_K, findings);
+    bool finite = true;
+    const auto check = [&](const char* name, double value) {
+        finite = checkFinite(name, value, findings) && finite;
+    };
+    check("base_K", terms.base_K);
+    check("ambientFactor", terms.ambientFactor);
+    check("recoveryFactor", terms.recoveryFactor);
+    check("ambientOffset_K", terms.ambientOffset_K);
 
     const auto time = termTable(index, terms, "time_s", &TemperatureTerms::time);
     const auto power = termTable(index, terms, "power", &TemperatureTerms::power);

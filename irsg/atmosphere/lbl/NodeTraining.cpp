@@ -11,8 +11,6 @@ namespace irsg::lbl {
 
 namespace {
 
-constexpr double lnNothing = -75.9; ///< ln of a cross section (cm2) that counts as none
-
 /// exp for x <= 0 to 2e-7, in a form that compilers turn into vector instructions.
 inline float fastExp(float x) {
     const float scaled = std::max(x, -87.0f) * 1.44269504f;
