@@ -1,6 +1,7 @@
 #include "apps/smat-batch/StopSignal.h"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace smat::batch {
 

@@ -4,6 +4,7 @@
 
 #include <QLineF>
 #include <QPointF>
+#include <QRectF>
 #include <QSizeF>
 
 #include "irsg/scene/view/Pose.h"

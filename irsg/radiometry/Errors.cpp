@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 #include <map>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace irsg {
@@ -10,6 +12,15 @@ namespace irsg {
 namespace {
 
 constexpr std::size_t mostOffences = 100;
+
+/// How many more offences a sentence stands for that bounded() made; 0 for any other.
+std::size_t moreIn(const Offence& offence) {
+    std::size_t count = 0;
+    const char* const end = offence.value.data() + offence.value.size();
+    const auto [stop, error] = std::from_chars(offence.value.data(), end, count);
+    const bool isMore = error == std::errc{} && std::string_view(stop, end) == " more";
+    return isMore && offence.position.empty() && offence.expected.empty() ? count : 0;
+}
 
 /// The first offences of each file; nobody reads more, and a file of nothing but offences would
 /// take its size in sentences.
@@ -20,7 +31,10 @@ std::vector<Offence> bounded(std::vector<Offence> offences) {
     std::vector<Offence> kept;
     std::map<std::string, std::size_t> counts;
     for (Offence& offence : offences) {
-        if (++counts[offence.file] <= mostOffences) {
+        std::size_t& count = counts[offence.file];
+        const std::size_t more = moreIn(offence);
+        count += more > 0 ? more : 1;
+        if (more == 0 && count <= mostOffences) {
             kept.push_back(std::move(offence));
         }
     }
@@ -54,7 +68,7 @@ std::string Offence::message() const {
     }
     std::string finding;
     if (!value.empty()) {
-        finding = (value.ends_with(" more") && expected.empty() ? "and " : "found ") + value;
+        finding = (moreIn(*this) > 0 ? "and " : "found ") + value;
     }
     if (!expected.empty()) {
         finding += (finding.empty() ? "expected " : ", expected ") + expected;

@@ -23,6 +23,18 @@ TEST(Errors, anInputErrorHoldsEveryOffenceAndPrintsOneALine) {
     EXPECT_THROW(InputError(std::vector<Offence>{}), LogicError);
 }
 
+TEST(Errors, tellAHundredOffencesOfAFileAndHowManyMore) {
+    std::vector<Offence> offences(250, {"a.csv", "line 1", "x", "a number"});
+    offences.push_back({"b.csv", "", "nothing", "a table"});
+    // Whoever collects offences of several readers tells the same.
+    const InputError once(offences), again(once.offences());
+    for (const InputError* error : {&once, &again}) {
+        ASSERT_EQ(error->offences().size(), 102u);
+        EXPECT_EQ(error->offences()[100].message(), "b.csv: found nothing, expected a table");
+        EXPECT_EQ(error->offences()[101].message(), "a.csv: and 150 more");
+    }
+}
+
 TEST(Errors, numbersAreWrittenShortAndReadBack) {
     EXPECT_EQ(numberText(3.5), "3.5");
     EXPECT_EQ(numberText(-300.0), "-300");
