@@ -1,17 +1,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/Quantity.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/radiometry/FileReading.h"
 
 namespace irsg {
 

@@ -25,8 +25,8 @@ std::string commandValue(const Project& project, const Settings& settings,
 /// A project with no more than one of its analyses: a result keeps its project, and thousands of
 /// analyses that each kept them all would take the square of their number.
 Project withAnalysis(const Project& project, const NamedAnalysis* analysis) {
-    Project alone{project.file, project.title, project.notes, project.models, project.settings, {},
-                  project.unknownKeys};
+    Project alone{project.file, project.title,      project.notes, project.models, project.settings,
+                  {},           project.unknownKeys};
     if (analysis != nullptr) {
         alone.analyses.push_back(*analysis);
     }

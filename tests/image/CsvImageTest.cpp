@@ -43,12 +43,12 @@ TEST(CsvImage, WritesTheTopRowFirstWithNineDigits) {
     image.attributes["band"] = "3-5 um";
     writeCsvImage(image, folder / "a.csv");
     EXPECT_EQ(readFile(folder / "a.csv"), "# channel: L\n"
-                                               "# unit: W m-2 sr-1\n"
-                                               "# width: 2\n"
-                                               "# height: 2\n"
-                                               "# band: 3-5 um\n"
-                                               "0.333333343,nan\n"
-                                               "-inf,16777216\n");
+                                          "# unit: W m-2 sr-1\n"
+                                          "# width: 2\n"
+                                          "# height: 2\n"
+                                          "# band: 3-5 um\n"
+                                          "0.333333343,nan\n"
+                                          "-inf,16777216\n");
 }
 
 TEST(CsvImage, KeepsNameUnitAndEveryAttribute) {

@@ -20,8 +20,8 @@ class ReaderProcess {
     ReaderProcess& operator=(const ReaderProcess&) = delete;
 
     /// What the process makes of a model or a picture, as ReaderService writes it. With `name` the
-    /// bytes of `file` are read as those of a file of that name. Throws InputError, naming it, where
-    /// the process refuses, crashes, or needs more than ReadingLimits.
+    /// bytes of `file` are read as those of a file of that name. Throws InputError, naming it,
+    /// where the process refuses, crashes, or needs more than ReadingLimits.
     std::string read(FileKind kind, const std::filesystem::path& file,
                      const std::filesystem::path& name = {});
 
