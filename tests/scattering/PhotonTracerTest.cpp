@@ -5,18 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Units.h"
+#include "tests/scattering/NarrowPhase.h"
 
 namespace irsg {
 namespace {
 
-PhaseFunction narrow(double width_rad) {
-    std::vector<double> angles, values;
-    for (int i = 0; i <= 8000; ++i) {
-        angles.push_back(pi * i / 8000.0);
-        values.push_back(std::exp(-angles.back() / width_rad));
-    }
-    return {angles, values};
-}
+using test::narrow;
 
 TEST(PhotonTracer, AgreesWithTheSmallAngleTheoryWhereAnglesAreSmall) {
     const PhaseFunction phase = narrow(0.003);

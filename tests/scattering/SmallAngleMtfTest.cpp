@@ -9,19 +9,12 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scattering/WaterIndex.h"
+#include "tests/scattering/NarrowPhase.h"
 
 namespace irsg {
 namespace {
 
-/// exp(-t / w), narrow.
-PhaseFunction narrow(double width_rad) {
-    std::vector<double> angles, values;
-    for (int i = 0; i <= 8000; ++i) {
-        angles.push_back(pi * i / 8000.0);
-        values.push_back(std::exp(-angles.back() / width_rad));
-    }
-    return {angles, values};
-}
+using test::narrow;
 
 TEST(PhaseFunction, SumsToOneAndHasItsAsymmetry) {
     // Henyey-Greenstein: the mean cosine is g.
