@@ -21,32 +21,31 @@ namespace {
 
 bool serving = false;
 
-bool readAll(int socket, void* into, std::size_t size) {
-    auto* at = static_cast<char*>(into);
-    while (size > 0) {
-        const ssize_t count = ::read(socket, at, size);
+/// Calls transfer(done, left), which reads or writes some of what is left, until nothing is; false
+/// where the other side is gone.
+template <typename Transfer>
+bool transferAll(std::size_t size, Transfer transfer) {
+    for (std::size_t done = 0; done < size;) {
+        const ssize_t count = transfer(done, size - done);
         if (count < 0 && errno == EINTR)
             continue;
         if (count <= 0)
             return false;
-        at += count;
-        size -= static_cast<std::size_t>(count);
+        done += static_cast<std::size_t>(count);
     }
     return true;
 }
 
+bool readAll(int socket, void* into, std::size_t size) {
+    return transferAll(size, [&](std::size_t done, std::size_t left) {
+        return ::read(socket, static_cast<char*>(into) + done, left);
+    });
+}
+
 bool writeAll(int socket, const void* from, std::size_t size) {
-    const auto* at = static_cast<const char*>(from);
-    while (size > 0) {
-        const ssize_t count = ::write(socket, at, size);
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count <= 0)
-            return false;
-        at += count;
-        size -= static_cast<std::size_t>(count);
-    }
-    return true;
+    return transferAll(size, [&](std::size_t done, std::size_t left) {
+        return ::write(socket, static_cast<const char*>(from) + done, left);
+    });
 }
 
 std::string answerTo(FileKind kind, const std::filesystem::path& place,
