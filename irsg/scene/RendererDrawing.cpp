@@ -133,11 +133,8 @@ FrameReduction Renderer::Parts::drawObjects(const Frame& frame, std::vector<Samp
                     return frame_.geometry[static_cast<std::size_t>(e)].slices_m.size() > 1;
                 });
             };
-            const auto isTransparentIn = [](const SurfaceScene& ofWindow) {
-                return std::ranges::any_of(ofWindow.items, &SurfaceItem::transparent);
-            };
             const bool isSliced = std::ranges::any_of(sheet.windows, isSlicedIn);
-            if (!isSliced && std::ranges::none_of(scene.scenes, isTransparentIn))
+            if (!isSliced && std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
                 return parts_.pass->drawRadiance(info_, scene, samples);
             parts_.pass->drawFactors(info_, scene, isSliced, factors_);
             {

@@ -293,9 +293,8 @@ SurfacePass::~SurfacePass() = default;
 void SurfacePass::drawRadiance(osg::RenderInfo& info, const SheetScene& sheet,
                                RadianceSamples& samples) {
     Parts& p = *parts_;
-    for (const SurfaceScene& scene : sheet.scenes)
-        if (std::ranges::any_of(scene.items, &SurfaceItem::transparent))
-            throw LogicError("radiance alone was drawn of what lies behind a transparent surface");
+    if (std::ranges::any_of(sheet.scenes, &SurfaceScene::hasTransparent))
+        throw LogicError("radiance alone was drawn of what lies behind a transparent surface");
     {
         Stopwatch watch(p.drawSeconds);
         p.draw(info, sheet, radianceProduct, p.radiance);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -60,6 +61,8 @@ struct SurfaceScene {
     std::vector<SurfaceItem> items;
     std::vector<OccluderItem> occluders; ///< at any depth: the range need not hold them
     std::vector<SurfaceRow> rows;
+
+    bool hasTransparent() const { return std::ranges::any_of(items, &SurfaceItem::transparent); }
 };
 
 /// The windows of a sheet, and what stands in each.
