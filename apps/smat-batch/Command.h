@@ -13,7 +13,7 @@ enum ExitCode { done = 0, warned = 1, refused = 2, ourFault = 3 };
 
 /// What every command gets from the line it stands on.
 struct Context {
-    StageTimer timer;          ///< runs from the program's start
+    StageTimer timer;          ///< from the start of the process on
     bool json = false;         ///< machine output on standard output
     bool timing = false;       ///< a table of stages on standard error at the end
     bool verbose = false;      ///< log lines on standard error

@@ -1,3 +1,4 @@
+#include <ctime>
 #include <exception>
 #include <filesystem>
 
@@ -88,6 +89,8 @@ int main(int argc, char** argv) {
     keepFreedMemory();
     irsg::protectInputs();
     Context context;
+    // Libraries are loaded by one thread that waits for nothing.
+    context.timer.addBefore("start program", static_cast<double>(std::clock()) / CLOCKS_PER_SEC);
     context.commandLine = commandLineOf(argc, argv);
     CLI::App app("Infrared signatures from the command line: everything the window does.",
                  "smat-batch");

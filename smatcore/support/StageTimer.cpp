@@ -30,6 +30,13 @@ StageTimer::Scope::~Scope() {
     }
 }
 
+void StageTimer::addBefore(const std::string& stage, double seconds) {
+    Stage& own = stages_[indexOf(stage)];
+    own.seconds += seconds;
+    ++own.calls;
+    before_s_ += seconds;
+}
+
 void StageTimer::split(const std::string& stage, const std::vector<Stage>& parts) {
     charge();
     const std::size_t whole = indexOf(stage);
@@ -52,7 +59,7 @@ std::vector<StageTimer::Stage> StageTimer::stages() const {
 }
 
 double StageTimer::wall_s() const {
-    return secondsBetween(start_, Clock::now());
+    return before_s_ + secondsBetween(start_, Clock::now());
 }
 
 std::string StageTimer::toText() const {

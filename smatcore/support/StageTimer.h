@@ -32,6 +32,8 @@ class StageTimer {
         std::size_t outer_ = 0;
     };
 
+    /// Adds a stage that was over before the timer was made, which its wall time then holds, too.
+    void addBefore(const std::string& stage, double seconds);
     /// Splits a part of a stage off into stages of its own, measured elsewhere (by the renderer).
     void split(const std::string& stage, const std::vector<Stage>& parts);
     /// In order of first use, `other` last.
@@ -47,6 +49,7 @@ class StageTimer {
     void leave(std::size_t outer);
     void charge();
 
+    double before_s_ = 0.0;
     std::vector<Stage> stages_;
     std::size_t current_ = 0;
     Clock::time_point start_;

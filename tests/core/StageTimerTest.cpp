@@ -61,6 +61,15 @@ TEST(StageTimer, ASplitKeepsTheSum) {
     EXPECT_GE(stages[0].seconds, 0.0);
 }
 
+TEST(StageTimer, HoldsWhatWasOverBefore) {
+    StageTimer timer;
+    timer.addBefore("start", 0.25);
+    EXPECT_EQ(timer.stages()[0].name, "start");
+    EXPECT_EQ(timer.stages()[0].seconds, 0.25);
+    EXPECT_GE(timer.wall_s(), 0.25);
+    EXPECT_NEAR(sumOf(timer), timer.wall_s(), 0.01);
+}
+
 TEST(StageTimer, CountsCallsAndNeedsNoTimer) {
     StageTimer timer;
     for (int i = 0; i < 3; ++i) {

@@ -31,9 +31,9 @@ class AirAnswers {
   private:
     void beginCase();
 
-    /// Numbers that are kept from case to case (32 MiB), since a sweep of some thousand paths would
+    /// Numbers that are kept from case to case (8 MiB), since a sweep of some thousand paths would
     /// fill memory; of more, those of the last case that asked.
-    static constexpr std::size_t mostKept = std::size_t{1} << 22;
+    static constexpr std::size_t mostKept = std::size_t{1} << 20;
 
     Environment environment_;
     template <typename Value>

@@ -49,7 +49,7 @@ class RadiometryCache {
         std::shared_ptr<const SampledScene> sampled;
         std::shared_ptr<EvaluatedScene> scene;
     };
-    static constexpr std::size_t mostKept = 4;
+    static constexpr std::size_t mostKept = 2;
 
     std::list<Kept> kept_; // latest first
 };

@@ -52,8 +52,8 @@ class SampledScenes {
         std::size_t size; ///< numbers in it
     };
     /// As many as a Monte Carlo analysis has phases and more; of large scenes as many as hold so
-    /// many numbers (64 MiB), and the last one.
-    static constexpr std::size_t mostKept = 16, mostNumbers = std::size_t{1} << 23;
+    /// many numbers (8 MiB), and the last one.
+    static constexpr std::size_t mostKept = 16, mostNumbers = std::size_t{1} << 20;
 
     static Key keyOf(const Environment& environment, const AirScene& scene,
                      const std::vector<Band>& bands);

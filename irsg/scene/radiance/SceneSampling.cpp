@@ -104,10 +104,14 @@ SceneSampling::quadrature(AirAnswers& answers, const AirScene& scene, const Band
         std::rotate(kept_.begin(), known, known + 1);
         return kept_.front().sampling;
     }
-    if (kept_.size() >= mostKept)
-        kept_.pop_back();
     auto made = std::make_shared<const SpectralQuadrature>(band, spectra, finest_K);
     kept_.insert(kept_.begin(), Kept{band, finest_K, std::move(edges_um), std::move(made)});
+    std::size_t numbers = 0;
+    const auto isTooMuch = [&](const Kept& kept) {
+        numbers += kept.edges_um.size() + kept.sampling->size();
+        return &kept != &kept_.front() && numbers > mostNumbers;
+    };
+    kept_.erase(std::ranges::find_if(kept_, isTooMuch), kept_.end());
     return kept_.front().sampling;
 }
 

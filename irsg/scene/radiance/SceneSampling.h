@@ -52,7 +52,8 @@ class SceneSampling {
     static void takeAir(AirAnswers& answers, const AirScene& scene, SampledBand& band);
 
   private:
-    static constexpr std::size_t mostKept = 256;
+    /// Nodes and edges that are kept: every range of a sweep through real air has its own.
+    static constexpr std::size_t mostNumbers = std::size_t{1} << 18;
 
     struct Kept {
         Band band;
