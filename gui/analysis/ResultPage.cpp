@@ -66,6 +66,7 @@ void ResultPage::showImage(Dialogs dialogs) {
     image_ = new ImageView(this, std::move(dialogs));
     image_->setImage(entry.image(), bandOf(entry));
     image_->setColorMap(entry.data->settings.text("display.colorMap"));
+    image_->setColorScale(irsg::colorScaleNamed(entry.data->settings.text("display.scale")));
     layout()->addWidget(image_);
     setBackgroundRole(QPalette::Window); // so that fields stand out in the dark, too
 }

@@ -31,6 +31,20 @@ QString modeWord(LimitMode mode) {
     return {};
 }
 
+QString scaleWord(irsg::ColorScale scale) {
+    switch (scale) {
+    case irsg::ColorScale::linear:
+        return ColorBar::tr("Linear");
+    case irsg::ColorScale::squareRoot:
+        return ColorBar::tr("Square root");
+    case irsg::ColorScale::logarithmic:
+        return ColorBar::tr("Logarithmic");
+    case irsg::ColorScale::equalized:
+        return ColorBar::tr("Equalized");
+    }
+    return {};
+}
+
 } // namespace
 
 ColorBar::ColorBar(QWidget* parent, const QList<LimitMode>& modes) : QWidget(parent) {
@@ -55,6 +69,16 @@ ColorBar::ColorBar(QWidget* parent, const QList<LimitMode>& modes) : QWidget(par
         tr("How the limits of the colours are found: Target shows the object on its background and "
            "leaves out its few hottest pixels, Percentiles leave out what is typed in, Locked "
            "keeps them whatever is shown"));
+    colorScale_ = new QComboBox(this);
+    colorScale_->setObjectName("colorScale");
+    for (const std::string& name : irsg::colorScaleNames()) {
+        const irsg::ColorScale scale = irsg::colorScaleNamed(name);
+        colorScale_->addItem(scaleWord(scale), static_cast<int>(scale));
+    }
+    colorScale_->setToolTip(
+        tr("How colours follow values: Square root and Logarithmic show what is dim beside what "
+           "glows, Equalized gives every colour to as many of the values; Target then holds the "
+           "hottest pixels, too"));
     const auto percent = [this](const QString& name, double value, const QString& tip) {
         auto* box = new QDoubleSpinBox(this);
         box->setObjectName(name);
@@ -76,14 +100,19 @@ ColorBar::ColorBar(QWidget* parent, const QList<LimitMode>& modes) : QWidget(par
     percents->setSpacing(4);
     percents->addWidget(lowPercent_);
     percents->addWidget(highPercent_);
-    for (QWidget* widget : {static_cast<QWidget*>(high_), static_cast<QWidget*>(scale_),
-                            static_cast<QWidget*>(low_), static_cast<QWidget*>(mode_)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(high_), static_cast<QWidget*>(scale_), static_cast<QWidget*>(low_),
+          static_cast<QWidget*>(colorScale_), static_cast<QWidget*>(mode_)})
         column->addWidget(widget);
     column->addLayout(percents);
     column->setStretchFactor(scale_, 1);
     showPercentiles();
     connect(low_, &QLineEdit::editingFinished, this, &ColorBar::readLimits);
     connect(high_, &QLineEdit::editingFinished, this, &ColorBar::readLimits);
+    connect(colorScale_, &QComboBox::activated, this, [this] {
+        limits_ = irsg::DisplayLimits{limits_.low, limits_.high, scale(), {}};
+        emit scaleChosen(scale());
+    });
     connect(mode_, &QComboBox::activated, this, [this] {
         showPercentiles();
         emit modeChosen(mode());
@@ -99,6 +128,7 @@ void ColorBar::setTitle(const QString& title) {
 void ColorBar::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits) {
     map_ = &map;
     limits_ = limits;
+    setScale(limits.scale);
     low_->setText(readableNumber(limits.low));
     high_->setText(readableNumber(limits.high));
     scale_->update();
@@ -107,6 +137,18 @@ void ColorBar::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& l
 void ColorBar::setOutOfRange(const OutOfRange& counts) {
     outOfRange_ = counts;
     scale_->update();
+}
+
+irsg::ColorScale ColorBar::scale() const {
+    return static_cast<irsg::ColorScale>(colorScale_->currentData().toInt());
+}
+
+void ColorBar::setScale(irsg::ColorScale scale) {
+    colorScale_->setCurrentIndex(colorScale_->findData(static_cast<int>(scale)));
+}
+
+void ColorBar::hideScale() {
+    colorScale_->hide();
 }
 
 QPixmap ColorBar::legend() const {
@@ -160,7 +202,7 @@ void ColorBar::edit(const irsg::DisplayLimits& limits) {
     if (!(limits.low < limits.high) || !std::isfinite(limits.low) || !std::isfinite(limits.high))
         throw irsg::LogicError("limits of colours are not in order");
     setMode(LimitMode::locked);
-    setColors(*map_, limits);
+    setColors(*map_, {limits.low, limits.high, scale(), {}});
     emit limitsEdited(limits_);
 }
 
@@ -199,11 +241,16 @@ void ColorBar::readLimits() {
 
 FoundLimits limitsOf(const std::vector<SharedValues>& planes,
                      const std::optional<irsg::DisplayLimits>& known, LimitMode mode,
-                     std::pair<double, double> percentiles) {
+                     std::pair<double, double> percentiles, irsg::ColorScale scale) {
     std::vector<const std::vector<float>*> values;
-    for (const SharedValues& plane : planes)
+    std::vector<std::span<const float>> shown;
+    for (const SharedValues& plane : planes) {
         values.push_back(plane.get());
-    FoundLimits found{known ? *known : automaticLimits(values, mode, percentiles), {}};
+        shown.emplace_back(*plane);
+    }
+    const irsg::DisplayLimits limits =
+        known ? *known : automaticLimits(values, mode, percentiles, scale);
+    FoundLimits found{limits.with(scale, shown), {}};
     for (const auto* plane : values) {
         const OutOfRange one = countOutOfRange(*plane, found.limits);
         found.outside.below += one.below;
@@ -224,11 +271,12 @@ OutOfRange countOutOfRange(const std::vector<float>& values, const irsg::Display
 }
 
 irsg::DisplayLimits automaticLimits(const std::vector<const std::vector<float>*>& planes,
-                                    LimitMode mode, std::pair<double, double> percentiles) {
+                                    LimitMode mode, std::pair<double, double> percentiles,
+                                    irsg::ColorScale scale) {
     std::optional<irsg::DisplayLimits> shared;
     for (const auto* values : planes) {
         const irsg::DisplayLimits one =
-            mode == LimitMode::target ? irsg::objectLimits(*values)
+            mode == LimitMode::target ? irsg::limitsFor(scale, *values)
             : mode == LimitMode::percentile
                 ? irsg::percentileLimits(*values, percentiles.first, percentiles.second)
                 : irsg::percentileLimits(*values);

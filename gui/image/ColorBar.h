@@ -18,7 +18,7 @@ namespace smat::gui {
 
 /// How the limits of the colours are found.
 enum class LimitMode {
-    target,     ///< irsg::objectLimits
+    target,     ///< irsg::limitsFor
     full,       ///< least to largest
     percentile, ///< the percentiles that are typed in
     locked      ///< as typed in
@@ -44,6 +44,11 @@ class ColorBar : public QWidget {
     void setTitle(const QString& title);
     const QString& title() const { return title_; }
     void setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits);
+    /// How colours follow values; with the limits it comes from setColors.
+    irsg::ColorScale scale() const;
+    void setScale(irsg::ColorScale scale);
+    /// For differences, whose colours are linear: no scale is offered.
+    void hideScale();
     void setOutOfRange(const OutOfRange& counts);
     const OutOfRange& outOfRange() const { return outOfRange_; }
     const irsg::DisplayLimits& limits() const { return limits_; }
@@ -70,6 +75,7 @@ class ColorBar : public QWidget {
     void limitsEdited(const irsg::DisplayLimits& limits);
     /// Another rule, or other percentiles.
     void modeChosen(LimitMode mode);
+    void scaleChosen(irsg::ColorScale scale);
 
   private:
     class Scale;
@@ -85,6 +91,7 @@ class ColorBar : public QWidget {
     QLineEdit* low_ = nullptr;
     QLineEdit* high_ = nullptr;
     QComboBox* mode_ = nullptr;
+    QComboBox* colorScale_ = nullptr;
     QDoubleSpinBox* lowPercent_ = nullptr;
     QDoubleSpinBox* highPercent_ = nullptr;
     bool upperAlone_ = false;
@@ -96,15 +103,16 @@ struct FoundLimits {
     OutOfRange outside;
 };
 /// Those of planes that share their colours: `known` ones, or as the rule says, see
-/// automaticLimits.
+/// automaticLimits; in either case with the scale.
 FoundLimits limitsOf(const std::vector<SharedValues>& planes,
                      const std::optional<irsg::DisplayLimits>& known, LimitMode mode,
-                     std::pair<double, double> percentiles);
+                     std::pair<double, double> percentiles, irsg::ColorScale scale);
 
 /// Counted in one sweep.
 OutOfRange countOutOfRange(const std::vector<float>& values, const irsg::DisplayLimits& limits);
 /// Limits of the rules but `locked`, for one plane or for several that share them.
 irsg::DisplayLimits automaticLimits(const std::vector<const std::vector<float>*>& planes,
-                                    LimitMode mode, std::pair<double, double> percentiles);
+                                    LimitMode mode, std::pair<double, double> percentiles,
+                                    irsg::ColorScale scale);
 
 } // namespace smat::gui

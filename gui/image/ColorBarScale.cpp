@@ -73,7 +73,7 @@ double ColorBar::Scale::drawTicks(QPainter& painter, const QRectF& strip) const 
         ticks = ticksEvery(1.3);
     double widest = 0.0;
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-        const double part = (ticks.values[i] - limits.low) / (limits.high - limits.low);
+        const double part = limits.position(ticks.values[i]);
         const double y = strip.bottom() - part * strip.height();
         const QString words = QString::fromStdString(ticks.labels[i]);
         painter.setPen(style.frame);

@@ -103,6 +103,7 @@ ColoredPlane::Level ColoredPlane::colored() const {
     const std::array<QRgb, 3> marked = {0, markColor(warned).rgb(), markColor(failed).rgb()};
     const double low = limits_.low, high = limits_.high;
     const double scale = static_cast<double>(table.size() - 1) / (high - low);
+    const bool isLinear = limits_.scale == irsg::ColorScale::linear;
 
     Level first{QImage(width_, height_, QImage::Format_RGB32),
                 marks_ ? *marks_ : std::vector<std::uint8_t>()};
@@ -112,7 +113,10 @@ ColoredPlane::Level ColoredPlane::colored() const {
         for (int x = 0; x < width_; ++x) {
             const auto value = static_cast<double>(*next++);
             if (value >= low && value <= high)
-                line[x] = table[static_cast<std::size_t>((value - low) * scale + 0.5)];
+                line[x] = table[static_cast<std::size_t>(
+                    isLinear
+                        ? (value - low) * scale + 0.5
+                        : limits_.position(value) * static_cast<double>(table.size() - 1) + 0.5)];
             else
                 line[x] = std::isnan(value) ? hole : value < low ? below : above;
         }

@@ -82,6 +82,7 @@ ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
     difference_->setObjectName("differenceBar");
     difference_->setPercentiles(0.0, usualPercent);
     difference_->askUpperPercentileAlone();
+    difference_->hideScale();
     static const char* const names[] = {"canvasA", "canvasB", "canvasDifference"};
     for (std::size_t i = 0; i < canvases_.size(); ++i) {
         canvases_[i] = new ImageCanvas(this);
@@ -116,6 +117,7 @@ ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
     connect(wipeAt_, &QSlider::valueChanged, this, [this] { setWipe(wipe_->isChecked()); });
     connect(shared_, &ColorBar::limitsEdited, this, &ComparisonPanes::updateSharedColors);
     connect(shared_, &ColorBar::modeChosen, this, &ComparisonPanes::updateSharedColors);
+    connect(shared_, &ColorBar::scaleChosen, this, &ComparisonPanes::updateSharedColors);
     connect(difference_, &ColorBar::limitsEdited, this, &ComparisonPanes::updateDifferenceColors);
     connect(difference_, &ColorBar::modeChosen, this, &ComparisonPanes::updateDifferenceColors);
 }
@@ -283,9 +285,8 @@ void ComparisonPanes::updateSharedColors() {
         known = shared_->limits();
     find(
         sharedTask_, waiting, pixels,
-        [planes, known, mode = shared_->mode(), percentiles = shared_->percentiles()] {
-            return limitsOf(planes, known, mode, percentiles);
-        },
+        [planes, known, mode = shared_->mode(), percentiles = shared_->percentiles(),
+         scale = shared_->scale()] { return limitsOf(planes, known, mode, percentiles, scale); },
         [this](const FoundLimits& found) { useShared(found); });
 }
 

@@ -127,8 +127,8 @@ void ImageView::recolor() {
 
 void ImageView::findLimits(const std::optional<irsg::DisplayLimits>& known) {
     const auto work = [values = shareValues(image_, plane()), known, mode = colorBar_->mode(),
-                       percentiles = colorBar_->percentiles()] {
-        return limitsOf({values}, known, mode, percentiles);
+                       percentiles = colorBar_->percentiles(), scale = colorBar_->scale()] {
+        return limitsOf({values}, known, mode, percentiles, scale);
     };
     limitsTask_.cancel();
     if (image_->pixelCount() <= quickPixels) {
@@ -138,7 +138,7 @@ void ImageView::findLimits(const std::optional<irsg::DisplayLimits>& known) {
     if (!known)
         canvas_->awaitColors();
     limitsTask_.run<FoundLimits>(work, [this, known](const FoundLimits& found) {
-        if (known)
+        if (known && known->scale == found.limits.scale && !found.limits.levels)
             colorBar_->setOutOfRange(found.outside);
         else
             useLimits(found);
@@ -159,6 +159,12 @@ void ImageView::setColorMap(const std::string& name) {
         return;
     colorBar_->setColors(*map_, colorBar_->limits());
     canvas_->setColors(*map_, colorBar_->limits());
+}
+
+void ImageView::setColorScale(irsg::ColorScale scale) {
+    colorBar_->setScale(scale);
+    if (image_ != nullptr)
+        updateColors();
 }
 
 QString ImageView::readoutAt(int x, int y) const {

@@ -50,6 +50,7 @@ class ImageView : public QWidget, public Exportable {
     ColorBar* colorBar() const { return colorBar_; }
     ImageInspector* inspector() const { return inspector_; }
     const irsg::ColorMap& colorMap() const { return *map_; }
+    void setColorScale(irsg::ColorScale scale);
     /// Name of the plane that is shown.
     const std::string& shownChannel() const { return plane().name; }
     void setColorMap(const std::string& name);

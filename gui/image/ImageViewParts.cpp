@@ -117,6 +117,7 @@ void ImageView::connectParts() {
     connect(canvas_, &ImageCanvas::selectionChanged, this, &ImageView::updateStatistics);
     connect(colorBar_, &ColorBar::limitsEdited, this, &ImageView::recolor);
     connect(colorBar_, &ColorBar::modeChosen, this, &ImageView::updateColors);
+    connect(colorBar_, &ColorBar::scaleChosen, this, &ImageView::updateColors);
 }
 
 } // namespace smat::gui

@@ -43,6 +43,7 @@ struct InfraredRequest {
     const irsg::ColorMap* map = nullptr;
     std::optional<irsg::DisplayLimits> limits; ///< found by the rule where there are none
     LimitMode limitMode = LimitMode::target;
+    irsg::ColorScale scale = irsg::ColorScale::linear;
     std::pair<double, double> percentiles{2.0, 98.0};
     bool markOutOfRange = false; ///< in colours of their own
 };

@@ -67,9 +67,12 @@ InfraredPicture InfraredScene::draw(const InfraredRequest& request) {
         picture.coarse = request.coarse;
         picture.revision = request.revision;
         const auto& values = picture.plane().values;
-        picture.limits = request.limits
-                             ? *request.limits
-                             : automaticLimits({&values}, request.limitMode, request.percentiles);
+        picture.limits = request.limits ? *request.limits
+                                        : automaticLimits({&values}, request.limitMode,
+                                                          request.percentiles, request.scale);
+        // Colours hold still while something moves, levels of an equalized scale, too.
+        if (picture.limits.scale != request.scale || !picture.limits.levels)
+            picture.limits = picture.limits.with(request.scale, {values});
         picture.colors = colorsOf(*image_, picture.plane(), *request.map, picture.limits,
                                   request.markOutOfRange);
     }

@@ -115,6 +115,7 @@ ModelPage::ModelPage(QWidget* parent) : QWidget(parent) {
     column->addLayout(middle, 1);
 
     connect(bar_, &ColorBar::limitsEdited, view_, &SceneView::setLimits);
+    connect(bar_, &ColorBar::scaleChosen, view_, &SceneView::setColorScale);
     connect(bar_, &ColorBar::modeChosen, view_, [this](LimitMode mode) {
         if (mode == LimitMode::percentile)
             view_->setPercentiles(bar_->percentiles().first, bar_->percentiles().second);
@@ -222,6 +223,7 @@ void ModelPage::refresh() {
     bar_->setMode(view_->limitMode());
     // The colours that were chosen, also while there is no picture to take limits from.
     bar_->setColors(view_->colorMap(), bar_->limits());
+    bar_->setScale(view_->colorScale());
 }
 
 void ModelPage::refreshBar() {

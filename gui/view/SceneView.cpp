@@ -238,6 +238,9 @@ void SceneView::setProject(const Project& project, const Settings& settings) {
         projectMap_ = true;
         setColorMap(map);
     }
+    if (const std::string& scale = settings.text("display.scale");
+        settings_.text("display.scale") != scale)
+        setColorScale(irsg::colorScaleNamed(scale));
     settings_ = settings;
     parts_->scene.placeTarget(targetPoseOf(settings));
     frame_ = {irsg::radians(settings.real("sensor.fov")), settings.integer("sensor.width"),

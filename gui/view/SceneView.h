@@ -59,6 +59,8 @@ class SceneView : public QOpenGLWidget {
     void setColorMap(const std::string& name);
     const irsg::ColorMap& colorMap() const { return *map_; }
     void setLimitMode(LimitMode mode);
+    irsg::ColorScale colorScale() const { return scale_; }
+    void setColorScale(irsg::ColorScale scale);
     LimitMode limitMode() const { return limitMode_; }
     /// Limits between two percentiles of the picture.
     void setPercentiles(double low, double high);
@@ -159,6 +161,7 @@ class SceneView : public QOpenGLWidget {
     InfraredQuantity quantity_ = InfraredQuantity::radiance;
     const irsg::ColorMap* map_ = nullptr;
     bool projectMap_ = false; ///< that of the project's settings was taken
+    irsg::ColorScale scale_ = irsg::ColorScale::linear;
     LimitMode limitMode_ = LimitMode::target;
     std::pair<double, double> percentiles_{2.0, 98.0};
     irsg::DisplayLimits lockedLimits_;

@@ -52,6 +52,12 @@ void SceneView::setColorMap(const std::string& name) {
     sendRequest(false);
 }
 
+void SceneView::setColorScale(irsg::ColorScale scale) {
+    scale_ = scale;
+    emit displayChanged();
+    sendRequest(false);
+}
+
 void SceneView::setLimitMode(LimitMode mode) {
     limitMode_ = mode;
     if (mode == LimitMode::locked && picture_.image)
@@ -152,6 +158,7 @@ void SceneView::sendRequest(bool coarse) {
     request.quantity = quantity_;
     request.map = map_;
     request.limitMode = limitMode_;
+    request.scale = scale_;
     request.percentiles = percentiles_;
     // Colours hold still while something moves.
     request.markOutOfRange = limitMode_ == LimitMode::locked;

@@ -35,6 +35,38 @@ std::pair<double, int> roundStep(double least) {
     return {std::pow(10.0, power + 1), power + 1};
 }
 
+/// Of at most two digits, the nearest.
+double rounded(double value) {
+    if (value == 0.0)
+        return 0.0;
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
+    return std::round(value / unit) * unit;
+}
+
+/// Decimals that show the two digits of a rounded value.
+int decimalsOf(double value) {
+    if (value == 0.0)
+        return 0;
+    const int power = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
+    const double second = std::abs(value) * std::pow(10.0, 1 - power);
+    return std::max(0, (std::lround(second) % 10 == 0 ? 0 : 1) - power);
+}
+
+/// Round values at about equal steps of colour.
+void addAlongColors(const DisplayLimits& limits, int most, double unit, AxisTicks& ticks) {
+    constexpr double nearest = 0.6; // of a step
+    double before = -1.0;
+    for (int i = 0; i < most; ++i) {
+        const double scaled = rounded(limits.value(static_cast<double>(i) / (most - 1)) / unit);
+        const double value = scaled * unit, position = limits.position(value);
+        if (value < limits.low || value > limits.high || position - before < nearest / (most - 1))
+            continue;
+        before = position;
+        ticks.values.push_back(value);
+        ticks.labels.push_back(fixed(scaled, decimalsOf(scaled)));
+    }
+}
+
 } // namespace
 
 AxisTicks axisTicks(const DisplayLimits& limits, int mostTicks) {
@@ -53,6 +85,14 @@ AxisTicks axisTicks(const DisplayLimits& limits, int mostTicks) {
         return ticks.exponent >= 0 ? value / std::pow(10.0, ticks.exponent)
                                    : value * std::pow(10.0, -ticks.exponent);
     };
+
+    if (limits.scale != ColorScale::linear) {
+        addAlongColors(limits, std::max(mostTicks, 2), std::pow(10.0, ticks.exponent), ticks);
+        if (ticks.values.size() > 1)
+            return ticks;
+        ticks.values.clear();
+        ticks.labels.clear();
+    }
 
     // The multiples of the step that lie inside; a step that gives too many grows once more.
     const int most = std::max(mostTicks, 2);

@@ -15,8 +15,9 @@ struct AxisTicks {
 };
 
 /// Ticks at multiples of 1, 2 or 5 times a power of ten, as many as fit but at most `mostTicks`
-/// (>= 2). Limits that are too close for that are marked at their ends. InputError unless
-/// low < high, both finite.
+/// (>= 2); where colours do not follow values linearly, at round numbers about as far from each
+/// other along the colours, with labels of one or two digits each. Limits that are too close for
+/// that are marked at their ends. InputError unless low < high, both finite.
 AxisTicks axisTicks(const DisplayLimits& limits, int mostTicks);
 
 /// "W m-2 sr-1" as it is set: "W·m⁻²·sr⁻¹". Text that is no such product comes back unchanged.

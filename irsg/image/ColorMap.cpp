@@ -206,7 +206,7 @@ Rgb ColorMap::color(double value, const DisplayLimits& limits) const {
         return below_;
     if (value > limits.high)
         return above_;
-    return at((value - limits.low) / (limits.high - limits.low));
+    return at(limits.position(value));
 }
 
 } // namespace irsg

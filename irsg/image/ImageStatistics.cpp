@@ -194,6 +194,10 @@ DisplayLimits objectLimits(std::span<const float> values) {
     return limits;
 }
 
+DisplayLimits limitsFor(ColorScale scale, std::span<const float> values) {
+    return scale == ColorScale::linear ? objectLimits(values) : percentileLimits(values);
+}
+
 DisplayLimits symmetricLimits(std::span<const float> values, double percent) {
     checkPercent(percent);
     std::vector<float> finite = finiteOf(values);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "irsg/image/DisplayLimits.h"
 #include "irsg/image/RadianceImage.h"
 
 namespace irsg {
@@ -46,14 +47,6 @@ ImageStatistics imageStatistics(const RadianceImage& image,
 /// between the two nearest ranks: rank = percent / 100 (n - 1). NaN where no value is finite.
 double percentile(std::span<const float> values, double percent);
 
-/// The values between which a picture's colours run.
-struct DisplayLimits {
-    double low = 0.0;
-    double high = 1.0;
-
-    bool operator==(const DisplayLimits&) const = default;
-};
-
 /// Limits from percentiles of the finite values, 0 and 100 being minimum and maximum. Always
 /// usable: low < high. A plane of one value v is shown between v - |v|/100 and v + |v|/100, a plane
 /// of zeros, or without a finite value, between 0 and 1. Throws InputError unless 0 <= low < high
@@ -65,6 +58,9 @@ DisplayLimits percentileLimits(std::span<const float> values, double lowPercent 
 /// hold it; else those of the whole plane. A few glowing pixels do not turn the rest of a target
 /// black.
 DisplayLimits objectLimits(std::span<const float> values);
+/// Limits that a scale of colours shows an object with: those above where it is linear; a scale
+/// that leaves room for both skin and exhaust pipes shows all there is.
+DisplayLimits limitsFor(ColorScale scale, std::span<const float> values);
 /// Symmetric about 0: the percentile of the absolute values, or the largest where that is 0.
 DisplayLimits symmetricLimits(std::span<const float> values, double percent = 100.0);
 

@@ -126,7 +126,7 @@ class ColorBar {
         canvas.frame(left, top + top_, barWidth(), bottom_ - top_, scale_, line);
 
         for (std::size_t i = 0; i < ticks_.values.size(); ++i) {
-            const double t = (ticks_.values[i] - limits_.low) / (limits_.high - limits_.low);
+            const double t = limits_.position(ticks_.values[i]);
             const int y = top + bottom_ - static_cast<int>(std::lround(t * (bottom_ - top_)));
             canvas.fill(left + barWidth() + scale_, y - scale_ / 2, tickLength(), scale_, line);
             drawText(canvas, left + labelOffset(), y + capHeight_px * scale_ / 2, ticks_.labels[i],

@@ -16,7 +16,9 @@ namespace {
 /// The limits of the colours: those that are set, the image's own for the others.
 irsg::DisplayLimits limitsOf(const irsg::RadianceImage& image, const Settings& settings,
                              const std::string& whose) {
-    irsg::DisplayLimits limits = irsg::objectLimits(image.primary().values);
+    const std::vector<float>& values = image.primary().values;
+    const irsg::ColorScale scale = irsg::colorScaleNamed(settings.text("display.scale"));
+    irsg::DisplayLimits limits = irsg::limitsFor(scale, values);
     const auto minimum = settings.optionalReal("display.minimum");
     const auto maximum = settings.optionalReal("display.maximum");
     limits.low = minimum.value_or(limits.low);
@@ -29,7 +31,7 @@ irsg::DisplayLimits limitsOf(const irsg::RadianceImage& image, const Settings& s
                           .value = settings.text(key),
                           .expected = "a least value below the largest that is shown"});
     }
-    return limits;
+    return limits.with(scale, {values});
 }
 
 } // namespace

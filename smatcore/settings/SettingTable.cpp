@@ -302,6 +302,12 @@ void addDisplay(std::vector<SettingInfo>& table) {
         choice("display.colorMap", "--color-map", "Colour map", irsg::ColorMap::names(),
                irsg::ColorMap::defaultName,
                "Colours of PNG files and of the image window; data are never coloured."));
+    table.push_back(
+        choice("display.scale", "--color-scale", "Colour scale", irsg::colorScaleNames(),
+               irsg::nameOf(irsg::ColorScale::linear),
+               "How colours follow values between darkest and brightest: linear, by the square "
+               "root, by the logarithm over four decades, or equalized, every colour for as many "
+               "of the values; with all but the first auto shows the hottest pixels, too."));
     table.push_back(choiceOrNumber("display.minimum", "--display-minimum", "Darkest value", "",
                                    {"auto"}, -1e30, 1e30, "auto",
                                    "Value that has the first colour, in the unit of the picture; "

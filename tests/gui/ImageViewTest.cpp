@@ -107,7 +107,7 @@ TEST_F(ImageViewTest, ALargeImageIsColouredInAnotherThreadWhileTheOldPictureStay
     setMode(view, LimitMode::percentile);
     ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
     const auto found = automaticLimits({&large.primary().values}, LimitMode::percentile,
-                                       view.colorBar()->percentiles());
+                                       view.colorBar()->percentiles(), irsg::ColorScale::linear);
     EXPECT_EQ(view.colorBar()->limits().low, found.low);
     EXPECT_EQ(view.colorBar()->limits().high, found.high);
 }
@@ -197,6 +197,49 @@ TEST_F(ImageViewTest, StatisticsFollowADraggedRectangle) {
     QTest::mouseClick(view.canvas(), Qt::LeftButton, {},
                       view.canvas()->widgetPoint({4.5, 4.5}).toPoint());
     EXPECT_TRUE(view.statistics().startsWith("Image"));
+}
+
+TEST_F(ImageViewTest, ScalesShowWhatIsDimBesideWhatGlows) {
+    // Background, skin at 1 and 2, and one pipe at 1000.
+    irsg::RadianceImage image(100, 3);
+    auto& values = image.primary().values;
+    std::fill_n(values.begin() + 100, 100, 1.0F);
+    std::fill_n(values.begin() + 200, 100, 2.0F);
+    values[0] = 1000.0F;
+    view.setImage(image);
+    view.setColorMap("white-hot");
+    const auto red = [&](int x, int y) { return view.canvas()->picture().pixelColor(x, y).red(); };
+    EXPECT_EQ(view.colorBar()->outOfRange().above, 1U); // Target leaves the hottest pixel out
+
+    auto* scale = view.findChild<QComboBox*>("colorScale");
+    const auto choose = [&](irsg::ColorScale wanted) {
+        scale->setCurrentIndex(scale->findData(static_cast<int>(wanted)));
+        emit scale->activated(scale->currentIndex());
+    };
+    int before = 0;
+    for (const irsg::ColorScale wanted :
+         {irsg::ColorScale::squareRoot, irsg::ColorScale::logarithmic,
+          irsg::ColorScale::equalized}) {
+        choose(wanted);
+        EXPECT_EQ(view.colorBar()->limits().scale, wanted);
+        EXPECT_EQ(view.colorBar()->limits().high, 1000.0);
+        EXPECT_EQ(view.colorBar()->outOfRange().above, 0U);
+        EXPECT_EQ(red(0, 0), 255);
+        EXPECT_EQ(red(50, 0), 0);
+        EXPECT_GT(red(50, 2) - red(50, 1), before) << irsg::nameOf(wanted);
+        before = red(50, 2) - red(50, 1);
+    }
+    test::keepScreenshot(view, "image-view-equalized");
+    // Limits that are typed in keep the scale, and a file that is written has it.
+    choose(irsg::ColorScale::logarithmic);
+    view.colorBar()->edit({0.0, 500.0});
+    EXPECT_EQ(view.colorBar()->limits(),
+              (irsg::DisplayLimits{0.0, 500.0, irsg::ColorScale::logarithmic, {}}));
+    const int locked = red(50, 1);
+    EXPECT_EQ(locked, view.colorMap().color(1.0, view.colorBar()->limits()).red);
+    choose(irsg::ColorScale::linear);
+    EXPECT_EQ(view.colorBar()->limits(), (irsg::DisplayLimits{0.0, 500.0}));
+    EXPECT_LT(red(50, 1), locked);
 }
 
 TEST_F(ImageViewTest, PercentilesSetTheLimitsAndStayInOrder) {

@@ -15,6 +15,7 @@
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/ImageQuantity.h"
+#include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/ViewFixture.h"
 
 namespace smat::gui {
@@ -250,6 +251,32 @@ TEST_F(InfraredViewTest, LimitsFollowTheTargetOrStayLocked) {
         return view.shownPicture()->limits ==
                irsg::percentileLimits(view.shownPicture()->plane().values);
     }));
+}
+
+TEST_F(InfraredViewTest, ScalesHoldThePipesBesideTheSkin) {
+    ASSERT_NO_FATAL_FAILURE(show(sample("turboprop4")));
+    ASSERT_TRUE(showInfrared());
+    const auto colors = [&] {
+        std::set<QRgb> all;
+        const QImage picture = view.shownPicture()->colors.convertToFormat(QImage::Format_RGB32);
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                all.insert(picture.pixel(x, y));
+        return all.size();
+    };
+    view.setLimitMode(LimitMode::full);
+    ASSERT_TRUE(waitForPicture());
+    const std::size_t linear = colors();
+    set("display.scale", "equalized"); // as a project or the settings do
+    ASSERT_TRUE(waitUntil(
+        [&] { return view.shownPicture()->limits.scale == irsg::ColorScale::equalized; }));
+    EXPECT_NE(view.shownPicture()->limits.levels, nullptr);
+    EXPECT_GT(colors(), 2 * linear);
+    test::keepScreenshot(view, "infrared-view-equalized");
+    view.setColorScale(irsg::ColorScale::linear);
+    ASSERT_TRUE(
+        waitUntil([&] { return view.shownPicture()->limits.scale == irsg::ColorScale::linear; }));
+    EXPECT_EQ(colors(), linear);
 }
 
 TEST_F(InfraredViewTest, SaysInWordsWhatIsMissingAndRecovers) {

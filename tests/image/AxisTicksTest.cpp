@@ -15,12 +15,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(AxisTicks, StandAtRoundValues) {
-    const struct {
+    struct Row {
         const char* name;
         DisplayLimits limits;
         std::vector<std::string> labels;
         int exponent;
-    } rows[] = {
+    };
+    const std::vector<Row> rows{
         {"unit", {0, 1}, {"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}, 0},
         {"kelvin", {283.4, 346}, {"290", "300", "310", "320", "330", "340"}, 0},
         {"about zero", {-2, 2}, {"\u22122", "\u22121", "0", "1", "2"}, 0},
