@@ -135,9 +135,9 @@ class Polygons {
 
     PolygonCorner corner(unsigned int vertex) const {
         const auto* positions = geometry_.getVertexArray();
-        const auto where = "vertex " + std::to_string(vertex);
+        const auto where = [&] { return "vertex " + std::to_string(vertex); };
         if (!positions || vertex >= positions->getNumElements())
-            throw InputError({name_, where,
+            throw InputError({name_, where(),
                               "an array of " +
                                   std::to_string(positions ? positions->getNumElements() : 0) +
                                   " vertices",
@@ -150,7 +150,7 @@ class Polygons {
         for (std::size_t i = 0; i < 3; ++i) {
             const double value = (*position)[i];
             if (!(std::abs(value) <= 1e9))
-                throw InputError({name_, where, "coordinate " + std::to_string(value),
+                throw InputError({name_, where(), "coordinate " + std::to_string(value),
                                   "a finite number within 1e9"});
             corner.position[static_cast<int>(i)] = value;
         }

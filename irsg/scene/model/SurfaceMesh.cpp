@@ -1,10 +1,10 @@
 #include "irsg/scene/model/SurfaceMesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
-#include <functional>
-#include <string_view>
 
 #include <osg/CullFace>
 #include <osg/PolygonOffset>
@@ -26,6 +26,32 @@ void extend(BoundingBox& box, const Vec3& p) {
     box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
 }
 
+/// A zero has one sign, so that equal places are one vertex.
+osg::Vec3 withOneZero(const osg::Vec3d& v) {
+    const osg::Vec3 rounded(v);
+    return {rounded.x() + 0.0f, rounded.y() + 0.0f, rounded.z() + 0.0f};
+}
+
+/// Bit by bit: colours may be no numbers.
+template <typename Vector>
+bool areSame(const Vector& a, const Vector& b) {
+    return std::memcmp(a.ptr(), b.ptr(), sizeof a) == 0;
+}
+
+/// Of all bits of a vertex: each word is multiplied in, and what is above folded down.
+std::size_t hashOf(const osg::Vec3& p, const osg::Vec3& n, const osg::Vec4& c) {
+    std::array<std::uint64_t, 5> words{};
+    std::memcpy(words.data(), p.ptr(), sizeof p);
+    std::memcpy(reinterpret_cast<char*>(words.data()) + sizeof p, n.ptr(), sizeof n);
+    std::memcpy(reinterpret_cast<char*>(words.data()) + sizeof p + sizeof n, c.ptr(), sizeof c);
+    std::uint64_t hash = 0;
+    for (const std::uint64_t word : words) {
+        hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
+        hash ^= hash >> 32;
+    }
+    return static_cast<std::size_t>(hash);
+}
+
 template <typename Array, typename Values>
 osg::ref_ptr<Array> perVertex(const Values& values) {
     osg::ref_ptr<Array> array = new Array(values.begin(), values.end());
@@ -35,29 +61,36 @@ osg::ref_ptr<Array> perVertex(const Values& values) {
 
 } // namespace
 
-bool SurfaceMesh::Vertex::operator==(const Vertex& o) const {
-    return std::memcmp(values, o.values, sizeof values) == 0;
-}
-std::size_t SurfaceMesh::Hash::operator()(const Vertex& v) const {
-    return std::hash<std::string_view>{}(
-        {reinterpret_cast<const char*>(v.values), sizeof v.values});
+void SurfaceMesh::VertexTable::grow(const Part& part) {
+    slots_.assign(std::max<std::size_t>(1024, 2 * slots_.size()), 0);
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+        std::size_t slot = hashOf(part.vertices[i], part.normals[i], part.colours[i]) & mask;
+        while (slots_[slot] != 0)
+            slot = (slot + 1) & mask;
+        slots_[slot] = static_cast<unsigned int>(i) + 1;
+    }
 }
 
-unsigned int SurfaceMesh::index(const Key& key, Part& part, const PolygonCorner& corner) {
-    // A zero has one sign, so that equal places are one vertex.
-    const osg::Vec3 p(corner.position), n(corner.normal);
-    const auto& c = corner.colour;
-    const Vertex vertex{{p.x() + 0.0f, p.y() + 0.0f, p.z() + 0.0f, n.x() + 0.0f, n.y() + 0.0f,
-                         n.z() + 0.0f, c[0], c[1], c[2], c[3]}};
-    const auto [place, added] =
-        known_[key].emplace(vertex, static_cast<unsigned int>(part.vertices.size()));
-    if (added) {
-        part.vertices.push_back(p);
-        part.normals.push_back(n);
-        part.colours.push_back(c);
-        extend(part.bounds, asVec3(p));
+unsigned int SurfaceMesh::VertexTable::index(Part& part, const PolygonCorner& corner) {
+    if (2 * part.vertices.size() >= slots_.size())
+        grow(part);
+    const osg::Vec3 p = withOneZero(corner.position), n = withOneZero(corner.normal);
+    const osg::Vec4& c = corner.colour;
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = hashOf(p, n, c) & mask;
+    for (; slots_[slot] != 0; slot = (slot + 1) & mask) {
+        const unsigned int known = slots_[slot] - 1;
+        if (areSame(part.vertices[known], p) && areSame(part.normals[known], n) &&
+            areSame(part.colours[known], c))
+            return known;
     }
-    return place->second;
+    part.vertices.push_back(p);
+    part.normals.push_back(n);
+    part.colours.push_back(c);
+    extend(part.bounds, asVec3(p));
+    slots_[slot] = static_cast<unsigned int>(part.vertices.size());
+    return slots_[slot] - 1;
 }
 
 void SurfaceMesh::add(const Key& key, std::vector<PolygonCorner>& corners) {
@@ -85,12 +118,13 @@ void SurfaceMesh::add(const Key& key, std::vector<PolygonCorner>& corners) {
             corner.normal = -corner.normal;
     }
 
-    auto& part = parts_[key];
+    Part& part = parts_[key];
+    VertexTable& table = tables_[key];
     ++part.polygons;
     part.area_m2 += cut.area;
     for (const auto& triangle : cut.triangles)
         for (const auto corner : triangle)
-            part.triangles.push_back(index(key, part, corners[corner]));
+            part.triangles.push_back(table.index(part, corners[corner]));
 }
 
 osg::ref_ptr<osg::Geometry> SurfaceMesh::drawable(const Key& key, const Part& part) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <unordered_map>
 #include <vector>
 
 #include <osg/Geometry>
@@ -48,17 +47,19 @@ class SurfaceMesh {
     static osg::ref_ptr<osg::Geometry> drawable(const Key& key, const Part& part);
 
   private:
-    struct Vertex {
-        float values[10];
-        bool operator==(const Vertex& o) const;
-    };
-    struct Hash {
-        std::size_t operator()(const Vertex& v) const;
-    };
-    unsigned int index(const Key& key, Part& part, const PolygonCorner& corner);
+    /// The vertices of a part by what they are: their numbers in slots that a hash chooses, or the
+    /// next that is free. Besides the part's own arrays it takes 8 to 16 bytes a vertex.
+    class VertexTable {
+      public:
+        /// The number of the vertex in the part, to whose arrays a new one is appended.
+        unsigned int index(Part& part, const PolygonCorner& corner);
 
+      private:
+        void grow(const Part& part);
+        std::vector<unsigned int> slots_; ///< number + 1, 0 where free; a power of two of them
+    };
     std::map<Key, Part> parts_;
-    std::map<Key, std::unordered_map<Vertex, unsigned int, Hash>> known_;
+    std::map<Key, VertexTable> tables_;
     long degenerate_ = 0, normalsMade_ = 0, normalsTurned_ = 0, folded_ = 0;
 };
 

@@ -44,6 +44,18 @@ Plane project(const std::vector<PolygonCorner>& corners, const osg::Vec3d& norma
     return plane;
 }
 
+/// Whether it turns left at every corner and, which a star does not, around the first one.
+bool isConvex(const Plane& plane, double tolerance) {
+    const std::size_t count = plane.x.size();
+    for (std::size_t i = 0; i < count; ++i)
+        if (plane.turn(i, (i + 1) % count, (i + 2) % count) < -tolerance)
+            return false;
+    for (std::size_t i = 1; i + 1 < count; ++i)
+        if (plane.turn(0, i, i + 1) < -tolerance)
+            return false;
+    return true;
+}
+
 /// Looks at corners a polygon may take, for each of its own: more than any that is drawn by a
 /// person needs, and a bound for one that is made to take for ever.
 constexpr std::size_t mostLooks = 4096;
@@ -97,28 +109,22 @@ Triangulation triangulate(const std::vector<PolygonCorner>& corners) {
     if (!(twiceArea > thinnest * extent * extent))
         return cut;
 
-    // Convex about the first corner: a fan. Else ears.
+    // Convex about the first corner: a fan, as a triangle always is. Else ears.
     std::vector<std::array<std::size_t, 3>> triangles;
     const auto fan = [&] {
         triangles.clear();
         for (std::size_t i = 1; i + 1 < corners.size(); ++i)
             triangles.push_back({0, i, i + 1});
     };
-    const auto plane = project(corners, cut.normal);
-    bool convex = true;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const auto next = (i + 1) % corners.size(), last = (i + 2) % corners.size();
-        convex = convex && plane.turn(i, next, last) >= -thinnest * extent * extent;
-    }
-    // A star turns left everywhere, too, but not around its first corner.
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        convex = convex && plane.turn(0, i, i + 1) >= -thinnest * extent * extent;
     fan();
-    if (!convex) {
-        triangles.clear();
-        if (!cutEars(plane, triangles)) {
-            cut.folded = true;
-            fan();
+    if (corners.size() > 3) {
+        const auto plane = project(corners, cut.normal);
+        if (!isConvex(plane, thinnest * extent * extent)) {
+            triangles.clear();
+            if (!cutEars(plane, triangles)) {
+                cut.folded = true;
+                fan();
+            }
         }
     }
 
