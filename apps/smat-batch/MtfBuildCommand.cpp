@@ -15,6 +15,7 @@
 #include "irsg/scattering/MtfBuild.h"
 #include "irsg/scattering/PhaseFunction.h"
 #include "smatcore/data/ResultTable.h"
+#include "smatcore/support/Log.h"
 
 namespace smat::batch {
 
@@ -85,12 +86,17 @@ class MtfBuildCommand {
         std::optional<irsg::BuiltMtf> built;
         try {
             ProgressLine line;
+            bool isTracing = false;
             const auto begun = std::chrono::steady_clock::now();
             built = irsg::buildMtf(
                 recipe,
                 [&](double fraction) {
                     const std::chrono::duration<double> elapsed =
                         std::chrono::steady_clock::now() - begun;
+                    if (!isTracing && fraction > 0.2) {
+                        isTracing = true;
+                        logInfo(isLong ? "tracing photons" : "transforming");
+                    }
                     line.show({static_cast<std::size_t>(1000.0 * fraction), 1000, elapsed.count(),
                                isLong ? "photons" : "droplets"});
                     return !stopWasAsked();
@@ -206,12 +212,11 @@ class MtfBuildCommand {
 
     void tell(const irsg::BuiltMtf& built, const Context& context) const {
         if (context.json) {
-            fmt::print("{}\n", nlohmann::ordered_json{{"file", out_},
-                                                      {"lines", built.database.description()},
-                                                      {"albedo", built.albedo},
-                                                      {"asymmetry", built.asymmetry},
-                                                      {"forward_share", built.forwardShare}}
-                                   .dump(1));
+            nlohmann::ordered_json json = mtfAsJson(out_);
+            json["albedo"] = built.albedo;
+            json["asymmetry"] = built.asymmetry;
+            json["forward_share"] = built.forwardShare;
+            fmt::print("{}\n", jsonText(json));
             return;
         }
         fmt::print("{}\n", out_);

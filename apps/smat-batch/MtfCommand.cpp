@@ -3,20 +3,37 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "apps/smat-batch/Output.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 
 namespace smat::batch {
 
+nlohmann::ordered_json mtfAsJson(const std::string& file) {
+    const irsg::MtfSummary summary = irsg::describeMtf(file);
+    using Json = nlohmann::ordered_json;
+    Json fields = Json::array(), curves = Json::array();
+    for (const auto& field : summary.fields) {
+        fields.push_back({{"name", field.name},
+                          {"value", field.value ? Json(*field.value) : Json()},
+                          {"unit", field.unit}});
+    }
+    for (const auto& curve : summary.curves) {
+        curves.push_back({{"optical_depth", curve.opticalDepth},
+                          {"mtf_zero", curve.gain},
+                          {"mtf_highest_frequency", curve.direct}});
+    }
+    return {{"file", file}, {"fields", fields}, {"curves", curves}, {"notes", summary.remarks}};
+}
+
 namespace {
 
 int info(const std::string& file, const Context& context) {
-    const std::vector<std::string> lines = irsg::describeMtf(file);
     if (context.json) {
-        fmt::print("{}\n", nlohmann::ordered_json{{"file", file}, {"lines", lines}}.dump(1));
+        fmt::print("{}\n", jsonText(mtfAsJson(file)));
         return done;
     }
     fmt::print("{}\n", file);
-    for (const std::string& line : lines) {
+    for (const std::string& line : irsg::describeMtf(file).lines) {
         fmt::print("  {}\n", line);
     }
     return done;

@@ -18,7 +18,7 @@ void MtfNote::tell(const std::filesystem::path& file) {
     QStringList lines;
     if (!file.empty()) {
         try {
-            for (const std::string& line : irsg::describeMtf(file))
+            for (const std::string& line : irsg::describeMtf(file).lines)
                 lines.push_back(QString::fromStdString(line));
         } catch (const irsg::InputError& error) {
             lines = sentencesOf(error);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/Offences.h"
 
 namespace irsg {
 
@@ -81,9 +82,10 @@ std::optional<std::string> takeQuoted(std::string_view& rest) {
     return std::nullopt;
 }
 
-/// The cells of a line; no value where a quote is never closed.
-std::optional<CsvRow> readRow(std::string_view line, int number) {
+/// The cells of a line, `usual` as a rule; no value where a quote is never closed.
+std::optional<CsvRow> readRow(std::string_view line, int number, std::size_t usual) {
     CsvRow row{number, {}};
+    row.cells.reserve(usual);
     for (bool more = true; more;) {
         // A quoted text may be followed by blanks alone, else it is taken as it stands.
         std::string text;
@@ -141,6 +143,7 @@ CsvTable CsvTable::parse(std::string_view text, std::string name) {
 
     std::vector<Offence> offences;
     Lines lines(text);
+    std::size_t width = 1; // of the last row
     for (int number = 1; const auto line = lines.next(); ++number) {
         const std::string_view content = trimmed(*line);
         if (content.empty()) {
@@ -148,10 +151,12 @@ CsvTable CsvTable::parse(std::string_view text, std::string name) {
         }
         if (content.starts_with('#')) {
             table.comments_.push_back(readComment(content, number));
-        } else if (auto row = readRow(content, number); !row) {
+        } else if (auto row = readRow(content, number, width); !row) {
             offences.push_back(
                 table.offence(number, std::string(content), "a closing quote on the same line"));
+            keepFirstOffences(offences);
         } else if (!isEmpty(*row)) {
+            width = row->cells.size();
             table.rows_.push_back(std::move(*row));
         }
     }

@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "irsg/radiometry/Offences.h"
+
 namespace irsg {
 
 namespace {
@@ -77,6 +79,12 @@ std::string Offence::message() const {
         text += ": ";
     }
     return text + finding;
+}
+
+void keepFirstOffences(std::vector<Offence>& offences) {
+    if (offences.size() > 10 * mostOffences) {
+        offences = bounded(std::move(offences));
+    }
 }
 
 InputError::InputError(Offence offence) : InputError(std::vector<Offence>{std::move(offence)}) {}

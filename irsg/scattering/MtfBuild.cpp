@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 #include <sstream>
+#include <string_view>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/ParallelFor.h"
@@ -23,6 +24,8 @@ constexpr std::uint64_t photonsOfBatch = 20'000;
 /// Part of the progress that the optics of the droplets are.
 constexpr double shareOfOptics = 0.2;
 
+constexpr std::string_view firstWords = "smat mtf batches 1";
+
 using BatchKey = std::pair<std::size_t, std::uint64_t>;
 
 /// Finished batches in a text file: a line of the recipe, then one for each batch. A line that a
@@ -35,7 +38,11 @@ class FinishedBatches {
             return;
         std::ifstream in(*file);
         std::string line;
-        if (std::getline(in, line) && line == signature)
+        const bool isOurs = !std::getline(in, line) || line.starts_with(firstWords);
+        if (!isOurs)
+            throw InputError({file->string(), "line 1", "something else than batches of photons",
+                              "no such file, or what a build that was stopped left there"});
+        if (line == signature)
             while (std::getline(in, line))
                 if (!in.eof())
                     take(line, width);
@@ -176,7 +183,7 @@ void MtfRecipe::check() const {
 std::string MtfRecipe::signature() const {
     std::ostringstream out;
     out.precision(17);
-    out << "smat mtf batches 1; " << sizes.description() << "; " << wavelength_um << "; "
+    out << firstWords << "; " << sizes.description() << "; " << wavelength_um << "; "
         << fieldOfView_rad << "; " << lowestFrequency_per_rad << " " << highestFrequency_per_rad
         << " " << frequencies << "; " << photons << " " << seed << ";";
     for (const double depth : opticalDepths)

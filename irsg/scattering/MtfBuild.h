@@ -43,7 +43,7 @@ struct BuiltMtf {
 /// Makes a database. `tell` is told the part that is done, 0 to 1, and stops the work where it says
 /// false: then Cancelled is thrown. Finished batches of photons are kept in `resume`, where a file
 /// is named, and taken from there by the next call with an equal recipe; what another recipe left
-/// is written over. Whoever has the result removes the file.
+/// is written over, and a file of anybody else is refused. Whoever has the result removes the file.
 BuiltMtf buildMtf(const MtfRecipe& recipe, const std::function<bool(double)>& tell = {},
                   const std::optional<std::filesystem::path>& resume = {});
 

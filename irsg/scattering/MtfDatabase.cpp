@@ -21,8 +21,16 @@ std::string formatted(const char* format, Numbers... numbers) {
     return text;
 }
 
-std::string known(double value, const char* format, double shown) {
-    return value > 0.0 ? formatted(format, shown) : std::string("not stated");
+std::vector<MtfField> headerFields(const MtfHeader& h) {
+    const auto known = [](double value, double shown) {
+        return value > 0.0 ? std::optional(shown) : std::nullopt;
+    };
+    return {
+        {"field of view", known(h.fieldOfView_rad, degrees(h.fieldOfView_rad)), "deg"},
+        {"field of interest", known(h.fieldOfInterest_rad, degrees(h.fieldOfInterest_rad)), "deg"},
+        {"particle diameter", known(h.particleDiameter_m, 1e6 * h.particleDiameter_m), "um"},
+        {"wave frequency", known(h.waveFrequency_Hz, 1e-12 * h.waveFrequency_Hz), "THz"},
+        {"wavelength", known(h.waveFrequency_Hz, h.wavelength_um()), "um"}};
 }
 
 } // namespace
@@ -78,19 +86,30 @@ MtfCurve MtfDatabase::at(double opticalDepth, const std::string& what) const {
     return {frequencies_per_rad_, std::move(values)};
 }
 
+std::vector<MtfField> MtfDatabase::fields() const {
+    std::vector<MtfField> fields = headerFields(header_);
+    fields.insert(fields.end(),
+                  {{"frequencies", static_cast<double>(frequencies_per_rad_.size()), ""},
+                   {"lowest frequency", frequencies_per_rad_.front(), "cycles/rad"},
+                   {"highest frequency", frequencies_per_rad_.back(), "cycles/rad"},
+                   {"optical depths", static_cast<double>(opticalDepths_.size()), ""},
+                   {"least optical depth", opticalDepths_.front(), ""},
+                   {"largest optical depth", opticalDepths_.back(), ""}});
+    return fields;
+}
+
 std::vector<std::string> MtfDatabase::description() const {
-    const MtfHeader& h = header_;
-    std::vector<std::string> lines{
-        "field of view: " + known(h.fieldOfView_rad, "%.4g deg", degrees(h.fieldOfView_rad)),
-        "field of interest: " +
-            known(h.fieldOfInterest_rad, "%.4g deg", degrees(h.fieldOfInterest_rad)),
-        "particle diameter: " + known(h.particleDiameter_m, "%.5g um", 1e6 * h.particleDiameter_m),
-        "wave frequency: " + known(h.waveFrequency_Hz, "%.5g THz", 1e-12 * h.waveFrequency_Hz) +
-            (h.waveFrequency_Hz > 0.0 ? formatted(" (%.5g um)", h.wavelength_um()) : ""),
-        formatted("frequencies: %zu from %.4g to %.4g cycles/rad", frequencies_per_rad_.size(),
-                  frequencies_per_rad_.front(), frequencies_per_rad_.back()),
-        formatted("optical depths: %zu from %.4g to %.4g", opticalDepths_.size(),
-                  opticalDepths_.front(), opticalDepths_.back())};
+    std::vector<std::string> lines;
+    // The axes are told in a line each.
+    for (const MtfField& field : headerFields(header_))
+        lines.push_back(
+            field.name + ": " +
+            (field.value ? formatted("%.5g ", *field.value) + field.unit : "not stated"));
+    lines.push_back(formatted("frequencies: %zu from %.4g to %.4g cycles/rad",
+                              frequencies_per_rad_.size(), frequencies_per_rad_.front(),
+                              frequencies_per_rad_.back()));
+    lines.push_back(formatted("optical depths: %zu from %.4g to %.4g", opticalDepths_.size(),
+                              opticalDepths_.front(), opticalDepths_.back()));
     for (std::size_t i = 0; i < opticalDepths_.size(); ++i)
         lines.push_back(formatted("  %8.4g  MTF(0) %.6g  MTF at the highest frequency %.6g",
                                   opticalDepths_[i], values_[i].front(), values_[i].back()));

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,13 @@ struct MtfHeader {
     bool operator==(const MtfHeader&) const = default;
 };
 
+/// One number that a database is described by; nothing where the file does not know it.
+struct MtfField {
+    std::string name;
+    std::optional<double> value;
+    std::string unit; ///< empty for a count or a ratio
+};
+
 /// An MTF database (report section 9, F41): curves for several scattering optical depths at shared
 /// frequencies. The file is binary and little-endian on every machine: 4 doubles (the header), two
 /// int32 (curves M, points n), n doubles (frequencies), then M times a double (optical depth) and n
@@ -72,6 +80,8 @@ class MtfDatabase {
     MtfCurve at(double opticalDepth, const std::string& what) const;
     double largestOpticalDepth() const { return opticalDepths_.back(); }
 
+    /// Header and axes as numbers.
+    std::vector<MtfField> fields() const;
     /// Lines for a reader: header, axes, gains; what looks odd comes last, as remarks.
     std::vector<std::string> description() const;
     std::vector<std::string> remarks() const;

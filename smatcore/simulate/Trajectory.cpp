@@ -8,6 +8,7 @@
 
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Offences.h"
 #include "irsg/radiometry/Units.h"
 
 namespace smat {
@@ -112,6 +113,7 @@ class Reader {
     }
 
     void readRow(const irsg::CsvRow& row) {
+        irsg::keepFirstOffences(offences_);
         if (row.cells.size() != width_) {
             offences_.push_back(csv_.offence(row.line, fmt::format("{} cells", row.cells.size()),
                                              fmt::format("{} cells", width_)));

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <map>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -35,6 +38,23 @@ TEST_F(SmatBatchMtf, InfoShowsTheHeaderOfEveryShippedDatabase) {
         EXPECT_EQ(ran.out.find("note:"), std::string::npos) << ran.out;
     }
     EXPECT_GE(files, 6);
+}
+
+TEST_F(SmatBatchMtf, InfoGivesProgramsNumbersWithTheirUnits) {
+    const std::string file = shipped / "droplets-100um-mwir.mtf";
+    const auto json = nlohmann::json::parse(smatBatch({"--json", "mtf", "info", file}).out);
+    EXPECT_EQ(json["file"], file);
+    std::map<std::string, nlohmann::json> fields;
+    for (const auto& field : json["fields"])
+        fields[field["name"]] = field;
+    EXPECT_NEAR(fields.at("field of view")["value"].get<double>(), 60.0, 1e-9);
+    EXPECT_EQ(fields.at("field of view")["unit"], "deg");
+    EXPECT_NEAR(fields.at("particle diameter")["value"].get<double>(), 100.0, 1e-9);
+    EXPECT_NEAR(fields.at("wavelength")["value"].get<double>(), 4.0, 1e-9);
+    EXPECT_EQ(fields.at("optical depths")["value"], json["curves"].size());
+    EXPECT_EQ(json["curves"][7]["optical_depth"], 8.0);
+    EXPECT_GT(json["curves"][7]["mtf_zero"], 2000.0);
+    EXPECT_TRUE(json["notes"].empty());
 }
 
 TEST_F(SmatBatchMtf, InfoRefusesDamagedFilesByNameAndByte) {
@@ -78,7 +98,25 @@ TEST_F(SmatBatchMtf, BuildIsInterruptedAndResumedToTheSameFile) {
     EXPECT_EQ(smatBatch(whole, folder.path()).exitCode, 0);
     const ResultTable table = ResultTable::load(folder / "whole.csv");
     EXPECT_NE(table.find("error_mtf_2"), nullptr);
-    write(folder / "cut.mtf.part", "another recipe\n");
+
+    // What somebody else keeps there stays his.
+    write(folder / "cut.mtf.part", "a letter\n");
+    EXPECT_EQ(smatBatch(cut, folder.path()).exitCode, 2);
+    EXPECT_EQ(contentOf(folder / "cut.mtf.part"), "a letter\n");
+
+    // Ctrl-C while photons are traced, over what another recipe left.
+    write(folder / "cut.mtf.part", "smat mtf batches 1; of another recipe\n");
+    auto told = cut;
+    told.insert(told.begin(), "--verbose");
+    const Ran stopped = smatBatch(told, folder.path(), "tracing photons");
+    ASSERT_EQ(stopped.exitCode, 1) << stopped.err;
+    EXPECT_THAT(stopped.err, HasSubstr("goes on from"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "cut.mtf"));
+    const std::string kept = contentOf(folder / "cut.mtf.part");
+    EXPECT_THAT(kept, StartsWith("smat mtf batches 1; "));
+    EXPECT_EQ(kept.find("another recipe"), std::string::npos);
+    EXPECT_GE(std::ranges::count(kept, '\n'), 2) << "a batch that is finished";
+
     EXPECT_EQ(smatBatch(cut, folder.path()).exitCode, 0);
     EXPECT_EQ(contentOf(folder / "cut.mtf"), contentOf(folder / "whole.mtf"));
     EXPECT_FALSE(std::filesystem::exists(folder / "cut.mtf.part"));

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "irsg/radiometry/Offences.h"
+
 using namespace irsg;
 
 TEST(Errors, anOffenceSaysWhatIsKnownAndNothingElse) {
@@ -33,6 +35,17 @@ TEST(Errors, tellAHundredOffencesOfAFileAndHowManyMore) {
         EXPECT_EQ(error->offences()[100].message(), "b.csv: found nothing, expected a table");
         EXPECT_EQ(error->offences()[101].message(), "a.csv: and 150 more");
     }
+}
+
+TEST(Errors, offencesAreFoldedWhileTheyAreCollected) {
+    std::vector<Offence> all, folded;
+    for (int line = 1; line <= 5000; ++line) {
+        for (auto* list : {&all, &folded})
+            list->push_back({"a.csv", "line " + std::to_string(line), "x", "a number"});
+        keepFirstOffences(folded);
+        ASSERT_LE(folded.size(), 1000u);
+    }
+    EXPECT_STREQ(InputError(folded).what(), InputError(all).what());
 }
 
 TEST(Errors, numbersAreWrittenShortAndReadBack) {

@@ -72,9 +72,9 @@ TEST(MtfDatabase, RefusesWhatItDoesNotReach) {
 
 TEST(MtfDatabase, TellsWhatItIs) {
     const std::vector<std::string> lines = smallDatabase().description();
-    EXPECT_THAT(lines, testing::Contains(HasSubstr("field of view: 57.3 deg")));
+    EXPECT_THAT(lines, testing::Contains(HasSubstr("field of view: 57.296 deg")));
     EXPECT_THAT(lines, testing::Contains(HasSubstr("particle diameter: 100 um")));
-    EXPECT_THAT(lines, testing::Contains(HasSubstr("(4 um)")));
+    EXPECT_THAT(lines, testing::Contains(HasSubstr("wavelength: 4 um")));
     EXPECT_TRUE(smallDatabase().remarks().empty());
     MtfHeader odd = smallDatabase().header();
     odd.particleDiameter_m = 100.0;

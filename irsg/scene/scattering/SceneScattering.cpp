@@ -161,12 +161,19 @@ std::string whyNoScattering() {
     return "";
 }
 
-std::vector<std::string> describeMtf(const std::filesystem::path& database) {
+MtfSummary describeMtf(const std::filesystem::path& database) {
     const MtfDatabase read = MtfDatabase::read(database);
-    std::vector<std::string> lines = read.description();
-    for (const std::string& remark : read.remarks())
-        lines.push_back("note: " + remark);
-    return lines;
+    MtfSummary summary;
+    for (const MtfField& field : read.fields())
+        summary.fields.push_back({field.name, field.value, field.unit});
+    for (std::size_t i = 0; i < read.opticalDepths().size(); ++i)
+        summary.curves.push_back(
+            {read.opticalDepths()[i], read.values(i).front(), read.values(i).back()});
+    summary.remarks = read.remarks();
+    summary.lines = read.description();
+    for (const std::string& remark : summary.remarks)
+        summary.lines.push_back("note: " + remark);
+    return summary;
 }
 
 SceneScattering::SceneScattering() : parts_(std::make_unique<Parts>()) {}

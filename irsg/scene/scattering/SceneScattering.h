@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,24 @@ bool isScatteringBuilt();
 /// Why it has not: "this build has no irsg/scattering (...)"; empty where it has.
 std::string whyNoScattering();
 
-/// Header and axes of an MTF database in lines for a reader, with what looks odd behind them as
-/// "note: ...". Throws InputError for a file that is none, and where there is no irsg/scattering.
-std::vector<std::string> describeMtf(const std::filesystem::path& database);
+/// What an MTF database holds.
+struct MtfSummary {
+    struct Field {
+        std::string name;
+        std::optional<double> value; ///< nothing where the file does not know it
+        std::string unit;
+    };
+    struct Curve {
+        double opticalDepth, gain, direct; ///< MTF(0), and MTF at the highest frequency
+    };
+    std::vector<Field> fields; ///< header and axes
+    std::vector<Curve> curves;
+    std::vector<std::string> remarks; ///< what looks odd
+    /// All of it for a reader, remarks last as "note: ...".
+    std::vector<std::string> lines;
+};
+/// Throws InputError for a file that is no MTF database, and where there is no irsg/scattering.
+MtfSummary describeMtf(const std::filesystem::path& database);
 
 /// What a frame shows of one object, and how its light is spread.
 struct ScatteredObject {

@@ -14,7 +14,7 @@ std::string whyNoScattering() {
     return "this build has no irsg/scattering (it was configured with SMAT_BUILD_SCATTERING=OFF)";
 }
 
-std::vector<std::string> describeMtf(const std::filesystem::path& database) {
+MtfSummary describeMtf(const std::filesystem::path& database) {
     throw InputError({database.string(), "scattering", whyNoScattering(),
                       "a build with FFTW, SMAT_BUILD_SCATTERING=ON"});
 }
