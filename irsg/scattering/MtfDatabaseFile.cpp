@@ -2,11 +2,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <functional>
-#include <iterator>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/FileReplacement.h"
 #include "irsg/scattering/MtfDatabase.h"
 
@@ -168,14 +167,7 @@ MtfDatabase MtfDatabase::fromBytes(std::string_view bytes, const std::string& fi
 }
 
 MtfDatabase MtfDatabase::read(const std::filesystem::path& file) {
-    std::error_code unknown;
-    if (std::filesystem::is_directory(file, unknown))
-        throw InputError({file.string(), "", "a folder", "an MTF database"});
-    std::ifstream in(file, std::ios::binary);
-    if (!in)
-        throw InputError({file.string(), "", "cannot be read", "an MTF database"});
-    const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    return fromBytes(bytes, file.string());
+    return fromBytes(readFile(file), file.string());
 }
 
 std::string MtfDatabase::bytes() const {

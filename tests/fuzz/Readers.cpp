@@ -68,7 +68,7 @@ const char* const trajectory = "t [s],x [m],y [m],z [m],yaw [deg],pitch [deg],ro
 
 const std::vector<FuzzedReader>& fuzzedReaders() {
     static const std::string air = "resources/atmospheres/";
-    static const std::vector<FuzzedReader> list = {
+    static std::vector<FuzzedReader> list = {
         {"csv-table",
          ".csv",
          [](File f) { irsg::CsvTable::read(f); },
@@ -189,6 +189,12 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
         {"obj", ".obj", [](File f) { irsg::Model::load(f); }, {}, {square}},
         {"stl", ".stl", [](File f) { irsg::Model::load(f); }, {}, {facet}},
     };
+    static const bool isWhole = [] {
+        const std::vector<FuzzedReader> packed = packedReaders();
+        list.insert(list.end(), packed.begin(), packed.end());
+        return true;
+    }();
+    static_cast<void>(isWhole);
     return list;
 }
 

@@ -19,6 +19,8 @@ struct FuzzedReader {
 };
 
 const std::vector<FuzzedReader>& fuzzedReaders();
+/// Those of them that read binary files and messages, and what other files name.
+std::vector<FuzzedReader> packedReaders();
 
 /// Gives some bytes to a reader, as a file in memory.
 void readBytes(const FuzzedReader& reader, std::string_view bytes);

@@ -8,6 +8,9 @@
 #include <osg/NodeVisitor>
 #include <osgDB/Options>
 #include <osgDB/ReadFile>
+#include <osgDB/WriteFile>
+#include <osgSim/DOFTransform>
+#include <osgSim/MultiSwitch>
 #include <osgSim/ShapeAttribute>
 
 #include "irsg/radiometry/Errors.h"
@@ -124,6 +127,41 @@ TEST(ModelConverter, ConvertsAConvertedFileAgain) {
     const auto report = convertModel(first, second);
     EXPECT_EQ(report.polygonsRead, report.polygonsWritten);
     EXPECT_EQ(Model::load(first)->codes(), Model::load(second)->codes());
+}
+
+TEST(ModelConverter, KeepsJointsAndDescriptionsOfWhatPluginsRead) {
+    const TemporaryFolder folder;
+    const auto graph = loadGraph(source / "samples/box/box.flt", LoadPurpose::visible).node;
+    osg::ref_ptr<osgSim::DOFTransform> joint = new osgSim::DOFTransform;
+    joint->setMaxHPR({1, 2, 3});
+    joint->setDescriptions({"a comment"});
+    joint->addChild(graph);
+    osg::ref_ptr<osgSim::MultiSwitch> sets = new osgSim::MultiSwitch;
+    sets->addChild(joint);
+    sets->setValue(0, 0, true);
+    const fs::path in = folder.path() / "a.osgt", out = folder.path() / "b.osgb";
+    ASSERT_TRUE(osgDB::writeNodeFile(*sets, in.string()));
+    convertModel(in, out);
+
+    const auto back = stockRead(out);
+    const auto* written = dynamic_cast<const osgSim::MultiSwitch*>(back.get());
+    ASSERT_TRUE(written);
+    const auto* turned = dynamic_cast<const osgSim::DOFTransform*>(written->getChild(0));
+    ASSERT_TRUE(turned);
+    EXPECT_EQ(turned->getMaxHPR(), osg::Vec3(1, 2, 3));
+    EXPECT_EQ(turned->getDescriptions(), joint->getDescriptions());
+}
+
+TEST(ModelConverter, SaysThatNamesOfSwitchSetsAreLost) {
+    const TemporaryFolder folder;
+    SquareFile file;
+    file.group =
+        record(96, std::string("wheels\0\0", 8) + zeros(4) + i32(0) + i32(1) + i32(1) + i32(1));
+    file.pushGroup += record(132, i32(0) + std::string("wheels down\0", 12));
+    const auto in = folder.write("switch.flt", file.bytes());
+    const auto report = convertModel(in, folder.path() / "switch.osgb");
+    EXPECT_THAT(report.remarks,
+                testing::Contains(HasSubstr("sets of switches have names, which are not kept")));
 }
 
 TEST(ModelConverter, LeavesNothingBehindButItsOutput) {

@@ -14,6 +14,7 @@
 #include <osg/Switch>
 #include <osg/Texture2D>
 #include <osgDB/WriteFile>
+#include <osgSim/DOFTransform>
 #include <osgSim/MultiSwitch>
 
 #include "irsg/scene/background/TextureImage.h"
@@ -113,6 +114,7 @@ TEST(GraphCoding, KeepsNodesStatesAndCodes) {
     sets->addChild(geode());
     sets->setValue(1, 0, false);
     sets->setActiveSwitchSet(1);
+    sets->setDescriptions({"a comment", "and another"});
     root->addChild(sets);
     osg::ref_ptr<osg::Sequence> film = new osg::Sequence;
     film->addChild(geode(), 0.5);
@@ -121,10 +123,20 @@ TEST(GraphCoding, KeepsNodesStatesAndCodes) {
     tree->addDrawable(square({3, 4}), osg::Vec3(5, 6, 7));
     root->addChild(tree);
 
+    osg::ref_ptr<osgSim::DOFTransform> joint = new osgSim::DOFTransform;
+    joint->addChild(geode());
+    joint->setMaxHPR({1, 2, 3});
+    joint->setIncrementTranslate({4, 5, 6});
+    joint->setCurrentHPR({0.5f, 0, 0});
+    joint->setPutMatrix(osg::Matrixd::translate(7, 8, 9));
+    joint->setLimitationFlags(0x84000000ul);
+    joint->setHPRMultOrder(osgSim::DOFTransform::RPH);
+    root->addChild(joint);
+
     const auto back = handedOver(*root);
     EXPECT_EQ(polygonCounts(*back), polygonCounts(*root));
     const auto& group = as<osg::Group>(*back);
-    ASSERT_EQ(group.getNumChildren(), 6u);
+    ASSERT_EQ(group.getNumChildren(), 7u);
     const auto& transform = as<osg::MatrixTransform>(*group.getChild(0));
     EXPECT_EQ(transform.getMatrix().getTrans(), osg::Vec3d(1, 2, 3));
     EXPECT_EQ(transform.getName(), "moved");
@@ -138,8 +150,19 @@ TEST(GraphCoding, KeepsNodesStatesAndCodes) {
     const auto& multi = as<osgSim::MultiSwitch>(*group.getChild(3));
     EXPECT_EQ(multi.getActiveSwitchSet(), 1u);
     EXPECT_FALSE(multi.getValue(1, 0));
+    EXPECT_EQ(multi.getSwitchSetList().size(), 2u);
+    EXPECT_EQ(multi.getDescriptions(), sets->getDescriptions());
     EXPECT_EQ(as<osg::Sequence>(*group.getChild(4)).getTime(0), 0.5);
     EXPECT_EQ(as<osg::Billboard>(*group.getChild(5)).getPosition(0), osg::Vec3(5, 6, 7));
+    const auto& turned = as<osgSim::DOFTransform>(*group.getChild(6));
+    EXPECT_EQ(turned.getMaxHPR(), osg::Vec3(1, 2, 3));
+    EXPECT_EQ(turned.getIncrementTranslate(), osg::Vec3(4, 5, 6));
+    EXPECT_EQ(turned.getLimitationFlags(), 0x84000000ul);
+    EXPECT_EQ(turned.getHPRMultOrder(), osgSim::DOFTransform::RPH);
+    osg::Matrixd before, after;
+    joint->computeLocalToWorldMatrix(before, nullptr);
+    turned.computeLocalToWorldMatrix(after, nullptr);
+    EXPECT_EQ(before, after);
 }
 
 TEST(GraphCoding, KeepsMaterialsAndPictures) {

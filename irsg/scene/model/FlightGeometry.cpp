@@ -51,14 +51,16 @@ bool FlightValidator::visitAncillary(const FlightRecord& record) {
         if (atLeast(record, 8))
             keep(record, FlightTreatment::appearance);
         return true;
-    case 50: // vector, bounding volumes, the separate steps of a matrix, switch names
+    case 132:
+        remarkOnce("132", "sets of switches have names, which are not kept");
+        return true;
+    case 50: // vector, bounding volumes, the separate steps of a matrix
     case 74:
     case 94:
     case 116:
     case 119:
     case flight::pushAttribute:
     case flight::popAttribute:
-    case 132:
         return true;
     default:
         return (record.opcode >= 40 && record.opcode <= 48) || record.opcode == 51 ||

@@ -1,0 +1,164 @@
+#include <cstring>
+#include <fstream>
+
+#include <osg/Geode>
+#include <osg/Geometry>
+#include <osg/LOD>
+#include <osg/MatrixTransform>
+#include <osg/Switch>
+#include <osgSim/DOFTransform>
+#include <osgSim/MultiSwitch>
+#include <unistd.h>
+#include <zlib.h>
+
+#include "irsg/atmosphere/engine/GasTable.h"
+#include "irsg/atmosphere/engine/Profile.h"
+#include "irsg/atmosphere/lbl/LineListFile.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
+#include "irsg/scene/model/IrCodes.h"
+#include "irsg/scene/model/Model.h"
+#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/apart/GraphCoding.h"
+#include "irsg/scene/model/apart/ReaderService.h"
+#include "irsg/scene/scattering/SceneScattering.h"
+#include "tests/fuzz/Readers.h"
+
+// Readers of binary files and messages, and of what other files name.
+
+namespace smat::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using File = const fs::path&;
+
+/// What a file of two nodes and one gas is; without its checksum it is easily read.
+std::string gasTableBytes() {
+    const irsg::GasTable::Grid grid{
+        {1100.0, 600.0, 300.0, 100.0, 30.0, 1.0}, {180.0, 220.0, 260.0, 300.0, 340.0}, 0.04, 4};
+    const std::vector<float> block(30, -50.0f);
+    const auto bins = [](double width_cm) {
+        return irsg::BinSet{width_cm, {{1000.0, 1005.0, 0, 2}}, {0, 1}, {0.25f, 0.75f}};
+    };
+    const irsg::GasTable table(grid, {1001.0, 1004.0},
+                               {{0, irsg::Gas::CO2, block}, {1, irsg::Gas::CO2, block}},
+                               {bins(1.0), bins(5.0), bins(15.0)}, "a recipe");
+    const fs::path file =
+        fs::temp_directory_path() / ("smat-fuzz-gases-" + std::to_string(getpid()));
+    table.write(file);
+    const std::string bytes = irsg::readFile(file);
+    fs::remove(file);
+    return bytes;
+}
+
+/// A checksum would keep all that is made up from going any further.
+void readGasTable(File file) {
+    std::string bytes = irsg::readFile(file);
+    if (bytes.size() >= 4) {
+        const auto sum = static_cast<std::uint32_t>(
+            crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size() - 4));
+        std::memcpy(bytes.data() + bytes.size() - 4, &sum, sizeof sum);
+        std::ofstream(file, std::ios::binary) << bytes;
+    }
+    irsg::GasTable::read(file);
+}
+
+/// What a reading process hands over of every kind of node.
+std::string graphBytes() {
+    osg::ref_ptr<osg::Geometry> square = new osg::Geometry;
+    const osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array(4);
+    (*vertices)[1] = {1, 0, 0};
+    (*vertices)[2] = {1, 1, 0};
+    (*vertices)[3] = {0, 1, 0};
+    square->setVertexArray(vertices);
+    square->setNormalArray(new osg::Vec3Array(4), osg::Array::BIND_PER_VERTEX);
+    square->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
+    square->addPrimitiveSet(new osg::DrawElementsUShort(GL_TRIANGLES, 3));
+    irsg::setCodes(*square, {1, 2});
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(square);
+    geode->getOrCreateStateSet()->setMode(GL_CULL_FACE, osg::StateAttribute::ON);
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    osg::ref_ptr<osg::MatrixTransform> moved = new osg::MatrixTransform;
+    osg::ref_ptr<osgSim::DOFTransform> joint = new osgSim::DOFTransform;
+    osg::ref_ptr<osgSim::MultiSwitch> sets = new osgSim::MultiSwitch;
+    sets->setValue(0, 0, true);
+    osg::ref_ptr<osg::Switch> choice = new osg::Switch;
+    osg::ref_ptr<osg::LOD> lod = new osg::LOD;
+    for (osg::Group* group : std::initializer_list<osg::Group*>{moved, joint, sets, choice, lod}) {
+        group->addChild(geode);
+        root->addChild(group);
+    }
+    lod->setRange(0, 0.0f, 100.0f);
+    irsg::ByteSink sink;
+    std::vector<std::string> remarks;
+    irsg::putGraph(sink, *root, "a", remarks);
+    return sink.take();
+}
+
+void readGraph(File file) {
+    const std::string bytes = irsg::readFile(file);
+    irsg::ByteSource source(bytes);
+    std::vector<std::string> remarks;
+    try {
+        const auto graph = irsg::getGraph(source, "a", remarks);
+        irsg::Model::fromGraph(graph.get(), "a");
+    } catch (const irsg::DamagedBytes&) {
+        // Its own word for a message that is refused.
+    }
+}
+
+void readRefusal(File file) {
+    const std::string bytes = irsg::readFile(file);
+    try {
+        irsg::throwRefusal(bytes);
+    } catch (const irsg::DamagedBytes&) {
+    }
+}
+
+/// A library of materials, as an object names it.
+void readMaterials(File file) {
+    const fs::path object = file.parent_path() / "b.obj";
+    std::ofstream(object) << "mtllib " << file.filename().string()
+                          << "\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl m\nf 1 2 3\n";
+    irsg::loadGraph(object, irsg::LoadPurpose::visible);
+}
+
+const char* const line =
+    " 21  667.661000 3.000E-19 1.523E+00.07890.099  100.25000.74-.000510       0 1 1 01\n";
+const char* const ascent = "altitude [m],pressure [hPa],temperature [K],relative_humidity [%]\n"
+                           "0,1013,290,50\n1000,900,284,40\n2000,800,278,30\n";
+const char* const materials = "newmtl m\nKd 0.5 0.5 0.5\nKa 1 1 1\nNs 10\nd 0.5\nmap_Kd a.png\n";
+
+} // namespace
+
+std::vector<FuzzedReader> packedReaders() {
+    return {
+        {"line-list",
+         ".par",
+         [](File f) { irsg::lbl::readLineList(irsg::Gas::CO2, f); },
+         {},
+         {line}},
+        {"gas-table", ".gastable", readGasTable, {}, {gasTableBytes()}},
+        {"radiosonde",
+         ".csv",
+         [](File f) {
+             static const irsg::Profile background =
+                 irsg::Profile::model(irsg::ModelAtmosphere::usStandard1976);
+             irsg::Profile::fromRadiosonde(f, background);
+         },
+         {},
+         {ascent}},
+        {"mtf",
+         ".mtf",
+         [](File f) { irsg::describeMtf(f); },
+         {"resources/scattering/droplets-100um-mwir.mtf"},
+         {}},
+        {"graph", ".graph", readGraph, {}, {graphBytes()}},
+        {"refusal", ".refusal", readRefusal, {}, {std::string(8, '\0')}},
+        {"mtl", ".mtl", readMaterials, {}, {materials}},
+    };
+}
+
+} // namespace smat::test
