@@ -177,17 +177,19 @@ TEST(SmatBatchTiming, StagesAddUpToTheSumThatIsPrinted) {
     EXPECT_THAT(ran.err, HasSubstr("sum"));
 }
 
-TEST(SmatBatchStop, AnInterruptKeepsWhatWasDoneAndSaysSo) {
-    const TemporaryFolder folder;
-    const Ran ran = smatBatch({"time", sphere, "--from", "0", "--to", "100000", "--step", "0.2",
-                               "--verbose", "--out", folder / "t.csv"},
-                              ".", "cases");
-    EXPECT_EQ(ran.exitCode, 1) << ran.err;
-    EXPECT_THAT(ran.err, HasSubstr("stopped"));
-    if (std::filesystem::exists(folder / "t.csv")) {
-        const ResultTable table = ResultTable::load(folder / "t.csv");
-        EXPECT_EQ(table.provenance.value("state"), "partial");
-        EXPECT_LT(table.rowCount(), 500001u);
+TEST(SmatBatchStop, AnInterruptOrATerminationKeepsWhatWasDoneAndSaysSo) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const TemporaryFolder folder;
+        const Ran ran = smatBatch({"time", sphere, "--from", "0", "--to", "100000", "--step", "0.2",
+                                   "--verbose", "--out", folder / "t.csv"},
+                                  ".", "cases", signal);
+        EXPECT_EQ(ran.exitCode, 1) << ran.err;
+        EXPECT_THAT(ran.err, HasSubstr("stopped"));
+        if (std::filesystem::exists(folder / "t.csv")) {
+            const ResultTable table = ResultTable::load(folder / "t.csv");
+            EXPECT_EQ(table.provenance.value("state"), "partial");
+            EXPECT_LT(table.rowCount(), 500001u);
+        }
     }
 }
 

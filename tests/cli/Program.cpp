@@ -1,11 +1,11 @@
 #include "tests/cli/Program.h"
 
-#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -50,7 +50,7 @@ struct Pipe {
 } // namespace
 
 Ran smatBatch(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-              const std::string& interruptAfter) {
+              const std::string& interruptAfter, int signal) {
     const Pipe out, err;
     const pid_t child = fork();
     if (child == 0) {
@@ -80,13 +80,18 @@ Ran smatBatch(const std::vector<std::string>& arguments, const std::filesystem::
             }
             texts[i]->append(buffer, static_cast<std::size_t>(count));
             if (!interrupted && ran.err.find(interruptAfter) != std::string::npos) {
-                kill(child, SIGINT);
+                kill(child, signal);
                 interrupted = true;
             }
         }
     }
     int status = 0;
-    waitpid(child, &status, 0);
+    rusage used{};
+    wait4(child, &status, 0, &used);
+    for (const timeval& part : {used.ru_utime, used.ru_stime})
+        ran.processor_s +=
+            static_cast<double>(part.tv_sec) + 1e-6 * static_cast<double>(part.tv_usec);
+    ran.peak_MB = static_cast<double>(used.ru_maxrss) / 1024.0;
     ran.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return ran;
 }

@@ -252,20 +252,30 @@ TEST(SmatBatchSimulate, WidebandTermsAreTrainedOnceForEachSensor) {
     EXPECT_THAT(ran.err, testing::ContainsRegex("wideband terms +2 "));
 }
 
-TEST(SmatBatchSimulate, AnInterruptKeepsFramesAndTables) {
-    const TemporaryFolder folder;
-    write(folder / "sphere.csv", spherePath);
-    write(folder / "s.json",
-          scenarioOf(entity("sphere", "sphere", R"("trajectory": "sphere.csv", "hold": true)"),
-                     south, R"("dt_s": 0.001, "end_s": 900)"));
-    const Ran ran = smatBatch({"simulate", "s.json", "--out", "out", "--verbose"}, folder.path(),
-                              "frames of 1 sensor");
-    EXPECT_EQ(ran.exitCode, 1) << ran.err;
-    EXPECT_THAT(ran.err, HasSubstr("stopped"));
-    const ResultTable table = ResultTable::load(folder / "out/south.csv");
-    EXPECT_EQ(table.provenance.value("state"), "partial");
-    EXPECT_LT(table.rowCount(), 900000u);
-    EXPECT_EQ(table.rowCount() > 0, std::filesystem::exists(folder / "out/south/frame_000000.exr"));
+TEST(SmatBatchSimulate, AnInterruptOrATerminationKeepsFramesAndTables) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const TemporaryFolder folder;
+        write(folder / "sphere.csv", spherePath);
+        write(folder / "s.json",
+              scenarioOf(entity("sphere", "sphere", R"("trajectory": "sphere.csv", "hold": true)"),
+                         south, R"("dt_s": 0.001, "end_s": 900)"));
+        const Ran ran = smatBatch({"simulate", "s.json", "--out", "out", "--verbose"},
+                                  folder.path(), "frames of 1 sensor", signal);
+        EXPECT_EQ(ran.exitCode, 1) << ran.err;
+        EXPECT_THAT(ran.err, HasSubstr("stopped"));
+        const ResultTable table = ResultTable::load(folder / "out/south.csv");
+        EXPECT_EQ(table.provenance.value("state"), "partial");
+        EXPECT_LT(table.rowCount(), 900000u);
+        // A whole frame for each row, and no half of one.
+        std::size_t frames = 0;
+        if (std::filesystem::exists(folder / "out/south"))
+            for (const auto& entry : std::filesystem::directory_iterator(folder / "out/south")) {
+                EXPECT_EQ(entry.path().filename().string().rfind("frame_", 0), 0u);
+                EXPECT_NO_THROW(irsg::readExr(entry.path())) << entry.path();
+                ++frames;
+            }
+        EXPECT_EQ(table.rowCount(), frames);
+    }
 }
 
 struct BadRow {

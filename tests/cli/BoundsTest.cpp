@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/Program.h"
+#include "tests/support/TemporaryFolder.h"
+
+// What small files and long work may take of memory and time.
+
+namespace smat::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// The sample of the box, in place, with `count` analyses like the named one.
+std::filesystem::path projectOf(const TemporaryFolder& folder, int count,
+                                const nlohmann::json& analysis) {
+    auto project = nlohmann::json::parse(contentOf(sample("box/box.smat")));
+    for (const char* file : {"file", "database"})
+        project["models"][0][file] =
+            sample("box/" + project["models"][0][file].get<std::string>()).string();
+    project["analyses"] = nlohmann::json::object();
+    for (int i = 0; i < count; ++i)
+        project["analyses"]["a" + std::to_string(i)] = analysis;
+    write(folder / "p.smat", project.dump());
+    return folder / "p.smat";
+}
+
+TEST(SmatBatchBounds, TenThousandAnalysesShareTheirProject) {
+    const TemporaryFolder folder;
+    const auto project = projectOf(folder, 10000, {{"kind", "image"}});
+    const Ran ran = smatBatch({"run", project.string(), "--dry-run"}, folder.path());
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("a9999"));
+    if (memoryIsTold()) {
+        EXPECT_LT(ran.peak_MB, 250.0);
+    }
+}
+
+TEST(SmatBatchBounds, ImagesThatAreWrittenAreLetGo) {
+    const TemporaryFolder folder;
+    const nlohmann::json image = {{"kind", "image"}, {"sensor", {{"width", 512}, {"height", 512}}}};
+    double peaks_MB[2] = {};
+    int which = 0;
+    for (const int count : {4, 40}) {
+        const auto project = projectOf(folder, count, image);
+        const Ran ran = smatBatch({"run", project.string(), "--out", "out"}, folder.path());
+        ASSERT_EQ(ran.exitCode, 0) << ran.err;
+        ASSERT_TRUE(
+            std::filesystem::exists(folder / "out" / ("a" + std::to_string(count - 1) + ".exr")));
+        peaks_MB[which++] = ran.peak_MB;
+    }
+    // 36 images are 36 MB and more.
+    if (memoryIsTold()) {
+        EXPECT_LT(peaks_MB[1] - peaks_MB[0], 20.0) << peaks_MB[0];
+    }
+}
+
+TEST(SmatBatchBounds, AMillionBadRowsAreAHundredSentences) {
+    const TemporaryFolder folder;
+    {
+        std::ofstream out(folder / "t.csv");
+        out << "t [s],x [m],y [m],z [m],yaw [deg],pitch [deg],roll [deg]\n";
+        for (int i = 0; i < 1'000'000; ++i)
+            out << i / 2 << ",0,0,100,0,0,0\n"; // each time twice
+    }
+    auto scenario = nlohmann::json::parse(contentOf(sample("flyby/flyby.json")));
+    scenario["entities"] = {{{"name", "a"},
+                             {"model", sample("box/box.flt").string()},
+                             {"database", sample("box/box.sigdb").string()},
+                             {"trajectory", "t.csv"}}};
+    scenario["sensors"] = {{{"name", "south"}, {"position_m", {0, 0, 100}}}};
+    write(folder / "s.json", scenario.dump());
+    const Ran ran = smatBatch({"simulate", "s.json", "--out", "out", "--dry-run"}, folder.path());
+    EXPECT_EQ(ran.exitCode, 2);
+    EXPECT_THAT(ran.err, HasSubstr("t.csv: line 3, column 1: "));
+    EXPECT_THAT(ran.err, HasSubstr("and 499900 more"));
+    EXPECT_LT(std::ranges::count(ran.err, '\n'), 120);
+    if (memoryIsTold()) {
+        EXPECT_LT(ran.peak_MB, 500.0);
+    }
+}
+
+} // namespace
+} // namespace smat::test
