@@ -1,3 +1,4 @@
+#include <clocale>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -22,10 +23,17 @@ namespace {
 constexpr int inputRefused = 2;
 constexpr int ourFault = 3;
 
+/// Qt takes the locale of the desktop, in which a decimal point may be a comma. What Qt shows
+/// follows QLocale; all other numbers have points.
+void keepDecimalPoints() {
+    std::setlocale(LC_NUMERIC, "C");
+}
+
 int runPlot(const smat::PlotRequest& request, int argc, char** argv) {
     // Plots are painted, not drawn by OpenGL: they need no display at all.
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication application(argc, argv);
+    keepDecimalPoints();
     smat::gui::applyTheme(application, smat::gui::ThemeMode::light);
     smat::plot(request);
     return EXIT_SUCCESS;
@@ -60,6 +68,7 @@ int runWindow(const std::string& file, std::optional<smat::gui::ThemeMode> theme
                                 "a desktop (DISPLAY or WAYLAND_DISPLAY); "
                                 "without one, smat plot and smat-batch do the work"});
     Application application(argc, argv);
+    keepDecimalPoints();
     QApplication::setApplicationName("smat");
     smat::gui::applyTheme(application, theme.value_or(smat::gui::Preferences::load().theme));
     smat::gui::Workbench workbench;

@@ -226,6 +226,10 @@ struct Renderer::Parts {
                            const SurfaceRows& rows);
 
     // RendererScattering.cpp
+    /// Tells of objects that are partly or wholly outside the frame, and near enough for their
+    /// haze.
+    void warnOfHazeFromOutside(const Frame& frame, int support_px,
+                               std::vector<std::string>& warnings);
     /// The objects of a scene with the optical depths of their paths, still without pixels.
     std::vector<ScatteredObject> objectsToScatter(const Frame& frame,
                                                   std::vector<std::string>& warnings);

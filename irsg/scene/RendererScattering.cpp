@@ -49,6 +49,28 @@ std::vector<ScatteredObject> Renderer::Parts::objectsToScatter(const Frame& fram
     return objects;
 }
 
+void Renderer::Parts::warnOfHazeFromOutside(const Frame& frame, int support_px,
+                                            std::vector<std::string>& warnings) {
+    const Sensor& sensor = frame.view.sensor;
+    const auto reach = static_cast<double>(support_px);
+    const ImageRectangle seen{0.0, 0.0, static_cast<double>(sensor.width_px),
+                              static_cast<double>(sensor.height_px)};
+    const ImageRectangle near{-reach, -reach, seen.right + reach, seen.bottom + reach};
+    for (const Entity& entity : frame.scene.entities) {
+        const BoundingBall& ball = prepared.of(entity).ball;
+        const auto extent =
+            frame.camera.extentOfBall(entity.pose.toWorld(ball.centre_m), ball.radius_m);
+        const auto box = frame.camera.extentOf(entity.model->bounds(), entity.pose);
+        if (!extent || !box)
+            continue;
+        const ImageRectangle whole = extent->intersectedWith(*box);
+        if (whole.intersects(near) && !(whole.intersectedWith(seen) == whole))
+            addNew(warnings, {"scattering: '" + entity.name +
+                              "' reaches beyond the frame: what of it lies outside sends no haze "
+                              "into the picture"});
+    }
+}
+
 void Renderer::Parts::scatter(const Frame& frame, RadianceImage& image,
                               std::vector<std::string>& warnings) {
     std::vector<ScatteredObject> objects = objectsToScatter(frame, warnings);
@@ -97,6 +119,7 @@ void Renderer::Parts::scatter(const Frame& frame, RadianceImage& image,
             objects[static_cast<std::size_t>(object.entity)].pixels.push_back(pixel);
         }
         const auto& database = scatteringLutOf(frame.scene.environment)->database();
+        warnOfHazeFromOutside(frame, scattering.support_px(database, frame.view.sensor), warnings);
         for (const ScatteredLight& light :
              scattering.addHaze(database, frame.view.sensor, frame.backgrounds.front(), objects,
                                 image, warnings)) {

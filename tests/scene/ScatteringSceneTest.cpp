@@ -199,6 +199,38 @@ TEST_F(ScatteringScene, SpreadsEveryObjectByItsOwnPath) {
     EXPECT_NEAR(number(image, "scattering.far.optical_depth"), 3.0, 0.01);
 }
 
+TEST_F(ScatteringScene, SaysWhenHazeFromOutsideTheFrameIsMissing) {
+    irsg.setEnvironment(with(darkness(), databaseFile(0.05), 0.01));
+    irsg.setSettings(scattering());
+    Entity inner = entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), greyDatabase(1.0, 350.0));
+    Entity other = inner;
+    inner.name = "inside";
+    other.name = "other";
+    irsg.setEntities({inner, other});
+    look(irsg, {});
+    const Viewpoint eye = irsg.viewpoint();
+    const double halfFrame_m = 100.0 * std::tan(0.5 * irsg.sensor().horizontalFieldOfView_rad);
+    struct Row {
+        double right; ///< in halves of the frame
+        bool isTold;
+    };
+    for (const Row row : {Row{0.3, false}, Row{1.0, true}, Row{1.8, true}, Row{1e3, false}}) {
+        const double right_m = row.right * halfFrame_m;
+        irsg.setPose(1, {{eye.right.x * right_m, eye.right.y * right_m,
+                          standingAltitude_m + eye.right.z * right_m},
+                         {}});
+        const auto warnings = irsg.render().report.warnings;
+        EXPECT_EQ(std::ranges::any_of(warnings,
+                                      [](const std::string& warning) {
+                                          return warning.find("'other' reaches beyond the frame") !=
+                                                 std::string::npos;
+                                      }),
+                  row.isTold)
+            << row.right;
+        EXPECT_THAT(warnings, testing::Not(Contains(HasSubstr("'inside' reaches"))));
+    }
+}
+
 TEST_F(ScatteringScene, FollowsAnUnevenBackground) {
     // Haze hides what is behind it by its own coverage: an isothermal scene seen over the horizon.
     RenderSettings settings = scattering();

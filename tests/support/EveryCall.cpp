@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include <fcntl.h>
 #include <sys/ptrace.h>
 #include <sys/syscall.h>
 #include <sys/user.h>
@@ -56,6 +57,21 @@ const std::set<long> never = {SYS_mmap,           SYS_munmap,
                               SYS_gettid,         SYS_rseq,
                               SYS_close};
 
+/// Whether a call, on its way in, opens a file that may be written.
+bool opensForWriting(const user_regs_struct& registers) {
+    const auto writes = [](unsigned long long flags) { return (flags & O_ACCMODE) != O_RDONLY; };
+    switch (static_cast<long>(registers.orig_rax)) {
+    case SYS_openat:
+        return writes(registers.rdx);
+    case SYS_open:
+        return writes(registers.rsi);
+    case SYS_creat:
+        return true;
+    default:
+        return false;
+    }
+}
+
 } // namespace
 
 Ended doWatched(const std::function<void()>& what, const Mishap& mishap) {
@@ -72,7 +88,7 @@ Ended doWatched(const std::function<void()>& what, const Mishap& mishap) {
     if (!WIFSTOPPED(status))
         return ended;
     ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
-    bool entering = true, failing = false;
+    bool entering = true, failing = false, counting = !mishap.onlyWriting;
     for (int signal = 0;;) {
         ptrace(PTRACE_SYSCALL, child, nullptr, signal);
         signal = 0;
@@ -84,7 +100,8 @@ Ended doWatched(const std::function<void()>& what, const Mishap& mishap) {
         }
         user_regs_struct registers{};
         ptrace(PTRACE_GETREGS, child, nullptr, &registers);
-        if (entering && ++ended.calls == mishap.call) {
+        counting = counting || (entering && opensForWriting(registers));
+        if (entering && counting && ++ended.calls == mishap.call) {
             const auto number = static_cast<long>(registers.orig_rax);
             ended.name = std::to_string(number);
             if (mishap.kind == Mishap::killed) {

@@ -8,14 +8,15 @@ namespace smat::test {
 /// What happens to a process at one of its calls of the system.
 struct Mishap {
     enum Kind { none, killed, fails } kind = none;
-    long call = 0; ///< which call, from 1
-    int error = 0; ///< of a call that fails
+    long call = 0;            ///< which call, from 1
+    int error = 0;            ///< of a call that fails
+    bool onlyWriting = false; ///< calls count from the first that opens a file for writing
 };
 
 /// How the process ended.
 struct Ended {
     int exitCode = -1; ///< 0 done, 2 refused, 3 something else; -1 where it was killed
-    long calls = 0;    ///< of the system, from the beginning of the work
+    long calls = 0;    ///< of the system, from the beginning of the work or of writing
     std::string name;  ///< number of the call that met the mishap
 };
 

@@ -53,6 +53,17 @@ Planes planesOf(const ScatteredObject& object, double centre_W_m2_sr) {
     return planes;
 }
 
+double halfFieldOf(const MtfDatabase& database) {
+    const double stated_rad = database.header().fieldOfView_rad;
+    return stated_rad > 0.0 ? 0.5 * stated_rad : halfFieldUnstated_rad;
+}
+
+int supportOf(const MtfDatabase& database, const Sensor& sensor) {
+    const double farthest_px = std::hypot(sensor.width_px, sensor.height_px) / taperBegin;
+    const double half_px = halfFieldOf(database) / sensor.pixelPitch();
+    return std::max(1, static_cast<int>(std::ceil(std::min(half_px, farthest_px))));
+}
+
 /// What of a database does not fit a sensor.
 std::vector<std::string> misfits(const std::filesystem::path& file, const MtfDatabase& database,
                                  const Sensor& sensor, double half_rad) {
@@ -183,6 +194,10 @@ void SceneScattering::check(const std::filesystem::path& database) {
     parts_->load(database);
 }
 
+int SceneScattering::support_px(const std::filesystem::path& database, const Sensor& sensor) {
+    return supportOf(parts_->load(database), sensor);
+}
+
 std::vector<ScatteredLight> SceneScattering::addHaze(const std::filesystem::path& file,
                                                      const Sensor& sensor,
                                                      const FrameBackground& background,
@@ -191,12 +206,8 @@ std::vector<ScatteredLight> SceneScattering::addHaze(const std::filesystem::path
                                                      std::vector<std::string>& warnings) {
     const MtfDatabase& database = parts_->load(file);
     const double pitch_rad = sensor.pixelPitch();
-    const double stated_rad = database.header().fieldOfView_rad;
-    const double half_rad = stated_rad > 0.0 ? 0.5 * stated_rad : halfFieldUnstated_rad;
-    const double farthest_px = std::hypot(sensor.width_px, sensor.height_px) / taperBegin;
-    const int support_px =
-        std::max(1, static_cast<int>(std::ceil(std::min(half_rad / pitch_rad, farthest_px))));
-    addNew(warnings, misfits(file, database, sensor, half_rad));
+    const int support_px = supportOf(database, sensor);
+    addNew(warnings, misfits(file, database, sensor, halfFieldOf(database)));
 
     std::vector<ScatteredLight> told;
     std::vector<double> sums(image.primary().values.size(), 0.0);

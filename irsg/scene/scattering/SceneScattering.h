@@ -72,6 +72,9 @@ class SceneScattering {
 
     /// Throws InputError for a file that is no MTF database.
     void check(const std::filesystem::path& database);
+    /// How far haze reaches in a picture of this sensor, in pixels: to the end of the taper at half
+    /// the database's field of view, or to where no pixel of the frame is farther away.
+    int support_px(const std::filesystem::path& database, const Sensor& sensor);
     /// Adds F - 1 of every object to the primary plane of a picture that is composed without haze.
     /// Haze of more than the database's field of view is cut by a taper, and so is what would be
     /// farther away than any pixel of the frame. Warnings are added, each once. Throws InputError

@@ -26,6 +26,11 @@ void SceneScattering::check(const std::filesystem::path& database) {
     describeMtf(database);
 }
 
+int SceneScattering::support_px(const std::filesystem::path& database, const Sensor&) {
+    check(database);
+    return 0;
+}
+
 std::vector<ScatteredLight> SceneScattering::addHaze(const std::filesystem::path& database,
                                                      const Sensor&, const FrameBackground&,
                                                      const std::vector<ScatteredObject>&,
