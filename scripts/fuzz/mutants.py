@@ -99,10 +99,15 @@ def dxf():
 
 def directx():
     points = [p for square in corners() for p in square]
-    return ("xof 0303txt 0032\nMesh row {\n%d;\n%s;\n%d;\n%s;\n}\n" % (
-        len(points), ",\n".join("%g;%g;%g;" % p for p in points), SQUARES,
-        ",\n".join("4;%d,%d,%d,%d;" % tuple(4 * i + k for k in range(4))
-                   for i in range(SQUARES)))).encode()
+    # The plug-in keeps nothing of a mesh without a material.
+    material = "Material m {\n1;1;1;1;;\n10;\n0;0;0;;\n0;0;0;;\n}\n"
+    faces = ",\n".join("4;%d,%d,%d,%d;" % tuple(4 * i + k for k in range(4))
+                       for i in range(SQUARES))
+    chosen = ",\n".join("0" for _ in range(SQUARES))
+    return ("xof 0303txt 0032\n\n%sFrame f {\nMesh row {\n%d;\n%s;\n%d;\n%s;\n"
+            "MeshMaterialList {\n1;\n%d;\n%s;;\n{ m }\n}\n}\n}\n" % (
+                material, len(points), ",\n".join("%d;%d;%d;" % p for p in points), SQUARES, faces,
+                SQUARES, chosen)).encode()
 
 
 WRITTEN = {"obj": obj, "stl": stl_text, "binary.stl": stl_binary, "ply": ply, "3ds": studio,
@@ -181,6 +186,8 @@ def main():
             original = folder / ("whole." + kind)
             original.write_bytes(whole)
             all_faces = faces_in(program, original)[1]
+            if all_faces == 0:
+                sys.exit("the model of %s that mutants are made of is not read" % kind)
             files = []
             for i in range(options.count):
                 bytes_, size = mutant(rng, whole)
