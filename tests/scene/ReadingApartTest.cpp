@@ -23,6 +23,7 @@
 #include "irsg/scene/model/ModelLoader.h"
 #include "irsg/scene/model/apart/Bytes.h"
 #include "irsg/scene/model/apart/GraphCoding.h"
+#include "irsg/scene/model/apart/ReaderService.h"
 #include "irsg/scene/model/apart/StateCoding.h"
 #include "tests/support/FlightBytes.h"
 #include "tests/support/QuietListener.h"
@@ -197,6 +198,32 @@ TEST(GraphCoding, KeepsMaterialsAndPictures) {
     EXPECT_EQ(wall->getWrap(osg::Texture::WRAP_S), osg::Texture::MIRROR);
     EXPECT_EQ(std::memcmp(wall->getImage()->data(), image->data(), image->getTotalSizeInBytes()),
               0);
+}
+
+TEST(GraphCoding, RefusesArraysOfNoTypeAndRefusalsOfNoWords) {
+    ByteSink sink;
+    std::vector<std::string> remarks;
+    putGraph(sink, *geode(), "a", remarks);
+    const std::string good = sink.take();
+    // Every value of every byte, among them types that there are not.
+    for (std::size_t i = 0; i < good.size(); ++i)
+        for (int value = 1; value < 256; value += 6) {
+            std::string bytes = good;
+            bytes[i] = static_cast<char>(value);
+            ByteSource changed(bytes);
+            try {
+                getGraph(changed, "a", remarks);
+            } catch (const DamagedBytes&) {
+            } catch (const InputError&) {
+            }
+        }
+
+    ByteSink refusal;
+    refusal.putCount(1);
+    for (int i = 0; i < 4; ++i)
+        refusal.putText("");
+    EXPECT_THROW(throwRefusal(refusal.bytes()), DamagedBytes);
+    EXPECT_THROW(throwRefusal(std::string(8, '\0')), DamagedBytes);
 }
 
 TEST(GraphCoding, RefusesBytesThatDoNotHoldTogether) {

@@ -35,8 +35,10 @@ constexpr Element elements[] = {
     {osg::Array::Vec3sArrayType, sizeof(osg::Vec3s), make<osg::Vec3sArray>},
 };
 
-const Element* elementOf(osg::Array::Type type) {
-    const auto* found = std::ranges::find(elements, type, &Element::type);
+/// The number may be that of no type at all.
+const Element* elementOf(int type) {
+    const auto* found = std::ranges::find_if(
+        elements, [type](const Element& element) { return int{element.type} == type; });
     return found == std::end(elements) ? nullptr : found;
 }
 
@@ -58,7 +60,7 @@ osg::ref_ptr<osg::Array> getArray(ByteSource& source) {
     const auto type = source.get<std::uint8_t>();
     if (type == 0)
         return nullptr;
-    const Element* element = elementOf(static_cast<osg::Array::Type>(type));
+    const Element* element = elementOf(type);
     if (!element)
         throw DamagedBytes("an array of another type");
     const auto binding = source.get<std::int8_t>();

@@ -1,5 +1,6 @@
 #include "irsg/scene/model/apart/ReaderService.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <new>
@@ -107,7 +108,9 @@ void throwRefusal(std::string_view answer) {
     for (Offence& offence : offences)
         for (auto* text : {&offence.file, &offence.position, &offence.value, &offence.expected})
             *text = source.getText();
-    if (offences.empty())
+    if (offences.empty() || std::ranges::any_of(offences, [](const Offence& offence) {
+            return offence.message().empty();
+        }))
         throw DamagedBytes("a refusal without a reason");
     throw InputError(std::move(offences));
 }
