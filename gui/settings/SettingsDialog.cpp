@@ -8,10 +8,10 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 
 #include "gui/DialogButtons.h"
+#include "gui/SideScroll.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/settings/MtfNote.h"
@@ -73,11 +73,9 @@ SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const
         connect(form, &SettingForm::edited, this, &SettingsDialog::refresh);
         connect(form, &SettingForm::validityChanged, this, &SettingsDialog::refresh);
         forms_.push_back(form);
-        auto* scroll = new QScrollArea(stack);
-        scroll->setWidgetResizable(true);
-        scroll->setFrameShape(QFrame::NoFrame);
         addNotes(form);
-        scroll->setWidget(form);
+        auto* scroll = new SideScroll(form, stack);
+        scroll->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
         stack->addWidget(scroll);
     }
     connect(list_, &QListWidget::currentRowChanged, stack, &QStackedWidget::setCurrentIndex);

@@ -159,6 +159,12 @@ TEST_F(SettingsDialogTest, ScatteringShowsItsDatabaseOrWhyItCannotBeHad) {
         EXPECT_TRUE(note->isVisible());
         EXPECT_TRUE(note->text().contains("field of view: 60 deg")) << note->text().toStdString();
         check->click();
+        // However long the header is, nothing is cut off at the side.
+        QTest::qWait(50);
+        const auto* scroll =
+            dynamic_cast<QScrollArea*>(note->parentWidget()->parentWidget()->parentWidget());
+        ASSERT_NE(scroll, nullptr);
+        EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width());
         test::keepScreenshot(dialog, "options-scattering");
         type(dialog, "environment.mtf", "none.mtf");
         EXPECT_TRUE(note->text().contains("none.mtf")) << note->text().toStdString();
