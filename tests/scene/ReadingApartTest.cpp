@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <osg/AlphaFunc>
 #include <osg/Billboard>
 #include <osg/Geode>
 #include <osg/Geometry>
@@ -203,9 +204,11 @@ TEST(GraphCoding, KeepsMaterialsAndPictures) {
 TEST(GraphCoding, RefusesArraysOfNoTypeAndRefusalsOfNoWords) {
     ByteSink sink;
     std::vector<std::string> remarks;
-    putGraph(sink, *geode(), "a", remarks);
+    const auto node = geode();
+    node->getOrCreateStateSet()->setAttributeAndModes(new osg::AlphaFunc);
+    putGraph(sink, *node, "a", remarks);
     const std::string good = sink.take();
-    // Every value of every byte, among them types that there are not.
+    // Values of every byte, among them types and modes that there are not.
     for (std::size_t i = 0; i < good.size(); ++i)
         for (int value = 1; value < 256; value += 6) {
             std::string bytes = good;

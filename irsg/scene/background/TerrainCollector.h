@@ -41,7 +41,6 @@ class TerrainCollector : public osg::NodeVisitor {
     const osg::Texture* texture_ = nullptr;
     std::map<const osg::Texture*, Batch> batches_; ///< null: without a texture
     std::vector<const osg::Texture*> order_;       ///< as they are met
-    long withoutTexture_ = 0;                      ///< triangles
 };
 
 } // namespace irsg

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <osg/AlphaFunc>
 #include <osg/BlendFunc>
@@ -39,6 +40,38 @@ osg::Vec4 vec4(const float* at) {
     return {at[0], at[1], at[2], at[3]};
 }
 
+/// A number as one of the values that OpenSceneGraph has names for.
+template <typename Value>
+Value oneOf(std::int32_t number, std::initializer_list<Value> values) {
+    for (const Value value : values)
+        if (number == static_cast<std::int32_t>(value))
+            return value;
+    throw DamagedBytes("a state in a mode that there is not");
+}
+
+osg::Texture::WrapMode wrapOf(std::int32_t number) {
+    using T = osg::Texture;
+    return oneOf(number, {T::CLAMP, T::CLAMP_TO_EDGE, T::CLAMP_TO_BORDER, T::REPEAT, T::MIRROR});
+}
+
+osg::Texture::FilterMode filterOf(std::int32_t number) {
+    using T = osg::Texture;
+    return oneOf(number, {T::LINEAR, T::LINEAR_MIPMAP_LINEAR, T::LINEAR_MIPMAP_NEAREST, T::NEAREST,
+                          T::NEAREST_MIPMAP_LINEAR, T::NEAREST_MIPMAP_NEAREST});
+}
+
+/// Functions of depth and of alpha have the same names.
+template <typename Kind, typename Function>
+Function functionOf(std::int32_t number) {
+    return oneOf<Function>(number, {Kind::NEVER, Kind::LESS, Kind::EQUAL, Kind::LEQUAL,
+                                    Kind::GREATER, Kind::NOTEQUAL, Kind::GEQUAL, Kind::ALWAYS});
+}
+
+osg::PolygonMode::Mode polygonModeOf(std::int32_t number) {
+    using P = osg::PolygonMode;
+    return oneOf(number, {P::POINT, P::LINE, P::FILL});
+}
+
 bool valuesOf(const osg::Material& m, Values& v) {
     v.integers[0] = m.getColorMode();
     for (const auto face : {front, back}) {
@@ -53,8 +86,11 @@ bool valuesOf(const osg::Material& m, Values& v) {
 }
 
 osg::StateAttribute* materialOf(const Values& v) {
+    using M = osg::Material;
+    const auto mode = oneOf(v.integers[0], {M::AMBIENT, M::DIFFUSE, M::SPECULAR, M::EMISSION,
+                                            M::AMBIENT_AND_DIFFUSE, M::OFF});
     auto* m = new osg::Material;
-    m->setColorMode(static_cast<osg::Material::ColorMode>(v.integers[0]));
+    m->setColorMode(mode);
     for (const auto face : {front, back}) {
         const float* at = v.numbers + (face == front ? 0 : 17);
         m->setAmbient(face, vec4(at));
@@ -81,6 +117,8 @@ bool valuesOf(const osg::Texture2D& t, std::int32_t image, Values& v) {
 
 osg::StateAttribute* textureOf(const Values& v,
                                const std::vector<osg::ref_ptr<osg::Image>>& images) {
+    const auto across = wrapOf(v.integers[1]), along = wrapOf(v.integers[2]);
+    const auto smaller = filterOf(v.integers[3]), larger = filterOf(v.integers[4]);
     auto* t = new osg::Texture2D;
     const std::int32_t image = v.integers[0];
     if (image >= 0) {
@@ -90,10 +128,10 @@ osg::StateAttribute* textureOf(const Values& v,
         }
         t->setImage(images[static_cast<std::size_t>(image)]);
     }
-    t->setWrap(osg::Texture::WRAP_S, static_cast<osg::Texture::WrapMode>(v.integers[1]));
-    t->setWrap(osg::Texture::WRAP_T, static_cast<osg::Texture::WrapMode>(v.integers[2]));
-    t->setFilter(osg::Texture::MIN_FILTER, static_cast<osg::Texture::FilterMode>(v.integers[3]));
-    t->setFilter(osg::Texture::MAG_FILTER, static_cast<osg::Texture::FilterMode>(v.integers[4]));
+    t->setWrap(osg::Texture::WRAP_S, across);
+    t->setWrap(osg::Texture::WRAP_T, along);
+    t->setFilter(osg::Texture::MIN_FILTER, smaller);
+    t->setFilter(osg::Texture::MAG_FILTER, larger);
     t->setResizeNonPowerOfTwoHint(v.integers[5] != 0);
     t->setUseHardwareMipMapGeneration(v.integers[6] != 0);
     t->setBorderColor(osg::Vec4d(vec4(v.numbers)));
@@ -167,15 +205,18 @@ osg::StateAttribute* simpleOf(std::int32_t kind, const Values& v) {
     const auto& x = v.numbers;
     switch (kind) {
     case Attribute::CULLFACE:
-        return new osg::CullFace(static_cast<osg::CullFace::Mode>(n[0]));
+        return new osg::CullFace(oneOf(
+            n[0], {osg::CullFace::FRONT, osg::CullFace::BACK, osg::CullFace::FRONT_AND_BACK}));
     case Attribute::FRONTFACE:
-        return new osg::FrontFace(static_cast<osg::FrontFace::Mode>(n[0]));
+        return new osg::FrontFace(
+            oneOf(n[0], {osg::FrontFace::CLOCKWISE, osg::FrontFace::COUNTER_CLOCKWISE}));
     case Attribute::SHADEMODEL:
-        return new osg::ShadeModel(static_cast<osg::ShadeModel::Mode>(n[0]));
+        return new osg::ShadeModel(oneOf(n[0], {osg::ShadeModel::FLAT, osg::ShadeModel::SMOOTH}));
     case Attribute::POLYGONMODE: {
+        const auto before = polygonModeOf(n[0]), behind = polygonModeOf(n[1]);
         auto* a = new osg::PolygonMode;
-        a->setMode(osg::PolygonMode::FRONT, static_cast<osg::PolygonMode::Mode>(n[0]));
-        a->setMode(osg::PolygonMode::BACK, static_cast<osg::PolygonMode::Mode>(n[1]));
+        a->setMode(osg::PolygonMode::FRONT, before);
+        a->setMode(osg::PolygonMode::BACK, behind);
         return a;
     }
     case Attribute::BLENDFUNC:
@@ -184,24 +225,29 @@ osg::StateAttribute* simpleOf(std::int32_t kind, const Values& v) {
     case Attribute::POLYGONOFFSET:
         return new osg::PolygonOffset(x[0], x[1]);
     case Attribute::ALPHAFUNC:
-        return new osg::AlphaFunc(static_cast<osg::AlphaFunc::ComparisonFunction>(n[0]), x[0]);
+        return new osg::AlphaFunc(
+            functionOf<osg::AlphaFunc, osg::AlphaFunc::ComparisonFunction>(n[0]), x[0]);
     case Attribute::DEPTH:
-        return new osg::Depth(static_cast<osg::Depth::Function>(n[0]), static_cast<double>(x[0]),
-                              static_cast<double>(x[1]), n[1] != 0);
+        return new osg::Depth(functionOf<osg::Depth, osg::Depth::Function>(n[0]),
+                              static_cast<double>(x[0]), static_cast<double>(x[1]), n[1] != 0);
     case Attribute::LINEWIDTH:
         return new osg::LineWidth(std::isfinite(x[0]) && x[0] > 0.0f ? x[0] : 1.0f);
     case Attribute::POINT:
         return new osg::Point(std::isfinite(x[0]) && x[0] >= 0.0f ? x[0] : 1.0f);
     case Attribute::LIGHTMODEL: {
+        const auto control =
+            oneOf(n[0], {osg::LightModel::SEPARATE_SPECULAR_COLOR, osg::LightModel::SINGLE_COLOR});
         auto* a = new osg::LightModel;
         a->setAmbientIntensity(vec4(x));
-        a->setColorControl(static_cast<osg::LightModel::ColorControl>(n[0]));
+        a->setColorControl(control);
         a->setLocalViewer(n[1] != 0);
         a->setTwoSided(n[2] != 0);
         return a;
     }
     case Attribute::TEXENV:
-        return new osg::TexEnv(static_cast<osg::TexEnv::Mode>(n[0]));
+        return new osg::TexEnv(
+            oneOf(n[0], {osg::TexEnv::DECAL, osg::TexEnv::MODULATE, osg::TexEnv::BLEND,
+                         osg::TexEnv::REPLACE, osg::TexEnv::ADD}));
     case Attribute::TEXMAT:
         return new osg::TexMat(osg::Matrix(x));
     default:
