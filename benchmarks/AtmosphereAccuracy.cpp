@@ -16,12 +16,14 @@ int main(int argc, char** argv) {
                                                     {"lowtran", lowtranTables},
                                                     {"line-by-line", lineByLineTables},
                                                     {"wideband", widebandTables},
+                                                    {"sun", sunTables},
                                                     {"speed", speedTables}};
 
     CLI::App app{"Measures how accurate and how fast the computed atmosphere is."};
     Output output{"../shared", {}, "tests/data/atmosphere/line-by-line.csv.gz"};
     std::vector<std::string> wanted;
-    app.add_option("sections", wanted, "modtran, lowtran, line-by-line, wideband, speed; none: all")
+    app.add_option("sections", wanted,
+                   "modtran, lowtran, line-by-line, wideband, sun, speed; none: all")
         ->check(CLI::IsMember(irsg::bench::namesOf(sections)));
     app.add_option("--shared", output.shared, "folder that holds data/atmosphere (../shared)");
     app.add_option("--out", output.folder, "folder for curves as CSV")

@@ -3,6 +3,7 @@
 #include "apps/smat-batch/AirInput.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
+#include "apps/smat-batch/SunOptions.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
@@ -26,7 +27,7 @@ std::string quantityWords() {
 class RadiativeCommand {
   public:
     explicit RadiativeCommand(CLI::App& command)
-        : air_(command), numbers_(command), files_(command) {
+        : air_(command), numbers_(command), moment_(command), files_(command) {
         command
             .add_option("--quantity", quantities_,
                         "One of " + quantityWords() + "; may be given more than once")
@@ -47,6 +48,9 @@ class RadiativeCommand {
                      "East of north; when not given that of an Environment file, or 180");
         numbers_.add("--sun-elevation", "deg",
                      "Above the horizon; when not given that of an Environment file, or 45");
+        numbers_.add("--day-of-year", "",
+                     "1 to 366, for the distance of the sun; the mean one "
+                     "when not given");
     }
 
     int run(Context& context) const {
@@ -83,8 +87,10 @@ class RadiativeCommand {
         collect([&] { request.band = irsg::Band::fromText(band_).range(); });
         collect([&] { numbers_.check(); });
         addQuantities(request, offences);
-        checkLimits("--sun-azimuth", 0.0, 360.0, offences);
-        checkLimits("--sun-elevation", -90.0, 90.0, offences);
+        checkLimits("--sun-azimuth", 0.0, 360.0, " deg", offences);
+        checkLimits("--sun-elevation", -90.0, 90.0, " deg", offences);
+        checkLimits("--day-of-year", 1.0, 366.0, "", offences);
+        collect([&] { checkMoment(offences); });
         const auto resolution = numbers_.value("--resolution");
         if (resolution && *resolution != 1.0 && *resolution != 5.0 && *resolution != 15.0) {
             offences.push_back({"--resolution", "", irsg::numberText(*resolution), "1, 5 or 15"});
@@ -123,13 +129,26 @@ class RadiativeCommand {
         }
     }
 
-    void checkLimits(const char* option, double least, double most,
+    void checkLimits(const char* option, double least, double most, const char* unit,
                      std::vector<irsg::Offence>& offences) const {
         const auto value = numbers_.value(option);
         if (value && !(*value >= least && *value <= most)) {
             offences.push_back({option, "", irsg::numberText(*value),
                                 "a number from " + irsg::numberText(least) + " to " +
-                                    irsg::numberText(most) + " deg"});
+                                    irsg::numberText(most) + unit});
+        }
+    }
+
+    /// A moment gives the whole sun.
+    void checkMoment(std::vector<irsg::Offence>& offences) const {
+        if (!moment_.sun()) {
+            return;
+        }
+        for (const char* option : {"--sun-azimuth", "--sun-elevation", "--day-of-year"}) {
+            if (const auto value = numbers_.value(option)) {
+                offences.push_back({option, "", irsg::numberText(*value),
+                                    "nothing beside --date and --utc, which give it"});
+            }
         }
     }
 
@@ -143,8 +162,13 @@ class RadiativeCommand {
                 .value_or(irsg::SunPosition{irsg::radians(180.0), irsg::radians(45.0)});
         const auto azimuth_deg = numbers_.value("--sun-azimuth");
         const auto elevation_deg = numbers_.value("--sun-elevation");
+        const auto day = numbers_.value("--day-of-year");
         environment.sun = {azimuth_deg ? irsg::radians(*azimuth_deg) : sun.azimuth_rad,
-                           elevation_deg ? irsg::radians(*elevation_deg) : sun.elevation_rad};
+                           elevation_deg ? irsg::radians(*elevation_deg) : sun.elevation_rad,
+                           day ? irsg::sunDistance_au(static_cast<int>(*day)) : sun.distance_au};
+        if (const auto moment = moment_.sun()) {
+            environment.sun = moment->position;
+        }
         return environment;
     }
 
@@ -153,6 +177,7 @@ class RadiativeCommand {
     std::string band_ = "3-5";
     bool toSpace_ = false;
     NumberOptions numbers_;
+    SunOptions moment_;
     TableFiles files_;
 };
 

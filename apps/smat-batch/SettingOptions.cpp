@@ -4,6 +4,7 @@
 
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
 
 namespace smat::batch {
 
@@ -65,6 +66,8 @@ SettingOptions::SettingOptions(CLI::App& command,
         given->option->group(sectionTitle(setting.section()));
         given_.push_back(std::move(given));
     }
+    if (takes(settingInfo("environment.sunElevation")))
+        sun_.emplace(command);
     command.add_option("--set", assignments_, "Any setting: key=value, as often as needed")
         ->type_name("KEY=VALUE")
         ->expected(1)
@@ -103,10 +106,35 @@ Settings SettingOptions::values() const {
             });
         }
     }
+    if (sun_) {
+        collect([&] { placeSun(settings); });
+    }
     if (!offences.empty()) {
         throw irsg::InputError(offences);
     }
     return settings;
+}
+
+void SettingOptions::placeSun(Settings& settings) const {
+    const auto sun = sun_->sun();
+    if (!sun) {
+        return;
+    }
+    std::vector<irsg::Offence> offences;
+    const auto put = [&](const char* key, double value) {
+        if (settings.isSet(key)) {
+            offences.push_back({settingInfo(key).option, "", settings.text(key),
+                                "nothing beside --date and --utc, which give it"});
+        } else {
+            settings.set(key, value);
+        }
+    };
+    put("environment.sunAzimuth", irsg::degrees(sun->position.azimuth_rad));
+    put("environment.sunElevation", irsg::degrees(sun->position.elevation_rad));
+    put("environment.dayOfYear", sun->dayOfYear);
+    if (!offences.empty()) {
+        throw irsg::InputError(std::move(offences));
+    }
 }
 
 } // namespace smat::batch

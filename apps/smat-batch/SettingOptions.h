@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "apps/smat-batch/SunOptions.h"
 #include "smatcore/project/Project.h"
 
 namespace smat::batch {
@@ -32,7 +33,11 @@ class SettingOptions {
         bool flag = false;
     };
     std::vector<std::unique_ptr<Given>> given_; ///< the parser keeps pointers into them
+    /// The sun of a moment and a place, where settings of it are taken.
+    void placeSun(Settings& settings) const;
+
     std::vector<std::string> assignments_;
+    std::optional<SunOptions> sun_;
 };
 
 } // namespace smat::batch

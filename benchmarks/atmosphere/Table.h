@@ -45,6 +45,7 @@ void modtranTables(const Output& output);
 void lowtranTables(const Output& output);
 void lineByLineTables(const Output& output);
 void widebandTables(const Output& output);
+void sunTables(const Output& output);
 void speedTables(const Output& output);
 
 } // namespace irsg::accuracy

@@ -45,8 +45,8 @@ std::vector<SettingsPage> SettingsDialog::optionPages() {
 std::vector<SettingsPage> SettingsDialog::analysisPages() {
     return {{tr("Sun and fluxes"),
              "sun",
-             {"environment.sunAzimuth", "environment.sunElevation", "render.sun", "render.fluxes",
-              "render.fluxWeights"}},
+             {"environment.sunAzimuth", "environment.sunElevation", "environment.dayOfYear",
+              "render.sun", "render.fluxes", "render.fluxWeights"}},
             {tr("Background source"), "range", {"render.background"}},
             {tr("Band and mode"),
              "sensor",

@@ -30,6 +30,7 @@ const std::vector<std::string> formKeys = {"target.altitude",
                                            "sensor.band",
                                            "environment.sunAzimuth",
                                            "environment.sunElevation",
+                                           "environment.dayOfYear",
                                            "environment.atmospheres"};
 
 QString figuresOf(const RadiativeOutput& output) {
@@ -55,8 +56,11 @@ irsg::SpectralRange firstBand(const Settings& asked) {
 
 std::string commandFor(const Project& project, const Settings& asked,
                        const std::vector<std::string>& words, const AirGeometryInput& geometry) {
-    return radiativeCommand(resolvedAir(project, asked), words, geometry, firstBand(asked),
-                            sunOf(project, asked), "radiative.csv");
+    const std::string command =
+        radiativeCommand(resolvedAir(project, asked), words, geometry, firstBand(asked),
+                         sunOf(project, asked), "radiative.csv");
+    const auto day = asked.optionalReal("environment.dayOfYear");
+    return day ? command + " --day-of-year=" + irsg::numberText(*day) : command;
 }
 
 } // namespace

@@ -15,7 +15,8 @@ namespace {
 std::string environmentKeyOf(const InfraredRequest& request) {
     const Settings& settings = request.settings;
     std::string key = request.project->file.string();
-    for (const auto* name : {"environment.atmospheres", "environment.ambientTemperature"})
+    for (const auto* name :
+         {"environment.atmospheres", "environment.ambientTemperature", "environment.dayOfYear"})
         key += "|" + settings.text(name);
     for (const auto* name : {"environment.sunAzimuth", "environment.sunElevation"})
         key += settings.isSet(name) ? "|set" : "|file";

@@ -86,7 +86,7 @@ double AirQuestion::azimuthFromSun_rad() const {
 
 AirKey AirQuestion::key(bool byAzimuth) const {
     AirKey key{quantity, {}};
-    auto& [sensor_m, target_m, range_m, elevation_rad, azimuth_rad, sun_rad] = key.numbers;
+    auto& [sensor_m, target_m, range_m, elevation_rad, azimuth_rad, sun_rad, sun_au] = key.numbers;
     switch (placeOf(quantity)) {
     case AirPlace::path:
         sensor_m = path.sensorAltitude_m;
@@ -103,6 +103,7 @@ AirKey AirQuestion::key(bool byAzimuth) const {
     }
     if (hasSun(quantity)) {
         sun_rad = sun.elevation_rad;
+        sun_au = sun.distance_au;
         azimuth_rad = byAzimuth ? azimuthFromSun_rad() : 0.0;
     }
     return key;

@@ -50,18 +50,29 @@ struct LineOfSight {
 /// Where the sun stands.
 struct SunPosition {
     double azimuth_rad = 0.0;      ///< east of north, 0 to 2 pi
-    double elevation_rad = 0.7854; ///< -pi/2 to pi/2
+    double elevation_rad = 0.7854; ///< -pi/2 to pi/2, true: of its middle, as without refraction
+    double distance_au = 1.0;      ///< 0.983 to 1.017 over a year
 
+    /// Above the horizontal, which is not the horizon: from aloft it is seen below.
     bool isUp() const { return elevation_rad > 0.0; }
+    /// Its light in terms of that from one astronomical unit.
+    double strength() const { return 1.0 / (distance_au * distance_au); }
+    bool operator==(const SunPosition&) const = default;
+};
+
+/// The sun as it is seen from an altitude.
+struct SunView {
+    double part = 1.0;          ///< of its disc that is above the horizon, 0 to 1
+    double elevation_rad = 0.0; ///< apparent, of the middle of the whole disc
 };
 
 /// A question as far as its answer depends on it: a key of a cache. Equal keys have equal answers
 /// of the same atmosphere at the same sampling.
 struct AirKey {
     AtmosphereProperty quantity = AtmosphereProperty::transmittance;
-    /// Sensor altitude, target altitude, range, elevation, azimuth from the sun, sun elevation; 0
-    /// where the quantity has no such number.
-    std::array<double, 6> numbers{};
+    /// Sensor altitude, target altitude, range, elevation, azimuth from the sun, elevation and
+    /// distance of the sun; 0 where the quantity has no such number.
+    std::array<double, 7> numbers{};
     auto operator<=>(const AirKey&) const = default;
 };
 

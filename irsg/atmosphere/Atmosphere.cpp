@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/atmosphere/AirNodes.h"
+#include "irsg/atmosphere/SunDiscGeometry.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
@@ -35,6 +37,11 @@ double Atmosphere::horizonElevation_rad(double altitude_m) const {
     return -std::atan(std::sqrt(h_m * (2.0 * earthRadius_m + h_m)) / earthRadius_m);
 }
 
+SunView Atmosphere::sunView(double altitude_m, const SunPosition& sun) const {
+    return {visibleSun(sun.elevation_rad - horizonElevation_rad(altitude_m)).part,
+            sun.elevation_rad};
+}
+
 double Atmosphere::ambientTemperature_K(double) const {
     refuse(*this, AtmosphereProperty::ambientTemperature);
 }
@@ -47,6 +54,13 @@ std::vector<double> Atmosphere::answer(const AirQuestion& question,
         }
         checkQuestion(question);
         return valuesAtTerms(question, *terms);
+    }
+    if (const AirNodes* nodes = AirNodes::of(sampling)) {
+        checkRange(sampling.range());
+        checkQuestion(question);
+        if (auto values = valuesAtNodes(question, *nodes)) {
+            return std::move(*values);
+        }
     }
     return sampling.sampled(spectrum(question, sampling.range()));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 
 namespace irsg {
 
+class AirNodes;
+class Band;
 class SensorCkData;
 struct CkRequest;
 
@@ -21,8 +24,8 @@ struct CkRequest;
 ///   path radiance            emitted and scattered into the path, W m-2 sr-1 um-1; 0 at range 0
 ///   background radiance      everything seen along an unbounded line of sight with no target in
 ///                            it, W m-2 sr-1 um-1
-///   solar irradiance         direct sun on a plane normal to the beam, W m-2 um-1; 0 below the
-///                            horizon
+///   solar irradiance         direct sun on a plane normal to the beam, W m-2 um-1: of the part of
+///                            its disc above the horizon of the altitude, see `sunView`
 ///   upward, downward flux    diffuse hemispherical ones on a horizontal plane, W m-2 um-1. The
 ///                            downward flux excludes the direct beam, the upward flux includes
 ///                            reflected sun
@@ -56,6 +59,9 @@ class Atmosphere {
     /// on the ground. The dip of a sphere of 6371.23 km without refraction, unless an atmosphere
     /// has a geometry of its own.
     virtual double horizonElevation_rad(double altitude_m) const;
+    /// How the sun is seen from an altitude: cut by that horizon, along straight lines unless an
+    /// atmosphere refracts. Continuous in elevation and altitude.
+    virtual SunView sunView(double altitude_m, const SunPosition& sun) const;
     virtual double ambientTemperature_K(double altitude_m) const;
 
     /// A value at every node. LogicError for what is not accepted, and for terms of wideband-ck
@@ -83,6 +89,15 @@ class Atmosphere {
                           const SpectralRange& range) const;
     Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const;
 
+    /// Where the native spectra are means over bins of a few nodes each: these nodes over a band
+    /// that the base holds, or for some ascending wavelengths. Products of this air's quantities
+    /// are right at them alone. Null where native spectra are all there is.
+    virtual std::shared_ptr<const SpectralSampling> nodesOf(const Band&) const { return nullptr; }
+    virtual std::shared_ptr<const SpectralSampling>
+    nodesAt(const std::vector<double>& /*wavelengths_um*/) const {
+        return nullptr;
+    }
+
     /// True where this atmosphere can prepare wideband terms (F14, F17).
     virtual bool isWidebandModeAvailable() const { return false; }
     /// The wideband terms of a sensor, at which this atmosphere answers: see SensorCkData.h.
@@ -99,6 +114,12 @@ class Atmosphere {
     /// The answer at the terms of wideband-ck that this atmosphere prepared.
     virtual std::vector<double> valuesAtTerms(const AirQuestion& question,
                                               const SensorCkData& terms) const;
+
+    /// The answer at nodes; nothing where they are those of other air.
+    virtual std::optional<std::vector<double>> valuesAtNodes(const AirQuestion&,
+                                                             const AirNodes&) const {
+        return std::nullopt;
+    }
 
     /// LogicError unless the base holds the range.
     void checkRange(const SpectralRange& range) const;

@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "irsg/atmosphere/AirNodes.h"
 #include "irsg/atmosphere/SmartAdapter.h"
+#include "irsg/atmosphere/SunDiscGeometry.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
@@ -63,7 +65,7 @@ void AtmosphereSmart::makeTransfer() const {
                           numberText(base().min_um) + " to " + numberText(base().max_um) + " um",
                           "a band that the gas table holds, " + numberText(held.min_um) + " to " +
                               numberText(held.max_um) + " um"});
-    transfer_ = std::make_unique<const RadiativeTransfer>(air_, gases_);
+    transfer_ = std::make_shared<const RadiativeTransfer>(air_, gases_);
 }
 
 const PathTables& AtmosphereSmart::tables(const NodeSet& nodes) const {
@@ -87,20 +89,15 @@ std::string AtmosphereSmart::refusal(AtmosphereProperty property) const {
 
 double AtmosphereSmart::horizonElevation_rad(double altitude_m) const {
     checkAltitude(altitude_m);
-    const RayTracer& tracer = transfer().tracer();
-    const std::lock_guard lock(tablesMutex_);
-    const auto [place, isNew] = horizons_rad_.emplace(altitude_m, 0.0);
-    if (!isNew)
-        return place->second;
+    return transfer().tracer().horizonElevation_rad(altitude_m);
+}
 
-    // By halving between straight down and straight up.
-    double below_rad = -0.5 * pi, above_rad = 0.5 * pi;
-    while (above_rad - below_rad > 1e-12) {
-        const double middle_rad = 0.5 * (below_rad + above_rad);
-        const bool ground = tracer.along({altitude_m, middle_rad, 0.0}).end == RayPath::End::ground;
-        (ground ? below_rad : above_rad) = middle_rad;
-    }
-    return place->second = 0.5 * (below_rad + above_rad);
+SunView AtmosphereSmart::sunView(double altitude_m, const SunPosition& sun) const {
+    checkAltitude(altitude_m);
+    const RayTracer& tracer = transfer().tracer();
+    const double horizon_rad = tracer.trueHorizonElevation_rad(altitude_m);
+    return {visibleSun(sun.elevation_rad - horizon_rad).part,
+            tracer.apparentElevation_rad(altitude_m, sun.elevation_rad)};
 }
 
 std::vector<double> AtmosphereSmart::valuesAt(const NodeSet& nodes,
@@ -136,6 +133,28 @@ Spectrum AtmosphereSmart::nativeSpectrum(const AirQuestion& question,
 std::vector<double> AtmosphereSmart::valuesAtTerms(const AirQuestion& question,
                                                    const SensorCkData& terms) const {
     return valuesAt(terms.nodes(), question);
+}
+
+std::optional<std::vector<double>> AtmosphereSmart::valuesAtNodes(const AirQuestion& question,
+                                                                  const AirNodes& nodes) const {
+    (void)transfer();
+    if (!nodes.isOf(transfer_))
+        return std::nullopt;
+    return nodes.arranged(valuesAt(nodes.set(), question));
+}
+
+std::shared_ptr<const SpectralSampling> AtmosphereSmart::nodesOf(const Band& band) const {
+    checkRange(band.range());
+    (void)transfer();
+    return std::make_shared<const AirNodes>(transfer_, band);
+}
+
+std::shared_ptr<const SpectralSampling>
+AtmosphereSmart::nodesAt(const std::vector<double>& wavelengths_um) const {
+    (void)transfer();
+    auto nodes = std::make_shared<const AirNodes>(transfer_, wavelengths_um);
+    checkRange(nodes->range());
+    return nodes;
 }
 
 double AtmosphereSmart::ambientTemperature_K(double altitude_m) const {

@@ -57,13 +57,20 @@ class AtmosphereSmart : public Atmosphere {
 
     /// Of the bent ray that touches the ground.
     double horizonElevation_rad(double altitude_m) const override;
+    SunView sunView(double altitude_m, const SunPosition& sun) const override;
     /// Of the air; above the top of the profile that of its last level.
     double ambientTemperature_K(double altitude_m) const override;
-    /// Only the background: a path has the mean of its scattered sunlight over all azimuths.
+    /// What the sun is scattered into.
     bool answersByAzimuth(AtmosphereProperty property) const override {
-        return property == AtmosphereProperty::backgroundRadiance;
+        return property == AtmosphereProperty::backgroundRadiance ||
+               property == AtmosphereProperty::pathRadiance;
     }
     AirDescription describe() const override;
+
+    /// See AirNodes.h.
+    std::shared_ptr<const SpectralSampling> nodesOf(const Band& band) const override;
+    std::shared_ptr<const SpectralSampling>
+    nodesAt(const std::vector<double>& wavelengths_um) const override;
 
     bool isWidebandModeAvailable() const override { return true; }
     std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const override;
@@ -75,6 +82,8 @@ class AtmosphereSmart : public Atmosphere {
     Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
     std::vector<double> valuesAtTerms(const AirQuestion& question,
                                       const SensorCkData& terms) const override;
+    std::optional<std::vector<double>> valuesAtNodes(const AirQuestion& question,
+                                                     const AirNodes& nodes) const override;
 
   private:
     void makeTransfer() const;
@@ -89,9 +98,8 @@ class AtmosphereSmart : public Atmosphere {
     AirModel air_;
     mutable std::shared_ptr<const GasTable> gases_;
     mutable std::once_flag once_;
-    mutable std::unique_ptr<const RadiativeTransfer> transfer_;
+    mutable std::shared_ptr<const RadiativeTransfer> transfer_;
     mutable std::mutex tablesMutex_;
-    mutable std::map<double, double> horizons_rad_; ///< by altitude
     mutable std::map<std::vector<std::uint32_t>, std::unique_ptr<PathTables>> tables_;
 };
 

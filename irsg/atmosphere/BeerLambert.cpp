@@ -91,7 +91,11 @@ Spectrum BeerLambert::nativeSpectrum(const AirQuestion& question,
     case AtmosphereProperty::backgroundRadiance:
         return seenAlong(question.sight, range);
     case AtmosphereProperty::solarIrradiance:
-        return question.sun.isUp() ? parameters_.solarIrradiance_W_m2_um : Spectrum::constant(0.0);
+        // Of whatever day the irradiance was stated for: the distance of the sun is in it.
+        return parameters_.solarIrradiance_W_m2_um.mapped(
+            [part = sunView(question.altitude_m, question.sun).part](double whole) {
+                return part * whole;
+            });
     case AtmosphereProperty::upwardFlux:
         return parameters_.upwardFlux_W_m2_um;
     case AtmosphereProperty::downwardFlux:

@@ -4,6 +4,7 @@
 
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
+#include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
@@ -23,9 +24,10 @@ std::string refusalOf(const Atmosphere& atmosphere, AtmosphereProperty property)
                : atmosphere.name() + " (" + atmosphere.refusal(property) + ")";
 }
 
-/// Direct light of a sun below the horizon.
-bool isDark(const AirQuestion& question) {
-    return question.quantity == AtmosphereProperty::solarIrradiance && !question.sun.isUp();
+/// Direct light of a sun below the horizon, as an atmosphere has it.
+bool isDark(const AirQuestion& question, const Atmosphere& air) {
+    return question.quantity == AtmosphereProperty::solarIrradiance &&
+           air.sunView(question.altitude_m, question.sun).part <= 0.0;
 }
 
 } // namespace
@@ -73,6 +75,13 @@ double Environment::horizonElevation_rad(double altitude_m, const SpectralRange&
     return Vacuum().horizonElevation_rad(altitude_m);
 }
 
+SunView Environment::sunView(double altitude_m, const SpectralRange& range) const {
+    if (const Atmosphere* air = find(range, AtmosphereProperty::solarIrradiance)) {
+        return air->sunView(altitude_m, sun);
+    }
+    return Vacuum().sunView(altitude_m, sun);
+}
+
 bool Environment::isByDefault(const SpectralRange& range, AtmosphereProperty property) const {
     return property == AtmosphereProperty::backgroundRadiance && defaultBackground &&
            !find(range, property);
@@ -87,7 +96,7 @@ Answer<std::vector<double>> Environment::answer(const AirQuestion& question,
     }
     const Atmosphere& air =
         isWideband ? requireWideband(range, question.quantity) : require(range, question.quantity);
-    if (isDark(question)) {
+    if (isDark(question, air)) {
         return {std::vector<double>(sampling.size(), 0.0), air.name()};
     }
     return {air.answer(question, sampling), air.name()};
@@ -99,7 +108,8 @@ Answer<Spectrum> Environment::spectrum(const AirQuestion& question,
         return {*defaultBackground, byDefault};
     }
     const Atmosphere& air = require(range, question.quantity);
-    return {isDark(question) ? Spectrum::constant(0.0) : air.spectrum(question, range), air.name()};
+    return {isDark(question, air) ? Spectrum::constant(0.0) : air.spectrum(question, range),
+            air.name()};
 }
 
 AirKey Environment::keyOf(const AirQuestion& question, const SpectralRange& range) const {
@@ -113,6 +123,18 @@ AirKey Environment::keyOf(const AirQuestion& question, const SpectralSampling& s
     }
     const Atmosphere* air = findWideband(sampling.range());
     return question.key(air && air->answersByAzimuth(question.quantity));
+}
+
+std::shared_ptr<const SpectralSampling> Environment::nodesOf(const Band& band) const {
+    const Atmosphere* air = find(band.range(), AtmosphereProperty::transmittance);
+    return air ? air->nodesOf(band) : nullptr;
+}
+
+std::shared_ptr<const SpectralSampling>
+Environment::nodesAt(const std::vector<double>& wavelengths_um) const {
+    const SpectralPoints points(wavelengths_um);
+    const Atmosphere* air = find(points.range(), AtmosphereProperty::transmittance);
+    return air ? air->nodesAt(wavelengths_um) : nullptr;
 }
 
 Answer<double> Environment::ambientTemperature_K(double altitude_m) const {

@@ -40,10 +40,12 @@ class Environment {
 
     /// Of the atmosphere that answers for the background; see Atmosphere::horizonElevation_rad.
     double horizonElevation_rad(double altitude_m, const SpectralRange& range) const;
+    /// Of the atmosphere that answers for the direct sun, see Atmosphere::sunView.
+    SunView sunView(double altitude_m, const SpectralRange& range) const;
 
     /// A value at every node of a sampling. At terms of wideband-ck the atmosphere that prepared
     /// them answers, and there is no default (F29); InputError for what it does not support. Direct
-    /// sun below the horizon is zero, whoever answers.
+    /// light of a sun whose whole disc is below the horizon is zero, whoever answers.
     Answer<std::vector<double>> answer(const AirQuestion& question,
                                        const SpectralSampling& sampling) const;
     /// The same on the nodes of the answering atmosphere; see Atmosphere::spectrum.
@@ -52,6 +54,12 @@ class Environment {
     AirKey keyOf(const AirQuestion& question, const SpectralRange& range) const;
     AirKey keyOf(const AirQuestion& question, const SpectralSampling& sampling) const;
     Answer<double> ambientTemperature_K(double altitude_m) const;
+
+    /// Nodes of the air that answers for the transmittance, see Atmosphere::nodesOf; null where it
+    /// has none.
+    std::shared_ptr<const SpectralSampling> nodesOf(const Band& band) const;
+    std::shared_ptr<const SpectralSampling>
+    nodesAt(const std::vector<double>& wavelengths_um) const;
 
     /// The first atmosphere that has wideband terms for a band; null where there is none.
     const Atmosphere* findWideband(const SpectralRange& range) const;

@@ -14,7 +14,8 @@ constexpr double astronomicalUnit_m = 149'597'870'700.0; // IAU 2012 resolution 
 } // namespace
 
 bool Vacuum::supports(AtmosphereProperty property) const {
-    return property != AtmosphereProperty::ambientTemperature;
+    return property != AtmosphereProperty::ambientTemperature &&
+           (property != AtmosphereProperty::backgroundRadiance || background_ == Background::dark);
 }
 
 Spectrum Vacuum::nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const {
@@ -22,18 +23,20 @@ Spectrum Vacuum::nativeSpectrum(const AirQuestion& question, const SpectralRange
     case AtmosphereProperty::transmittance:
         return Spectrum::constant(1.0);
     case AtmosphereProperty::solarIrradiance:
-        return question.sun.isUp() ? extraterrestrialSolarIrradiance(range)
-                                   : Spectrum::constant(0.0);
+        return extraterrestrialSolarIrradiance(
+            range, question.sun.strength() * sunView(question.altitude_m, question.sun).part);
     default:
         return Spectrum::constant(0.0);
     }
 }
 
-Spectrum extraterrestrialSolarIrradiance(const SpectralRange& range) {
+Spectrum extraterrestrialSolarIrradiance(const SpectralRange& range, double strength) {
+    if (strength <= 0.0)
+        return Spectrum::constant(0.0);
     // E = L pi (R / d)^2: a uniform disc seen under that solid angle, on a plane normal to the
     // beam.
     const double ratio = nominalSolarRadius_m / astronomicalUnit_m;
-    return sampledPlanck(nominalSolarTemperature_K, range, pi * ratio * ratio);
+    return sampledPlanck(nominalSolarTemperature_K, range, strength * pi * ratio * ratio);
 }
 
 } // namespace irsg

@@ -135,6 +135,16 @@ def wideband(folder):
     write("atmosphere-wideband.svg", panels)
 
 
+def sunset(folder):
+    data = curves(folder / "sunset.csv")
+    greatest = max(max(ys) for name, ys in data.items() if name.startswith("direct"))
+    panel = Panel("Direct sun of 3.5-4.1 µm, W m⁻²: at 10 km, 3 km and at the ground",
+                  (-4.0, 1.0), (0.0, 1.05 * greatest), "true elevation of the sun, degrees", "W m⁻²")
+    for altitude, colour in ((10000, BLUE), (3000, GREY), (0, RED)):
+        panel.add(data["true elevation [deg]"], data[f"direct sun at {altitude} m [W m-2]"], colour)
+    write("atmosphere-sunset.svg", [panel])
+
+
 def insert_tables(file):
     page = ROOT / "docs" / "atmosphere-accuracy.md"
     text = page.read_text(encoding="utf-8")
@@ -149,4 +159,5 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     modtran(Path(sys.argv[1]))
     wideband(Path(sys.argv[1]))
+    sunset(Path(sys.argv[1]))
     insert_tables(sys.argv[2])

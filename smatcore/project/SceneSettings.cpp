@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
+#include "irsg/atmosphere/SolarPosition.h"
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/atmosphere/import/EnvironmentXml.h"
 #include "irsg/radiometry/Errors.h"
@@ -19,6 +20,9 @@ irsg::SunPosition sunFrom(const Settings& settings, const std::optional<irsg::Su
     irsg::SunPosition sun{.azimuth_rad = irsg::radians(settings.real("environment.sunAzimuth")),
                           .elevation_rad =
                               irsg::radians(settings.real("environment.sunElevation"))};
+    if (const auto day = settings.optionalReal("environment.dayOfYear")) {
+        sun.distance_au = irsg::sunDistance_au(static_cast<int>(*day));
+    }
     if (file && !settings.isSet("environment.sunAzimuth")) {
         sun.azimuth_rad = file->azimuth_rad;
     }
@@ -74,7 +78,9 @@ irsg::Environment environmentOf(const Project& project, const Settings& settings
     }
     environment.sun = sunFrom(settings, addAir(environment, resolvedAir(project, settings)));
     if (environment.atmospheres().size() == mtf.size()) {
-        environment.add(std::make_shared<irsg::Vacuum>());
+        using enum irsg::Vacuum::Background;
+        environment.add(
+            std::make_shared<irsg::Vacuum>(environment.defaultBackground ? unknown : dark));
     }
     return environment;
 }

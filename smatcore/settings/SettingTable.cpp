@@ -152,8 +152,14 @@ void addEnvironment(std::vector<SettingInfo>& table) {
                            "Environment file among the atmospheres."));
     table.push_back(number(
         "environment.sunElevation", "--sun-elevation", "Sun elevation", "deg", -90, 90, "45",
-        "Elevation of the sun above the horizon; below it no sun is reflected. Where it is not "
-        "set, that of an Environment file among the atmospheres."));
+        "True elevation of the middle of the sun above the horizontal; it sets at the horizon of "
+        "the altitude, with its disc. Where it is not set, that of an Environment file among the "
+        "atmospheres."));
+    table.push_back(choiceOrNumber(
+        "environment.dayOfYear", "--day-of-year", "Day of the year", "", {"mean"}, 1, 366, "mean",
+        "For the distance of the sun, which changes the light of a computed atmosphere and of "
+        "vacuum by -3.3 to +3.4 %; mean: one astronomical unit. Results of other programs and "
+        "spectra of CSV files are of their own day."));
     table.push_back(number("environment.ambientTemperature", "--ambient-temperature",
                            "Ambient temperature", "K", 1, 5000, "288.15",
                            "Air temperature that surfaces take part of, where no atmosphere gives "

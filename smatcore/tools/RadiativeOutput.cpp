@@ -209,10 +209,16 @@ class Output {
         }
         if (geometry_.sight) {
             angle("los_elevation [deg]", geometry_.sight->elevation_rad);
-            angle("los_azimuth [deg]", geometry_.sight->azimuth_rad);
+        }
+        if (geometry_.sight || geometry_.path) {
+            angle("los_azimuth [deg]",
+                  geometry_.sight ? geometry_.sight->azimuth_rad : geometry_.path->azimuth_rad);
         }
         angle("sun_azimuth [deg]", environment_.sun.azimuth_rad);
         angle("sun_elevation [deg]", environment_.sun.elevation_rad);
+        if (environment_.sun.distance_au != 1.0) {
+            number("sun_distance [au]", environment_.sun.distance_au);
+        }
         for (const SummaryItem& item : result_.summary) {
             provenance.add(item.unit.empty() ? item.label : item.label + " [" + item.unit + "]",
                            irsg::numberText(item.value));

@@ -29,6 +29,7 @@ TEST(AirQuestion, keysDifferInWhateverTheAnswerDependsOn) {
     EXPECT_TRUE(isNew(AirQuestion::pathRadiance(path, sun)));
     EXPECT_TRUE(isNew(AirQuestion::pathRadiance(path, {1.0, 0.6})));
     EXPECT_TRUE(isNew(AirQuestion::pathRadiance(path, {1.1, 0.5})));
+    EXPECT_TRUE(isNew(AirQuestion::pathRadiance(path, {1.0, 0.5, 0.99})));
     EXPECT_TRUE(isNew(AirQuestion::backgroundRadiance({100.0, 0.1, 0.0}, sun)));
     EXPECT_TRUE(isNew(AirQuestion::backgroundRadiance({100.0, 0.2, 0.0}, sun)));
     EXPECT_TRUE(isNew(AirQuestion::backgroundRadiance({100.0, 0.2, 0.3}, sun)));

@@ -204,10 +204,14 @@ TEST(BeerLambert, sunFluxesAndTemperatureDoNotChangeWithAltitude) {
     }
 }
 
-TEST(BeerLambert, sunOnOrBelowTheHorizonIsExactlyZero) {
+TEST(BeerLambert, sunIsHalfOnTheHorizonAndZeroBelowIt) {
     const BeerLambert air(wavy());
-    EXPECT_EQ(air.solarIrradiance(0.0, {0.0, 0.0}, mwir), Spectrum::constant(0.0));
-    EXPECT_EQ(air.solarIrradiance(0.0, {0.0, -0.3}, mwir), Spectrum::constant(0.0));
+    const Spectrum half = air.solarIrradiance(0.0, {0.0, 0.0}, mwir);
+    EXPECT_DOUBLE_EQ(half.at(4.0), 0.5 * air.parameters().solarIrradiance_W_m2_um.at(4.0));
+    EXPECT_EQ(air.solarIrradiance(0.0, {0.0, -0.3}, mwir).maximum(), 0.0);
+    // What was stated holds for its own day.
+    EXPECT_EQ(air.solarIrradiance(0.0, {0.0, 0.5, 1.01}, mwir),
+              air.parameters().solarIrradiance_W_m2_um);
 }
 
 TEST(BeerLambert, ofConstantExtinctionHoldsTheWholeSpectrum) {

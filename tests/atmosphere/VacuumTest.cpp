@@ -67,8 +67,14 @@ TEST(Vacuum, sunGivesTheSolarConstantInTotal) {
     EXPECT_NEAR(expected / total, 1.0, 3e-3);
 }
 
-TEST(Vacuum, sunOnOrBelowTheHorizonIsExactlyZero) {
-    for (const double elevation_rad : {0.0, -1e-9, -0.5 * pi}) {
+TEST(Vacuum, sunBelowTheHorizonOfTheAltitudeIsExactlyZero) {
+    const auto at = [](double altitude_m, double elevation_rad) {
+        return Vacuum().solarIrradiance(altitude_m, {1.0, elevation_rad}, whole).at(4.0);
+    };
+    EXPECT_NEAR(at(0.0, 0.0) / at(0.0, 1.0), 0.5, 1e-12);
+    EXPECT_EQ(at(1e4, radians(-2.9)), at(0.0, 1.0));
+    EXPECT_EQ(at(1e4, radians(-3.5)), 0.0);
+    for (const double elevation_rad : {-0.005, -0.1, -0.5 * pi}) {
         EXPECT_EQ(Vacuum().solarIrradiance(0.0, {1.0, elevation_rad}, whole),
                   Spectrum::constant(0.0));
     }

@@ -218,6 +218,56 @@ TEST_F(SmatBatchRadiative, WithoutAtmospheresTheDefaultBackgroundAnswers) {
     EXPECT_EQ(table.provenance.value("answered by"), "background radiance: default");
 }
 
+// The published example of NREL's Solar Position Algorithm (TP-560-34302).
+TEST_F(SmatBatchRadiative, PlacesTheSunOfAMomentAndAPlace) {
+    const std::vector<std::string> moment{
+        "--date",   "2003-10-17",           "--utc",
+        "19:30:30", "--latitude=39.742476", "--longitude=-105.1786"};
+    std::vector<std::string> arguments{"none", "--quantity", "sun", "--altitude", "1830"};
+    arguments.insert(arguments.end(), moment.begin(), moment.end());
+    const ResultTable table = made(arguments);
+    const auto number = [&](const char* key) { return std::stod(table.provenance.value(key)); };
+    EXPECT_NEAR(number("sun_azimuth [deg]"), 194.340241, 1e-3);
+    EXPECT_NEAR(number("sun_elevation [deg]"), 39.872046, 1e-3);
+    EXPECT_NEAR(number("sun_distance [au]"), 0.9965423, 1e-6);
+}
+
+TEST_F(SmatBatchRadiative, RefusesHalfAMomentAndASunBesideIt) {
+    const auto refusal = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"radiative",  "none", "--quantity", "sun",
+                                           "--altitude", "0",    "--out",      "s.csv"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Ran ran = smatBatch(arguments, folder.path());
+        EXPECT_EQ(ran.exitCode, 2) << ran.out;
+        return ran.err;
+    };
+    const std::vector<std::string> whole{"--date",   "2003-10-17",    "--utc",
+                                         "19:30:30", "--latitude=40", "--longitude=-105"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), whole.begin(), whole.end());
+        return more;
+    };
+    EXPECT_THAT(refusal({"--date", "2003-10-17"}), HasSubstr("--longitude"));
+    EXPECT_THAT(refusal({"--utc", "12:00", "--latitude=0", "--longitude=0"}), HasSubstr("--date"));
+    EXPECT_THAT(
+        refusal({"--date", "2003-02-30", "--utc", "12:00", "--latitude=0", "--longitude=0"}),
+        HasSubstr("2003-02-30"));
+    EXPECT_THAT(
+        refusal({"--date", "2003-02-03", "--utc", "12:61", "--latitude=91", "--longitude=361"}),
+        testing::AllOf(HasSubstr("12:61"), HasSubstr("91"), HasSubstr("361")));
+    EXPECT_THAT(refusal(with({"--sun-elevation", "20"})), HasSubstr("--sun-elevation"));
+    EXPECT_THAT(refusal(with({"--sun-azimuth", "20"})), HasSubstr("--sun-azimuth"));
+    EXPECT_THAT(refusal(with({"--day-of-year", "20"})), HasSubstr("--day-of-year"));
+    EXPECT_THAT(refusal({"--day-of-year", "367"}), HasSubstr("366"));
+    EXPECT_THAT(refusal({"--day-of-year", "0"}), HasSubstr("366"));
+    const Ran image = smatBatch({"image", sample("sphere/sphere.smat"), "--date", "2003-10-17",
+                                 "--utc", "19:30:30", "--latitude=40", "--longitude=-105",
+                                 "--sun-elevation", "3", "--out", "x.exr"},
+                                folder.path());
+    EXPECT_EQ(image.exitCode, 2);
+    EXPECT_THAT(image.err, HasSubstr("--sun-elevation"));
+}
+
 TEST_F(SmatBatchRadiative, InfoTellsWhatAnOutputWasMadeFor) {
     made({"haze.csv", "--quantity", "all", "--sensor-altitude", "1050", "--altitude", "1000",
           "--range", "100", "--sun-elevation", "20"});

@@ -100,6 +100,30 @@ TEST_F(EnvironmentInput, TheFirstSunAndDefaultBackgroundAreGivenBack) {
     EXPECT_EQ(environment.defaultBackground->at(4.0), 2.0);
 }
 
+// F29: of an Environment without any atmosphere the background is its own, and there is no air.
+TEST_F(EnvironmentInput, TheBackgroundOfAnEnvironmentWithoutAtmospheresIsSeenThroughVacuum) {
+    const auto world = written(
+        "world.xml", irsg::environmentXml(irsg::vectorXml("BackgroundRadianceWavelengths", "3 5") +
+                                          irsg::vectorXml("BackgroundRadianceValues", "2 3")));
+    Project project;
+    Settings settings;
+    settings.set("environment.atmospheres", world.string());
+    const irsg::Environment environment = smat::environmentOf(project, settings);
+    const irsg::SpectralPoints points({3.0, 4.0, 5.0});
+    const auto seen = environment.answer(
+        irsg::AirQuestion::backgroundRadiance({0.0, 0.2, 0.0}, environment.sun), points);
+    EXPECT_EQ(seen.value, (std::vector<double>{2.0, 2.5, 3.0}));
+    EXPECT_EQ(seen.answeredBy, "default");
+    EXPECT_EQ(environment.answer(irsg::AirQuestion::transmittance({0.0, 0.0, 1e4}), points).value,
+              (std::vector<double>{1.0, 1.0, 1.0}));
+    settings.set("environment.atmospheres", "none");
+    EXPECT_EQ(
+        smat::environmentOf(project, settings)
+            .answer(irsg::AirQuestion::backgroundRadiance({0.0, 0.2, 0.0}, environment.sun), points)
+            .answeredBy,
+        "vacuum");
+}
+
 TEST_F(EnvironmentInput, TheSunAloneIsThatOfTheWholeEnvironment) {
     const auto world =
         written("world.xml", irsg::environmentXml(irsg::numberXml("SunAzimuth", "4.0") +

@@ -36,7 +36,7 @@ class SensitiveAir : public Atmosphere {
     Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange&) const override {
         const auto& numbers = question.key(true).numbers;
         double depth = 0.0;
-        const double weights[] = {3e-5, 2e-5, 3e-3, 0.2, 0.1, 0.3};
+        const double weights[] = {3e-5, 2e-5, 3e-3, 0.2, 0.1, 0.3, 0.4};
         for (std::size_t i = 0; i < numbers.size(); ++i)
             depth += weights[i] * numbers[i];
         const double value = question.quantity == AtmosphereProperty::transmittance

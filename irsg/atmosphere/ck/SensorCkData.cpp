@@ -46,11 +46,7 @@ class BandNodes {
     BandNodes(const RadiativeTransfer& transfer, const Band& band)
         : set(transfer.nodesOf(band.range())), band_(band) {
         const BinSet& bins = transfer.gases().bins(transfer.air().resolution_cm);
-        std::size_t bin = 0; // nodesOf gives the nodes of whole bins in order
-        while (bins.nodes[bins.bins[bin].first] != set.nodes.front())
-            ++bin;
-        while (weight_.size() < set.nodes.size()) {
-            const SpectralBin& own = bins.bins[bin++];
+        for (const SpectralBin& own : transfer.binsOf(band.range())) {
             binOf_.insert(binOf_.end(), own.count, centres_um_.size());
             for (std::uint32_t i = own.first; i < own.first + own.count; ++i)
                 weight_.push_back(static_cast<double>(bins.weights[i]));
@@ -271,7 +267,10 @@ Training trainingCases(const RadiativeTransfer& transfer, const BandNodes& nodes
         if (own.size() <= 8 || number < request.paths.size() || number % 4 == 0)
             for (const Source& surface : own)
                 training.add(surface, transmittance, opaque * surface.inBand());
-        training.add(transfer.pathRadiance(set, path, request.sun), opaque * ambient_W_m2_sr);
+        // Across the sun, where its light is scattered as much as on the average over azimuths.
+        AirPath across = path;
+        across.azimuth_rad = request.sun.azimuth_rad + 0.5 * std::numbers::pi;
+        training.add(transfer.pathRadiance(set, across, request.sun), opaque * ambient_W_m2_sr);
 
         // Light that a surface reflects has been through the air twice.
         auto reflected = [&](std::vector<double> light) {

@@ -25,13 +25,18 @@ std::pair<std::size_t, std::size_t> enclosing(const BinSet& set, const SpectralR
 
 } // namespace
 
-NodeSet RadiativeTransfer::nodesOf(const SpectralRange& range) const {
+std::span<const SpectralBin> RadiativeTransfer::binsOf(const SpectralRange& range) const {
     const BinSet& set = gases().bins(air().resolution_cm);
     const auto [first, last] = enclosing(set, range);
+    return std::span(set.bins).subspan(first, last - first);
+}
+
+NodeSet RadiativeTransfer::nodesOf(const SpectralRange& range) const {
+    const BinSet& set = gases().bins(air().resolution_cm);
     NodeSet nodes;
-    for (std::size_t bin = first; bin < last; ++bin)
-        for (std::size_t i = 0; i < set.bins[bin].count; ++i) {
-            nodes.nodes.push_back(set.nodes[set.bins[bin].first + i]);
+    for (const SpectralBin& bin : binsOf(range))
+        for (std::size_t i = 0; i < bin.count; ++i) {
+            nodes.nodes.push_back(set.nodes[bin.first + i]);
             nodes.wavenumbers_cm.push_back(gases().wavenumber_cm(nodes.nodes.back()));
         }
     return nodes;

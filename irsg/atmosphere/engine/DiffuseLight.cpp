@@ -115,6 +115,7 @@ DiffuseLight::Sunlight DiffuseLight::solveSunlight(const SunPaths& sun) const {
     const std::size_t levels = column_.air().levelCount();
     Sunlight light;
     light.elevation_rad = sun.elevation_rad();
+    light.strength = sun.strength();
     for (std::vector<double>* values :
          {&light.direct, &light.scaled, &light.fluxes.up, &light.fluxes.down})
         values->assign(levels * all, 0.0);
@@ -123,8 +124,7 @@ DiffuseLight::Sunlight DiffuseLight::solveSunlight(const SunPaths& sun) const {
     std::vector<double> scaledDepth(levels * all, 0.0);
     std::vector<double> forward(all);
     for (std::size_t level = 0; level < levels; ++level) {
-        if (!sun.isLit(level))
-            continue;
+        const double part = sun.strength() * sun.part(level);
         const std::vector<double>& weights = sun.weights(level);
         double* direct = &light.direct[level * all];
         double* scaled = &light.scaled[level * all];
@@ -140,8 +140,8 @@ DiffuseLight::Sunlight DiffuseLight::solveSunlight(const SunPaths& sun) const {
         const double* above = column_.sun().data();
         for (std::size_t i = 0; i < all; ++i) {
             depth[i] = std::max(direct[i] - forward[i], 0.0);
-            scaled[i] = above[i] * (1.0 - vectorAbsorbed(depth[i]));
-            direct[i] = above[i] * (1.0 - vectorAbsorbed(direct[i]));
+            scaled[i] = part * above[i] * (1.0 - vectorAbsorbed(depth[i]));
+            direct[i] = part * above[i] * (1.0 - vectorAbsorbed(direct[i]));
         }
     }
 
@@ -181,8 +181,9 @@ std::shared_ptr<const TwoStreamFluxes> DiffuseLight::thermal() const {
 
 std::shared_ptr<const DiffuseLight::Sunlight> DiffuseLight::sunlight(const SunPaths& sun) const {
     const std::lock_guard lock(mutex_);
-    const auto known = std::ranges::find_if(
-        sunlight_, [&](const auto& kept) { return kept->elevation_rad == sun.elevation_rad(); });
+    const auto known = std::ranges::find_if(sunlight_, [&](const auto& kept) {
+        return kept->elevation_rad == sun.elevation_rad() && kept->strength == sun.strength();
+    });
     if (known != sunlight_.end()) {
         sunlight_.splice(sunlight_.begin(), sunlight_, known);
     } else {

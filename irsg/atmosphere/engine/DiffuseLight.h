@@ -30,7 +30,7 @@ class DiffuseLight {
 
     /// Everything that one elevation of the sun gives, [level][node].
     struct Sunlight {
-        double elevation_rad = 0.0;
+        double elevation_rad = 0.0, strength = 1.0;
         std::vector<double> direct; ///< normal to the beam, W m-2 um-1
         std::vector<double> scaled; ///< with what is scattered nearly forward
         TwoStreamFluxes fluxes;     ///< diffuse: what is not in `scaled`

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "irsg/atmosphere/engine/SolarSpectrum.h"
 #include "irsg/atmosphere/engine/VectorClones.h"
@@ -31,21 +30,6 @@ double henyeyGreenstein(double asymmetry, double cosine) {
     const double g2 = asymmetry * asymmetry;
     const double spread = std::max(1.0 + g2 - 2.0 * asymmetry * cosine, 1e-12);
     return (1.0 - g2) / (spread * std::sqrt(spread));
-}
-
-/// Cosines of scattering angles over which phase functions are averaged. Light of the sun travels
-/// away from the sun and on towards the sensor, so it is turned by the angle between the directions
-/// to the sun and outward along the line of sight.
-std::vector<double> scatteringCosines(const SunAngle& angle) {
-    const double up = std::sin(angle.sunElevation_rad) * std::sin(angle.sightElevation_rad);
-    const double across = std::cos(angle.sunElevation_rad) * std::cos(angle.sightElevation_rad);
-    if (angle.relativeAzimuth_rad)
-        return {std::clamp(up + across * std::cos(*angle.relativeAzimuth_rad), -1.0, 1.0)};
-    constexpr int azimuths = 32;
-    std::vector<double> cosines;
-    for (int i = 0; i < azimuths; ++i)
-        cosines.push_back(up + across * std::cos(std::numbers::pi * (i + 0.5) / azimuths));
-    return cosines;
 }
 
 IRSG_VECTOR_CLONES void blackBodies(const double* factor, const double* line, double perTemperature,
@@ -207,38 +191,37 @@ std::span<const double> NodeColumn::sun() const {
     return sun_;
 }
 
-NodeColumn::Phases NodeColumn::phases(const SunAngle& angle) const {
-    const std::vector<double> cosines = scatteringCosines(angle);
-    const double share = 1.0 / static_cast<double>(cosines.size());
-    Phases phases;
-    phases.rayleigh = 0.0;
-    for (const double cosine : cosines)
-        phases.rayleigh += share * 0.75 * (1.0 + cosine * cosine);
-    for (const Optics& optics : optics_)
-        for (const double asymmetry : optics.asymmetry) {
-            double mean = 0.0;
-            for (const double cosine : cosines)
-                mean += share * henyeyGreenstein(asymmetry, cosine);
-            phases.particles.push_back(mean);
-        }
-    return phases;
+double SunAngle::cosine() const {
+    const double up = std::sin(sunElevation_rad) * std::sin(sightElevation_rad);
+    const double across = std::cos(sunElevation_rad) * std::cos(sightElevation_rad);
+    return std::clamp(up + across * std::cos(relativeAzimuth_rad), -1.0, 1.0);
 }
 
-void NodeColumn::scatteringTowards(std::size_t index, const Phases& phases,
-                                   std::span<double> out) const {
+bool NodeColumn::scatteringBy(std::size_t kind, std::size_t index, std::span<double> out) const {
     const Level& level = withExtinction(index);
-    const std::size_t points = smoothPoints_cm_.size();
-    std::vector<double> towards(points);
-    for (std::size_t i = 0; i < points; ++i)
-        towards[i] = phases.rayleigh * level.smooth.rayleigh[i];
-    for (std::size_t kind = 0; kind < optics_.size(); ++kind) {
-        const double density_per_m = air_.particleExtinction550_per_m(kind, index);
-        if (density_per_m > 0.0)
-            for (std::size_t i = 0; i < points; ++i)
-                towards[i] += density_per_m * optics_[kind].scattering[i] *
-                              phases.particles[kind * points + i];
+    if (kind == 0) {
+        spread<double>(level.smooth.rayleigh, out);
+        return true;
     }
-    spread<double>(towards, out);
+    const double density_per_m = air_.particleExtinction550_per_m(kind - 1, index);
+    if (!(density_per_m > 0.0))
+        return false;
+    std::vector<double> scattering = optics_[kind - 1].scattering;
+    for (double& value : scattering)
+        value *= density_per_m;
+    spread<double>(scattering, out);
+    return true;
+}
+
+void NodeColumn::phaseOf(std::size_t kind, double cosine, std::span<double> out) const {
+    if (kind == 0) {
+        std::ranges::fill(out, 0.75 * (1.0 + cosine * cosine));
+        return;
+    }
+    std::vector<double> phase;
+    for (const double asymmetry : optics_[kind - 1].asymmetry)
+        phase.push_back(henyeyGreenstein(asymmetry, cosine));
+    spread<double>(phase, out);
 }
 
 } // namespace irsg

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,9 +14,12 @@ namespace irsg {
 /// Where light of the sun comes from, as seen along a line of sight.
 struct SunAngle {
     double sunElevation_rad = 0.0;
-    double sightElevation_rad = 0.0; ///< of the direction from the sensor outward
-    /// Azimuth of the line of sight from that of the sun; none: the mean over all azimuths.
-    std::optional<double> relativeAzimuth_rad;
+    double sightElevation_rad = 0.0;  ///< of the direction from the sensor outward
+    double relativeAzimuth_rad = 0.0; ///< of the line of sight from that of the sun
+
+    /// Of the angle by which light of the sun is turned towards the sensor: that between the
+    /// directions to the sun and outward along the line of sight.
+    double cosine() const;
 };
 
 /// Extinction, scattering and emission of the air at every level and at some nodes of the spectrum.
@@ -50,15 +52,13 @@ class NodeColumn {
     /// The sun above the atmosphere, W m-2 um-1.
     std::span<const double> sun() const;
 
-    /// Phase functions, mean 1 over the sphere, for one angle: Rayleigh's, and Henyey and
-    /// Greenstein's for every kind of particles.
-    struct Phases {
-        double rayleigh = 1.0;
-        std::vector<double> particles; ///< [kind][smooth point]
-    };
-    Phases phases(const SunAngle& angle) const;
-    /// Scattering times phase function, m-1.
-    void scatteringTowards(std::size_t level, const Phases& phases, std::span<double> out) const;
+    /// What scatters: the molecules, kind 0, and every kind of particles after them.
+    std::size_t scattererCount() const { return 1 + optics_.size(); }
+    /// Scattering by one of them, m-1; false where there is none.
+    bool scatteringBy(std::size_t kind, std::size_t level, std::span<double> out) const;
+    /// Its phase function, mean 1 over the sphere, for a cosine of the angle of scattering:
+    /// Rayleigh's, and Henyey and Greenstein's for particles.
+    void phaseOf(std::size_t kind, double cosine, std::span<double> out) const;
 
   private:
     /// Slowly varying parts at the smooth points of one level, m-1.

@@ -140,22 +140,80 @@ void LevelSources::between(std::size_t layer, double f, Rows& rows) const {
                   rows.mean.data(), rows.slope.data());
 }
 
+BeamSources::BeamSources(const NodeColumn& column, std::size_t kinds, BeamEmission emission)
+    : column_(column),
+      kinds_(kinds),
+      emission_(std::move(emission)),
+      levels_(kinds * column.air().levelCount()) {}
+
+BeamSources::Row BeamSources::emittedAt(std::size_t level, std::size_t kind) const {
+    Row row(column_.size());
+    return emission_(level, kind, row) ? row : Row();
+}
+
+const BeamSources::Row& BeamSources::at(std::size_t index, std::size_t kind) const {
+    Level& level = levels_.at(index * kinds_ + kind);
+    level.once.call([&] {
+        Row row = emittedAt(index, kind);
+        const float* extinction = column_.extinction(index).data();
+        for (std::size_t i = 0; i < row.size(); ++i)
+            row[i] = extinction[i] > 0.0f ? row[i] / static_cast<double>(extinction[i]) : 0.0;
+        level.row = std::move(row);
+    });
+    return level.row;
+}
+
+BeamSources::Row BeamSources::between(std::size_t layer, double f, std::size_t kind) const {
+    // From the sources at the levels back to what they emit.
+    const Row &below = at(layer, kind), &above = at(layer + 1, kind);
+    if (below.empty() && above.empty())
+        return {};
+    const float* lower = column_.extinction(layer).data();
+    const float* upper = column_.extinction(layer + 1).data();
+    Row row(column_.size(), 0.0);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const double low = (1.0 - f) * static_cast<double>(lower[i]);
+        const double high = f * static_cast<double>(upper[i]);
+        if (low + high > 0.0)
+            row[i] =
+                ((below.empty() ? 0.0 : low * below[i]) + (above.empty() ? 0.0 : high * above[i])) /
+                (low + high);
+    }
+    return row;
+}
+
 namespace {
 
-/// The source function where a ray enters or leaves a piece: that of a level, or in `room`.
-const LevelSources::Rows& sourceAtEnd(const LevelSources& sources, std::size_t layer,
-                                      double altitude_m, LevelSources::Rows& room) {
-    const std::vector<double>& altitudes_m = sources.column().air().altitudes_m();
+/// Where an end of a piece stands in its layer, 0 to 1; what is next to a level is at it.
+double partOf(const NodeColumn& column, std::size_t layer, double altitude_m) {
+    const std::vector<double>& altitudes_m = column.air().altitudes_m();
     const double f = std::clamp((altitude_m - altitudes_m[layer]) /
                                     (altitudes_m[layer + 1] - altitudes_m[layer]),
                                 0.0, 1.0);
     constexpr double same = 1e-9;
-    if (f < same || f > 1.0 - same)
-        return sources.at(f < same ? layer : layer + 1);
+    return f < same ? 0.0 : f > 1.0 - same ? 1.0 : f;
+}
+
+/// The source function where a ray enters or leaves a piece: that of a level, or in `room`.
+const LevelSources::Rows& sourceAtEnd(const LevelSources& sources, std::size_t layer,
+                                      double altitude_m, LevelSources::Rows& room) {
+    const double f = partOf(sources.column(), layer, altitude_m);
+    if (f == 0.0 || f == 1.0)
+        return sources.at(f == 0.0 ? layer : layer + 1);
     if (room.mean.empty())
         room = LevelSources::Rows(sources.column().size());
     sources.between(layer, f, room);
     return room;
+}
+
+/// The same of the beam.
+const BeamSources::Row& beamAtEnd(const BeamSources& beams, const NodeColumn& column,
+                                  std::size_t layer, double altitude_m, std::size_t kind,
+                                  BeamSources::Row& room) {
+    const double f = partOf(column, layer, altitude_m);
+    if (f == 0.0 || f == 1.0)
+        return beams.at(f == 0.0 ? layer : layer + 1, kind);
+    return room = beams.between(layer, f, kind);
 }
 
 /// What the slope of a source that is linear in optical depth adds, per difference of its ends:
@@ -175,9 +233,15 @@ struct Crossing {
     const float *lower, *upper; ///< extinction at the levels
 };
 
+/// How much the sources at the near end of a piece, and their difference to the far end, add to
+/// what is seen, per node.
+struct Shares {
+    std::vector<double> near, difference;
+};
+
 /// Adds what a piece of a ray sends through everything before it.
 IRSG_VECTOR_CLONES void cross(const Crossing& piece, const LevelSources::Rows& near,
-                              const LevelSources::Rows& far, PathLight& light) {
+                              const LevelSources::Rows& far, PathLight& light, Shares& shares) {
     const std::size_t n = light.radiance.size();
     const double lowerWeight = piece.lowerWeight_m, upperWeight = piece.upperWeight_m;
     const double sine = piece.sinElevation;
@@ -185,40 +249,78 @@ IRSG_VECTOR_CLONES void cross(const Crossing& piece, const LevelSources::Rows& n
     const double *nearMean = near.mean.data(), *nearSlope = near.slope.data();
     const double *farMean = far.mean.data(), *farSlope = far.slope.data();
     double *transmittance = light.transmittance.data(), *radiance = light.radiance.data();
+    double *ofNear = shares.near.data(), *ofDifference = shares.difference.data();
     for (std::size_t i = 0; i < n; ++i) {
         const double t = lowerWeight * static_cast<double>(lower[i]) +
                          upperWeight * static_cast<double>(upper[i]);
         const double absorbed = vectorAbsorbed(t);
         const double nearSource = nearMean[i] - sine * nearSlope[i];
         const double step = farMean[i] - sine * farSlope[i] - nearSource;
-        radiance[i] += transmittance[i] * (nearSource * absorbed + step * slopeShare(t, absorbed));
+        ofNear[i] = transmittance[i] * absorbed;
+        ofDifference[i] = transmittance[i] * slopeShare(t, absorbed);
+        radiance[i] += ofNear[i] * nearSource + ofDifference[i] * step;
         const double left = transmittance[i] * (1.0 - absorbed);
         transmittance[i] = left < 1e-150 ? 0.0 : left; // before numbers become slow
     }
 }
 
+IRSG_VECTOR_CLONES void addWeighted(const double* weight, double sign, const double* row,
+                                    std::size_t n, double* sum) {
+    for (std::size_t i = 0; i < n; ++i)
+        sum[i] += sign * weight[i] * row[i];
+}
+
+/// Adds one kind of the beam over a piece between sources that may be nothing.
+void crossBeam(const BeamSources::Row& near, const BeamSources::Row& far, const Shares& shares,
+               std::vector<double>& radiance) {
+    if (!near.empty()) {
+        addWeighted(shares.near.data(), 1.0, near.data(), near.size(), radiance.data());
+        addWeighted(shares.difference.data(), -1.0, near.data(), near.size(), radiance.data());
+    }
+    if (!far.empty())
+        addWeighted(shares.difference.data(), 1.0, far.data(), far.size(), radiance.data());
+}
+
 } // namespace
 
-PathLight lightAlong(const LevelSources& sources, const RayPath& path) {
+PathLight lightAlong(const LevelSources& sources, const RayPath& path, const BeamSources* beams) {
     const NodeColumn& column = sources.column();
     const std::size_t n = column.size();
-    PathLight light{std::vector<double>(n, 1.0), std::vector<double>(n, 0.0)};
+    const std::size_t kinds = beams ? beams->kinds() : 0;
+    PathLight light{std::vector<double>(n, 1.0), std::vector<double>(n, 0.0),
+                    std::vector<std::vector<double>>(kinds, std::vector<double>(n, 0.0))};
     if (path.segments.empty())
         return light;
 
     LevelSources::Rows rooms[2]; // for the ends of a path, between levels, in turn
+    std::vector<BeamSources::Row> beamRooms[2] = {std::vector<BeamSources::Row>(kinds),
+                                                  std::vector<BeamSources::Row>(kinds)};
+    Shares shares{std::vector<double>(n), std::vector<double>(n)};
     const RaySegment& first = path.segments.front();
-    const LevelSources::Rows* near = &sourceAtEnd(sources, static_cast<std::size_t>(first.layer),
-                                                  first.startAltitude_m, rooms[0]);
+    const auto firstLayer = static_cast<std::size_t>(first.layer);
+    const LevelSources::Rows* near =
+        &sourceAtEnd(sources, firstLayer, first.startAltitude_m, rooms[0]);
+    std::vector<const BeamSources::Row*> nearBeams(kinds), farBeams(kinds);
+    for (std::size_t kind = 0; kind < kinds; ++kind)
+        nearBeams[kind] =
+            &beamAtEnd(*beams, column, firstLayer, first.startAltitude_m, kind, beamRooms[0][kind]);
+    std::size_t room = 1;
     for (const RaySegment& segment : path.segments) {
         const auto layer = static_cast<std::size_t>(segment.layer);
-        LevelSources::Rows& room = near == &rooms[0] ? rooms[1] : rooms[0];
-        const LevelSources::Rows& far = sourceAtEnd(sources, layer, segment.endAltitude_m, room);
+        const LevelSources::Rows& far =
+            sourceAtEnd(sources, layer, segment.endAltitude_m, rooms[room]);
         cross({segment.length_m * (1.0 - segment.meanFraction),
                segment.length_m * segment.meanFraction, segment.sinElevation,
                column.extinction(layer).data(), column.extinction(layer + 1).data()},
-              *near, far, light);
+              *near, far, light, shares);
         near = &far;
+        for (std::size_t kind = 0; kind < kinds; ++kind) {
+            farBeams[kind] = &beamAtEnd(*beams, column, layer, segment.endAltitude_m, kind,
+                                        beamRooms[room][kind]);
+            crossBeam(*nearBeams[kind], *farBeams[kind], shares, light.beams[kind]);
+        }
+        std::swap(nearBeams, farBeams);
+        room = 1 - room;
     }
     return light;
 }

@@ -61,16 +61,53 @@ class LevelSources {
     mutable std::vector<Level> levels_;
 };
 
+/// Writes what a level scatters of the beam of the sun by one kind of scatterer, per node, as if it
+/// scattered alike in all directions, W m-3 sr-1 um-1. False where it is nothing.
+using BeamEmission =
+    std::function<bool(std::size_t level, std::size_t kind, std::span<double> emission)>;
+
+/// The source functions of the beam, scattered once, kind by kind of scatterer: what light comes
+/// out at an angle is the product with a phase function, so that one pass along a ray serves for
+/// all azimuths. Computed when first asked for, and kept. Const members may be called from several
+/// threads.
+class BeamSources {
+  public:
+    /// What is referred to must live as long.
+    BeamSources(const NodeColumn& column, std::size_t kinds, BeamEmission emission);
+
+    std::size_t kinds() const { return kinds_; }
+    /// Per node; empty where it is nothing.
+    using Row = std::vector<double>;
+    const Row& at(std::size_t level, std::size_t kind) const;
+    /// In a layer at its part `f`.
+    Row between(std::size_t layer, double f, std::size_t kind) const;
+
+  private:
+    struct Level {
+        Once once;
+        Row row;
+    };
+    Row emittedAt(std::size_t level, std::size_t kind) const;
+
+    const NodeColumn& column_;
+    std::size_t kinds_;
+    BeamEmission emission_;
+    mutable std::vector<Level> levels_; ///< [level][kind]
+};
+
 /// Light from along a ray and the share that passes all of it, per node.
 struct PathLight {
     std::vector<double> transmittance;
     std::vector<double> radiance; ///< W m-2 sr-1 um-1 at the sensor
+    /// Of the beam of the sun, by kind, for phase functions of 1.
+    std::vector<std::vector<double>> beams = {};
 };
 
 /// Integrates the equation of transfer along a ray, from the sensor outward: in every segment the
 /// source function is linear in optical depth between its values at the segment's ends. Exact for
 /// isothermal air, for optically thin and thick segments.
-PathLight lightAlong(const LevelSources& sources, const RayPath& path);
+PathLight lightAlong(const LevelSources& sources, const RayPath& path,
+                     const BeamSources* beams = nullptr);
 PathLight lightAlong(const NodeColumn& column, const RayPath& path, ScatteredEmission scattered);
 
 } // namespace irsg

@@ -24,12 +24,26 @@ constexpr std::size_t nodesAtOnce = 2048; ///< nodes that are computed and kept 
 constexpr std::size_t blocksKept = 24;    ///< of up to 18 MB each, with sun and diffuse light
 constexpr std::size_t sunsKept = 8;
 constexpr std::size_t raysKept = 16;
+constexpr std::size_t litKept = 2; ///< suns whose sources a block keeps
 
 /// The ray of a path, and what every level counts along it.
 struct PathRay {
     AirPath path;
     RayPath ray;
     std::vector<double> weights;
+};
+
+/// Source functions under one sun: what does not depend on the azimuth, and its beam.
+struct LitSources {
+    LitSources(const NodeColumn& column, std::shared_ptr<const DiffuseLight::Sunlight> sun,
+               ScatteredEmission diffuse, BeamEmission beam)
+        : light(std::move(sun)),
+          even(column, std::move(diffuse)),
+          beams(column, column.scattererCount(), std::move(beam)) {}
+
+    std::shared_ptr<const DiffuseLight::Sunlight> light;
+    LevelSources even;
+    BeamSources beams;
 };
 
 /// Nodes that belong together and what is known of the air at them.
@@ -41,9 +55,11 @@ struct Block {
 
     NodeColumn column;
     DiffuseLight light;
-    /// Source functions without the sun, see State::lightAlong.
+    /// Source functions without the sun, and those of the last few suns: see State::lightAlong.
     mutable Once darkOnce;
     mutable std::optional<LevelSources> dark;
+    mutable std::mutex litMutex;
+    mutable std::list<std::shared_ptr<const LitSources>> lit; ///< the latest first
 };
 
 /// One of the parts that extinction is made of, m-1 at a node of a level of air.
@@ -122,14 +138,15 @@ struct RadiativeTransfer::State {
         return blocks.front();
     }
 
-    std::shared_ptr<const SunPaths> sunPaths(double elevation_rad) {
+    std::shared_ptr<const SunPaths> sunPaths(const SunPosition& sun) {
         const std::lock_guard lock(mutex);
-        const auto known = std::ranges::find_if(
-            suns, [&](const auto& kept) { return kept->elevation_rad() == elevation_rad; });
+        const auto known = std::ranges::find_if(suns, [&](const auto& kept) {
+            return kept->elevation_rad() == sun.elevation_rad && kept->strength() == sun.strength();
+        });
         if (known != suns.end()) {
             suns.splice(suns.begin(), suns, known);
         } else {
-            suns.push_front(std::make_shared<const SunPaths>(tracer, elevation_rad));
+            suns.push_front(std::make_shared<const SunPaths>(tracer, sun));
             if (suns.size() > sunsKept)
                 suns.pop_back();
         }
@@ -172,50 +189,95 @@ struct RadiativeTransfer::State {
         return values;
     }
 
-    /// What the air scatters into a path, see `ScatteringMode`; `light` is null in the dark.
-    /// Whatever it refers to must outlive it.
+    /// Diffuse light that the air scatters into a path, see `ScatteringMode`; `light` is null in
+    /// the dark. Whatever it refers to must outlive it.
     ScatteredEmission scattered(const Block& block,
-                                const std::shared_ptr<const DiffuseLight::Sunlight>& light,
-                                const SunAngle& angle) const {
+                                const std::shared_ptr<const DiffuseLight::Sunlight>& light) const {
         std::shared_ptr<const TwoStreamFluxes> thermal;
         if (air.scattering == ScatteringMode::twoStream)
             thermal = block.light.thermal();
-        NodeColumn::Phases phases;
-        if (light)
-            phases = block.column.phases(angle);
-        return [&block, light, thermal, phases = std::move(phases)](
-                   std::size_t level, std::span<double> mean, std::span<double> slope) {
+        return [&block, light, thermal](std::size_t level, std::span<double> mean,
+                                        std::span<double> slope) {
             if (thermal) {
                 block.light.scattered(level, *thermal, light.get(), mean, slope);
-            } else {
-                // What surrounds the air is as warm as the air.
-                std::ranges::transform(block.column.scattering(level), block.column.planck(level),
-                                       mean.begin(), [](float scattering, double planck) {
-                                           return static_cast<double>(scattering) * planck;
-                                       });
-                std::ranges::fill(slope, 0.0);
-            }
-            if (!light)
                 return;
-            // The beam itself, scattered once. Where a diffuse field is known, the beam holds what
-            // was scattered nearly forward, which that field lacks.
-            const std::size_t n = mean.size();
-            std::vector<double> towards(n);
-            block.column.scatteringTowards(level, phases, towards);
-            const double* beam = (thermal ? light->scaled : light->direct).data() + level * n;
-            for (std::size_t i = 0; i < n; ++i)
-                mean[i] += 0.25 * std::numbers::inv_pi * towards[i] * beam[i];
+            }
+            // What surrounds the air is as warm as the air.
+            std::ranges::transform(block.column.scattering(level), block.column.planck(level),
+                                   mean.begin(), [](float scattering, double planck) {
+                                       return static_cast<double>(scattering) * planck;
+                                   });
+            std::ranges::fill(slope, 0.0);
         };
     }
 
-    /// In the dark sources depend on the level alone, and are kept.
+    /// The beam itself, scattered once. Where a diffuse field is known, the beam holds what was
+    /// scattered nearly forward, which that field lacks.
+    BeamEmission beamOf(const Block& block,
+                        const std::shared_ptr<const DiffuseLight::Sunlight>& light) const {
+        const bool isScaled = air.scattering == ScatteringMode::twoStream;
+        return [&block, light, isScaled](std::size_t level, std::size_t kind,
+                                         std::span<double> emission) {
+            if (!block.column.scatteringBy(kind, level, emission))
+                return false;
+            const double* beam =
+                (isScaled ? light->scaled : light->direct).data() + level * emission.size();
+            for (std::size_t i = 0; i < emission.size(); ++i)
+                emission[i] *= 0.25 * std::numbers::inv_pi * beam[i];
+            return true;
+        };
+    }
+
+    std::shared_ptr<const LitSources>
+    litSources(const Block& block,
+               const std::shared_ptr<const DiffuseLight::Sunlight>& light) const {
+        const std::lock_guard lock(block.litMutex);
+        const auto known =
+            std::ranges::find_if(block.lit, [&](const auto& kept) { return kept->light == light; });
+        if (known != block.lit.end()) {
+            block.lit.splice(block.lit.begin(), block.lit, known);
+        } else {
+            block.lit.push_front(std::make_shared<const LitSources>(
+                block.column, light, scattered(block, light), beamOf(block, light)));
+            if (block.lit.size() > litKept)
+                block.lit.pop_back();
+        }
+        return block.lit.front();
+    }
+
+    /// Sources depend on the level and the sun's elevation alone, and are kept.
     PathLight lightAlong(const Block& block, const RayPath& ray,
-                         const std::shared_ptr<const DiffuseLight::Sunlight>& light,
-                         const SunAngle& angle) const {
-        if (light)
-            return irsg::lightAlong(block.column, ray, scattered(block, light, angle));
-        block.darkOnce.call([&] { block.dark.emplace(block.column, scattered(block, {}, {})); });
+                         const std::shared_ptr<const DiffuseLight::Sunlight>& light) const {
+        if (light) {
+            const auto sources = litSources(block, light);
+            return irsg::lightAlong(sources->even, ray, &sources->beams);
+        }
+        block.darkOnce.call([&] { block.dark.emplace(block.column, scattered(block, {})); });
         return irsg::lightAlong(*block.dark, ray);
+    }
+
+    /// Light along a ray at all nodes; `behind(block, along, light, values)` adds what is seen at
+    /// its far end.
+    template <typename Behind>
+    DirectedLight directed(const NodeSet& set, const RayPath& ray, const SunPosition& sun,
+                           Behind behind) {
+        DirectedLight all;
+        all.even.assign(set.nodes.size(), 0.0);
+        const auto paths = sunPaths(sun);
+        std::size_t first = 0;
+        forEachBlock(set, [&](const Block& block, std::span<double> values) {
+            const auto light = sunlight(block, *paths);
+            const PathLight along = lightAlong(block, ray, light);
+            std::ranges::copy(along.radiance, values.begin());
+            behind(block, along, light.get(), values);
+            std::ranges::copy(values, all.even.begin() + static_cast<std::ptrdiff_t>(first));
+            all.beams.resize(along.beams.size(), std::vector<double>(set.nodes.size(), 0.0));
+            for (std::size_t kind = 0; kind < along.beams.size(); ++kind)
+                std::ranges::copy(along.beams[kind],
+                                  all.beams[kind].begin() + static_cast<std::ptrdiff_t>(first));
+            first += values.size();
+        });
+        return all;
     }
 
     std::shared_ptr<const DiffuseLight::Sunlight> sunlight(const Block& block,
@@ -277,61 +339,93 @@ std::vector<double> RadiativeTransfer::componentTransmittance(const NodeSet& set
     });
 }
 
+DirectedLight RadiativeTransfer::pathLight(const NodeSet& set, const AirPath& path,
+                                           const SunPosition& sun) const {
+    const auto own = state_->ray(path);
+    if (own->ray.segments.empty())
+        return {0.0, std::vector<double>(set.nodes.size(), 0.0), {}};
+    DirectedLight light =
+        state_->directed(set, own->ray, sun, [](const auto&, const auto&, const auto*, auto) {});
+    light.sightElevation_rad = std::asin(own->ray.segments.front().sinElevation);
+    return light;
+}
+
+DirectedLight RadiativeTransfer::skyLight(const NodeSet& set, const LineOfSight& sight,
+                                          const SunPosition& sun) const {
+    const RayPath ray = state_->tracer.along(sight);
+    if (ray.segments.empty() && ray.end == RayPath::End::space)
+        return {sight.elevation_rad, std::vector<double>(set.nodes.size(), 0.0), {}};
+    DirectedLight light = state_->directed(
+        set, ray, sun,
+        [&](const Block& block, const PathLight& along, const DiffuseLight::Sunlight* sunlight,
+            std::span<double> values) {
+            if (ray.end != RayPath::End::ground)
+                return;
+            // The ground is Lambertian: what leaves it, emitted and reflected, is the upward flux.
+            const auto thermal = block.light.thermal();
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                const double leaving = thermal->up[i] + (sunlight ? sunlight->fluxes.up[i] : 0.0);
+                values[i] += along.transmittance[i] * leaving * std::numbers::inv_pi;
+            }
+        });
+    light.sightElevation_rad = sight.elevation_rad;
+    return light;
+}
+
+std::vector<double> RadiativeTransfer::towards(const NodeSet& set, const DirectedLight& light,
+                                               double sunElevation_rad,
+                                               double relativeAzimuth_rad) const {
+    if (light.beams.empty())
+        return light.even;
+    const double cosine =
+        SunAngle{sunElevation_rad, light.sightElevation_rad, relativeAzimuth_rad}.cosine();
+    std::size_t first = 0;
+    return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
+        std::copy_n(light.even.begin() + static_cast<std::ptrdiff_t>(first), values.size(),
+                    values.begin());
+        std::vector<double> phase(values.size());
+        for (std::size_t kind = 0; kind < light.beams.size(); ++kind) {
+            block.column.phaseOf(kind, cosine, phase);
+            const double* beam = light.beams[kind].data() + first;
+            for (std::size_t i = 0; i < values.size(); ++i)
+                values[i] += phase[i] * beam[i];
+        }
+        first += values.size();
+    });
+}
+
 std::vector<double> RadiativeTransfer::pathRadiance(const NodeSet& set, const AirPath& path,
                                                     const SunPosition& sun) const {
-    const auto own = state_->ray(path);
-    const RayPath& ray = own->ray;
-    if (ray.segments.empty())
-        return std::vector<double>(set.nodes.size(), 0.0);
-    const auto paths = state_->sunPaths(sun.elevation_rad);
-    const SunAngle angle{sun.elevation_rad, std::asin(ray.segments.front().sinElevation), {}};
-    return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
-        const auto light = state_->sunlight(block, *paths);
-        const PathLight along = state_->lightAlong(block, ray, light, angle);
-        std::ranges::copy(along.radiance, values.begin());
-    });
+    return towards(set, pathLight(set, path, sun), sun.elevation_rad,
+                   path.azimuth_rad - sun.azimuth_rad);
 }
 
 std::vector<double> RadiativeTransfer::backgroundRadiance(const NodeSet& set,
                                                           const LineOfSight& sight,
                                                           const SunPosition& sun) const {
-    const RayPath ray = state_->tracer.along(sight);
-    if (ray.segments.empty() && ray.end == RayPath::End::space)
-        return std::vector<double>(set.nodes.size(), 0.0);
-    const auto paths = state_->sunPaths(sun.elevation_rad);
-    const SunAngle angle{sun.elevation_rad, sight.elevation_rad,
-                         sight.azimuth_rad - sun.azimuth_rad};
-    return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
-        const auto light = state_->sunlight(block, *paths);
-        const PathLight along = state_->lightAlong(block, ray, light, angle);
-        std::ranges::copy(along.radiance, values.begin());
-        if (ray.end != RayPath::End::ground)
-            return;
-        // The ground is Lambertian: what leaves it, emitted and reflected, is the upward flux.
-        const auto thermal = block.light.thermal();
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            const double leaving = thermal->up[i] + (light ? light->fluxes.up[i] : 0.0);
-            values[i] += along.transmittance[i] * leaving * std::numbers::inv_pi;
-        }
-    });
+    return towards(set, skyLight(set, sight, sun), sun.elevation_rad,
+                   sight.azimuth_rad - sun.azimuth_rad);
 }
 
 std::vector<double> RadiativeTransfer::solarIrradiance(const NodeSet& set, double altitude_m,
                                                        const SunPosition& sun) const {
-    const RayPath ray = state_->tracer.towardsSun(altitude_m, sun.elevation_rad);
-    if (ray.end != RayPath::End::space)
+    const auto [visible, ray] = state_->tracer.sunbeam(altitude_m, sun.elevation_rad);
+    const double part = visible * sun.strength();
+    if (part <= 0.0)
         return std::vector<double>(set.nodes.size(), 0.0);
     const std::vector<double> weights = levelWeights(ray, state_->column.levelCount());
     return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
         opticalDepth(block.column, weights, Depth::extinction, values);
         turnToTransmittance(values);
-        std::ranges::transform(values, block.column.sun(), values.begin(), std::multiplies());
+        std::ranges::transform(
+            values, block.column.sun(), values.begin(),
+            [part](double transmitted, double above) { return part * transmitted * above; });
     });
 }
 
 std::vector<double> RadiativeTransfer::upwardFlux(const NodeSet& set, double altitude_m,
                                                   const SunPosition& sun) const {
-    const auto paths = state_->sunPaths(sun.elevation_rad);
+    const auto paths = state_->sunPaths(sun);
     return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
         interpolateLevels(state_->column, block.light.thermal()->up, altitude_m, values);
         const auto light = state_->sunlight(block, *paths);
@@ -345,7 +439,7 @@ std::vector<double> RadiativeTransfer::upwardFlux(const NodeSet& set, double alt
 
 std::vector<double> RadiativeTransfer::downwardFlux(const NodeSet& set, double altitude_m,
                                                     const SunPosition& sun) const {
-    const auto paths = state_->sunPaths(sun.elevation_rad);
+    const auto paths = state_->sunPaths(sun);
     return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
         interpolateLevels(state_->column, block.light.thermal()->down, altitude_m, values);
         const auto light = state_->sunlight(block, *paths);

@@ -33,6 +33,15 @@ struct NodeSet {
     std::vector<double> wavenumbers_cm; ///< at which continua, particles, Planck and sun are taken
 };
 
+/// Light along a ray, apart by what depends on the azimuth between the ray and the sun: the sun's
+/// beam scattered once does, by one phase function for each kind of scatterer.
+struct DirectedLight {
+    double sightElevation_rad = 0.0; ///< of the direction outward, at the sensor
+    std::vector<double> even;        ///< the same at all azimuths, per node, W m-2 sr-1 um-1
+    /// Of the beam, for phase functions of 1, by kind; empty in the dark.
+    std::vector<std::vector<double>> beams;
+};
+
 /// Radiative transfer through a spherical, refracting, scattering atmosphere, monochromatic at
 /// every node. Extinction is linear in altitude between grid levels; emission is linear in optical
 /// depth along a segment. Scattered light is single scattering of the sun on the line of sight
@@ -42,8 +51,7 @@ struct NodeSet {
 /// In single mode what is scattered into a path of heat is as if all around were as warm as the air
 /// there: air then radiates with all of its extinction (as MODTRAN without multiple scattering).
 /// Fluxes, and the light that the ground reflects, are those of the two-stream solution in both
-/// modes. The sun has the same elevation all along a path, and a finite path sees the mean of its
-/// scattered light over all azimuths, whatever its own.
+/// modes. The sun has the same elevation all along a path.
 ///
 /// Extinction at a node and level is computed when first asked and kept, so a path costs what it
 /// touches. Const members may be called from several threads.
@@ -60,6 +68,9 @@ class RadiativeTransfer {
     /// its centre inside the range. LogicError where the table has no bin in the range.
     NodeSet nodesOf(const SpectralRange& range) const;
 
+    /// The bins of these nodes, ascending in wavenumber.
+    std::span<const SpectralBin> binsOf(const SpectralRange& range) const;
+
     /// Values per node, in the order of the set. Radiances per um at the node's wavenumber. They
     /// throw what RayTracer throws for geometry that cannot be.
     std::vector<double> transmittance(const NodeSet& set, const AirPath& path) const;
@@ -67,6 +78,12 @@ class RadiativeTransfer {
                                      const SunPosition& sun) const;
     std::vector<double> backgroundRadiance(const NodeSet& set, const LineOfSight& sight,
                                            const SunPosition& sun) const;
+    /// The same two for all azimuths, and one azimuth from that.
+    DirectedLight pathLight(const NodeSet& set, const AirPath& path, const SunPosition& sun) const;
+    DirectedLight skyLight(const NodeSet& set, const LineOfSight& sight,
+                           const SunPosition& sun) const;
+    std::vector<double> towards(const NodeSet& set, const DirectedLight& light,
+                                double sunElevation_rad, double relativeAzimuth_rad) const;
     std::vector<double> solarIrradiance(const NodeSet& set, double altitude_m,
                                         const SunPosition& sun) const;
     std::vector<double> upwardFlux(const NodeSet& set, double altitude_m,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "irsg/atmosphere/SunDiscGeometry.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 
@@ -349,7 +350,16 @@ double RayTracer::trueElevation(double altitude_m, double apparent_rad) const {
     return elevationOf(layers_.w_m(top), topU_m) - angle_rad;
 }
 
-RayPath RayTracer::towardsSun(double altitude_m, double trueElevation_rad) const {
+double RayTracer::horizonElevation_rad(double altitude_m) const {
+    requireAltitude(altitude_m, "altitude");
+    return groundElevation(layers_.place(altitude_m));
+}
+
+double RayTracer::trueHorizonElevation_rad(double altitude_m) const {
+    return trueElevation(altitude_m, horizonElevation_rad(altitude_m));
+}
+
+std::optional<double> RayTracer::apparentOf(double altitude_m, double trueElevation_rad) const {
     requireAltitude(altitude_m, "altitude");
     require(std::abs(trueElevation_rad) <= 0.5 * pi + 1e-12, "elevation of the sun",
             trueElevation_rad, "-pi/2 to pi/2");
@@ -359,17 +369,40 @@ RayPath RayTracer::towardsSun(double altitude_m, double trueElevation_rad) const
     const auto excess = [&](double apparent_rad) {
         return trueElevation(altitude_m, apparent_rad) - wanted_rad;
     };
+    if (wanted_rad < lowest_rad + 0.1 && excess(lowest_rad) > 0.0)
+        return std::nullopt;
+    const double guess = std::max(wanted_rad, lowest_rad);
+    return wanted_rad >= 0.5 * pi ? 0.5 * pi
+                                  : rootOfRising(excess, guess, lowest_rad, highest_rad, 1e-13);
+}
+
+double RayTracer::apparentElevation_rad(double altitude_m, double trueElevation_rad) const {
+    if (const auto apparent_rad = apparentOf(altitude_m, trueElevation_rad))
+        return *apparent_rad;
+    return horizonElevation_rad(altitude_m) + trueElevation_rad -
+           trueHorizonElevation_rad(altitude_m);
+}
+
+RayPath RayTracer::towardsSun(double altitude_m, double trueElevation_rad) const {
+    if (const auto apparent_rad = apparentOf(altitude_m, trueElevation_rad)) {
+        RayPath path = along({altitude_m, *apparent_rad, 0.0});
+        if (path.end == RayPath::End::space)
+            return path;
+    }
     RayPath hidden;
     hidden.end = RayPath::End::ground;
-    hidden.endElevation_rad = wanted_rad;
-    if (wanted_rad < lowest_rad + 0.1 && excess(lowest_rad) > 0.0)
-        return hidden;
-    const double guess = std::max(wanted_rad, lowest_rad);
-    const double apparent_rad = wanted_rad >= 0.5 * pi
-                                    ? 0.5 * pi
-                                    : rootOfRising(excess, guess, lowest_rad, highest_rad, 1e-13);
-    RayPath path = along({altitude_m, apparent_rad, 0.0});
-    return path.end == RayPath::End::space ? path : hidden;
+    hidden.endElevation_rad = trueElevation_rad;
+    return hidden;
+}
+
+RayTracer::Sunbeam RayTracer::sunbeam(double altitude_m, double trueElevation_rad) const {
+    // So far above the grazing ray that rounding does not let it meet the ground.
+    constexpr double margin_rad = 1e-9;
+    const double horizon_rad = trueHorizonElevation_rad(altitude_m);
+    const VisibleSun sun = visibleSun(trueElevation_rad - horizon_rad);
+    const double middle_rad =
+        std::max(trueElevation_rad + sun.middleAbove_rad, horizon_rad + margin_rad);
+    return {sun.part, towardsSun(altitude_m, std::min(middle_rad, 0.5 * pi))};
 }
 
 } // namespace irsg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "irsg/atmosphere/AirQuestion.h"
@@ -70,6 +71,23 @@ class RayTracer {
     /// searched); no segments and end `ground` where the earth hides it.
     RayPath towardsSun(double altitude_m, double trueElevation_rad) const;
 
+    /// Apparent elevation below which lines of sight from an altitude end on the ground, and the
+    /// true elevation of what is seen there.
+    double horizonElevation_rad(double altitude_m) const;
+    double trueHorizonElevation_rad(double altitude_m) const;
+    /// Apparent elevation of what stands at a true elevation; below the horizon of the altitude,
+    /// as far below it as it truly is.
+    double apparentElevation_rad(double altitude_m, double trueElevation_rad) const;
+
+    /// Light from what the horizon of an altitude leaves of the sun's disc, along the ray from the
+    /// middle of that part (see SunDiscGeometry.h). A disc that is hidden has part 0 and the ray
+    /// that grazes the ground.
+    struct Sunbeam {
+        double part = 0.0;
+        RayPath ray;
+    };
+    Sunbeam sunbeam(double altitude_m, double trueElevation_rad) const;
+
     /// The index that rays see at an altitude of 0 or more.
     double refractiveIndex(double altitude_m) const;
 
@@ -78,6 +96,8 @@ class RayTracer {
     double elevationOver(const Chord& chord, double range_m, double& length_m) const;
     double lengthOf(const Chord& chord, double elevation_rad) const;
     double trueElevation(double altitude_m, double apparent_rad) const;
+    /// Apparent elevation of a true one; nothing below the horizon.
+    std::optional<double> apparentOf(double altitude_m, double trueElevation_rad) const;
     /// Elevation below which a ray from there meets the ground.
     double groundElevation(const RayLayers::Place& place) const;
 

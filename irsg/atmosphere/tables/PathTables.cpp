@@ -33,6 +33,46 @@ double transmittanceDifference(const std::vector<double>& a, const std::vector<d
     return largestDifference(transmittances(a), transmittances(b));
 }
 
+/// All of a DirectedLight in a row, so that a table can be made of it: the elevation last.
+std::vector<double> packed(const DirectedLight& light) {
+    std::vector<double> row = light.even;
+    for (const std::vector<double>& beam : light.beams)
+        row.insert(row.end(), beam.begin(), beam.end());
+    row.push_back(light.sightElevation_rad);
+    return row;
+}
+
+DirectedLight unpacked(const std::vector<double>& row, std::size_t nodes) {
+    DirectedLight light;
+    light.sightElevation_rad = row.back();
+    const auto at = [&](std::size_t place) {
+        return row.begin() + static_cast<std::ptrdiff_t>(place);
+    };
+    light.even.assign(at(0), at(nodes));
+    for (std::size_t first = nodes; first + nodes < row.size(); first += nodes)
+        light.beams.emplace_back(at(first), at(first + nodes));
+    return light;
+}
+
+/// The largest relative difference of any part that is not below a thousandth of the first: phase
+/// functions make some of them count more, and others less.
+AdaptiveTable::Distance partsDifference(std::size_t nodes) {
+    return [nodes](const std::vector<double>& a, const std::vector<double>& b) {
+        double largest = 0.0, whole = 0.0;
+        for (std::size_t first = 0; first + nodes <= a.size(); first += nodes) {
+            double difference = 0.0, sum = 0.0;
+            for (std::size_t i = first; i < first + nodes; ++i) {
+                difference += std::abs(a[i] - b[i]);
+                sum += std::abs(a[i]);
+            }
+            whole = std::max(whole, sum);
+            if (difference > 0.0)
+                largest = std::max(largest, difference / std::max(sum, 1e-3 * whole));
+        }
+        return largest;
+    };
+}
+
 /// Ranges from the shortest up, in cells that grow with the range: tables run over whole powers of
 /// four of the distance beyond the shortest, so that near paths do not refine far ones.
 struct RangeCell {
@@ -76,24 +116,54 @@ std::vector<double> PathTables::transmittance(const AirPath& path) const {
     };
     // The path between two altitudes is the same in both directions.
     const auto [low_m, high_m] = std::minmax(path.sensorAltitude_m, path.targetAltitude_m);
-    const Key key{Kind::transmittance, low_m, high_m, cell.low_m, 0.0};
+    const Key key{Kind::transmittance, low_m, high_m, cell.low_m, 0.0, 0.0};
     return transmittances(
         table(key, cell.low_m, cell.high_m, function, transmittanceDifference).at(path.range_m));
 }
 
+std::vector<double> PathTables::towards(const DirectedLight& light, const SunPosition& sun,
+                                        double azimuth_rad) const {
+    return transfer_.towards(nodes_, light, sun.elevation_rad, azimuth_rad - sun.azimuth_rad);
+}
+
+DirectedLight PathTables::recent(const Key& key,
+                                 const std::function<DirectedLight()>& compute) const {
+    {
+        const std::lock_guard lock(mutex_);
+        const auto known =
+            std::ranges::find_if(recent_, [&](const auto& kept) { return kept.first == key; });
+        if (known != recent_.end()) {
+            recent_.splice(recent_.begin(), recent_, known);
+            return recent_.front().second;
+        }
+    }
+    DirectedLight light = compute();
+    const std::lock_guard lock(mutex_);
+    recent_.emplace_front(key, light);
+    if (recent_.size() > recentKept)
+        recent_.pop_back();
+    return light;
+}
+
 std::vector<double> PathTables::pathRadiance(const AirPath& path, const SunPosition& sun) const {
     const double least_m = shortest_m(path.sensorAltitude_m, path.targetAltitude_m);
-    if (onTheFly() || !(path.range_m > least_m && path.range_m <= farthest_m))
-        return transfer_.pathRadiance(nodes_, path, sun);
+    if (onTheFly() || !(path.range_m > least_m && path.range_m <= farthest_m)) {
+        const Key key{Kind::pathRadiance, path.sensorAltitude_m, path.targetAltitude_m,
+                      path.range_m,       sun.elevation_rad,     sun.distance_au};
+        return towards(recent(key, [&] { return transfer_.pathLight(nodes_, path, sun); }), sun,
+                       path.azimuth_rad);
+    }
     const RangeCell cell = cellOf(path.range_m, least_m);
     auto function = [this, path, sun](double range_m) {
         AirPath at = path;
         at.range_m = range_m;
-        return transfer_.pathRadiance(nodes_, at, sun);
+        return packed(transfer_.pathLight(nodes_, at, sun));
     };
-    const Key key{Kind::pathRadiance, path.sensorAltitude_m, path.targetAltitude_m, cell.low_m,
-                  sun.isUp() ? sun.elevation_rad : -1.0};
-    return table(key, cell.low_m, cell.high_m, function, relativeDifference).at(path.range_m);
+    const Key key{Kind::pathRadiance, path.sensorAltitude_m, path.targetAltitude_m,
+                  cell.low_m,         sun.elevation_rad,     sun.distance_au};
+    const AdaptiveTable& own =
+        table(key, cell.low_m, cell.high_m, function, partsDifference(nodes_.nodes.size()));
+    return towards(unpacked(own.at(path.range_m), nodes_.nodes.size()), sun, path.azimuth_rad);
 }
 
 PathTables::Horizon PathTables::horizonOf(double altitude_m) const {
@@ -116,25 +186,37 @@ PathTables::Horizon PathTables::horizonOf(double altitude_m) const {
 
 std::vector<double> PathTables::backgroundRadiance(const LineOfSight& sight,
                                                    const SunPosition& sun) const {
-    if (onTheFly())
-        return transfer_.backgroundRadiance(nodes_, sight, sun);
-    // The ground and the sky are two tables: what is seen jumps at the horizon.
-    const double azimuth_rad =
-        std::remainder(sight.azimuth_rad - sun.azimuth_rad, 2.0 * std::numbers::pi);
-    const bool ground = transfer_.tracer().along(sight).end == RayPath::End::ground;
-    auto function = [this, sight, sun](double elevation_rad) {
+    const auto light = [this, sight, sun](double elevation_rad) {
         LineOfSight at = sight;
         at.elevation_rad = elevation_rad;
-        return transfer_.backgroundRadiance(nodes_, at, sun);
+        return transfer_.skyLight(nodes_, at, sun);
     };
+    const auto alone = [&] {
+        const Key key{Kind::sky, sight.sensorAltitude_m, sight.elevation_rad,
+                      0.0,       sun.elevation_rad,      sun.distance_au};
+        return towards(recent(key, [&] { return light(sight.elevation_rad); }), sun,
+                       sight.azimuth_rad);
+    };
+    if (onTheFly())
+        return alone();
+    // The ground and the sky are two tables: what is seen jumps at the horizon.
+    const bool ground = transfer_.tracer().along(sight).end == RayPath::End::ground;
     const Horizon horizon = horizonOf(sight.sensorAltitude_m);
-    const Key key{ground ? Kind::ground : Kind::sky, sight.sensorAltitude_m, azimuth_rad,
-                  sun.elevation_rad, 0.0};
     const double low = ground ? -0.5 * std::numbers::pi : horizon.above_rad;
     const double high = ground ? horizon.below_rad : 0.5 * std::numbers::pi;
     if (!(sight.elevation_rad >= low && sight.elevation_rad <= high && low < high))
-        return function(sight.elevation_rad);
-    return table(key, low, high, function, relativeDifference).at(sight.elevation_rad);
+        return alone();
+    const Key key{ground ? Kind::ground : Kind::sky,
+                  sight.sensorAltitude_m,
+                  0.0,
+                  0.0,
+                  sun.elevation_rad,
+                  sun.distance_au};
+    auto function = [light](double elevation_rad) { return packed(light(elevation_rad)); };
+    const AdaptiveTable& own =
+        table(key, low, high, function, partsDifference(nodes_.nodes.size()));
+    return towards(unpacked(own.at(sight.elevation_rad), nodes_.nodes.size()), sun,
+                   sight.azimuth_rad);
 }
 
 std::vector<double> PathTables::overAltitude(Kind kind, double altitude_m, const SunPosition& sun,
@@ -142,7 +224,8 @@ std::vector<double> PathTables::overAltitude(Kind kind, double altitude_m, const
     const double top_m = transfer_.air().profile.top_m();
     if (onTheFly() || !(altitude_m >= 0.0 && altitude_m <= top_m))
         return function(altitude_m);
-    return table({kind, sun.elevation_rad, 0.0, 0.0, 0.0}, 0.0, top_m, function, relativeDifference)
+    return table({kind, 0.0, 0.0, 0.0, sun.elevation_rad, sun.distance_au}, 0.0, top_m, function,
+                 relativeDifference)
         .at(altitude_m);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -39,8 +41,8 @@ class PathTables {
 
   private:
     enum class Kind { transmittance, pathRadiance, sky, ground, sun, up, down };
-    /// Kind, two altitudes or an azimuth, and the sun.
-    using Key = std::tuple<Kind, double, double, double, double>;
+    /// Kind, two altitudes or an elevation, a cell or range, elevation and distance of the sun.
+    using Key = std::tuple<Kind, double, double, double, double, double>;
     /// Apparent elevations between which the horizon of an altitude lies.
     struct Horizon {
         double below_rad, above_rad;
@@ -49,6 +51,9 @@ class PathTables {
     const AdaptiveTable& table(const Key& key, double low, double high,
                                const AdaptiveTable::Function& function,
                                const AdaptiveTable::Distance& distance) const;
+    DirectedLight recent(const Key& key, const std::function<DirectedLight()>& compute) const;
+    std::vector<double> towards(const DirectedLight& light, const SunPosition& sun,
+                                double azimuth_rad) const;
     std::vector<double> overAltitude(Kind kind, double altitude_m, const SunPosition& sun,
                                      const AdaptiveTable::Function& function) const;
 
@@ -59,6 +64,9 @@ class PathTables {
     mutable std::mutex mutex_;
     mutable std::map<Key, std::unique_ptr<AdaptiveTable>> tables_;
     mutable std::map<double, Horizon> horizons_;
+    /// Light of the last geometries asked for one by one: another azimuth costs a phase function.
+    static constexpr std::size_t recentKept = 32;
+    mutable std::list<std::pair<Key, DirectedLight>> recent_; ///< the latest first
 };
 
 } // namespace irsg

@@ -24,6 +24,10 @@ double BandSky::sun_W_m2(double altitude_m) const {
     return ask("solar disc", AirQuestion::solarIrradiance(altitude_m, environment_.sun));
 }
 
+SunView BandSky::sunView(double altitude_m) const {
+    return environment_.sunView(altitude_m, sampling_.range());
+}
+
 double BandSky::horizon_rad(double altitude_m) const {
     return environment_.horizonElevation_rad(altitude_m, sampling_.range());
 }

@@ -16,9 +16,10 @@ class BandSky {
 
     /// Throws InputError where no atmosphere answers.
     double radiance_W_m2_sr(const LineOfSight& sight) const;
-    /// Of the sun on a plane normal to its beam; 0 for a sun below the horizon.
+    /// Of the sun on a plane normal to its beam, of the part of its disc above the horizon.
     double sun_W_m2(double altitude_m) const;
     double horizon_rad(double altitude_m) const;
+    SunView sunView(double altitude_m) const;
     const SunPosition& sun() const { return environment_.sun; }
 
     /// "solar disc: vacuum", each once.

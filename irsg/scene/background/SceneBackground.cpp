@@ -106,10 +106,12 @@ void SceneBackground::drawTerrain(const Sensor& sensor, const Viewpoint& viewpoi
 void SceneBackground::drawSun(const FieldRays& rays, const Horizon& horizon, const BandSky& sky,
                               double altitude_m) {
     const SunPosition& sun = sky.sun();
-    const SunDisc disc(rays, horizon, direction(sun.azimuth_rad, sun.elevation_rad));
-    if (disc.pixels().empty())
+    // Where air bends its light to, and as bright as the part of it that gives the irradiance.
+    const SunView seen = sky.sunView(altitude_m);
+    const SunDisc disc(rays, horizon, direction(sun.azimuth_rad, seen.elevation_rad));
+    if (disc.pixels().empty() || seen.part <= 0.0)
         return;
-    const double radiance = disc.radiance_W_m2_sr(sky.sun_W_m2(altitude_m));
+    const double radiance = disc.radiance_W_m2_sr(sky.sun_W_m2(altitude_m) / seen.part);
     if (layers_.sky.empty())
         layers_.sky.assign(static_cast<std::size_t>(rays.width_px) *
                                static_cast<std::size_t>(rays.height_px),

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "irsg/radiometry/Units.h"
+#include "irsg/atmosphere/SunDiscGeometry.h"
 #include "irsg/scene/background/FieldRays.h"
 #include "irsg/scene/background/Horizon.h"
 
@@ -14,7 +14,7 @@ namespace irsg {
 /// frame), so that the sum of radiance times solid angle is E for every size and phase.
 class SunDisc {
   public:
-    static constexpr double diameter_rad = radians(0.53); ///< 6.72e-5 sr
+    static constexpr double diameter_rad = 2.0 * sunDiscRadius_rad; ///< 6.72e-5 sr
 
     /// `towards`: unit vector to the sun. What lies below the horizon is not seen. Nothing of a sun
     /// that is 90 degrees off axis or more is in the picture.
@@ -26,7 +26,7 @@ class SunDisc {
         double coverage = 0.0;
     };
     const std::vector<Pixel>& pixels() const { return pixels_; }
-    /// For E in the band on a plane normal to the beam at the sensor.
+    /// For E in the band on a plane normal to the beam at the sensor, of the whole disc.
     double radiance_W_m2_sr(double irradiance_W_m2) const {
         return pixels_.empty() ? 0.0 : irradiance_W_m2 / drawn_sr_;
     }

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "irsg/atmosphere/AirNodes.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 
 namespace irsg {
@@ -57,7 +58,7 @@ AirAnswers::at(const AirQuestion& question,
         // In the spectral mode the quadrature was built on the same spectra, which need not be
         // asked for again.
         Answer<std::vector<double>> answer;
-        if (!SensorCkData::of(*sampling)) {
+        if (!SensorCkData::of(*sampling) && !AirNodes::of(*sampling)) {
             const Answer<Spectrum>& native = spectrum(question, sampling->range());
             answer = {sampling->sampled(native.value), native.answeredBy};
         } else {

@@ -31,9 +31,9 @@ SampledScenes::Key SampledScenes::keyOf(const Environment& environment, const Ai
             environment.defaultBackground,
             environment.defaultAmbient_K,
             airQuestions(environment, scene.terms, scene.geometry, settings, scene.centre),
-            {environment.sun.azimuth_rad, environment.sun.elevation_rad, settings.airSliceFrom,
-             settings.background_W_m2_sr, static_cast<double>(settings.background),
-             static_cast<double>(settings.mode)},
+            {environment.sun.azimuth_rad, environment.sun.elevation_rad,
+             environment.sun.distance_au, settings.airSliceFrom, settings.background_W_m2_sr,
+             static_cast<double>(settings.background), static_cast<double>(settings.mode)},
             bands,
             {}};
     for (const RadianceTerm& term : scene.terms.terms)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/atmosphere/AirNodes.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Quadrature.h"
 
@@ -122,8 +123,27 @@ void SceneSampling::takeAir(AirAnswers& answers, const AirScene& scene, SampledB
         band.air.answeredBy.insert(band.air.answeredBy.begin(), band.description);
 }
 
+std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& environment,
+                                                             const Band& band) {
+    const auto known = std::ranges::find_if(keptNodes_, [&](const KeptNodes& kept) {
+        return kept.band == band && kept.atmospheres == environment.atmospheres();
+    });
+    if (known != keptNodes_.end()) {
+        std::rotate(keptNodes_.begin(), known, known + 1);
+        return keptNodes_.front().sampling;
+    }
+    auto made = environment.nodesOf(band);
+    if (!made)
+        return nullptr;
+    if (keptNodes_.size() >= mostKept)
+        keptNodes_.pop_back();
+    keptNodes_.insert(keptNodes_.begin(), KeptNodes{band, environment.atmospheres(), made});
+    return made;
+}
+
 SampledBand SceneSampling::spectral(AirAnswers& answers, const AirScene& scene, const Band& band) {
-    SampledBand made = sampledBand(quadrature(answers, scene, band));
+    auto sampling = nodes(answers.environment(), band);
+    SampledBand made = sampledBand(sampling ? sampling : quadrature(answers, scene, band));
     made.area_um = band.area_um();
     takeAir(answers, scene, made);
     return made;
@@ -143,11 +163,19 @@ SampledBand SceneSampling::wavelengths(AirAnswers& answers, const AirScene& scen
                                        const std::vector<double>& wavelengths_um) {
     if (wavelengths_um.empty())
         throw LogicError("a spectrum without wavelengths was asked for");
-    SampledBand made = sampledBand(std::make_shared<const SpectralPoints>(wavelengths_um));
-    made.area_um = made.sampling->range().width_um();
-    made.outputs.clear();
-    for (std::size_t i = 0; i < wavelengths_um.size(); ++i)
-        made.outputs.emplace_back(i, i + 1);
+    std::shared_ptr<const SpectralSampling> sampling =
+        answers.environment().nodesAt(wavelengths_um);
+    if (!sampling)
+        sampling = std::make_shared<const SpectralPoints>(wavelengths_um);
+    SampledBand made = sampledBand(sampling);
+    made.area_um = sampling->range().width_um();
+    if (const AirNodes* nodes = AirNodes::of(*sampling)) {
+        made.outputs = nodes->outputs();
+    } else {
+        made.outputs.clear();
+        for (std::size_t i = 0; i < wavelengths_um.size(); ++i)
+            made.outputs.emplace_back(i, i + 1);
+    }
     takeAir(answers, scene, made);
     return made;
 }

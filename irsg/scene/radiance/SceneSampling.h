@@ -36,7 +36,10 @@ struct AirScene {
 /// The samplings of bands, kept while their spectra stay what they are.
 class SceneSampling {
   public:
-    /// In the spectral mode: Gauss points between the kinks of all spectra of the scene.
+    /// In the spectral mode: the nodes that the air has of itself, where light that meets its lines
+    /// twice is right; null where it has none.
+    std::shared_ptr<const SpectralSampling> nodes(const Environment& environment, const Band& band);
+    /// Without: Gauss points between the kinks of all spectra of the scene.
     std::shared_ptr<const SpectralSampling> quadrature(AirAnswers& answers, const AirScene& scene,
                                                        const Band& band);
 
@@ -62,6 +65,12 @@ class SceneSampling {
         std::shared_ptr<const SpectralSampling> sampling;
     };
     std::vector<Kept> kept_; // latest first
+    struct KeptNodes {
+        Band band;
+        std::vector<std::shared_ptr<const Atmosphere>> atmospheres;
+        std::shared_ptr<const SpectralSampling> sampling;
+    };
+    std::vector<KeptNodes> keptNodes_; // latest first
 };
 
 /// The surfaces of a scene, entity by entity, codes ascending; the rows of a drawing.

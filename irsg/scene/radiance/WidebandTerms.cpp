@@ -60,10 +60,8 @@ WidebandTerms::WidebandTerms(const Environment& environment, const Band& band,
 
 bool WidebandTerms::areOf(const Environment& environment, const Band& band,
                           const WidebandSpectra& spectra) const {
-    return atmospheres_ == environment.atmospheres() &&
-           sun_.azimuth_rad == environment.sun.azimuth_rad &&
-           sun_.elevation_rad == environment.sun.elevation_rad && data_->band() == band &&
-           spectra_ == spectra;
+    return atmospheres_ == environment.atmospheres() && sun_ == environment.sun &&
+           data_->band() == band && spectra_ == spectra;
 }
 
 std::shared_ptr<const SpectralSampling> WidebandTerms::sampling() const {

@@ -1,0 +1,150 @@
+#include "irsg/atmosphere/AirNodes.h"
+
+#include <algorithm>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+/// The function 1 at a centre and 0 at its neighbours, where there are any; the outer half of the
+/// last bin of a table has the mean of the bin.
+Spectrum hatOver(std::span<const SpectralBin> bins, std::size_t bin, const SpectralRange& range) {
+    const auto centre_um = [&](std::size_t b) { return 1e4 / bins[b].centre_cm(); };
+    std::vector<double> axis, values;
+    const auto add = [&](double wavelength_um, double value) {
+        if (!axis.empty() && !(wavelength_um > axis.back()))
+            return;
+        axis.push_back(wavelength_um);
+        values.push_back(value);
+    };
+    if (bin + 1 < bins.size())
+        add(centre_um(bin + 1), 0.0);
+    else
+        add(std::min(range.min_um, 0.5 * centre_um(bin)), 1.0);
+    add(centre_um(bin), 1.0);
+    if (bin > 0)
+        add(centre_um(bin - 1), 0.0);
+    else
+        add(std::max(range.max_um, 2.0 * centre_um(bin)), 1.0);
+    return Spectrum(std::move(axis), std::move(values), Spectrum::Outside::zero, "hat");
+}
+
+SpectralRange around(const std::vector<double>& wavelengths_um) {
+    return SpectralPoints(wavelengths_um).range();
+}
+
+} // namespace
+
+AirNodes::AirNodes(std::shared_ptr<const RadiativeTransfer> transfer, const Band& band)
+    : transfer_(std::move(transfer)),
+      set_(transfer_->nodesOf(band.range())),
+      response_(band.response()) {
+    const std::span<const SpectralBin> bins = transfer_->binsOf(band.range());
+    const SpectralRange& range = band.range();
+    const Spectrum itself({range.min_um, range.max_um}, {range.min_um, range.max_um},
+                          Spectrum::Outside::zero, "wavelength");
+    // Wavelengths ascend where wavenumbers fall.
+    std::size_t firstOfSet = set_.nodes.size();
+    for (std::size_t b = bins.size(); b-- > 0;) {
+        firstOfSet -= bins[b].count;
+        Group group;
+        const Spectrum hat = hatOver(bins, b, range);
+        group.area_um = integralOver(hat, Spectrum::constant(1.0), range);
+        if (!(group.area_um > 0.0))
+            continue;
+        group.wavelength_um = integralOver(hat, itself, range) / group.area_um;
+        group.hat = hat;
+        group.first = ofSet_.size();
+        groups_.push_back(std::move(group));
+        addNodes(bins[b], groups_.back().area_um, firstOfSet);
+    }
+    finish(range);
+    outputs_ = {{0, size()}};
+}
+
+AirNodes::AirNodes(std::shared_ptr<const RadiativeTransfer> transfer,
+                   const std::vector<double>& wavelengths_um)
+    : transfer_(std::move(transfer)), set_(transfer_->nodesOf(around(wavelengths_um))) {
+    const SpectralRange range = around(wavelengths_um);
+    const std::span<const SpectralBin> bins = transfer_->binsOf(range);
+    std::vector<std::size_t> firsts;
+    for (std::size_t b = 0, first = 0; b < bins.size(); first += bins[b++].count)
+        firsts.push_back(first);
+    for (const double wavelength_um : wavelengths_um) {
+        // Linear in wavelength between the centres, and held beyond the last.
+        std::size_t upper = 0;
+        while (upper < bins.size() && 1e4 / bins[upper].centre_cm() > wavelength_um)
+            ++upper;
+        const std::size_t lower = upper > 0 ? upper - 1 : 0;
+        upper = std::min(upper, bins.size() - 1);
+        const double from_um = 1e4 / bins[lower].centre_cm();
+        const double to_um = 1e4 / bins[upper].centre_cm();
+        const double part = upper > lower ? (wavelength_um - from_um) / (to_um - from_um) : 0.0;
+        groups_.push_back({.wavelength_um = wavelength_um, .first = ofSet_.size()});
+        addNodes(bins[lower], 1.0 - part, firsts[lower]);
+        addNodes(bins[upper], part, firsts[upper]);
+        outputs_.emplace_back(groups_.back().first, ofSet_.size());
+    }
+    finish(range);
+}
+
+const AirNodes* AirNodes::of(const SpectralSampling& sampling) {
+    return dynamic_cast<const AirNodes*>(&sampling);
+}
+
+double AirNodes::integralOver(const Spectrum& hat, const Spectrum& other,
+                              const SpectralRange& range) const {
+    const SpectralRange held{std::max(range.min_um, hat.wavelengths_um().front()),
+                             std::min(range.max_um, hat.wavelengths_um().back())};
+    if (!(held.min_um < held.max_um))
+        return 0.0;
+    const Spectrum* const factors[] = {&hat, &response_, &other};
+    return integrateProduct(factors, held);
+}
+
+void AirNodes::addNodes(const SpectralBin& bin, double weight, std::size_t firstOfSet) {
+    if (!(weight > 0.0))
+        return;
+    const BinSet& set = transfer_->gases().bins(transfer_->air().resolution_cm);
+    for (std::size_t i = 0; i < bin.count; ++i) {
+        ofSet_.push_back(firstOfSet + i);
+        nodeWeights_.push_back(weight * static_cast<double>(set.weights[bin.first + i]));
+    }
+    groups_.back().count = ofSet_.size() - groups_.back().first;
+}
+
+void AirNodes::finish(const SpectralRange& range) {
+    std::vector<double> wavelengths_um;
+    for (const Group& group : groups_)
+        wavelengths_um.insert(wavelengths_um.end(), group.count, group.wavelength_um);
+    setNodes(std::move(wavelengths_um), std::move(nodeWeights_), range);
+}
+
+std::vector<double> AirNodes::arranged(std::span<const double> ofSet) const {
+    if (ofSet.size() != set_.nodes.size())
+        throw LogicError("nodes of the air were given the values of others");
+    std::vector<double> values;
+    values.reserve(size());
+    for (const std::size_t place : ofSet_)
+        values.push_back(ofSet[place]);
+    return values;
+}
+
+std::vector<double> AirNodes::sampled(const Spectrum& spectrum) const {
+    if (spectrum.isConstant())
+        return std::vector<double>(size(), spectrum.values().front());
+    std::vector<double> values;
+    values.reserve(size());
+    for (const Group& group : groups_) {
+        const double value = group.area_um > 0.0
+                                 ? integralOver(group.hat, spectrum, range()) / group.area_um
+                                 : spectrum.at(group.wavelength_um);
+        values.insert(values.end(), group.count, value);
+    }
+    return values;
+}
+
+} // namespace irsg

@@ -1,0 +1,125 @@
+#include "irsg/atmosphere/AirNodes.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "irsg/atmosphere/AtmosphereSmart.h"
+#include "irsg/atmosphere/BeerLambert.h"
+#include "irsg/atmosphere/Environment.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Planck.h"
+#include "irsg/radiometry/Quadrature.h"
+
+using namespace irsg;
+
+namespace {
+
+std::shared_ptr<const AtmosphereSmart> airOf(int resolution_cm = 5) {
+    AtmosphereSmartParameters parameters;
+    parameters.irradianceMode = 2;
+    parameters.resolution_cm = resolution_cm;
+    return std::make_shared<const AtmosphereSmart>(parameters);
+}
+
+const Band band = Band::topHat(3.01, 3.333);
+const AirPath path{1000.0, 800.0, 3000.0, 0.4};
+const SunPosition sun{1.0, 0.6};
+
+double sumOf(const Spectrum& spectrum, const Band& over) {
+    const Spectrum* const factors[] = {&spectrum, &over.response()};
+    return integrateProduct(factors, over.range());
+}
+
+} // namespace
+
+TEST(AirNodes, AddUpASingleQuantityAsItsSpectrumDoes) {
+    for (const int resolution_cm : {1, 5, 15}) {
+        const auto air = airOf(resolution_cm);
+        const Band triangle =
+            Band::fromResponse(Spectrum({3.02, 3.1, 3.3}, {0.0, 1.0, 0.2}), "triangle");
+        for (const Band& over : {band, triangle}) {
+            const auto nodes = air->nodesOf(over);
+            EXPECT_NEAR(nodes->area_um(), over.area_um(), 2e-9); // weights are floats
+            for (const AirQuestion& question :
+                 {AirQuestion::transmittance(path), AirQuestion::pathRadiance(path, sun),
+                  AirQuestion::solarIrradiance(500.0, sun), AirQuestion::upwardFlux(500.0, sun),
+                  AirQuestion::backgroundRadiance({10.0, 0.3, 0.0}, sun)}) {
+                const double expected = sumOf(air->spectrum(question, over.range()), over);
+                EXPECT_NEAR(nodes->integrate(air->answer(question, *nodes)) / expected, 1.0, 1e-9)
+                    << resolution_cm << " " << name(question.quantity);
+            }
+        }
+    }
+}
+
+TEST(AirNodes, MultiplyWhatMeetsTheSameLinesBeforeTheBinIsSummed) {
+    // Through a path and back is a path of twice the depth: at a node its transmittance is the
+    // square, of means of bins it is not.
+    const auto air = airOf();
+    const auto nodes = air->nodesOf(band);
+    const AirPath once{1000.0, 1000.0, 1500.0}, twice{1000.0, 1000.0, 3000.0};
+    const std::vector<double> there = air->answer(AirQuestion::transmittance(once), *nodes);
+    const double expected =
+        nodes->integrate(air->answer(AirQuestion::transmittance(twice), *nodes));
+    EXPECT_NEAR(nodes->integrate(there, there) / expected, 1.0, 2e-4);
+    const Spectrum mean = air->transmittance(once, band.range());
+    const Spectrum* const squared[] = {&mean, &mean};
+    EXPECT_LT(integrateProduct(squared, band.range()) / expected, 0.97);
+}
+
+TEST(AirNodes, TakeBlackBodiesAndSurfacesAsTheBandDoes) {
+    const auto air = airOf();
+    const auto nodes = air->nodesOf(band);
+    EXPECT_NEAR(nodes->integrate(nodes->planck(300.0)) / bandRadiance_W_m2_sr(band, 300.0), 1.0,
+                1e-4);
+    const Spectrum slope({3.0, 3.1, 3.4}, {0.2, 0.9, 0.3});
+    EXPECT_NEAR(nodes->integrate(nodes->sampled(slope)), sumOf(slope, band), 1e-9);
+    const Spectrum step({3.05, 3.05 + 1e-9}, {0.0, 1.0});
+    EXPECT_NEAR(nodes->integrate(nodes->sampled(step)), sumOf(step, band), 1e-9);
+    EXPECT_EQ(nodes->sampled(Spectrum::constant(0.7)), std::vector<double>(nodes->size(), 0.7));
+}
+
+TEST(AirNodes, AtWavelengthsAreTheSpectrum) {
+    const auto air = airOf();
+    const std::vector<double> wavelengths_um{3.02, 3.1, 3.1003, 3.25};
+    const auto sampling = air->nodesAt(wavelengths_um);
+    const AirNodes& nodes = *AirNodes::of(*sampling);
+    ASSERT_EQ(nodes.outputs().size(), wavelengths_um.size());
+    const AirQuestion question = AirQuestion::solarIrradiance(100.0, sun);
+    const Spectrum spectrum = air->spectrum(question, band.range());
+    const std::vector<double> values = air->answer(question, nodes);
+    const Spectrum slope({3.0, 3.4}, {0.0, 1.0});
+    const std::vector<double> ofSlope = nodes.sampled(slope);
+    for (std::size_t i = 0; i < wavelengths_um.size(); ++i) {
+        const auto [first, last] = nodes.outputs()[i];
+        double sum = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            sum += nodes.weights_um()[k] * values[k];
+            EXPECT_EQ(nodes.wavelengths_um()[k], wavelengths_um[i]);
+            EXPECT_EQ(ofSlope[k], slope.at(wavelengths_um[i]));
+        }
+        EXPECT_NEAR(sum / spectrum.at(wavelengths_um[i]), 1.0, 1e-6) << wavelengths_um[i];
+    }
+}
+
+TEST(AirNodes, OfOneAirAreAnsweredByAnotherWithItsSpectrum) {
+    const auto air = airOf(), other = airOf(15);
+    const auto nodes = air->nodesOf(band);
+    const AirQuestion question = AirQuestion::transmittance(path);
+    EXPECT_EQ(other->answer(question, *nodes),
+              nodes->sampled(other->transmittance(path, band.range())));
+    BeerLambertParameters haze;
+    haze.extinction_per_m = Spectrum({2.0, 6.0}, {1e-5, 4e-5});
+    Environment environment;
+    environment.add(air);
+    EXPECT_NE(environment.nodesOf(band), nullptr);
+    Environment smooth;
+    smooth.add(std::make_shared<BeerLambert>(haze));
+    smooth.add(air);
+    EXPECT_EQ(smooth.nodesOf(band), nullptr) << "who answers has no lines";
+    EXPECT_EQ(smooth.answer(question, *nodes).value,
+              nodes->sampled(smooth.atmospheres()[0]->transmittance(path, band.range())));
+    EXPECT_THROW((void)AirNodes::of(*nodes)->arranged(std::vector<double>{1.0}), LogicError);
+    EXPECT_THROW((void)air->nodesOf(Band::topHat(8.0, 9.0)), LogicError);
+}
