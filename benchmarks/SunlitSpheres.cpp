@@ -46,13 +46,13 @@ int main(int argc, char** argv) {
             const auto scenes = widebandScenes(band);
             irsg.setEntities({scenes.front().entity});
             look(irsg, scenes.front().view);
-            using enum CalculationMode;
-            const double spectral =
-                intensity_W_sr(irsg, CalculationMode::spectral, ReflectionMode::smart);
-            const double wide = intensity_W_sr(irsg, wideband, ReflectionMode::smart);
-            const double ofSun =
-                spectral - intensity_W_sr(irsg, CalculationMode::spectral, ReflectionMode::off);
-            const double ofSunWide = wide - intensity_W_sr(irsg, wideband, ReflectionMode::off);
+            const auto seen = [&](CalculationMode mode, ReflectionMode sun) {
+                return intensity_W_sr(irsg, mode, sun);
+            };
+            const double spectral = seen(CalculationMode::spectral, ReflectionMode::smart);
+            const double wide = seen(CalculationMode::wideband, ReflectionMode::smart);
+            const double ofSun = spectral - seen(CalculationMode::spectral, ReflectionMode::off);
+            const double ofSunWide = wide - seen(CalculationMode::wideband, ReflectionMode::off);
             const double all_percent = 100.0 * (spectral / wide - 1.0);
             // Of what is next to nothing beside the rest no digits are asked.
             const bool isSeen = ofSun > 1e-3 * spectral;

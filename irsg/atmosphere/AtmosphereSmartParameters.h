@@ -44,6 +44,15 @@ struct AtmosphereSmartParameters {
 
     /// Ours: mole fraction of carbon dioxide near the ground; the report's models have 330 ppmv.
     double co2_ppmv = 400.0;
+    /// Ours: 0 leaves out all aerosols, to the top of the air; clouds and rain stay.
+    int aerosols = 1;
+    /// Ours: mole fractions near the ground; negative: the model's or the ascent's own.
+    double ch4_ppmv = -1.0;
+    double n2o_ppmv = -1.0;
+    /// Ours: what ozone and water vapour are multiplied by at all altitudes. Water stays below
+    /// saturation.
+    double ozoneScale = 1.0;
+    double waterScale = 1.0;
     /// Ours: a radiosonde ascent (CSV) in place of AtmosphereModel, which then gives what the
     /// ascent lacks; a path as in resolveKarmaPath, empty for none.
     std::string radiosonde;
@@ -67,8 +76,7 @@ struct SmartParameter {
     std::string_view help;
 };
 
-/// The 27, by name; and our own (Co2_ppmv, Radiosonde), which are written only where they differ
-/// from their default.
+/// The 27, by name; and our own, which are written only where they differ from their default.
 std::span<const SmartParameter> smartParameters();
 std::span<const SmartParameter> ownSmartParameters();
 /// A value of a parameter as text: "5", "0.71 0.56", "SMART_ATMOSPHERIC_MODEL".

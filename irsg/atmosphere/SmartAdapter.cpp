@@ -28,6 +28,19 @@ Profile SmartAdapter::profile(const AtmosphereSmartParameters& parameters,
     if (!parameters.radiosonde.empty())
         profile = Profile::fromRadiosonde(
             resolveKarmaPath(parameters.radiosonde, file, "parameter Radiosonde"), profile);
+    const auto scale = [&](Gas gas, double factor) {
+        if (factor != 1.0)
+            profile = profile.withScaled(gas, factor);
+    };
+    const auto setGround = [&](Gas gas, double ppmv) {
+        const double own = profile.at(0.0).fraction(gas);
+        if (ppmv >= 0.0 && own > 0.0)
+            scale(gas, 1e-6 * ppmv / own);
+    };
+    setGround(Gas::CH4, parameters.ch4_ppmv);
+    setGround(Gas::N2O, parameters.n2o_ppmv);
+    scale(Gas::O3, parameters.ozoneScale);
+    scale(Gas::H2O, parameters.waterScale);
     if (parameters.meteoModel != 2)
         return profile;
     return profile.withMeteo(
@@ -40,7 +53,9 @@ Profile SmartAdapter::profile(const AtmosphereSmartParameters& parameters,
 
 ParticleSettings SmartAdapter::particleSettings(const AtmosphereSmartParameters& parameters) {
     ParticleSettings settings;
-    settings.aerosol = static_cast<AerosolModel>(parameters.aerosolModel);
+    settings.aerosol = parameters.aerosols == 1
+                           ? std::optional(static_cast<AerosolModel>(parameters.aerosolModel))
+                           : std::nullopt;
     settings.visibility_m = parameters.visibility_m;
     settings.airMass = parameters.airMass;
     settings.windSpeed_m_s = parameters.windSpeed_m_s;

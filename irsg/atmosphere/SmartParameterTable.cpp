@@ -103,7 +103,7 @@ constexpr std::array report = {
                    "1 single scattering, 2 two-stream multiple scattering (needed for clouds and "
                    "fluxes)."},
     SmartParameter{"TemperatureALT0", "C", &S::temperatureALT0_C, number,
-                   [](double v) { return within(v, -10.0, 40.0); }, "-10 to 40 C",
+                   [](double v) { return within(v, -50.0, 50.0); }, "-50 to 50 C",
                    "Air temperature at altitude 0, within 10 C of TemperatureMH; MeteoModel 2 "
                    "only."},
     SmartParameter{"TemperatureMH", "C", &S::temperatureMH_C, number,
@@ -129,15 +129,39 @@ constexpr std::array report = {
                    "Height of the wind measurements."}};
 static_assert(report.size() == 27);
 
+bool isPpmvOrOwn(double value) {
+    return value < 0.0 ? value >= -1e9 : value <= 1e4;
+}
+bool isScale(double value) {
+    return within(value, 0.0, 100.0);
+}
+
 constexpr std::array own = {
+    SmartParameter{"Aerosols", "", &S::aerosols, number,
+                   [](double v) { return within(v, 0.0, 1.0); }, "0 or 1",
+                   "0 leaves out all aerosols, those aloft, too; clouds and rain stay. Not one of "
+                   "the report's parameters."},
+    SmartParameter{"Ch4_ppmv", "ppmv", &S::ch4_ppmv, number, isPpmvOrOwn,
+                   "negative for the model's own, or 0 to 10000 ppmv",
+                   "Methane near the ground; its profile is scaled. Not one of the report's "
+                   "parameters."},
     SmartParameter{"Co2_ppmv", "ppmv", &S::co2_ppmv, number,
                    [](double v) { return within(v, 0.0, 1e5); }, "0 to 100000 ppmv",
                    "Carbon dioxide near the ground; 400 where it is not given. Not one of the "
                    "report's parameters."},
+    SmartParameter{"N2o_ppmv", "ppmv", &S::n2o_ppmv, number, isPpmvOrOwn,
+                   "negative for the model's own, or 0 to 10000 ppmv",
+                   "Nitrous oxide near the ground; its profile is scaled. Not one of the report's "
+                   "parameters."},
+    SmartParameter{"OzoneScale", "", &S::ozoneScale, number, isScale, "0 to 100",
+                   "Multiplies ozone at all altitudes. Not one of the report's parameters."},
     SmartParameter{"Radiosonde", "", &S::radiosonde, KarmaKind::string, nullptr,
                    "the path of a CSV file",
                    "A radiosonde ascent in place of AtmosphereModel, which gives what the ascent "
-                   "lacks. Not one of the report's parameters."}};
+                   "lacks. Not one of the report's parameters."},
+    SmartParameter{"WaterScale", "", &S::waterScale, number, isScale, "0 to 100",
+                   "Multiplies water vapour at all altitudes, up to saturation; measurements of "
+                   "MeteoModel 2 come after it. Not one of the report's parameters."}};
 
 } // namespace
 

@@ -97,12 +97,19 @@ TEST(AtmosphereSmartParameters, ourOwnAreWrittenOnlyWhereTheyDiffer) {
     AtmosphereSmartParameters parameters;
     EXPECT_THAT(toKarma(parameters).text(), testing::Not(HasSubstr("Co2_ppmv")));
     parameters.co2_ppmv = 360.0;
+    parameters.ch4_ppmv = 1.9;
+    parameters.n2o_ppmv = 0.0;
+    parameters.aerosols = 0;
+    parameters.ozoneScale = 0.9;
+    parameters.waterScale = 1.25;
     parameters.radiosonde = "ascent.csv";
     KarmaXml document = toKarma(parameters);
     EXPECT_EQ(fromKarma(document).parameters, parameters);
     toKarma(AtmosphereSmartParameters(), document);
     EXPECT_THAT(document.text(), testing::Not(HasSubstr("Co2_ppmv")));
-    EXPECT_THAT(document.text(), testing::Not(HasSubstr("Radiosonde")));
+    for (const char* name :
+         {"Radiosonde", "Ch4_ppmv", "N2o_ppmv", "Aerosols", "OzoneScale", "WaterScale"})
+        EXPECT_THAT(document.text(), testing::Not(HasSubstr(name)));
 }
 
 TEST(AtmosphereSmartParameters, whatIsWrittenIsReadBackEqual) {
@@ -231,8 +238,8 @@ INSTANTIATE_TEST_SUITE_P(
         bad("resolutionTen", "Resolution", "10", {"10 cm-1", "1, 5 or 15 cm-1"}),
         bad("resolutionBetweenIntegers", "Resolution", "1.5", {"a whole number"}),
         bad("scatteringModeZero", "ScatteringMode", "0", {"1 or 2"}),
-        bad("airAtZeroTooCold", "TemperatureALT0", "-11", {"-11 C", "-10 to 40 C"}),
-        bad("airAtZeroTooWarm", "TemperatureALT0", "41", {"-10 to 40 C"}),
+        bad("airAtZeroTooCold", "TemperatureALT0", "-51", {"-51 C", "-50 to 50 C"}),
+        bad("airAtZeroTooWarm", "TemperatureALT0", "51", {"-50 to 50 C"}),
         bad("measuredAirTooCold", "TemperatureMH", "-41", {"-40 to 40 C"}),
         bad("measuredAirInKelvin", "TemperatureMH", "293", {"293 C", "-40 to 40 C"}),
         bad("visibilityBelowZero", "Visibility", "-1", {"-1 m", "10 to 300000 m"}),
@@ -243,6 +250,14 @@ INSTANTIATE_TEST_SUITE_P(
         bad("aStormAllDay", "WindSpeedAverage24", "31", {"31 m/s"}),
         bad("windMeasuredTooHigh", "WindSpeedMeasurementHeight", "50", {"50 m", "2 to 40 m"}),
         bad("carbonDioxideBelowZero", "Co2_ppmv", "-1", {"-1 ppmv"}),
+        bad("methaneBeyondAll", "Ch4_ppmv", "20000", {"20000 ppmv", "0 to 10000 ppmv"}),
+        bad("nitrousOxideBeyondAll", "N2o_ppmv", "10001", {"0 to 10000 ppmv"}),
+        bad("ozoneBelowZero", "OzoneScale", "-0.1", {"-0.1", "0 to 100"}),
+        bad("ozoneBeyondAll", "OzoneScale", "101", {"0 to 100"}),
+        bad("waterBelowZero", "WaterScale", "-1", {"-1", "0 to 100"}),
+        bad("waterBeyondAll", "WaterScale", "1e3", {"0 to 100"}),
+        bad("aerosolsNeitherOnNorOff", "Aerosols", "2", {"0 or 1"}),
+        bad("aerosolsHalf", "Aerosols", "0.5", {"0.5"}),
         bad("aNumberThatIsNone", "Visibility", "nan", {"'nan'", "a finite number"}),
         BadParameters{"anotherModelType",
                       "<parameter name=\"ModelType\"><entityType>OTHER</entityType></parameter>",

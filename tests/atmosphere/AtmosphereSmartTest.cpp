@@ -119,6 +119,59 @@ TEST(SmartAdapter, scalesCarbonDioxideToItsSetting) {
     EXPECT_NEAR(SmartAdapter::profile(parameters).at(0.0).fraction(Gas::CO2), 330e-6, 7e-6);
 }
 
+TEST(SmartAdapter, setsAndScalesTheOtherGases) {
+    AtmosphereSmartParameters parameters;
+    const Profile own = SmartAdapter::profile(parameters);
+    parameters.ch4_ppmv = 2.5;
+    parameters.n2o_ppmv = 0.0;
+    parameters.ozoneScale = 1.4;
+    parameters.waterScale = 0.5;
+    const Profile profile = SmartAdapter::profile(parameters);
+    EXPECT_NEAR(profile.at(0.0).fraction(Gas::CH4), 2.5e-6, 1e-12);
+    for (const double altitude_m : {0.0, 3e3, 25e3, 60e3}) {
+        const AirState was = own.at(altitude_m), is = profile.at(altitude_m);
+        EXPECT_NEAR(is.fraction(Gas::CH4) / was.fraction(Gas::CH4),
+                    2.5e-6 / own.at(0.0).fraction(Gas::CH4), 1e-9);
+        EXPECT_EQ(is.fraction(Gas::N2O), 0.0);
+        EXPECT_NEAR(is.fraction(Gas::O3) / was.fraction(Gas::O3), 1.4, 1e-9);
+        EXPECT_NEAR(is.fraction(Gas::H2O) / was.fraction(Gas::H2O), 0.5, 1e-9);
+        EXPECT_EQ(is.temperature_K, was.temperature_K);
+    }
+    // More water than air can hold is not there.
+    parameters.waterScale = 10.0;
+    const Profile wet = SmartAdapter::profile(parameters);
+    for (const AirState& air : wet.levels())
+        EXPECT_LE(relativeHumidity(air),
+                  std::max(1.0 + 1e-9, relativeHumidity(own.at(air.altitude_m))));
+    EXPECT_NEAR(relativeHumidity(wet.at(0.0)), 1.0, 1e-9);
+    EXPECT_THROW((void)own.withScaled(Gas::O3, -1.0), LogicError);
+}
+
+TEST(SmartAdapter, leavesOutAerosolsAndKeepsClouds) {
+    AtmosphereSmartParameters parameters;
+    EXPECT_FALSE(SmartAdapter::airModel(parameters).particles.empty());
+    parameters.aerosols = 0;
+    EXPECT_TRUE(SmartAdapter::airModel(parameters).particles.empty());
+    parameters.cloudModel = 3;
+    EXPECT_FALSE(SmartAdapter::airModel(parameters).particles.empty());
+}
+
+// The report allows -40 C at measurement height but no less than -10 C at altitude 0, within 10 C
+// of it: nothing below -20 C. Altitude 0 may be as cold here.
+TEST(SmartAdapter, takesMeasurementsOfAColdDay) {
+    for (const double measured_C : {-40.0, -31.0, -21.0}) {
+        AtmosphereSmartParameters parameters;
+        parameters.atmosphereModel = 5;
+        parameters.meteoModel = 2;
+        parameters.temperatureMH_C = measured_C;
+        parameters.temperatureALT0_C = measured_C - 2.0;
+        const Profile profile = SmartAdapter::profile(parameters);
+        EXPECT_NEAR(profile.at(5.0).temperature_K, measured_C + 273.15, 1e-9);
+        EXPECT_NEAR(profile.at(0.0).temperature_K, measured_C + 271.15, 1e-9);
+        EXPECT_TRUE(offencesOf(parameters).empty());
+    }
+}
+
 TEST(SmartAdapter, takesARadiosondeAscentFromBesideTheFile) {
     const auto folder = ownFolder();
     writtenFile(folder / "ascent.csv", "altitude [m],pressure [hPa],temperature [K],h2o [ppmv]\n"

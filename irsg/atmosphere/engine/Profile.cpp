@@ -73,6 +73,20 @@ Profile::Profile(std::vector<AirState> levels, std::string name)
         throw InputError(std::move(offences));
 }
 
+Profile Profile::withScaled(Gas gas, double factor) const {
+    if (!(factor >= 0.0 && std::isfinite(factor)))
+        throw LogicError("a gas was to be multiplied by " + numberText(factor));
+    std::vector<AirState> levels = levels_;
+    for (AirState& air : levels) {
+        double& fraction = air.moleFraction[static_cast<std::size_t>(gas)];
+        double most = 1.0;
+        if (gas == Gas::H2O)
+            most = std::max(fraction, saturationPressure_hPa(air.temperature_K) / air.pressure_hPa);
+        fraction = std::min({fraction * factor, most, 1.0});
+    }
+    return Profile(std::move(levels), name_);
+}
+
 AirState Profile::at(double altitude_m) const {
     const auto upper = std::ranges::upper_bound(
         levels_, altitude_m, {}, [](const AirState& level) { return level.altitude_m; });

@@ -51,6 +51,10 @@ class Profile {
     /// gases that the file lacks are the background's. Throws InputError naming every offence.
     static Profile fromRadiosonde(const std::filesystem::path& file, const Profile& background);
 
+    /// The same air with a gas multiplied by a factor of 0 or more at all altitudes. Water stays
+    /// where it is at saturation or goes no farther. LogicError for a negative factor.
+    Profile withScaled(Gas gas, double factor) const;
+
     /// The lowest kilometre reshaped to pass through the measurements, with x = (z - h) / (1 km -
     /// h) above the measurement height h and S(x) = x^2 (3 - 2 x):
     /// - temperature: the model's plus a monotone piecewise cubic (Fritsch and Butland 1984, SIAM
