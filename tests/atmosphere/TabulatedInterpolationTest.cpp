@@ -218,3 +218,37 @@ TEST(TabulatedInterpolation, anOpaqueRunContinuesTheOneBefore) {
     const TabulatedAtmosphere alone({run(1000.0, 0.0)}, "alone");
     EXPECT_LT(alone.transmittance({0, 0, 1000}, alone.base()).at(5.0), 1e-15);
 }
+
+TEST(TabulatedInterpolation, betweenAltitudesDepthsFallAsDensitiesDo) {
+    // Air of one scale height: level runs at 1 and 10 km hold what is between them.
+    const double scale_m = 7400.0, range_m = 10e3;
+    const auto depth = [&](double altitude_m) { return 1.2 * std::exp(-altitude_m / scale_m); };
+    const auto run = [&](double altitude_m, double tau) {
+        SpectralRun made;
+        made.source = numberText(altitude_m);
+        made.geometry.sensorAltitude_m = made.geometry.targetAltitude_m = altitude_m;
+        made.geometry.range_m = range_m;
+        made.wavenumbers_cm = {2000.0, 2010.0};
+        made.transmittance = {tau, tau};
+        return made;
+    };
+    const TabulatedAtmosphere air(
+        {run(1e3, std::exp(-depth(1e3))), run(10e3, std::exp(-depth(10e3)))}, "falling");
+    for (const double altitude_m : {1e3, 2e3, 5e3, 9e3, 10e3})
+        EXPECT_NEAR(air.transmittance({altitude_m, altitude_m, range_m}, air.base()).at(5.0),
+                    std::exp(-depth(altitude_m)), 1e-9)
+            << altitude_m;
+    // A file that prints 1 for the upper run leaves a depth between both, not none.
+    const TabulatedAtmosphere clear({run(1e3, 0.5), run(10e3, 1.0)}, "clear");
+    double before = 0.0;
+    for (double altitude_m = 1e3; altitude_m <= 10e3; altitude_m += 500.0) {
+        const double here =
+            air.transmittance({altitude_m, altitude_m, range_m}, air.base()).at(5.0);
+        EXPECT_GT(here, before);
+        before = here;
+        const double thin =
+            clear.transmittance({altitude_m, altitude_m, range_m}, clear.base()).at(5.0);
+        EXPECT_GE(thin, 0.5 - 1e-12);
+        EXPECT_LE(thin, 1.0);
+    }
+}

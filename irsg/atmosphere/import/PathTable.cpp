@@ -57,6 +57,24 @@ std::vector<double> axisOf(const Pairs& pairs, Member member, const auto* withou
     return axis;
 }
 
+/// Between altitudes the logarithm of a depth is linear, as densities fall. Depths below 1e-4 of
+/// the largest count as that: what a file rounded to a transmittance of 1 is not known better.
+double betweenDepths(const std::vector<std::pair<double, double>>& depthsWithWeights) {
+    constexpr double least = 1e-4;
+    double largest = 0.0;
+    for (const auto& [depth, weight] : depthsWithWeights) {
+        largest = std::max(largest, depth);
+    }
+    if (depthsWithWeights.size() == 1 || !(largest > 0.0)) {
+        return largest;
+    }
+    double logarithm = 0.0;
+    for (const auto& [depth, weight] : depthsWithWeights) {
+        logarithm += weight * std::log(std::max(depth, least * largest));
+    }
+    return std::exp(logarithm);
+}
+
 } // namespace
 
 void PathTable::add(const AirPath& path, std::vector<double> depth, std::vector<double> radiance) {
@@ -213,15 +231,17 @@ PathTable::Answer PathTable::blend(const std::vector<Corner>& corners, double ra
     answer.depth.assign(last - first, 0.0);
     const bool radiates = !nodes_.front().source.empty();
     std::vector<double> source(radiates ? last - first : 0, 0.0);
-    for (const Corner& corner : corners) {
-        for (std::size_t i = first; i < last; ++i) {
-            answer.depth[i - first] +=
-                corner.weight * depthAt(*corner.pair, range_m, i, none, curve);
+    std::vector<std::pair<double, double>> depths; // of a corner, and its weight
+    for (std::size_t i = first; i < last; ++i) {
+        depths.clear();
+        for (const Corner& corner : corners) {
+            depths.emplace_back(depthAt(*corner.pair, range_m, i, none, curve), corner.weight);
             if (radiates) {
                 source[i - first] +=
                     corner.weight * sourceAt(*corner.pair, range_m, i, none, curve);
             }
         }
+        answer.depth[i - first] = betweenDepths(depths);
     }
     for (std::size_t i = 0; i < source.size(); ++i) {
         answer.radiance.push_back(source[i] * emissivity(answer.depth[i], range_m));

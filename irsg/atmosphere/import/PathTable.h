@@ -17,10 +17,10 @@ namespace irsg {
 /// law near the sensor and the square root law of strong lines farther away (R. M. Goody 1952, Q.
 /// J. R. Meteorol. Soc. 78, 165); proportional to range where there is only one node. Radiance
 /// through its equivalent source J = L / (1 - tau), by monotone cubics between the nodes and held
-/// below the first. Over altitudes: depth and J at the asked range bilinearly between the
-/// surrounding pairs, or, for horizontal paths, linearly between horizontal ones. A path whose
-/// surrounding pairs are not all there is outside the table, also one longer than the longest node
-/// of any of them. Nodes are met exactly. Altitudes are clamped to the table within
+/// below the first. Over altitudes: the logarithm of depth, and J, at the asked range bilinearly
+/// between the surrounding pairs, or, for horizontal paths, linearly between horizontal ones. A
+/// path whose surrounding pairs are not all there is outside the table, also one longer than the
+/// longest node of any of them. Nodes are met exactly. Altitudes are clamped to the table within
 /// `altitudeTolerance_m`, ranges may be 0.01 % + 1 m longer. Depths of 0 transmittance are unknown:
 /// they count as at least 40 and continue the node before in proportion to range.
 class PathTable {
