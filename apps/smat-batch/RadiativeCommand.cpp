@@ -44,6 +44,12 @@ class RadiativeCommand {
         numbers_.add("--range", "m", "From sensor to target");
         command.add_flag("--to-space", toSpace_, "A path without target, up to 100 km altitude");
         numbers_.add("--resolution", "cm-1", "Width of the spectral bins: 1, 5 or 15");
+        command
+            .add_option("--sun", sun_,
+                        "off: no light of the sun in any quantity, as at night; on, or as scenes "
+                        "have it, smart and approx: that of the sun's place")
+            ->type_name("WORD")
+            ->capture_default_str();
         numbers_.add("--sun-azimuth", "deg",
                      "East of north; when not given that of an Environment file, or 180");
         numbers_.add("--sun-elevation", "deg",
@@ -91,6 +97,9 @@ class RadiativeCommand {
         checkLimits("--sun-elevation", -90.0, 90.0, " deg", offences);
         checkLimits("--day-of-year", 1.0, 366.0, "", offences);
         collect([&] { checkMoment(offences); });
+        if (sun_ != "on" && sun_ != "off" && sun_ != "smart" && sun_ != "approx") {
+            offences.push_back({"--sun", "", sun_, "on, off, smart or approx"});
+        }
         const auto resolution = numbers_.value("--resolution");
         if (resolution && *resolution != 1.0 && *resolution != 5.0 && *resolution != 15.0) {
             offences.push_back({"--resolution", "", irsg::numberText(*resolution), "1, 5 or 15"});
@@ -169,12 +178,16 @@ class RadiativeCommand {
         if (const auto moment = moment_.sun()) {
             environment.sun = moment->position;
         }
+        if (sun_ == "off") {
+            environment.sun.elevation_rad = irsg::radians(-90.0);
+        }
         return environment;
     }
 
     AirInput air_;
     std::vector<std::string> quantities_;
     std::string band_ = "3-5";
+    std::string sun_ = "on";
     bool toSpace_ = false;
     NumberOptions numbers_;
     SunOptions moment_;

@@ -218,6 +218,20 @@ TEST_F(SmatBatchRadiative, WithoutAtmospheresTheDefaultBackgroundAnswers) {
     EXPECT_EQ(table.provenance.value("answered by"), "background radiance: default");
 }
 
+TEST_F(SmatBatchRadiative, WithTheSunOffHasNoneOfItsLight) {
+    const ResultTable dark = made({"none", "--quantity", "sun", "--altitude", "0", "--sun", "off"});
+    EXPECT_THAT(dark.find("solar_irradiance")->values, testing::Each(0.0));
+    EXPECT_EQ(dark.provenance.value("sun_elevation [deg]"), "-90");
+    const ResultTable lit =
+        made({"none", "--quantity", "sun", "--altitude", "0", "--sun", "smart"});
+    EXPECT_GT(lit.find("solar_irradiance")->values.front(), 0.0);
+    const Ran ran = smatBatch({"radiative", "none", "--quantity", "sun", "--altitude", "0", "--sun",
+                               "shining", "--out", "s.csv"},
+                              folder.path());
+    EXPECT_EQ(ran.exitCode, 2);
+    EXPECT_THAT(ran.err, testing::AllOf(HasSubstr("--sun"), HasSubstr("shining")));
+}
+
 // The published example of NREL's Solar Position Algorithm (TP-560-34302).
 TEST_F(SmatBatchRadiative, PlacesTheSunOfAMomentAndAPlace) {
     const std::vector<std::string> moment{
