@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 namespace smat::tables {
 
@@ -8,6 +10,9 @@ namespace smat::tables {
 struct Folders {
     std::filesystem::path data; ///< the folder with lines/, lowtran/, continuum/, profiles/, solar/
     std::filesystem::path out;  ///< resources/atmosphere
+    /// Of the gases: parts of the spectrum to compute anew, the rest is that of the table that is
+    /// in `out` already; none: all of it.
+    std::vector<std::pair<double, double>> renew_cm = {};
 };
 
 /// Each writes one kind of table, says on standard output from what and how, and throws

@@ -83,6 +83,60 @@ class Assembly {
     std::array<BinSet, 3> bins;
 };
 
+/// A piece of a table that is there, as it was trained.
+TrainedNodes keptPiece(const GasTable& table, const Piece& piece) {
+    TrainedNodes kept;
+    std::vector<std::uint32_t> nodes;
+    for (std::uint32_t node = 0; node < table.nodeCount(); ++node)
+        if (table.wavenumber_cm(node) >= piece.lower_cm &&
+            table.wavenumber_cm(node) < piece.upper_cm) {
+            nodes.push_back(node);
+            kept.wavenumbers_cm.push_back(table.wavenumber_cm(node));
+        }
+    const std::uint32_t first = nodes.front();
+    for (std::size_t g = 0; g < lineGasCount; ++g) {
+        const auto gas = static_cast<Gas>(g);
+        const std::vector<std::int32_t> columns = table.columns(gas, nodes);
+        std::vector<GasTable::Block> blocks(nodes.size());
+        std::vector<float> steps(nodes.size());
+        for (std::size_t point = 0; point < table.grid().points(gas); ++point) {
+            table.steps(gas, point, columns, steps);
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                blocks[i].lnCrossSection.push_back(static_cast<float>(
+                    GasTable::lnLowest + GasTable::lnStep * static_cast<double>(steps[i])));
+        }
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (columns[i] >= 0) {
+                blocks[i].node = nodes[i] - first;
+                blocks[i].gas = gas;
+                kept.blocks.push_back(std::move(blocks[i]));
+            }
+    }
+    for (std::size_t r = 0; r < kept.bins.size(); ++r) {
+        const BinSet& all = table.bins(GasTable::resolutions_cm[r]);
+        BinSet& own = kept.bins[r];
+        own.resolution_cm = all.resolution_cm;
+        for (SpectralBin bin : all.bins) {
+            if (bin.lower_cm < piece.lower_cm - 1e-6 || bin.lower_cm > piece.upper_cm - 1e-6)
+                continue;
+            const auto begin = static_cast<std::uint32_t>(own.nodes.size());
+            for (std::uint32_t i = bin.first; i < bin.first + bin.count; ++i) {
+                own.nodes.push_back(all.nodes[i] - first);
+                own.weights.push_back(all.weights[i]);
+            }
+            bin.first = begin;
+            own.bins.push_back(bin);
+        }
+    }
+    return kept;
+}
+
+/// What the header of a table says of its errors.
+std::string errorsIn(const std::string& header) {
+    const std::size_t at = header.find("transmittance against line by line");
+    return at == std::string::npos ? "" : header.substr(at);
+}
+
 /// RMS and largest error of training over ranges that users know.
 std::string errorTable(const std::vector<Piece>& work, const std::vector<TrainedNodes>& trained) {
     struct Range {
@@ -137,12 +191,23 @@ void makeGases(const Folders& folders) {
     const std::array<NodeGoals, 3> goals = nodeGoals();
 
     const std::vector<Piece> work = pieces();
+    const std::shared_ptr<const GasTable> table =
+        folders.renew_cm.empty() ? nullptr : GasTable::read(folders.out / "gases.gastable");
+    const auto isRenewed = [&](const Piece& piece) {
+        return std::ranges::any_of(folders.renew_cm, [&](const auto& range) {
+            return range.first < piece.upper_cm && range.second > piece.lower_cm;
+        });
+    };
     std::vector<TrainedNodes> trained(work.size());
     std::atomic<std::size_t> next = 0;
     std::mutex output;
     auto run = [&] {
         for (std::size_t i = next++; i < work.size(); i = next++) {
             const Piece& piece = work[i];
+            if (table && !isRenewed(piece)) {
+                trained[i] = keptPiece(*table, piece);
+                continue;
+            }
             const FineCrossSections fine = fineCrossSections(gases, partition, grid, piece);
             trained[i] = trainNodes(fine, grid, training, piece.lower_cm, piece.upper_cm,
                                     piece.width_cm, goals);
@@ -167,14 +232,14 @@ void makeGases(const Folders& folders) {
     for (const LineList& gas : gases)
         for (const std::string& origin : gas.origins)
             header << origin << "\n";
-    header << errorTable(work, trained);
+    header << (table ? errorsIn(table->header()) : errorTable(work, trained));
 
-    Assembly table;
+    Assembly assembly;
     for (TrainedNodes& piece : trained)
-        table.add(std::move(piece));
-    table.addSmooth(work.back().upper_cm, 50010.0);
-    const GasTable result(grid, std::move(table.wavenumbers_cm), std::move(table.blocks),
-                          std::move(table.bins), header.str());
+        assembly.add(std::move(piece));
+    assembly.addSmooth(work.back().upper_cm, 50010.0);
+    const GasTable result(grid, std::move(assembly.wavenumbers_cm), std::move(assembly.blocks),
+                          std::move(assembly.bins), header.str());
     std::cout << result.header() << result.nodeCount() << " nodes" << std::endl;
     result.write(folders.out / "gases.gastable");
 }

@@ -28,6 +28,10 @@ int main(int argc, char** argv) {
                    "folder with lines/, lowtran/, continuum/, profiles/, solar/")
         ->required();
     app.add_option("--out", folders.out, "where the tables go")->required();
+    app.add_option(
+        "--renew", folders.renew_cm,
+        "of gases, FROM TO in cm-1, as often as needed: compute the pieces of 60 cm-1 that "
+        "touch this range and keep the others of the table in the folder");
     CLI11_PARSE(app, argc, argv);
 
     try {

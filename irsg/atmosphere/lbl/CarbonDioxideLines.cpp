@@ -64,8 +64,8 @@ std::vector<BareLine> readBareLines(const std::filesystem::path& file) {
 }
 
 std::vector<Line> describedLines(std::span<const BareLine> bare, std::span<const Line> generated,
-                                 const Line& otherwise) {
-    constexpr double near_cm = 0.01, widest = 3.0;
+                                 const Line& otherwise, double near_cm) {
+    constexpr double widest = 3.0;
     std::vector<Line> described;
     described.reserve(bare.size());
     for (const BareLine& line : bare) {

@@ -18,10 +18,10 @@ struct BareLine {
 std::vector<BareLine> readBareLines(const std::filesystem::path& file);
 
 /// Gives bare lines E'', widths and isotopologue of the generated line that is nearest in position
-/// (0.01 cm-1 counts as one, at most three) and strength (a factor of 1.5 counts as one); where
+/// (`near_cm` counts as one, at most three) and strength (a factor of 1.5 counts as one); where
 /// there is none, those of `otherwise`. Both ascending.
 std::vector<Line> describedLines(std::span<const BareLine> bare, std::span<const Line> generated,
-                                 const Line& otherwise);
+                                 const Line& otherwise, double near_cm = 0.01);
 
 /// The bare lines that a list lacks. A line of the list stands for one bare line, the most alike:
 /// first pairs within 1e-4 cm-1 and 2 percent in strength are made, at last those within 2e-3 cm-1

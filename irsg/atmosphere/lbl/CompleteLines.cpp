@@ -5,6 +5,7 @@
 
 #include "irsg/atmosphere/lbl/CarbonDioxideLines.h"
 #include "irsg/atmosphere/lbl/LineListFile.h"
+#include "irsg/atmosphere/lbl/NitrousOxideLines.h"
 #include "irsg/atmosphere/lbl/PseudoLines.h"
 #include "irsg/atmosphere/lbl/PublishedRun.h"
 #include "irsg/atmosphere/lbl/StrengthScaling.h"
@@ -81,7 +82,12 @@ void scalePseudoLines(LineList& list, const std::filesystem::path& dataFolder) {
         (isWater ? "0.08" : "0.06") + " RMS away; to 0.06 in transmittance");
 }
 
-/// Methane at 2000 to 2833 and 3246 to 3333 cm-1: known positions and strengths, assumed widths.
+// Where the list has all that is known of the main isotopologue of methane.
+constexpr double methaneFrom_cm = 2832.8, methaneTo_cm = 3246.31;
+
+/// Methane at 2000 to 3333 cm-1, where positions and strengths of all isotopologues are known.
+/// Those that the list lacks are 13CH4's, and a few of CH3D: lower energies and widths are those of
+/// the line of 12CH4 that stands as far from its band origin. Beyond the list they are assumed.
 void addBareMethane(LineList& list, const std::filesystem::path& folder) {
     Line mean;
     const PseudoGas methane = pseudoGas(Gas::CH4);
@@ -89,18 +95,49 @@ void addBareMethane(LineList& list, const std::filesystem::path& folder) {
     mean.airWidth_cm_atm = methane.airWidth_cm_atm;
     mean.selfWidth_cm_atm = methane.selfWidth_cm_atm;
     mean.widthExponent = methane.widthExponent;
+    std::vector<BareLine> inside, outside;
     for (const BareLine& bare : readBareLines(folder / "extra" / "CH4_nu_S_2000-3333.txt.gz")) {
-        if (bare.intensity < weakestMethane ||
-            (bare.wavenumber_cm > 2832.8 && bare.wavenumber_cm < 3246.31))
+        if (bare.intensity < weakestMethane)
             continue;
+        const bool isInside =
+            bare.wavenumber_cm > methaneFrom_cm && bare.wavenumber_cm < methaneTo_cm;
+        (isInside ? inside : outside).push_back(bare);
+    }
+    std::vector<Line> listed;
+    std::ranges::copy_if(list.lines, std::back_inserter(listed), [](const Line& line) {
+        return line.wavenumber_cm > methaneFrom_cm - 1.0 && line.wavenumber_cm < methaneTo_cm + 1.0;
+    });
+    Line rare = mean;
+    rare.isotopologue = 2;
+    const std::vector<Line> described =
+        describedLines(missingLines(inside, listed), heavyMethane(listed), rare, 0.1);
+    list.lines.insert(list.lines.end(), described.begin(), described.end());
+    for (const BareLine& bare : outside) {
         list.lines.push_back(mean);
         list.lines.back().wavenumber_cm = bare.wavenumber_cm;
         list.lines.back().intensity = bare.intensity;
     }
     list.origins.push_back(
+        "CH4 lines at 2833-3246 cm-1 that the list lacks (13CH4, CH3D): positions and strengths of "
+        "HITRAN, lower energies and widths of 12CH4's lines moved by the distance of the nu3 "
+        "origins; a few percent");
+    list.origins.push_back(
         "CH4 at 2000-2833 and 3246-3333 cm-1: positions and strengths of HITRAN, "
         "with a lower energy of 300 cm-1 and widths of 0.055 cm-1 assumed for "
         "all lines; a few percent at 270 to 320 K, more beyond");
+}
+
+/// The isotopologues of nitrous oxide beside the main one where the list has that alone.
+void addRareNitrousOxide(LineList& list, const std::filesystem::path& file) {
+    const std::vector<Line> rare = rareNitrousOxide(readTextLines(file));
+    list.lines.insert(list.lines.end(), rare.begin(), rare.end());
+    list.origins.push_back(
+        "N2O at 2000-2400 cm-1, 14N15N16O, 15N14N16O, 14N14N18O and 14N14N17O: the bands of the "
+        "main "
+        "isotopologue that raise v3 by 1, moved to the origins and rotational constants of Toth "
+        "1987 (J. Opt. Soc. Am. B 4, 357) and Bogey 1975 (NIST), with HITRAN's abundances; "
+        "positions "
+        "to 0.05 cm-1, strengths to 5 percent");
 }
 
 std::string hitranOrigin(Gas gas) {
@@ -123,6 +160,24 @@ std::string hitranOrigin(Gas gas) {
 
 } // namespace
 
+std::vector<Line> heavyMethane(const std::vector<Line>& listed) {
+    // nu3 of 12CH4 and 13CH4, cm-1 (J. S. Margolis 1988, Appl. Opt. 27, 4038; S. Albert et al.
+    // 2009, Chem. Phys. 356, 131), and HITRAN's abundances. B is that of the tetrahedron of
+    // hydrogen.
+    constexpr double origin12_cm = 3018.92, origin13_cm = 3009.55;
+    constexpr double abundanceRatio = 0.0111031 / 0.988274;
+    std::vector<Line> heavy;
+    for (Line line : listed) {
+        if (line.isotopologue != 1)
+            continue;
+        line.wavenumber_cm += origin13_cm - origin12_cm;
+        line.intensity *= abundanceRatio;
+        line.isotopologue = 2;
+        heavy.push_back(line);
+    }
+    return heavy;
+}
+
 LineList completeLineList(Gas gas, const std::filesystem::path& dataFolder) {
     const std::filesystem::path folder = dataFolder / "lines";
     if (static_cast<std::size_t>(gas) >= lineGasCount)
@@ -134,6 +189,8 @@ LineList completeLineList(Gas gas, const std::filesystem::path& dataFolder) {
     list.origins.push_back(hitranOrigin(gas));
     if (gas == Gas::CH4)
         addBareMethane(list, folder);
+    if (gas == Gas::N2O)
+        addRareNitrousOxide(list, folder / "N2O.par.gz");
     addPseudoLines(list, dataFolder);
     scalePseudoLines(list, dataFolder);
     std::erase_if(list.lines, [](const Line& line) { return line.wavenumber_cm < lowest_cm; });
