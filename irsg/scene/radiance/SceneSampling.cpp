@@ -135,7 +135,7 @@ std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& 
     auto made = environment.nodesOf(band);
     if (!made)
         return nullptr;
-    if (keptNodes_.size() >= mostKept)
+    if (keptNodes_.size() >= mostNodesKept)
         keptNodes_.pop_back();
     keptNodes_.insert(keptNodes_.begin(), KeptNodes{band, environment.atmospheres(), made});
     return made;

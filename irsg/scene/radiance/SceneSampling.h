@@ -57,6 +57,8 @@ class SceneSampling {
   private:
     /// Nodes and edges that are kept: every range of a sweep through real air has its own.
     static constexpr std::size_t mostNumbers = std::size_t{1} << 18;
+    /// Nodes of the air itself, which are those of a band whatever the range.
+    static constexpr std::size_t mostNodesKept = 256;
 
     struct Kept {
         Band band;
