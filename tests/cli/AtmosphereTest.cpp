@@ -108,7 +108,7 @@ TEST(SmatBatchAtmosphere, InfoOfAnAtmosphereSmartMarksWhatDiffersFromTheDefault)
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("base 3 to 5 um"));
     EXPECT_THAT(ran.out, HasSubstr("spectral and wideband-ck"));
-    EXPECT_THAT(ran.out, HasSubstr("29 parameters, 2 not as by default (*)"));
+    EXPECT_THAT(ran.out, HasSubstr("34 parameters, 2 not as by default (*)"));
     EXPECT_THAT(ran.out, HasSubstr("* Visibility                  23000 m  (default 0)"));
     EXPECT_THAT(ran.out, HasSubstr("* Co2_ppmv                    380 ppmv  (default 400)"));
     EXPECT_THAT(ran.out, HasSubstr("  AirMass                     3\n"));
@@ -118,7 +118,7 @@ TEST(SmatBatchAtmosphere, InfoOfAnAtmosphereSmartMarksWhatDiffersFromTheDefault)
 
     const auto json = nlohmann::json::parse(smatBatch({"atmosphere", "info", file, "--json"}).out);
     const auto& parameters = json["smart"]["parameters"];
-    ASSERT_EQ(parameters.size(), 29u);
+    ASSERT_EQ(parameters.size(), 34u);
     for (const auto& parameter : parameters) {
         const bool differs = parameter["name"] == "Visibility" || parameter["name"] == "Co2_ppmv";
         EXPECT_EQ(parameter["differs"], differs) << parameter;
@@ -152,7 +152,7 @@ TEST(SmatBatchAtmosphere, InfoOfAnEnvironmentListsItsAtmospheresInTheOrderTheyAr
     EXPECT_EQ(json["kind"], "environment");
     ASSERT_EQ(json["atmospheres"].size(), 2u);
     EXPECT_EQ(json["atmospheres"][0]["entry"], "SMARTI");
-    EXPECT_EQ(json["atmospheres"][0]["smart"]["parameters"].size(), 29u);
+    EXPECT_EQ(json["atmospheres"][0]["smart"]["parameters"].size(), 34u);
     EXPECT_EQ(json["atmospheres"][1]["air_temperature_K"], 288.15);
     EXPECT_EQ(json["default_background"]["wavelengths_um"][1], 5.0);
 }
