@@ -322,7 +322,7 @@ TEST(AirDescription, TellsLinesAndFactsOfEachKind) {
     EXPECT_EQ(std::get<AirFacts>(fact(spectra, "geometry").value).front().name,
               "sensor_altitude_m");
     const AirDescription real = smart()->describe();
-    EXPECT_THAT(real.lines[2], HasSubstr("29 parameters, 2 not as by default (*)"));
+    EXPECT_THAT(real.lines[2], HasSubstr("34 parameters, 2 not as by default (*)"));
     EXPECT_EQ(std::get<AirFacts>(fact(real, "smart").value).front().name, "profile");
     const AirDescription runs = table()->describe();
     EXPECT_THAT(runs.lines, testing::Contains("1 run"));
