@@ -22,7 +22,7 @@ struct CkRequest {
     /// User-defined radiances of the scene's gases, W m-2 sr-1 um-1: each is trained as it is, so
     /// that lines of a hot gas that sit on the air's lines keep their correlation.
     std::vector<const Spectrum*> radiances;
-    double largestError = 0.004; ///< of in-band quantities on the training cases, relative
+    double largestError = 0.003; ///< of in-band quantities on the training cases, relative
     std::size_t mostTerms = 250;
 };
 

@@ -287,7 +287,8 @@ class Candidates {
 
 /// Adds terms until no row's error is above `largestError`, `most` are in use or none helps.
 Fit grown(const SparseProblem& problem, double largestError, std::size_t most) {
-    constexpr int patience = 60;
+    // A fit that is stuck comes loose as a rule: some sets need a hundred terms more for it.
+    constexpr int patience = 250;
     Candidates candidates(problem);
     Fit fit{ActiveSet(problem)};
     Fit best = fit;
