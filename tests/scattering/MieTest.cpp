@@ -33,7 +33,8 @@ struct Case {
 
 // W. J. Wiscombe 1979, Mie scattering calculations, NCAR/TN-140+STR, and the edition of 1996 with
 // MIEV0 (test cases 5 to 19; the asymmetry of case 16 is 0.846309958109 in arithmetic of 40 digits,
-// which is 0.846310 rounded to the six digits of the table: it prints 0.846309); C. F. Bohren and D. R. Huffman 1983, appendix A.
+// which is 0.846310 rounded to the six digits of the table: it prints 0.846309); C. F. Bohren and
+// D. R. Huffman 1983, appendix A.
 const Case cases[] = {
     {"Wiscombe 5", {0.75, 0.0}, 0.099, six(0.000007), six(0.000007), six(0.001448)},
     {"Wiscombe 6", {0.75, 0.0}, 0.101, six(0.000008), six(0.000008), six(0.001507)},
