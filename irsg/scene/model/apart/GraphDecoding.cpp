@@ -15,6 +15,7 @@
 #include "irsg/scene/model/apart/GraphExtent.h"
 #include "irsg/scene/model/apart/JointCoding.h"
 #include "irsg/scene/model/apart/NodeKind.h"
+#include "irsg/scene/model/apart/NumberCoding.h"
 #include "irsg/scene/model/apart/StateCoding.h"
 
 namespace irsg {
@@ -33,14 +34,6 @@ std::vector<bool> getFlags(ByteSource& source) {
     for (std::size_t i = 0; i < flags.size(); ++i)
         flags[i] = source.getFlag();
     return flags;
-}
-
-template <typename Vector>
-Vector getVector(ByteSource& source) {
-    Vector v;
-    const std::string_view bytes = source.getBytes(Vector::num_components * sizeof v[0]);
-    std::memcpy(v.ptr(), bytes.data(), bytes.size());
-    return v;
 }
 
 class GraphDecoder {
@@ -112,10 +105,8 @@ class GraphDecoder {
             return group;
         case NodeKind::transform: {
             const bool absolute = source_.getFlag();
-            osg::Matrixd matrix;
-            const auto bytes = source_.getBytes(16 * sizeof(double));
-            std::memcpy(matrix.ptr(), bytes.data(), bytes.size());
-            osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(matrix);
+            osg::ref_ptr<osg::MatrixTransform> transform =
+                new osg::MatrixTransform(getNumbers<osg::Matrixd>(source_));
             if (absolute)
                 transform->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
             adopt(*transform);
@@ -167,7 +158,7 @@ class GraphDecoder {
         lod->setRangeMode(mode == osg::LOD::PIXEL_SIZE_ON_SCREEN
                               ? osg::LOD::PIXEL_SIZE_ON_SCREEN
                               : osg::LOD::DISTANCE_FROM_EYE_POINT);
-        lod->setCenter(getVector<osg::Vec3d>(source_));
+        lod->setCenter(getNumbers<osg::Vec3d>(source_));
         if (centre != osg::LOD::USER_DEFINED_CENTER &&
             centre != osg::LOD::UNION_OF_BOUNDING_SPHERE_AND_USER_DEFINED)
             lod->setCenterMode(osg::LOD::USE_BOUNDING_SPHERE_CENTER);
@@ -196,13 +187,13 @@ class GraphDecoder {
         const auto mode = source_.get<std::int32_t>();
         if (mode >= osg::Billboard::POINT_ROT_EYE && mode <= osg::Billboard::AXIAL_ROT)
             node->setMode(static_cast<osg::Billboard::Mode>(mode));
-        node->setAxis(getVector<osg::Vec3f>(source_));
-        node->setNormal(getVector<osg::Vec3f>(source_));
+        node->setAxis(getNumbers<osg::Vec3f>(source_));
+        node->setNormal(getNumbers<osg::Vec3f>(source_));
         for (const auto child : children_) {
             osg::Drawable* drawable = nodes_[child]->asDrawable();
             if (!drawable)
                 throw DamagedBytes("a billboard of something else than drawables");
-            node->addDrawable(drawable, getVector<osg::Vec3f>(source_));
+            node->addDrawable(drawable, getNumbers<osg::Vec3f>(source_));
         }
         return node;
     }

@@ -15,6 +15,7 @@
 #include "irsg/scene/model/apart/GraphExtent.h"
 #include "irsg/scene/model/apart/JointCoding.h"
 #include "irsg/scene/model/apart/NodeKind.h"
+#include "irsg/scene/model/apart/NumberCoding.h"
 #include "irsg/scene/model/apart/StateCoding.h"
 
 namespace irsg {
@@ -125,7 +126,7 @@ class GraphEncoder {
             transform.computeLocalToWorldMatrix(matrix, nullptr);
             sink_.put(static_cast<std::uint8_t>(transform.getReferenceFrame() !=
                                                 osg::Transform::RELATIVE_RF));
-            return sink_.putBytes(matrix.ptr(), 16 * sizeof(double));
+            return putNumbers(sink_, matrix);
         }
         case NodeKind::joint:
             return putJoint(sink_, dynamic_cast<osgSim::DOFTransform&>(node));
@@ -165,8 +166,7 @@ class GraphEncoder {
     void putLod(const osg::LOD& lod, const std::vector<std::uint32_t>& places) {
         sink_.put(static_cast<std::int32_t>(lod.getRangeMode()));
         sink_.put(static_cast<std::int32_t>(lod.getCenterMode()));
-        const osg::Vec3d centre = lod.getCenter();
-        sink_.putBytes(centre.ptr(), 3 * sizeof(double));
+        putNumbers(sink_, osg::Vec3d(lod.getCenter()));
         sink_.put(static_cast<double>(lod.getRadius()));
         for (const auto place : places) {
             const bool stated = place < lod.getNumRanges();
@@ -185,13 +185,11 @@ class GraphEncoder {
 
     void putBillboard(const osg::Billboard& node, const std::vector<std::uint32_t>& places) {
         sink_.put(static_cast<std::int32_t>(node.getMode()));
-        sink_.putBytes(node.getAxis().ptr(), 3 * sizeof(float));
-        sink_.putBytes(node.getNormal().ptr(), 3 * sizeof(float));
+        putNumbers(sink_, node.getAxis());
+        putNumbers(sink_, node.getNormal());
         const auto& positions = node.getPositionList();
         for (const auto place : places) {
-            const osg::Vec3 position =
-                place < positions.size() ? osg::Vec3(positions[place]) : osg::Vec3();
-            sink_.putBytes(position.ptr(), 3 * sizeof(float));
+            putNumbers(sink_, place < positions.size() ? osg::Vec3(positions[place]) : osg::Vec3());
         }
     }
 

@@ -1,5 +1,7 @@
 #include "irsg/scene/model/apart/JointCoding.h"
 
+#include "irsg/scene/model/apart/NumberCoding.h"
+
 namespace irsg {
 
 namespace {
@@ -26,20 +28,13 @@ constexpr Limit limits[] = {
     {&DOFTransform::getIncrementScale, &DOFTransform::setIncrementScale},
     {&DOFTransform::getCurrentScale, &DOFTransform::setCurrentScale}};
 
-osg::Matrixd matrixOf(ByteSource& source) {
-    osg::Matrixd matrix;
-    const std::string_view bytes = source.getBytes(16 * sizeof(double));
-    std::memcpy(matrix.ptr(), bytes.data(), bytes.size());
-    return matrix;
-}
-
 } // namespace
 
 void putJoint(ByteSink& sink, const DOFTransform& joint) {
     for (const Limit& limit : limits)
-        sink.putBytes((joint.*limit.get)().ptr(), 3 * sizeof(float));
+        putNumbers(sink, (joint.*limit.get)());
     for (const osg::Matrixd& matrix : {joint.getPutMatrix(), joint.getInversePutMatrix()})
-        sink.putBytes(matrix.ptr(), 16 * sizeof(double));
+        putNumbers(sink, matrix);
     sink.put(static_cast<std::uint64_t>(joint.getLimitationFlags()));
     sink.put(static_cast<std::int32_t>(joint.getHPRMultOrder()));
     sink.put(static_cast<std::uint8_t>(joint.getAnimationOn()));
@@ -48,14 +43,10 @@ void putJoint(ByteSink& sink, const DOFTransform& joint) {
 
 osg::ref_ptr<DOFTransform> getJoint(ByteSource& source) {
     osg::ref_ptr<DOFTransform> joint = new DOFTransform;
-    for (const Limit& limit : limits) {
-        osg::Vec3 vector;
-        const std::string_view bytes = source.getBytes(3 * sizeof(float));
-        std::memcpy(vector.ptr(), bytes.data(), bytes.size());
-        (*joint.*limit.set)(vector);
-    }
-    joint->setPutMatrix(matrixOf(source));
-    joint->setInversePutMatrix(matrixOf(source));
+    for (const Limit& limit : limits)
+        (*joint.*limit.set)(getNumbers<osg::Vec3>(source));
+    joint->setPutMatrix(getNumbers<osg::Matrixd>(source));
+    joint->setInversePutMatrix(getNumbers<osg::Matrixd>(source));
     joint->setLimitationFlags(source.get<std::uint64_t>());
     const auto order = source.get<std::int32_t>();
     if (order < DOFTransform::PRH || order > DOFTransform::RHP)
