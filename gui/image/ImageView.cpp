@@ -138,7 +138,7 @@ void ImageView::findLimits(const std::optional<irsg::DisplayLimits>& known) {
     if (!known)
         canvas_->awaitColors();
     limitsTask_.run<FoundLimits>(work, [this, known](const FoundLimits& found) {
-        if (known && known->scale == found.limits.scale && !found.limits.levels)
+        if (known == found.limits)
             colorBar_->setOutOfRange(found.outside);
         else
             useLimits(found);

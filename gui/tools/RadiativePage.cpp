@@ -56,11 +56,9 @@ irsg::SpectralRange firstBand(const Settings& asked) {
 
 std::string commandFor(const Project& project, const Settings& asked,
                        const std::vector<std::string>& words, const AirGeometryInput& geometry) {
-    const std::string command =
-        radiativeCommand(resolvedAir(project, asked), words, geometry, firstBand(asked),
-                         sunOf(project, asked), "radiative.csv");
-    const auto day = asked.optionalReal("environment.dayOfYear");
-    return day ? command + " --day-of-year=" + irsg::numberText(*day) : command;
+    return radiativeCommand(resolvedAir(project, asked), words, geometry, firstBand(asked),
+                            sunOf(project, asked), asked.optionalReal("environment.dayOfYear"),
+                            "radiative.csv");
 }
 
 } // namespace

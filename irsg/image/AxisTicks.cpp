@@ -86,8 +86,9 @@ AxisTicks axisTicks(const DisplayLimits& limits, int mostTicks) {
                                    : value * std::pow(10.0, -ticks.exponent);
     };
 
+    const int most = std::max(mostTicks, 2);
     if (limits.scale != ColorScale::linear) {
-        addAlongColors(limits, std::max(mostTicks, 2), std::pow(10.0, ticks.exponent), ticks);
+        addAlongColors(limits, most, std::pow(10.0, ticks.exponent), ticks);
         if (ticks.values.size() > 1)
             return ticks;
         ticks.values.clear();
@@ -95,7 +96,6 @@ AxisTicks axisTicks(const DisplayLimits& limits, int mostTicks) {
     }
 
     // The multiples of the step that lie inside; a step that gives too many grows once more.
-    const int most = std::max(mostTicks, 2);
     double least = (scaled(high) - scaled(low)) / most;
     for (int attempt = 0; attempt < 3 && least > 0.0 && std::isfinite(least); ++attempt) {
         const auto [step, power] = roundStep(least);

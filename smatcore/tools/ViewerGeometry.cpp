@@ -66,7 +66,8 @@ std::string airArguments(const std::vector<std::filesystem::path>& air) {
 std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
                              const std::vector<std::string>& words,
                              const AirGeometryInput& geometry, const irsg::SpectralRange& band,
-                             const irsg::SunPosition& sun, const std::string& outputFile) {
+                             const irsg::SunPosition& sun, std::optional<double> dayOfYear,
+                             const std::string& outputFile) {
     std::string command = "smat-batch radiative" + airArguments(air);
     const auto add = [&](const char* option, double value) {
         command += std::string(" ") + option + "=" + irsg::numberText(value);
@@ -94,6 +95,9 @@ std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
     };
     add("--sun-azimuth", typed(sun.azimuth_rad));
     add("--sun-elevation", typed(sun.elevation_rad));
+    if (dayOfYear) {
+        add("--day-of-year", *dayOfYear);
+    }
     return command + " --out " + shellQuoted(outputFile);
 }
 

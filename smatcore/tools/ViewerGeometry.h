@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,11 @@ std::string airArguments(const std::vector<std::filesystem::path>& air);
 
 /// The command that makes the same radiative output from a terminal, with `air` as the
 /// atmospheres, `none` where it is empty, and the words of its quantities (see
-/// radiativeQuantities).
+/// radiativeQuantities). The sun's distance is that of the day, the mean one without.
 std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
                              const std::vector<std::string>& words,
                              const AirGeometryInput& geometry, const irsg::SpectralRange& band,
-                             const irsg::SunPosition& sun, const std::string& outputFile);
+                             const irsg::SunPosition& sun, std::optional<double> dayOfYear,
+                             const std::string& outputFile);
 
 } // namespace smat

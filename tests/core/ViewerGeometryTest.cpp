@@ -45,12 +45,13 @@ TEST(ViewerGeometryTest, ItsCommandSaysEveryNumber) {
     const auto g = viewerGeometry({}, placed(1000.0, 100.0, 0.0, 0.0), {});
     const std::string command =
         radiativeCommand({"my air.csv"}, {"sun", "path"}, g, {3.0, 5.0},
-                         {irsg::radians(180.0), irsg::radians(45.0)}, "out.csv");
+                         {irsg::radians(180.0), irsg::radians(45.0)}, 172.0, "out.csv");
     EXPECT_EQ(command.find("smat-batch radiative 'my air.csv' --quantity sun --quantity path "
                            "--band 3-5 --sensor-altitude=1000 --altitude=1000 --range=100 "),
               0U)
         << command;
     EXPECT_NE(command.find("--sun-azimuth=180"), std::string::npos) << command;
+    EXPECT_NE(command.find("--day-of-year=172 "), std::string::npos) << command;
     EXPECT_NE(command.find("--out out.csv"), std::string::npos) << command;
 }
 
