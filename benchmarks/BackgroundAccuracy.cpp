@@ -142,7 +142,7 @@ int main() {
     printTimes();
     AtmosphereSmartParameters parameters;
     parameters.irradianceMode = 2; // nothing from tables
-    parameters.resolution_cm = 15;
+    parameters.resolution_per_cm = 15;
     parameters.baseWavelengthMax_um = 12.0;
     const AtmosphereSmart air(parameters);
     for (const Band& band : {Band::topHat(3.0, 5.0), Band::topHat(8.0, 12.0)})

@@ -15,7 +15,7 @@
 
 namespace irsg::bench {
 
-struct ConstantShaderDrawing::Parts {
+struct ConstantShaderDrawing::Impl {
     OffscreenContext& context = OffscreenContext::shared();
     std::shared_ptr<const Model> model;
     Sensor sensor;
@@ -26,8 +26,8 @@ struct ConstantShaderDrawing::Parts {
 
 ConstantShaderDrawing::ConstantShaderDrawing(std::shared_ptr<const Model> model,
                                              const Sensor& sensor, const Viewpoint& viewpoint)
-    : parts_(std::make_unique<Parts>()) {
-    Parts& p = *parts_;
+    : impl_(std::make_unique<Impl>()) {
+    Impl& p = *impl_;
     p.model = std::move(model);
     p.sensor = sensor;
     p.context.run([&](osg::RenderInfo& info) {
@@ -66,15 +66,15 @@ ConstantShaderDrawing::ConstantShaderDrawing(std::shared_ptr<const Model> model,
 }
 
 ConstantShaderDrawing::~ConstantShaderDrawing() {
-    parts_->context.run([&](osg::RenderInfo& info) {
-        parts_->view = nullptr;
-        parts_->target = nullptr;
+    impl_->context.run([&](osg::RenderInfo& info) {
+        impl_->view = nullptr;
+        impl_->target = nullptr;
         info.getState()->reset();
     });
 }
 
 int ConstantShaderDrawing::draw() {
-    Parts& p = *parts_;
+    Impl& p = *impl_;
     p.context.run([&](osg::RenderInfo&) {
         p.target->bind(p.sensor.width_px, p.sensor.height_px);
         p.view->cull();

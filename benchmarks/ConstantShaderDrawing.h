@@ -20,8 +20,8 @@ class ConstantShaderDrawing {
     int draw();
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 } // namespace irsg::bench

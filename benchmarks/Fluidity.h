@@ -8,7 +8,7 @@
 class Fluidity {
   public:
     /// The usual time of a frame.
-    void judge(const std::string& what, double frame_ms) {
+    void validate(const std::string& what, double frame_ms) {
         if (frame_ms > allowed_ms)
             tooSlow_ += (tooSlow_.empty() ? "" : ", ") + what;
     }

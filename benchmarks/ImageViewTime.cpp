@@ -74,7 +74,7 @@ void measure(const char* what, int times, Act&& act, const std::function<double(
     }
     // What is worked out in other threads keeps nobody waiting.
     if (!std::string_view(what).starts_with("in the background"))
-        fluidity.judge(what, std::max(window_ms, longest_ms) / times);
+        fluidity.validate(what, std::max(window_ms, longest_ms) / times);
     std::printf("%-52s %8.1f %8.1f %8.1f\n", what, window_ms / times, longest_ms / times,
                 seen_ms / times);
     std::fflush(stdout);

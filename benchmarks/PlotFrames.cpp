@@ -69,7 +69,7 @@ void measure(const std::string& plot, const char* what, int frames,
     }
     std::sort(times_ms.begin(), times_ms.end());
     std::sort(processor.begin(), processor.end());
-    fluidity.judge(plot + ": " + what, times_ms[times_ms.size() / 2]);
+    fluidity.validate(plot + ": " + what, times_ms[times_ms.size() / 2]);
     std::printf("  %-22s median %6.1f   worst %6.1f   processor %6.1f ms\n", what,
                 times_ms[times_ms.size() / 2], times_ms.back(), processor[processor.size() / 2]);
     std::fflush(stdout);

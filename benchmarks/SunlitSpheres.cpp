@@ -28,21 +28,21 @@ double intensity_W_sr(Irsg& irsg, CalculationMode mode, ReflectionMode sun) {
 
 /// bench_sunlit [RESOLUTION_CM]
 int main(int argc, char** argv) {
-    const int resolution_cm = argc > 1 ? std::atoi(argv[1]) : 5;
+    const int resolution_per_cm = argc > 1 ? std::atoi(argv[1]) : 5;
     constexpr SpectralRange bands[] = {{0.7, 1.1}, {1.1, 1.4},  {1.5, 1.8}, {2.0, 2.5},
                                        {3.0, 3.4}, {3.4, 4.15}, {4.2, 4.6}, {4.5, 5.0},
                                        {3.0, 5.0}, {5.0, 8.0},  {8.0, 9.5}, {9.0, 12.0}};
     std::printf("### A sphere in the sun, spectral mode of %d cm⁻¹ against wideband terms: "
                 "difference %% of all its light, and of the sun's alone\n\n| band, µm | air | W "
                 "sr⁻¹ | all | sun |\n|---|---|---|---|---|\n",
-                resolution_cm);
+                resolution_per_cm);
     double largestAll = 0.0, largestSun = 0.0;
     for (const SpectralRange& range : bands) {
         const Band band = Band::topHat(range.min_um, range.max_um);
         for (int model = 1; model <= 6; ++model) {
             Irsg irsg;
             irsg.setEnvironment(
-                environmentOf(smartAir(model, range.min_um, range.max_um, 2, resolution_cm)));
+                environmentOf(smartAir(model, range.min_um, range.max_um, 2, resolution_per_cm)));
             const auto scenes = widebandScenes(band);
             irsg.setEntities({scenes.front().entity});
             look(irsg, scenes.front().view);

@@ -71,7 +71,7 @@ void print(const char* what, const std::function<std::vector<double>()>& measure
     const double computed = (computed_ms() - before_ms) / static_cast<double>(times_ms.size());
     std::ranges::sort(times_ms);
     if (std::string_view(what).find("dragging") != std::string_view::npos)
-        fluidity.judge(what, times_ms[times_ms.size() / 2]);
+        fluidity.validate(what, times_ms[times_ms.size() / 2]);
     std::printf("%-44s %9.1f %9.1f %9.1f %9.1f   %zu\n", what, times_ms[times_ms.size() / 2],
                 times_ms[times_ms.size() * 95 / 100], times_ms.back(), computed, times_ms.size());
     std::fflush(stdout);

@@ -50,15 +50,15 @@ Measured measured(Irsg& irsg, CalculationMode mode, ReflectionMode reflection) {
 
 /// bench_wideband [RESOLUTION_CM]
 int main(int argc, char** argv) {
-    const int resolution_cm = argc > 1 ? std::atoi(argv[1]) : 5;
+    const int resolution_per_cm = argc > 1 ? std::atoi(argv[1]) : 5;
     std::printf("### Scenes in the wideband mode beside the spectral one, bins of %d cm⁻¹\n\n",
-                resolution_cm);
+                resolution_per_cm);
     std::printf("| air | scene | reflection | spectral W sr⁻¹ | difference %% | background, "
                 "difference %% | "
                 "spectral ms | wideband ms | ratio |\n|---|---|---|---|---|---|---|---|---|\n");
     for (const WidebandAir& air : widebandAirs()) {
         Irsg irsg;
-        irsg.setEnvironment(air.environment(resolution_cm));
+        irsg.setEnvironment(air.environment(resolution_per_cm));
         for (const WidebandScene& scene : widebandScenes(air.band()))
             for (const ReflectionMode reflection : {ReflectionMode::off, ReflectionMode::smart}) {
                 irsg.setEntities({scene.entity});

@@ -11,8 +11,8 @@
 #include <sqlite3.h>
 
 #include "gui/DialogButtons.h"
-#include "gui/SideScroll.h"
 #include "gui/Theme.h"
+#include "gui/VerticalScrollArea.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageView.h"
 #include "irsg/scene/scattering/SceneScattering.h"
@@ -130,7 +130,7 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, const QList<QAction*>& o
         auto* label = new QLabel("<table>" + rows + "</table>");
         label->setObjectName(name);
         label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-        tabs->addTab(new SideScroll(label, tabs), title);
+        tabs->addTab(new VerticalScrollArea(label, tabs), title);
     };
     add(tr("Menus and results"), "keyList", keys);
     add(tr("View, plots and mouse"), "mouseList", mouse);

@@ -6,8 +6,8 @@ namespace smat::gui {
 
 QStringList sentencesOf(const irsg::InputError& error) {
     QStringList sentences;
-    for (const irsg::Offence& offence : error.offences())
-        sentences << QString::fromStdString(offence.message());
+    for (const irsg::Diagnostic& diagnostic : error.diagnostics())
+        sentences << QString::fromStdString(diagnostic.message());
     return sentences;
 }
 

@@ -12,7 +12,7 @@ struct Folders {
     std::filesystem::path out;  ///< resources/atmosphere
     /// Of the gases: parts of the spectrum to compute anew, the rest is that of the table that is
     /// in `out` already; none: all of it.
-    std::vector<std::pair<double, double>> renew_cm = {};
+    std::vector<std::pair<double, double>> renew_per_cm = {};
 };
 
 /// Each writes one kind of table, says on standard output from what and how, and throws

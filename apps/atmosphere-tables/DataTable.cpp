@@ -12,8 +12,8 @@ namespace smat::tables {
 
 namespace {
 
+using irsg::Diagnostic;
 using irsg::InputError;
-using irsg::Offence;
 
 /// Seven digits: more than any of the sources has, without the noise of a change of unit.
 std::string digits(double value) {
@@ -27,7 +27,7 @@ std::string digits(double value) {
 const std::vector<double>& Table::column(const std::string& name) const {
     const auto found = std::ranges::find(names, name);
     if (found == names.end())
-        throw InputError(Offence{file, "header", "no column " + name, name});
+        throw InputError(Diagnostic{file, "header", "no column " + name, name});
     return columns[static_cast<std::size_t>(found - names.begin())];
 }
 
@@ -48,7 +48,7 @@ Table readTable(const std::filesystem::path& file) {
     const irsg::CsvTable csv = irsg::CsvTable::read(file);
     Table table;
     table.file = file.string();
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (const irsg::CsvRow& row : csv.rows()) {
         if (table.names.empty()) {
             for (const irsg::CsvCell& cell : row.cells)
@@ -57,16 +57,17 @@ Table readTable(const std::filesystem::path& file) {
             continue;
         }
         if (row.cells.size() != table.names.size()) {
-            offences.push_back(csv.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                                           std::to_string(table.names.size()) + " cells"));
+            diagnostics.push_back(csv.diagnostic(row.line,
+                                                 std::to_string(row.cells.size()) + " cells",
+                                                 std::to_string(table.names.size()) + " cells"));
             continue;
         }
         for (std::size_t i = 0; i < row.cells.size(); ++i)
-            if (const auto value = csv.number(row.cells[i], offences))
+            if (const auto value = csv.number(row.cells[i], diagnostics))
                 table.columns[i].push_back(*value);
     }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return table;
 }
 
@@ -94,7 +95,7 @@ void Writer::write(const std::filesystem::path& file, const std::string& header,
     }
     stream.close();
     if (!stream)
-        throw InputError(Offence{file.string(), "", "cannot be written", "a writable folder"});
+        throw InputError(Diagnostic{file.string(), "", "cannot be written", "a writable folder"});
     std::cout << file.string() << ": " << rows << " rows of " << names_.size() << " columns\n";
 }
 

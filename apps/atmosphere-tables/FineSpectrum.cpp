@@ -11,11 +11,11 @@ using namespace irsg::lbl;
 namespace {
 
 /// Lines that reach into a piece of the spectrum.
-LineList linesNear(const LineList& list, const Piece& piece, double reach_cm) {
-    const auto first =
-        std::ranges::lower_bound(list.lines, piece.lower_cm - reach_cm, {}, &Line::wavenumber_cm);
-    const auto last =
-        std::ranges::upper_bound(list.lines, piece.upper_cm + reach_cm, {}, &Line::wavenumber_cm);
+LineList linesNear(const LineList& list, const Piece& piece, double reach_per_cm) {
+    const auto first = std::ranges::lower_bound(list.lines, piece.lower_per_cm - reach_per_cm, {},
+                                                &Line::wavenumber_per_cm);
+    const auto last = std::ranges::upper_bound(list.lines, piece.upper_per_cm + reach_per_cm, {},
+                                               &Line::wavenumber_per_cm);
     return {list.gas, {first, last}, {}};
 }
 
@@ -45,15 +45,15 @@ FineCrossSections fineCrossSections(const std::vector<LineList>& gases,
                                     const PartitionSums& partition, const CrossSectionGrid& grid,
                                     const Piece& piece) {
     FineCrossSections fine;
-    fine.grid.step_cm = piece.step_cm;
-    fine.grid.first_cm = piece.lower_cm + 0.5 * piece.step_cm;
-    fine.grid.count =
-        static_cast<std::size_t>(std::lround((piece.upper_cm - piece.lower_cm) / piece.step_cm));
+    fine.grid.step_per_cm = piece.step_per_cm;
+    fine.grid.first_per_cm = piece.lower_per_cm + 0.5 * piece.step_per_cm;
+    fine.grid.count = static_cast<std::size_t>(
+        std::lround((piece.upper_per_cm - piece.lower_per_cm) / piece.step_per_cm));
 
     static constexpr double nothing_cm2 = 1e-33;
     for (const LineList& gas : gases) {
         const LineShape shape = defaultLineShape(gas.gas);
-        const LineList near = linesNear(gas, piece, shape.cut_cm + 1.0);
+        const LineList near = linesNear(gas, piece, shape.cut_per_cm + 1.0);
         if (near.lines.empty())
             continue;
         auto& points = fine.lnCrossSection[static_cast<std::size_t>(gas.gas)];

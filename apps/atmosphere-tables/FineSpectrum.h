@@ -10,9 +10,9 @@ namespace smat::tables {
 
 /// An interval of the spectrum that is worked on at once.
 struct Piece {
-    double lower_cm = 0.0, upper_cm = 0.0;
-    int width_cm = 1;       ///< of the narrowest bins
-    double step_cm = 0.001; ///< of the line-by-line grid
+    double lower_per_cm = 0.0, upper_per_cm = 0.0;
+    int width_per_cm = 1;       ///< of the narrowest bins
+    double step_per_cm = 0.001; ///< of the line-by-line grid
 };
 
 /// The grid of pressures and temperatures of gases.gastable.

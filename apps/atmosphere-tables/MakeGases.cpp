@@ -26,13 +26,14 @@ using namespace irsg::lbl;
 /// Where there are line lists, bins of 1 cm-1 have a meaning; where lines were made from bands of
 /// 20 cm-1, they are of 5; where no line gas absorbs, of 15.
 std::vector<Piece> pieces() {
-    constexpr double first_cm = 240.0, lines_cm = 480.0, bands_cm = 6420.0, smooth_cm = 18000.0;
+    constexpr double first_per_cm = 240.0, lines_per_cm = 480.0, bands_per_cm = 6420.0,
+                     smooth_per_cm = 18000.0;
     std::vector<Piece> all;
-    for (double lower = first_cm; lower < smooth_cm; lower += 60.0) {
+    for (double lower = first_per_cm; lower < smooth_per_cm; lower += 60.0) {
         Piece piece{lower, lower + 60.0, 1, lower < 2400.0 ? 0.001 : 0.002};
-        if (lower < lines_cm || lower >= bands_cm) {
-            piece.width_cm = 5;
-            piece.step_cm = lower < lines_cm ? 0.002 : 0.004;
+        if (lower < lines_per_cm || lower >= bands_per_cm) {
+            piece.width_per_cm = 5;
+            piece.step_per_cm = lower < lines_per_cm ? 0.002 : 0.004;
         }
         all.push_back(piece);
     }
@@ -43,15 +44,15 @@ std::vector<Piece> pieces() {
 class Assembly {
   public:
     void add(TrainedNodes piece) {
-        const auto shift = static_cast<std::uint32_t>(wavenumbers_cm.size());
-        wavenumbers_cm.insert(wavenumbers_cm.end(), piece.wavenumbers_cm.begin(),
-                              piece.wavenumbers_cm.end());
+        const auto shift = static_cast<std::uint32_t>(wavenumbers_per_cm.size());
+        wavenumbers_per_cm.insert(wavenumbers_per_cm.end(), piece.wavenumbers_per_cm.begin(),
+                                  piece.wavenumbers_per_cm.end());
         for (GasTable::Block& block : piece.blocks) {
             block.node += shift;
             blocks.push_back(std::move(block));
         }
         for (std::size_t r = 0; r < bins.size(); ++r) {
-            bins[r].resolution_cm = piece.bins[r].resolution_cm;
+            bins[r].resolution_per_cm = piece.bins[r].resolution_per_cm;
             const auto first = static_cast<std::uint32_t>(bins[r].nodes.size());
             for (SpectralBin bin : piece.bins[r].bins) {
                 bin.first += first;
@@ -64,12 +65,12 @@ class Assembly {
         }
     }
     /// Bins of 15 cm-1 with one node at which no line gas absorbs.
-    void addSmooth(double lower_cm, double upper_cm) {
-        for (double lower = lower_cm; lower < upper_cm - 1.0; lower += 15.0) {
+    void addSmooth(double lower_per_cm, double upper_per_cm) {
+        for (double lower = lower_per_cm; lower < upper_per_cm - 1.0; lower += 15.0) {
             TrainedNodes piece;
-            piece.wavenumbers_cm = {lower + 7.5};
+            piece.wavenumbers_per_cm = {lower + 7.5};
             for (std::size_t r = 0; r < bins.size(); ++r) {
-                piece.bins[r].resolution_cm = GasTable::resolutions_cm[r];
+                piece.bins[r].resolution_per_cm = GasTable::resolutions_per_cm[r];
                 piece.bins[r].bins = {{lower, lower + 15.0, 0, 1}};
                 piece.bins[r].nodes = {0};
                 piece.bins[r].weights = {1.0f};
@@ -78,7 +79,7 @@ class Assembly {
         }
     }
 
-    std::vector<double> wavenumbers_cm;
+    std::vector<double> wavenumbers_per_cm;
     std::vector<GasTable::Block> blocks;
     std::array<BinSet, 3> bins;
 };
@@ -88,10 +89,10 @@ TrainedNodes keptPiece(const GasTable& table, const Piece& piece) {
     TrainedNodes kept;
     std::vector<std::uint32_t> nodes;
     for (std::uint32_t node = 0; node < table.nodeCount(); ++node)
-        if (table.wavenumber_cm(node) >= piece.lower_cm &&
-            table.wavenumber_cm(node) < piece.upper_cm) {
+        if (table.wavenumber_per_cm(node) >= piece.lower_per_cm &&
+            table.wavenumber_per_cm(node) < piece.upper_per_cm) {
             nodes.push_back(node);
-            kept.wavenumbers_cm.push_back(table.wavenumber_cm(node));
+            kept.wavenumbers_per_cm.push_back(table.wavenumber_per_cm(node));
         }
     const std::uint32_t first = nodes.front();
     for (std::size_t g = 0; g < lineGasCount; ++g) {
@@ -113,11 +114,12 @@ TrainedNodes keptPiece(const GasTable& table, const Piece& piece) {
             }
     }
     for (std::size_t r = 0; r < kept.bins.size(); ++r) {
-        const BinSet& all = table.bins(GasTable::resolutions_cm[r]);
+        const BinSet& all = table.bins(GasTable::resolutions_per_cm[r]);
         BinSet& own = kept.bins[r];
-        own.resolution_cm = all.resolution_cm;
+        own.resolution_per_cm = all.resolution_per_cm;
         for (SpectralBin bin : all.bins) {
-            if (bin.lower_cm < piece.lower_cm - 1e-6 || bin.lower_cm > piece.upper_cm - 1e-6)
+            if (bin.lower_per_cm < piece.lower_per_cm - 1e-6 ||
+                bin.lower_per_cm > piece.upper_per_cm - 1e-6)
                 continue;
             const auto begin = static_cast<std::uint32_t>(own.nodes.size());
             for (std::uint32_t i = bin.first; i < bin.first + bin.count; ++i) {
@@ -140,7 +142,7 @@ std::string errorsIn(const std::string& header) {
 /// RMS and largest error of training over ranges that users know.
 std::string errorTable(const std::vector<Piece>& work, const std::vector<TrainedNodes>& trained) {
     struct Range {
-        double lower_cm, upper_cm;
+        double lower_per_cm, upper_per_cm;
     };
     constexpr std::array<Range, 8> ranges = {{{240, 480},
                                               {480, 840},
@@ -155,13 +157,14 @@ std::string errorTable(const std::vector<Piece>& work, const std::vector<Trained
             "5, 15 "
             "cm-1; nodes a bin\n";
     for (const Range& range : ranges) {
-        text << std::defaultfloat << std::setprecision(6) << range.lower_cm << "-" << range.upper_cm
-             << " cm-1:";
+        text << std::defaultfloat << std::setprecision(6) << range.lower_per_cm << "-"
+             << range.upper_per_cm << " cm-1:";
         for (std::size_t r = 0; r < 3; ++r) {
             double squares = 0.0, largest = 0.0;
             std::size_t cases = 0, nodes = 0, bins = 0;
             for (std::size_t i = 0; i < work.size(); ++i)
-                if (work[i].lower_cm >= range.lower_cm && work[i].upper_cm <= range.upper_cm) {
+                if (work[i].lower_per_cm >= range.lower_per_cm &&
+                    work[i].upper_per_cm <= range.upper_per_cm) {
                     squares += trained[i].squaredError[r];
                     largest = std::max(largest, trained[i].largestError[r]);
                     cases += trained[i].cases[r];
@@ -192,10 +195,10 @@ void makeGases(const Folders& folders) {
 
     const std::vector<Piece> work = pieces();
     const std::shared_ptr<const GasTable> table =
-        folders.renew_cm.empty() ? nullptr : GasTable::read(folders.out / "gases.gastable");
+        folders.renew_per_cm.empty() ? nullptr : GasTable::read(folders.out / "gases.gastable");
     const auto isRenewed = [&](const Piece& piece) {
-        return std::ranges::any_of(folders.renew_cm, [&](const auto& range) {
-            return range.first < piece.upper_cm && range.second > piece.lower_cm;
+        return std::ranges::any_of(folders.renew_per_cm, [&](const auto& range) {
+            return range.first < piece.upper_per_cm && range.second > piece.lower_per_cm;
         });
     };
     std::vector<TrainedNodes> trained(work.size());
@@ -209,11 +212,11 @@ void makeGases(const Folders& folders) {
                 continue;
             }
             const FineCrossSections fine = fineCrossSections(gases, partition, grid, piece);
-            trained[i] = trainNodes(fine, grid, training, piece.lower_cm, piece.upper_cm,
-                                    piece.width_cm, goals);
+            trained[i] = trainNodes(fine, grid, training, piece.lower_per_cm, piece.upper_per_cm,
+                                    piece.width_per_cm, goals);
             const std::lock_guard lock(output);
-            std::cout << piece.lower_cm << "-" << piece.upper_cm
-                      << " cm-1: " << trained[i].wavenumbers_cm.size() << " nodes" << std::endl;
+            std::cout << piece.lower_per_cm << "-" << piece.upper_per_cm
+                      << " cm-1: " << trained[i].wavenumbers_per_cm.size() << " nodes" << std::endl;
         }
     };
     std::vector<std::jthread> workers;
@@ -237,8 +240,8 @@ void makeGases(const Folders& folders) {
     Assembly assembly;
     for (TrainedNodes& piece : trained)
         assembly.add(std::move(piece));
-    assembly.addSmooth(work.back().upper_cm, 50010.0);
-    const GasTable result(grid, std::move(assembly.wavenumbers_cm), std::move(assembly.blocks),
+    assembly.addSmooth(work.back().upper_per_cm, 50010.0);
+    const GasTable result(grid, std::move(assembly.wavenumbers_per_cm), std::move(assembly.blocks),
                           std::move(assembly.bins), header.str());
     std::cout << result.header() << result.nodeCount() << " nodes" << std::endl;
     result.write(folders.out / "gases.gastable");

@@ -18,17 +18,17 @@ constexpr double amagat2 = 2.686780111e19 * 2.686780111e19;
 
 /// What was measured at one temperature, cm-1 amagat-2 over ascending wavenumbers.
 struct Measurement {
-    std::vector<double> wavenumber_cm, coefficient;
+    std::vector<double> wavenumber_per_cm, coefficient;
 
     /// Mean of what lies about a wavenumber; false where nothing does.
-    bool mean(double nu, double halfWidth_cm, double& value) const {
-        const auto first = std::ranges::lower_bound(wavenumber_cm, nu - halfWidth_cm);
-        const auto last = std::ranges::upper_bound(wavenumber_cm, nu + halfWidth_cm);
-        if (nu < wavenumber_cm.front() || nu > wavenumber_cm.back() || first == last)
+    bool mean(double nu, double halfWidth_per_cm, double& value) const {
+        const auto first = std::ranges::lower_bound(wavenumber_per_cm, nu - halfWidth_per_cm);
+        const auto last = std::ranges::upper_bound(wavenumber_per_cm, nu + halfWidth_per_cm);
+        if (nu < wavenumber_per_cm.front() || nu > wavenumber_per_cm.back() || first == last)
             return false;
         double sum = 0.0;
         for (auto at = first; at != last; ++at)
-            sum += coefficient[static_cast<std::size_t>(at - wavenumber_cm.begin())];
+            sum += coefficient[static_cast<std::size_t>(at - wavenumber_per_cm.begin())];
         value = sum / static_cast<double>(last - first);
         return true;
     }
@@ -39,7 +39,7 @@ using ByTemperature = std::map<double, Measurement>;
 /// The rotational band and the fundamental.
 std::array<ByTemperature, 2> readMeasurements(const std::filesystem::path& file) {
     std::array<ByTemperature, 2> bands;
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     std::size_t number = 0;
     for (const std::string& line : irsg::lbl::readTextLines(file)) {
         ++number;
@@ -56,16 +56,16 @@ std::array<ByTemperature, 2> readMeasurements(const std::filesystem::path& file)
             value = found.value_or(0.0);
         }
         if (!good) {
-            offences.push_back({file.string(), "line " + std::to_string(number), line,
-                                "temperature, wavenumber, coefficient"});
+            diagnostics.push_back({file.string(), "line " + std::to_string(number), line,
+                                   "temperature, wavenumber, coefficient"});
             continue;
         }
         Measurement& measurement = bands[values[1] < 1000.0 ? 0 : 1][values[0]];
-        measurement.wavenumber_cm.push_back(values[1]);
+        measurement.wavenumber_per_cm.push_back(values[1]);
         measurement.coefficient.push_back(values[2] * amagat2);
     }
-    if (!offences.empty())
-        throw irsg::InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw irsg::InputError(std::move(diagnostics));
     return bands;
 }
 
@@ -109,24 +109,24 @@ Fit fitted(const std::vector<Point>& points) {
 struct Band {
     const char* file;
     double coldest_K, warmest_K; ///< temperatures used
-    double lower_cm, upper_cm, step_cm;
+    double lower_per_cm, upper_per_cm, step_per_cm;
     const char* error;
 };
 
 void write(const Folders& folders, const ByTemperature& measured, const Band& band) {
     std::array<std::vector<double>, 3> columns;
-    for (double nu = band.lower_cm; nu <= band.upper_cm; nu += band.step_cm) {
+    for (double nu = band.lower_per_cm; nu <= band.upper_per_cm; nu += band.step_per_cm) {
         std::vector<Point> points;
         for (const auto& [temperature_K, measurement] : measured) {
             double value = 0.0;
             if (temperature_K < band.coldest_K || temperature_K > band.warmest_K ||
-                !measurement.mean(nu, 0.5 * band.step_cm, value))
+                !measurement.mean(nu, 0.5 * band.step_per_cm, value))
                 continue;
             // The zero of the colder measurements is good to 2e-8, of the others to 1e-9.
             const double zero = nu > 1000.0 && temperature_K < 260.0 ? 2e-8 : 1e-9;
             points.push_back({temperature_K, value, zero + 0.01 * std::abs(value)});
         }
-        const bool end = nu == band.lower_cm || nu + band.step_cm > band.upper_cm;
+        const bool end = nu == band.lower_per_cm || nu + band.step_per_cm > band.upper_per_cm;
         const Fit fit = end && nu > 1000.0 ? Fit{} : fitted(points);
         columns[0].push_back(nu);
         columns[1].push_back(fit.k273);

@@ -20,12 +20,13 @@ constexpr double loschmidt_per_cm3 = 2.686780111e19;
 /// The transmittance of oxygen's lines over the path of the published run, seen through its slit.
 class LinePath {
   public:
-    LinePath(const Folders& folders, const irsg::AirState& air, double lower_cm, double upper_cm) {
+    LinePath(const Folders& folders, const irsg::AtmosphericState& air, double lower_per_cm,
+             double upper_per_cm) {
         const auto lines =
             irsg::lbl::readLineList(irsg::Gas::O2, folders.data / "lines" / "O2.par.gz");
         const auto partition = irsg::lbl::PartitionSums::read(folders.data / "lines" / "partition");
-        grid_ = {lower_cm - 20.0, 0.005,
-                 static_cast<std::size_t>((upper_cm - lower_cm + 40.0) / 0.005) + 1};
+        grid_ = {lower_per_cm - 20.0, 0.005,
+                 static_cast<std::size_t>((upper_per_cm - lower_per_cm + 40.0) / 0.005) + 1};
         const double fraction = air.fraction(irsg::Gas::O2);
         transmittance_ = irsg::lbl::crossSection_cm2(lines, partition, grid_, air.temperature_K,
                                                      air.pressure_hPa, fraction,
@@ -36,12 +37,12 @@ class LinePath {
             value = std::exp(-value * column_per_cm2);
     }
     double at(double nu) const {
-        constexpr double slit_cm = 10.0;
+        constexpr double slit_per_cm = 10.0;
         double sum = 0.0, weights = 0.0;
         const auto first =
-            static_cast<std::size_t>((nu - slit_cm - grid_.first_cm) / grid_.step_cm);
-        for (std::size_t i = first; i < grid_.count && grid_.at(i) < nu + slit_cm; ++i) {
-            const double weight = std::max(0.0, 1.0 - std::abs(grid_.at(i) - nu) / slit_cm);
+            static_cast<std::size_t>((nu - slit_per_cm - grid_.first_per_cm) / grid_.step_per_cm);
+        for (std::size_t i = first; i < grid_.count && grid_.at(i) < nu + slit_per_cm; ++i) {
+            const double weight = std::max(0.0, 1.0 - std::abs(grid_.at(i) - nu) / slit_per_cm);
             sum += weight * transmittance_[i];
             weights += weight;
         }
@@ -57,13 +58,15 @@ class LinePath {
 class PublishedDepth {
   public:
     PublishedDepth(const PublishedRun& run, const LinePath* lines) : run_(run), lines_(lines) {}
-    double mean(double nu, double halfWidth_cm) const {
+    double mean(double nu, double halfWidth_per_cm) const {
         double sum = 0.0;
         int count = 0;
-        const auto first = std::ranges::lower_bound(run_.wavenumber_cm, nu - halfWidth_cm);
-        for (auto i = static_cast<std::size_t>(first - run_.wavenumber_cm.begin());
-             i < run_.wavenumber_cm.size() && run_.wavenumber_cm[i] <= nu + halfWidth_cm; ++i) {
-            const double lines = lines_ ? lines_->at(run_.wavenumber_cm[i]) : 1.0;
+        const auto first = std::ranges::lower_bound(run_.wavenumber_per_cm, nu - halfWidth_per_cm);
+        for (auto i = static_cast<std::size_t>(first - run_.wavenumber_per_cm.begin());
+             i < run_.wavenumber_per_cm.size() &&
+             run_.wavenumber_per_cm[i] <= nu + halfWidth_per_cm;
+             ++i) {
+            const double lines = lines_ ? lines_->at(run_.wavenumber_per_cm[i]) : 1.0;
             sum -= std::log(run_.oxygen[i] / lines);
             ++count;
         }
@@ -100,19 +103,19 @@ void makeFundamental(const Folders& folders) {
 }
 
 void makeNearInfrared(const Folders& folders, const PublishedRun& run) {
-    constexpr double lower_cm = 7540.0, upper_cm = 10000.0;
-    const irsg::AirState air = PublishedRun::air();
-    const LinePath lines(folders, air, lower_cm, upper_cm);
+    constexpr double lower_per_cm = 7540.0, upper_per_cm = 10000.0;
+    const irsg::AtmosphericState air = PublishedRun::air();
+    const LinePath lines(folders, air, lower_per_cm, upper_per_cm);
     const PublishedDepth depth(run, &lines);
     const double all = air.airDensity_per_m3() * 1e-6 / loschmidt_per_cm3;
     const double perDepth =
         1.0 / (PublishedRun::length_cm * air.fraction(irsg::Gas::O2) * all * all);
 
     std::array<std::vector<double>, 2> columns;
-    for (double nu = lower_cm; nu <= upper_cm; nu += 10.0) {
+    for (double nu = lower_per_cm; nu <= upper_per_cm; nu += 10.0) {
         columns[0].push_back(nu);
-        columns[1].push_back(nu == lower_cm || nu == upper_cm ? 0.0
-                                                              : perDepth * depth.mean(nu, 10.0));
+        columns[1].push_back(
+            nu == lower_per_cm || nu == upper_per_cm ? 0.0 : perDepth * depth.mean(nu, 10.0));
     }
     Writer writer(std::string(publishedRunSource) +
                   "# source of the lines taken off: HITRAN 2012 (L. S. Rothman et al. 2013, J. "
@@ -132,19 +135,20 @@ void makeNearInfrared(const Folders& folders, const PublishedRun& run) {
 
 void makeVisible(const Folders& folders, const PublishedRun& run) {
     // Between these the lines of a band lie on the collision band at 630 nm, whose peak is known.
-    constexpr double linesFrom_cm = 15780.0, linesTo_cm = 15990.0, peak_cm = 15873.0;
+    constexpr double linesFrom_per_cm = 15780.0, linesTo_per_cm = 15990.0, peak_per_cm = 15873.0;
     constexpr double peak = 7.2e-46 * loschmidt_per_cm3 * loschmidt_per_cm3;
     const PublishedDepth depth(run, nullptr);
-    const irsg::AirState air = PublishedRun::air();
+    const irsg::AtmosphericState air = PublishedRun::air();
     const double oxygen = air.density_per_m3(irsg::Gas::O2) * 1e-6 / loschmidt_per_cm3;
     auto measured = [&](double nu) {
         return depth.mean(nu, 20.0) / (PublishedRun::length_cm * oxygen * oxygen);
     };
     auto value = [&](double nu) {
-        if (nu <= linesFrom_cm || nu >= linesTo_cm)
+        if (nu <= linesFrom_per_cm || nu >= linesTo_per_cm)
             return measured(nu);
-        const double end_cm = nu < peak_cm ? linesFrom_cm : linesTo_cm;
-        return peak + (measured(end_cm) - peak) * (nu - peak_cm) / (end_cm - peak_cm);
+        const double end_per_cm = nu < peak_per_cm ? linesFrom_per_cm : linesTo_per_cm;
+        return peak +
+               (measured(end_per_cm) - peak) * (nu - peak_per_cm) / (end_per_cm - peak_per_cm);
     };
     std::array<std::vector<double>, 2> columns;
     for (double nu = 15300.0; nu <= 30000.0; nu += 30.0) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/atmosphere-tables/Command.h"
-#include "irsg/atmosphere/engine/AirState.h"
+#include "irsg/atmosphere/engine/AtmosphericState.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -40,13 +40,13 @@ std::vector<std::string> wantedColumns() {
 std::vector<std::size_t> positionsOf(const std::vector<std::string>& columns,
                                      const irsg::CsvTable& table) {
     if (table.rows().empty())
-        throw irsg::InputError(table.offence("no rows", "a header and levels"));
+        throw irsg::InputError(table.diagnostic("no rows", "a header and levels"));
     const auto& header = table.rows().front().cells;
     std::vector<std::size_t> positions;
     for (const std::string& column : columns) {
         const auto found = std::ranges::find(header, column, &irsg::CsvCell::text);
         if (found == header.end())
-            throw irsg::InputError(table.offence("no column " + column, "a column " + column));
+            throw irsg::InputError(table.diagnostic("no column " + column, "a column " + column));
         positions.push_back(static_cast<std::size_t>(found - header.begin()));
     }
     return positions;
@@ -54,18 +54,19 @@ std::vector<std::size_t> positionsOf(const std::vector<std::string>& columns,
 
 int copyLevels(const irsg::CsvTable& table, std::size_t number, std::ostream& out) {
     const std::vector<std::size_t> positions = positionsOf(wantedColumns(), table);
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     int count = 0;
     for (std::size_t i = 1; i < table.rows().size(); ++i) {
         const irsg::CsvRow& row = table.rows()[i];
         if (row.cells.size() != table.rows().front().cells.size()) {
-            offences.push_back(table.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                                             "as many cells as the header"));
+            diagnostics.push_back(table.diagnostic(row.line,
+                                                   std::to_string(row.cells.size()) + " cells",
+                                                   "as many cells as the header"));
             continue;
         }
         std::vector<double> values;
         for (const std::size_t position : positions)
-            values.push_back(table.number(row.cells[position], offences).value_or(0.0));
+            values.push_back(table.number(row.cells[position], diagnostics).value_or(0.0));
         if (values.front() > top_km)
             break;
         out << number << "," << irsg::numberText(1000.0 * values.front());
@@ -74,8 +75,8 @@ int copyLevels(const irsg::CsvTable& table, std::size_t number, std::ostream& ou
         out << "\n";
         ++count;
     }
-    if (!offences.empty())
-        throw irsg::InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw irsg::InputError(std::move(diagnostics));
     return count;
 }
 
@@ -98,7 +99,7 @@ void makeProfiles(const Folders& folders) {
                        i + 1, out);
     out.close();
     if (!out)
-        throw irsg::InputError(irsg::Offence{file.string(), "", "cannot be written", "a file"});
+        throw irsg::InputError(irsg::Diagnostic{file.string(), "", "cannot be written", "a file"});
     std::cout << recipe << levels << " levels of six atmospheres: " << file.string() << "\n";
 }
 

@@ -22,7 +22,7 @@ namespace {
 using namespace irsg;
 using namespace irsg::lbl;
 
-constexpr double binWidth_cm = 5.0;
+constexpr double binWidth_per_cm = 5.0;
 constexpr int quantiles = 8;
 
 /// What one gas does in one bin and one layer, in the terms of each method, per vertical layer.
@@ -34,19 +34,21 @@ struct GasLayer {
 };
 
 /// Lines of a gas in a bin as a statistical model sees them: (sum sqrt S)^2 / sum S a bin.
-double effectiveDensity_per_cm(const LineList& gas, const PartitionSums& partition, double lower_cm,
-                               double temperature_K) {
+double effectiveDensity_per_cm(const LineList& gas, const PartitionSums& partition,
+                               double lower_per_cm, double temperature_K) {
     double roots = 0.0, sum = 0.0;
-    const auto first = std::ranges::lower_bound(gas.lines, lower_cm, {}, &Line::wavenumber_cm);
-    for (auto line = first; line != gas.lines.end() && line->wavenumber_cm < lower_cm + binWidth_cm;
+    const auto first =
+        std::ranges::lower_bound(gas.lines, lower_per_cm, {}, &Line::wavenumber_per_cm);
+    for (auto line = first;
+         line != gas.lines.end() && line->wavenumber_per_cm < lower_per_cm + binWidth_per_cm;
          ++line) {
         const double S =
             line->intensity * partition.ratioTo296(gas.gas, line->isotopologue, temperature_K) *
-            std::exp(-1.438776877 * line->lowerEnergy_cm * (1.0 / temperature_K - 1.0 / 296.0));
+            std::exp(-1.438776877 * line->lowerEnergy_per_cm * (1.0 / temperature_K - 1.0 / 296.0));
         roots += std::sqrt(S);
         sum += S;
     }
-    return sum > 0.0 ? roots * roots / sum / binWidth_cm : 0.0;
+    return sum > 0.0 ? roots * roots / sum / binWidth_per_cm : 0.0;
 }
 
 struct Bin {
@@ -55,10 +57,11 @@ struct Bin {
 
 Bin binOf(const FineCrossSections& fine, const CrossSectionGrid& grid,
           const TrainingPaths& training, const std::vector<LineList>& gases,
-          const PartitionSums& partition, double lower_cm) {
+          const PartitionSums& partition, double lower_per_cm) {
     const auto first = static_cast<std::size_t>(
-        std::lround((lower_cm - fine.grid.first_cm) / fine.grid.step_cm + 0.5));
-    const auto count = static_cast<std::size_t>(std::lround(binWidth_cm / fine.grid.step_cm));
+        std::lround((lower_per_cm - fine.grid.first_per_cm) / fine.grid.step_per_cm + 0.5));
+    const auto count =
+        static_cast<std::size_t>(std::lround(binWidth_per_cm / fine.grid.step_per_cm));
     const GaussRule& rule = gaussLegendre(quantiles);
     Bin bin;
     for (const TrainingLayer& layer : training.layers) {
@@ -93,10 +96,11 @@ Bin binOf(const FineCrossSections& fine, const CrossSectionGrid& grid,
                     own.sorted[q] += sorted[i] / static_cast<double>(b - a);
                 begin = end;
             }
-            const double lorentz_cm = 0.07 * layer.air.pressure_hPa / 1013.25 *
-                                      std::pow(296.0 / layer.air.temperature_K, 0.7);
-            own.widthOverSpacing = lorentz_cm * effectiveDensity_per_cm(gas, partition, lower_cm,
-                                                                        layer.air.temperature_K);
+            const double lorentz_per_cm = 0.07 * layer.air.pressure_hPa / 1013.25 *
+                                          std::pow(296.0 / layer.air.temperature_K, 0.7);
+            own.widthOverSpacing =
+                lorentz_per_cm *
+                effectiveDensity_per_cm(gas, partition, lower_per_cm, layer.air.temperature_K);
         }
         bin.layers.push_back(std::move(all));
     }
@@ -205,14 +209,14 @@ void makeStudy(const Folders& folders) {
                 training.paths.size(), training.layers.size());
     std::printf(
         "| cm-1 | method | RMS error | largest | ns a path and bin |\n|---|---|---|---|---|\n");
-    for (const double lower_cm : {660.0, 960.0, 1200.0, 2040.0, 2280.0, 2880.0, 4800.0}) {
-        const Piece piece{lower_cm, lower_cm + 60.0, 1, 0.002};
+    for (const double lower_per_cm : {660.0, 960.0, 1200.0, 2040.0, 2280.0, 2880.0, 4800.0}) {
+        const Piece piece{lower_per_cm, lower_per_cm + 60.0, 1, 0.002};
         const FineCrossSections fine = fineCrossSections(gases, partition, grid, piece);
-        const TrainedNodes nodes =
-            trainNodes(fine, grid, training, piece.lower_cm, piece.upper_cm, 1, nodeGoals());
+        const TrainedNodes nodes = trainNodes(fine, grid, training, piece.lower_per_cm,
+                                              piece.upper_per_cm, 1, nodeGoals());
         Score band, distribution, sampling;
         for (const SpectralBin& at : nodes.bins[1].bins) {
-            const Bin bin = binOf(fine, grid, training, gases, partition, at.lower_cm);
+            const Bin bin = binOf(fine, grid, training, gases, partition, at.lower_per_cm);
             std::vector<double> truth, depth(bin.layers[0][0].depth.size());
             for (const auto& gas : bin.layers[0])
                 depth.resize(std::max(depth.size(), gas.depth.size()));
@@ -222,9 +226,9 @@ void makeStudy(const Folders& folders) {
             own.depth.assign(bin.layers.size(), {});
             for (std::uint32_t i = at.first; i < at.first + at.count; ++i) {
                 own.weights.push_back(static_cast<double>(nodes.bins[1].weights[i]));
-                const double nu = nodes.wavenumbers_cm[nodes.bins[1].nodes[i]];
+                const double nu = nodes.wavenumbers_per_cm[nodes.bins[1].nodes[i]];
                 const auto point = static_cast<std::size_t>(
-                    std::lround((nu - at.lower_cm) / fine.grid.step_cm - 0.5));
+                    std::lround((nu - at.lower_per_cm) / fine.grid.step_per_cm - 0.5));
                 for (std::size_t l = 0; l < bin.layers.size(); ++l) {
                     double sum = 0.0;
                     for (const GasLayer& gas : bin.layers[l])
@@ -240,7 +244,8 @@ void makeStudy(const Folders& folders) {
         }
         char name[64];
         auto print = [&](const Score& score, const char* method) {
-            std::snprintf(name, sizeof name, "%g-%g | %s", piece.lower_cm, piece.upper_cm, method);
+            std::snprintf(name, sizeof name, "%g-%g | %s", piece.lower_per_cm, piece.upper_per_cm,
+                          method);
             score.print(name);
         };
         print(band, "band model");

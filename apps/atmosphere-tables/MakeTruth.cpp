@@ -41,17 +41,17 @@ std::vector<double> levels_m() {
 std::string rows(const std::vector<LineList>& gases, const PartitionSums& partition, int atmosphere,
                  const TruthBand& band) {
     const Profile profile = Profile::model(static_cast<ModelAtmosphere>(atmosphere));
-    const LineByLineColumn column(gases, partition, profile, levels_m(), band.lower_cm,
-                                  band.upper_cm, band.lower_cm < 2400.0 ? 0.001 : 0.002);
+    const LineByLineColumn column(gases, partition, profile, levels_m(), band.lower_per_cm,
+                                  band.upper_per_cm, band.lower_per_cm < 2400.0 ? 0.001 : 0.002);
     const RayTracer tracer(profile, levels_m());
     std::string text;
     for (std::size_t p = 0; p < truthPaths.size(); ++p) {
-        const auto means = column.along(tracer.between(truthPaths[p]), truthBinWidth_cm);
+        const auto means = column.along(tracer.between(truthPaths[p]), truthBinWidth_per_cm);
         for (std::size_t bin = 0; bin < means.transmittance.size(); ++bin) {
             char row[96];
             std::snprintf(row, sizeof row, "%d,%zu,%g,%.5f,%.4e\n", atmosphere, p,
-                          band.lower_cm + truthBinWidth_cm * static_cast<double>(bin),
-                          means.transmittance[bin], means.radiance_W_m2_sr_cm[bin]);
+                          band.lower_per_cm + truthBinWidth_per_cm * static_cast<double>(bin),
+                          means.transmittance[bin], means.radiance_W_m2_sr_per_cm[bin]);
             text += row;
         }
     }
@@ -72,8 +72,8 @@ void makeTruth(const Folders& folders) {
             const TruthBand& band = truthBands[i / atmospheres];
             texts[i] = rows(gases, partition, static_cast<int>(i % atmospheres) + 1, band);
             const std::lock_guard lock(output);
-            std::cout << "atmosphere " << i % atmospheres + 1 << ", " << band.lower_cm << "-"
-                      << band.upper_cm << " cm-1" << std::endl;
+            std::cout << "atmosphere " << i % atmospheres + 1 << ", " << band.lower_per_cm << "-"
+                      << band.upper_per_cm << " cm-1" << std::endl;
         }
     };
     std::vector<std::jthread> workers;
@@ -85,7 +85,7 @@ void makeTruth(const Folders& folders) {
         "# Transmittance and thermal radiance of molecular air, computed line by line\n"
         "# recipe: atmosphere-tables truth; the lines of gases.gastable, absorption at 43 levels\n"
         "# units: bins of 5 cm-1 from their lower end; radiance W m-2 sr-1 per cm-1\n"
-        "atmosphere,path,lower_cm,transmittance,radiance\n";
+        "atmosphere,path,lower_per_cm,transmittance,radiance\n";
     for (const std::string& text : texts)
         all += text;
     const auto file = folders.out / "line-by-line.csv.gz";
@@ -93,7 +93,7 @@ void makeTruth(const Folders& folders) {
     const bool written = out && gzwrite(out, all.data(), static_cast<unsigned>(all.size())) ==
                                     static_cast<int>(all.size());
     if (!out || gzclose(out) != Z_OK || !written)
-        throw InputError(Offence{file.string(), "", "cannot be written", "a writable folder"});
+        throw InputError(Diagnostic{file.string(), "", "cannot be written", "a writable folder"});
 }
 
 } // namespace smat::tables

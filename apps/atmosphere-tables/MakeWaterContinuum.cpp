@@ -50,7 +50,7 @@ struct Depths {
 
 class PublishedPath {
   public:
-    PublishedPath(const LowtranContinuum& continuum, const irsg::AirState& air)
+    PublishedPath(const LowtranContinuum& continuum, const irsg::AtmosphericState& air)
         : continuum_(continuum), temperature_K_(air.temperature_K) {
         const double reference_per_cm3 = 101325.0 / (1.380649e-23 * 296.0) * 1e-6;
         const double all = air.airDensity_per_m3() * 1e-6;
@@ -106,8 +106,8 @@ class Correction {
     double improve(const PublishedRun& run, const PublishedPath& path) {
         const std::size_t n = self_.size() + foreign_.size();
         std::vector<double> matrix(n * n, 0.0), right(n, 0.0);
-        for (std::size_t i = 0; i < run.wavenumber_cm.size(); ++i)
-            addPoint(run.wavenumber_cm[i], run.waterContinuum[i], path, matrix, right);
+        for (std::size_t i = 0; i < run.wavenumber_per_cm.size(); ++i)
+            addPoint(run.wavenumber_per_cm[i], run.waterContinuum[i], path, matrix, right);
         for (std::size_t i = 0; i < n; ++i) {
             const double stiffness = isFixed(i) ? 1e12 : 1.0 / (priorSpread * priorSpread);
             matrix[i * n + i] += stiffness;
@@ -133,11 +133,12 @@ class Correction {
 
   private:
     static constexpr double priorSpread = 1.0; ///< of the logarithm of a factor
-    static constexpr double lowest_cm = 660.0, highest_cm = 2400.0;
+    static constexpr double lowest_per_cm = 660.0, highest_per_cm = 2400.0;
 
     void addPoint(double nu, double transmittance, const PublishedPath& path,
                   std::vector<double>& matrix, std::vector<double>& right) const {
-        if (nu < lowest_cm || nu > highest_cm || transmittance < 0.004 || transmittance > 0.9997)
+        if (nu < lowest_per_cm || nu > highest_per_cm || transmittance < 0.004 ||
+            transmittance > 0.9997)
             return;
         const Depths plain = path.at(nu);
         const double self = plain.self * selfFactor(nu),
@@ -165,11 +166,11 @@ class Correction {
     bool isFixed(std::size_t i) const {
         if (i < self_.size())
             return i + 1 == self_.size();
-        const double nu = foreign_.node_cm(i - self_.size());
+        const double nu = foreign_.node_per_cm(i - self_.size());
         return nu == 1120.0 || nu == 1500.0 || nu == 1700.0 || nu == 2350.0;
     }
     static std::string nodeText(const NodeCurve& curve, std::size_t i) {
-        return " " + irsg::numberText(curve.node_cm(i)) + " " +
+        return " " + irsg::numberText(curve.node_per_cm(i)) + " " +
                irsg::numberText(std::round(1e3 * std::exp(curve.value(i))) / 1e3) +
                (i + 1 < curve.size() ? "," : "");
     }

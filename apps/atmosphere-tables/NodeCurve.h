@@ -7,36 +7,36 @@
 
 namespace smat::tables {
 
-/// A curve given at a few wavenumbers, linear between and held beyond.
+/// A curve given at a few wavenumbers, linear between and clamped beyond.
 class NodeCurve {
   public:
-    explicit NodeCurve(std::vector<double> nodes_cm)
-        : nodes_cm_(std::move(nodes_cm)), values_(nodes_cm_.size(), 0.0) {}
+    explicit NodeCurve(std::vector<double> nodes_per_cm)
+        : nodes_cm_(std::move(nodes_per_cm)), values_(nodes_cm_.size(), 0.0) {}
 
     struct Share {
         std::size_t node;
         double weight;
     };
     /// The two nodes about a wavenumber and what each contributes.
-    std::array<Share, 2> shares(double wavenumber_cm) const {
-        if (wavenumber_cm <= nodes_cm_.front())
+    std::array<Share, 2> shares(double wavenumber_per_cm) const {
+        if (wavenumber_per_cm <= nodes_cm_.front())
             return {{{0, 1.0}, {1, 0.0}}};
-        if (wavenumber_cm >= nodes_cm_.back())
+        if (wavenumber_per_cm >= nodes_cm_.back())
             return {{{nodes_cm_.size() - 2, 0.0}, {nodes_cm_.size() - 1, 1.0}}};
         const auto above = static_cast<std::size_t>(
-            std::ranges::upper_bound(nodes_cm_, wavenumber_cm) - nodes_cm_.begin());
+            std::ranges::upper_bound(nodes_cm_, wavenumber_per_cm) - nodes_cm_.begin());
         const double part =
-            (wavenumber_cm - nodes_cm_[above - 1]) / (nodes_cm_[above] - nodes_cm_[above - 1]);
+            (wavenumber_per_cm - nodes_cm_[above - 1]) / (nodes_cm_[above] - nodes_cm_[above - 1]);
         return {{{above - 1, 1.0 - part}, {above, part}}};
     }
-    double at(double wavenumber_cm) const {
+    double at(double wavenumber_per_cm) const {
         double sum = 0.0;
-        for (const Share& share : shares(wavenumber_cm))
+        for (const Share& share : shares(wavenumber_per_cm))
             sum += share.weight * values_[share.node];
         return sum;
     }
     std::size_t size() const { return nodes_cm_.size(); }
-    double node_cm(std::size_t node) const { return nodes_cm_[node]; }
+    double node_per_cm(std::size_t node) const { return nodes_cm_[node]; }
     double& value(std::size_t node) { return values_[node]; }
     double value(std::size_t node) const { return values_[node]; }
 

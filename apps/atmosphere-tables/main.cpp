@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
         ->required();
     app.add_option("--out", folders.out, "where the tables go")->required();
     app.add_option(
-        "--renew", folders.renew_cm,
+        "--renew", folders.renew_per_cm,
         "of gases, FROM TO in cm-1, as often as needed: compute the pieces of 60 cm-1 that "
         "touch this range and keep the others of the table in the folder");
     CLI11_PARSE(app, argc, argv);
@@ -37,9 +37,9 @@ int main(int argc, char** argv) {
     try {
         for (const std::string& name : wanted)
             if (std::ranges::none_of(kinds, [&](const auto& kind) { return kind.first == name; }))
-                throw irsg::InputError(
-                    irsg::Offence{"command line", "", name,
-                                  "profiles, particles, solar, continuum, gases, truth or study"});
+                throw irsg::InputError(irsg::Diagnostic{
+                    "command line", "", name,
+                    "profiles, particles, solar, continuum, gases, truth or study"});
         for (const auto& [name, make] : kinds)
             if ((wanted.empty() && name != "truth" && name != "study") ||
                 std::ranges::find(wanted, name) != wanted.end())

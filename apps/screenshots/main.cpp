@@ -11,7 +11,7 @@
 #include <QApplication>
 #include <QStandardPaths>
 
-#include "apps/screenshots/Photographer.h"
+#include "apps/screenshots/ScreenshotTaker.h"
 #include "gui/Theme.h"
 
 int main(int argc, char** argv) {
@@ -40,9 +40,9 @@ int main(int argc, char** argv) {
     QStringList names;
     for (const std::string& image : images)
         names << QString::fromStdString(image);
-    smat::gui::Photographer photographer(folder, project, names);
+    smat::gui::ScreenshotTaker screenshotTaker(folder, project, names);
     const QStringList problems =
-        withoutGl ? photographer.photographWithoutGl() : photographer.photograph();
+        withoutGl ? screenshotTaker.takeWithoutGl() : screenshotTaker.takeAll();
     for (const QString& problem : problems)
         std::cerr << "smat-screenshots: " << problem.toStdString() << '\n';
     return problems.isEmpty() ? 0 : 1;

@@ -14,8 +14,8 @@ AirInput::AirInput(CLI::App& command) {
 }
 
 std::optional<irsg::SunPosition> AirInput::addTo(irsg::Environment& environment,
-                                                 std::optional<int> resolution_cm) const {
-    return addAir(environment, {inputs_.begin(), inputs_.end()}, resolution_cm);
+                                                 std::optional<int> resolution_per_cm) const {
+    return addAir(environment, {inputs_.begin(), inputs_.end()}, resolution_per_cm);
 }
 
 } // namespace smat::batch

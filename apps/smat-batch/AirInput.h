@@ -18,7 +18,7 @@ class AirInput {
 
     /// As smat::addAir with what was given; InputError as there.
     std::optional<irsg::SunPosition> addTo(irsg::Environment& environment,
-                                           std::optional<int> resolution_cm = {}) const;
+                                           std::optional<int> resolution_per_cm = {}) const;
 
   private:
     std::vector<std::string> inputs_;

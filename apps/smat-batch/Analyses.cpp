@@ -19,7 +19,7 @@ namespace {
 /// Everything that can be wrong with the plans of all jobs, at once.
 std::vector<AnalysisPlan> planned(const std::vector<Job>& jobs) {
     std::vector<AnalysisPlan> plans;
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     for (const Job& job : jobs) {
         try {
             for (const std::filesystem::path& file : job.files) {
@@ -27,11 +27,12 @@ std::vector<AnalysisPlan> planned(const std::vector<Job>& jobs) {
             }
             plans.push_back(planAnalysis(job.data.kind, job.data.project, job.data.settings));
         } catch (const irsg::InputError& error) {
-            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
         }
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(offences);
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(diagnostics);
     }
     return plans;
 }

@@ -37,12 +37,12 @@ class AnalysisCommand {
 
     int run(Context& context) const {
         if (files_.empty() && !dryRun_) {
-            throw irsg::InputError(irsg::Offence{.file = "--out",
-                                                 .position = "",
-                                                 .value = "nothing",
-                                                 .expected = "a result file, such as --out " +
-                                                             name(kind_) +
-                                                             resultExtensions(kind_).front()});
+            throw irsg::InputError(irsg::Diagnostic{.file = "--out",
+                                                    .position = "",
+                                                    .value = "nothing",
+                                                    .expected = "a result file, such as --out " +
+                                                                name(kind_) +
+                                                                resultExtensions(kind_).front()});
         }
         Job job;
         {
@@ -65,10 +65,10 @@ class AnalysisCommand {
         AnalysisData data = AnalysisData::of(project, analysis_);
         if (data.kind != kind_) {
             throw irsg::InputError(
-                irsg::Offence{.file = "--analysis",
-                              .position = "",
-                              .value = analysis_ + ", which is of kind " + name(data.kind),
-                              .expected = "an analysis of kind " + name(kind_)});
+                irsg::Diagnostic{.file = "--analysis",
+                                 .position = "",
+                                 .value = analysis_ + ", which is of kind " + name(data.kind),
+                                 .expected = "an analysis of kind " + name(kind_)});
         }
         return data;
     }

@@ -44,7 +44,7 @@ int import(const std::vector<std::string>& names, const std::string& out, Contex
         warn(warning);
     }
     fmt::print("{}: {} run{}, {} wavenumbers\n", out, table.runs().size(),
-               table.runs().size() == 1 ? "" : "s", table.runs().front().wavenumbers_cm.size());
+               table.runs().size() == 1 ? "" : "s", table.runs().front().wavenumbers_per_cm.size());
     for (const std::string& span : table.spans()) {
         fmt::print("  {}\n", span);
     }

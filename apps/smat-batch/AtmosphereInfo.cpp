@@ -28,17 +28,17 @@ std::vector<std::string> quantities(const irsg::Atmosphere& atmosphere) {
     return names;
 }
 
-ordered_json jsonOf(const irsg::AirFacts& facts);
+ordered_json jsonOf(const irsg::AtmosphereFacts& facts);
 
-ordered_json jsonOf(const irsg::AirFactValue& fact) {
+ordered_json jsonOf(const irsg::AtmosphereFactValue& fact) {
     return std::visit(
         [](const auto& value) -> ordered_json {
             using Value = std::decay_t<decltype(value)>;
-            if constexpr (std::is_same_v<Value, irsg::AirFacts>) {
+            if constexpr (std::is_same_v<Value, irsg::AtmosphereFacts>) {
                 return jsonOf(value);
-            } else if constexpr (std::is_same_v<Value, irsg::AirFactList>) {
+            } else if constexpr (std::is_same_v<Value, irsg::AtmosphereFactList>) {
                 ordered_json list = ordered_json::array();
-                for (const irsg::AirFactValue& entry : value) {
+                for (const irsg::AtmosphereFactValue& entry : value) {
                     list.push_back(jsonOf(entry));
                 }
                 return list;
@@ -49,9 +49,9 @@ ordered_json jsonOf(const irsg::AirFactValue& fact) {
         fact.value);
 }
 
-ordered_json jsonOf(const irsg::AirFacts& facts) {
+ordered_json jsonOf(const irsg::AtmosphereFacts& facts) {
     ordered_json result = ordered_json::object();
-    for (const irsg::AirFact& fact : facts) {
+    for (const irsg::AtmosphereFact& fact : facts) {
         result[fact.name] = jsonOf(fact.value);
     }
     return result;

@@ -18,9 +18,9 @@ struct CopyOptions {
     bool renumber = false, replace = false;
 };
 
-/// Whole numbers between commas; offences name the option.
+/// Whole numbers between commas; diagnostics name the option.
 std::vector<int> indices(const char* option, const std::vector<std::string>& words,
-                         std::vector<irsg::Offence>& offences) {
+                         std::vector<irsg::Diagnostic>& diagnostics) {
     std::vector<int> result;
     for (const std::string& word : words) {
         int index = 0;
@@ -28,10 +28,10 @@ std::vector<int> indices(const char* option, const std::vector<std::string>& wor
         const char* const end = text.data() + text.size();
         const auto [stop, error] = std::from_chars(text.data(), end, index);
         if (error != std::errc{} || stop != end) {
-            offences.push_back({.file = option,
-                                .position = "",
-                                .value = "'" + word + "'",
-                                .expected = "indices between commas: 3,4"});
+            diagnostics.push_back({.file = option,
+                                   .position = "",
+                                   .value = "'" + word + "'",
+                                   .expected = "indices between commas: 3,4"});
         } else {
             result.push_back(index);
         }
@@ -40,28 +40,28 @@ std::vector<int> indices(const char* option, const std::vector<std::string>& wor
 }
 
 irsg::CopyRequest requestOf(const CopyOptions& options) {
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     irsg::CopyRequest request;
-    request.temperatures = indices("--temperatures", options.temperatures, offences);
-    request.materials = indices("--materials", options.materials, offences);
+    request.temperatures = indices("--temperatures", options.temperatures, diagnostics);
+    request.materials = indices("--materials", options.materials, diagnostics);
     request.spectra = options.spectra;
     request.taken = options.renumber  ? irsg::CopyRequest::Taken::renumber
                     : options.replace ? irsg::CopyRequest::Taken::replace
                                       : irsg::CopyRequest::Taken::refuse;
     if (options.renumber && options.replace) {
-        offences.push_back({.file = "--renumber",
-                            .position = "",
-                            .value = "--replace too",
-                            .expected = "one of the two"});
+        diagnostics.push_back({.file = "--renumber",
+                               .position = "",
+                               .value = "--replace too",
+                               .expected = "one of the two"});
     }
     if (options.temperatures.empty() && options.materials.empty() && options.spectra.empty()) {
-        offences.push_back({.file = "db copy",
-                            .position = "",
-                            .value = "nothing to copy",
-                            .expected = "--temperatures, --materials or --spectra"});
+        diagnostics.push_back({.file = "db copy",
+                               .position = "",
+                               .value = "nothing to copy",
+                               .expected = "--temperatures, --materials or --spectra"});
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(std::move(diagnostics));
     }
     return request;
 }

@@ -42,10 +42,10 @@ void importSpectrum(const ImportOptions& options, irsg::SignatureDatabase& datab
 int needed(const char* option, const std::optional<int>& value, const ImportOptions& options) {
     if (!value) {
         throw irsg::InputError(
-            irsg::Offence{.file = option,
-                          .position = "",
-                          .value = "nothing",
-                          .expected = "the index that the " + options.kind + " table is for"});
+            irsg::Diagnostic{.file = option,
+                             .position = "",
+                             .value = "nothing",
+                             .expected = "the index that the " + options.kind + " table is for"});
     }
     return *value;
 }
@@ -71,18 +71,19 @@ void importFactors(const ImportOptions& options, irsg::SignatureDatabase& databa
     const auto entry = database.temperatures.find(index);
     const std::string place = fmt::format("temperatures.{}", index);
     if (entry == database.temperatures.end()) {
-        throw irsg::InputError(irsg::Offence{.file = options.file,
-                                             .position = place,
-                                             .value = "no entry",
-                                             .expected = "an entry with a user-defined spectrum"});
+        throw irsg::InputError(
+            irsg::Diagnostic{.file = options.file,
+                             .position = place,
+                             .value = "no entry",
+                             .expected = "an entry with a user-defined spectrum"});
     }
     const auto spectrum = database.spectra.find(entry->second.userSpectrum);
     if (spectrum == database.spectra.end()) {
         throw irsg::InputError(
-            irsg::Offence{.file = options.file,
-                          .position = place,
-                          .value = "an entry without a user-defined spectrum",
-                          .expected = "one whose components the factors are of"});
+            irsg::Diagnostic{.file = options.file,
+                             .position = place,
+                             .value = "an entry without a user-defined spectrum",
+                             .expected = "one whose components the factors are of"});
     }
     irsg::readFactorCsv(
         options.in, options.kind == "time" ? irsg::FactorAxis::time_s : irsg::FactorAxis::angle_deg,
@@ -100,7 +101,7 @@ void warnOfNew(const std::vector<irsg::Finding>& before, const irsg::SignatureDa
         if (!known && !finding.isError()) {
             warn(fmt::format("{}: {}: found {}, {}{}", file, finding.place, finding.value,
                              finding.reason,
-                             finding.repair.empty() ? "" : " (" + finding.repair + ")"));
+                             finding.remedy.empty() ? "" : " (" + finding.remedy + ")"));
         }
     }
 }

@@ -90,8 +90,8 @@ nlohmann::ordered_json jsonOf(const std::vector<Finding>& findings) {
                         {"place", finding.place},
                         {"value", finding.value},
                         {"reason", finding.reason},
-                        {"repair", finding.repair},
-                        {"repairable", finding.mend && !finding.removes}});
+                        {"repair", finding.remedy},
+                        {"repairable", finding.repair && !finding.removes}});
     }
     return list;
 }
@@ -103,7 +103,7 @@ void print(const std::vector<Finding>& findings, const char* severity = nullptr)
                    : finding.isError() ? "error"
                                        : "warning",
                    finding.place, finding.value, finding.reason,
-                   finding.repair.empty() ? "" : "; " + finding.repair);
+                   finding.remedy.empty() ? "" : "; " + finding.remedy);
     }
 }
 
@@ -127,7 +127,7 @@ void checkOptions(const LintOptions& options) {
         throw irsg::InputError({.file = options.repair ? "--repair" : "--out",
                                 .position = "",
                                 .value = options.repair ? "no --out FILE" : "no --repair",
-                                .expected = "--repair with --out FILE for the mended database"});
+                                .expected = "--repair with --out FILE for the repaired database"});
     }
 }
 
@@ -136,7 +136,7 @@ int lint(const LintOptions& options, Context& context) {
     irsg::SignatureDatabase database = read(options, context);
     const StageTimer::Scope timed(&context.timer, "lint");
     const Surroundings around = surroundingsOf(options);
-    const std::vector<Finding> mended =
+    const std::vector<Finding> repaired =
         options.repair ? irsg::repairAll(database, around.scope) : std::vector<Finding>{};
     const std::vector<Finding> left = around.findings(database);
     const int exitCode = exitCodeOf(left);
@@ -149,18 +149,18 @@ int lint(const LintOptions& options, Context& context) {
     if (context.json) {
         nlohmann::ordered_json result{{"file", options.file}, {"findings", jsonOf(left)}};
         if (options.repair) {
-            result["repaired"] = jsonOf(mended);
+            result["repaired"] = jsonOf(repaired);
             result["out"] = writes ? nlohmann::ordered_json(options.out) : nullptr;
         }
         fmt::print("{}\n", jsonText(result));
         return exitCode;
     }
-    print(mended, "repaired");
+    print(repaired, "repaired");
     print(left);
     if (writes) {
-        fmt::print("{}: {} repaired, {} left\n", options.out, mended.size(), left.size());
+        fmt::print("{}: {} repaired, {} left\n", options.out, repaired.size(), left.size());
     } else if (options.repair) {
-        fmt::print("{}: not written, {} repaired, {} left\n", options.out, mended.size(),
+        fmt::print("{}: not written, {} repaired, {} left\n", options.out, repaired.size(),
                    left.size());
     } else if (left.empty()) {
         fmt::print("{}: nothing to find fault with\n", options.file);
@@ -192,8 +192,8 @@ void addDatabaseLint(CLI::App& database, Context& context) {
                      "Project whose models, bands and states the database must suit")
         ->type_name("PROJECT");
     command->add_flag("--repair", options->repair,
-                      "Mend what can be mended without deleting anything");
-    command->add_option("--out", options->out, "Where the mended database goes (.sigdb or .json)")
+                      "Repair what can be repaired without deleting anything");
+    command->add_option("--out", options->out, "Where the repaired database goes (.sigdb or .json)")
         ->type_name("FILE");
     command->add_flag("--accept-changes", options->acceptChanges,
                       "Take entries that were changed outside this program");

@@ -215,7 +215,7 @@ class MtfBuildCommand {
             nlohmann::ordered_json json = mtfAsJson(out_);
             json["albedo"] = built.albedo;
             json["asymmetry"] = built.asymmetry;
-            json["forward_share"] = built.forwardShare;
+            json["forward_share"] = built.forwardFraction;
             fmt::print("{}\n", jsonText(json));
             return;
         }
@@ -223,7 +223,7 @@ class MtfBuildCommand {
         for (const std::string& line : built.database.description())
             fmt::print("  {}\n", line);
         fmt::print("  droplets: albedo {:.4g}, asymmetry {:.4g}, scattered forward {:.4g}\n",
-                   built.albedo, built.asymmetry, built.forwardShare);
+                   built.albedo, built.asymmetry, built.forwardFraction);
     }
 
     NumberOptions numbers_;

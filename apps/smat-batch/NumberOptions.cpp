@@ -22,14 +22,14 @@ std::optional<double> NumberOptions::value(const std::string& option) const {
 }
 
 void NumberOptions::check() const {
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     for (const auto& [option, text] : texts_) {
         if (!text.empty() && !irsg::parseNumber(text)) {
-            offences.push_back({option, "", text, "a finite number"});
+            diagnostics.push_back({option, "", text, "a finite number"});
         }
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(std::move(diagnostics));
     }
 }
 
@@ -43,10 +43,10 @@ TableFiles::TableFiles(CLI::App& command) {
 void TableFiles::check(const std::string& example) const {
     if (files_.empty()) {
         throw irsg::InputError(
-            irsg::Offence{.file = "--out",
-                          .position = "",
-                          .value = "nothing",
-                          .expected = "a result file, such as --out " + example});
+            irsg::Diagnostic{.file = "--out",
+                             .position = "",
+                             .value = "nothing",
+                             .expected = "a result file, such as --out " + example});
     }
     for (const std::string& file : files_) {
         checkResultFile(AnalysisKind::spectrum, file);

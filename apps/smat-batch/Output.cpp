@@ -37,17 +37,17 @@ void warn(const std::string& sentence) {
 }
 
 void complain(const irsg::InputError& error) {
-    for (const irsg::Offence& offence : error.offences()) {
-        tell("error: " + offence.message() + "\n");
+    for (const irsg::Diagnostic& diagnostic : error.diagnostics()) {
+        tell("error: " + diagnostic.message() + "\n");
     }
 }
 
 void checkFolderGiven(const std::string& folder, const std::string& what) {
     if (folder.empty()) {
-        throw irsg::InputError(irsg::Offence{.file = "--out",
-                                             .position = "",
-                                             .value = "nothing",
-                                             .expected = "a folder for " + what});
+        throw irsg::InputError(irsg::Diagnostic{.file = "--out",
+                                                .position = "",
+                                                .value = "nothing",
+                                                .expected = "a folder for " + what});
     }
 }
 

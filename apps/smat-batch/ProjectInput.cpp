@@ -20,10 +20,11 @@ Project ProjectInput::load() const {
         return projectOfModel(file, database_);
     }
     if (!database_.empty()) {
-        throw irsg::InputError(irsg::Offence{.file = "--database",
-                                             .position = "",
-                                             .value = database_,
-                                             .expected = "no database: a project names its own"});
+        throw irsg::InputError(
+            irsg::Diagnostic{.file = "--database",
+                             .position = "",
+                             .value = database_,
+                             .expected = "no database: a project names its own"});
     }
     Project project = loadProject(file);
     for (const std::string& key : unknownKeys(project)) {

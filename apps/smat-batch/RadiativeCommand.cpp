@@ -78,31 +78,33 @@ class RadiativeCommand {
     }
 
   private:
-    /// Every offence of the options at once.
+    /// Every diagnostic of the options at once.
     RadiativeRequest requestOf(const Context& context) const {
-        std::vector<irsg::Offence> offences;
+        std::vector<irsg::Diagnostic> diagnostics;
         const auto collect = [&](const auto& work) {
             try {
                 work();
             } catch (const irsg::InputError& error) {
-                offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+                diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                                   error.diagnostics().end());
             }
         };
         RadiativeRequest request;
         request.commandLine = context.commandLine;
         collect([&] { request.band = irsg::Band::fromText(band_).range(); });
         collect([&] { numbers_.check(); });
-        addQuantities(request, offences);
-        checkLimits("--sun-azimuth", 0.0, 360.0, " deg", offences);
-        checkLimits("--sun-elevation", -90.0, 90.0, " deg", offences);
-        checkLimits("--day-of-year", 1.0, 366.0, "", offences);
-        collect([&] { checkMoment(offences); });
+        addQuantities(request, diagnostics);
+        checkLimits("--sun-azimuth", 0.0, 360.0, " deg", diagnostics);
+        checkLimits("--sun-elevation", -90.0, 90.0, " deg", diagnostics);
+        checkLimits("--day-of-year", 1.0, 366.0, "", diagnostics);
+        collect([&] { checkMoment(diagnostics); });
         if (sun_ != "on" && sun_ != "off" && sun_ != "smart" && sun_ != "approx") {
-            offences.push_back({"--sun", "", sun_, "on, off, smart or approx"});
+            diagnostics.push_back({"--sun", "", sun_, "on, off, smart or approx"});
         }
         const auto resolution = numbers_.value("--resolution");
         if (resolution && *resolution != 1.0 && *resolution != 5.0 && *resolution != 15.0) {
-            offences.push_back({"--resolution", "", irsg::numberText(*resolution), "1, 5 or 15"});
+            diagnostics.push_back(
+                {"--resolution", "", irsg::numberText(*resolution), "1, 5 or 15"});
         }
         request.geometry = {.sensorAltitude_m = numbers_.value("--sensor-altitude"),
                             .losElevation_deg = numbers_.value("--los-elevation"),
@@ -111,13 +113,14 @@ class RadiativeCommand {
                             .range_m = numbers_.value("--range"),
                             .toSpace = toSpace_};
         collect([&] { solveGeometry(request.geometry); });
-        if (!offences.empty()) {
-            throw irsg::InputError(std::move(offences));
+        if (!diagnostics.empty()) {
+            throw irsg::InputError(std::move(diagnostics));
         }
         return request;
     }
 
-    void addQuantities(RadiativeRequest& request, std::vector<irsg::Offence>& offences) const {
+    void addQuantities(RadiativeRequest& request,
+                       std::vector<irsg::Diagnostic>& diagnostics) const {
         for (const std::string& word : quantities_) {
             bool isKnown = word == "all";
             request.leaveOutMissing = request.leaveOutMissing || isKnown;
@@ -130,33 +133,33 @@ class RadiativeCommand {
                 isKnown = isKnown || word == known.word;
             }
             if (!isKnown) {
-                offences.push_back({"--quantity", "", word, "one of " + quantityWords()});
+                diagnostics.push_back({"--quantity", "", word, "one of " + quantityWords()});
             }
         }
         if (quantities_.empty()) {
-            offences.push_back({"--quantity", "", "nothing", "one of " + quantityWords()});
+            diagnostics.push_back({"--quantity", "", "nothing", "one of " + quantityWords()});
         }
     }
 
     void checkLimits(const char* option, double least, double most, const char* unit,
-                     std::vector<irsg::Offence>& offences) const {
+                     std::vector<irsg::Diagnostic>& diagnostics) const {
         const auto value = numbers_.value(option);
         if (value && !(*value >= least && *value <= most)) {
-            offences.push_back({option, "", irsg::numberText(*value),
-                                "a number from " + irsg::numberText(least) + " to " +
-                                    irsg::numberText(most) + unit});
+            diagnostics.push_back({option, "", irsg::numberText(*value),
+                                   "a number from " + irsg::numberText(least) + " to " +
+                                       irsg::numberText(most) + unit});
         }
     }
 
     /// A moment gives the whole sun.
-    void checkMoment(std::vector<irsg::Offence>& offences) const {
+    void checkMoment(std::vector<irsg::Diagnostic>& diagnostics) const {
         if (!moment_.sun()) {
             return;
         }
         for (const char* option : {"--sun-azimuth", "--sun-elevation", "--day-of-year"}) {
             if (const auto value = numbers_.value(option)) {
-                offences.push_back({option, "", irsg::numberText(*value),
-                                    "nothing beside --date and --utc, which give it"});
+                diagnostics.push_back({option, "", irsg::numberText(*value),
+                                       "nothing beside --date and --utc, which give it"});
             }
         }
     }

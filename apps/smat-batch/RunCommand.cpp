@@ -50,10 +50,10 @@ class RunCommand {
             }
         }
         if (names.empty()) {
-            throw irsg::InputError(irsg::Offence{.file = project.displayName(),
-                                                 .position = "analyses",
-                                                 .value = "none",
-                                                 .expected = "at least one named analysis"});
+            throw irsg::InputError(irsg::Diagnostic{.file = project.displayName(),
+                                                    .position = "analyses",
+                                                    .value = "none",
+                                                    .expected = "at least one named analysis"});
         }
         std::vector<Job> jobs;
         for (const std::string& one : names) {

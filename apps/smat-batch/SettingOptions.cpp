@@ -76,12 +76,13 @@ SettingOptions::SettingOptions(CLI::App& command,
 
 Settings SettingOptions::values() const {
     Settings settings;
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     const auto collect = [&](const auto& work) {
         try {
             work();
         } catch (const irsg::InputError& error) {
-            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
         }
     };
     for (const std::string& assignment : assignments_) {
@@ -109,8 +110,8 @@ Settings SettingOptions::values() const {
     if (sun_) {
         collect([&] { placeSun(settings); });
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(offences);
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(diagnostics);
     }
     return settings;
 }
@@ -120,11 +121,11 @@ void SettingOptions::placeSun(Settings& settings) const {
     if (!sun) {
         return;
     }
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     const auto put = [&](const char* key, double value) {
         if (settings.isSet(key)) {
-            offences.push_back({settingInfo(key).option, "", settings.text(key),
-                                "nothing beside --date and --utc, which give it"});
+            diagnostics.push_back({settingInfo(key).option, "", settings.text(key),
+                                   "nothing beside --date and --utc, which give it"});
         } else {
             settings.set(key, value);
         }
@@ -132,8 +133,8 @@ void SettingOptions::placeSun(Settings& settings) const {
     put("environment.sunAzimuth", irsg::degrees(sun->position.azimuth_rad));
     put("environment.sunElevation", irsg::degrees(sun->position.elevation_rad));
     put("environment.dayOfYear", sun->dayOfYear);
-    if (!offences.empty()) {
-        throw irsg::InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(std::move(diagnostics));
     }
 }
 

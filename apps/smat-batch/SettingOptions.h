@@ -22,7 +22,7 @@ class SettingOptions {
     SettingOptions(CLI::App& command, const std::function<bool(const SettingInfo&)>& takes);
 
     /// What was given, with paths made absolute because they are relative to where the user stands.
-    /// Throws InputError with every offence.
+    /// Throws InputError with every diagnostic.
     Settings values() const;
 
   private:

@@ -88,18 +88,19 @@ class SimulateCommand {
   private:
     Settings overrides() const {
         const Settings given = settings_.values();
-        std::vector<irsg::Offence> offences;
+        std::vector<irsg::Diagnostic> diagnostics;
         for (const auto& [key, text] : given.values()) {
             if (!isScenarioSetting(settingInfo(key))) {
-                offences.push_back({.file = "--set",
-                                    .position = key,
-                                    .value = text,
-                                    .expected = "a setting of sensor, environment, render, display "
-                                                "or image: the scenario says the rest"});
+                diagnostics.push_back({.file = "--set",
+                                       .position = key,
+                                       .value = text,
+                                       .expected =
+                                           "a setting of sensor, environment, render, display "
+                                           "or image: the scenario says the rest"});
             }
         }
-        if (!offences.empty()) {
-            throw irsg::InputError(offences);
+        if (!diagnostics.empty()) {
+            throw irsg::InputError(diagnostics);
         }
         return given;
     }

@@ -11,15 +11,15 @@ namespace smat::batch {
 
 namespace {
 
-/// An angle of a place on the earth; 0 with an offence.
+/// An angle of a place on the earth; 0 with an diagnostic.
 double angle_rad(const char* option, const std::string& text, double most_deg,
-                 std::vector<irsg::Offence>& offences) {
+                 std::vector<irsg::Diagnostic>& diagnostics) {
     const auto value_deg = irsg::parseNumber(text);
     if (value_deg && std::abs(*value_deg) <= most_deg)
         return irsg::radians(*value_deg);
-    offences.push_back({option, "", text,
-                        "a number from " + irsg::numberText(-most_deg) + " to " +
-                            irsg::numberText(most_deg) + " deg"});
+    diagnostics.push_back({option, "", text,
+                           "a number from " + irsg::numberText(-most_deg) + " to " +
+                               irsg::numberText(most_deg) + " deg"});
     return 0.0;
 }
 
@@ -43,32 +43,32 @@ std::optional<SunOptions::Sun> SunOptions::sun() const {
                                                               {"--utc", &utc_},
                                                               {"--latitude", &latitude_},
                                                               {"--longitude", &longitude_}};
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     for (const auto& [option, text] : all)
         if (text->empty())
-            offences.push_back({option, "", "nothing",
-                                "a value: --date, --utc, --latitude and --longitude belong "
-                                "together"});
-    if (offences.size() == std::size(all))
+            diagnostics.push_back({option, "", "nothing",
+                                   "a value: --date, --utc, --latitude and --longitude belong "
+                                   "together"});
+    if (diagnostics.size() == std::size(all))
         return std::nullopt;
     irsg::Geographic place;
     if (!latitude_.empty())
-        place.latitude_rad = angle_rad("--latitude", latitude_, 90.0, offences);
+        place.latitude_rad = angle_rad("--latitude", latitude_, 90.0, diagnostics);
     if (!longitude_.empty())
-        place.longitude_rad = angle_rad("--longitude", longitude_, 360.0, offences);
+        place.longitude_rad = angle_rad("--longitude", longitude_, 360.0, diagnostics);
     irsg::UniversalTime time;
     try {
         if (!date_.empty() && !utc_.empty())
             time = irsg::UniversalTime::fromText(date_, utc_, "");
     } catch (const irsg::InputError& error) {
-        for (irsg::Offence offence : error.offences()) {
-            offence.file = "--" + offence.position;
-            offence.position.clear();
-            offences.push_back(std::move(offence));
+        for (irsg::Diagnostic diagnostic : error.diagnostics()) {
+            diagnostic.file = "--" + diagnostic.position;
+            diagnostic.position.clear();
+            diagnostics.push_back(std::move(diagnostic));
         }
     }
-    if (!offences.empty())
-        throw irsg::InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw irsg::InputError(std::move(diagnostics));
     return Sun{irsg::sunPosition(time, place), time.dayOfYear()};
 }
 

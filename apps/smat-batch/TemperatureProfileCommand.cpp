@@ -21,14 +21,14 @@ class TemperatureProfileCommand {
     int run(Context& context) const {
         files_.check("profile.csv");
         numbers_.check();
-        std::vector<irsg::Offence> offences;
+        std::vector<irsg::Diagnostic> diagnostics;
         for (const char* option : {"--min", "--max", "--step"}) {
             if (!numbers_.value(option)) {
-                offences.push_back({option, "", "nothing", "a number of metres"});
+                diagnostics.push_back({option, "", "nothing", "a number of metres"});
             }
         }
-        if (!offences.empty()) {
-            throw irsg::InputError(std::move(offences));
+        if (!diagnostics.empty()) {
+            throw irsg::InputError(std::move(diagnostics));
         }
         irsg::Environment environment;
         {

@@ -55,10 +55,10 @@ void checkArguments(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         if (!irsg::isUtf8(argv[i])) {
             throw irsg::InputError(
-                irsg::Offence{.file = "argument " + std::to_string(i),
-                              .position = "",
-                              .value = irsg::asciiText(argv[i]) + ", which is no UTF-8",
-                              .expected = "names and texts in UTF-8; a file may be renamed"});
+                irsg::Diagnostic{.file = "argument " + std::to_string(i),
+                                 .position = "",
+                                 .value = irsg::asciiText(argv[i]) + ", which is no UTF-8",
+                                 .expected = "names and texts in UTF-8; a file may be renamed"});
         }
     }
 }

@@ -85,7 +85,7 @@ std::string versionText() {
     try {
         renderer = smat::makeIrsgImageSource()->rendererDescription();
     } catch (const irsg::InputError& error) {
-        renderer = error.offences().front().message();
+        renderer = error.diagnostics().front().message();
     }
     return "smat " + smat::programVersion() + "\nrenderer: " + renderer + "\nQt " + qVersion();
 }
@@ -125,8 +125,8 @@ int main(int argc, char** argv) {
     try {
         return plot->parsed() ? runPlot(request, argc, argv) : runWindow(file, theme, argc, argv);
     } catch (const irsg::InputError& error) {
-        for (const auto& offence : error.offences())
-            std::cerr << "smat: " << offence.message() << '\n';
+        for (const auto& diagnostic : error.diagnostics())
+            std::cerr << "smat: " << diagnostic.message() << '\n';
         return inputRefused;
     } catch (const std::exception& error) {
         std::cerr << "smat: internal error: " << error.what() << '\n';

@@ -41,12 +41,13 @@ Truth readTruth(const std::filesystem::path& file) {
         if (count < cells.size())
             continue; // a comment or the names of the columns
         const auto band = std::ranges::find_if(truthBands, [&](const TruthBand& candidate) {
-            return cells[2] >= candidate.lower_cm && cells[2] < candidate.upper_cm;
+            return cells[2] >= candidate.lower_per_cm && cells[2] < candidate.upper_per_cm;
         });
         const auto atmosphere = static_cast<std::size_t>(cells[0]) - 1;
         const auto path = static_cast<std::size_t>(cells[1]);
         if (atmosphere >= atmospheres || path >= truthPaths.size() || band == truthBands.end())
-            throw InputError(Offence{file.string(), "", line, "a row of one of the truth paths"});
+            throw InputError(
+                Diagnostic{file.string(), "", line, "a row of one of the truth paths"});
         Bins& bins = truth[atmosphere][path][static_cast<std::size_t>(band - truthBands.begin())];
         bins.transmittance.push_back(cells[3]);
         bins.radiance.push_back(cells[4]);
@@ -55,14 +56,15 @@ Truth readTruth(const std::filesystem::path& file) {
 }
 
 /// The spectral mode's means over the same bins.
-Bins ours(const RadiativeTransfer& transfer, const AirPath& path, const TruthBand& band) {
+Bins ours(const RadiativeTransfer& transfer, const AtmosphericPath& path, const TruthBand& band) {
     const BinSet& set = transfer.gases().bins(5);
-    const auto [first, last] = set.range(band.lower_cm, band.upper_cm);
+    const auto [first, last] = set.range(band.lower_per_cm, band.upper_per_cm);
     NodeSet nodes;
     for (std::size_t bin = first; bin < last; ++bin)
         for (std::uint32_t i = 0; i < set.bins[bin].count; ++i) {
             nodes.nodes.push_back(set.nodes[set.bins[bin].first + i]);
-            nodes.wavenumbers_cm.push_back(transfer.gases().wavenumber_cm(nodes.nodes.back()));
+            nodes.wavenumbers_per_cm.push_back(
+                transfer.gases().wavenumber_per_cm(nodes.nodes.back()));
         }
     const auto transmittance = transfer.transmittance(nodes, path);
     const auto radiance = transfer.pathRadiance(nodes, path, {0.0, -0.5 * std::numbers::pi});
@@ -72,7 +74,7 @@ Bins ours(const RadiativeTransfer& transfer, const AirPath& path, const TruthBan
         double t = 0.0, r = 0.0;
         for (std::uint32_t i = 0; i < set.bins[bin].count; ++i, ++node) {
             const double weight = static_cast<double>(set.weights[set.bins[bin].first + i]);
-            const double nu = nodes.wavenumbers_cm[node];
+            const double nu = nodes.wavenumbers_per_cm[node];
             t += weight * transmittance[node];
             r += weight * radiance[node] * 1e4 / (nu * nu);
         }
@@ -100,7 +102,7 @@ void lineByLineTables(const Output& output) {
     };
     std::array<std::array<Score, truthPaths.size() + 1>, truthBands.size()> scores{};
     for (std::size_t atmosphere = 0; atmosphere < atmospheres; ++atmosphere) {
-        AirModel air{Profile::model(static_cast<ModelAtmosphere>(atmosphere + 1)), {}};
+        AtmosphericModel air{Profile::model(static_cast<ModelAtmosphere>(atmosphere + 1)), {}};
         air.scattering = ScatteringMode::single;
         const RadiativeTransfer transfer(air, GasTable::shipped());
         for (std::size_t path = 0; path < truthPaths.size(); ++path)

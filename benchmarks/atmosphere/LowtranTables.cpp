@@ -18,7 +18,7 @@ namespace {
 using modtran::BandLimits;
 using modtran::Slit;
 
-constexpr double slit_cm = 20.0;
+constexpr double slit_per_cm = 20.0;
 constexpr SunPosition night{0.0, -0.5 * std::numbers::pi};
 const std::vector<BandLimits> bands = {{"8-12", 1e4 / 12.0, 1250.0},
                                        {"4.5-5", 2000.0, 1e4 / 4.5},
@@ -86,7 +86,7 @@ RadiativeTransfer transferOf(const Air& air, const std::string& aerosol,
         settings.winter = air.model == ModelAtmosphere::midlatitudeWinter;
         particles = particleLayers(settings, profile);
     }
-    AirModel model{std::move(profile), std::move(particles)};
+    AtmosphericModel model{std::move(profile), std::move(particles)};
     model.groundTemperature_K = model.profile.at(0.0).temperature_K;
     model.scattering = mode;
     return RadiativeTransfer(std::move(model), GasTable::shipped());
@@ -134,7 +134,7 @@ void skyTable(const std::filesystem::path& folder) {
     const RadiativeTransfer often = transferOf(airs[0], "rural23", ScatteringMode::twoStream);
     const auto& nu = night_sky["wavenumber_cm-1"];
     const auto& dayNu = day_sky["wavenumber_cm-1"];
-    const Slit slit(once, nu, slit_cm), daySlit(often, dayNu, slit_cm);
+    const Slit slit(once, nu, slit_per_cm), daySlit(often, dayNu, slit_per_cm);
     for (const double elevation_deg : {1.0, 5.0, 15.0, 45.0, 90.0}) {
         const std::string name = "el" + text("%g", elevation_deg);
         const LineOfSight sight{0.0, elevation_deg * std::numbers::pi / 180.0, 0.0};
@@ -166,19 +166,19 @@ void lowtranTables(const Output& output) {
                     Columns::read(folder / (std::string(air.name) + "__" + sight.name + "__" +
                                             aerosol + ".csv.gz"));
                 const auto& nu = theirs["wavenumber_cm-1"];
-                const Slit slit(transfer, nu, slit_cm);
+                const Slit slit(transfer, nu, slit_per_cm);
                 const double range_m =
                     sight.range_m > 0.0
                         ? sight.range_m
                         : *chord_m(sight.sensor_m, sight.target_m,
                                    sight.elevation_deg * std::numbers::pi / 180.0, 6371.23e3);
-                const AirPath path{sight.sensor_m, sight.target_m, range_m};
+                const AtmosphericPath path{sight.sensor_m, sight.target_m, range_m};
                 const auto transmittance = slit.at(transfer.transmittance(slit.nodes(), path));
                 const auto radiance = slit.at(transfer.pathRadiance(slit.nodes(), path, night));
                 std::vector<double> black;
-                for (const double at_cm : nu)
+                for (const double at_per_cm : nu)
                     black.push_back(
-                        planckRadiance_W_m2_sr_um(1e4 / at_cm, air_K[sight.sensor_m > 0.0]));
+                        planckRadiance_W_m2_sr_um(1e4 / at_per_cm, air_K[sight.sensor_m > 0.0]));
                 for (const BandLimits& band : bands)
                     scores[{sight.words, band.name}].add(
                         bandMean(nu, transmittance, band) - bandMean(nu, theirs["tau"], band),

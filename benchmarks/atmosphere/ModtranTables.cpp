@@ -19,7 +19,7 @@ std::string flat(std::string name) {
 
 void writeSpectra(const Output& output, const std::string& name,
                   const ModtranComparison& comparison) {
-    std::vector<Curve> curves = {{"wavenumber [cm-1]", comparison.wavenumbers_cm},
+    std::vector<Curve> curves = {{"wavenumber [cm-1]", comparison.wavenumbers_per_cm},
                                  {"transmittance ours [1]", comparison.transmittance},
                                  {"transmittance MODTRAN [1]", comparison.theirTransmittance}};
     if (!comparison.radiance.empty()) {
@@ -40,16 +40,16 @@ void absorberTable(const Output& output) {
     Table table("Absorber by absorber, 5 km horizontal at the ground, tropical, 365 ppmv CO2: RMS "
                 "and mean of ours − MODTRAN, 10 cm⁻¹",
                 {"column", "cm⁻¹", "mean MODTRAN", "mean difference", "RMS", "largest"});
-    std::vector<Curve> curves = {{"wavenumber [cm-1]", comparisons.wavenumbers_cm}};
+    std::vector<Curve> curves = {{"wavenumber [cm-1]", comparisons.wavenumbers_per_cm}};
     for (const AbsorberComparison& absorber : comparisons.absorbers) {
         curves.push_back({absorber.column + " ours [1]", absorber.ours});
         curves.push_back({absorber.column + " MODTRAN [1]", absorber.theirs});
         for (const BandLimits& part : parts) {
             double sum = 0.0, squares = 0.0, largest = 0.0, mean = 0.0, least = 1.0;
             int count = 0;
-            for (std::size_t i = 0; i < comparisons.wavenumbers_cm.size(); ++i) {
-                const double nu = comparisons.wavenumbers_cm[i];
-                if (nu < part.lower_cm || nu >= part.upper_cm)
+            for (std::size_t i = 0; i < comparisons.wavenumbers_per_cm.size(); ++i) {
+                const double nu = comparisons.wavenumbers_per_cm[i];
+                if (nu < part.lower_per_cm || nu >= part.upper_per_cm)
                     continue;
                 const double difference = absorber.ours[i] - absorber.theirs[i];
                 sum += difference;

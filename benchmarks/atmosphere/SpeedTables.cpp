@@ -31,14 +31,16 @@ constexpr SpectralRange range{3.0, 5.0};
 constexpr SunPosition night{0.0, -0.5 * std::numbers::pi};
 constexpr double target_K = 300.0;
 
-std::pair<Spectrum, Spectrum> spectra(const RadiativeTransfer& transfer, const AirPath& path) {
+std::pair<Spectrum, Spectrum> spectra(const RadiativeTransfer& transfer,
+                                      const AtmosphericPath& path) {
     const NodeSet set = transfer.nodesOf(range);
     return {transfer.spectrum(range, transfer.transmittance(set, path)),
             transfer.spectrum(range, transfer.pathRadiance(set, path, night))};
 }
 
 /// In-band radiance of a black target as the sensor sees it, in both modes.
-double apparentBySpectra(const RadiativeTransfer& transfer, const Band& band, const AirPath& path) {
+double apparentBySpectra(const RadiativeTransfer& transfer, const Band& band,
+                         const AtmosphericPath& path) {
     const auto [transmittance, radiance] = spectra(transfer, path);
     const Spectrum* axes[] = {&transmittance, &radiance};
     const SpectralQuadrature quadrature(band, axes);
@@ -47,7 +49,7 @@ double apparentBySpectra(const RadiativeTransfer& transfer, const Band& band, co
 }
 
 double apparentByTerms(const RadiativeTransfer& transfer, const SensorCkData& ck,
-                       const AirPath& path) {
+                       const AtmosphericPath& path) {
     const std::vector<double> target = ck.planck(target_K);
     const std::vector<double> transmittance = transfer.transmittance(ck.nodes(), path);
     std::vector<double> radiance = transfer.pathRadiance(ck.nodes(), path, night);
@@ -66,11 +68,11 @@ void speedTables(const Output&) {
     GasTable::shipped();
     const Band band = Band::topHat(range.min_um, range.max_um);
     for (const ScatteringMode mode : {ScatteringMode::single, ScatteringMode::twoStream}) {
-        AirModel air{Profile::model(ModelAtmosphere::usStandard1976), {}};
+        AtmosphericModel air{Profile::model(ModelAtmosphere::usStandard1976), {}};
         air.particles = particleLayers({}, air.profile);
         air.scattering = mode;
         const std::string name = mode == ScatteringMode::single ? "single" : "two-stream";
-        AirPath path{3000.0, 10000.0, 14e3};
+        AtmosphericPath path{3000.0, 10000.0, 14e3};
         std::optional<RadiativeTransfer> transfer;
         const double first_ms = least_ms(25, [&] {
             transfer.emplace(air, GasTable::shipped());

@@ -52,7 +52,7 @@ void writeCurves(const Output& output, const std::string& name, const std::strin
         out << "\n";
     }
     if (!out.flush())
-        throw InputError(Offence{file.string(), "", "cannot be written", "a writable folder"});
+        throw InputError(Diagnostic{file.string(), "", "cannot be written", "a writable folder"});
 }
 
 } // namespace irsg::accuracy

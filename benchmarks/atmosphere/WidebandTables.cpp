@@ -6,7 +6,7 @@
 
 #include "benchmarks/atmosphere/Table.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
-#include "irsg/atmosphere/engine/AirColumn.h"
+#include "irsg/atmosphere/engine/AtmosphericColumn.h"
 #include "irsg/atmosphere/engine/NodeColumn.h"
 #include "irsg/radiometry/Planck.h"
 
@@ -17,24 +17,24 @@ namespace {
 constexpr SunPosition night{0.0, -0.5 * std::numbers::pi};
 constexpr std::array<double, 6> targets_K = {250.0, 300.0, 400.0, 700.0, 1200.0, 2200.0};
 /// Paths that no training has.
-constexpr std::array<AirPath, 12> paths = {{{2, 2, 700},
-                                            {2, 2, 7e3},
-                                            {2, 250, 3.3e3},
-                                            {20, 2000, 9e3},
-                                            {1000, 20, 14e3},
-                                            {2500, 2500, 25e3},
-                                            {4000, 1200, 17e3},
-                                            {3000, 10000, 14e3},
-                                            {8000, 8000, 55e3},
-                                            {10000, 500, 30e3},
-                                            {12000, 9000, 100e3},
-                                            {18000, 14000, 60e3}}};
+constexpr std::array<AtmosphericPath, 12> paths = {{{2, 2, 700},
+                                                    {2, 2, 7e3},
+                                                    {2, 250, 3.3e3},
+                                                    {20, 2000, 9e3},
+                                                    {1000, 20, 14e3},
+                                                    {2500, 2500, 25e3},
+                                                    {4000, 1200, 17e3},
+                                                    {3000, 10000, 14e3},
+                                                    {8000, 8000, 55e3},
+                                                    {10000, 500, 30e3},
+                                                    {12000, 9000, 100e3},
+                                                    {18000, 14000, 60e3}}};
 
 /// What every node of the spectral mode counts in an integral over the band.
 std::vector<double> nodeWeights(const RadiativeTransfer& transfer, const SpectralRange& range,
                                 const NodeSet& set) {
     // A spectrum is linear in the values of its nodes: one bin after the other is 1.
-    const BinSet& bins = transfer.gases().bins(transfer.air().resolution_cm);
+    const BinSet& bins = transfer.gases().bins(transfer.air().resolution_per_cm);
     std::size_t bin = 0;
     while (bins.nodes[bins.bins[bin].first] != set.nodes.front())
         ++bin;
@@ -62,7 +62,7 @@ class SortedGroups {
           set_(set),
           weights_(weights),
           air_(transfer.air().profile, {}, GasTable::shipped()),
-          column_(air_, set.nodes, set.wavenumbers_cm, 5.0) {}
+          column_(air_, set.nodes, set.wavenumbers_per_cm, 5.0) {}
 
     /// `isEven`: groups of equal width in the band, else of equal steps of ln absorption.
     void sort(std::size_t count, bool isEven) {
@@ -97,7 +97,7 @@ class SortedGroups {
     }
 
     /// In-band radiance of black targets at the far end of a path, as the sensor sees it.
-    std::vector<double> apparent(const AirPath& path) const {
+    std::vector<double> apparent(const AtmosphericPath& path) const {
         const std::size_t count = width_.size();
         std::vector<double> transmittance(count, 1.0), radiance(count, 0.0);
         for (const RaySegment& segment : transfer_.tracer().between(path).segments) {
@@ -133,14 +133,14 @@ class SortedGroups {
         std::vector<double> sums(width_.size(), 0.0);
         for (std::size_t i = 0; i < groupOf_.size(); ++i)
             sums[groupOf_[i]] += weights_[i] * planckRadiance_W_m2_sr_um(
-                                                   1e4 / set_.wavenumbers_cm[i], temperature_K);
+                                                   1e4 / set_.wavenumbers_per_cm[i], temperature_K);
         return sums;
     }
 
     const RadiativeTransfer& transfer_;
     const NodeSet& set_;
     const std::vector<double>& weights_;
-    AirColumn air_;
+    AtmosphericColumn air_;
     NodeColumn column_;
     std::vector<std::size_t> groupOf_;
     std::vector<double> width_, extinction_;
@@ -149,15 +149,15 @@ class SortedGroups {
 /// Apparent in-band radiance of the targets from values at nodes.
 std::vector<double> apparent(const std::vector<double>& transmittance,
                              const std::vector<double>& radiance,
-                             const std::vector<double>& wavenumbers_cm,
+                             const std::vector<double>& wavenumbers_per_cm,
                              const std::vector<double>& weights) {
     std::vector<double> sums;
     for (const double target_K : targets_K) {
         double sum = 0.0;
         for (std::size_t i = 0; i < weights.size(); ++i)
             sum += weights[i] *
-                   (radiance[i] + transmittance[i] *
-                                      planckRadiance_W_m2_sr_um(1e4 / wavenumbers_cm[i], target_K));
+                   (radiance[i] + transmittance[i] * planckRadiance_W_m2_sr_um(
+                                                         1e4 / wavenumbers_per_cm[i], target_K));
         sums.push_back(sum);
     }
     return sums;
@@ -194,16 +194,16 @@ void widebandTables(const Output& output) {
         for (const ModelAtmosphere model :
              {ModelAtmosphere::tropical, ModelAtmosphere::subarcticWinter,
               ModelAtmosphere::usStandard1976}) {
-            AirModel air{Profile::model(model), {}};
+            AtmosphericModel air{Profile::model(model), {}};
             air.scattering = ScatteringMode::single;
             const RadiativeTransfer transfer(air, GasTable::shipped());
             const NodeSet set = transfer.nodesOf(range);
             const std::vector<double> weights = nodeWeights(transfer, range, set);
             std::vector<std::vector<double>> truth;
-            for (const AirPath& path : paths)
+            for (const AtmosphericPath& path : paths)
                 truth.push_back(apparent(transfer.transmittance(set, path),
                                          transfer.pathRadiance(set, path, night),
-                                         set.wavenumbers_cm, weights));
+                                         set.wavenumbers_per_cm, weights));
             SortedGroups groups(transfer, set, weights);
             for (std::size_t c = 0; c < counts.size(); ++c) {
                 CkRequest request;
@@ -216,7 +216,7 @@ void widebandTables(const Output& output) {
                 for (std::size_t p = 0; p < paths.size(); ++p)
                     trained[c].add(apparent(transfer.transmittance(ck.nodes(), paths[p]),
                                             transfer.pathRadiance(ck.nodes(), paths[p], night),
-                                            ck.nodes().wavenumbers_cm, ck.weights_um()),
+                                            ck.nodes().wavenumbers_per_cm, ck.weights_um()),
                                    truth[p]);
                 for (const bool isEven : {false, true}) {
                     groups.sort(counts[c], isEven);

@@ -79,11 +79,11 @@ CopyEntriesDialog::CopyEntriesDialog(const EditorContext& context, irsg::Signatu
     column->addLayout(bottom);
     fill();
     connect(search_, &QLineEdit::textChanged, this, &CopyEntriesDialog::filter);
-    connect(list_, &QTreeWidget::itemChanged, this, &CopyEntriesDialog::judge);
+    connect(list_, &QTreeWidget::itemChanged, this, &CopyEntriesDialog::validate);
     connect(list_, &QTreeWidget::currentItemChanged, this, &CopyEntriesDialog::preview);
     if (const auto all = entries(); !all.empty())
         list_->setCurrentItem(all.front());
-    judge();
+    validate();
 }
 
 void CopyEntriesDialog::fill() {
@@ -129,14 +129,14 @@ void CopyEntriesDialog::addItem(QTreeWidgetItem* group, const EntryKey& key, con
     auto* target = new QLineEdit(byName ? name : QString::number(key.index), list_);
     target->setObjectName("target");
     target->setMaximumWidth(byName ? 160 : 70);
-    connect(target, &QLineEdit::textChanged, this, &CopyEntriesDialog::judge);
+    connect(target, &QLineEdit::textChanged, this, &CopyEntriesDialog::validate);
     list_->setItemWidget(item, targetColumn, target);
     auto* clash = new QComboBox(list_);
     clash->setObjectName("clash");
     clash->addItem(byName ? tr("take a free name") : tr("take the next free index"));
     clash->addItem(tr("replace what is there"));
     clash->setVisible(contains(here, key));
-    connect(clash, &QComboBox::currentIndexChanged, this, &CopyEntriesDialog::judge);
+    connect(clash, &QComboBox::currentIndexChanged, this, &CopyEntriesDialog::validate);
     list_->setItemWidget(item, clashColumn, clash);
 }
 
@@ -196,7 +196,7 @@ std::vector<EntryCopy> CopyEntriesDialog::copies() const {
     return chosen;
 }
 
-void CopyEntriesDialog::judge() {
+void CopyEntriesDialog::validate() {
     const auto& here = context_.session().value();
     int chosen = 0;
     bool right = true;

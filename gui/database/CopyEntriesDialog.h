@@ -36,7 +36,7 @@ class CopyEntriesDialog : public QDialog {
     EntryKey keyOf(const QTreeWidgetItem* item) const;
     std::vector<QTreeWidgetItem*> entries() const;
     void filter(const QString& text);
-    void judge();
+    void validate();
     void preview();
 
     const EditorContext& context_;

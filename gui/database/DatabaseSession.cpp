@@ -91,7 +91,7 @@ DatabaseSession::~DatabaseSession() {
 }
 
 void DatabaseSession::open(const fs::path& file, irsg::OutsideChanges outside) {
-    // What is physically wrong is shown, to be mended; only saving refuses it.
+    // What is physically wrong is shown, to be repaired; only saving refuses it.
     auto loaded = irsg::loadSignatureFile(file, outside, irsg::LintErrors::accept);
     const bool accepted = !loaded.changedOutside.empty();
     take(file, loaded.database, loaded.database);

@@ -31,7 +31,7 @@ class EditorContext : public QObject {
 
     /// Faces of the target that carry an index; 0 for spectra.
     int facesOf(const EntryKey& key) const;
-    /// What the target asks of the database, for the physics to judge.
+    /// What the target asks of the database, for the physics to validate.
     const irsg::ModelUse& modelUse() const { return use_; }
     /// Indices of the target's faces that the database has no entry for.
     std::vector<EntryKey> missing() const;

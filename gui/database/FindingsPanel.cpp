@@ -14,7 +14,7 @@ namespace smat::gui {
 namespace {
 
 constexpr int lookDelay_ms = 150;
-constexpr int repairRole = Qt::UserRole + 1;
+constexpr int remedyRole = Qt::UserRole + 1;
 
 } // namespace
 
@@ -61,7 +61,7 @@ FindingsPanel::FindingsPanel(EditorContext& context, QWidget* parent)
         detail_->setText(item == nullptr ? QString()
                                          : QStringLiteral("%1: %2\n%3\n%4")
                                                .arg(item->text(0), item->text(1), item->text(2),
-                                                    item->data(0, repairRole).toString()));
+                                                    item->data(0, remedyRole).toString()));
     });
     connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
         emit placeRequested(item->data(0, Qt::UserRole).toString());
@@ -86,22 +86,22 @@ void FindingsPanel::look() {
                                           QString::fromStdString(finding.reason)});
         item->setIcon(0, icon(error ? "error" : "warning"));
         item->setData(0, Qt::UserRole, QString::fromStdString(finding.entry));
-        item->setData(0, repairRole, QString::fromStdString(finding.repair));
+        item->setData(0, remedyRole, QString::fromStdString(finding.remedy));
         for (int i = 0; i < 3; ++i)
             item->setToolTip(i, item->text(i));
         list_->addTopLevelItem(item);
-        const QString repair = QString::fromStdString(finding.repair);
-        if (!finding.mend) {
-            item->setText(3, repair);
-            item->setToolTip(3, repair);
+        const QString remedy = QString::fromStdString(finding.remedy);
+        if (!finding.repair) {
+            item->setText(3, remedy);
+            item->setToolTip(3, remedy);
             continue;
         }
         auto* button = new QPushButton(finding.removes ? tr("Delete") : tr("Repair"), list_);
-        button->setToolTip(repair);
+        button->setToolTip(remedy);
         button->setObjectName("repair");
-        connect(button, &QPushButton::clicked, this, [this, mend = finding.mend, repair, item] {
+        connect(button, &QPushButton::clicked, this, [this, repair = finding.repair, remedy, item] {
             const QString place = item->text(0);
-            context_.session().edit(tr("Repair %1: %2").arg(place, repair), mend);
+            context_.session().edit(tr("Repair %1: %2").arg(place, remedy), repair);
             look();
         });
         list_->setItemWidget(item, 3, button);

@@ -13,7 +13,7 @@ namespace smat::gui {
 class FindingsScope;
 
 /// What the physics has to say about the database as it stands: place, value, reason, and a button
-/// that mends where there is one way to.
+/// that repairs where there is one way to.
 class FindingsPanel : public QWidget {
     Q_OBJECT
 

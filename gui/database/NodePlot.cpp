@@ -208,7 +208,7 @@ void NodePlot::drawNodes() {
     const bool chosen = selected_ >= 0 && selected_ < points.size();
     chosen_->setSamples(chosen ? QList<QPointF>{points[selected_]} : QList<QPointF>());
 
-    // What is held outside the nodes.
+    // What is clamped outside the nodes.
     const double left = axisInterval(xBottom).minValue();
     const double right = axisInterval(xBottom).maxValue();
     heldBefore_->setSamples(

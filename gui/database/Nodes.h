@@ -47,7 +47,7 @@ struct NodeRules {
     /// Why x or y cannot be; empty where they can.
     QString problemOfX(double x) const;
     QString problemOfY(double x, double y) const;
-    /// Why these nodes cannot be a table: the first offence, with its row counted from 1.
+    /// Why these nodes cannot be a table: the first diagnostic, with its row counted from 1.
     QString problemOf(const Nodes& nodes) const;
     /// The node moved to where the rules and its neighbours allow.
     Node bounded(const Nodes& nodes, std::size_t index, Node wanted) const;

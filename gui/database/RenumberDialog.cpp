@@ -29,14 +29,14 @@ RenumberDialog::RenumberDialog(const EditorContext& context, const EntryKey& ent
     consequence_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     consequence_->setForegroundRole(QPalette::PlaceholderText);
     buttons_ = okAndCancel(*this, byName ? tr("Rename") : tr("Renumber"));
-    connect(field_, &QLineEdit::textChanged, this, &RenumberDialog::judge);
+    connect(field_, &QLineEdit::textChanged, this, &RenumberDialog::validate);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 14);
     column->setSpacing(12);
     column->addLayout(form);
     column->addWidget(consequence_, 1);
     column->addWidget(buttons_);
-    judge();
+    validate();
 }
 
 EntryKey RenumberDialog::wanted() const {
@@ -54,7 +54,7 @@ EntryKey RenumberDialog::wanted() const {
     return taken || text.isEmpty() ? entry_ : key;
 }
 
-void RenumberDialog::judge() {
+void RenumberDialog::validate() {
     const EntryKey key = wanted();
     const bool right = key != entry_;
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(right);

@@ -22,7 +22,7 @@ class RenumberDialog : public QDialog {
     EntryKey wanted() const;
 
   private:
-    void judge();
+    void validate();
 
     const EditorContext& context_;
     EntryKey entry_;

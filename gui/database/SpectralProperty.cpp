@@ -37,7 +37,7 @@ SpectralProperty::SpectralProperty(Which which, QWidget* parent) : QWidget(paren
     form_->setObjectName("form");
     form_->addItems({tr("Grey"), tr("Spectral")});
     form_->setToolTip(tr("Grey: one value at every wavelength. Spectral: nodes over wavelength, "
-                         "linear between them and held outside"));
+                         "linear between them and clamped outside"));
     grey_ = new NumberField({}, this);
     grey_->setObjectName("greyValue");
     grey_->setStep(0.01);

@@ -10,9 +10,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/FlowBar.h"
 #include "gui/Theme.h"
 #include "gui/Widgets.h"
-#include "gui/WrappingBar.h"
 #include "gui/image/ComparisonPanes.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/FiguresTable.h"
@@ -96,7 +96,7 @@ QWidget* ComparisonWindow::makeBar() {
 
     for (QComboBox* box : {plane_, colors_, modeBox_})
         box->setMinimumWidth(80); // long names give way where the page is narrow
-    auto* bar = new WrappingBar(this);
+    auto* bar = new FlowBar(this);
     for (QWidget* widget : {static_cast<QWidget*>(openA), static_cast<QWidget*>(openB),
                             static_cast<QWidget*>(swap_), static_cast<QWidget*>(plane_),
                             static_cast<QWidget*>(colors_), static_cast<QWidget*>(modeBox_)})

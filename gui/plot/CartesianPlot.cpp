@@ -216,7 +216,7 @@ QString CartesianPlot::readoutAt(const QPointF& canvasPoint) const {
     return data_.xTitle + ": " + readableNumber(x) + readoutsAt(x, 0.0);
 }
 
-CartesianPlot* CartesianPlot::makePaperTwin() const {
+CartesianPlot* CartesianPlot::makePrintCopy() const {
     auto* twin = new CartesianPlot(PlotStyle::paper());
     twin->setData(data_);
     twin->setView(view());

@@ -41,7 +41,7 @@ class CartesianPlot : public QwtPlot, public CurvePlot {
     void setView(const View& view);
     PlotNavigator& navigator() { return *navigator_; }
     /// The same picture on paper: same data, part and hidden curves.
-    CartesianPlot* makePaperTwin() const;
+    CartesianPlot* makePrintCopy() const;
 
     QWidget* widget() override { return this; }
     QWidget* sheet() const override;

@@ -102,7 +102,7 @@ void exportAs(const std::filesystem::path& file, const QString& title, QSize siz
 /// Hands `work` what draws a plot on paper.
 template <typename Work>
 auto onPaper(const CartesianPlot& plot, QSize size, const Work& work) {
-    const std::unique_ptr<CartesianPlot> twin(plot.makePaperTwin());
+    const std::unique_ptr<CartesianPlot> twin(plot.makePrintCopy());
     twin->resize(size);
     return work([&](QPainter& painter, const QRectF& area) {
         painter.fillRect(area, Qt::white);
@@ -113,7 +113,7 @@ auto onPaper(const CartesianPlot& plot, QSize size, const Work& work) {
 }
 template <typename Work>
 auto onPaper(const PolarPlot& plot, QSize size, const Work& work) {
-    const std::unique_ptr<PolarPlot> twin(plot.makePaperTwin());
+    const std::unique_ptr<PolarPlot> twin(plot.makePrintCopy());
     twin->resize(size);
     return work([&](QPainter& painter, const QRectF& area) {
         painter.fillRect(area, Qt::white);

@@ -10,7 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/WrappingBar.h"
+#include "gui/FlowBar.h"
 #include "gui/plot/AxisLimitsDialog.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotNavigator.h"
@@ -119,7 +119,7 @@ void PlotPanel::makeCopyAndSaveActions() {
 }
 
 void PlotPanel::makeBar() {
-    auto* strip = new WrappingBar(this);
+    auto* strip = new FlowBar(this);
     strip->layout()->setContentsMargins(10, 8, 10, 0);
     front_ = strip->first();
     front_->setSpacing(8);

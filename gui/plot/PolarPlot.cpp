@@ -295,7 +295,7 @@ QString PolarPlot::readoutAt(const QPointF& point) const {
     return QStringLiteral("%1°").arg(angle, 0, 'f', 1) + readoutsAt(angle, turn_deg);
 }
 
-PolarPlot* PolarPlot::makePaperTwin() const {
+PolarPlot* PolarPlot::makePrintCopy() const {
     auto* twin = new PolarPlot(PlotStyle::paper());
     twin->radiusScale_ = radiusScale_;
     twin->limits_ = limits_;

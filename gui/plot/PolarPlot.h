@@ -59,7 +59,7 @@ class PolarPlot : public QwtPolarPlot, public CurvePlot {
     /// Where an angle and a value lie on the canvas.
     QPointF canvasPoint(double angle_deg, double value) const;
     PlotNavigator& navigator() { return *navigator_; }
-    PolarPlot* makePaperTwin() const;
+    PolarPlot* makePrintCopy() const;
 
     QWidget* widget() override { return this; }
     QWidget* sheet() const override;

@@ -21,7 +21,7 @@ void addEntries(std::map<int, IndexUse>& uses, const Entries& entries,
 }
 
 QString problemOf(const irsg::InputError& error) {
-    return QString::fromStdString(error.offences().front().message());
+    return QString::fromStdString(error.diagnostics().front().message());
 }
 
 } // namespace

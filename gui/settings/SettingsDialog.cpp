@@ -11,8 +11,8 @@
 #include <QStackedWidget>
 
 #include "gui/DialogButtons.h"
-#include "gui/SideScroll.h"
 #include "gui/Theme.h"
+#include "gui/VerticalScrollArea.h"
 #include "gui/Workbench.h"
 #include "gui/settings/MtfNote.h"
 
@@ -74,7 +74,7 @@ SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const
         connect(form, &SettingForm::validityChanged, this, &SettingsDialog::refresh);
         forms_.push_back(form);
         addNotes(form);
-        auto* scroll = new SideScroll(form, stack);
+        auto* scroll = new VerticalScrollArea(form, stack);
         scroll->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
         stack->addWidget(scroll);
     }

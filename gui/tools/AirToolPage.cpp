@@ -11,7 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/SideScroll.h"
+#include "gui/VerticalScrollArea.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultStore.h"
@@ -84,7 +84,7 @@ AirToolPage::AirToolPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     column->addWidget(same);
     column->addLayout(terminal);
 
-    auto* scroll = new SideScroll(side, this);
+    auto* scroll = new VerticalScrollArea(side, this);
     auto* right = new QWidget(this);
     answer_ = new QVBoxLayout(right);
     answer_->setContentsMargins(0, 0, 0, 0);

@@ -11,7 +11,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/SideScroll.h"
+#include "gui/VerticalScrollArea.h"
 #include "gui/Workbench.h"
 #include "gui/tools/MonteCarloPage.h"
 
@@ -86,7 +86,7 @@ QWidget* MonteCarloPage::makeForm() {
     auto* all = new QVBoxLayout(side);
     all->setContentsMargins(0, 0, 0, 0);
     all->setSpacing(0);
-    all->addWidget(new SideScroll(panel, side), 1);
+    all->addWidget(new VerticalScrollArea(panel, side), 1);
     all->addWidget(makeFoot());
     return side;
 }

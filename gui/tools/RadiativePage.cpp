@@ -55,7 +55,7 @@ irsg::SpectralRange firstBand(const Settings& asked) {
 }
 
 std::string commandFor(const Project& project, const Settings& asked,
-                       const std::vector<std::string>& words, const AirGeometryInput& geometry) {
+                       const std::vector<std::string>& words, const PathGeometryInput& geometry) {
     return radiativeCommand(resolvedAir(project, asked), words, geometry, firstBand(asked),
                             sunOf(project, asked), asked.optionalReal("environment.dayOfYear"),
                             "radiative.csv");

@@ -108,7 +108,7 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
     DisplayScene scene;
     scene.root = new osg::Group;
     SceneBuilder builder(models);
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     for (std::size_t i = 0; i < project.models.size(); ++i) {
         const ProjectModel& given = project.models[i];
         const ModelKey key = ModelKey::of(project, given);
@@ -116,7 +116,8 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
         try {
             loaded = irsg::loadGraph(key.file, irsg::LoadPurpose::visible);
         } catch (const irsg::InputError& error) {
-            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
             continue;
         }
         for (const auto& remark : loaded.remarks)
@@ -160,8 +161,8 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
         scene.findReference();
         scene.placeTarget(scene.models.front().pose);
     }
-    if (!offences.empty())
-        throw irsg::InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw irsg::InputError(std::move(diagnostics));
 
     // Scaled models keep their shading; both walls of a shell can be looked at.
     osg::StateSet* state = scene.root->getOrCreateStateSet();

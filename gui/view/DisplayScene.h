@@ -53,7 +53,7 @@ struct DisplayScene {
 };
 
 /// Loads the models of a project and puts them at the poses that `settings` give. Throws
-/// irsg::InputError with the offences of all models. The infrared models come from `models`, or
+/// irsg::InputError with the diagnostics of all models. The infrared models come from `models`, or
 /// from their files where it is empty.
 DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
                               const SceneBuilder::ModelLoader& models = {});

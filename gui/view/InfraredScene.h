@@ -16,7 +16,7 @@ class InfraredScene {
   public:
     InfraredScene();
 
-    /// Throws irsg::InputError with every offence of the scene. LogicError for a request without
+    /// Throws irsg::InputError with every diagnostic of the scene. LogicError for a request without
     /// project or colour map.
     InfraredPicture draw(const InfraredRequest& request);
     /// Models read from their files so far.

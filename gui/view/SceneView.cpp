@@ -14,7 +14,7 @@
 #include "gui/Theme.h"
 #include "gui/plot/CrosshairOverlay.h"
 #include "gui/view/InfraredDisplay.h"
-#include "gui/view/SceneViewParts.h"
+#include "gui/view/SceneViewImpl.h"
 #include "gui/view/ViewBackground.h"
 #include "gui/view/ViewHud.h"
 #include "irsg/radiometry/Units.h"
@@ -44,7 +44,7 @@ bool isSoftwareRenderer() {
 
 } // namespace
 
-SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_unique<Parts>()) {
+SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_unique<Impl>()) {
     setObjectName("sceneView");
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(320, 240);
@@ -55,11 +55,11 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_
     format.setSamples(isSoftwareRenderer() ? 0 : 4);
     setFormat(format);
     // Transparent faces mix with what lies behind them; the widget itself stays opaque.
-    parts_->root->getOrCreateStateSet()->setAttribute(new osg::ColorMask(true, true, true, false));
+    impl_->root->getOrCreateStateSet()->setAttribute(new osg::ColorMask(true, true, true, false));
     map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
     hud_ = new CrosshairOverlay(this, [this](QPainter& painter) {
-        parts_->hud = hud();
-        parts_->hud->paint(painter);
+        impl_->hud = hud();
+        impl_->hud->paint(painter);
     });
     hud_->show();
 
@@ -75,7 +75,7 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), parts_(std::make_
 
 SceneView::~SceneView() {
     delete infrared_;
-    disconnect(parts_->contextGoes);
+    disconnect(impl_->contextGoes);
     if (context() != nullptr) {
         makeCurrent();
         releaseGl();
@@ -94,28 +94,28 @@ QString SceneView::problem() {
 void SceneView::initializeGL() {
     // Qt makes a new context when the widget moves to another window: start anew with it.
     releaseGl();
-    parts_->pixels = size() * devicePixelRatio();
-    parts_->window = new osgViewer::GraphicsWindowEmbedded(0, 0, parts_->pixels.width(),
-                                                           parts_->pixels.height());
-    parts_->viewer = new osgViewer::Viewer;
-    parts_->viewer->setThreadingModel(osgViewer::Viewer::SingleThreaded);
+    impl_->pixels = size() * devicePixelRatio();
+    impl_->window =
+        new osgViewer::GraphicsWindowEmbedded(0, 0, impl_->pixels.width(), impl_->pixels.height());
+    impl_->viewer = new osgViewer::Viewer;
+    impl_->viewer->setThreadingModel(osgViewer::Viewer::SingleThreaded);
     // Models are read whole before they are shown; nothing is fetched while they are drawn.
-    parts_->viewer->setDatabasePager(nullptr);
-    parts_->viewer->setImagePager(nullptr);
-    parts_->viewer->setKeyEventSetsDone(0);
-    parts_->viewer->setLightingMode(osg::View::HEADLIGHT);
+    impl_->viewer->setDatabasePager(nullptr);
+    impl_->viewer->setImagePager(nullptr);
+    impl_->viewer->setKeyEventSetsDone(0);
+    impl_->viewer->setLightingMode(osg::View::HEADLIGHT);
     // Faces that look away from the eye are seen, too.
-    parts_->viewer->getLight()->setAmbient(osg::Vec4(0.45F, 0.46F, 0.5F, 1.0F));
-    parts_->viewer->getLight()->setDiffuse(osg::Vec4(0.75F, 0.74F, 0.72F, 1.0F));
-    auto* camera = parts_->viewer->getCamera();
-    camera->setGraphicsContext(parts_->window);
+    impl_->viewer->getLight()->setAmbient(osg::Vec4(0.45F, 0.46F, 0.5F, 1.0F));
+    impl_->viewer->getLight()->setDiffuse(osg::Vec4(0.75F, 0.74F, 0.72F, 1.0F));
+    auto* camera = impl_->viewer->getCamera();
+    camera->setGraphicsContext(impl_->window);
     camera->setClearMask(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
-    camera->setViewport(0, 0, parts_->pixels.width(), parts_->pixels.height());
-    parts_->background = makeViewBackground(isDark(palette()));
-    parts_->viewer->setSceneData(parts_->root);
+    camera->setViewport(0, 0, impl_->pixels.width(), impl_->pixels.height());
+    impl_->background = makeViewBackground(isDark(palette()));
+    impl_->viewer->setSceneData(impl_->root);
     arrange();
-    disconnect(parts_->contextGoes);
-    parts_->contextGoes = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+    disconnect(impl_->contextGoes);
+    impl_->contextGoes = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
         makeCurrent();
         releaseGl();
         doneCurrent();
@@ -128,59 +128,59 @@ void SceneView::initializeGL() {
 }
 
 void SceneView::releaseGl() {
-    if (!parts_->viewer)
+    if (!impl_->viewer)
         return;
-    osg::State* state = parts_->window->getState();
-    parts_->root->releaseGLObjects(state);
-    if (parts_->scene.root)
-        parts_->scene.root->releaseGLObjects(state);
-    parts_->sheet.node()->releaseGLObjects(state);
-    parts_->viewer->setSceneData(nullptr);
-    parts_->viewer = nullptr;
-    parts_->window = nullptr;
+    osg::State* state = impl_->window->getState();
+    impl_->root->releaseGLObjects(state);
+    if (impl_->scene.root)
+        impl_->scene.root->releaseGLObjects(state);
+    impl_->sheet.node()->releaseGLObjects(state);
+    impl_->viewer->setSceneData(nullptr);
+    impl_->viewer = nullptr;
+    impl_->window = nullptr;
 }
 
 void SceneView::arrange() {
-    if (!parts_->background)
+    if (!impl_->background)
         return;
     const bool infrared = showsPicture();
     const OverlayLook look{look_.selection, infrared, look_.wireframe, devicePixelRatioF()};
-    if (parts_->marked != look) {
-        parts_->marked = look;
-        parts_->isLitter = true;
-        fillMarks(parts_->scene, look);
+    if (impl_->marked != look) {
+        impl_->marked = look;
+        impl_->hasGlObjectsToDelete = true;
+        fillMarks(impl_->scene, look);
     }
-    osg::Group& root = *parts_->root;
+    osg::Group& root = *impl_->root;
     root.removeChildren(0, root.getNumChildren());
-    root.addChild(infrared ? parts_->sheet.node() : parts_->background.get());
-    if (parts_->scene.root && !infrared)
-        root.addChild(parts_->scene.root);
-    for (const DisplayModel& model : parts_->scene.models)
+    root.addChild(infrared ? impl_->sheet.node() : impl_->background.get());
+    if (impl_->scene.root && !infrared)
+        root.addChild(impl_->scene.root);
+    for (const DisplayModel& model : impl_->scene.models)
         if (model.marks->getNumChildren() > 0)
             root.addChild(model.marks);
 }
 
 void SceneView::paintGL() {
     // Framebuffer 0 is not this widget, and the one that is changes at every resize.
-    parts_->window->setDefaultFboId(defaultFramebufferObject());
-    if (const QSize pixels = size() * devicePixelRatio(); pixels != parts_->pixels) {
-        parts_->pixels = pixels;
-        parts_->window->resized(0, 0, pixels.width(), pixels.height());
-        parts_->viewer->getCamera()->setViewport(0, 0, pixels.width(), pixels.height());
+    impl_->window->setDefaultFboId(defaultFramebufferObject());
+    if (const QSize pixels = size() * devicePixelRatio(); pixels != impl_->pixels) {
+        impl_->pixels = pixels;
+        impl_->window->resized(0, 0, pixels.width(), pixels.height());
+        impl_->viewer->getCamera()->setViewport(0, 0, pixels.width(), pixels.height());
         arrange();
     }
     aim();
-    parts_->viewer->frame();
-    if (parts_->isLitter) {
-        parts_->isLitter = false;
-        osg::flushAllDeletedGLObjects(parts_->window->getState()->getContextID());
+    impl_->viewer->frame();
+    if (impl_->hasGlObjectsToDelete) {
+        impl_->hasGlObjectsToDelete = false;
+        osg::flushAllDeletedGLObjects(impl_->window->getState()->getContextID());
     }
     ++frameCount_;
 }
 
 irsg::Viewpoint SceneView::eye() const {
     return showsPicture() ? picture_.eye
-                          : camera_.viewpoint(parts_->scene.referencePoint_m, targetYaw_rad_);
+                          : camera_.viewpoint(impl_->scene.referencePoint_m, targetYaw_rad_);
 }
 
 double SceneView::fieldOfView_rad() const {
@@ -194,7 +194,7 @@ ViewProjection SceneView::projection() const {
 void SceneView::aim() {
     const auto from = eye();
     const auto vec = [](const irsg::Vec3& v) { return osg::Vec3d(v.x, v.y, v.z); };
-    auto* camera = parts_->viewer->getCamera();
+    auto* camera = impl_->viewer->getCamera();
     camera->setViewMatrixAsLookAt(vec(from.position_m), vec(from.position_m + from.forward()),
                                   vec(from.up));
     const double aspect = static_cast<double>(width()) / std::max(height(), 1);
@@ -206,19 +206,19 @@ void SceneView::aim() {
 void SceneView::setScene(DisplayScene scene) {
     if (context() != nullptr)
         makeCurrent();
-    if (parts_->scene.root && parts_->window) {
-        parts_->scene.root->releaseGLObjects(parts_->window->getState());
-        for (const DisplayModel& model : parts_->scene.models)
-            model.marks->releaseGLObjects(parts_->window->getState());
+    if (impl_->scene.root && impl_->window) {
+        impl_->scene.root->releaseGLObjects(impl_->window->getState());
+        for (const DisplayModel& model : impl_->scene.models)
+            model.marks->releaseGLObjects(impl_->window->getState());
     }
-    parts_->scene = std::move(scene);
-    parts_->isLitter = true;
-    parts_->marked.reset();
+    impl_->scene = std::move(scene);
+    impl_->hasGlObjectsToDelete = true;
+    impl_->marked.reset();
     look_.selection = {};
     lastPick_.reset();
     // What is being edited stands in for files of the new models, too.
     for (const auto& [file, database] : edited_)
-        parts_->scene.setSignature(file, database);
+        impl_->scene.setSignature(file, database);
     projectMap_ = false;
     dropPicture();
     arrange();
@@ -242,7 +242,7 @@ void SceneView::setProject(const Project& project, const Settings& settings) {
         settings_.text("display.scale") != scale)
         setColorScale(irsg::colorScaleNamed(scale));
     settings_ = settings;
-    parts_->scene.placeTarget(targetPoseOf(settings));
+    impl_->scene.placeTarget(targetPoseOf(settings));
     frame_ = {irsg::radians(settings.real("sensor.fov")), settings.integer("sensor.width"),
               settings.integer("sensor.height")};
     camera_ = {settings.real("camera.azimuth"), settings.real("camera.elevation"),
@@ -254,7 +254,7 @@ void SceneView::setProject(const Project& project, const Settings& settings) {
 }
 
 void SceneView::setTargetPose(const irsg::Pose& pose) {
-    parts_->scene.placeTarget(pose);
+    impl_->scene.placeTarget(pose);
     sceneChanged();
 }
 
@@ -277,7 +277,7 @@ void SceneView::setWireframe(bool on) {
     look_.wireframe = on;
     auto* mode = new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK,
                                       on ? osg::PolygonMode::LINE : osg::PolygonMode::FILL);
-    parts_->root->getOrCreateStateSet()->setAttribute(mode);
+    impl_->root->getOrCreateStateSet()->setAttribute(mode);
     arrange();
     redraw();
 }
@@ -309,7 +309,7 @@ void SceneView::showWholeModel() {
     const double tanHalf = std::tan(frame_.horizontalFieldOfView_rad / 2.0);
     const double aspect = static_cast<double>(frame_.height_px) / frame_.width_px;
     const double narrow = 2.0 * std::atan(tanHalf * std::min(1.0, aspect));
-    camera_.range_m = OrbitCamera::rangeToShow(parts_->scene.radius_m, narrow);
+    camera_.range_m = OrbitCamera::rangeToShow(impl_->scene.radius_m, narrow);
     userMoved();
 }
 
@@ -331,7 +331,7 @@ void SceneView::redraw() {
 }
 
 void SceneView::refreshHud() {
-    if (parts_->hud != hud())
+    if (impl_->hud != hud())
         hud_->update();
 }
 
@@ -347,8 +347,8 @@ void SceneView::showEvent(QShowEvent* event) {
 }
 
 void SceneView::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange && parts_->background) {
-        parts_->background = makeViewBackground(isDark(palette()));
+    if (event->type() == QEvent::PaletteChange && impl_->background) {
+        impl_->background = makeViewBackground(isDark(palette()));
         arrange();
         redraw();
     }
@@ -361,11 +361,11 @@ ViewHud SceneView::hud() const {
     hud.projection = projection();
     hud.camera = camera_;
     hud.hasProject = project_ != nullptr;
-    hud.hasModel = !parts_->scene.models.empty();
+    hud.hasModel = !impl_->scene.models.empty();
     if (hud.hasModel) {
-        hud.reference_m = parts_->scene.referencePoint_m;
-        hud.attitude = parts_->scene.models.front().pose.attitude;
-        hud.radius_m = parts_->scene.radius_m;
+        hud.reference_m = impl_->scene.referencePoint_m;
+        hud.attitude = impl_->scene.models.front().pose.attitude;
+        hud.radius_m = impl_->scene.radius_m;
     }
     hud.towardsSun = towardsSun_;
     hud.viewAxes = viewAxes_;

@@ -145,8 +145,8 @@ class SceneView : public QOpenGLWidget {
     void onWaiting();
     void dropPicture();
 
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
     OrbitCamera camera_;
     double targetYaw_rad_ = 0.0;
     ViewFrame frame_;

@@ -5,7 +5,7 @@
 #include "gui/Readable.h"
 #include "gui/image/ImageView.h"
 #include "gui/view/InfraredDisplay.h"
-#include "gui/view/SceneViewParts.h"
+#include "gui/view/SceneViewImpl.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
@@ -80,10 +80,10 @@ void SceneView::setLimits(const irsg::DisplayLimits& limits) {
 
 void SceneView::setEditedDatabase(const std::filesystem::path& file,
                                   std::shared_ptr<const irsg::SignatureDatabase> database) {
-    const irsg::Vec3 referenceBefore = parts_->scene.referencePoint_m;
+    const irsg::Vec3 referenceBefore = impl_->scene.referencePoint_m;
     if (database) {
         edited_[file] = database;
-        parts_->scene.setSignature(file, database);
+        impl_->scene.setSignature(file, database);
     } else if (edited_.erase(file) > 0) {
         // The file counts again; where it cannot be read, the renderer says so.
         std::shared_ptr<const irsg::SignatureDatabase> ofFile;
@@ -92,12 +92,12 @@ void SceneView::setEditedDatabase(const std::filesystem::path& file,
         } catch (const irsg::InputError&) {
             ofFile = nullptr;
         }
-        parts_->scene.setSignature(file, std::move(ofFile));
+        impl_->scene.setSignature(file, std::move(ofFile));
     }
     // Nothing but the infrared picture changes, which is there in a moment: what is drawn until
     // then would only take its time. It is a sum over what is known of the view, so that it need
     // not be coarse, however quickly edits follow each other.
-    if (display_ != ViewDisplay::infrared || parts_->scene.referencePoint_m != referenceBefore)
+    if (display_ != ViewDisplay::infrared || impl_->scene.referencePoint_m != referenceBefore)
         redraw();
     if (display_ != ViewDisplay::infrared)
         return;
@@ -138,14 +138,14 @@ void SceneView::askInfrared() {
 }
 
 void SceneView::sendRequest(bool coarse) {
-    if (display_ != ViewDisplay::infrared || !project_ || parts_->scene.models.empty() ||
+    if (display_ != ViewDisplay::infrared || !project_ || impl_->scene.models.empty() ||
         size().isEmpty())
         return;
     InfraredRequest request;
     request.project = project_;
     request.settings = settings_;
     request.edited = edited_;
-    request.models = parts_->scene.loaded;
+    request.models = impl_->scene.loaded;
     request.camera = camera_;
     request.targetYaw_rad = targetYaw_rad_;
     request.size_px = size() * devicePixelRatio();
@@ -179,7 +179,8 @@ void SceneView::onDrawn(const InfraredPicture& picture) {
         coarseness_ = std::max(coarseness_ - 1, 1);
     picture_ = picture;
     problem_.clear();
-    parts_->isLitter = parts_->sheet.setPicture(picture.colors, picture.coarse) || parts_->isLitter;
+    impl_->hasGlObjectsToDelete =
+        impl_->sheet.setPicture(picture.colors, picture.coarse) || impl_->hasGlObjectsToDelete;
     if (!infrared_->isBusy())
         waiting_.stop();
     arrange();

@@ -8,7 +8,7 @@
 #include <QStyleHints>
 #include <QWheelEvent>
 
-#include "gui/view/SceneViewParts.h"
+#include "gui/view/SceneViewImpl.h"
 
 namespace smat::gui {
 
@@ -16,8 +16,8 @@ std::vector<FaceHit> SceneView::facesAt(const QPointF& point) const {
     const ViewProjection through = projection();
     const irsg::Vec3 direction = through.ray(point);
     std::vector<FaceHit> hits;
-    for (std::size_t i = 0; i < parts_->scene.models.size(); ++i) {
-        const DisplayModel& model = parts_->scene.models[i];
+    for (std::size_t i = 0; i < impl_->scene.models.size(); ++i) {
+        const DisplayModel& model = impl_->scene.models[i];
         if (!model.faces)
             continue;
         const irsg::Rotation toModel = model.pose.attitude.rotation().transposed();
@@ -31,7 +31,7 @@ std::vector<FaceHit> SceneView::facesAt(const QPointF& point) const {
 }
 
 QString SceneView::indexWords(const FaceHit& hit) const {
-    const DisplayModel& model = parts_->scene.models.at(static_cast<std::size_t>(hit.model));
+    const DisplayModel& model = impl_->scene.models.at(static_cast<std::size_t>(hit.model));
     const auto named = [](const QString& word, int index, const std::string& name) {
         const QString number = QStringLiteral("%1 %2").arg(word).arg(index);
         return name.empty() ? number
@@ -49,7 +49,7 @@ QString SceneView::indexWords(const FaceHit& hit) const {
     }
     QStringList words{named(tr("temperature"), hit.codes.temperature, temperature),
                       named(tr("material"), hit.codes.material, material)};
-    if (parts_->scene.models.size() > 1)
+    if (impl_->scene.models.size() > 1)
         words << model.name;
     return words.join("     ");
 }

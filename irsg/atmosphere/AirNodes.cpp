@@ -12,7 +12,7 @@ namespace {
 /// The function 1 at a centre and 0 at its neighbours, where there are any; the outer half of the
 /// last bin of a table has the mean of the bin.
 Spectrum hatOver(std::span<const SpectralBin> bins, std::size_t bin, const SpectralRange& range) {
-    const auto centre_um = [&](std::size_t b) { return 1e4 / bins[b].centre_cm(); };
+    const auto centre_um = [&](std::size_t b) { return 1e4 / bins[b].centre_per_cm(); };
     std::vector<double> axis, values;
     const auto add = [&](double wavelength_um, double value) {
         if (!axis.empty() && !(wavelength_um > axis.back()))
@@ -74,14 +74,14 @@ AirNodes::AirNodes(std::shared_ptr<const RadiativeTransfer> transfer,
     for (std::size_t b = 0, first = 0; b < bins.size(); first += bins[b++].count)
         firsts.push_back(first);
     for (const double wavelength_um : wavelengths_um) {
-        // Linear in wavelength between the centres, and held beyond the last.
+        // Linear in wavelength between the centres, and clamped beyond the last.
         std::size_t upper = 0;
-        while (upper < bins.size() && 1e4 / bins[upper].centre_cm() > wavelength_um)
+        while (upper < bins.size() && 1e4 / bins[upper].centre_per_cm() > wavelength_um)
             ++upper;
         const std::size_t lower = upper > 0 ? upper - 1 : 0;
         upper = std::min(upper, bins.size() - 1);
-        const double from_um = 1e4 / bins[lower].centre_cm();
-        const double to_um = 1e4 / bins[upper].centre_cm();
+        const double from_um = 1e4 / bins[lower].centre_per_cm();
+        const double to_um = 1e4 / bins[upper].centre_per_cm();
         const double part = upper > lower ? (wavelength_um - from_um) / (to_um - from_um) : 0.0;
         groups_.push_back({.wavelength_um = wavelength_um, .first = ofSet_.size()});
         addNodes(bins[lower], 1.0 - part, firsts[lower]);
@@ -108,7 +108,7 @@ double AirNodes::integralOver(const Spectrum& hat, const Spectrum& other,
 void AirNodes::addNodes(const SpectralBin& bin, double weight, std::size_t firstOfSet) {
     if (!(weight > 0.0))
         return;
-    const BinSet& set = transfer_->gases().bins(transfer_->air().resolution_cm);
+    const BinSet& set = transfer_->gases().bins(transfer_->air().resolution_per_cm);
     for (std::size_t i = 0; i < bin.count; ++i) {
         ofSet_.push_back(firstOfSet + i);
         nodeWeights_.push_back(weight * static_cast<double>(set.weights[bin.first + i]));

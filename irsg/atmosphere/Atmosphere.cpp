@@ -46,7 +46,7 @@ double Atmosphere::ambientTemperature_K(double) const {
     refuse(*this, AtmosphereProperty::ambientTemperature);
 }
 
-std::vector<double> Atmosphere::answer(const AirQuestion& question,
+std::vector<double> Atmosphere::answer(const AtmosphericQuery& question,
                                        const SpectralSampling& sampling) const {
     if (const SensorCkData* terms = SensorCkData::of(sampling)) {
         if (!isWidebandModeAvailable()) {
@@ -65,54 +65,55 @@ std::vector<double> Atmosphere::answer(const AirQuestion& question,
     return sampling.sampled(spectrum(question, sampling.range()));
 }
 
-Spectrum Atmosphere::spectrum(const AirQuestion& question, const SpectralRange& range) const {
+Spectrum Atmosphere::spectrum(const AtmosphericQuery& question, const SpectralRange& range) const {
     checkRange(range);
     checkQuestion(question);
     return nativeSpectrum(question, held(range));
 }
 
-Spectrum Atmosphere::transmittance(const AirPath& path, const SpectralRange& range) const {
-    return spectrum(AirQuestion::transmittance(path), range);
+Spectrum Atmosphere::transmittance(const AtmosphericPath& path, const SpectralRange& range) const {
+    return spectrum(AtmosphericQuery::transmittance(path), range);
 }
 
-Spectrum Atmosphere::pathRadiance(const AirPath& path, const SunPosition& sun,
+Spectrum Atmosphere::pathRadiance(const AtmosphericPath& path, const SunPosition& sun,
                                   const SpectralRange& range) const {
-    return spectrum(AirQuestion::pathRadiance(path, sun), range);
+    return spectrum(AtmosphericQuery::pathRadiance(path, sun), range);
 }
 
 Spectrum Atmosphere::backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
                                         const SpectralRange& range) const {
-    return spectrum(AirQuestion::backgroundRadiance(sight, sun), range);
+    return spectrum(AtmosphericQuery::backgroundRadiance(sight, sun), range);
 }
 
 Spectrum Atmosphere::solarIrradiance(double altitude_m, const SunPosition& sun,
                                      const SpectralRange& range) const {
-    return spectrum(AirQuestion::solarIrradiance(altitude_m, sun), range);
+    return spectrum(AtmosphericQuery::solarIrradiance(altitude_m, sun), range);
 }
 
 Spectrum Atmosphere::upwardFlux(double altitude_m, const SunPosition& sun,
                                 const SpectralRange& range) const {
-    return spectrum(AirQuestion::upwardFlux(altitude_m, sun), range);
+    return spectrum(AtmosphericQuery::upwardFlux(altitude_m, sun), range);
 }
 
 Spectrum Atmosphere::downwardFlux(double altitude_m, const SunPosition& sun,
                                   const SpectralRange& range) const {
-    return spectrum(AirQuestion::downwardFlux(altitude_m, sun), range);
+    return spectrum(AtmosphericQuery::downwardFlux(altitude_m, sun), range);
 }
 
-Spectrum Atmosphere::scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const {
-    return spectrum(AirQuestion::scatteringOpticalDepth(path), range);
+Spectrum Atmosphere::scatteringOpticalDepth(const AtmosphericPath& path,
+                                            const SpectralRange& range) const {
+    return spectrum(AtmosphericQuery::scatteringOpticalDepth(path), range);
 }
 
 std::shared_ptr<const SensorCkData> Atmosphere::prepareCk(const CkRequest&) const {
     refuseWideband(*this);
 }
 
-Spectrum Atmosphere::nativeSpectrum(const AirQuestion& question, const SpectralRange&) const {
+Spectrum Atmosphere::nativeSpectrum(const AtmosphericQuery& question, const SpectralRange&) const {
     refuse(*this, question.quantity);
 }
 
-std::vector<double> Atmosphere::valuesAtTerms(const AirQuestion&, const SensorCkData&) const {
+std::vector<double> Atmosphere::valuesAtTerms(const AtmosphericQuery&, const SensorCkData&) const {
     refuseWideband(*this);
 }
 
@@ -128,15 +129,15 @@ bool Atmosphere::holds(const SpectralRange& range) const {
            own.max_um >= range.max_um * (1.0 - slack);
 }
 
-void Atmosphere::checkQuestion(const AirQuestion& question) const {
+void Atmosphere::checkQuestion(const AtmosphericQuery& question) const {
     switch (placeOf(question.quantity)) {
-    case AirPlace::path:
+    case QueryGeometry::path:
         checkPath(question.path);
         break;
-    case AirPlace::sight:
+    case QueryGeometry::sight:
         checkSight(question.sight);
         break;
-    case AirPlace::altitude:
+    case QueryGeometry::altitude:
         checkAltitude(question.altitude_m);
         break;
     }
@@ -156,7 +157,7 @@ void Atmosphere::checkRange(const SpectralRange& range) const {
     }
 }
 
-void Atmosphere::checkPath(const AirPath& path) const {
+void Atmosphere::checkPath(const AtmosphericPath& path) const {
     checkAltitude(path.sensorAltitude_m, "sensor altitude");
     checkAltitude(path.targetAltitude_m, "target altitude");
     if (!(path.range_m >= 0.0 && std::isfinite(path.range_m))) {

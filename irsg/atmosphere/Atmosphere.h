@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "irsg/atmosphere/AirDescription.h"
-#include "irsg/atmosphere/AirQuestion.h"
+#include "irsg/atmosphere/AtmosphereDescription.h"
+#include "irsg/atmosphere/AtmosphericQuery.h"
 #include "irsg/radiometry/SpectralSampling.h"
 #include "irsg/radiometry/Spectrum.h"
 
@@ -47,7 +47,7 @@ class Atmosphere {
     /// What a user should know about the settings and data it was made of.
     virtual std::vector<std::string> remarks() const { return {}; }
     /// What it is made of.
-    virtual AirDescription describe() const { return {}; }
+    virtual AtmosphereDescription describe() const { return {}; }
     /// True if the base holds a whole range; parts in 1e9 at its ends are nobody's fault.
     bool holds(const SpectralRange& range) const;
     /// False if the property is not supported; else true only if the base holds the whole range.
@@ -67,17 +67,18 @@ class Atmosphere {
     /// A value at every node. LogicError for what is not accepted, and for terms of wideband-ck
     /// where they are not available; InputError for a path, a line of sight or an altitude below
     /// ground, a negative range or anything that is not finite.
-    std::vector<double> answer(const AirQuestion& question, const SpectralSampling& sampling) const;
+    std::vector<double> answer(const AtmosphericQuery& question,
+                               const SpectralSampling& sampling) const;
     /// The answer as a spectrum on the nodes that the atmosphere has of itself, over at least the
     /// range: a quadrature for products of such spectra is built on their nodes.
-    Spectrum spectrum(const AirQuestion& question, const SpectralRange& range) const;
+    Spectrum spectrum(const AtmosphericQuery& question, const SpectralRange& range) const;
     /// True where the answer depends on the azimuth between the view and the sun: where it does
     /// not, a cache needs no azimuth in its key.
     virtual bool answersByAzimuth(AtmosphereProperty) const { return false; }
 
     /// `spectrum` by the names of the quantities.
-    Spectrum transmittance(const AirPath& path, const SpectralRange& range) const;
-    Spectrum pathRadiance(const AirPath& path, const SunPosition& sun,
+    Spectrum transmittance(const AtmosphericPath& path, const SpectralRange& range) const;
+    Spectrum pathRadiance(const AtmosphericPath& path, const SunPosition& sun,
                           const SpectralRange& range) const;
     Spectrum backgroundRadiance(const LineOfSight& sight, const SunPosition& sun,
                                 const SpectralRange& range) const;
@@ -87,7 +88,7 @@ class Atmosphere {
                         const SpectralRange& range) const;
     Spectrum downwardFlux(double altitude_m, const SunPosition& sun,
                           const SpectralRange& range) const;
-    Spectrum scatteringOpticalDepth(const AirPath& path, const SpectralRange& range) const;
+    Spectrum scatteringOpticalDepth(const AtmosphericPath& path, const SpectralRange& range) const;
 
     /// Where the native spectra are means over bins of a few nodes each: these nodes over a band
     /// that the base holds, or for some ascending wavelengths. Products of this air's quantities
@@ -104,33 +105,34 @@ class Atmosphere {
     /// LogicError where they are not available.
     virtual std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const;
     /// The same air with other spectral bins; null where it has none.
-    virtual std::shared_ptr<const Atmosphere> withBins(int /*resolution_cm*/) const {
+    virtual std::shared_ptr<const Atmosphere> withBins(int /*resolution_per_cm*/) const {
         return nullptr;
     }
 
   protected:
     /// The answer to a question that was checked, over a range that the base holds.
-    virtual Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const;
+    virtual Spectrum nativeSpectrum(const AtmosphericQuery& question,
+                                    const SpectralRange& range) const;
     /// The answer at the terms of wideband-ck that this atmosphere prepared.
-    virtual std::vector<double> valuesAtTerms(const AirQuestion& question,
+    virtual std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
                                               const SensorCkData& terms) const;
 
     /// The answer at nodes; nothing where they are those of other air.
-    virtual std::optional<std::vector<double>> valuesAtNodes(const AirQuestion&,
+    virtual std::optional<std::vector<double>> valuesAtNodes(const AtmosphericQuery&,
                                                              const AirNodes&) const {
         return std::nullopt;
     }
 
     /// LogicError unless the base holds the range.
     void checkRange(const SpectralRange& range) const;
-    void checkPath(const AirPath& path) const;
+    void checkPath(const AtmosphericPath& path) const;
     void checkSight(const LineOfSight& sight) const;
     void checkAltitude(double altitude_m, const char* what = "altitude") const;
 
   private:
     /// The part of a range that is in the base.
     SpectralRange held(const SpectralRange& range) const;
-    void checkQuestion(const AirQuestion& question) const;
+    void checkQuestion(const AtmosphericQuery& question) const;
 };
 
 } // namespace irsg

@@ -19,11 +19,11 @@ std::shared_ptr<const Atmosphere> fromKarmaXml(const std::filesystem::path& file
     if (document.typeName() == "AtmosphereScatteringLUT")
         return std::make_shared<AtmosphereScatteringLut>(
             AtmosphereScatteringLut::fromKarma(document));
-    throw InputError(
-        document.offence("type", document.type().empty() ? "no type" : "'" + document.type() + "'",
-                         document.typeName() == "Environment"
-                             ? "one atmosphere: an Environment holds several"
-                             : "a type that ends in /AtmosphereSmart or /AtmosphereScatteringLUT"));
+    throw InputError(document.diagnostic(
+        "type", document.type().empty() ? "no type" : "'" + document.type() + "'",
+        document.typeName() == "Environment"
+            ? "one atmosphere: an Environment holds several"
+            : "a type that ends in /AtmosphereSmart or /AtmosphereScatteringLUT"));
 }
 
 } // namespace

@@ -23,28 +23,30 @@ AtmosphereScatteringLut::AtmosphereScatteringLut(std::filesystem::path database,
 }
 
 AtmosphereScatteringLut AtmosphereScatteringLut::fromKarma(const KarmaXml& document) {
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     const KarmaParameter* database = document.find(databaseName);
     const KarmaParameter* coefficient = document.find(coefficientName);
     if (!database)
-        offences.push_back(
-            document.offence(databaseName, "nothing", "the path of an MTF database"));
+        diagnostics.push_back(
+            document.diagnostic(databaseName, "nothing", "the path of an MTF database"));
     else if (database->kind != KarmaKind::string)
-        offences.push_back(document.offence(*database,
-                                            std::string("a ") + irsg::name(database->kind),
-                                            "a string, the path of an MTF database"));
+        diagnostics.push_back(document.diagnostic(*database,
+                                                  std::string("a ") + irsg::name(database->kind),
+                                                  "a string, the path of an MTF database"));
     if (coefficient &&
         (coefficient->kind != KarmaKind::number || !(coefficient->numbers.front() >= 0.0)))
-        offences.push_back(document.offence(*coefficient,
-                                            coefficient->kind == KarmaKind::number
-                                                ? numberText(coefficient->numbers.front())
-                                                : std::string("a ") + irsg::name(coefficient->kind),
-                                            "a double of at least 0 km-1"));
-    if (!offences.empty())
-        throw InputError(std::move(offences));
-    return AtmosphereScatteringLut(resolveKarmaPath(database->text, document.file(),
-                                                    document.offence(*database, "", "").position),
-                                   coefficient ? perKilometre * coefficient->numbers.front() : 0.0);
+        diagnostics.push_back(
+            document.diagnostic(*coefficient,
+                                coefficient->kind == KarmaKind::number
+                                    ? numberText(coefficient->numbers.front())
+                                    : std::string("a ") + irsg::name(coefficient->kind),
+                                "a double of at least 0 km-1"));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
+    return AtmosphereScatteringLut(
+        resolveKarmaPath(database->text, document.file(),
+                         document.diagnostic(*database, "", "").position),
+        coefficient ? perKilometre * coefficient->numbers.front() : 0.0);
 }
 
 std::string AtmosphereScatteringLut::name() const {
@@ -55,7 +57,7 @@ bool AtmosphereScatteringLut::supports(AtmosphereProperty property) const {
     return property == AtmosphereProperty::scatteringOpticalDepth && coefficient_per_m_ > 0.0;
 }
 
-AirDescription AtmosphereScatteringLut::describe() const {
+AtmosphereDescription AtmosphereScatteringLut::describe() const {
     const std::string depth =
         coefficient_per_m_ > 0.0
             ? "scattering coefficient " + general(coefficient_per_m_ / perKilometre) + " km-1"
@@ -65,7 +67,7 @@ AirDescription AtmosphereScatteringLut::describe() const {
              {"scattering_coefficient_per_km", {coefficient_per_m_ / perKilometre}}}};
 }
 
-Spectrum AtmosphereScatteringLut::nativeSpectrum(const AirQuestion& question,
+Spectrum AtmosphereScatteringLut::nativeSpectrum(const AtmosphericQuery& question,
                                                  const SpectralRange&) const {
     return Spectrum::constant(coefficient_per_m_ * question.path.range_m);
 }

@@ -28,10 +28,11 @@ class AtmosphereScatteringLut : public Atmosphere {
     std::string name() const override;
     SpectralRange base() const override { return {0.2, 40.0}; }
     bool supports(AtmosphereProperty property) const override;
-    AirDescription describe() const override;
+    AtmosphereDescription describe() const override;
 
   protected:
-    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
+    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+                            const SpectralRange& range) const override;
 
   private:
     std::filesystem::path database_;

@@ -27,7 +27,7 @@ AtmosphereSmart::AtmosphereSmart(AtmosphereSmartParameters parameters, std::stri
       name_(std::move(name)),
       file_(file),
       remarks_(remarksOn(parameters_)),
-      air_(SmartAdapter::airModel(parameters_, file)),
+      air_(SmartAdapter::atmosphericModel(parameters_, file)),
       gases_(std::move(gases)) {}
 
 std::shared_ptr<AtmosphereSmart> AtmosphereSmart::fromXml(const std::filesystem::path& file,
@@ -40,9 +40,9 @@ std::shared_ptr<AtmosphereSmart> AtmosphereSmart::fromXml(const std::filesystem:
     return atmosphere;
 }
 
-std::shared_ptr<AtmosphereSmart> AtmosphereSmart::withResolution(int resolution_cm) const {
+std::shared_ptr<AtmosphereSmart> AtmosphereSmart::withResolution(int resolution_per_cm) const {
     AtmosphereSmartParameters parameters = parameters_;
-    parameters.resolution_cm = resolution_cm;
+    parameters.resolution_per_cm = resolution_per_cm;
     auto other = std::make_shared<AtmosphereSmart>(std::move(parameters), name_, file_, gases_);
     other->remarks_ = remarks_;
     return other;
@@ -56,8 +56,8 @@ const RadiativeTransfer& AtmosphereSmart::transfer() const {
 void AtmosphereSmart::makeTransfer() const {
     if (!gases_)
         gases_ = GasTable::shipped();
-    const SpectralRange held{wavelengthFromWavenumber_um(gases_->upper_cm()),
-                             wavelengthFromWavenumber_um(gases_->lower_cm())};
+    const SpectralRange held{wavelengthFromWavenumber_um(gases_->upper_per_cm()),
+                             wavelengthFromWavenumber_um(gases_->lower_per_cm())};
     // The last digit of 1e4 / x is nobody's fault.
     constexpr double slack = 1e-9;
     if (base().min_um < held.min_um * (1.0 - slack) || base().max_um > held.max_um * (1.0 + slack))
@@ -101,7 +101,7 @@ SunView AtmosphereSmart::sunView(double altitude_m, const SunPosition& sun) cons
 }
 
 std::vector<double> AtmosphereSmart::valuesAt(const NodeSet& nodes,
-                                              const AirQuestion& question) const {
+                                              const AtmosphericQuery& question) const {
     const PathTables& air = tables(nodes);
     const auto& [quantity, path, sight, altitude_m, sun] = question;
     switch (quantity) {
@@ -125,17 +125,17 @@ std::vector<double> AtmosphereSmart::valuesAt(const NodeSet& nodes,
     throw LogicError("a temperature was asked for at spectral nodes");
 }
 
-Spectrum AtmosphereSmart::nativeSpectrum(const AirQuestion& question,
+Spectrum AtmosphereSmart::nativeSpectrum(const AtmosphericQuery& question,
                                          const SpectralRange& range) const {
     return transfer().spectrum(range, valuesAt(transfer().nodesOf(range), question));
 }
 
-std::vector<double> AtmosphereSmart::valuesAtTerms(const AirQuestion& question,
+std::vector<double> AtmosphereSmart::valuesAtTerms(const AtmosphericQuery& question,
                                                    const SensorCkData& terms) const {
     return valuesAt(terms.nodes(), question);
 }
 
-std::optional<std::vector<double>> AtmosphereSmart::valuesAtNodes(const AirQuestion& question,
+std::optional<std::vector<double>> AtmosphereSmart::valuesAtNodes(const AtmosphericQuery& question,
                                                                   const AirNodes& nodes) const {
     (void)transfer();
     if (!nodes.isOf(transfer_))

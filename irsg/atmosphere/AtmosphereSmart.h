@@ -29,21 +29,22 @@ class AtmosphereSmart : public Atmosphere {
     static constexpr double tableTolerance = 1e-3;
 
     /// Parameters that came from `file`, relative to which a radiosonde ascent is looked for;
-    /// `gases` is the shipped table where it is null. Throws InputError as SmartAdapter::airModel.
+    /// `gases` is the shipped table where it is null. Throws InputError as
+    /// SmartAdapter::atmosphericModel.
     explicit AtmosphereSmart(AtmosphereSmartParameters parameters,
                              std::string name = "AtmosphereSmart",
                              const std::filesystem::path& file = {},
                              std::shared_ptr<const GasTable> gases = nullptr);
     /// Reads a KARMA parameter file; "AtmosphereSmart (NAME.xml)". Throws InputError naming every
-    /// offence with its line.
+    /// diagnostic with its line.
     static std::shared_ptr<AtmosphereSmart>
     fromXml(const std::filesystem::path& file, std::shared_ptr<const GasTable> gases = nullptr);
 
     /// The same air with other bins: 1, 5 or 15 cm-1, InputError otherwise.
-    std::shared_ptr<AtmosphereSmart> withResolution(int resolution_cm) const;
+    std::shared_ptr<AtmosphereSmart> withResolution(int resolution_per_cm) const;
 
     const AtmosphereSmartParameters& parameters() const { return parameters_; }
-    const AirModel& air() const { return air_; }
+    const AtmosphericModel& air() const { return air_; }
     /// Throws InputError where the gas table cannot be read or does not hold the base.
     const RadiativeTransfer& transfer() const;
 
@@ -65,7 +66,7 @@ class AtmosphereSmart : public Atmosphere {
         return property == AtmosphereProperty::backgroundRadiance ||
                property == AtmosphereProperty::pathRadiance;
     }
-    AirDescription describe() const override;
+    AtmosphereDescription describe() const override;
 
     /// See AirNodes.h.
     std::shared_ptr<const SpectralSampling> nodesOf(const Band& band) const override;
@@ -74,28 +75,29 @@ class AtmosphereSmart : public Atmosphere {
 
     bool isWidebandModeAvailable() const override { return true; }
     std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const override;
-    std::shared_ptr<const Atmosphere> withBins(int resolution_cm) const override {
-        return withResolution(resolution_cm);
+    std::shared_ptr<const Atmosphere> withBins(int resolution_per_cm) const override {
+        return withResolution(resolution_per_cm);
     }
 
   protected:
-    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
-    std::vector<double> valuesAtTerms(const AirQuestion& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+                            const SpectralRange& range) const override;
+    std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
                                       const SensorCkData& terms) const override;
-    std::optional<std::vector<double>> valuesAtNodes(const AirQuestion& question,
+    std::optional<std::vector<double>> valuesAtNodes(const AtmosphericQuery& question,
                                                      const AirNodes& nodes) const override;
 
   private:
     void makeTransfer() const;
     const PathTables& tables(const NodeSet& nodes) const;
     /// The answer at every node of a set.
-    std::vector<double> valuesAt(const NodeSet& nodes, const AirQuestion& question) const;
+    std::vector<double> valuesAt(const NodeSet& nodes, const AtmosphericQuery& question) const;
 
     AtmosphereSmartParameters parameters_;
     std::string name_;
     std::filesystem::path file_;
     std::vector<std::string> remarks_;
-    AirModel air_;
+    AtmosphericModel air_;
     mutable std::shared_ptr<const GasTable> gases_;
     mutable std::once_flag once_;
     mutable std::shared_ptr<const RadiativeTransfer> transfer_;

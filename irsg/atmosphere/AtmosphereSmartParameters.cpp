@@ -21,22 +21,23 @@ class Check {
   public:
     explicit Check(const S& parameters) : p_(parameters) {}
 
-    std::vector<Offence> run() {
+    std::vector<Diagnostic> run() {
         for (const auto table : {smartParameters(), ownSmartParameters()})
             for (const SmartParameter& parameter : table)
                 checkRange(parameter);
         checkBand();
         checkAlbedo();
         checkCombinations();
-        return std::move(offences_);
+        return std::move(diagnostics_);
     }
 
   private:
     void refuse(std::string_view parameter, std::string value, std::string expected) {
-        offences_.push_back({"", std::string(parameter), std::move(value), std::move(expected)});
+        diagnostics_.push_back({"", std::string(parameter), std::move(value), std::move(expected)});
     }
     bool isRefused(std::string_view parameter) const {
-        return std::ranges::find(offences_, parameter, &Offence::position) != offences_.end();
+        return std::ranges::find(diagnostics_, parameter, &Diagnostic::position) !=
+               diagnostics_.end();
     }
 
     void checkNumber(const SmartParameter& parameter, double value) {
@@ -89,30 +90,30 @@ class Check {
         if (p_.meteoModel == 2 && std::abs(p_.temperatureMH_C - p_.temperatureALT0_C) > 10.0)
             refuse("TemperatureMH", numberText(p_.temperatureMH_C) + " C",
                    "within 10 C of TemperatureALT0, " + numberText(p_.temperatureALT0_C) + " C");
-        if (!offences_.empty())
+        if (!diagnostics_.empty())
             return;
         try {
             particles::check(SmartAdapter::particleSettings(p_));
         } catch (const InputError& error) {
-            for (const Offence& offence : error.offences())
-                refuse(offence.position, offence.value, offence.expected);
+            for (const Diagnostic& diagnostic : error.diagnostics())
+                refuse(diagnostic.position, diagnostic.value, diagnostic.expected);
         }
     }
 
     const S& p_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
 };
 
-/// Reads one parameter of a document; offences name its line.
+/// Reads one parameter of a document; diagnostics name its line.
 class ValueReader {
   public:
-    ValueReader(const KarmaXml& document, std::vector<Offence>& offences)
-        : document_(document), offences_(offences) {}
+    ValueReader(const KarmaXml& document, std::vector<Diagnostic>& diagnostics)
+        : document_(document), diagnostics_(diagnostics) {}
 
     void read(const SmartParameter& parameter, const KarmaParameter& found, S& values) {
         if (found.kind != parameter.kind) {
-            offences_.push_back(document_.offence(found, std::string("a ") + name(found.kind),
-                                                  std::string("a ") + name(parameter.kind)));
+            diagnostics_.push_back(document_.diagnostic(found, std::string("a ") + name(found.kind),
+                                                        std::string("a ") + name(parameter.kind)));
             return;
         }
         std::visit([&](auto field) { take(parameter, found, values.*field); }, parameter.field);
@@ -122,9 +123,9 @@ class ValueReader {
     void take(const SmartParameter& parameter, const KarmaParameter& found, int& value) {
         const double number = found.numbers.front();
         if (std::floor(number) != number || std::abs(number) > 1e6)
-            offences_.push_back(
-                document_.offence(found, withUnit(numberText(number), parameter.unit),
-                                  "a whole number: " + std::string(parameter.range)));
+            diagnostics_.push_back(
+                document_.diagnostic(found, withUnit(numberText(number), parameter.unit),
+                                     "a whole number: " + std::string(parameter.range)));
         else
             value = static_cast<int>(number);
     }
@@ -139,7 +140,7 @@ class ValueReader {
     }
 
     const KarmaXml& document_;
-    std::vector<Offence>& offences_;
+    std::vector<Diagnostic>& diagnostics_;
 };
 
 KarmaParameter karmaOf(const SmartParameter& parameter, const S& values) {
@@ -183,7 +184,7 @@ std::string valueText(const SmartParameter& parameter, const AtmosphereSmartPara
     return text;
 }
 
-std::vector<Offence> offencesOf(const AtmosphereSmartParameters& parameters) {
+std::vector<Diagnostic> diagnosticsOf(const AtmosphereSmartParameters& parameters) {
     return Check(parameters).run();
 }
 
@@ -219,11 +220,11 @@ std::vector<std::string> remarksOn(const AtmosphereSmartParameters& parameters) 
 
 SmartReading fromKarma(const KarmaXml& document) {
     if (document.typeName() != "AtmosphereSmart")
-        throw InputError(document.offence("type", "'" + document.type() + "'",
-                                          "a type that ends in /AtmosphereSmart"));
+        throw InputError(document.diagnostic("type", "'" + document.type() + "'",
+                                             "a type that ends in /AtmosphereSmart"));
     SmartReading reading;
-    std::vector<Offence> offences;
-    ValueReader reader(document, offences);
+    std::vector<Diagnostic> diagnostics;
+    ValueReader reader(document, diagnostics);
     for (const SmartParameter& parameter : smartParameters()) {
         if (const KarmaParameter* found = document.find(parameter.name))
             reader.read(parameter, *found, reading.parameters);
@@ -237,14 +238,15 @@ SmartReading fromKarma(const KarmaXml& document) {
             reader.read(parameter, *found, reading.parameters);
 
     // What could not be read keeps its default, so that the rest can still be checked.
-    for (const Offence& offence : offencesOf(reading.parameters)) {
-        const KarmaParameter* found = document.find(offence.position);
-        offences.push_back(found ? document.offence(*found, offence.value, offence.expected)
-                                 : document.offence("parameter " + offence.position + " (default)",
-                                                    offence.value, offence.expected));
+    for (const Diagnostic& diagnostic : diagnosticsOf(reading.parameters)) {
+        const KarmaParameter* found = document.find(diagnostic.position);
+        diagnostics.push_back(
+            found ? document.diagnostic(*found, diagnostic.value, diagnostic.expected)
+                  : document.diagnostic("parameter " + diagnostic.position + " (default)",
+                                        diagnostic.value, diagnostic.expected));
     }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
 
     for (const KarmaParameter& found : document.parameters()) {
         const auto isKnown = [&](std::span<const SmartParameter> table) {

@@ -32,7 +32,7 @@ struct AtmosphereSmartParameters {
     std::string modelType = "SMART_ATMOSPHERIC_MODEL";
     double pressureMH_mbar = 1013.0;
     double relativeHumidityMH_percent = 50.0;
-    int resolution_cm = 5; ///< cm-1
+    int resolution_per_cm = 5; ///< cm-1
     int scatteringMode = 2;
     double temperatureALT0_C = 20.0;
     double temperatureMH_C = 20.0;
@@ -94,13 +94,13 @@ struct SmartReading {
 /// below BaseWavelengthMax; albedo values and wavelengths of different number, or wavelengths that
 /// do not ascend; ScatteringMode 1 with a cloud; in MeteoModel 2 more than 10 C between
 /// TemperatureMH and TemperatureALT0; a cloud whose top is above 20 km.
-std::vector<Offence> offencesOf(const AtmosphereSmartParameters& parameters);
+std::vector<Diagnostic> diagnosticsOf(const AtmosphereSmartParameters& parameters);
 /// Settings without effect: measurements in MeteoModel 1, a cloud's place without a cloud, air mass
 /// and wind without the aerosol that asks for them.
 std::vector<std::string> remarksOn(const AtmosphereSmartParameters& parameters);
 
-/// Throws InputError with file and line for every offence: another type than AtmosphereSmart, a
-/// value of another kind than the parameter's, codes that are no integers, and offencesOf().
+/// Throws InputError with file and line for every diagnostic: another type than AtmosphereSmart, a
+/// value of another kind than the parameter's, codes that are no integers, and diagnosticsOf().
 SmartReading fromKarma(const KarmaXml& document);
 /// Writes the parameters into a document; what else stands there is kept.
 void toKarma(const AtmosphereSmartParameters& parameters, KarmaXml& document);

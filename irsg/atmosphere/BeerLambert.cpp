@@ -28,10 +28,10 @@ spectraOf(const BeerLambertParameters& parameters) {
 }
 
 void check(const BeerLambertParameters& parameters) {
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (const auto& [what, spectrum] : spectraOf(parameters)) {
         if (spectrum->minimum() < 0.0) {
-            offences.push_back(
+            diagnostics.push_back(
                 {parameters.name, what, numberText(spectrum->minimum()), "at least 0 everywhere"});
         }
     }
@@ -39,12 +39,12 @@ void check(const BeerLambertParameters& parameters) {
          {std::pair{"air temperature", parameters.airTemperature_K},
           std::pair{"ground temperature", parameters.groundTemperature_K}}) {
         if (!(temperature_K >= 0.0 && std::isfinite(temperature_K))) {
-            offences.push_back({parameters.name, what, numberText(temperature_K) + " K",
-                                "a finite temperature of at least 0 K"});
+            diagnostics.push_back({parameters.name, what, numberText(temperature_K) + " K",
+                                   "a finite temperature of at least 0 K"});
         }
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
 }
 
@@ -81,7 +81,7 @@ std::vector<double> BeerLambert::kinks(const SpectralRange& range) const {
     return mergeAxes(extinction, range);
 }
 
-Spectrum BeerLambert::nativeSpectrum(const AirQuestion& question,
+Spectrum BeerLambert::nativeSpectrum(const AtmosphericQuery& question,
                                      const SpectralRange& range) const {
     switch (question.quantity) {
     case AtmosphereProperty::transmittance:
@@ -192,7 +192,7 @@ double BeerLambert::ambientTemperature_K(double altitude_m) const {
     return parameters_.airTemperature_K;
 }
 
-AirDescription BeerLambert::describe() const {
+AtmosphereDescription BeerLambert::describe() const {
     return {{"homogeneous air of " + general(parameters_.airTemperature_K) + " K over ground of " +
              general(parameters_.groundTemperature_K) + " K"},
             {{"air_temperature_K", {parameters_.airTemperature_K}},

@@ -47,12 +47,12 @@ class BeerLambert : public Atmosphere {
     /// then a header row and columns in any order: `wavelength [um]`, `extinction [km-1]` and, each
     /// where present, `solar_irradiance [W m-2 um-1]`, `down_flux [W m-2 um-1]`, `up_flux [W m-2
     /// um-1]`, `sky_radiance [W m-2 sr-1 um-1]`. A comment whose key is one word of lower-case
-    /// letters and underscores, with or without a unit, and none of these keys, is an offence;
+    /// letters and underscores, with or without a unit, and none of these keys, is an diagnostic;
     /// every other comment is free text. Fluxes that are not given are those of black hemispheres:
     /// pi L_bb(sky or air temperature) down, pi L_bb(ground temperature) up. Ground that has no
     /// temperature has that of the air. The sky radiance that
     /// is not given is L_bb(sky temperature) where there is one. The sun that is not given is that
-    /// of Vacuum. Throws InputError naming every offence with its line.
+    /// of Vacuum. Throws InputError naming every diagnostic with its line.
     static BeerLambert fromCsv(const std::filesystem::path& file);
 
     const BeerLambertParameters& parameters() const { return parameters_; }
@@ -63,10 +63,11 @@ class BeerLambert : public Atmosphere {
     /// Flat ground without an end.
     double horizonElevation_rad(double) const override { return 0.0; }
     double ambientTemperature_K(double altitude_m) const override;
-    AirDescription describe() const override;
+    AtmosphereDescription describe() const override;
 
   protected:
-    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
+    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+                            const SpectralRange& range) const override;
 
   private:
     /// The nodes of the extinction in `range` and the ends of it.

@@ -56,7 +56,7 @@ bool looksLikeSetting(std::string_view key) {
     return !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == word.npos;
 }
 
-/// One file on its way from cells to parameters; gathers the offences as it goes.
+/// One file on its way from cells to parameters; gathers the diagnostics as it goes.
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& file)
@@ -66,8 +66,8 @@ class Reader {
     BeerLambertParameters read() {
         readSettings();
         readColumns();
-        if (!offences_.empty()) {
-            throw InputError(std::move(offences_));
+        if (!diagnostics_.empty()) {
+            throw InputError(std::move(diagnostics_));
         }
         return parameters();
     }
@@ -77,15 +77,15 @@ class Reader {
         for (const CsvComment& comment : table_.comments()) {
             if (!holds(knownKeys, comment.key)) {
                 if (looksLikeSetting(comment.key)) {
-                    offences_.push_back(
-                        table_.offence(comment.line, comment.key, "one of " + listOf(knownKeys)));
+                    diagnostics_.push_back(table_.diagnostic(comment.line, comment.key,
+                                                             "one of " + listOf(knownKeys)));
                 }
             } else if (comment.key != "note" && comment.key != "source" &&
                        table_.comment(comment.key) != &comment) {
-                offences_.push_back(
-                    table_.offence(comment.line, comment.key,
-                                   "this key once, not again after line " +
-                                       std::to_string(table_.comment(comment.key)->line)));
+                diagnostics_.push_back(
+                    table_.diagnostic(comment.line, comment.key,
+                                      "this key once, not again after line " +
+                                          std::to_string(table_.comment(comment.key)->line)));
             }
         }
         air_K_ = temperature(airKey);
@@ -93,12 +93,12 @@ class Reader {
         sky_K_ = temperature(skyKey);
         if (const CsvComment* sun = table_.comment("sun")) {
             if (sun->value != "nominal" && sun->value != "none") {
-                offences_.push_back(
-                    table_.offence(sun->line, sun->value, "'nominal' or 'none' for the sun"));
+                diagnostics_.push_back(
+                    table_.diagnostic(sun->line, sun->value, "'nominal' or 'none' for the sun"));
             }
         }
         if (const CsvComment* name = table_.comment("name"); name && name->value.empty()) {
-            offences_.push_back(table_.offence(name->line, "", "a name"));
+            diagnostics_.push_back(table_.diagnostic(name->line, "", "a name"));
         }
     }
 
@@ -108,9 +108,9 @@ class Reader {
             return std::nullopt;
         }
         const std::string expected = "a temperature of at least 0 K";
-        const auto value = table_.number(*comment, offences_, expected);
+        const auto value = table_.number(*comment, diagnostics_, expected);
         if (value && *value < 0.0) {
-            offences_.push_back(table_.offence(comment->line, comment->value, expected));
+            diagnostics_.push_back(table_.diagnostic(comment->line, comment->value, expected));
             return std::nullopt;
         }
         return value;
@@ -118,63 +118,64 @@ class Reader {
 
     void readColumns() {
         if (table_.rows().empty()) {
-            offences_.push_back(
-                table_.offence("no rows", "a header and at least two rows of numbers"));
+            diagnostics_.push_back(
+                table_.diagnostic("no rows", "a header and at least two rows of numbers"));
             return;
         }
         const CsvRow& header = table_.rows().front();
         for (const CsvCell& cell : header.cells) {
             if (!holds(knownHeaders, cell.text)) {
-                offences_.push_back(table_.offence(cell, "one of " + listOf(knownHeaders)));
+                diagnostics_.push_back(table_.diagnostic(cell, "one of " + listOf(knownHeaders)));
             } else if (columns_.contains(cell.text)) {
-                offences_.push_back(table_.offence(cell, "each column once"));
+                diagnostics_.push_back(table_.diagnostic(cell, "each column once"));
             }
             columns_[cell.text];
         }
         for (const std::string_view required : {wavelengthHeader, extinctionHeader}) {
             if (!columns_.contains(std::string(required))) {
-                offences_.push_back(table_.offence(header.line, header.cells.front().text,
-                                                   "a column '" + std::string(required) + "'"));
+                diagnostics_.push_back(
+                    table_.diagnostic(header.line, header.cells.front().text,
+                                      "a column '" + std::string(required) + "'"));
             }
         }
         const CsvComment* sun = table_.comment("sun");
         if (sun && columns_.contains(std::string(solarHeader))) {
-            offences_.push_back(table_.offence(sun->line, sun->value,
-                                               "either this key or the column '" +
-                                                   std::string(solarHeader) + "', not both"));
+            diagnostics_.push_back(table_.diagnostic(sun->line, sun->value,
+                                                     "either this key or the column '" +
+                                                         std::string(solarHeader) + "', not both"));
         }
         for (std::size_t i = 1; i < table_.rows().size(); ++i) {
             readRow(table_.rows()[i], header);
         }
         if (table_.rows().size() < 3) {
-            offences_.push_back(
-                table_.offence(std::to_string(table_.rows().size() - 1) + " rows of numbers",
-                               "at least two rows of numbers"));
+            diagnostics_.push_back(
+                table_.diagnostic(std::to_string(table_.rows().size() - 1) + " rows of numbers",
+                                  "at least two rows of numbers"));
         }
     }
 
     void readRow(const CsvRow& row, const CsvRow& header) {
         if (row.cells.size() != header.cells.size()) {
-            offences_.push_back(
-                table_.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                               std::to_string(header.cells.size()) + " cells as in the header"));
+            diagnostics_.push_back(
+                table_.diagnostic(row.line, std::to_string(row.cells.size()) + " cells",
+                                  std::to_string(header.cells.size()) + " cells as in the header"));
             return;
         }
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
             const bool isAxis = header.cells[k].text == wavelengthHeader;
             const std::string expected =
                 isAxis ? "a wavelength above 0 um" : "a number of at least 0";
-            const auto value = table_.number(row.cells[k], offences_, expected);
+            const auto value = table_.number(row.cells[k], diagnostics_, expected);
             if (!value) {
                 continue;
             }
             std::vector<double>& column = columns_[header.cells[k].text];
             if (*value < 0.0 || (isAxis && *value == 0.0)) {
-                offences_.push_back(table_.offence(row.cells[k], expected));
+                diagnostics_.push_back(table_.diagnostic(row.cells[k], expected));
             } else if (isAxis && !column.empty() && *value <= column.back()) {
-                offences_.push_back(
-                    table_.offence(row.cells[k], "more than " + numberText(column.back()) +
-                                                     ": wavelengths ascend strictly"));
+                diagnostics_.push_back(
+                    table_.diagnostic(row.cells[k], "more than " + numberText(column.back()) +
+                                                        ": wavelengths ascend strictly"));
             }
             column.push_back(*value);
         }
@@ -225,7 +226,7 @@ class Reader {
 
     CsvTable table_;
     std::string defaultName_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
     std::map<std::string, std::vector<double>> columns_;
     std::optional<double> air_K_;
     std::optional<double> ground_K_;

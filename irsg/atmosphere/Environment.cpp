@@ -25,7 +25,7 @@ std::string refusalOf(const Atmosphere& atmosphere, AtmosphereProperty property)
 }
 
 /// Direct light of a sun below the horizon, as an atmosphere has it.
-bool isDark(const AirQuestion& question, const Atmosphere& air) {
+bool isDark(const AtmosphericQuery& question, const Atmosphere& air) {
     return question.quantity == AtmosphereProperty::solarIrradiance &&
            air.sunView(question.altitude_m, question.sun).part <= 0.0;
 }
@@ -87,7 +87,7 @@ bool Environment::isByDefault(const SpectralRange& range, AtmosphereProperty pro
            !find(range, property);
 }
 
-Answer<std::vector<double>> Environment::answer(const AirQuestion& question,
+Answer<std::vector<double>> Environment::answer(const AtmosphericQuery& question,
                                                 const SpectralSampling& sampling) const {
     const SpectralRange& range = sampling.range();
     const bool isWideband = SensorCkData::of(sampling) != nullptr;
@@ -102,7 +102,7 @@ Answer<std::vector<double>> Environment::answer(const AirQuestion& question,
     return {air.answer(question, sampling), air.name()};
 }
 
-Answer<Spectrum> Environment::spectrum(const AirQuestion& question,
+Answer<Spectrum> Environment::spectrum(const AtmosphericQuery& question,
                                        const SpectralRange& range) const {
     if (isByDefault(range, question.quantity)) {
         return {*defaultBackground, byDefault};
@@ -112,12 +112,14 @@ Answer<Spectrum> Environment::spectrum(const AirQuestion& question,
             air.name()};
 }
 
-AirKey Environment::keyOf(const AirQuestion& question, const SpectralRange& range) const {
+AtmosphericQueryKey Environment::keyOf(const AtmosphericQuery& question,
+                                       const SpectralRange& range) const {
     const Atmosphere* air = find(range, question.quantity);
     return question.key(air && air->answersByAzimuth(question.quantity));
 }
 
-AirKey Environment::keyOf(const AirQuestion& question, const SpectralSampling& sampling) const {
+AtmosphericQueryKey Environment::keyOf(const AtmosphericQuery& question,
+                                       const SpectralSampling& sampling) const {
     if (!SensorCkData::of(sampling)) {
         return keyOf(question, sampling.range());
     }

@@ -46,13 +46,14 @@ class Environment {
     /// A value at every node of a sampling. At terms of wideband-ck the atmosphere that prepared
     /// them answers, and there is no default (F29); InputError for what it does not support. Direct
     /// light of a sun whose whole disc is below the horizon is zero, whoever answers.
-    Answer<std::vector<double>> answer(const AirQuestion& question,
+    Answer<std::vector<double>> answer(const AtmosphericQuery& question,
                                        const SpectralSampling& sampling) const;
     /// The same on the nodes of the answering atmosphere; see Atmosphere::spectrum.
-    Answer<Spectrum> spectrum(const AirQuestion& question, const SpectralRange& range) const;
+    Answer<Spectrum> spectrum(const AtmosphericQuery& question, const SpectralRange& range) const;
     /// What `spectrum` and `answer` depend on, for as long as the atmospheres and defaults stay.
-    AirKey keyOf(const AirQuestion& question, const SpectralRange& range) const;
-    AirKey keyOf(const AirQuestion& question, const SpectralSampling& sampling) const;
+    AtmosphericQueryKey keyOf(const AtmosphericQuery& question, const SpectralRange& range) const;
+    AtmosphericQueryKey keyOf(const AtmosphericQuery& question,
+                              const SpectralSampling& sampling) const;
     Answer<double> ambientTemperature_K(double altitude_m) const;
 
     /// Nodes of the air that answers for the transmittance, see Atmosphere::nodesOf; null where it

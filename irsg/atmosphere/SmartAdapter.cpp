@@ -4,20 +4,20 @@
 
 namespace irsg {
 
-AirModel SmartAdapter::airModel(const AtmosphereSmartParameters& parameters,
-                                const std::filesystem::path& file) {
-    if (std::vector<Offence> offences = offencesOf(parameters); !offences.empty()) {
-        for (Offence& offence : offences)
-            offence.file = file.empty() ? "AtmosphereSmart" : file.string();
-        throw InputError(std::move(offences));
+AtmosphericModel SmartAdapter::atmosphericModel(const AtmosphereSmartParameters& parameters,
+                                                const std::filesystem::path& file) {
+    if (std::vector<Diagnostic> diagnostics = diagnosticsOf(parameters); !diagnostics.empty()) {
+        for (Diagnostic& diagnostic : diagnostics)
+            diagnostic.file = file.empty() ? "AtmosphereSmart" : file.string();
+        throw InputError(std::move(diagnostics));
     }
-    AirModel air{.profile = profile(parameters, file), .particles = {}};
+    AtmosphericModel air{.profile = profile(parameters, file), .particles = {}};
     air.particles = particleLayers(particleSettings(parameters), air.profile);
     air.groundTemperature_K = kelvinFromCelsius(parameters.groundTemperature_C);
     air.groundAlbedo = groundAlbedo(parameters);
     air.scattering =
         parameters.scatteringMode == 1 ? ScatteringMode::single : ScatteringMode::twoStream;
-    air.resolution_cm = parameters.resolution_cm;
+    air.resolution_per_cm = parameters.resolution_per_cm;
     return air;
 }
 

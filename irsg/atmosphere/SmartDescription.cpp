@@ -24,7 +24,7 @@ struct ParameterLine {
             line += "  (default " + (defaultValue.empty() ? "none" : defaultValue) + ")";
         return line;
     }
-    AirFacts facts() const {
+    AtmosphereFacts facts() const {
         return {{"name", {std::string(parameter->name)}},
                 {"value", {value}},
                 {"unit", {std::string(parameter->unit)}},
@@ -46,9 +46,9 @@ std::vector<ParameterLine> parameterLines(const AtmosphereSmartParameters& param
 
 } // namespace
 
-AirDescription AtmosphereSmart::describe() const {
+AtmosphereDescription AtmosphereSmart::describe() const {
     const Profile& profile = air_.profile;
-    const AirState& ground = profile.levels().front();
+    const AtmosphericState& ground = profile.levels().front();
     const double co2_ppmv = 1e6 * ground.fraction(Gas::CO2);
     const std::vector<ParameterLine> own = parameterLines(parameters_);
     const auto changed = std::ranges::count_if(own, &ParameterLine::differs);
@@ -63,21 +63,21 @@ AirDescription AtmosphereSmart::describe() const {
     lines.push_back(
         counted(own.size(), "parameter") + ", " +
         (changed == 0 ? "all as by default" : std::to_string(changed) + " not as by default (*)"));
-    AirFactList parameters;
+    AtmosphereFactList parameters;
     for (const ParameterLine& line : own) {
         lines.push_back(line.text());
         parameters.push_back({line.facts()});
     }
 
-    AirFacts groundAir = {{"temperature_K", {ground.temperature_K}},
-                          {"pressure_hPa", {ground.pressure_hPa}},
-                          {"relative_humidity", {relativeHumidity(ground)}},
-                          {"co2_ppmv", {co2_ppmv}}};
-    AirFacts facts = {{"profile", {std::string(profile.name())}},
-                      {"levels", {static_cast<std::int64_t>(profile.levels().size())}},
-                      {"top_m", {profile.top_m()}},
-                      {"ground_air", {std::move(groundAir)}},
-                      {"parameters", {std::move(parameters)}}};
+    AtmosphereFacts groundAir = {{"temperature_K", {ground.temperature_K}},
+                                 {"pressure_hPa", {ground.pressure_hPa}},
+                                 {"relative_humidity", {relativeHumidity(ground)}},
+                                 {"co2_ppmv", {co2_ppmv}}};
+    AtmosphereFacts facts = {{"profile", {std::string(profile.name())}},
+                             {"levels", {static_cast<std::int64_t>(profile.levels().size())}},
+                             {"top_m", {profile.top_m()}},
+                             {"ground_air", {std::move(groundAir)}},
+                             {"parameters", {std::move(parameters)}}};
     return {std::move(lines), {{"smart", {std::move(facts)}}}};
 }
 

@@ -96,8 +96,8 @@ constexpr std::array report = {
     SmartParameter{"RelativeHumidityMH", "%", &S::relativeHumidityMH_percent, number,
                    [](double v) { return within(v, 0.0, 100.0); }, "0 to 100 %",
                    "Relative humidity at measurement height; MeteoModel 2 only."},
-    SmartParameter{"Resolution", "cm-1", &S::resolution_cm, number, isResolution, "1, 5 or 15 cm-1",
-                   "Spectral resolution."},
+    SmartParameter{"Resolution", "cm-1", &S::resolution_per_cm, number, isResolution,
+                   "1, 5 or 15 cm-1", "Spectral resolution."},
     SmartParameter{"ScatteringMode", "", &S::scatteringMode, number,
                    [](double v) { return within(v, 1.0, 2.0); }, "1 or 2",
                    "1 single scattering, 2 two-stream multiple scattering (needed for clouds and "

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "irsg/atmosphere/AirQuestion.h"
+#include "irsg/atmosphere/AtmosphericQuery.h"
 
 namespace irsg {
 

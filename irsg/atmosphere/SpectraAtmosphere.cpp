@@ -18,11 +18,11 @@ constexpr double earthRadius_m = 6371.23e3;
 
 /// What a quantity was computed for and cannot do without.
 void checkGeometry(const SpectraAtmosphereParameters& air, AtmosphereProperty property,
-                   std::vector<Offence>& offences) {
+                   std::vector<Diagnostic>& diagnostics) {
     const auto need = [&](bool given, const char* what) {
         if (!given) {
-            offences.push_back({air.name, name(property), "no " + std::string(what),
-                                "the " + std::string(what) + " it was computed for"});
+            diagnostics.push_back({air.name, name(property), "no " + std::string(what),
+                                   "the " + std::string(what) + " it was computed for"});
         }
     };
     switch (property) {
@@ -41,7 +41,7 @@ void checkGeometry(const SpectraAtmosphereParameters& air, AtmosphereProperty pr
         need(air.targetAltitude_m.has_value(), "target altitude");
         return need(air.sun.has_value(), "sun");
     case AtmosphereProperty::ambientTemperature:
-        offences.push_back({air.name, name(property), "a spectrum", "a temperature in K"});
+        diagnostics.push_back({air.name, name(property), "a spectrum", "a temperature in K"});
         return;
     }
 }
@@ -50,35 +50,36 @@ void checkGeometry(const SpectraAtmosphereParameters& air, AtmosphereProperty pr
 constexpr double roundedTransmittance = 1.0 + 1e-9;
 
 void check(const SpectraAtmosphereParameters& air) {
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     if (air.spectra.empty()) {
-        offences.push_back({air.name, "", "no spectrum", "the spectrum of at least one quantity"});
+        diagnostics.push_back(
+            {air.name, "", "no spectrum", "the spectrum of at least one quantity"});
     }
     for (const auto& [property, spectrum] : air.spectra) {
-        checkGeometry(air, property, offences);
+        checkGeometry(air, property, diagnostics);
         if (spectrum.minimum() < 0.0) {
-            offences.push_back({air.name, name(property), numberText(spectrum.minimum()),
-                                "at least 0 everywhere"});
+            diagnostics.push_back({air.name, name(property), numberText(spectrum.minimum()),
+                                   "at least 0 everywhere"});
         }
         if (property == AtmosphereProperty::transmittance &&
             spectrum.maximum() > roundedTransmittance) {
-            offences.push_back(
+            diagnostics.push_back(
                 {air.name, name(property), numberText(spectrum.maximum()), "at most 1 everywhere"});
         }
     }
     if (air.ambientTemperature_K) {
         if (!(*air.ambientTemperature_K > 0.0 && std::isfinite(*air.ambientTemperature_K))) {
-            offences.push_back({air.name, "ambient temperature",
-                                numberText(*air.ambientTemperature_K) + " K",
-                                "a finite temperature above 0 K"});
+            diagnostics.push_back({air.name, "ambient temperature",
+                                   numberText(*air.ambientTemperature_K) + " K",
+                                   "a finite temperature above 0 K"});
         }
         if (!air.targetAltitude_m) {
-            offences.push_back({air.name, "ambient temperature", "no target altitude",
-                                "the target altitude it is the temperature of"});
+            diagnostics.push_back({air.name, "ambient temperature", "no target altitude",
+                                   "the target altitude it is the temperature of"});
         }
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
 }
 
@@ -149,8 +150,8 @@ void SpectraAtmosphere::requireNear(const char* what, double found, double held,
     }
 }
 
-void SpectraAtmosphere::requirePath(const AirPath& path) const {
-    const AirPath& held = *parameters_.path;
+void SpectraAtmosphere::requirePath(const AtmosphericPath& path) const {
+    const AtmosphericPath& held = *parameters_.path;
     requireNear("sensor altitude", path.sensorAltitude_m, held.sensorAltitude_m, altitudeSlack_m(),
                 1.0, "m");
     requireNear("target altitude", path.targetAltitude_m, held.targetAltitude_m, altitudeSlack_m(),
@@ -170,16 +171,16 @@ void SpectraAtmosphere::requireSunElevation(const SunPosition& sun) const {
     }
 }
 
-Spectrum SpectraAtmosphere::nativeSpectrum(const AirQuestion& question,
+Spectrum SpectraAtmosphere::nativeSpectrum(const AtmosphericQuery& question,
                                            const SpectralRange&) const {
     switch (placeOf(question.quantity)) {
-    case AirPlace::path:
+    case QueryGeometry::path:
         requirePath(question.path);
         break;
-    case AirPlace::sight:
+    case QueryGeometry::sight:
         requireSight(question.sight, question.sun);
         break;
-    case AirPlace::altitude:
+    case QueryGeometry::altitude:
         requireTargetAltitude(question.altitude_m);
         break;
     }
@@ -218,7 +219,7 @@ double SpectraAtmosphere::ambientTemperature_K(double altitude_m) const {
     return *parameters_.ambientTemperature_K;
 }
 
-AirDescription SpectraAtmosphere::describe() const {
+AtmosphereDescription SpectraAtmosphere::describe() const {
     struct Number {
         const char* words;
         const char* unit;
@@ -245,8 +246,8 @@ AirDescription SpectraAtmosphere::describe() const {
         numbers.push_back({"sun elevation", "deg", degrees(parameters_.sun->elevation_rad)});
     }
 
-    AirDescription told{{"known for one geometry"}, {}};
-    AirFacts facts;
+    AtmosphereDescription told{{"known for one geometry"}, {}};
+    AtmosphereFacts facts;
     for (const Number& number : numbers) {
         told.lines.push_back("  " + std::string(number.words) + " " + general(number.value, 7) +
                              " " + number.unit);

@@ -15,7 +15,7 @@ struct SpectraAtmosphereParameters {
     std::string name = "spectra";
     /// In the units of Atmosphere, each over the same range; not the ambient temperature.
     std::map<AtmosphereProperty, Spectrum> spectra;
-    std::optional<AirPath> path;            ///< of transmittance, path radiance, scattering
+    std::optional<AtmosphericPath> path;    ///< of transmittance, path radiance, scattering
     std::optional<LineOfSight> sight;       ///< of the background
     std::optional<double> targetAltitude_m; ///< of sun, fluxes and ambient temperature
     std::optional<SunPosition> sun;         ///< of everything the sun has a part in
@@ -50,7 +50,7 @@ class SpectraAtmosphere : public Atmosphere {
     /// `path_radiance [W m-2 sr-1 um-1]`, `background_radiance [W m-2 sr-1 um-1]`,
     /// `solar_irradiance [W m-2 um-1]`, `up_flux [W m-2 um-1]`, `down_flux [W m-2 um-1]`,
     /// `scattering_optical_depth`. A column `wavenumber [cm-1]` must agree with the wavelengths to
-    /// a millionth. Throws InputError naming every offence with its line.
+    /// a millionth. Throws InputError naming every diagnostic with its line.
     static SpectraAtmosphere fromCsv(const std::filesystem::path& file);
     /// True where the comments ahead of the first row say `analysis: radiative`; false for any
     /// other file and for one that cannot be read.
@@ -66,17 +66,18 @@ class SpectraAtmosphere : public Atmosphere {
     bool answersByAzimuth(AtmosphereProperty property) const override {
         return property == AtmosphereProperty::backgroundRadiance;
     }
-    AirDescription describe() const override;
+    AtmosphereDescription describe() const override;
 
   protected:
-    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
+    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+                            const SpectralRange& range) const override;
 
   private:
     double altitudeSlack_m() const;
     double elevationSlack_rad() const;
     void requireNear(const char* what, double found, double held, double slack, double perUnit,
                      const char* unit) const;
-    void requirePath(const AirPath& path) const;
+    void requirePath(const AtmosphericPath& path) const;
     void requireSight(const LineOfSight& sight, const SunPosition& sun) const;
     void requireTargetAltitude(double altitude_m) const;
     void requireSunElevation(const SunPosition& sun) const;

@@ -35,7 +35,7 @@ std::string knownHeaders() {
     return text + "'";
 }
 
-/// One file on its way from cells to parameters; gathers the offences as it goes.
+/// One file on its way from cells to parameters; gathers the diagnostics as it goes.
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& file) : table_(CsvTable::read(file)) {
@@ -47,8 +47,8 @@ class Reader {
     SpectraAtmosphereParameters read() {
         readColumns();
         SpectraAtmosphereParameters result = parameters();
-        if (!offences_.empty()) {
-            throw InputError(std::move(offences_));
+        if (!diagnostics_.empty()) {
+            throw InputError(std::move(diagnostics_));
         }
         return result;
     }
@@ -56,12 +56,12 @@ class Reader {
   private:
     void readColumns() {
         if (table_.rows().size() < 3) {
-            offences_.push_back(
-                table_.offence(table_.rows().empty()
-                                   ? "no rows"
-                                   : std::to_string(table_.rows().size() - 1) + " rows of numbers",
-                               "a header and at least two rows of numbers"));
-            throw InputError(std::move(offences_));
+            diagnostics_.push_back(table_.diagnostic(
+                table_.rows().empty()
+                    ? "no rows"
+                    : std::to_string(table_.rows().size() - 1) + " rows of numbers",
+                "a header and at least two rows of numbers"));
+            throw InputError(std::move(diagnostics_));
         }
         const CsvRow& header = table_.rows().front();
         for (const CsvCell& cell : header.cells) {
@@ -71,30 +71,30 @@ class Reader {
                                      return cell.text == columnHeader(entry.second);
                                  });
             if (!isKnown) {
-                offences_.push_back(table_.offence(cell, "one of " + knownHeaders()));
+                diagnostics_.push_back(table_.diagnostic(cell, "one of " + knownHeaders()));
             } else if (columns_.contains(cell.text)) {
-                offences_.push_back(table_.offence(cell, "each column once"));
+                diagnostics_.push_back(table_.diagnostic(cell, "each column once"));
             }
             columns_[cell.text];
         }
         if (!columns_.contains(columnHeader(Quantity::wavelength))) {
-            offences_.push_back(
-                table_.offence(header.line, header.cells.front().text,
-                               "a column '" + columnHeader(Quantity::wavelength) + "'"));
+            diagnostics_.push_back(
+                table_.diagnostic(header.line, header.cells.front().text,
+                                  "a column '" + columnHeader(Quantity::wavelength) + "'"));
         }
         for (std::size_t i = 1; i < table_.rows().size(); ++i) {
             readRow(table_.rows()[i], header);
         }
-        if (offences_.empty()) {
+        if (diagnostics_.empty()) {
             checkAxis();
         }
     }
 
     void readRow(const CsvRow& row, const CsvRow& header) {
         if (row.cells.size() != header.cells.size()) {
-            offences_.push_back(
-                table_.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                               std::to_string(header.cells.size()) + " cells as in the header"));
+            diagnostics_.push_back(
+                table_.diagnostic(row.line, std::to_string(row.cells.size()) + " cells",
+                                  std::to_string(header.cells.size()) + " cells as in the header"));
             return;
         }
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
@@ -105,10 +105,10 @@ class Reader {
             const std::string expected = isAxis    ? "a number above 0"
                                          : isShare ? "a number from 0 to 1"
                                                    : "a number of at least 0";
-            const auto value = table_.number(row.cells[k], offences_, expected);
+            const auto value = table_.number(row.cells[k], diagnostics_, expected);
             if (value &&
                 (*value < 0.0 || (isAxis && *value == 0.0) || (isShare && *value > 1.0 + 1e-9))) {
-                offences_.push_back(table_.offence(row.cells[k], expected));
+                diagnostics_.push_back(table_.diagnostic(row.cells[k], expected));
             }
             columns_[title].push_back(value.value_or(0.0));
         }
@@ -122,16 +122,16 @@ class Reader {
         for (std::size_t i = 0; i < axis.size(); ++i) {
             const int line = table_.rows()[i + 1].line;
             if (i > 0 && !(isDescending_ ? axis[i] < axis[i - 1] : axis[i] > axis[i - 1])) {
-                offences_.push_back(table_.offence(line, numberText(axis[i]) + " um",
-                                                   std::string(isDescending_ ? "less" : "more") +
-                                                       " than " + numberText(axis[i - 1]) +
-                                                       " um: wavelengths go one way"));
+                diagnostics_.push_back(
+                    table_.diagnostic(line, numberText(axis[i]) + " um",
+                                      std::string(isDescending_ ? "less" : "more") + " than " +
+                                          numberText(axis[i - 1]) + " um: wavelengths go one way"));
             }
             if (wavenumbers != columns_.end() &&
                 !(std::abs(wavenumbers->second[i] * axis[i] - 1e4) <= 1e-2)) {
-                offences_.push_back(
-                    table_.offence(line, numberText(wavenumbers->second[i]) + " cm-1",
-                                   "the wavenumber of " + numberText(axis[i]) + " um"));
+                diagnostics_.push_back(
+                    table_.diagnostic(line, numberText(wavenumbers->second[i]) + " cm-1",
+                                      "the wavenumber of " + numberText(axis[i]) + " um"));
             }
         }
     }
@@ -152,9 +152,9 @@ class Reader {
         const std::string expected =
             std::isfinite(most) ? "a number from " + numberText(least) + " to " + numberText(most)
                                 : "a number of at least " + numberText(least);
-        const auto value = table_.number(*comment, offences_, expected);
+        const auto value = table_.number(*comment, diagnostics_, expected);
         if (value && !(*value >= least && *value <= most)) {
-            offences_.push_back(table_.offence(comment->line, comment->value, expected));
+            diagnostics_.push_back(table_.diagnostic(comment->line, comment->value, expected));
         }
         return value;
     }
@@ -171,7 +171,7 @@ class Reader {
         result.targetAltitude_m = setting("target_altitude [m]", 0.0, HUGE_VAL);
         result.ambientTemperature_K = setting("ambient_temperature [K]", 0.0, HUGE_VAL);
         if (sensor_m && range_m && result.targetAltitude_m) {
-            result.path = AirPath{*sensor_m, *result.targetAltitude_m, *range_m};
+            result.path = AtmosphericPath{*sensor_m, *result.targetAltitude_m, *range_m};
         }
         if (sensor_m && elevation_deg) {
             result.sight =
@@ -181,7 +181,7 @@ class Reader {
             result.sun =
                 SunPosition{radians(sunAzimuth_deg.value_or(0.0)), radians(*sunElevation_deg)};
         }
-        if (!offences_.empty()) {
+        if (!diagnostics_.empty()) {
             return result;
         }
         for (const auto& [property, quantity] : columnsOfProperties) {
@@ -197,7 +197,7 @@ class Reader {
 
     CsvTable table_;
     std::string name_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
     std::map<std::string, std::vector<double>> columns_;
     bool isDescending_ = false;
 };

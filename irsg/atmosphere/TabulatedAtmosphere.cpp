@@ -17,7 +17,7 @@ constexpr double sunTolerance_rad = 0.00873; ///< 0.5 deg
 constexpr double spaceAltitude_m = 90e3;     ///< paths that end above this end in space
 constexpr double sameTransmittance = 1e-3;
 
-AirPath pathOf(const RunGeometry& geometry) {
+AtmosphericPath pathOf(const RunGeometry& geometry) {
     return {geometry.sensorAltitude_m, geometry.targetAltitude_m, geometry.range_m};
 }
 
@@ -62,9 +62,9 @@ bool sameRole(const SpectralRun& a, const SpectralRun& b) {
 }
 
 std::string gridText(const SpectralRun& run) {
-    return std::to_string(run.wavenumbers_cm.size()) + " wavenumbers, " +
-           numberText(run.wavenumbers_cm.front()) + " to " + numberText(run.wavenumbers_cm.back()) +
-           " cm-1";
+    return std::to_string(run.wavenumbers_per_cm.size()) + " wavenumbers, " +
+           numberText(run.wavenumbers_per_cm.front()) + " to " +
+           numberText(run.wavenumbers_per_cm.back()) + " cm-1";
 }
 
 std::vector<double> backwards(const std::vector<double>& values) {
@@ -90,7 +90,7 @@ void append(std::vector<InterpolationError>& all, std::vector<InterpolationError
 TabulatedAtmosphere::TabulatedAtmosphere(std::vector<SpectralRun> runs, std::string name)
     : runs_(std::move(runs)), name_(std::move(name)) {
     checkFamily();
-    for (const double wavenumber : backwards(runs_.front().wavenumbers_cm)) {
+    for (const double wavenumber : backwards(runs_.front().wavenumbers_per_cm)) {
         wavelengths_um_.push_back(wavelengthFromWavenumber_um(wavenumber));
     }
     fillPaths();
@@ -101,15 +101,15 @@ void TabulatedAtmosphere::checkFamily() const {
     if (runs_.empty()) {
         throw InputError({name_, "", "no runs", "at least one run"});
     }
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     const auto offend = [&](const SpectralRun& run, std::string value, std::string expected) {
-        offences.push_back({name_, run.source, std::move(value), std::move(expected)});
+        diagnostics.push_back({name_, run.source, std::move(value), std::move(expected)});
     };
     const SpectralRun* firstWithSun = nullptr;
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         const SpectralRun& run = runs_[i];
         const SpectralRun& first = runs_.front();
-        if (run.wavenumbers_cm != first.wavenumbers_cm) {
+        if (run.wavenumbers_per_cm != first.wavenumbers_per_cm) {
             offend(run, gridText(run), gridText(first) + " as " + first.source + " has");
             continue;
         }
@@ -132,7 +132,7 @@ void TabulatedAtmosphere::checkFamily() const {
         }
         for (std::size_t k = 0; k < i; ++k) {
             const SpectralRun& other = runs_[k];
-            if (other.wavenumbers_cm != run.wavenumbers_cm || !sameGeometry(run, other) ||
+            if (other.wavenumbers_per_cm != run.wavenumbers_per_cm || !sameGeometry(run, other) ||
                 (run.kind == RunKind::sunlight) != (other.kind == RunKind::sunlight)) {
                 continue;
             }
@@ -152,8 +152,8 @@ void TabulatedAtmosphere::checkFamily() const {
             }
         }
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
 }
 
@@ -164,7 +164,7 @@ void TabulatedAtmosphere::fillPaths() {
             if (!hasPath(run) || isRadiance(run) != radiance) {
                 continue;
             }
-            const AirPath path = pathOf(run.geometry);
+            const AtmosphericPath path = pathOf(run.geometry);
             PathTable& table = transmittances_.of(path);
             if (!table.holds(path)) {
                 table.add(path, depthOf(run.transmittance), {});
@@ -199,17 +199,17 @@ void TabulatedAtmosphere::fillSights() {
     }
 }
 
-PathTable& TabulatedAtmosphere::PathTables::of(const AirPath& path) {
+PathTable& TabulatedAtmosphere::PropertyTables::of(const AtmosphericPath& path) {
     return path.targetAltitude_m > spaceAltitude_m ? toSpace : finite;
 }
 
-const PathTable& TabulatedAtmosphere::PathTables::answering(const AirPath& path) const {
+const PathTable& TabulatedAtmosphere::PropertyTables::answering(const AtmosphericPath& path) const {
     const bool far =
         !toSpace.isEmpty() && (finite.isEmpty() || path.targetAltitude_m > spaceAltitude_m);
     return far ? toSpace : finite;
 }
 
-std::string TabulatedAtmosphere::PathTables::span() const {
+std::string TabulatedAtmosphere::PropertyTables::span() const {
     return finite.isEmpty() || toSpace.isEmpty() ? (finite.isEmpty() ? toSpace : finite).span()
                                                  : finite.span() + "; to space: " + toSpace.span();
 }
@@ -244,12 +244,12 @@ std::pair<std::size_t, std::size_t> TabulatedAtmosphere::nodesOf(const SpectralR
     return {first == 0 ? 0 : std::min(first - 1, axis.size() - 2), std::min(last + 1, axis.size())};
 }
 
-std::vector<double> TabulatedAtmosphere::depths(const AirPath& path, std::size_t first,
+std::vector<double> TabulatedAtmosphere::depths(const AtmosphericPath& path, std::size_t first,
                                                 std::size_t last) const {
     try {
         return transmittances_.answering(path).at(path, first, last, name_).depth;
     } catch (const InputError&) {
-        const AirPath back{path.targetAltitude_m, path.sensorAltitude_m, path.range_m};
+        const AtmosphericPath back{path.targetAltitude_m, path.sensorAltitude_m, path.range_m};
         std::vector<double> depth;
         try {
             depth = transmittances_.answering(back).at(back, first, last, name_).depth;
@@ -274,8 +274,8 @@ void TabulatedAtmosphere::checkSun(const SunPosition& sun) const {
     }
 }
 
-std::vector<double> TabulatedAtmosphere::sunlight(const AirQuestion& question, std::size_t first,
-                                                  std::size_t last) const {
+std::vector<double> TabulatedAtmosphere::sunlight(const AtmosphericQuery& question,
+                                                  std::size_t first, std::size_t last) const {
     try {
         return suns_.at(question.altitude_m, question.sun.elevation_rad, first, last, name_, "sun");
     } catch (const InputError&) {
@@ -287,13 +287,13 @@ std::vector<double> TabulatedAtmosphere::sunlight(const AirQuestion& question, s
     }
 }
 
-Spectrum TabulatedAtmosphere::nativeSpectrum(const AirQuestion& question,
+Spectrum TabulatedAtmosphere::nativeSpectrum(const AtmosphericQuery& question,
                                              const SpectralRange& range) const {
     const auto [first, last] = nodesOf(range);
     const auto begin = wavelengths_um_.begin();
     const std::vector<double> nodes(begin + static_cast<std::ptrdiff_t>(first),
                                     begin + static_cast<std::ptrdiff_t>(last));
-    const AirPath& path = question.path;
+    const AtmosphericPath& path = question.path;
     const LineOfSight& sight = question.sight;
     const bool isHere = path.range_m == 0.0;
     std::vector<double> values;

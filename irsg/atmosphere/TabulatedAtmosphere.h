@@ -41,7 +41,7 @@ class TabulatedAtmosphere : public Atmosphere {
     TabulatedAtmosphere(std::vector<SpectralRun> runs, std::string name);
 
     /// Reads results: tape7, tape7.scn, MODTRAN 6 CSV and JSON, in any mixture, and tables of our
-    /// own, whose runs are added. Throws InputError with the offences of all files.
+    /// own, whose runs are added. Throws InputError with the diagnostics of all files.
     static TabulatedAtmosphere import(std::span<const std::filesystem::path> files);
     /// Reads and writes the table file `.smatatm`: JSON with `format`, `version`, `name`, the runs'
     /// wavenumbers once and each run with its source, geometry, cards, warnings and spectra in
@@ -69,20 +69,21 @@ class TabulatedAtmosphere : public Atmosphere {
     std::string name() const override { return name_; }
     SpectralRange base() const override;
     bool supports(AtmosphereProperty property) const override;
-    AirDescription describe() const override;
+    AtmosphereDescription describe() const override;
 
   protected:
-    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
+    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+                            const SpectralRange& range) const override;
 
   private:
     /// Paths that end at altitudes of the air and paths to space are never mixed.
-    struct PathTables {
+    struct PropertyTables {
         PathTable finite;
         PathTable toSpace;
 
         bool isEmpty() const { return finite.isEmpty() && toSpace.isEmpty(); }
-        PathTable& of(const AirPath& path);
-        const PathTable& answering(const AirPath& path) const;
+        PathTable& of(const AtmosphericPath& path);
+        const PathTable& answering(const AtmosphericPath& path) const;
         std::string span() const;
     };
 
@@ -93,16 +94,17 @@ class TabulatedAtmosphere : public Atmosphere {
     /// First node and one past the last that surround a range.
     std::pair<std::size_t, std::size_t> nodesOf(const SpectralRange& range) const;
     /// Optical depths of a path, of the path the other way round where the runs have only that.
-    std::vector<double> depths(const AirPath& path, std::size_t first, std::size_t last) const;
-    std::vector<double> sunlight(const AirQuestion& question, std::size_t first,
+    std::vector<double> depths(const AtmosphericPath& path, std::size_t first,
+                               std::size_t last) const;
+    std::vector<double> sunlight(const AtmosphericQuery& question, std::size_t first,
                                  std::size_t last) const;
 
     std::vector<SpectralRun> runs_;
     std::string name_;
     std::vector<double> wavelengths_um_; ///< ascending: the runs' wavenumbers backwards
-    PathTables transmittances_;
-    PathTables radiances_;
-    PathTables scatterings_;
+    PropertyTables transmittances_;
+    PropertyTables radiances_;
+    PropertyTables scatterings_;
     SightTable backgrounds_;
     SightTable suns_;
 };

@@ -87,15 +87,15 @@ class TableReader {
         for (std::size_t i = 0; list.is_array() && i < list.size(); ++i) {
             runs.push_back(readRun(list[i], "runs[" + std::to_string(i) + "]", wavenumbers));
         }
-        if (!offences_.empty()) {
-            throw InputError(std::move(offences_));
+        if (!diagnostics_.empty()) {
+            throw InputError(std::move(diagnostics_));
         }
         return {std::move(runs), text(root_, "name", "")};
     }
 
   private:
     void offend(std::string path, std::string value, std::string expected) {
-        offences_.push_back({file_, std::move(path), std::move(value), std::move(expected)});
+        diagnostics_.push_back({file_, std::move(path), std::move(value), std::move(expected)});
     }
 
     std::string text(const json& object, const char* key, const std::string& path) {
@@ -142,7 +142,7 @@ class TableReader {
     SpectralRun readRun(const json& object, const std::string& where,
                         const std::vector<double>& wavenumbers) {
         SpectralRun run;
-        run.wavenumbers_cm = wavenumbers;
+        run.wavenumbers_per_cm = wavenumbers;
         if (!object.is_object()) {
             offend(where, object.dump(), "an object");
             return run;
@@ -216,7 +216,7 @@ class TableReader {
 
     const std::string& file_;
     json root_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
 };
 
 /// The first thing in a text that is neither blank nor a byte order mark.
@@ -251,7 +251,7 @@ std::vector<SpectralRun> readRuns(const std::filesystem::path& file) {
 
 std::string TabulatedAtmosphere::toText() const {
     ordered_json root = {{"format", formatName}, {"version", formatVersion}, {"name", name_}};
-    root["wavenumbers [cm-1]"] = runs_.front().wavenumbers_cm;
+    root["wavenumbers [cm-1]"] = runs_.front().wavenumbers_per_cm;
     for (const SpectralRun& run : runs_) {
         ordered_json object = {{"source", run.source},
                                {"kind", irsg::name(run.kind)},
@@ -311,7 +311,7 @@ bool TabulatedAtmosphere::canImport(const std::filesystem::path& file) {
 }
 
 TabulatedAtmosphere TabulatedAtmosphere::import(std::span<const std::filesystem::path> files) {
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     std::vector<SpectralRun> runs;
     for (const std::filesystem::path& file : files) {
         try {
@@ -326,11 +326,12 @@ TabulatedAtmosphere TabulatedAtmosphere::import(std::span<const std::filesystem:
             }
             std::ranges::move(some, std::back_inserter(runs));
         } catch (const InputError& error) {
-            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
         }
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
     std::string name = "tabulated";
     if (!files.empty()) {

@@ -8,18 +8,18 @@ namespace irsg {
 namespace {
 
 /// Steps between neighbouring wavenumbers.
-std::pair<double, double> steps_cm(const std::vector<double>& wavenumbers_cm) {
-    double least = wavenumbers_cm[1] - wavenumbers_cm[0];
+std::pair<double, double> steps_per_cm(const std::vector<double>& wavenumbers_per_cm) {
+    double least = wavenumbers_per_cm[1] - wavenumbers_per_cm[0];
     double most = least;
-    for (std::size_t i = 2; i < wavenumbers_cm.size(); ++i) {
-        least = std::min(least, wavenumbers_cm[i] - wavenumbers_cm[i - 1]);
-        most = std::max(most, wavenumbers_cm[i] - wavenumbers_cm[i - 1]);
+    for (std::size_t i = 2; i < wavenumbers_per_cm.size(); ++i) {
+        least = std::min(least, wavenumbers_per_cm[i] - wavenumbers_per_cm[i - 1]);
+        most = std::max(most, wavenumbers_per_cm[i] - wavenumbers_per_cm[i - 1]);
     }
     return {least, most};
 }
 
-AirFactList listOf(const std::vector<std::string>& texts) {
-    AirFactList list;
+AtmosphereFactList listOf(const std::vector<std::string>& texts) {
+    AtmosphereFactList list;
     for (const std::string& text : texts) {
         list.push_back({text});
     }
@@ -38,8 +38,8 @@ std::string lineOf(const SpectralRun& run) {
            general(degrees(geometry.elevation_rad), 4) + " deg";
 }
 
-AirFacts factsOf(const SpectralRun& run) {
-    AirFacts cards;
+AtmosphereFacts factsOf(const SpectralRun& run) {
+    AtmosphereFacts cards;
     for (const auto& [card, value] : run.cards) {
         cards.push_back({card, {value}});
     }
@@ -60,8 +60,8 @@ std::string lineOf(const InterpolationError& error) {
                : what + ": not known, no run lies between two others";
 }
 
-AirFacts factsOf(const InterpolationError& error) {
-    AirFacts facts = {
+AtmosphereFacts factsOf(const InterpolationError& error) {
+    AtmosphereFacts facts = {
         {"quantity", {error.quantity}}, {"axis", {error.axis}}, {"nodes", {numberOf(error.nodes)}}};
     if (error.isKnown()) {
         facts.push_back({"worst", {error.worst}});
@@ -72,16 +72,16 @@ AirFacts factsOf(const InterpolationError& error) {
 
 } // namespace
 
-AirDescription TabulatedAtmosphere::describe() const {
-    const std::vector<double>& wavenumbers_cm = runs_.front().wavenumbers_cm;
-    const auto [least, most] = steps_cm(wavenumbers_cm);
+AtmosphereDescription TabulatedAtmosphere::describe() const {
+    const std::vector<double>& wavenumbers_per_cm = runs_.front().wavenumbers_per_cm;
+    const auto [least, most] = steps_per_cm(wavenumbers_per_cm);
     const std::vector<InterpolationError> errors = interpolationErrors();
-    AirFactList runs, errorList;
+    AtmosphereFactList runs, errorList;
 
     std::vector<std::string> lines;
-    lines.push_back(counted(wavenumbers_cm.size(), "wavenumber") + ", " +
-                    general(wavenumbers_cm.front()) + " to " + general(wavenumbers_cm.back()) +
-                    " cm-1, steps of " + general(least, 4) +
+    lines.push_back(counted(wavenumbers_per_cm.size(), "wavenumber") + ", " +
+                    general(wavenumbers_per_cm.front()) + " to " +
+                    general(wavenumbers_per_cm.back()) + " cm-1, steps of " + general(least, 4) +
                     (most - least < 1e-6 ? "" : " to " + general(most, 4)) + " cm-1");
     std::ranges::copy(spans(), std::back_inserter(lines));
     lines.push_back(counted(runs_.size(), "run"));
@@ -99,15 +99,15 @@ AirDescription TabulatedAtmosphere::describe() const {
         lines.push_back("warning: " + warning);
     }
 
-    AirFacts facts = {{"wavenumbers", {numberOf(wavenumbers_cm.size())}},
-                      {"first_cm-1", {wavenumbers_cm.front()}},
-                      {"last_cm-1", {wavenumbers_cm.back()}},
-                      {"least_step_cm-1", {least}},
-                      {"largest_step_cm-1", {most}},
-                      {"runs", {std::move(runs)}},
-                      {"spans", {listOf(spans())}},
-                      {"interpolation_errors", {std::move(errorList)}},
-                      {"warnings", {listOf(warnings())}}};
+    AtmosphereFacts facts = {{"wavenumbers", {numberOf(wavenumbers_per_cm.size())}},
+                             {"first_cm-1", {wavenumbers_per_cm.front()}},
+                             {"last_cm-1", {wavenumbers_per_cm.back()}},
+                             {"least_step_cm-1", {least}},
+                             {"largest_step_cm-1", {most}},
+                             {"runs", {std::move(runs)}},
+                             {"spans", {listOf(spans())}},
+                             {"interpolation_errors", {std::move(errorList)}},
+                             {"warnings", {listOf(warnings())}}};
     return {std::move(lines), {{"table", {std::move(facts)}}}};
 }
 

@@ -18,7 +18,8 @@ bool Vacuum::supports(AtmosphereProperty property) const {
            (property != AtmosphereProperty::backgroundRadiance || background_ == Background::dark);
 }
 
-Spectrum Vacuum::nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const {
+Spectrum Vacuum::nativeSpectrum(const AtmosphericQuery& question,
+                                const SpectralRange& range) const {
     switch (question.quantity) {
     case AtmosphereProperty::transmittance:
         return Spectrum::constant(1.0);

@@ -19,7 +19,8 @@ class Vacuum : public Atmosphere {
     bool supports(AtmosphereProperty property) const override;
 
   protected:
-    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange& range) const override;
+    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+                            const SpectralRange& range) const override;
 
   private:
     Background background_;

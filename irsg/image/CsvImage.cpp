@@ -19,7 +19,7 @@ namespace irsg {
 namespace {
 
 constexpr std::string_view escapePrefix = "attribute.";
-constexpr std::size_t offencesShown = 20;
+constexpr std::size_t diagnosticsShown = 20;
 
 bool isReserved(std::string_view key) {
     static const std::set<std::string, std::less<>> keys = {"channel", "unit", "width", "height"};
@@ -144,12 +144,12 @@ class CsvImageParser {
     }
 
     RadianceImage image() {
-        if (width_ == 0 && offences_.empty())
+        if (width_ == 0 && diagnostics_.empty())
             offend("", "no number", "rows of numbers separated by commas");
-        if (offences_.empty())
+        if (diagnostics_.empty())
             checkSize();
-        if (!offences_.empty())
-            throw InputError(offences_);
+        if (!diagnostics_.empty())
+            throw InputError(diagnostics_);
 
         const auto header = [this](const char* key, std::string otherwise) {
             const auto it = header_.find(key);
@@ -163,11 +163,11 @@ class CsvImageParser {
     }
 
     /// Nothing that follows can be of use.
-    bool isFull() const { return isNoImage_ || offences_.size() >= offencesShown; }
+    bool isFull() const { return isNoImage_ || diagnostics_.size() >= diagnosticsShown; }
 
   private:
     void offend(std::string position, std::string value, std::string expected) {
-        offences_.push_back({file_, std::move(position), std::move(value), std::move(expected)});
+        diagnostics_.push_back({file_, std::move(position), std::move(value), std::move(expected)});
     }
     std::string here() const { return "line " + std::to_string(line_); }
 
@@ -273,7 +273,7 @@ class CsvImageParser {
     std::size_t width_ = 0, height_ = 0;
     std::vector<float> values_;
     std::map<std::string, std::string> header_, attributes_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
 };
 
 } // namespace

@@ -21,9 +21,9 @@ void writeCsvImage(const RadianceImage& image, const std::filesystem::path& file
 /// Reads what writeCsvImage wrote, and plain matrices (report SMAT and KARMA images: no header):
 /// numbers separated by commas, semicolons, tabs or blanks, one row a line, top row first; a
 /// separator at the end of a line is allowed, blank lines are skipped. A plane without a name is
-/// `L`, without a unit. Throws InputError with every offence (the first 20) at its line and column:
-/// rows of different length, text that is no number, a number beyond the range of float, a size
-/// that is not what the header says; and for a file without a number. A text that begins with
+/// `L`, without a unit. Throws InputError with every diagnostic (the first 20) at its line and
+/// column: rows of different length, text that is no number, a number beyond the range of float, a
+/// size that is not what the header says; and for a file without a number. A text that begins with
 /// words, such as a table of results with the names of its columns, is refused in one sentence.
 RadianceImage readCsvImage(const std::filesystem::path& file);
 

@@ -35,11 +35,11 @@ bool isReached(const ComparisonLevel& level, std::size_t over, std::size_t pixel
 }
 
 void checkLevel(const ComparisonLevel& level, const std::string& word,
-                std::vector<Offence>& offences) {
+                std::vector<Diagnostic>& diagnostics) {
     const auto check = [&](const std::string& name, double value, bool good,
                            const std::string& expected) {
         if (!good)
-            offences.push_back({"", name, numberText(value), expected});
+            diagnostics.push_back({"", name, numberText(value), expected});
     };
     check(word + " threshold", level.absolute, level.absolute >= 0.0, "a number from 0");
     check(word + " threshold, relative", level.relative,
@@ -93,7 +93,7 @@ class Comparing {
         chooseWeights();
         sumErrors();
         sumRelativeErrors();
-        judge();
+        validate();
         return result_;
     }
 
@@ -208,7 +208,7 @@ class Comparing {
         result_.relativeMeanSquareError = sum.value() / static_cast<double>(result_.compared);
     }
 
-    void judge() {
+    void validate() {
         const double largest = std::abs(result_.largest.error);
         if (result_.compared < result_.pixels ||
             isReached(options_.fail, result_.overFail, result_.pixels, largest))
@@ -239,11 +239,11 @@ std::string verdictWord(Verdict verdict) {
 }
 
 void ComparisonOptions::check() const {
-    std::vector<Offence> offences;
-    checkLevel(fail, "fail", offences);
-    checkLevel(warn, "warn", offences);
-    if (!offences.empty())
-        throw InputError(offences);
+    std::vector<Diagnostic> diagnostics;
+    checkLevel(fail, "fail", diagnostics);
+    checkLevel(warn, "warn", diagnostics);
+    if (!diagnostics.empty())
+        throw InputError(diagnostics);
 }
 
 double Comparison::percentOverFail() const {

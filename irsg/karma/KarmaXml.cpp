@@ -235,19 +235,20 @@ void KarmaXml::write(const std::filesystem::path& file) const {
     writeFileDurably(file, text());
 }
 
-Offence KarmaXml::offence(const KarmaParameter& parameter, std::string value,
-                          std::string expected) const {
+Diagnostic KarmaXml::diagnostic(const KarmaParameter& parameter, std::string value,
+                                std::string expected) const {
     return {file_, place(parameter.line, "parameter " + parameter.name), std::move(value),
             std::move(expected)};
 }
 
-Offence KarmaXml::offence(const KarmaComposite& composite, std::string value,
-                          std::string expected) const {
+Diagnostic KarmaXml::diagnostic(const KarmaComposite& composite, std::string value,
+                                std::string expected) const {
     return {file_, place(composite.line, "composite " + composite.name), std::move(value),
             std::move(expected)};
 }
 
-Offence KarmaXml::offence(std::string position, std::string value, std::string expected) const {
+Diagnostic KarmaXml::diagnostic(std::string position, std::string value,
+                                std::string expected) const {
     return {file_, std::move(position), std::move(value), std::move(expected)};
 }
 

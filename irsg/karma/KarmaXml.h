@@ -55,12 +55,12 @@ struct KarmaComposite {
 /// declares ISO-8859-1 is converted.
 class KarmaXml {
   public:
-    /// Throws InputError naming every offence with its line: a file that cannot be read, is larger
-    /// than 16 MiB or not well-formed; a root other than `data`; a fileType other than
+    /// Throws InputError naming every diagnostic with its line: a file that cannot be read, is
+    /// larger than 16 MiB or not well-formed; a root other than `data`; a fileType other than
     /// `Parameters`; parameters and composites without a name, with a name that was there before,
     /// without a value or with two; numbers that are none or not finite.
     static KarmaXml read(const std::filesystem::path& file);
-    /// The same from memory; `file` stands for the file in offences.
+    /// The same from memory; `file` stands for the file in diagnostics.
     static KarmaXml parse(std::string text, std::string file);
     /// A new document of a type ("/Environment/Root/Environment") without parameters.
     explicit KarmaXml(const std::string& type, const std::string& documentation);
@@ -94,10 +94,12 @@ class KarmaXml {
     void write(const std::filesystem::path& file) const;
 
     /// "FILE: line 7, parameter Visibility: found VALUE, expected EXPECTED".
-    Offence offence(const KarmaParameter& parameter, std::string value, std::string expected) const;
-    Offence offence(const KarmaComposite& composite, std::string value, std::string expected) const;
+    Diagnostic diagnostic(const KarmaParameter& parameter, std::string value,
+                          std::string expected) const;
+    Diagnostic diagnostic(const KarmaComposite& composite, std::string value,
+                          std::string expected) const;
     /// About a parameter that is not there, or the whole file where `position` is empty.
-    Offence offence(std::string position, std::string value, std::string expected) const;
+    Diagnostic diagnostic(std::string position, std::string value, std::string expected) const;
 
   private:
     KarmaXml();

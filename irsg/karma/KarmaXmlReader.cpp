@@ -69,8 +69,8 @@ class Reader {
         for (const pugi::xml_node element : data.children("parameter"))
             readParameter(element);
         readComposition(data);
-        if (!offences_.empty())
-            throw InputError(std::move(offences_));
+        if (!diagnostics_.empty())
+            throw InputError(std::move(diagnostics_));
         return std::move(contents_);
     }
 
@@ -82,7 +82,7 @@ class Reader {
     int lineOf(const pugi::xml_node& node) const { return lineAt(node.offset_debug()); }
 
     void refuse(const std::string& position, std::string value, std::string expected) {
-        offences_.push_back({file_, position, std::move(value), std::move(expected)});
+        diagnostics_.push_back({file_, position, std::move(value), std::move(expected)});
     }
     void refuse(const pugi::xml_node& node, const std::string& whose, std::string value,
                 std::string expected) {
@@ -91,10 +91,11 @@ class Reader {
     }
     [[noreturn]] void give(const std::string& position, std::string value, std::string expected) {
         refuse(position, std::move(value), std::move(expected));
-        throw InputError(std::move(offences_));
+        throw InputError(std::move(diagnostics_));
     }
 
-    /// Only what is well-formed has lines and elements to speak of: offences end the reading here.
+    /// Only what is well-formed has lines and elements to speak of: diagnostics end the reading
+    /// here.
     void parse() {
         if (text_.find('\0') != std::string::npos || text_.starts_with("\xFF\xFE") ||
             text_.starts_with("\xFE\xFF"))
@@ -285,7 +286,7 @@ class Reader {
     std::vector<std::ptrdiff_t> lineEnds_;
     pugi::xml_document& document_;
     Contents contents_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
     std::map<std::string, int> parameterNames_;
     std::map<std::string, int> compositeNames_;
 };

@@ -9,7 +9,7 @@
 
 namespace irsg::karma {
 
-/// What a document holds. Throws InputError naming every offence with its line.
+/// What a document holds. Throws InputError naming every diagnostic with its line.
 struct Contents {
     std::vector<KarmaParameter> parameters;
     std::vector<KarmaComposite> composites;

@@ -34,16 +34,16 @@ Band Band::fromResponse(Spectrum response, std::string name) {
     if (response.isConstant()) {
         throw InputError({name, "", "a constant", "a sampled response with at least two nodes"});
     }
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (std::size_t i = 0; i < response.size(); ++i) {
         if (response.values()[i] < 0.0) {
-            offences.push_back({name, "node " + std::to_string(i + 1),
-                                "response " + numberText(response.values()[i]),
-                                "a response of at least 0"});
+            diagnostics.push_back({name, "node " + std::to_string(i + 1),
+                                   "response " + numberText(response.values()[i]),
+                                   "a response of at least 0"});
         }
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
 
     const SpectralRange range{response.wavelengths_um().front(), response.wavelengths_um().back()};

@@ -33,28 +33,28 @@ struct ResponseNodes {
     std::vector<double> values;
 };
 
-/// The two columns below the header; offences are added for every cell that is wrong.
-ResponseNodes readNodes(const CsvTable& table, std::vector<Offence>& offences) {
+/// The two columns below the header; diagnostics are added for every cell that is wrong.
+ResponseNodes readNodes(const CsvTable& table, std::vector<Diagnostic>& diagnostics) {
     ResponseNodes nodes;
     for (std::size_t i = 1; i < table.rows().size(); ++i) {
         const CsvRow& row = table.rows()[i];
         if (row.cells.size() != 2) {
-            offences.push_back(
-                table.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                              "two cells: the wavelength or wavenumber and the response"));
+            diagnostics.push_back(
+                table.diagnostic(row.line, std::to_string(row.cells.size()) + " cells",
+                                 "two cells: the wavelength or wavenumber and the response"));
             continue;
         }
-        const auto x = table.number(row.cells[0], offences, "a positive number");
-        const auto y = table.number(row.cells[1], offences, "a response of at least 0");
+        const auto x = table.number(row.cells[0], diagnostics, "a positive number");
+        const auto y = table.number(row.cells[1], diagnostics, "a response of at least 0");
         if (x && *x <= 0.0) {
-            offences.push_back(table.offence(row.cells[0], "a positive number"));
+            diagnostics.push_back(table.diagnostic(row.cells[0], "a positive number"));
         } else if (x && !nodes.axis.empty() && *x <= nodes.axis.back()) {
-            offences.push_back(table.offence(row.cells[0], "more than " +
-                                                               numberText(nodes.axis.back()) +
-                                                               ": the axis ascends strictly"));
+            diagnostics.push_back(
+                table.diagnostic(row.cells[0], "more than " + numberText(nodes.axis.back()) +
+                                                   ": the axis ascends strictly"));
         }
         if (y && *y < 0.0) {
-            offences.push_back(table.offence(row.cells[1], "a response of at least 0"));
+            diagnostics.push_back(table.diagnostic(row.cells[1], "a response of at least 0"));
         }
         if (x && y) {
             nodes.axis.push_back(*x);
@@ -70,8 +70,8 @@ ResponseNodes inWavelength(const ResponseNodes& wavenumbers) {
     // wavenumber is wrong by less than |dR| d / 4 nu, and by n^2 times less on n equal parts.
     const double largest = *std::ranges::max_element(wavenumbers.values);
     ResponseNodes result;
-    const auto add = [&result](double wavenumber_cm1, double value) {
-        const double wavelength_um = wavelengthFromWavenumber_um(wavenumber_cm1);
+    const auto add = [&result](double wavenumber_per_cm, double value) {
+        const double wavelength_um = wavelengthFromWavenumber_um(wavenumber_per_cm);
         if (result.axis.empty() || wavelength_um > result.axis.back()) {
             result.axis.push_back(wavelength_um);
             result.values.push_back(value);
@@ -100,31 +100,34 @@ ResponseNodes inWavelength(const ResponseNodes& wavenumbers) {
 Band Band::fromCsv(const std::filesystem::path& file) {
     const CsvTable table = CsvTable::read(file);
     if (table.rows().empty()) {
-        throw InputError(table.offence("no rows", "a header and at least two rows of numbers"));
+        throw InputError(table.diagnostic("no rows", "a header and at least two rows of numbers"));
     }
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     const CsvRow& header = table.rows().front();
     const auto unit = axisUnitOf(header.cells.front().text);
     if (!unit) {
-        offences.push_back(table.offence(header.cells.front(), "'um', 'cm-1', 'wavelength [um]' or "
-                                                               "'wavenumber [cm-1]'"));
+        diagnostics.push_back(table.diagnostic(header.cells.front(),
+                                               "'um', 'cm-1', 'wavelength [um]' or "
+                                               "'wavenumber [cm-1]'"));
     }
     if (header.cells.size() != 2) {
-        offences.push_back(
-            table.offence(header.line, std::to_string(header.cells.size()) + " cells",
-                          "two cells: the wavelength or wavenumber and the response"));
+        diagnostics.push_back(
+            table.diagnostic(header.line, std::to_string(header.cells.size()) + " cells",
+                             "two cells: the wavelength or wavenumber and the response"));
     }
 
-    ResponseNodes nodes = readNodes(table, offences);
-    if (offences.empty() && nodes.axis.size() < 2) {
-        offences.push_back(table.offence(std::to_string(nodes.axis.size()) + " rows of numbers",
-                                         "at least two rows of numbers"));
+    ResponseNodes nodes = readNodes(table, diagnostics);
+    if (diagnostics.empty() && nodes.axis.size() < 2) {
+        diagnostics.push_back(
+            table.diagnostic(std::to_string(nodes.axis.size()) + " rows of numbers",
+                             "at least two rows of numbers"));
     }
-    if (offences.empty() && *std::ranges::max_element(nodes.values) <= 0.0) {
-        offences.push_back(table.offence("a response that is 0 everywhere", "a positive area"));
+    if (diagnostics.empty() && *std::ranges::max_element(nodes.values) <= 0.0) {
+        diagnostics.push_back(
+            table.diagnostic("a response that is 0 everywhere", "a positive area"));
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
     if (*unit == AxisUnit::wavenumbers) {
         nodes = inWavelength(nodes);

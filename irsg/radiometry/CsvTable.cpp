@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "irsg/radiometry/Diagnostics.h"
 #include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/Offences.h"
 
 namespace irsg {
 
@@ -116,11 +116,11 @@ bool isEmpty(const CsvRow& row) {
     return true;
 }
 
-std::optional<double> numberOr(std::string_view text, Offence offence,
-                               std::vector<Offence>& offences) {
+std::optional<double> numberOr(std::string_view text, Diagnostic diagnostic,
+                               std::vector<Diagnostic>& diagnostics) {
     const auto value = parseNumber(text);
     if (!value) {
-        offences.push_back(std::move(offence));
+        diagnostics.push_back(std::move(diagnostic));
     }
     return value;
 }
@@ -141,7 +141,7 @@ CsvTable CsvTable::parse(std::string_view text, std::string name) {
         throw InputError({table.file_, "byte " + std::to_string(nul), "a NUL byte", "plain text"});
     }
 
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     Lines lines(text);
     std::size_t width = 1; // of the last row
     for (int number = 1; const auto line = lines.next(); ++number) {
@@ -152,16 +152,16 @@ CsvTable CsvTable::parse(std::string_view text, std::string name) {
         if (content.starts_with('#')) {
             table.comments_.push_back(readComment(content, number));
         } else if (auto row = readRow(content, number, width); !row) {
-            offences.push_back(
-                table.offence(number, std::string(content), "a closing quote on the same line"));
-            keepFirstOffences(offences);
+            diagnostics.push_back(
+                table.diagnostic(number, std::string(content), "a closing quote on the same line"));
+            keepFirstDiagnostics(diagnostics);
         } else if (!isEmpty(*row)) {
             width = row->cells.size();
             table.rows_.push_back(std::move(*row));
         }
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
     return table;
 }
@@ -175,27 +175,28 @@ const CsvComment* CsvTable::comment(std::string_view key) const {
     return nullptr;
 }
 
-Offence CsvTable::offence(const CsvCell& cell, std::string expected) const {
+Diagnostic CsvTable::diagnostic(const CsvCell& cell, std::string expected) const {
     return {file_, linePosition(cell.line) + ", column " + std::to_string(cell.column),
             shown(cell.text), std::move(expected)};
 }
 
-Offence CsvTable::offence(int line, std::string value, std::string expected) const {
+Diagnostic CsvTable::diagnostic(int line, std::string value, std::string expected) const {
     return {file_, linePosition(line), shown(value), std::move(expected)};
 }
 
-Offence CsvTable::offence(std::string value, std::string expected) const {
+Diagnostic CsvTable::diagnostic(std::string value, std::string expected) const {
     return {file_, "", std::move(value), std::move(expected)};
 }
 
-std::optional<double> CsvTable::number(const CsvCell& cell, std::vector<Offence>& offences,
+std::optional<double> CsvTable::number(const CsvCell& cell, std::vector<Diagnostic>& diagnostics,
                                        const std::string& expected) const {
-    return numberOr(cell.text, offence(cell, expected), offences);
+    return numberOr(cell.text, diagnostic(cell, expected), diagnostics);
 }
 
-std::optional<double> CsvTable::number(const CsvComment& comment, std::vector<Offence>& offences,
+std::optional<double> CsvTable::number(const CsvComment& comment,
+                                       std::vector<Diagnostic>& diagnostics,
                                        const std::string& expected) const {
-    return numberOr(comment.value, offence(comment.line, comment.value, expected), offences);
+    return numberOr(comment.value, diagnostic(comment.line, comment.value, expected), diagnostics);
 }
 
 std::optional<double> parseNumber(std::string_view text) {

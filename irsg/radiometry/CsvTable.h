@@ -43,7 +43,7 @@ class CsvTable {
     /// Throws InputError where the file cannot be read, is not text (a NUL byte), is larger than
     /// 256 MiB or has a quote that is never closed.
     static CsvTable read(const std::filesystem::path& file);
-    /// The same from memory; `name` stands for the file in offences.
+    /// The same from memory; `name` stands for the file in diagnostics.
     static CsvTable parse(std::string_view text, std::string name);
 
     const std::string& file() const { return file_; }
@@ -53,17 +53,17 @@ class CsvTable {
     const CsvComment* comment(std::string_view key) const;
 
     /// "FILE: line 7, column 2: found VALUE, expected EXPECTED".
-    Offence offence(const CsvCell& cell, std::string expected) const;
+    Diagnostic diagnostic(const CsvCell& cell, std::string expected) const;
     /// About a whole line: a row of the wrong length, a comment.
-    Offence offence(int line, std::string value, std::string expected) const;
+    Diagnostic diagnostic(int line, std::string value, std::string expected) const;
     /// About the whole file.
-    Offence offence(std::string value, std::string expected) const;
+    Diagnostic diagnostic(std::string value, std::string expected) const;
 
-    /// The finite number in a cell; otherwise adds an offence and gives no value.
-    std::optional<double> number(const CsvCell& cell, std::vector<Offence>& offences,
+    /// The finite number in a cell; otherwise adds an diagnostic and gives no value.
+    std::optional<double> number(const CsvCell& cell, std::vector<Diagnostic>& diagnostics,
                                  const std::string& expected = "a finite number") const;
     /// The same for the value of a comment.
-    std::optional<double> number(const CsvComment& comment, std::vector<Offence>& offences,
+    std::optional<double> number(const CsvComment& comment, std::vector<Diagnostic>& diagnostics,
                                  const std::string& expected = "a finite number") const;
 
   private:

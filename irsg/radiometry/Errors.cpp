@@ -7,61 +7,61 @@
 #include <system_error>
 #include <utility>
 
-#include "irsg/radiometry/Offences.h"
+#include "irsg/radiometry/Diagnostics.h"
 
 namespace irsg {
 
 namespace {
 
-constexpr std::size_t mostOffences = 100;
+constexpr std::size_t mostDiagnostics = 100;
 
-/// How many more offences a sentence stands for that bounded() made; 0 for any other.
-std::size_t moreIn(const Offence& offence) {
+/// How many more diagnostics a sentence stands for that bounded() made; 0 for any other.
+std::size_t moreIn(const Diagnostic& diagnostic) {
     std::size_t count = 0;
-    const char* const end = offence.value.data() + offence.value.size();
-    const auto [stop, error] = std::from_chars(offence.value.data(), end, count);
+    const char* const end = diagnostic.value.data() + diagnostic.value.size();
+    const auto [stop, error] = std::from_chars(diagnostic.value.data(), end, count);
     const bool isMore = error == std::errc{} && std::string_view(stop, end) == " more";
-    return isMore && offence.position.empty() && offence.expected.empty() ? count : 0;
+    return isMore && diagnostic.position.empty() && diagnostic.expected.empty() ? count : 0;
 }
 
-/// The first offences of each file; nobody reads more, and a file of nothing but offences would
-/// take its size in sentences.
-std::vector<Offence> bounded(std::vector<Offence> offences) {
-    if (offences.size() <= mostOffences) {
-        return offences;
+/// The first diagnostics of each file; nobody reads more, and a file of nothing but diagnostics
+/// would take its size in sentences.
+std::vector<Diagnostic> bounded(std::vector<Diagnostic> diagnostics) {
+    if (diagnostics.size() <= mostDiagnostics) {
+        return diagnostics;
     }
-    std::vector<Offence> kept;
+    std::vector<Diagnostic> kept;
     std::map<std::string, std::size_t> counts;
-    for (Offence& offence : offences) {
-        std::size_t& count = counts[offence.file];
-        const std::size_t more = moreIn(offence);
+    for (Diagnostic& diagnostic : diagnostics) {
+        std::size_t& count = counts[diagnostic.file];
+        const std::size_t more = moreIn(diagnostic);
         count += more > 0 ? more : 1;
-        if (more == 0 && count <= mostOffences) {
-            kept.push_back(std::move(offence));
+        if (more == 0 && count <= mostDiagnostics) {
+            kept.push_back(std::move(diagnostic));
         }
     }
     for (const auto& [file, count] : counts) {
-        if (count > mostOffences) {
-            kept.push_back({file, "", std::to_string(count - mostOffences) + " more", ""});
+        if (count > mostDiagnostics) {
+            kept.push_back({file, "", std::to_string(count - mostDiagnostics) + " more", ""});
         }
     }
     return kept;
 }
 
-std::string messageOf(const std::vector<Offence>& offences) {
-    if (offences.empty()) {
-        throw LogicError("an InputError needs at least one offence");
+std::string messageOf(const std::vector<Diagnostic>& diagnostics) {
+    if (diagnostics.empty()) {
+        throw LogicError("an InputError needs at least one diagnostic");
     }
     std::string text;
-    for (const Offence& offence : offences) {
-        text += (text.empty() ? "" : "\n") + offence.message();
+    for (const Diagnostic& diagnostic : diagnostics) {
+        text += (text.empty() ? "" : "\n") + diagnostic.message();
     }
     return text;
 }
 
 } // namespace
 
-std::string Offence::message() const {
+std::string Diagnostic::message() const {
     std::string text;
     for (const std::string& place : {file, position}) {
         if (!place.empty()) {
@@ -81,19 +81,20 @@ std::string Offence::message() const {
     return text + finding;
 }
 
-void keepFirstOffences(std::vector<Offence>& offences) {
-    if (offences.size() > 10 * mostOffences) {
-        offences = bounded(std::move(offences));
+void keepFirstDiagnostics(std::vector<Diagnostic>& diagnostics) {
+    if (diagnostics.size() > 10 * mostDiagnostics) {
+        diagnostics = bounded(std::move(diagnostics));
     }
 }
 
-InputError::InputError(Offence offence) : InputError(std::vector<Offence>{std::move(offence)}) {}
+InputError::InputError(Diagnostic diagnostic)
+    : InputError(std::vector<Diagnostic>{std::move(diagnostic)}) {}
 
-InputError::InputError(std::vector<Offence> offences)
-    : InputError(Bounded{bounded(std::move(offences))}) {}
+InputError::InputError(std::vector<Diagnostic> diagnostics)
+    : InputError(Bounded{bounded(std::move(diagnostics))}) {}
 
-InputError::InputError(Bounded offences)
-    : std::runtime_error(messageOf(offences.list)), offences_(std::move(offences.list)) {}
+InputError::InputError(Bounded diagnostics)
+    : std::runtime_error(messageOf(diagnostics.list)), diagnostics_(std::move(diagnostics.list)) {}
 
 std::string numberText(double value) {
     std::array<char, 32> text{};

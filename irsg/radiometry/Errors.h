@@ -13,7 +13,7 @@ class LogicError : public std::logic_error {
 };
 
 /// One thing that is wrong with what the world gave us, in the words a user can act on.
-struct Offence {
+struct Diagnostic {
     std::string file; ///< path, or the name of the object when there is no file
     std::string
         position;      ///< "line 7", "byte 1204", "materials.3.emissivity", "" when it is the whole
@@ -25,23 +25,23 @@ struct Offence {
 };
 
 /// The world's fault: a file, a value or a combination that cannot be used. Loaders collect every
-/// offence of a file before they throw, so that one run shows them all.
+/// diagnostic of a file before they throw, so that one run shows them all.
 class InputError : public std::runtime_error {
   public:
-    explicit InputError(Offence offence);
-    /// `offences` must not be empty (LogicError). Of each file the first 100 are kept, and how many
-    /// more there are.
-    explicit InputError(std::vector<Offence> offences);
+    explicit InputError(Diagnostic diagnostic);
+    /// `diagnostics` must not be empty (LogicError). Of each file the first 100 are kept, and how
+    /// many more there are.
+    explicit InputError(std::vector<Diagnostic> diagnostics);
 
-    const std::vector<Offence>& offences() const { return offences_; }
+    const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
 
   private:
     struct Bounded {
-        std::vector<Offence> list;
+        std::vector<Diagnostic> list;
     };
-    explicit InputError(Bounded offences);
+    explicit InputError(Bounded diagnostics);
 
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
 };
 
 /// The shortest decimal text that reads back as `value`, whatever the locale: "3.5", "nan".

@@ -23,16 +23,17 @@ constexpr double celsiusFromKelvin(double kelvin) {
 }
 
 /// lambda [um] = 1e4 / nu [cm-1], and back.
-constexpr double wavelengthFromWavenumber_um(double wavenumber_cm1) {
-    return 1e4 / wavenumber_cm1;
+constexpr double wavelengthFromWavenumber_um(double wavenumber_per_cm) {
+    return 1e4 / wavenumber_per_cm;
 }
-constexpr double wavenumberFromWavelength_cm1(double wavelength_um) {
+constexpr double wavenumberFromWavelength_per_cm(double wavelength_um) {
     return 1e4 / wavelength_um;
 }
 
 /// A density per cm-1 becomes one per um by the Jacobian |d nu / d lambda| = nu^2 / 1e4.
-constexpr double perMicrometreFromPerWavenumber(double density_per_cm1, double wavenumber_cm1) {
-    return density_per_cm1 * wavenumber_cm1 * wavenumber_cm1 * 1e-4;
+constexpr double perMicrometreFromPerWavenumber(double density_per_per_cm,
+                                                double wavenumber_per_cm) {
+    return density_per_per_cm * wavenumber_per_cm * wavenumber_per_cm * 1e-4;
 }
 constexpr double perWavenumberFromPerMicrometre(double density_per_um, double wavelength_um) {
     return density_per_um * wavelength_um * wavelength_um * 1e-4;

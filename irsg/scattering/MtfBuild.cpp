@@ -142,11 +142,11 @@ std::vector<PhotonEstimate> tracePhotons(const MtfRecipe& recipe, const PhaseFun
 } // namespace
 
 void MtfRecipe::check() const {
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     const auto need = [&](bool isRight, const char* what, const std::string& value,
                           const char* expected) {
         if (!isRight)
-            offences.push_back({"", what, value, expected});
+            diagnostics.push_back({"", what, value, expected});
     };
     need(wavelength_um >= 0.4 && wavelength_um <= 14.0, "wavelength",
          numberText(wavelength_um) + " um", "0.4 to 14 um");
@@ -174,10 +174,11 @@ void MtfRecipe::check() const {
         try {
             checkPart();
         } catch (const InputError& error) {
-            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
         }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
 }
 
 std::string MtfRecipe::signature() const {
@@ -222,7 +223,7 @@ BuiltMtf buildMtf(const MtfRecipe& recipe, const std::function<bool(double)>& te
         tell(1.0);
     return {MtfDatabase(header, frequencies, recipe.opticalDepths, std::move(values)),
             std::move(errors), optics.albedo(), optics.phase.asymmetry(),
-            optics.phase.forwardShare()};
+            optics.phase.forwardFraction()};
 }
 
 } // namespace irsg

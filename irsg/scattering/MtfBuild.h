@@ -27,7 +27,7 @@ struct MtfRecipe {
     std::uint64_t photons = 1'000'000; ///< for each optical depth
     std::uint64_t seed = 1;
 
-    /// Throws InputError with every offence.
+    /// Throws InputError with every diagnostic.
     void check() const;
     /// All that the result depends on, in one line.
     std::string signature() const;
@@ -37,7 +37,7 @@ struct BuiltMtf {
     MtfDatabase database;
     /// By optical depth and frequency; empty for the small-angle method.
     std::vector<std::vector<double>> standardErrors;
-    double albedo = 1.0, asymmetry = 0.0, forwardShare = 1.0; ///< of the droplets
+    double albedo = 1.0, asymmetry = 0.0, forwardFraction = 1.0; ///< of the droplets
 };
 
 /// Makes a database. `tell` is told the part that is done, 0 to 1, and stops the work where it says

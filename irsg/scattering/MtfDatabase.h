@@ -60,8 +60,9 @@ class MtfDatabase {
     MtfDatabase(MtfHeader header, std::vector<double> frequencies_per_rad,
                 std::vector<double> opticalDepths, std::vector<std::vector<double>> values);
 
-    /// Throws InputError with every offence and its byte offset: a wrong length, big-endian bytes,
-    /// numbers that are not finite, axes that do not ascend, values outside exp(-tau) .. exp(tau).
+    /// Throws InputError with every diagnostic and its byte offset: a wrong length, big-endian
+    /// bytes, numbers that are not finite, axes that do not ascend, values outside exp(-tau) ..
+    /// exp(tau).
     static MtfDatabase read(const std::filesystem::path& file);
     static MtfDatabase fromBytes(std::string_view bytes, const std::string& file);
     /// Checks, and replaces the file in one step.

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t headerBytes = 40;
 /// More points or curves than this are damage, not data.
 constexpr std::int32_t mostEntries = 1 << 20;
-/// Offences that are told of one file.
-constexpr std::size_t mostOffences = 20;
+/// Diagnostics that are told of one file.
+constexpr std::size_t mostDiagnostics = 20;
 
 /// Little-endian numbers, whatever the machine is.
 template <typename Bits>
@@ -77,10 +77,10 @@ class Reader {
             values.push_back(curve(at + 8, points, depths.back()));
         }
         if (left_ > 0)
-            offences_.push_back(
+            diagnostics_.push_back(
                 {file_, "", std::to_string(left_) + " more values like these", "values as above"});
-        if (!offences_.empty())
-            throw InputError(std::move(offences_));
+        if (!diagnostics_.empty())
+            throw InputError(std::move(diagnostics_));
         return {header, frequencies, std::move(depths), std::move(values)};
     }
 
@@ -118,8 +118,8 @@ class Reader {
         const double value = number(bytes_, at);
         if (std::isfinite(value) && isRight(value))
             return value;
-        if (offences_.size() < mostOffences)
-            offences_.push_back(
+        if (diagnostics_.size() < mostDiagnostics)
+            diagnostics_.push_back(
                 {file_, "byte " + std::to_string(at), what + " " + numberText(value), expected});
         else
             ++left_;
@@ -156,7 +156,7 @@ class Reader {
 
     std::string_view bytes_;
     std::string file_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
     std::size_t left_ = 0;
 };
 

@@ -76,7 +76,7 @@ double PhaseFunction::asymmetry() const {
     return 2.0 * pi * sum;
 }
 
-double PhaseFunction::forwardShare() const {
+double PhaseFunction::forwardFraction() const {
     return transform(0.0);
 }
 

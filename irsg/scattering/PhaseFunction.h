@@ -20,7 +20,7 @@ class PhaseFunction {
     double at(double angle_rad) const;
     double asymmetry() const;
     /// Part that goes forward, below 90 degrees.
-    double forwardShare() const;
+    double forwardFraction() const;
 
     /// Transform of the forward half, 2 pi Int_0^{pi/2} p(t) J0(2 pi k t) sin t dt, k >= 0 in
     /// cycles per radian; at 0 it is the forward share.

@@ -44,8 +44,8 @@ std::vector<RenderReport> Irsg::measureAlongRange(const std::vector<Band>& bands
         .reports;
 }
 
-IntensitySpectrum Irsg::measureSpectrum(const std::vector<double>& wavenumbers_cm1) {
-    return renderer_->render(scene_, view_, {.wavenumbers_cm1 = wavenumbers_cm1}).spectrum;
+IntensitySpectrum Irsg::measureSpectrum(const std::vector<double>& wavenumbers_per_cm) {
+    return renderer_->render(scene_, view_, {.wavenumbers_per_cm = wavenumbers_per_cm}).spectrum;
 }
 
 std::unique_ptr<const ScaledView> Irsg::scaledView(const std::vector<ScalingInput>& inputs) {
@@ -57,10 +57,12 @@ Irsg::scaledViews(const std::vector<ScalingInput>& inputs, const std::vector<Ban
     return renderer_->render(scene_, view_, {.bands = bands, .scalings = inputs}).scaled;
 }
 
-std::unique_ptr<const ScaledView> Irsg::scaledSpectrum(const std::vector<ScalingInput>& inputs,
-                                                       const std::vector<double>& wavenumbers_cm1) {
+std::unique_ptr<const ScaledView>
+Irsg::scaledSpectrum(const std::vector<ScalingInput>& inputs,
+                     const std::vector<double>& wavenumbers_per_cm) {
     return std::move(
-        renderer_->render(scene_, view_, {.wavenumbers_cm1 = wavenumbers_cm1, .scalings = inputs})
+        renderer_
+            ->render(scene_, view_, {.wavenumbers_per_cm = wavenumbers_per_cm, .scalings = inputs})
             .scaled.front());
 }
 

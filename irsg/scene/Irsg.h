@@ -65,7 +65,7 @@ class Irsg {
         return renderer_->finish(begun);
     }
     /// The same, per wavelength; computed in the spectral mode, whichever is set.
-    IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1);
+    IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_per_cm);
     /// What measure() would say of all objects together, as a function of scales. The entities'
     /// own scales must be empty (LogicError).
     std::unique_ptr<const ScaledView> scaledView(const std::vector<ScalingInput>& inputs);
@@ -74,7 +74,7 @@ class Irsg {
     scaledViews(const std::vector<ScalingInput>& inputs, const std::vector<Band>& bands);
     /// The same of measureSpectrum().
     std::unique_ptr<const ScaledView> scaledSpectrum(const std::vector<ScalingInput>& inputs,
-                                                     const std::vector<double>& wavenumbers_cm1);
+                                                     const std::vector<double>& wavenumbers_per_cm);
 
     Renderer& renderer() { return *renderer_; }
     std::string rendererDescription() { return renderer_->rendererDescription(); }

@@ -19,7 +19,7 @@ void PreparedEntities::keep(const std::vector<Entity>& entities) {
         PreparedModel& made = models_.emplace_back();
         made.model = entity.model;
         made.items = collectDrawItems(*entity.model);
-        made.ball = boundingBall(made.items, entity.model->bounds());
+        made.ball = boundingSphere(made.items, entity.model->bounds());
         made.longEdges = longEdges(made.items, made.ball.radius_m);
         made.items = inDrawPieces(made.items);
     }

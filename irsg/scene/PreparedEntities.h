@@ -16,7 +16,7 @@ namespace irsg {
 struct PreparedModel {
     std::shared_ptr<const Model> model;
     std::vector<DrawItem> items;
-    BoundingBall ball;
+    BoundingSphere ball;
     std::vector<ModelEdge> longEdges;
     HotParts hotParts;
 };

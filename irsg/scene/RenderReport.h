@@ -53,8 +53,8 @@ struct ObjectSpectrum {
 /// Spectral quantities as they arrive at the sensor, through the air but without the sensor's
 /// response: the sums of the objects, each at its own range.
 struct IntensitySpectrum {
-    std::vector<double> wavenumbers_cm1; ///< as asked for
-    std::vector<double> wavelengths_um;  ///< 1e4 / wavenumber
+    std::vector<double> wavenumbers_per_cm; ///< as asked for
+    std::vector<double> wavelengths_um;     ///< 1e4 / wavenumber
     std::vector<double> intensity_W_sr_um;
     std::vector<double> contrastIntensity_W_sr_um;
     std::vector<double> irradiance_W_m2_um; ///< of the contrast

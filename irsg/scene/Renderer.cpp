@@ -11,7 +11,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/RendererParts.h"
+#include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/radiance/SceneScaledView.h"
 #include "irsg/scene/view/PixelGrid.h"
 
@@ -50,11 +50,11 @@ struct Wavelengths {
     std::vector<double> ascending_um;
     std::vector<std::size_t> order;
 
-    explicit Wavelengths(const std::vector<double>& wavenumbers_cm1) {
-        for (const double wavenumber_cm1 : wavenumbers_cm1) {
-            if (!(wavenumber_cm1 > 0.0))
+    explicit Wavelengths(const std::vector<double>& wavenumbers_per_cm) {
+        for (const double wavenumber_per_cm : wavenumbers_per_cm) {
+            if (!(wavenumber_per_cm > 0.0))
                 throw LogicError("a wavenumber that is not positive was asked for");
-            ascending_um.push_back(wavelengthFromWavenumber_um(wavenumber_cm1));
+            ascending_um.push_back(wavelengthFromWavenumber_um(wavenumber_per_cm));
         }
         const std::vector<double> asked_um = ascending_um;
         std::ranges::sort(ascending_um);
@@ -72,29 +72,29 @@ ScaledValues valuesOf(const ObjectRadiometry& sum) {
 } // namespace
 
 Renderer::Renderer() : Renderer(RadianceTerms::standard()) {}
-Renderer::Renderer(const RadianceTerms& terms) : parts_(std::make_unique<Parts>(terms)) {
+Renderer::Renderer(const RadianceTerms& terms) : impl_(std::make_unique<Impl>(terms)) {
     if (terms.factorCount() == 0 || terms.factorCount() > mostFactors)
         throw LogicError("a list of terms has 1 to 7 drawn factors");
 }
 Renderer::~Renderer() {
-    parts_->view.reset();
-    parts_->context.run([&](osg::RenderInfo&) { parts_->pass.reset(); });
+    impl_->view.reset();
+    impl_->context.run([&](osg::RenderInfo&) { impl_->pass.reset(); });
 }
 
 Rendered Renderer::render(const Scene& scene, const SensorView& view, const Wanted& wanted) {
-    Parts& p = *parts_;
+    Impl& p = *impl_;
     if (!wanted.scalings.empty())
         requireNoScales(scene.entities);
     Rendered result;
     const bool inBands = wanted.image || wanted.reports ||
-                         (!wanted.scalings.empty() && wanted.wavenumbers_cm1.empty());
+                         (!wanted.scalings.empty() && wanted.wavenumbers_per_cm.empty());
     if (inBands) {
-        const Parts::Frame frame = p.frame(scene, view, wanted);
+        const Impl::Frame frame = p.frame(scene, view, wanted);
         if (wanted.image)
             p.renderImage(frame, wanted, result);
         else if (wanted.reports)
             result.reports = p.reports(frame);
-        if (!wanted.scalings.empty() && wanted.wavenumbers_cm1.empty()) {
+        if (!wanted.scalings.empty() && wanted.wavenumbers_per_cm.empty()) {
             const ViewFactors& factors = p.factorsOf(frame);
             const std::vector<RenderReport> nominal = p.reports(frame);
             p.timed("scaled view", [&] {
@@ -107,10 +107,10 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Want
             });
         }
     }
-    if (!wanted.wavenumbers_cm1.empty()) {
+    if (!wanted.wavenumbers_per_cm.empty()) {
         Scene spectral = scene;
         spectral.settings.mode = CalculationMode::spectral;
-        const Parts::Frame frame = p.frame(spectral, view, wanted);
+        const Impl::Frame frame = p.frame(spectral, view, wanted);
         result.spectrum = p.spectrum(frame, wanted, result);
         if (scene.settings.mode == CalculationMode::wideband)
             result.spectrum.warnings.push_back(
@@ -122,16 +122,16 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Want
 
 std::shared_ptr<Renderer::Begun> Renderer::begin(const Scene& scene, const SensorView& view,
                                                  const Wanted& wanted) {
-    auto begun = std::make_shared<Begun>(*parts_, scene, view, wanted);
-    begun->drawing = parts_->beginFactors(begun->frame);
+    auto begun = std::make_shared<Begun>(*impl_, scene, view, wanted);
+    begun->drawing = impl_->beginFactors(begun->frame);
     return begun;
 }
 
 std::vector<RenderReport> Renderer::finish(const std::shared_ptr<Begun>& begun) {
-    return parts_->reports(begun->frame, parts_->factorsOf(begun->frame, *begun->drawing));
+    return impl_->reports(begun->frame, impl_->factorsOf(begun->frame, *begun->drawing));
 }
 
-void Renderer::Parts::renderImage(const Frame& frame, const Wanted& wanted, Rendered& result) {
+void Renderer::Impl::renderImage(const Frame& frame, const Wanted& wanted, Rendered& result) {
     RenderReport drawn;
     const FrameReduction reduction =
         wanted.followed ? followedPixels(frame, drawn.windows, drawn.warnings, drawn.layersLeftOver)
@@ -158,7 +158,7 @@ void Renderer::Parts::renderImage(const Frame& frame, const Wanted& wanted, Rend
         addTruthLayers(frame, result.image);
 }
 
-RenderReport Renderer::Parts::reportOf(const Frame& frame, const FrameReduction& pixels) {
+RenderReport Renderer::Impl::reportOf(const Frame& frame, const FrameReduction& pixels) {
     RenderReport report;
     const double range_m = frame.geometry.empty() ? 0.0 : frame.geometry.front().path.range_m;
     report.all = pixels.objects(frame.backgrounds.front(), range_m);
@@ -172,7 +172,7 @@ RenderReport Renderer::Parts::reportOf(const Frame& frame, const FrameReduction&
     return report;
 }
 
-std::vector<RenderReport> Renderer::Parts::reports(const Frame& frame, const ViewFactors& factors) {
+std::vector<RenderReport> Renderer::Impl::reports(const Frame& frame, const ViewFactors& factors) {
     return timed("evaluation", [&] {
         // Frames share evaluated scenes, and another may have been begun since.
         frame.evaluated->turnTo(frame.scene.entities, frame.geometry);
@@ -206,11 +206,11 @@ std::vector<RenderReport> Renderer::Parts::reports(const Frame& frame, const Vie
     });
 }
 
-IntensitySpectrum Renderer::Parts::spectrum(const Frame& frame, const Wanted& wanted,
-                                            Rendered& result) {
+IntensitySpectrum Renderer::Impl::spectrum(const Frame& frame, const Wanted& wanted,
+                                           Rendered& result) {
     const ViewFactors& factors = factorsOf(frame);
     return timed("evaluation", [&] {
-        const Wavelengths wavelengths(wanted.wavenumbers_cm1);
+        const Wavelengths wavelengths(wanted.wavenumbers_per_cm);
         const AirScene scene{terms, frame.scene.entities, frame.geometry, frame.scene.settings,
                              frame.centre};
         const std::vector<SampledBand> bands{
@@ -232,7 +232,7 @@ IntensitySpectrum Renderer::Parts::spectrum(const Frame& frame, const Wanted& wa
         }
         for (std::size_t k = 0; k < wavelengths.order.size(); ++k) {
             const std::size_t i = wavelengths.order[k];
-            spectrum.wavenumbers_cm1.push_back(wanted.wavenumbers_cm1[k]);
+            spectrum.wavenumbers_per_cm.push_back(wanted.wavenumbers_per_cm[k]);
             spectrum.wavelengths_um.push_back(wavelengths.ascending_um[i]);
             spectrum.intensity_W_sr_um.push_back(nominal.intensity[i]);
             spectrum.contrastIntensity_W_sr_um.push_back(nominal.contrastIntensity[i]);
@@ -265,7 +265,7 @@ IntensitySpectrum Renderer::Parts::spectrum(const Frame& frame, const Wanted& wa
     });
 }
 
-double Renderer::Parts::frameProjectedSolidAngle_sr(const Sensor& sensor) {
+double Renderer::Impl::frameProjectedSolidAngle_sr(const Sensor& sensor) {
     const std::array<double, 3> raster{static_cast<double>(sensor.width_px),
                                        static_cast<double>(sensor.height_px),
                                        sensor.horizontalFieldOfView_rad};
@@ -276,8 +276,8 @@ double Renderer::Parts::frameProjectedSolidAngle_sr(const Sensor& sensor) {
     return solidAngle.projected_sr;
 }
 
-double Renderer::Parts::totalIrradiance_W_m2(const Frame& frame, std::size_t band,
-                                             double contrast_W_m2) {
+double Renderer::Impl::totalIrradiance_W_m2(const Frame& frame, std::size_t band,
+                                            double contrast_W_m2) {
     const PixelGrid grid(frame.view.sensor);
     const FrameBackground& background = frame.backgrounds[band];
     if (background.isUniform())
@@ -292,7 +292,7 @@ double Renderer::Parts::totalIrradiance_W_m2(const Frame& frame, std::size_t ban
     return contrast_W_m2 + behind_W_m2;
 }
 
-void Renderer::Parts::fillReport(const Frame& frame, std::size_t band, RenderReport& report) const {
+void Renderer::Impl::fillReport(const Frame& frame, std::size_t band, RenderReport& report) const {
     report.background_W_m2_sr = frame.backgrounds[band].centre_W_m2_sr();
     report.answeredBy = frame.answeredBy;
     addNew(report.answeredBy, frame.backgroundReport.answeredBy);
@@ -313,7 +313,7 @@ void Renderer::Parts::fillReport(const Frame& frame, std::size_t band, RenderRep
     report.renderer = context.rendererDescription();
 }
 
-void Renderer::Parts::describe(const Frame& frame, RadianceImage& image) const {
+void Renderer::Impl::describe(const Frame& frame, RadianceImage& image) const {
     const Sensor& sensor = frame.view.sensor;
     const RenderSettings& settings = frame.scene.settings;
     const Band& band = frame.bands.front();
@@ -333,25 +333,25 @@ void Renderer::Parts::describe(const Frame& frame, RadianceImage& image) const {
 }
 
 void Renderer::check(const Scene& scene, const SensorView& view, const Wanted& wanted) {
-    checkScene(scene.entities, parts_->geometry(scene, view), scene.environment, view.sensor,
+    checkScene(scene.entities, impl_->geometry(scene, view), scene.environment, view.sensor,
                wanted.bands.empty() ? std::vector<Band>{view.sensor.band} : wanted.bands,
                scene.settings);
 }
 
 Vec3 Renderer::referencePoint(const Entity& entity) {
-    return parts_->prepared.referencePoint(entity);
+    return impl_->prepared.referencePoint(entity);
 }
 std::string Renderer::rendererDescription() {
-    return parts_->context.rendererDescription();
+    return impl_->context.rendererDescription();
 }
 std::size_t Renderer::graphicsMemory_bytes() const {
-    return parts_->pass ? parts_->pass->bytes() : 0;
+    return impl_->pass ? impl_->pass->bytes() : 0;
 }
 StageTimes Renderer::stageTimes() const {
-    return {parts_->stages};
+    return {impl_->stages};
 }
 void Renderer::resetStageTimes() {
-    parts_->stages.clear();
+    impl_->stages.clear();
 }
 
 } // namespace irsg

@@ -28,7 +28,7 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Throws InputError with every offence of the scene: see check().
+    /// Throws InputError with every diagnostic of the scene: see check().
     Rendered render(const Scene& scene, const SensorView& view, const Wanted& wanted);
 
     /// Begins what render() would say when reports are wanted, `alongRange` or not: the view is
@@ -41,7 +41,7 @@ class Renderer {
 
     /// Checks the whole scene: every code has an entry, spectra cover the bands, sensor and targets
     /// are above the ground, an atmosphere has the calculation mode. Throws InputError with every
-    /// offence.
+    /// diagnostic.
     void check(const Scene& scene, const SensorView& view, const Wanted& wanted = {});
 
     /// Of an entity, in model axes; see Entity::referencePoint_m.
@@ -56,8 +56,8 @@ class Renderer {
     void resetStageTimes();
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 } // namespace irsg

@@ -3,7 +3,7 @@
 
 #include <osg/RenderInfo>
 
-#include "irsg/scene/RendererParts.h"
+#include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/sampling/PixelAlignedStrategy.h"
 
@@ -35,7 +35,7 @@ SliceNodes slicesAbout(double distance_m, double reach_m) {
 
 } // namespace
 
-PointAspect Renderer::Parts::aspectOf(const Frame& frame, int entity, const Vec3& from) const {
+PointAspect Renderer::Impl::aspectOf(const Frame& frame, int entity, const Vec3& from) const {
     const RenderSettings& settings = frame.scene.settings;
     const SurfaceRows& rows = frame.surfaceRows();
     const Rotation toModel = frame.entity(entity).pose.attitude.rotation().transposed();
@@ -58,8 +58,8 @@ PointAspect Renderer::Parts::aspectOf(const Frame& frame, int entity, const Vec3
     return aspect;
 }
 
-ViewFactors Renderer::Parts::drawAlone(const Frame& frame, int entity, const CameraFrame& camera,
-                                       int zoomWindow, const SurfaceRows& rows) {
+ViewFactors Renderer::Impl::drawAlone(const Frame& frame, int entity, const CameraFrame& camera,
+                                      int zoomWindow, const SurfaceRows& rows) {
     const Entity& own = frame.entity(entity);
     FactorSums sums(camera.sensor(), rows, fronts, terms.factorCount());
     ViewFactors view = sums.emptyView();
@@ -84,7 +84,7 @@ ViewFactors Renderer::Parts::drawAlone(const Frame& frame, int entity, const Cam
     return view;
 }
 
-PointPlace Renderer::Parts::placeOf(const Frame& frame, const ZoomEntityInfo& object) const {
+PointPlace Renderer::Impl::placeOf(const Frame& frame, const ZoomEntityInfo& object) const {
     const ImageRectangle& extent = object.extent;
     const int x = static_cast<int>(0.5 * (extent.left + extent.right));
     const int y = static_cast<int>(0.5 * (extent.top + extent.bottom));
@@ -93,8 +93,8 @@ PointPlace Renderer::Parts::placeOf(const Frame& frame, const ZoomEntityInfo& ob
             pixel.cosOffAxis};
 }
 
-const FactorField<double>& Renderer::Parts::pointFactors(const Frame& frame,
-                                                         const ZoomEntityInfo& object) {
+const FactorField<double>& Renderer::Impl::pointFactors(const Frame& frame,
+                                                        const ZoomEntityInfo& object) {
     const Rotation toWorld = frame.entity(object.entity).pose.attitude.rotation();
     const Vec3 from = PointSources::onGrid(
         toWorld.transposed() * normalized(frame.view.viewpoint.position_m - object.centre_m));
@@ -124,7 +124,7 @@ const FactorField<double>& Renderer::Parts::pointFactors(const Frame& frame,
     });
 }
 
-bool Renderer::Parts::isAlongRange(const Frame& frame, const ZoomEntityInfo& object) {
+bool Renderer::Impl::isAlongRange(const Frame& frame, const ZoomEntityInfo& object) {
     const Entity& entity = frame.entity(object.entity);
     const double range_m = frame.geometry[static_cast<std::size_t>(object.entity)].path.range_m;
     const double reach_m = reachOf_m(entity);
@@ -138,13 +138,13 @@ bool Renderer::Parts::isAlongRange(const Frame& frame, const ZoomEntityInfo& obj
     return isLookedAt && isWholeAndApart(frame, object) && !touchesTerrain(frame, object.extent);
 }
 
-Vec3 Renderer::Parts::towardsSensor(const Frame& frame, int entity) {
+Vec3 Renderer::Impl::towardsSensor(const Frame& frame, int entity) {
     const Entity& own = frame.entity(entity);
     return normalized(frame.view.viewpoint.position_m -
                       own.pose.toWorld(prepared.referencePoint(own)));
 }
 
-void Renderer::Parts::planAlongRange(Frame& frame) {
+void Renderer::Impl::planAlongRange(Frame& frame) {
     const RenderSettings& settings = frame.scene.settings;
     const bool isAligned =
         settings.zoomWindow > 0 && settings.zoomStrategy == ZoomStrategy::aligned;
@@ -161,8 +161,8 @@ void Renderer::Parts::planAlongRange(Frame& frame) {
         std::erase_if(*objects, isElsewhere);
 }
 
-void Renderer::Parts::addAlongRange(const Frame& frame, const ZoomEntityInfo& object,
-                                    ViewFactors& view) {
+void Renderer::Impl::addAlongRange(const Frame& frame, const ZoomEntityInfo& object,
+                                   ViewFactors& view) {
     const Entity& entity = frame.entity(object.entity);
     const ObjectGeometry& geometry = frame.geometry[static_cast<std::size_t>(object.entity)];
     // In air every range takes the same drawings, whether it is sliced there or not.
@@ -188,8 +188,8 @@ void Renderer::Parts::addAlongRange(const Frame& frame, const ZoomEntityInfo& ob
     }
 }
 
-ViewFactors Renderer::Parts::drawAtNode(const Frame& frame, int entity, const Vec3& from,
-                                        std::size_t node, const SurfaceRows& rows) {
+ViewFactors Renderer::Impl::drawAtNode(const Frame& frame, int entity, const Vec3& from,
+                                       std::size_t node, const SurfaceRows& rows) {
     // Pixels that are small in terms of the object, as each has the solid angle of its middle.
     constexpr int pixels = 32;
     // No phases average the error of a node, so that its window is larger than that of a frame.

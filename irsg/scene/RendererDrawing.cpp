@@ -6,7 +6,7 @@
 #include <osg/RenderInfo>
 #include <osg/State>
 
-#include "irsg/scene/RendererParts.h"
+#include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/radiance/TruthLayers.h"
 #include "irsg/scene/sampling/PixelAlignedStrategy.h"
@@ -21,7 +21,7 @@ constexpr int largestSide = 2048;
 
 } // namespace
 
-void Renderer::Parts::onContext(const std::function<void(osg::RenderInfo&)>& work) {
+void Renderer::Impl::onContext(const std::function<void(osg::RenderInfo&)>& work) {
     double waited_s = 0.0, drawing_s = 0.0, reading_s = 0.0;
     {
         auto waiting = std::make_unique<Stopwatch>(waited_s);
@@ -37,17 +37,17 @@ void Renderer::Parts::onContext(const std::function<void(osg::RenderInfo&)>& wor
     addTime("read back", reading_s);
 }
 
-void Renderer::Parts::readyPass(osg::RenderInfo& info) {
+void Renderer::Impl::readyPass(osg::RenderInfo& info) {
     osg::flushAllDeletedGLObjects(info.getContextID());
     if (!pass)
         pass = std::make_unique<SurfacePass>();
 }
 
-int Renderer::Parts::largestDrawing() const {
+int Renderer::Impl::largestDrawing() const {
     return std::min(largestSide, context.maximumTargetSize());
 }
 
-FactorShader Renderer::Parts::factorShader(const Frame& frame, const CameraFrame& camera) const {
+FactorShader Renderer::Impl::factorShader(const Frame& frame, const CameraFrame& camera) const {
     FactorShader shader{terms.factorCount(), terms.glsl(frame.scene.settings), {}};
     for (const FrameDirection& direction : terms.directions)
         shader.directionsEye.emplace_back(
@@ -55,8 +55,8 @@ FactorShader Renderer::Parts::factorShader(const Frame& frame, const CameraFrame
     return shader;
 }
 
-SurfaceScene Renderer::Parts::sceneOf(const Frame& frame, const CameraFrame& camera,
-                                      const SampleWindow& window) {
+SurfaceScene Renderer::Impl::sceneOf(const Frame& frame, const CameraFrame& camera,
+                                     const SampleWindow& window) {
     const auto stands = [&](int entity) {
         return std::ranges::binary_search(window.entities, entity);
     };
@@ -90,17 +90,17 @@ SurfaceScene Renderer::Parts::sceneOf(const Frame& frame, const CameraFrame& cam
     return scene;
 }
 
-SheetScene Renderer::Parts::scenesOf(const Frame& frame, const CameraFrame& camera,
-                                     const SampleSheet& sheet) {
+SheetScene Renderer::Impl::scenesOf(const Frame& frame, const CameraFrame& camera,
+                                    const SampleSheet& sheet) {
     SheetScene result{sheet, {}};
     for (const SampleWindow& window : sheet.windows)
         result.scenes.push_back(sceneOf(frame, camera, window));
     return result;
 }
 
-FrameReduction Renderer::Parts::drawObjects(const Frame& frame, std::vector<SampledWindow>& windows,
-                                            std::vector<std::string>& warnings,
-                                            int& layersLeftOver) {
+FrameReduction Renderer::Impl::drawObjects(const Frame& frame, std::vector<SampledWindow>& windows,
+                                           std::vector<std::string>& warnings,
+                                           int& layersLeftOver) {
     AbstractZoomAntialiasingStrategy& strategy = antialiasing.strategyFor(frame.scene.settings);
     const auto finish = [&](FrameReduction& reduction) {
         for (const ZoomEntityInfo& object : frame.points)
@@ -118,16 +118,16 @@ FrameReduction Renderer::Parts::drawObjects(const Frame& frame, std::vector<Samp
     /// all there is to know of a surface, else from factors.
     class SurfaceRttPass : public RttPass {
       public:
-        SurfaceRttPass(Parts& parts, const Frame& frame, osg::RenderInfo& info)
-            : parts_(parts),
+        SurfaceRttPass(Impl& parts, const Frame& frame, osg::RenderInfo& info)
+            : impl_(parts),
               frame_(frame),
               info_(info),
               radiances_(frame.surfaceRows(), parts.fronts, frame.evaluated->radiances) {}
-        int largestSide() const override { return parts_.largestDrawing(); }
+        int largestSide() const override { return impl_.largestDrawing(); }
         void draw(const CameraFrame& camera, const SampleSheet& sheet,
                   RadianceSamples& samples) override {
             Stopwatch watch(seconds);
-            const SheetScene scene = parts_.scenesOf(frame_, camera, sheet);
+            const SheetScene scene = impl_.scenesOf(frame_, camera, sheet);
             const auto isSlicedIn = [&](const SampleWindow& window) {
                 return std::ranges::any_of(window.entities, [&](int e) {
                     return frame_.geometry[static_cast<std::size_t>(e)].slices_m.size() > 1;
@@ -135,8 +135,8 @@ FrameReduction Renderer::Parts::drawObjects(const Frame& frame, std::vector<Samp
             };
             const bool isSliced = std::ranges::any_of(sheet.windows, isSlicedIn);
             if (!isSliced && std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
-                return parts_.pass->drawRadiance(info_, scene, samples);
-            parts_.pass->drawFactors(info_, scene, isSliced, factors_);
+                return impl_.pass->drawRadiance(info_, scene, samples);
+            impl_.pass->drawFactors(info_, scene, isSliced, factors_);
             {
                 Stopwatch sorting(sortSeconds);
                 sortLayers(factors_, frame_.scene.settings.maximumLayers);
@@ -149,7 +149,7 @@ FrameReduction Renderer::Parts::drawObjects(const Frame& frame, std::vector<Samp
         int layersLeftOver = 0;
 
       private:
-        Parts& parts_;
+        Impl& impl_;
         const Frame& frame_;
         osg::RenderInfo& info_;
         SampleRadiances radiances_;
@@ -176,10 +176,10 @@ FrameReduction Renderer::Parts::drawObjects(const Frame& frame, std::vector<Samp
     return std::move(*reduction);
 }
 
-FrameReduction Renderer::Parts::followedPixels(const Frame& frame,
-                                               std::vector<SampledWindow>& windows,
-                                               std::vector<std::string>& warnings,
-                                               int& layersLeftOver) {
+FrameReduction Renderer::Impl::followedPixels(const Frame& frame,
+                                              std::vector<SampledWindow>& windows,
+                                              std::vector<std::string>& warnings,
+                                              int& layersLeftOver) {
     // Points are not drawn here, and the published antialiasing resamples what it draws.
     const RenderSettings& settings = frame.scene.settings;
     const bool isSum = frame.points.empty() &&
@@ -213,7 +213,7 @@ FrameReduction Renderer::Parts::followedPixels(const Frame& frame,
 }
 
 std::vector<SampledWindow>
-Renderer::Parts::sampledWindows(const Frame& frame, const std::vector<DrawnWindow>& drawn) const {
+Renderer::Impl::sampledWindows(const Frame& frame, const std::vector<DrawnWindow>& drawn) const {
     std::vector<SampledWindow> result;
     const auto tell = [&](const DrawnWindow& window) {
         const ImageRectangle& r = window.rectangle;
@@ -230,8 +230,8 @@ Renderer::Parts::sampledWindows(const Frame& frame, const std::vector<DrawnWindo
 }
 
 std::future<WindowStream::Seconds>
-Renderer::Parts::beginWindows(const Frame& frame, const std::vector<SampleWindow>& windows,
-                              bool withDistance, TakeWindow take) {
+Renderer::Impl::beginWindows(const Frame& frame, const std::vector<SampleWindow>& windows,
+                             bool withDistance, TakeWindow take) {
     auto planned = std::make_shared<const std::vector<SampleSheet>>(
         windows.empty() ? std::vector<SampleSheet>{}
                         : sheetsOf(piecesOf(windows, largestDrawing()), largestDrawing()));
@@ -254,7 +254,7 @@ Renderer::Parts::beginWindows(const Frame& frame, const std::vector<SampleWindow
     return stream.start(std::move(work));
 }
 
-void Renderer::Parts::waitFor(std::future<WindowStream::Seconds>& drawn, const char* stage) {
+void Renderer::Impl::waitFor(std::future<WindowStream::Seconds>& drawn, const char* stage) {
     WindowStream::Seconds seconds;
     double waited_s = 0.0;
     {
@@ -271,9 +271,9 @@ void Renderer::Parts::waitFor(std::future<WindowStream::Seconds>& drawn, const c
     addTime(stage, part * seconds.taking);
 }
 
-void Renderer::Parts::drawFactorWindows(const Frame& frame,
-                                        const std::vector<ZoomEntityInfo>& objects,
-                                        bool withDistance, const char* stage, TakeWindow take) {
+void Renderer::Impl::drawFactorWindows(const Frame& frame,
+                                       const std::vector<ZoomEntityInfo>& objects,
+                                       bool withDistance, const char* stage, TakeWindow take) {
     if (objects.empty())
         return;
     auto drawn =
@@ -282,7 +282,7 @@ void Renderer::Parts::drawFactorWindows(const Frame& frame,
     waitFor(drawn, stage);
 }
 
-void Renderer::Parts::addTruthLayers(const Frame& frame, RadianceImage& image) {
+void Renderer::Impl::addTruthLayers(const Frame& frame, RadianceImage& image) {
     TruthLayers truth(frame.evaluated->radiometry, frame.evaluated->radiances, fronts,
                       frame.backgrounds.front(), image);
     drawFactorWindows(frame, frame.seen, true, "truth layers",

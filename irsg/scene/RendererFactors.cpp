@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "irsg/scene/RendererParts.h"
+#include "irsg/scene/RendererImpl.h"
 
 namespace irsg {
 
@@ -16,7 +16,7 @@ std::vector<const FrameBackground*> pointersTo(const std::vector<FrameBackground
 
 } // namespace
 
-Renderer::Parts::ViewKey Renderer::Parts::viewKey(const Frame& frame) const {
+Renderer::Impl::ViewKey Renderer::Impl::viewKey(const Frame& frame) const {
     const RenderSettings& settings = frame.scene.settings;
     const Sensor& sensor = frame.view.sensor;
     ViewKey key;
@@ -52,19 +52,19 @@ Renderer::Parts::ViewKey Renderer::Parts::viewKey(const Frame& frame) const {
     return key;
 }
 
-std::vector<SampleWindow> Renderer::Parts::windowsOfSums(const Frame& frame) {
+std::vector<SampleWindow> Renderer::Impl::windowsOfSums(const Frame& frame) {
     if (frame.drawn.empty())
         return {};
     return antialiasing.strategyFor(frame.scene.settings).windowsOfSums(frame.drawn);
 }
 
-bool Renderer::Parts::sumsSampleAsPictures(const Frame& frame) {
+bool Renderer::Impl::sumsSampleAsPictures(const Frame& frame) {
     return frame.drawn.empty() ||
            windowsOfSums(frame) ==
                antialiasing.strategyFor(frame.scene.settings).windows(frame.drawn);
 }
 
-std::shared_ptr<Renderer::Parts::FactorDrawing> Renderer::Parts::beginFactors(const Frame& frame) {
+std::shared_ptr<Renderer::Impl::FactorDrawing> Renderer::Impl::beginFactors(const Frame& frame) {
     ViewKey key = viewKey(frame);
     std::vector<FrameBackground> varying;
     for (const FrameBackground& background : frame.backgrounds)
@@ -92,7 +92,7 @@ std::shared_ptr<Renderer::Parts::FactorDrawing> Renderer::Parts::beginFactors(co
     return view = drawing;
 }
 
-const ViewFactors& Renderer::Parts::factorsOf(const Frame& frame, FactorDrawing& drawing) {
+const ViewFactors& Renderer::Impl::factorsOf(const Frame& frame, FactorDrawing& drawing) {
     if (drawing.failure)
         std::rethrow_exception(drawing.failure);
     if (!drawing.windows.valid())
@@ -117,7 +117,7 @@ const ViewFactors& Renderer::Parts::factorsOf(const Frame& frame, FactorDrawing&
     return drawing.factors;
 }
 
-const ViewFactors& Renderer::Parts::factorsOf(const Frame& frame) {
+const ViewFactors& Renderer::Impl::factorsOf(const Frame& frame) {
     return factorsOf(frame, *beginFactors(frame));
 }
 

@@ -5,7 +5,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
-#include "irsg/scene/RendererParts.h"
+#include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/background/BandSky.h"
 #include "irsg/scene/radiance/HotSurfaces.h"
 
@@ -27,7 +27,7 @@ LineOfSight centreOf(const Viewpoint& viewpoint) {
 
 } // namespace
 
-void Renderer::Parts::addTime(const std::string& name, double seconds) {
+void Renderer::Impl::addTime(const std::string& name, double seconds) {
     auto found = std::ranges::find(stages, name, &StageTimes::Stage::name);
     if (found == stages.end())
         found = stages.insert(stages.end(), {name, 0.0, 0});
@@ -35,16 +35,16 @@ void Renderer::Parts::addTime(const std::string& name, double seconds) {
     ++found->calls;
 }
 
-bool Renderer::Parts::Frame::isTransparent() const {
+bool Renderer::Impl::Frame::isTransparent() const {
     return std::ranges::any_of(items, &SurfaceItem::transparent);
 }
 
-double Renderer::Parts::reachOf_m(const Entity& entity) {
-    const BoundingBall& ball = prepared.of(entity).ball;
+double Renderer::Impl::reachOf_m(const Entity& entity) {
+    const BoundingSphere& ball = prepared.of(entity).ball;
     return ball.radius_m + length(ball.centre_m - prepared.referencePoint(entity));
 }
 
-std::vector<ObjectGeometry> Renderer::Parts::geometry(const Scene& scene, const SensorView& view) {
+std::vector<ObjectGeometry> Renderer::Impl::geometry(const Scene& scene, const SensorView& view) {
     prepared.keep(scene.entities);
     std::vector<Vec3> points;
     for (const Entity& entity : scene.entities)
@@ -60,8 +60,8 @@ std::vector<ObjectGeometry> Renderer::Parts::geometry(const Scene& scene, const 
     return objects;
 }
 
-Renderer::Parts::Frame Renderer::Parts::frame(const Scene& scene, const SensorView& view,
-                                              const Wanted& wanted) {
+Renderer::Impl::Frame Renderer::Impl::frame(const Scene& scene, const SensorView& view,
+                                            const Wanted& wanted) {
     const std::vector<Band> bands =
         wanted.bands.empty() ? std::vector<Band>{view.sensor.band} : wanted.bands;
     Frame result(scene, view, bands);
@@ -76,7 +76,7 @@ Renderer::Parts::Frame Renderer::Parts::frame(const Scene& scene, const SensorVi
     return result;
 }
 
-void Renderer::Parts::evaluate(Frame& frame) {
+void Renderer::Impl::evaluate(Frame& frame) {
     timed("radiometry", [&] {
         air.setEnvironment(frame.scene.environment);
         background.setSkybox(frame.scene.skybox);
@@ -99,7 +99,7 @@ void Renderer::Parts::evaluate(Frame& frame) {
     });
 }
 
-std::shared_ptr<const SampledScene> Renderer::Parts::sample(const Frame& frame) {
+std::shared_ptr<const SampledScene> Renderer::Impl::sample(const Frame& frame) {
     const AirScene scene{terms, frame.scene.entities, frame.geometry, frame.scene.settings,
                          frame.centre};
     return sampledScenes.of(air, scene, frame.bands, [&](const AirScene& own, const Band& band) {
@@ -109,7 +109,7 @@ std::shared_ptr<const SampledScene> Renderer::Parts::sample(const Frame& frame) 
     });
 }
 
-std::shared_ptr<const WidebandTerms> Renderer::Parts::wideband(const Scene& scene,
+std::shared_ptr<const WidebandPoints> Renderer::Impl::wideband(const Scene& scene,
                                                                const Band& band) {
     WidebandSpectra spectra = widebandSpectraOf(scene.entities);
     const auto found = std::ranges::find_if(widebandTerms, [&](const auto& kept) {
@@ -119,8 +119,8 @@ std::shared_ptr<const WidebandTerms> Renderer::Parts::wideband(const Scene& scen
         std::rotate(widebandTerms.begin(), found, found + 1);
     } else {
         auto made = timed("wideband terms", [&] {
-            return std::make_shared<const WidebandTerms>(scene.environment, band,
-                                                         std::move(spectra));
+            return std::make_shared<const WidebandPoints>(scene.environment, band,
+                                                          std::move(spectra));
         });
         widebandTerms.insert(widebandTerms.begin(), std::move(made));
         if (widebandTerms.size() > mostTermsKept)
@@ -129,7 +129,7 @@ std::shared_ptr<const WidebandTerms> Renderer::Parts::wideband(const Scene& scen
     return widebandTerms.front();
 }
 
-void Renderer::Parts::drawBackgrounds(Frame& frame, const std::vector<SampledBand>& bands) {
+void Renderer::Impl::drawBackgrounds(Frame& frame, const std::vector<SampledBand>& bands) {
     const RenderSettings& settings = frame.scene.settings;
     for (std::size_t k = 0; k < bands.size(); ++k) {
         const BandSky sky(frame.scene.environment, *bands[k].sampling);
@@ -150,7 +150,7 @@ void Renderer::Parts::drawBackgrounds(Frame& frame, const std::vector<SampledBan
     }
 }
 
-void Renderer::Parts::fillRows(Frame& frame) {
+void Renderer::Impl::fillRows(Frame& frame) {
     const SurfaceRows& rows = frame.surfaceRows();
     KindRadiances& radiances = frame.evaluated->radiances;
     std::vector<FactorKind> kinds;
@@ -169,7 +169,7 @@ void Renderer::Parts::fillRows(Frame& frame) {
     }
 }
 
-void Renderer::Parts::fillItems(Frame& frame) {
+void Renderer::Impl::fillItems(Frame& frame) {
     const RenderSettings& settings = frame.scene.settings;
     const SurfaceRows& rows = frame.surfaceRows();
     frame.hot.assign(rows.keys().size(), false);
@@ -197,7 +197,7 @@ void Renderer::Parts::fillItems(Frame& frame) {
     }
 }
 
-void Renderer::Parts::planPoints(Frame& frame) const {
+void Renderer::Impl::planPoints(Frame& frame) const {
     const RenderSettings& settings = frame.scene.settings;
     const bool mayBePoints = settings.zoomWindow > 0 &&
                              settings.zoomStrategy == ZoomStrategy::aligned &&
@@ -212,7 +212,7 @@ void Renderer::Parts::planPoints(Frame& frame) const {
     }
 }
 
-bool Renderer::Parts::isWholeAndApart(const Frame& frame, const ZoomEntityInfo& object) {
+bool Renderer::Impl::isWholeAndApart(const Frame& frame, const ZoomEntityInfo& object) {
     const Sensor& sensor = frame.view.sensor;
     const ImageRectangle& extent = object.extent;
     const bool isWhole = extent.left > 0.0 && extent.right < sensor.width_px && extent.top > 0.0 &&
@@ -222,7 +222,7 @@ bool Renderer::Parts::isWholeAndApart(const Frame& frame, const ZoomEntityInfo& 
            });
 }
 
-bool Renderer::Parts::touchesTerrain(const Frame& frame, const ImageRectangle& extent) const {
+bool Renderer::Impl::touchesTerrain(const Frame& frame, const ImageRectangle& extent) const {
     const std::vector<double>& coverage = background.layers().coverage;
     if (coverage.empty() || !frame.scene.settings.terrainHides)
         return false;
@@ -240,8 +240,8 @@ bool Renderer::Parts::touchesTerrain(const Frame& frame, const ImageRectangle& e
     return false;
 }
 
-std::vector<ImageRectangle> Renderer::Parts::detailsOf(const Frame& frame,
-                                                       const CameraFrame& camera, int entity) {
+std::vector<ImageRectangle> Renderer::Impl::detailsOf(const Frame& frame, const CameraFrame& camera,
+                                                      int entity) {
     std::vector<IrCodes> hot;
     const std::vector<SurfaceKey>& keys = frame.surfaceRows().keys();
     for (std::size_t row = 0; row < frame.hot.size(); ++row)
@@ -267,7 +267,7 @@ std::vector<ImageRectangle> Renderer::Parts::detailsOf(const Frame& frame,
     return details;
 }
 
-void Renderer::Parts::findDetails(Frame& frame) {
+void Renderer::Impl::findDetails(Frame& frame) {
     if (std::ranges::find(frame.hot, true) == frame.hot.end())
         return;
     ViewKey key = viewKey(frame);
@@ -288,8 +288,8 @@ void Renderer::Parts::findDetails(Frame& frame) {
         }
 }
 
-std::vector<ImageEdge> Renderer::Parts::edgesOf(const Frame& frame, const CameraFrame& camera,
-                                                int entity) {
+std::vector<ImageEdge> Renderer::Impl::edgesOf(const Frame& frame, const CameraFrame& camera,
+                                               int entity) {
     const Pose& pose = frame.entity(entity).pose;
     std::vector<ImageEdge> seen;
     for (const ModelEdge& edge : prepared.of(frame.entity(entity)).longEdges) {

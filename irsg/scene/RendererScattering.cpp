@@ -5,7 +5,7 @@
 
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/radiometry/NewLines.h"
-#include "irsg/scene/RendererParts.h"
+#include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/radiance/ScatteringDepth.h"
 
 namespace irsg {
@@ -30,8 +30,8 @@ double sentBy(const KindRadiance& kind, std::span<const Real> numbers) {
 
 } // namespace
 
-std::vector<ScatteredObject> Renderer::Parts::objectsToScatter(const Frame& frame,
-                                                               std::vector<std::string>& warnings) {
+std::vector<ScatteredObject> Renderer::Impl::objectsToScatter(const Frame& frame,
+                                                              std::vector<std::string>& warnings) {
     std::vector<ScatteredObject> objects;
     for (std::size_t e = 0; e < frame.scene.entities.size(); ++e) {
         const PathScattering path =
@@ -49,15 +49,15 @@ std::vector<ScatteredObject> Renderer::Parts::objectsToScatter(const Frame& fram
     return objects;
 }
 
-void Renderer::Parts::warnOfHazeFromOutside(const Frame& frame, int support_px,
-                                            std::vector<std::string>& warnings) {
+void Renderer::Impl::warnOfHazeFromOutside(const Frame& frame, int support_px,
+                                           std::vector<std::string>& warnings) {
     const Sensor& sensor = frame.view.sensor;
     const auto reach = static_cast<double>(support_px);
     const ImageRectangle seen{0.0, 0.0, static_cast<double>(sensor.width_px),
                               static_cast<double>(sensor.height_px)};
     const ImageRectangle near{-reach, -reach, seen.right + reach, seen.bottom + reach};
     for (const Entity& entity : frame.scene.entities) {
-        const BoundingBall& ball = prepared.of(entity).ball;
+        const BoundingSphere& ball = prepared.of(entity).ball;
         const auto extent =
             frame.camera.extentOfBall(entity.pose.toWorld(ball.centre_m), ball.radius_m);
         const auto box = frame.camera.extentOf(entity.model->bounds(), entity.pose);
@@ -71,8 +71,8 @@ void Renderer::Parts::warnOfHazeFromOutside(const Frame& frame, int support_px,
     }
 }
 
-void Renderer::Parts::scatter(const Frame& frame, RadianceImage& image,
-                              std::vector<std::string>& warnings) {
+void Renderer::Impl::scatter(const Frame& frame, RadianceImage& image,
+                             std::vector<std::string>& warnings) {
     std::vector<ScatteredObject> objects = objectsToScatter(frame, warnings);
     // What every pixel shows of each object, from the windows of the sampling. The published zoom
     // resamples what it draws, so that its objects are drawn on the pixels' own grid here.

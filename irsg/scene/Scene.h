@@ -56,7 +56,7 @@ struct Wanted {
     std::vector<Band> bands = {};
     /// Wavenumbers of a spectrum, cm-1, > 0, in any order; it is computed in the spectral mode,
     /// whichever is set.
-    std::vector<double> wavenumbers_cm1 = {};
+    std::vector<double> wavenumbers_per_cm = {};
     /// The view as a function of these scales, in each band, or at the wavenumbers where there are
     /// any. The entities' own scales must be empty then (LogicError).
     std::vector<ScalingInput> scalings = {};

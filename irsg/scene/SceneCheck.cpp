@@ -24,10 +24,10 @@ std::string text(double value) {
 
 /// An altitude that is negative by rounding alone is the ground.
 double altitude_m(double z_m, double range_m, const std::string& what,
-                  std::vector<Offence>& offences) {
+                  std::vector<Diagnostic>& diagnostics) {
     if (z_m < -1e-6 * std::max(1.0, range_m))
-        offences.push_back({what, "altitude", text(z_m) + " m",
-                            "at least 0 m: raise the target, or look from above"});
+        diagnostics.push_back({what, "altitude", text(z_m) + " m",
+                               "at least 0 m: raise the target, or look from above"});
     return std::max(z_m, 0.0);
 }
 
@@ -36,8 +36,8 @@ std::string faces(int count) {
 }
 
 void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double ambient_K,
-                 const std::vector<Band>& bands, std::vector<Offence>& offences) {
-    // One offence an index, with all the faces that carry it.
+                 const std::vector<Band>& bands, std::vector<Diagnostic>& diagnostics) {
+    // One diagnostic an index, with all the faces that carry it.
     std::map<int, int> missingTemperatures, missingMaterials;
     for (const auto& [codes, use] : entity.model->codes()) {
         if (!temperatureEntry(entity, codes.temperature))
@@ -47,9 +47,10 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
     }
     auto missing = [&](const char* kind, const std::map<int, int>& indices) {
         for (const auto& [index, count] : indices)
-            offences.push_back({entity.name, std::string(kind) + " index " + std::to_string(index),
-                                faces(count) + " of " + entity.model->name() + " carry it",
-                                "an entry in the signature database, or a fallback entry"});
+            diagnostics.push_back({entity.name,
+                                   std::string(kind) + " index " + std::to_string(index),
+                                   faces(count) + " of " + entity.model->name() + " carry it",
+                                   "an entry in the signature database, or a fallback entry"});
     };
     missing("temperature", missingTemperatures);
     missing("material", missingMaterials);
@@ -71,27 +72,28 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
             "temperature index " + std::to_string(index) + " (" + entry->name + ")";
         if (entry->mode == EmissionMode::userSpectrum) {
             if (!entity.database->spectra.contains(entry->userSpectrum))
-                offences.push_back({entity.name, place, "spectrum '" + entry->userSpectrum + "'",
-                                    "the name of a spectrum of the database"});
+                diagnostics.push_back({entity.name, place, "spectrum '" + entry->userSpectrum + "'",
+                                       "the name of a spectrum of the database"});
             continue;
         }
         const double temperature_K = surfaceTemperature_K(entry->terms, state);
         if (!(temperature_K > 0.0) || !std::isfinite(temperature_K))
-            offences.push_back({entity.name, place, text(temperature_K) + " K",
-                                "a positive temperature in the present state"});
+            diagnostics.push_back({entity.name, place, text(temperature_K) + " K",
+                                   "a positive temperature in the present state"});
     }
     const auto check = [&](int index, const Material* material, const Band& band) {
         for (const auto& [name, spectrum] :
              {std::pair("emissivity", &material->emissivity),
               std::pair("transmissivity", &material->transmissivity)})
             if (!spectrum->covers(band.range()))
-                offences.push_back({entity.name,
-                                    "material index " + std::to_string(index) + " (" +
-                                        material->name + ") " + name,
-                                    text(spectrum->wavelengths_um().front()) + " to " +
-                                        text(spectrum->wavelengths_um().back()) + " um",
-                                    "a spectrum that covers the band " + text(band.range().min_um) +
-                                        " to " + text(band.range().max_um) + " um"});
+                diagnostics.push_back({entity.name,
+                                       "material index " + std::to_string(index) + " (" +
+                                           material->name + ") " + name,
+                                       text(spectrum->wavelengths_um().front()) + " to " +
+                                           text(spectrum->wavelengths_um().back()) + " um",
+                                       "a spectrum that covers the band " +
+                                           text(band.range().min_um) + " to " +
+                                           text(band.range().max_um) + " um"});
     };
     for (const auto& [index, material] : materials)
         for (const Band& band : bands)
@@ -104,15 +106,15 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
                                            const std::vector<Vec3>& referencePoints,
                                            const Viewpoint& viewpoint) {
     std::vector<ObjectGeometry> result;
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (std::size_t e = 0; e < entities.size(); ++e) {
         const Vec3 toSensor = viewpoint.position_m - referencePoints[e];
         ObjectGeometry geometry;
         geometry.path.range_m = length(toSensor);
         geometry.path.sensorAltitude_m =
-            altitude_m(viewpoint.position_m.z, geometry.path.range_m, "sensor", offences);
+            altitude_m(viewpoint.position_m.z, geometry.path.range_m, "sensor", diagnostics);
         geometry.path.targetAltitude_m =
-            altitude_m(referencePoints[e].z, geometry.path.range_m, entities[e].name, offences);
+            altitude_m(referencePoints[e].z, geometry.path.range_m, entities[e].name, diagnostics);
         if (geometry.path.range_m > 0.0) {
             geometry.path.azimuth_rad = std::atan2(-toSensor.x, -toSensor.y);
             const Vec3 nose = entities[e].pose.attitude.rotation() * Vec3{0, 1, 0};
@@ -123,14 +125,14 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
         geometry.path = steadied(geometry.path);
         result.push_back(geometry);
     }
-    if (!offences.empty()) {
-        // A sensor below ground is one offence, however many targets it looks at.
-        auto last =
-            std::unique(offences.begin(), offences.end(), [](const Offence& a, const Offence& b) {
-                return a.file == b.file && a.value == b.value;
-            });
-        offences.erase(last, offences.end());
-        throw InputError(offences);
+    if (!diagnostics.empty()) {
+        // A sensor below ground is one diagnostic, however many targets it looks at.
+        auto last = std::unique(diagnostics.begin(), diagnostics.end(),
+                                [](const Diagnostic& a, const Diagnostic& b) {
+                                    return a.file == b.file && a.value == b.value;
+                                });
+        diagnostics.erase(last, diagnostics.end());
+        throw InputError(diagnostics);
     }
     return result;
 }
@@ -138,59 +140,61 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
 void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
                 const Environment& environment, const Sensor& sensor,
                 const std::vector<Band>& bands, const RenderSettings& settings) {
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     try {
         sensor.check();
     } catch (const InputError& error) {
-        offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+        diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                           error.diagnostics().end());
     }
     if (settings.zoomWindow != 0 && (settings.zoomWindow < 8 || settings.zoomWindow > 2048))
-        offences.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
-                            "0, or 8 to 2048 samples"});
+        diagnostics.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
+                               "0, or 8 to 2048 samples"});
     if (settings.zoomStrategy == ZoomStrategy::sills && settings.zoomWindow > 0 &&
         !std::has_single_bit(static_cast<unsigned>(settings.zoomWindow)))
-        offences.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
-                            "a power of two for the published zoom"});
+        diagnostics.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
+                               "a power of two for the published zoom"});
     if (!(settings.pointSourceBelow_px >= 0.0 && settings.pointSourceBelow_px <= 1.0))
-        offences.push_back({"settings", "point source below", text(settings.pointSourceBelow_px),
-                            "0 to 1 pixels"});
+        diagnostics.push_back({"settings", "point source below", text(settings.pointSourceBelow_px),
+                               "0 to 1 pixels"});
     if (settings.samplesPerAxis < 1 || settings.samplesPerAxis > 16)
-        offences.push_back(
+        diagnostics.push_back(
             {"settings", "samples per axis", std::to_string(settings.samplesPerAxis), "1 to 16"});
     if (settings.maximumLayers < 1)
-        offences.push_back(
+        diagnostics.push_back(
             {"settings", "maximum layers", std::to_string(settings.maximumLayers), "at least 1"});
     if (settings.backgroundRows < 0 || settings.backgroundRows > largestBackgroundGrid ||
         settings.backgroundColumns < 1 || settings.backgroundColumns > largestBackgroundGrid)
-        offences.push_back({"settings", "background rows and columns",
-                            std::to_string(settings.backgroundRows) + " x " +
-                                std::to_string(settings.backgroundColumns),
-                            "1 to " + std::to_string(largestBackgroundGrid) +
-                                " each, or 0 rows for as many as are needed"});
+        diagnostics.push_back({"settings", "background rows and columns",
+                               std::to_string(settings.backgroundRows) + " x " +
+                                   std::to_string(settings.backgroundColumns),
+                               "1 to " + std::to_string(largestBackgroundGrid) +
+                                   " each, or 0 rows for as many as are needed"});
     for (const TextureScale& scale : {settings.skybox, settings.terrain})
         if (!std::isfinite(scale.slope_W_m2_sr) || !std::isfinite(scale.offset))
-            offences.push_back({"settings", "slope and offset of a texture",
-                                text(scale.slope_W_m2_sr) + " and " + text(scale.offset),
-                                "finite numbers"});
+            diagnostics.push_back({"settings", "slope and offset of a texture",
+                                   text(scale.slope_W_m2_sr) + " and " + text(scale.offset),
+                                   "finite numbers"});
     if (settings.background == BackgroundMode::constant &&
         !(settings.background_W_m2_sr >= 0.0 && std::isfinite(settings.background_W_m2_sr)))
-        offences.push_back({"settings", "background", text(settings.background_W_m2_sr),
-                            "a finite radiance of at least 0 W m-2 sr-1"});
+        diagnostics.push_back({"settings", "background", text(settings.background_W_m2_sr),
+                               "a finite radiance of at least 0 W m-2 sr-1"});
 
     if (settings.scattering) {
         if (!isScatteringBuilt())
-            offences.push_back({"settings", "scattering", whyNoScattering(),
-                                "scattering off, or a build with FFTW"});
+            diagnostics.push_back({"settings", "scattering", whyNoScattering(),
+                                   "scattering off, or a build with FFTW"});
         else if (!scatteringLutOf(environment))
-            offences.push_back({"environment", "scattering", "no scattering atmosphere",
-                                "an AtmosphereScatteringLUT or an MTF database"});
+            diagnostics.push_back({"environment", "scattering", "no scattering atmosphere",
+                                   "an AtmosphereScatteringLUT or an MTF database"});
     }
     if (settings.mode == CalculationMode::wideband) {
         for (const Band& band : bands) {
             try {
                 environment.requireWideband(band.range());
             } catch (const InputError& error) {
-                offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+                diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                                   error.diagnostics().end());
             }
         }
     }
@@ -198,10 +202,10 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
     for (std::size_t e = 0; e < entities.size(); ++e) {
         const double ambient_K =
             environment.ambientTemperature_K(geometry[e].path.targetAltitude_m).value;
-        checkEntity(entities[e], geometry[e], ambient_K, bands, offences);
+        checkEntity(entities[e], geometry[e], ambient_K, bands, diagnostics);
     }
-    if (!offences.empty())
-        throw InputError(offences);
+    if (!diagnostics.empty())
+        throw InputError(diagnostics);
 }
 
 } // namespace irsg

@@ -12,7 +12,7 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
                                            const std::vector<Vec3>& referencePoints,
                                            const Viewpoint& viewpoint);
 
-/// Throws InputError with every offence of the scene: sensor, settings, faces without an entry
+/// Throws InputError with every diagnostic of the scene: sensor, settings, faces without an entry
 /// (codes and face counts), user-defined spectra that are missing, surface spectra that do not
 /// cover the bands, temperatures that are not positive, and air without the calculation mode.
 void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,

@@ -41,7 +41,7 @@ std::string pathOf(const char* table, const Key& key) {
 /// Puts one entry into its table and says under which key.
 template <typename Key, typename Entry>
 Key place(std::map<Key, Entry>& table, const char* name, const Key& wanted, Entry entry,
-          Taken taken, const std::string& toName, std::vector<Offence>& offences) {
+          Taken taken, const std::string& toName, std::vector<Diagnostic>& diagnostics) {
     const auto there = table.find(wanted);
     if (there == table.end() || taken == Taken::replace) {
         table[wanted] = std::move(entry);
@@ -51,8 +51,8 @@ Key place(std::map<Key, Entry>& table, const char* name, const Key& wanted, Entr
         return wanted;
     }
     if (taken == Taken::refuse) {
-        offences.push_back({toName, pathOf(name, wanted), "another entry",
-                            "a free place, or leave to renumber or to replace"});
+        diagnostics.push_back({toName, pathOf(name, wanted), "another entry",
+                               "a free place, or leave to renumber or to replace"});
         return wanted;
     }
     const Key free = nextFree(table, wanted);
@@ -68,11 +68,11 @@ Key place(std::map<Key, Entry>& table, const char* name, const Key& wanted, Entr
 CopyResult copyEntries(const SignatureDatabase& from, SignatureDatabase& to,
                        const CopyRequest& request, const std::string& fromName,
                        const std::string& toName) {
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     SignatureDatabase made = to;
     CopyResult result;
     const auto absent = [&](const std::string& path) {
-        offences.push_back({fromName, path, "no entry", "an entry that exists"});
+        diagnostics.push_back({fromName, path, "no entry", "an entry that exists"});
     };
 
     // Spectra first, so that temperatures can name the copies.
@@ -82,7 +82,7 @@ CopyResult copyEntries(const SignatureDatabase& from, SignatureDatabase& to,
             absent(spectrumPath(name));
         } else if (!result.spectra.contains(name)) {
             result.spectra[name] = place(made.spectra, "spectra", name, spectrum->second,
-                                         request.taken, toName, offences);
+                                         request.taken, toName, diagnostics);
         }
     };
     std::ranges::for_each(request.spectra, copySpectrum);
@@ -99,7 +99,7 @@ CopyResult copyEntries(const SignatureDatabase& from, SignatureDatabase& to,
             copy.userSpectrum = result.spectra.at(copy.userSpectrum);
         }
         result.temperatures[index] = place(made.temperatures, "temperatures", index,
-                                           std::move(copy), request.taken, toName, offences);
+                                           std::move(copy), request.taken, toName, diagnostics);
     }
     for (const int index : request.materials) {
         const auto material = from.materials.find(index);
@@ -108,10 +108,10 @@ CopyResult copyEntries(const SignatureDatabase& from, SignatureDatabase& to,
             continue;
         }
         result.materials[index] = place(made.materials, "materials", index, material->second,
-                                        request.taken, toName, offences);
+                                        request.taken, toName, diagnostics);
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
     to = std::move(made);
     return result;

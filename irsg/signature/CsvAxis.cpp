@@ -5,7 +5,7 @@
 namespace irsg {
 
 SpectralAxis readSpectralAxis(const CsvTable& table, const CsvColumns& columns,
-                              std::vector<Offence>& offences) {
+                              std::vector<Diagnostic>& diagnostics) {
     const CsvCell& cell = columns.corner;
     if (cell.text == "um" || cell.text == "\u00b5m" || cell.text == "\u03bcm") {
         return SpectralAxis::wavelength;
@@ -14,20 +14,21 @@ SpectralAxis readSpectralAxis(const CsvTable& table, const CsvColumns& columns,
         return SpectralAxis::wavenumber;
     }
     if (!columns.names.empty()) {
-        offences.push_back(table.offence(cell, "'um' or 'cm-1', the unit of the first column"));
+        diagnostics.push_back(
+            table.diagnostic(cell, "'um' or 'cm-1', the unit of the first column"));
     }
     return SpectralAxis::wavelength;
 }
 
 void checkSpectralAxis(const CsvTable& table, const CsvColumns& columns,
-                       std::vector<Offence>& offences) {
+                       std::vector<Diagnostic>& diagnostics) {
     const auto& axis = columns.axis;
     const bool descending = axis.size() > 1 && axis[1] < axis[0];
     for (std::size_t i = 0; i < axis.size(); ++i) {
         if (axis[i] <= 0.0) {
-            offences.push_back(table.offence(columns.axisCells[i], "a positive axis value"));
+            diagnostics.push_back(table.diagnostic(columns.axisCells[i], "a positive axis value"));
         } else if (i > 0 && !(descending ? axis[i] < axis[i - 1] : axis[i] > axis[i - 1])) {
-            offences.push_back(table.offence(
+            diagnostics.push_back(table.diagnostic(
                 columns.axisCells[i], std::string("a strictly ") +
                                           (descending ? "descending" : "ascending") +
                                           " axis: a value " + (descending ? "below " : "above ") +

@@ -9,14 +9,14 @@ namespace irsg {
 /// What the first column of a spectral table holds.
 enum class SpectralAxis { wavelength, wavenumber };
 
-/// Reads cell (0,0): `um` or `cm-1`. Everything else is an offence, unless the row of names is
+/// Reads cell (0,0): `um` or `cm-1`. Everything else is an diagnostic, unless the row of names is
 /// missing and said to be.
 SpectralAxis readSpectralAxis(const CsvTable& table, const CsvColumns& columns,
-                              std::vector<Offence>& offences);
+                              std::vector<Diagnostic>& diagnostics);
 
 /// An axis must be positive, and strictly monotonic in the direction of its first two nodes.
 void checkSpectralAxis(const CsvTable& table, const CsvColumns& columns,
-                       std::vector<Offence>& offences);
+                       std::vector<Diagnostic>& diagnostics);
 
 /// The axis in um, in the order of the file.
 std::vector<double> wavelengthsOf(const CsvColumns& columns, SpectralAxis axis);

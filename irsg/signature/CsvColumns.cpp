@@ -29,18 +29,18 @@ std::string expectedCells(std::size_t found, std::size_t wanted) {
 } // namespace
 
 CsvColumns readColumns(const CsvTable& table, std::size_t fewestNodes,
-                       std::vector<Offence>& offences) {
+                       std::vector<Diagnostic>& diagnostics) {
     CsvColumns columns;
     const auto& rows = table.rows();
     const std::string needed = "a row of names and at least " + std::to_string(fewestNodes) +
                                (fewestNodes == 1 ? " row" : " rows") + " of numbers";
     if (!rows.empty() && isForeign(rows.front())) {
-        offences.push_back(table.offence(rows.front().line, rows.front().cells[0].text,
-                                         "cells separated by commas, and decimal points"));
+        diagnostics.push_back(table.diagnostic(rows.front().line, rows.front().cells[0].text,
+                                               "cells separated by commas, and decimal points"));
         return columns;
     }
     if (rows.size() < fewestNodes + 1) {
-        offences.push_back(table.offence(std::to_string(rows.size()) + " rows", needed));
+        diagnostics.push_back(table.diagnostic(std::to_string(rows.size()) + " rows", needed));
         return columns;
     }
 
@@ -51,23 +51,23 @@ CsvColumns readColumns(const CsvTable& table, std::size_t fewestNodes,
     for (std::size_t i = 1; i < head.cells.size(); ++i) {
         const CsvCell& name = head.cells[i];
         if (name.text.empty()) {
-            offences.push_back(table.offence(name, "the name of a component"));
+            diagnostics.push_back(table.diagnostic(name, "the name of a component"));
         } else if (parseNumber(name.text)) {
-            offences.push_back(
-                table.offence(name, "the name of a component (is the row of names missing?)"));
+            diagnostics.push_back(
+                table.diagnostic(name, "the name of a component (is the row of names missing?)"));
         } else if (!isUtf8(name.text)) {
-            offences.push_back(
+            diagnostics.push_back(
                 {table.file(),
                  "line " + std::to_string(name.line) + ", column " + std::to_string(name.column),
                  "bytes that are not UTF-8", "a name in UTF-8"});
         } else if (!seen.insert(name.text).second) {
-            offences.push_back(table.offence(name, "each name once"));
+            diagnostics.push_back(table.diagnostic(name, "each name once"));
         }
         columns.names.push_back(name);
     }
     if (columns.names.empty()) {
-        offences.push_back(table.offence(head.line, columns.corner.text,
-                                         "at least one name behind the first cell"));
+        diagnostics.push_back(table.diagnostic(head.line, columns.corner.text,
+                                               "at least one name behind the first cell"));
     }
 
     // The numbers, in rows as long as the row of names.
@@ -76,18 +76,19 @@ CsvColumns readColumns(const CsvTable& table, std::size_t fewestNodes,
     for (std::size_t r = 1; r < rows.size(); ++r) {
         const CsvRow& row = rows[r];
         if (row.cells.size() != head.cells.size()) {
-            offences.push_back(table.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                                             expectedCells(row.cells.size(), head.cells.size())));
+            diagnostics.push_back(
+                table.diagnostic(row.line, std::to_string(row.cells.size()) + " cells",
+                                 expectedCells(row.cells.size(), head.cells.size())));
             continue;
         }
         columns.axis.push_back(
-            table.number(row.cells.front(), offences, expectedNumber(row.cells.front()))
+            table.number(row.cells.front(), diagnostics, expectedNumber(row.cells.front()))
                 .value_or(0.0));
         columns.axisCells.push_back(row.cells.front());
         for (std::size_t i = 0; i < columns.names.size(); ++i) {
             const CsvCell& cell = row.cells[i + 1];
             columns.values[i].push_back(
-                table.number(cell, offences, expectedNumber(cell)).value_or(0.0));
+                table.number(cell, diagnostics, expectedNumber(cell)).value_or(0.0));
             columns.cells[i].push_back(cell);
         }
     }

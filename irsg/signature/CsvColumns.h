@@ -18,9 +18,9 @@ struct CsvColumns {
     std::vector<std::vector<double>> values; ///< the same as finite numbers
 };
 
-/// Takes the columns out of a table with at least `fewestNodes` rows under the names. Offences are
-/// added to `offences`; the result is complete only where none were.
+/// Takes the columns out of a table with at least `fewestNodes` rows under the names. Diagnostics
+/// are added to `diagnostics`; the result is complete only where none were.
 CsvColumns readColumns(const CsvTable& table, std::size_t fewestNodes,
-                       std::vector<Offence>& offences);
+                       std::vector<Diagnostic>& diagnostics);
 
 } // namespace irsg

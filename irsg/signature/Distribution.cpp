@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/signature/DistributionLaw.h"
+#include "irsg/signature/TruncatedDistribution.h"
 #include "irsg/signature/random/PortableMath.h"
 
 namespace irsg {
@@ -13,19 +13,19 @@ namespace {
 constexpr double largestShape = 1e4;
 
 /// What is wrong with the numbers of a distribution.
-class Judge {
+class ParameterCheck {
   public:
     void require(bool holds, std::string_view what, double value, const char* expected) {
         if (!holds)
-            offences_.push_back({"", "", std::string(what) + " " + numberText(value), expected});
+            diagnostics_.push_back({"", "", std::string(what) + " " + numberText(value), expected});
     }
-    void throwOnOffences() {
-        if (!offences_.empty())
-            throw InputError(std::move(offences_));
+    void throwOnDiagnostics() {
+        if (!diagnostics_.empty())
+            throw InputError(std::move(diagnostics_));
     }
 
   private:
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
 };
 
 std::vector<double> defaultParameters(DistributionKind kind, double min, double max) {
@@ -65,47 +65,47 @@ std::vector<double> defaultParameters(DistributionKind kind, double min, double 
 }
 
 void checkEnds(DistributionKind kind, double min, double max) {
-    Judge judge;
+    ParameterCheck validate;
     const int number = static_cast<int>(kind);
-    judge.require(number >= 0 && number < distributionKindCount, "distribution", number,
-                  "a number from 0 to 14");
+    validate.require(number >= 0 && number < distributionKindCount, "distribution", number,
+                     "a number from 0 to 14");
     const auto isUsable = [](double x) { return std::isfinite(x) && std::abs(x) <= 1e150; };
-    judge.require(isUsable(min), "min", min, "a number between -1e150 and 1e150");
-    judge.require(isUsable(max), "max", max, "a number between -1e150 and 1e150");
-    judge.throwOnOffences();
-    judge.require(min <= max, "min", min, ("at most max, " + numberText(max)).c_str());
-    judge.throwOnOffences();
+    validate.require(isUsable(min), "min", min, "a number between -1e150 and 1e150");
+    validate.require(isUsable(max), "max", max, "a number between -1e150 and 1e150");
+    validate.throwOnDiagnostics();
+    validate.require(min <= max, "min", min, ("at most max, " + numberText(max)).c_str());
+    validate.throwOnDiagnostics();
 }
 
 /// What min and max must be for the default parameters to exist.
 void checkEndsForDefaults(DistributionKind kind, double min, double max) {
-    Judge judge;
+    ParameterCheck validate;
     if (min != max && (kind == DistributionKind::logNormal || kind == DistributionKind::pareto))
-        judge.require(min > 0.0, "min", min, "more than 0 for this distribution");
+        validate.require(min > 0.0, "min", min, "more than 0 for this distribution");
     if (min != max && kind == DistributionKind::poisson)
-        judge.require(0.5 * (min + max) > 0.0 && 0.5 * (min + max) <= largestShape, "a mean of",
-                      0.5 * (min + max), "min and max around a number above 0 and at most 1e4");
-    judge.throwOnOffences();
+        validate.require(0.5 * (min + max) > 0.0 && 0.5 * (min + max) <= largestShape, "a mean of",
+                         0.5 * (min + max), "min and max around a number above 0 and at most 1e4");
+    validate.throwOnDiagnostics();
 }
 
 void checkParameters(DistributionKind kind, const std::vector<double>& p) {
     const DistributionInfo& about = info(kind);
-    Judge judge;
+    ParameterCheck validate;
     const std::string expected = std::to_string(about.parameters.size()) + " for this distribution";
-    judge.require(p.size() == about.parameters.size(), "a number of parameters of",
-                  static_cast<double>(p.size()), expected.c_str());
-    judge.throwOnOffences();
+    validate.require(p.size() == about.parameters.size(), "a number of parameters of",
+                     static_cast<double>(p.size()), expected.c_str());
+    validate.throwOnDiagnostics();
     for (std::size_t i = 0; i < p.size(); ++i)
-        judge.require(std::isfinite(p[i]) && std::abs(p[i]) <= 1e150, about.parameters[i], p[i],
-                      "a number between -1e150 and 1e150");
-    judge.throwOnOffences();
+        validate.require(std::isfinite(p[i]) && std::abs(p[i]) <= 1e150, about.parameters[i], p[i],
+                         "a number between -1e150 and 1e150");
+    validate.throwOnDiagnostics();
 
     const auto positive = [&](std::size_t i) {
-        judge.require(p[i] > 0.0, about.parameters[i], p[i], "more than 0");
+        validate.require(p[i] > 0.0, about.parameters[i], p[i], "more than 0");
     };
     const auto shape = [&](std::size_t i) {
-        judge.require(p[i] >= 0.05 && p[i] <= largestShape, about.parameters[i], p[i],
-                      "a number from 0.05 to 1e4");
+        validate.require(p[i] >= 0.05 && p[i] <= largestShape, about.parameters[i], p[i],
+                         "a number from 0.05 to 1e4");
     };
     switch (kind) {
     case DistributionKind::uniform:
@@ -123,10 +123,11 @@ void checkParameters(DistributionKind kind, const std::vector<double>& p) {
         break;
     case DistributionKind::stable:
         positive(1);
-        judge.require(p[2] == 1.0 || (p[2] >= 0.5 && p[2] <= 0.9) || (p[2] >= 1.1 && p[2] <= 2.0),
-                      about.parameters[2], p[2], "0.5 to 0.9, 1, or 1.1 to 2");
-        judge.require(p[2] == 1.0 ? p[3] == 0.0 : std::abs(p[3]) <= 1.0, about.parameters[3], p[3],
-                      p[2] == 1.0 ? "0 where alpha is 1" : "a number from -1 to 1");
+        validate.require(p[2] == 1.0 || (p[2] >= 0.5 && p[2] <= 0.9) ||
+                             (p[2] >= 1.1 && p[2] <= 2.0),
+                         about.parameters[2], p[2], "0.5 to 0.9, 1, or 1.1 to 2");
+        validate.require(p[2] == 1.0 ? p[3] == 0.0 : std::abs(p[3]) <= 1.0, about.parameters[3],
+                         p[3], p[2] == 1.0 ? "0 where alpha is 1" : "a number from -1 to 1");
         break;
     case DistributionKind::gamma:
     case DistributionKind::chiSquared:
@@ -142,15 +143,15 @@ void checkParameters(DistributionKind kind, const std::vector<double>& p) {
         break;
     case DistributionKind::pareto:
         positive(0);
-        judge.require(p[1] > 0.0 && p[1] <= 1e9, about.parameters[1], p[1],
-                      "more than 0 and at most 1e9");
+        validate.require(p[1] > 0.0 && p[1] <= 1e9, about.parameters[1], p[1],
+                         "more than 0 and at most 1e9");
         break;
     case DistributionKind::poisson:
-        judge.require(p[0] > 0.0 && p[0] <= largestShape, about.parameters[0], p[0],
-                      "more than 0 and at most 1e4");
+        validate.require(p[0] > 0.0 && p[0] <= largestShape, about.parameters[0], p[0],
+                         "more than 0 and at most 1e4");
         break;
     }
-    judge.throwOnOffences();
+    validate.throwOnDiagnostics();
 }
 
 } // namespace
@@ -213,7 +214,7 @@ Distribution::Distribution(DistributionKind kind, double min, double max)
     if (isFixed())
         return;
     parameters_ = defaultParameters(kind, min, max);
-    law_ = std::make_shared<const Law>(kind, min, max, parameters_);
+    truncated_ = std::make_shared<const Truncated>(kind, min, max, parameters_);
 }
 
 Distribution::Distribution(DistributionKind kind, double min, double max,
@@ -222,7 +223,7 @@ Distribution::Distribution(DistributionKind kind, double min, double max,
     checkEnds(kind, min, max);
     checkParameters(kind, parameters_);
     if (!isFixed())
-        law_ = std::make_shared<const Law>(kind, min, max, parameters_);
+        truncated_ = std::make_shared<const Truncated>(kind, min, max, parameters_);
 }
 
 Distribution::~Distribution() = default;
@@ -238,13 +239,13 @@ bool Distribution::hasDefaultParameters() const {
 double Distribution::at(double u) const {
     if (isFixed())
         return min_;
-    return std::clamp(law_->at(std::clamp(u, 0x1p-60, 1.0 - 0x1p-53)), min_, max_);
+    return std::clamp(truncated_->at(std::clamp(u, 0x1p-60, 1.0 - 0x1p-53)), min_, max_);
 }
 
 double Distribution::probabilityUpTo(double x) const {
     if (isFixed() || x < min_ || x >= max_)
         return x < min_ ? 0.0 : 1.0;
-    return std::clamp(law_->probabilityUpTo(x), 0.0, 1.0);
+    return std::clamp(truncated_->probabilityUpTo(x), 0.0, 1.0);
 }
 
 bool Distribution::operator==(const Distribution& other) const {

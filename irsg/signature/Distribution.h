@@ -80,12 +80,12 @@ class Distribution {
     bool operator==(const Distribution& other) const;
 
   private:
-    class Law;
+    class Truncated;
 
     DistributionKind kind_;
     double min_, max_;
     std::vector<double> parameters_;
-    std::shared_ptr<const Law> law_; ///< null for a fixed value
+    std::shared_ptr<const Truncated> truncated_; ///< null for a fixed value
 };
 
 } // namespace irsg

@@ -10,35 +10,36 @@ namespace irsg {
 namespace {
 
 void checkNames(const CsvTable& table, const CsvColumns& columns, const UserSpectrum& spectrum,
-                std::vector<Offence>& offences) {
+                std::vector<Diagnostic>& diagnostics) {
     std::string known;
     for (const SpectrumComponent& component : spectrum.components) {
         known += (known.empty() ? "" : ", ") + component.name;
     }
     for (const CsvCell& name : columns.names) {
         if (!name.text.empty() && spectrum.find(name.text) == nullptr) {
-            offences.push_back(table.offence(name, "a component of the spectrum '" + spectrum.name +
-                                                       "': " + known));
+            diagnostics.push_back(table.diagnostic(name, "a component of the spectrum '" +
+                                                             spectrum.name + "': " + known));
         }
     }
 }
 
 void checkNumbers(const CsvTable& table, const CsvColumns& columns, FactorAxis axis,
-                  std::vector<Offence>& offences) {
+                  std::vector<Diagnostic>& diagnostics) {
     for (std::size_t i = 0; i < columns.axis.size(); ++i) {
         const double position = columns.axis[i];
         if (axis == FactorAxis::angle_deg && (position < 0.0 || position > 180.0)) {
-            offences.push_back(
-                table.offence(columns.axisCells[i], "an angle from 0 to 180 degrees"));
+            diagnostics.push_back(
+                table.diagnostic(columns.axisCells[i], "an angle from 0 to 180 degrees"));
         }
         if (i > 0 && position <= columns.axis[i - 1]) {
-            offences.push_back(
-                table.offence(columns.axisCells[i], "a strictly ascending axis: a value above " +
-                                                        columns.axisCells[i - 1].text));
+            diagnostics.push_back(
+                table.diagnostic(columns.axisCells[i], "a strictly ascending axis: a value above " +
+                                                           columns.axisCells[i - 1].text));
         }
         for (std::size_t c = 0; c < columns.names.size(); ++c) {
             if (columns.values[c][i] < 0.0) {
-                offences.push_back(table.offence(columns.cells[c][i], "a factor of at least 0"));
+                diagnostics.push_back(
+                    table.diagnostic(columns.cells[c][i], "a factor of at least 0"));
             }
         }
     }
@@ -58,20 +59,21 @@ ComponentFactor& factorOf(ComponentFactors& factors, const std::string& componen
 void readFactorCsv(const std::filesystem::path& file, FactorAxis axis, bool loop,
                    const UserSpectrum& spectrum, ComponentFactors& into) {
     const CsvTable table = CsvTable::read(file);
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     if (loop && axis == FactorAxis::angle_deg) {
-        offences.push_back(table.offence("loop mode over angle", "loop mode over time alone"));
+        diagnostics.push_back(
+            table.diagnostic("loop mode over angle", "loop mode over time alone"));
     }
-    const CsvColumns columns = readColumns(table, loop ? 2 : 1, offences);
+    const CsvColumns columns = readColumns(table, loop ? 2 : 1, diagnostics);
     if (!columns.corner.text.empty()) {
-        offences.push_back(table.offence(columns.corner, "an empty first cell"));
+        diagnostics.push_back(table.diagnostic(columns.corner, "an empty first cell"));
     }
-    checkNames(table, columns, spectrum, offences);
-    if (offences.empty()) {
-        checkNumbers(table, columns, axis, offences);
+    checkNames(table, columns, spectrum, diagnostics);
+    if (diagnostics.empty()) {
+        checkNumbers(table, columns, axis, diagnostics);
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
 
     for (std::size_t i = 0; i < columns.names.size(); ++i) {

@@ -35,8 +35,8 @@ class Findings {
                                           .place = entry_ + place,
                                           .value = std::move(value),
                                           .reason = "expected " + expected,
-                                          .repair = "",
-                                          .mend = {}});
+                                          .remedy = "",
+                                          .repair = {}});
     }
 
     std::vector<Finding>& into_;
@@ -44,14 +44,14 @@ class Findings {
 };
 
 /// Repairs of one entry, which do nothing where it is gone.
-inline Finding::Mend onMaterial(int index, std::function<void(Material&)> change) {
+inline Finding::Repair onMaterial(int index, std::function<void(Material&)> change) {
     return [index, change = std::move(change)](SignatureDatabase& database) {
         if (const auto entry = database.materials.find(index); entry != database.materials.end()) {
             change(entry->second);
         }
     };
 }
-inline Finding::Mend onTemperature(int index, std::function<void(TemperatureEntry&)> change) {
+inline Finding::Repair onTemperature(int index, std::function<void(TemperatureEntry&)> change) {
     return [index, change = std::move(change)](SignatureDatabase& database) {
         if (const auto entry = database.temperatures.find(index);
             entry != database.temperatures.end()) {
@@ -59,8 +59,8 @@ inline Finding::Mend onTemperature(int index, std::function<void(TemperatureEntr
         }
     };
 }
-inline Finding::Mend onSpectrum(const std::string& name,
-                                std::function<void(UserSpectrum&)> change) {
+inline Finding::Repair onSpectrum(const std::string& name,
+                                  std::function<void(UserSpectrum&)> change) {
     return [name, change = std::move(change)](SignatureDatabase& database) {
         if (const auto entry = database.spectra.find(name); entry != database.spectra.end()) {
             change(entry->second);

@@ -74,19 +74,19 @@ void JsonProblems::add(const std::string& path, const json& value, std::string e
 }
 
 void JsonProblems::addText(const std::string& path, std::string value, std::string expected) {
-    offences_.push_back({fileName_, path, std::move(value), std::move(expected)});
+    diagnostics_.push_back({fileName_, path, std::move(value), std::move(expected)});
 }
 
 void JsonProblems::add(const std::string& path, const InputError& error) {
-    for (const Offence& offence : error.offences()) {
-        const std::string within = offence.position.empty() ? "" : ", " + offence.position;
-        addText(path + within, offence.value, offence.expected);
+    for (const Diagnostic& diagnostic : error.diagnostics()) {
+        const std::string within = diagnostic.position.empty() ? "" : ", " + diagnostic.position;
+        addText(path + within, diagnostic.value, diagnostic.expected);
     }
 }
 
 void JsonProblems::throwIfAny() const {
-    if (!offences_.empty()) {
-        throw InputError(offences_);
+    if (!diagnostics_.empty()) {
+        throw InputError(diagnostics_);
     }
 }
 

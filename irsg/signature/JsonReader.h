@@ -13,21 +13,21 @@
 
 namespace irsg {
 
-/// The offences of one JSON file, gathered while it is read.
+/// The diagnostics of one JSON file, gathered while it is read.
 class JsonProblems {
   public:
     explicit JsonProblems(std::string fileName) : fileName_(std::move(fileName)) {}
 
     void add(const std::string& path, const nlohmann::json& value, std::string expected);
     void addText(const std::string& path, std::string value, std::string expected);
-    /// The offences of `error` again, under the key path they belong to.
+    /// The diagnostics of `error` again, under the key path they belong to.
     void add(const std::string& path, const InputError& error);
     /// Throws InputError when there are any.
     void throwIfAny() const;
 
   private:
     std::string fileName_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
 };
 
 /// Parses a text into JSON. Throws InputError with line and column where it is not JSON, and for

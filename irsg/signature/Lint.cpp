@@ -102,42 +102,43 @@ std::vector<Finding> lint(const SignatureDatabase& database, const SpectralRange
 }
 
 std::vector<Finding> repairAll(SignatureDatabase& database, const LintScope& scope) {
-    std::vector<Finding> mended;
+    std::vector<Finding> repaired;
     std::set<std::string> before;
     for (int round = 0; round < mostRounds; ++round) {
         // One repair a place and a round: the next may no longer be right once the first is made.
         std::set<std::string> touched;
         for (const Finding& finding : lint(database, scope)) {
-            const bool wanted = finding.mend && !finding.removes;
+            const bool wanted = finding.repair && !finding.removes;
             if (wanted && before.insert(finding.place + "|" + finding.value).second &&
                 touched.insert(finding.place).second) {
-                finding.mend(database);
-                mended.push_back(finding);
+                finding.repair(database);
+                repaired.push_back(finding);
             }
         }
         if (touched.empty()) {
             break;
         }
     }
-    return mended;
+    return repaired;
 }
 
-std::vector<Offence> lintErrors(const SignatureDatabase& database, const std::string& file) {
+std::vector<Diagnostic> lintErrors(const SignatureDatabase& database, const std::string& file) {
     constexpr std::string_view prefix = "expected ";
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (const Finding& finding : lint(database)) {
         if (finding.isError()) {
-            offences.push_back({file, finding.place, finding.value,
-                                finding.reason.substr(prefix.size()) +
-                                    (finding.repair.empty() ? "" : " (" + finding.repair + ")")});
+            diagnostics.push_back(
+                {file, finding.place, finding.value,
+                 finding.reason.substr(prefix.size()) +
+                     (finding.remedy.empty() ? "" : " (" + finding.remedy + ")")});
         }
     }
-    return offences;
+    return diagnostics;
 }
 
 void throwOnLintErrors(const SignatureDatabase& database, const std::string& file) {
-    if (auto offences = lintErrors(database, file); !offences.empty()) {
-        throw InputError(std::move(offences));
+    if (auto diagnostics = lintErrors(database, file); !diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
 }
 

@@ -20,16 +20,16 @@ struct Finding {
         error    ///< physically wrong: such a database is neither loaded nor saved
     };
     /// Changes nothing where the entry it is about is gone.
-    using Mend = std::function<void(SignatureDatabase&)>;
+    using Repair = std::function<void(SignatureDatabase&)>;
 
     Severity severity = Severity::error;
     std::string entry; ///< "materials.3" (EntryPath.h), "title", "notes", or "model"
     std::string place; ///< the entry and where in it: "materials.3.emissivity at 4.2 um"
     std::string value;
     std::string reason;   ///< "expected a value from 0 to 1", with why where that is not plain
-    std::string repair;   ///< what would mend it; may be empty
-    Mend mend;            ///< does what `repair` says; empty where a person has to choose
-    bool removes = false; ///< `mend` deletes something: only a person may ask for it
+    std::string remedy;   ///< what would repair it; may be empty
+    Repair repair;        ///< does what `remedy` says; empty where a person has to choose
+    bool removes = false; ///< `repair` deletes something: only a person may ask for it
 
     bool isError() const { return severity == Severity::error; }
 };
@@ -70,7 +70,7 @@ struct LintScope {
 /// Warnings, the suspicion named: temperatures outside 200 to 4000 K at rest in air of 288.15 K and
 /// outside 100 to 4000 K over the tables and the states given; degrees Celsius for K; percent for
 /// fractions; nm or cm-1 for um; km for m of altitude; radians for degrees; m/s for Mach;
-/// brightness temperatures outside 200 to 4000 K, with the unit that would mend them (W cm-2
+/// brightness temperatures outside 200 to 4000 K, with the unit that would repair them (W cm-2
 /// against W m-2, per cm-1 against per um); curves that become a Planck curve only when the density
 /// per cm-1 is told from that per um; loops that jump; spectra that do not cover the band; tables
 /// that hold their end value in the states given; entries that nothing uses; levels of detail.
@@ -79,8 +79,8 @@ struct LintScope {
 std::vector<Finding> lint(const SignatureDatabase& database, const LintScope& scope = {});
 std::vector<Finding> lint(const SignatureDatabase& database, const SpectralRange& band);
 
-/// Mends what can be mended without removing anything, and looks again until nothing is left to
-/// mend. Returns the findings that were mended, in order.
+/// Repairs what can be repaired without removing anything, and looks again until nothing is left to
+/// repair. Returns the findings that were repaired, in order.
 std::vector<Finding> repairAll(SignatureDatabase& database, const LintScope& scope = {});
 
 } // namespace irsg

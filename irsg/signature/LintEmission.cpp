@@ -46,8 +46,8 @@ std::vector<std::string> namesOf(const UserSpectrum& spectrum) {
 }
 
 /// Changes one factor of one entry, as long as it is still that of the same component.
-Finding::Mend onFactor(int index, std::size_t position, const std::string& component,
-                       std::function<void(ComponentFactor&)> change) {
+Finding::Repair onFactor(int index, std::size_t position, const std::string& component,
+                         std::function<void(ComponentFactor&)> change) {
     return onTemperature(index, [=, change = std::move(change)](TemperatureEntry& entry) {
         if (position < entry.factors.size() && entry.factors[position].component == component) {
             change(entry.factors[position]);
@@ -69,8 +69,8 @@ void refuseNegatives(const LintedTable& linted, Findings& findings) {
     }
     Finding& found = findings.error(linted.place, numberText(std::ranges::min(linted.table.y())),
                                     "factors of at least 0");
-    found.repair = "set what is negative to 0";
-    found.mend = linted.mend(withoutNegatives);
+    found.remedy = "set what is negative to 0";
+    found.repair = linted.repairWith(withoutNegatives);
 }
 
 /// A full turn whose halves mirror each other says no more than its first half.
@@ -107,8 +107,8 @@ void lintAngles(const LintedTable& linted, Findings& findings) {
                                             numberText(angles_deg.back()) + " deg",
                                         "angles from 0 to 180 deg");
         if (mirrorsAtHalfATurn(linted.table)) {
-            found.repair = "keep the half from 0 to 180 deg: the other mirrors it";
-            found.mend = linted.mend(firstHalf);
+            found.remedy = "keep the half from 0 to 180 deg: the other mirrors it";
+            found.repair = linted.repairWith(firstHalf);
         }
     }
     suspectAxis(linted, pi / 2.0 - 0.01, pi + 0.01, "angles in degrees",
@@ -158,8 +158,8 @@ void lintEmission(int index, const TemperatureEntry& entry, const SignatureDatab
             names.push_back(name);
         }
         if (const std::string name = meant(entry.userSpectrum, names); !name.empty()) {
-            found.repair = "take '" + name + "'";
-            found.mend =
+            found.remedy = "take '" + name + "'";
+            found.repair =
                 onTemperature(index, [name](TemperatureEntry& to) { to.userSpectrum = name; });
         }
     }
@@ -174,17 +174,17 @@ void lintEmission(int index, const TemperatureEntry& entry, const SignatureDatab
                                "a component of the spectrum '" + entry.userSpectrum + "'");
             if (const std::string name = meant(factor.component, namesOf(spectrum->second));
                 !name.empty()) {
-                found.repair = "take '" + name + "'";
-                found.mend = onFactor(index, i, factor.component,
-                                      [name](ComponentFactor& to) { to.component = name; });
+                found.remedy = "take '" + name + "'";
+                found.repair = onFactor(index, i, factor.component,
+                                        [name](ComponentFactor& to) { to.component = name; });
             }
         }
         if (!seen.insert(factor.component).second) {
             Finding& found = findings.error(place, "'" + factor.component + "' a second time",
                                             "one factor a component");
-            found.repair = "delete this one";
+            found.remedy = "delete this one";
             found.removes = true;
-            found.mend =
+            found.repair =
                 onTemperature(index, [i, component = factor.component](TemperatureEntry& to) {
                     if (i < to.factors.size() && to.factors[i].component == component) {
                         to.factors.erase(to.factors.begin() + static_cast<std::ptrdiff_t>(i));

@@ -8,8 +8,8 @@
 
 namespace irsg {
 
-/// The findings of severity error as offences of `file`.
-std::vector<Offence> lintErrors(const SignatureDatabase& database, const std::string& file);
+/// The findings of severity error as diagnostics of `file`.
+std::vector<Diagnostic> lintErrors(const SignatureDatabase& database, const std::string& file);
 /// Throws InputError when there are any.
 void throwOnLintErrors(const SignatureDatabase& database, const std::string& file);
 

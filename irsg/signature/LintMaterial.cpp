@@ -47,8 +47,8 @@ bool lintFraction(int index, const std::string& place, const Material& material,
     if (!spectrum.isConstant() && spectrum.outside() != Spectrum::Outside::hold) {
         Finding& found = findings.error(place, "a spectrum that is zero outside its axis",
                                         "a surface property that holds its end values");
-        found.repair = "hold the end values";
-        found.mend = onMaterial(index, [property](Material& to) {
+        found.remedy = "hold the end values";
+        found.repair = onMaterial(index, [property](Material& to) {
             to.*property = Spectrum((to.*property).wavelengths_um(), (to.*property).values());
         });
     }
@@ -61,13 +61,13 @@ bool lintFraction(int index, const std::string& place, const Material& material,
     const double lowest = spectrum.minimum();
     const double highest = spectrum.maximum();
     if (lowest >= 0.0 && highest > leastPercent && highest <= mostPercent) {
-        found.repair = "percent taken for fractions? Divide by 100";
-        found.mend = onMaterial(index, [property](Material& to) {
+        found.remedy = "percent taken for fractions? Divide by 100";
+        found.repair = onMaterial(index, [property](Material& to) {
             to.*property = (to.*property).mapped([](double value) { return value / mostPercent; });
         });
     } else if (lowest >= -noise && highest <= 1.0 + noise) {
-        found.repair = "noise of a measurement? Cut off at 0 and 1";
-        found.mend = onMaterial(index, [property](Material& to) {
+        found.remedy = "noise of a measurement? Cut off at 0 and 1";
+        found.repair = onMaterial(index, [property](Material& to) {
             to.*property =
                 (to.*property).mapped([](double value) { return std::clamp(value, 0.0, 1.0); });
         });
@@ -117,8 +117,8 @@ void lintSum(int index, const Material& material, Findings& findings) {
     Finding& found = findings.error(
         grey ? "" : " at " + numberText(worst_um) + " um",
         "emissivity + transmissivity = " + numberText(1.0 - reflectivity), "a sum of at most 1");
-    found.repair = "lower the transmissivity to 1 - emissivity where the sum is above 1";
-    found.mend = onMaterial(index, lowerTransmissivity);
+    found.remedy = "lower the transmissivity to 1 - emissivity where the sum is above 1";
+    found.repair = onMaterial(index, lowerTransmissivity);
 }
 
 /// Returns whether the axis can be one of the infrared.
@@ -138,9 +138,9 @@ bool lintAxis(int index, const std::string& place, const Material& material, Pro
                          "wavelengths from 0.1 to 200 um");
     const auto readings = otherReadings(first_um, last_um, bands);
     const bool clear = isClear(readings, first_um, last_um, bands);
-    found.repair = axisRepair(readings, clear);
+    found.remedy = axisRepair(readings, clear);
     if (clear) {
-        found.mend = onMaterial(index, [property, reading = readings.front()](Material& to) {
+        found.repair = onMaterial(index, [property, reading = readings.front()](Material& to) {
             std::vector<std::size_t> order;
             auto axis_um = readOtherwise((to.*property).wavelengths_um(), reading, order);
             std::vector<double> values;

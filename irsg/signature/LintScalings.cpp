@@ -58,7 +58,7 @@ class ScalingLint {
             kind_ == ScalingKind::temperature ? temperaturePath(index_) : materialPath(index_);
         Finding& found = Findings(findings_, entry).warning("", std::move(value), expected);
         found.place = file_ + " " + std::to_string(index_);
-        found.repair = std::move(repair);
+        found.remedy = std::move(repair);
     }
 
     std::string idleBecause() const {
@@ -183,8 +183,8 @@ ScalingUse scalingUseOf(const std::filesystem::path& model) {
                 table = readScalingFile(file, kind);
             }
         } catch (const InputError& error) {
-            use.offences.insert(use.offences.end(), error.offences().begin(),
-                                error.offences().end());
+            use.diagnostics.insert(use.diagnostics.end(), error.diagnostics().begin(),
+                                   error.diagnostics().end());
         }
     };
     take(ScalingKind::temperature, use.temperatureFile, use.scalings.temperatures);
@@ -195,11 +195,12 @@ ScalingUse scalingUseOf(const std::filesystem::path& model) {
 std::vector<Finding> lintScalings(const SignatureDatabase& database, const ModelUse& model,
                                   const ScalingUse& use) {
     std::vector<Finding> findings;
-    for (const Offence& offence : use.offences) {
-        Finding& found = Findings(findings, "model").error("", offence.value, offence.expected);
-        found.place = std::filesystem::path(offence.file).filename().string() +
-                      (offence.position.empty() ? "" : ", " + offence.position);
-        found.repair = "mend the file where it was made; without it nothing is scaled";
+    for (const Diagnostic& diagnostic : use.diagnostics) {
+        Finding& found =
+            Findings(findings, "model").error("", diagnostic.value, diagnostic.expected);
+        found.place = std::filesystem::path(diagnostic.file).filename().string() +
+                      (diagnostic.position.empty() ? "" : ", " + diagnostic.position);
+        found.remedy = "repair the file where it was made; without it nothing is scaled";
     }
     for (const ScalingKind kind : {ScalingKind::temperature, ScalingKind::emissivity}) {
         ScalingLint lint(database, model, use, kind, findings);

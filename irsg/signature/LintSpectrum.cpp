@@ -17,8 +17,8 @@ void lintNegatives(const std::string& key, const SpectrumComponent& component, F
     }
     Finding& found = findings.warning("." + component.name, numberText(lowest) + " W m-2 sr-1 um-1",
                                       "radiance of at least 0");
-    found.repair = "noise of a measurement? Set what is negative to 0";
-    found.mend = onSpectrum(key, [name = component.name](UserSpectrum& to) {
+    found.remedy = "noise of a measurement? Set what is negative to 0";
+    found.repair = onSpectrum(key, [name = component.name](UserSpectrum& to) {
         for (SpectrumComponent& each : to.components) {
             if (each.name == name) {
                 each.radiance =
@@ -43,8 +43,8 @@ void lintSpectrum(const std::string& key, const UserSpectrum& spectrum,
             findings.error("", "the name '" + spectrum.name + "'",
                            "the name it is filed under, '" + key + "', and not an empty one");
         if (!key.empty()) {
-            found.repair = "name it '" + key + "'";
-            found.mend = onSpectrum(key, [key](UserSpectrum& to) { to.name = key; });
+            found.remedy = "name it '" + key + "'";
+            found.repair = onSpectrum(key, [key](UserSpectrum& to) { to.name = key; });
         }
     }
     if (!(spectrum.referenceDistance_m >= 0.0) || !std::isfinite(spectrum.referenceDistance_m)) {

@@ -17,9 +17,9 @@ void refuseLoop(const LintedTable& linted, Findings& findings) {
         return;
     }
     Finding& found = findings.error(linted.place, "a table in loop mode", "a loop over time alone");
-    found.repair = "switch the loop mode off";
-    found.mend =
-        linted.mend([](const LookupTable& table) { return LookupTable(table.x(), table.y()); });
+    found.remedy = "switch the loop mode off";
+    found.repair = linted.repairWith(
+        [](const LookupTable& table) { return LookupTable(table.x(), table.y()); });
 }
 
 void lintLoop(const LintedTable& linted, Findings& findings) {
@@ -40,8 +40,8 @@ void lintLoop(const LintedTable& linted, Findings& findings) {
         "a jump from " + numberText(values.back()) + " to " + numberText(values.front()) +
             " at each turn",
         "a last value equal to the first: the last node is the first of the next turn");
-    found.repair = "add a last node with the first value, one step later";
-    found.mend = linted.mend([](const LookupTable& open) {
+    found.remedy = "add a last node with the first value, one step later";
+    found.repair = linted.repairWith([](const LookupTable& open) {
         std::vector<double> axis = open.x();
         std::vector<double> closed = open.y();
         axis.push_back(2.0 * axis.back() - axis[axis.size() - 2]);
@@ -59,9 +59,9 @@ void suspectAxis(const LintedTable& linted, double low, double high, const std::
     Finding& found = findings.warning(
         linted.place, "an axis from " + numberText(axis.front()) + " to " + numberText(axis.back()),
         expected);
-    found.repair = suspicion;
-    found.mend =
-        linted.mend([factor](const LookupTable& table) { return withAxisTimes(table, factor); });
+    found.remedy = suspicion;
+    found.repair = linted.repairWith(
+        [factor](const LookupTable& table) { return withAxisTimes(table, factor); });
 }
 
 } // namespace irsg

@@ -9,13 +9,13 @@
 namespace irsg {
 
 /// Gives a table a new value in whatever database the repair is applied to.
-using TableMend = std::function<Finding::Mend(std::function<LookupTable(const LookupTable&)>)>;
+using TableRepair = std::function<Finding::Repair(std::function<LookupTable(const LookupTable&)>)>;
 
 /// A table at `place` of its entry, with the way to change it.
 struct LintedTable {
     std::string place;
     const LookupTable& table;
-    TableMend mend;
+    TableRepair repairWith;
 };
 
 /// The nodes of a table with its axis multiplied by a factor above 0.
@@ -25,7 +25,7 @@ LookupTable withAxisTimes(const LookupTable& table, double factor);
 void refuseLoop(const LintedTable& linted, Findings& findings);
 /// A loop whose last value is not its first jumps at each turn: a warning.
 void lintLoop(const LintedTable& linted, Findings& findings);
-/// An axis that ends between `low` and `high` is `suspicion` ("km?"); `factor` would mend it.
+/// An axis that ends between `low` and `high` is `suspicion` ("km?"); `factor` would repair it.
 void suspectAxis(const LintedTable& linted, double low, double high, const std::string& expected,
                  const std::string& suspicion, double factor, Findings& findings);
 

@@ -44,8 +44,8 @@ void lintFactors(int index, const TemperatureTerms& terms, Findings& findings) {
             findings.warning(".terms.recoveryFactor", numberText(terms.recoveryFactor),
                              "a recovery factor from 0 to 1 (0.85 laminar, 0.89 turbulent)");
         if (terms.recoveryFactor > 2.0 && terms.recoveryFactor <= wholePercent) {
-            found.repair = "percent taken for a fraction? Divide by 100";
-            found.mend = onTemperature(
+            found.remedy = "percent taken for a fraction? Divide by 100";
+            found.repair = onTemperature(
                 index, [](TemperatureEntry& entry) { entry.terms.recoveryFactor /= wholePercent; });
         }
     }
@@ -66,10 +66,10 @@ bool lintRest(int index, const TemperatureTerms& terms, Findings& findings) {
     if (rest_K >= coldestAtRest_K) {
         return false;
     }
-    found.repair = "degrees Celsius taken for K? Add 273.15 to base_K";
+    found.remedy = "degrees Celsius taken for K? Add 273.15 to base_K";
     const double kelvin_K = kelvinFromCelsius(rest_K);
     if (kelvin_K >= coldestAtRest_K && kelvin_K <= hottestSurface_K) {
-        found.mend = onTemperature(index, [](TemperatureEntry& entry) {
+        found.repair = onTemperature(index, [](TemperatureEntry& entry) {
             entry.terms.base_K = kelvinFromCelsius(entry.terms.base_K);
         });
     }

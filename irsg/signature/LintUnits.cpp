@@ -34,8 +34,8 @@ struct UnitReading {
     double at(double wavelength_um) const {
         switch (jacobian) {
         case Jacobian::perWavenumber:
-            return factor *
-                   perMicrometreFromPerWavenumber(1.0, wavenumberFromWavelength_cm1(wavelength_um));
+            return factor * perMicrometreFromPerWavenumber(
+                                1.0, wavenumberFromWavelength_per_cm(wavelength_um));
         case Jacobian::perMicrometre:
             return factor * perWavenumberFromPerMicrometre(1.0, wavelength_um);
         case Jacobian::none:
@@ -94,15 +94,15 @@ bool isPlausible(double brightness_K) {
 }
 
 /// The repair says in the notes of the spectrum what was done to it.
-Finding::Mend multiply(const std::string& key, const std::string& component,
-                       const UnitReading& reading) {
+Finding::Repair multiply(const std::string& key, const std::string& component,
+                         const UnitReading& reading) {
     return onSpectrum(key, [component, reading](UserSpectrum& spectrum) {
         for (SpectrumComponent& each : spectrum.components) {
             if (each.name == component) {
                 each.radiance = Spectrum(each.radiance.wavelengths_um(),
                                          readAs(each.radiance, reading), Spectrum::Outside::zero);
                 spectrum.notes += (spectrum.notes.empty() ? "" : "; ") + component +
-                                  " mended by lint, " + reading.suspicion;
+                                  " repaired by lint, " + reading.suspicion;
             }
         }
     });
@@ -219,8 +219,8 @@ void lintRadianceUnit(const std::string& key, const UserSpectrum& spectrum, std:
                             rounded(body->temperature_K) + " K",
             "the unit that the file holds: " + rounded(body->temperature_K) +
                 " K and an emissivity of " + rounded(body->emissivity) + " in another");
-        found.repair = reading->suspicion;
-        found.mend = multiply(key, curve.name, *reading);
+        found.remedy = reading->suspicion;
+        found.repair = multiply(key, curve.name, *reading);
         return;
     }
     if (peak_K == 0.0 || isPlausible(peak_K)) {
@@ -231,8 +231,8 @@ void lintRadianceUnit(const std::string& key, const UserSpectrum& spectrum, std:
         "a brightness temperature from 200 to 4000 K");
     for (const UnitReading& reading : otherUnits(peak_K < coldest_K)) {
         if (isPlausible(peakBrightness_K(axis_um, readAs(radiance, reading)))) {
-            found.repair = reading.suspicion;
-            found.mend = multiply(key, curve.name, reading);
+            found.remedy = reading.suspicion;
+            found.repair = multiply(key, curve.name, reading);
             break;
         }
     }
@@ -249,11 +249,11 @@ bool lintSpectrumAxis(const std::string& key, const UserSpectrum& spectrum,
         "wavelengths from 0.1 to 200 um");
     const auto readings = otherReadings(axis_um.front(), axis_um.back(), bands);
     const bool clear = isClear(readings, axis_um.front(), axis_um.back(), bands);
-    found.repair = axisRepair(readings, clear);
+    found.remedy = axisRepair(readings, clear);
     if (!clear) {
         return true;
     }
-    found.mend = onSpectrum(key, [reading = readings.front()](UserSpectrum& to) {
+    found.repair = onSpectrum(key, [reading = readings.front()](UserSpectrum& to) {
         bool perWavenumber = false;
         try {
             perWavenumber = SpectralRadianceUnit::parse(to.importedUnit).perWavenumber;

@@ -15,7 +15,7 @@ Finding& missing(const std::string& entry, int faces, const std::string& model,
     Finding& found = findings.error("", "no entry",
                                     "one for the " + std::to_string(faces) + " faces of " + model +
                                         " that carry this code");
-    found.repair = "add an entry, to be given its real values; or name a fallback in the project";
+    found.remedy = "add an entry, to be given its real values; or name a fallback in the project";
     return found;
 }
 
@@ -28,8 +28,8 @@ void lintMissing(const std::map<int, int>& faces, const std::optional<int>& fall
         if (entries.contains(index) || (fallback && entries.contains(*fallback))) {
             continue;
         }
-        missing(path(index), count, model, findings).mend = [index = index, table,
-                                                             kind](SignatureDatabase& database) {
+        missing(path(index), count, model, findings).repair = [index = index, table,
+                                                               kind](SignatureDatabase& database) {
             Entry entry;
             entry.name = kind + std::to_string(index);
             if constexpr (std::is_same_v<Entry, TemperatureEntry>)
@@ -52,9 +52,9 @@ void lintUnused(const std::map<int, Entry>& entries, const std::set<int>& used,
         Findings findings(into, path(index));
         Finding& found =
             findings.warning("", "an entry that no face carries", "a face with its code");
-        found.repair = "delete the entry";
+        found.remedy = "delete the entry";
         found.removes = true;
-        found.mend = [index = index, table](SignatureDatabase& database) {
+        found.repair = [index = index, table](SignatureDatabase& database) {
             (database.*table).erase(index);
         };
     }
@@ -69,9 +69,9 @@ void lintUnusedSpectra(const SignatureDatabase& database, std::vector<Finding>& 
             Findings findings(into, spectrumPath(name));
             Finding& found = findings.warning("", "a spectrum that no temperature names",
                                               "a temperature in the mode of user-defined spectra");
-            found.repair = "delete the spectrum";
+            found.remedy = "delete the spectrum";
             found.removes = true;
-            found.mend = [name = name](SignatureDatabase& from) { from.spectra.erase(name); };
+            found.repair = [name = name](SignatureDatabase& from) { from.spectra.erase(name); };
         }
     }
 }
@@ -105,7 +105,7 @@ void lintUse(const SignatureDatabase& database, const std::vector<ModelUse>& mod
         }
         for (const std::string& remark : model.levelsOfDetail) {
             Findings ofModel(findings, "model");
-            ofModel.warning(" " + model.name, remark, "a model without ranges of detail").repair =
+            ofModel.warning(" " + model.name, remark, "a model without ranges of detail").remedy =
                 "take the ranges out where the model is made; this program draws the highest "
                 "detail at every range";
         }

@@ -19,13 +19,13 @@ constexpr SpectralRange greyAxis{0.3, 30.0};
 using Columns = std::array<std::optional<std::size_t>, 3>;
 
 Columns columnsOf(const CsvTable& table, const CsvColumns& columns,
-                  std::vector<Offence>& offences) {
+                  std::vector<Diagnostic>& diagnostics) {
     Columns found;
     for (std::size_t i = 0; i < columns.names.size(); ++i) {
         const auto property = std::ranges::find(properties, columns.names[i].text);
         if (property == properties.end()) {
-            offences.push_back(table.offence(columns.names[i],
-                                             "'emissivity', 'transmissivity' or 'reflectivity'"));
+            diagnostics.push_back(table.diagnostic(
+                columns.names[i], "'emissivity', 'transmissivity' or 'reflectivity'"));
         } else {
             found[static_cast<std::size_t>(property - properties.begin())] = i;
         }
@@ -34,14 +34,14 @@ Columns columnsOf(const CsvTable& table, const CsvColumns& columns,
 }
 
 void checkFractions(const CsvTable& table, const CsvColumns& columns,
-                    std::vector<Offence>& offences) {
+                    std::vector<Diagnostic>& diagnostics) {
     for (const auto& column : columns.cells) {
         for (const CsvCell& cell : column) {
             const double value = parseNumber(cell.text).value_or(0.0);
             if (value < 0.0 || value > 1.0) {
-                offences.push_back(table.offence(cell, value > 1.5 && value <= 100.0
-                                                           ? "a fraction from 0 to 1, not percent"
-                                                           : "a value from 0 to 1"));
+                diagnostics.push_back(table.diagnostic(
+                    cell, value > 1.5 && value <= 100.0 ? "a fraction from 0 to 1, not percent"
+                                                        : "a value from 0 to 1"));
             }
         }
     }
@@ -81,19 +81,19 @@ std::string sumText(const std::array<std::optional<double>, 3>& given) {
 
 void readMaterialCsv(const std::filesystem::path& file, Material& material) {
     const CsvTable table = CsvTable::read(file);
-    std::vector<Offence> offences;
-    const CsvColumns columns = readColumns(table, 2, offences);
-    const SpectralAxis axis = readSpectralAxis(table, columns, offences);
-    const Columns where = columnsOf(table, columns, offences);
-    if (offences.empty()) {
-        checkSpectralAxis(table, columns, offences);
-        checkFractions(table, columns, offences);
+    std::vector<Diagnostic> diagnostics;
+    const CsvColumns columns = readColumns(table, 2, diagnostics);
+    const SpectralAxis axis = readSpectralAxis(table, columns, diagnostics);
+    const Columns where = columnsOf(table, columns, diagnostics);
+    if (diagnostics.empty()) {
+        checkSpectralAxis(table, columns, diagnostics);
+        checkFractions(table, columns, diagnostics);
     }
 
     // Row by row, what is given and what follows from it.
     std::vector<double> emissivity;
     std::vector<double> transmissivity;
-    for (std::size_t i = 0; offences.empty() && i < columns.axis.size(); ++i) {
+    for (std::size_t i = 0; diagnostics.empty() && i < columns.axis.size(); ++i) {
         std::array<std::optional<double>, 3> given;
         for (std::size_t property = 0; property < given.size(); ++property) {
             if (where[property]) {
@@ -107,14 +107,14 @@ void readMaterialCsv(const std::filesystem::path& file, Material& material) {
         const bool open =
             given[0] && given[1] && given[2] && std::abs(left - *given[2]) > closureTolerance;
         if (impossible || open) {
-            offences.push_back(table.offence(columns.axisCells[i].line, sumText(given),
-                                             open ? "a sum of 1" : "a sum of at most 1"));
+            diagnostics.push_back(table.diagnostic(columns.axisCells[i].line, sumText(given),
+                                                   open ? "a sum of 1" : "a sum of at most 1"));
         }
         emissivity.push_back(std::max(closed.emissivity, 0.0));
         transmissivity.push_back(std::max(closed.transmissivity, 0.0));
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
 
     std::vector<double> wavelengths_um = wavelengthsOf(columns, axis);

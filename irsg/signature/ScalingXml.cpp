@@ -30,11 +30,11 @@ std::optional<int> indexOf(const std::string& name) {
     return index;
 }
 
-/// Reads one parameter; what is wrong with it goes to `offences`.
+/// Reads one parameter; what is wrong with it goes to `diagnostics`.
 std::optional<ScalingEntry> entryOf(const KarmaXml& xml, const KarmaParameter& parameter,
-                                    ScalingKind kind, std::vector<Offence>& offences) {
+                                    ScalingKind kind, std::vector<Diagnostic>& diagnostics) {
     const auto refuse = [&](std::string value, std::string expected) {
-        offences.push_back(xml.offence(parameter, std::move(value), std::move(expected)));
+        diagnostics.push_back(xml.diagnostic(parameter, std::move(value), std::move(expected)));
     };
     const std::vector<double>& numbers = parameter.numbers;
     const bool isVector = parameter.kind == KarmaKind::vector3 ||
@@ -62,8 +62,8 @@ std::optional<ScalingEntry> entryOf(const KarmaXml& xml, const KarmaParameter& p
                                 : Distribution(which, numbers[0], numbers[1], parameters),
                             parameter.documentation};
     } catch (const InputError& error) {
-        for (const Offence& offence : error.offences())
-            refuse(offence.value, offence.expected);
+        for (const Diagnostic& diagnostic : error.diagnostics())
+            refuse(diagnostic.value, diagnostic.expected);
         return std::nullopt;
     }
 }
@@ -100,7 +100,7 @@ bool hasScalingFiles(const fs::path& model) {
 
 Scalings loadScalings(const fs::path& model) {
     Scalings scalings;
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (const ScalingKind kind : {ScalingKind::temperature, ScalingKind::emissivity}) {
         const fs::path file = scalingFile(model, kind);
         if (!fs::exists(file))
@@ -109,32 +109,33 @@ Scalings loadScalings(const fs::path& model) {
             (kind == ScalingKind::temperature ? scalings.temperatures : scalings.emissivities) =
                 readScalingFile(file, kind);
         } catch (const InputError& error) {
-            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
         }
     }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return scalings;
 }
 
 ScalingTable readScalingFile(const fs::path& file, ScalingKind kind) {
     const KarmaXml xml = KarmaXml::read(file);
     ScalingTable table;
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (const KarmaParameter& parameter : xml.parameters()) {
         const auto index = indexOf(parameter.name);
         if (!index) {
-            offences.push_back(xml.offence(parameter, "the name '" + parameter.name + "'",
-                                           "an index of the signature database"));
+            diagnostics.push_back(xml.diagnostic(parameter, "the name '" + parameter.name + "'",
+                                                 "an index of the signature database"));
             continue;
         }
-        if (auto entry = entryOf(xml, parameter, kind, offences))
+        if (auto entry = entryOf(xml, parameter, kind, diagnostics))
             if (!table.emplace(*index, std::move(*entry)).second)
-                offences.push_back(xml.offence(
+                diagnostics.push_back(xml.diagnostic(
                     parameter, "index " + std::to_string(*index) + " again", "each index once"));
     }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return table;
 }
 

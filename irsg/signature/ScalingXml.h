@@ -42,13 +42,13 @@ std::filesystem::path scalingFile(const std::filesystem::path& model, ScalingKin
 bool hasScalingFiles(const std::filesystem::path& model);
 
 /// Both files beside a model; one that is not there scales nothing. Throws InputError with the
-/// offences of both.
+/// diagnostics of both.
 Scalings loadScalings(const std::filesystem::path& model);
 /// Reads a parameter file whose parameters are named after indices. A `vector3` holds min, max and
 /// number of the distribution; a `vector` may hold the parameters of the distribution behind them
-/// (this program's own addition). Throws InputError naming every offence with its line: names that
-/// are no indices, numbers that no distribution can have, temperature scales that are not above 0,
-/// emissivity scales below 0.
+/// (this program's own addition). Throws InputError naming every diagnostic with its line: names
+/// that are no indices, numbers that no distribution can have, temperature scales that are not
+/// above 0, emissivity scales below 0.
 ScalingTable readScalingFile(const std::filesystem::path& file, ScalingKind kind);
 /// The file of a table. A distribution with parameters of its own becomes a `vector`.
 std::string scalingXml(const ScalingTable& table);

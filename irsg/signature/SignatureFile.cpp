@@ -75,22 +75,22 @@ void checkOurs(SQLite::Database& database, const fs::path& file) {
 }
 
 void checkIntegrity(SQLite::Database& database, const fs::path& file) {
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     const std::string expected = "an undamaged database";
     SQLite::Statement integrity(database, "PRAGMA integrity_check");
     while (integrity.executeStep()) {
         if (const std::string line = integrity.getColumn(0).getString(); line != "ok") {
-            offences.push_back({file.string(), "", line, expected});
+            diagnostics.push_back({file.string(), "", line, expected});
         }
     }
     SQLite::Statement references(database, "PRAGMA foreign_key_check");
     while (references.executeStep()) {
-        offences.push_back({file.string(), "table " + references.getColumn(0).getString(),
-                            "a row whose " + references.getColumn(2).getString() + " is missing",
-                            expected});
+        diagnostics.push_back({file.string(), "table " + references.getColumn(0).getString(),
+                               "a row whose " + references.getColumn(2).getString() + " is missing",
+                               expected});
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
 }
 
@@ -162,12 +162,12 @@ LoadedSignature load(const fs::path& file, OutsideChanges outside, LintErrors er
     }
     loaded.changedOutside = changedEntries(loaded.database, readHashes(database));
     if (outside == OutsideChanges::refuse && !loaded.changedOutside.empty()) {
-        std::vector<Offence> offences;
+        std::vector<Diagnostic> diagnostics;
         for (const std::string& entry : loaded.changedOutside) {
-            offences.push_back({file.string(), entry, "content changed outside this program",
-                                "the content it was saved with, or leave to accept changes"});
+            diagnostics.push_back({file.string(), entry, "content changed outside this program",
+                                   "the content it was saved with, or leave to accept changes"});
         }
-        throw InputError(std::move(offences));
+        throw InputError(std::move(diagnostics));
     }
     return loaded;
 }

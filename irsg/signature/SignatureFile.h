@@ -20,7 +20,7 @@ struct LoadedSignature {
 };
 
 enum class OutsideChanges { refuse, accept };
-/// Whether a database with lint errors is given out, to be shown and mended.
+/// Whether a database with lint errors is given out, to be shown and repaired.
 enum class LintErrors { refuse, accept };
 
 /// Throws InputError for a file that is missing, not a database of ours, damaged (integrity_check),
@@ -49,14 +49,14 @@ void createSignatureFile(const SignatureDatabase& database, const std::filesyste
 /// Sorted, complete JSON for review and version control; equal databases give equal text. Throws
 /// InputError for a database with lint errors.
 std::string signatureToJson(const SignatureDatabase& database);
-/// Throws InputError listing every offence with its key path; unknown and doubled keys are
-/// offences, and so are lint errors. A material may state its `reflectivity`, which must close to
-/// 1e-4.
+/// Throws InputError listing every diagnostic with its key path; unknown and doubled keys are
+/// diagnostics, and so are lint errors. A material may state its `reflectivity`, which must close
+/// to 1e-4.
 SignatureDatabase signatureFromJson(const std::string& text, const std::string& fileName = "JSON",
                                     LintErrors errors = LintErrors::refuse);
 
-/// The same form for work under way: lint errors do not keep a draft from being written. For recovery
-/// copies, never in place of a database; read back with LintErrors::accept.
+/// The same form for work under way: lint errors do not keep a draft from being written. For
+/// recovery copies, never in place of a database; read back with LintErrors::accept.
 std::string draftToJson(const SignatureDatabase& database);
 
 } // namespace irsg

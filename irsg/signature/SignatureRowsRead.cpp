@@ -15,10 +15,10 @@ namespace {
 class Rows {
   public:
     Rows(SQLite::Database& file, const std::string& table, const std::string& columns,
-         const std::string& order, std::vector<Offence>& offences, std::string name)
+         const std::string& order, std::vector<Diagnostic>& diagnostics, std::string name)
         : statement_(file, "SELECT " + columns + " FROM " + table + " ORDER BY " + order),
           table_(table),
-          offences_(&offences),
+          diagnostics_(&diagnostics),
           name_(std::move(name)) {}
 
     bool next() {
@@ -45,7 +45,7 @@ class Rows {
     bool isNull(int column) { return statement_.getColumn(column).isNull(); }
 
     void refuse(const std::string& value, const std::string& expected) {
-        offences_->push_back(
+        diagnostics_->push_back(
             {name_, "table " + table_ + ", row " + std::to_string(row_), value, expected});
     }
 
@@ -64,7 +64,7 @@ class Rows {
 
     SQLite::Statement statement_;
     std::string table_;
-    std::vector<Offence>* offences_;
+    std::vector<Diagnostic>* diagnostics_;
     std::string name_;
     int row_ = 0;
 };
@@ -84,26 +84,26 @@ class Reader {
         readSpectra();
         readTemperatures();
         readFactors();
-        if (!offences_.empty()) {
-            throw InputError(std::move(offences_));
+        if (!diagnostics_.empty()) {
+            throw InputError(std::move(diagnostics_));
         }
         return std::move(database_);
     }
 
   private:
     Rows rows(const std::string& table, const std::string& columns, const std::string& order) {
-        return {file_, table, columns, order, offences_, name_};
+        return {file_, table, columns, order, diagnostics_, name_};
     }
 
-    /// The value a constructor gives, or its default and an offence at `place`.
+    /// The value a constructor gives, or its default and an diagnostic at `place`.
     template <typename Value, typename Make>
     Value guarded(const std::string& place, Make make) {
         try {
             return make();
         } catch (const InputError& error) {
-            for (const Offence& offence : error.offences()) {
-                offences_.push_back(
-                    {name_, place + ", " + offence.position, offence.value, offence.expected});
+            for (const Diagnostic& diagnostic : error.diagnostics()) {
+                diagnostics_.push_back({name_, place + ", " + diagnostic.position, diagnostic.value,
+                                        diagnostic.expected});
             }
             return {};
         }
@@ -285,7 +285,7 @@ class Reader {
 
     SQLite::Database& file_;
     std::string name_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
     SignatureDatabase database_;
 };
 

@@ -15,32 +15,32 @@ namespace {
 
 std::optional<SpectralRadianceUnit> readUnit(const CsvTable& table,
                                              std::optional<SpectralRadianceUnit> given,
-                                             std::vector<Offence>& offences) {
+                                             std::vector<Diagnostic>& diagnostics) {
     if (given) {
         return given;
     }
     const CsvComment* const comment = table.comment("unit");
     if (comment == nullptr) {
-        offences.push_back(
-            table.offence("no unit of radiance",
-                          "a line '# unit: W cm-2 sr-1 (cm-1)-1', or the unit chosen on import"));
+        diagnostics.push_back(table.diagnostic(
+            "no unit of radiance",
+            "a line '# unit: W cm-2 sr-1 (cm-1)-1', or the unit chosen on import"));
         return std::nullopt;
     }
     try {
         return SpectralRadianceUnit::parse(comment->value);
     } catch (const InputError& error) {
-        offences.push_back(
-            table.offence(comment->line, comment->value, error.offences().front().expected));
+        diagnostics.push_back(
+            table.diagnostic(comment->line, comment->value, error.diagnostics().front().expected));
         return std::nullopt;
     }
 }
 
 double readDistance_m(const CsvTable& table, std::optional<double> given_m,
-                      std::vector<Offence>& offences) {
+                      std::vector<Diagnostic>& diagnostics) {
     constexpr const char* expected = "a distance of at least 0 m";
     if (given_m) {
         if (!(*given_m >= 0.0) || !std::isfinite(*given_m)) {
-            offences.push_back(
+            diagnostics.push_back(
                 {table.file(), "reference distance", numberText(*given_m), expected});
         }
         return *given_m;
@@ -49,9 +49,9 @@ double readDistance_m(const CsvTable& table, std::optional<double> given_m,
     if (comment == nullptr) {
         return 0.0;
     }
-    const double distance_m = table.number(*comment, offences, expected).value_or(0.0);
+    const double distance_m = table.number(*comment, diagnostics, expected).value_or(0.0);
     if (distance_m < 0.0) {
-        offences.push_back(table.offence(comment->line, comment->value, expected));
+        diagnostics.push_back(table.diagnostic(comment->line, comment->value, expected));
     }
     return distance_m;
 }
@@ -62,29 +62,29 @@ UserSpectrum readSpectrumCsv(const std::filesystem::path& file,
                              std::optional<SpectralRadianceUnit> unit,
                              std::optional<double> referenceDistance_m) {
     const CsvTable table = CsvTable::read(file);
-    std::vector<Offence> offences;
-    const CsvColumns columns = readColumns(table, 2, offences);
-    const SpectralAxis axis = readSpectralAxis(table, columns, offences);
-    const auto radianceUnit = readUnit(table, unit, offences);
+    std::vector<Diagnostic> diagnostics;
+    const CsvColumns columns = readColumns(table, 2, diagnostics);
+    const SpectralAxis axis = readSpectralAxis(table, columns, diagnostics);
+    const auto radianceUnit = readUnit(table, unit, diagnostics);
     UserSpectrum spectrum;
-    spectrum.referenceDistance_m = readDistance_m(table, referenceDistance_m, offences);
-    if (offences.empty()) {
-        checkSpectralAxis(table, columns, offences);
+    spectrum.referenceDistance_m = readDistance_m(table, referenceDistance_m, diagnostics);
+    if (diagnostics.empty()) {
+        checkSpectralAxis(table, columns, diagnostics);
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
 
     // The axis in um, with what makes a value of each node one in W m-2 sr-1 um-1.
     std::vector<double> wavelengths_um = wavelengthsOf(columns, axis);
     std::vector<double> factors;
     for (std::size_t i = 0; i < wavelengths_um.size(); ++i) {
-        const double wavenumber_cm1 = axis == SpectralAxis::wavenumber
-                                          ? columns.axis[i]
-                                          : wavenumberFromWavelength_cm1(wavelengths_um[i]);
-        factors.push_back(radianceUnit->perWavenumber
-                              ? perMicrometreFromPerWavenumber(radianceUnit->toW_m2, wavenumber_cm1)
-                              : radianceUnit->toW_m2);
+        const double wavenumber_per_cm = axis == SpectralAxis::wavenumber
+                                             ? columns.axis[i]
+                                             : wavenumberFromWavelength_per_cm(wavelengths_um[i]);
+        factors.push_back(radianceUnit->perWavenumber ? perMicrometreFromPerWavenumber(
+                                                            radianceUnit->toW_m2, wavenumber_per_cm)
+                                                      : radianceUnit->toW_m2);
     }
     const bool descending = wavelengths_um.back() < wavelengths_um.front();
     if (descending) {

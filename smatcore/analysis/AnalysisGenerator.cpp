@@ -39,7 +39,7 @@ void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan
     const irsg::RenderReport report = source.measure();
     irsg::addNew(data.answeredBy, report.answeredBy);
     warnings.addReport(report, data.settings.integer("render.layers"));
-    const irsg::IntensitySpectrum spectrum = source.measureSpectrum(plan.wavenumbers_cm1);
+    const irsg::IntensitySpectrum spectrum = source.measureSpectrum(plan.wavenumbers_per_cm);
     for (const std::string& sentence : spectrum.warnings) {
         warnings.add(sentence);
     }

@@ -62,15 +62,16 @@ void placeModelYaw(AnalysisCase& one, double angle_deg, const Settings& settings
     one.shownYaw_deg = wholeTurn_deg(facing_deg + angle_deg);
 }
 
-void planPolar(AnalysisPlan& plan, const Settings& settings, std::vector<irsg::Offence>& offences) {
+void planPolar(AnalysisPlan& plan, const Settings& settings,
+               std::vector<irsg::Diagnostic>& diagnostics) {
     const std::string& type = settings.text("polar.type");
     const double step_deg = settings.real("polar.step");
     const double offset_deg = settings.real("polar.offset");
     if (type != "camera-azimuth" && offset_deg != 0.0) {
-        offences.push_back({.file = "",
-                            .position = "polar.offset",
-                            .value = settings.text("polar.offset"),
-                            .expected = "0: only a camera-azimuth plot has a view offset"});
+        diagnostics.push_back({.file = "",
+                               .position = "polar.offset",
+                               .value = settings.text("polar.offset"),
+                               .expected = "0: only a camera-azimuth plot has a view offset"});
     }
     plan.coordinate = irsg::Quantity::angle;
     const auto count = static_cast<std::size_t>(std::ceil(360.0 / step_deg - 1e-9));
@@ -89,26 +90,27 @@ void planPolar(AnalysisPlan& plan, const Settings& settings, std::vector<irsg::O
     }
 }
 
-void planRange(AnalysisPlan& plan, const Settings& settings, std::vector<irsg::Offence>& offences) {
+void planRange(AnalysisPlan& plan, const Settings& settings,
+               std::vector<irsg::Diagnostic>& diagnostics) {
     const double from_m = settings.real("range.from");
     const double to_m = settings.real("range.to");
     const int points = settings.integer("range.points");
     const bool logarithmic = settings.boolean("range.log");
     plan.coordinate = irsg::Quantity::range;
     if (to_m <= from_m) {
-        offences.push_back({.file = "",
-                            .position = "range.to",
-                            .value = settings.text("range.to"),
-                            .expected = "a number above range.from, which is " +
-                                        settings.text("range.from") + " m"});
+        diagnostics.push_back({.file = "",
+                               .position = "range.to",
+                               .value = settings.text("range.to"),
+                               .expected = "a number above range.from, which is " +
+                                           settings.text("range.from") + " m"});
     }
     if (logarithmic && from_m <= 0.0) {
-        offences.push_back({.file = "",
-                            .position = "range.from",
-                            .value = settings.text("range.from"),
-                            .expected = "a number above 0 m, because range.log is true"});
+        diagnostics.push_back({.file = "",
+                               .position = "range.from",
+                               .value = settings.text("range.from"),
+                               .expected = "a number above 0 m, because range.log is true"});
     }
-    if (!offences.empty()) {
+    if (!diagnostics.empty()) {
         return;
     }
     for (int i = 0; i < points; ++i) {
@@ -124,22 +126,23 @@ void planRange(AnalysisPlan& plan, const Settings& settings, std::vector<irsg::O
     }
 }
 
-void planTime(AnalysisPlan& plan, const Settings& settings, std::vector<irsg::Offence>& offences) {
+void planTime(AnalysisPlan& plan, const Settings& settings,
+              std::vector<irsg::Diagnostic>& diagnostics) {
     const double from_s = settings.real("time.from");
     const double to_s = settings.real("time.to");
     const double step_s = settings.real("time.step");
     plan.coordinate = irsg::Quantity::time;
     if (to_s <= from_s) {
-        offences.push_back({.file = "",
-                            .position = "time.to",
-                            .value = settings.text("time.to"),
-                            .expected = "a number above time.from, which is " +
-                                        settings.text("time.from") + " s"});
+        diagnostics.push_back({.file = "",
+                               .position = "time.to",
+                               .value = settings.text("time.to"),
+                               .expected = "a number above time.from, which is " +
+                                           settings.text("time.from") + " s"});
         return;
     }
     const double count = std::floor((to_s - from_s) / step_s + 1e-9) + 1.0;
     if (count > mostCases) {
-        offences.push_back(
+        diagnostics.push_back(
             {.file = "",
              .position = "time.step",
              .value = settings.text("time.step"),
@@ -155,16 +158,16 @@ void planTime(AnalysisPlan& plan, const Settings& settings, std::vector<irsg::Of
 }
 
 void planSpectrum(AnalysisPlan& plan, const Project& project, const Settings& settings,
-                  std::vector<irsg::Offence>& offences) {
+                  std::vector<irsg::Diagnostic>& diagnostics) {
     const irsg::SpectralRange range = sensorOf(project, settings).band.range();
-    const double lowest_cm1 = irsg::wavenumberFromWavelength_cm1(range.max_um);
-    const double highest_cm1 = irsg::wavenumberFromWavelength_cm1(range.min_um);
-    const double step_cm1 = settings.real("spectrum.resolution");
+    const double lowest_per_cm = irsg::wavenumberFromWavelength_per_cm(range.max_um);
+    const double highest_per_cm = irsg::wavenumberFromWavelength_per_cm(range.min_um);
+    const double step_per_cm = settings.real("spectrum.resolution");
     plan.coordinate = irsg::Quantity::wavenumber;
     plan.cases.push_back(standingCase(settings));
-    const double count = std::floor((highest_cm1 - lowest_cm1) / step_cm1 + 1e-9) + 1.0;
+    const double count = std::floor((highest_per_cm - lowest_per_cm) / step_per_cm + 1e-9) + 1.0;
     if (count > mostCases) {
-        offences.push_back(
+        diagnostics.push_back(
             {.file = "",
              .position = "spectrum.resolution",
              .value = settings.text("spectrum.resolution"),
@@ -172,12 +175,12 @@ void planSpectrum(AnalysisPlan& plan, const Project& project, const Settings& se
         return;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-        plan.wavenumbers_cm1.push_back(
-            std::min(lowest_cm1 + static_cast<double>(i) * step_cm1, highest_cm1));
+        plan.wavenumbers_per_cm.push_back(
+            std::min(lowest_per_cm + static_cast<double>(i) * step_per_cm, highest_per_cm));
     }
     // The band ends at its end, also where the last step is shorter.
-    if (highest_cm1 - plan.wavenumbers_cm1.back() > 1e-6 * step_cm1) {
-        plan.wavenumbers_cm1.push_back(highest_cm1);
+    if (highest_per_cm - plan.wavenumbers_per_cm.back() > 1e-6 * step_per_cm) {
+        plan.wavenumbers_per_cm.push_back(highest_per_cm);
     }
 }
 
@@ -190,8 +193,8 @@ std::string describe(const AnalysisPlan& plan, const Settings& settings) {
     }
     if (plan.kind == AnalysisKind::spectrum) {
         return fmt::format("spectrum: 1 case, {} wavenumbers from {:.6g} to {:.6g} cm-1, {}",
-                           plan.wavenumbers_cm1.size(), plan.wavenumbers_cm1.front(),
-                           plan.wavenumbers_cm1.back(), raster);
+                           plan.wavenumbers_per_cm.size(), plan.wavenumbers_per_cm.front(),
+                           plan.wavenumbers_per_cm.back(), raster);
     }
     return fmt::format("{}: {} cases, {} {:.6g} to {:.6g} {}, {}", name(plan.kind),
                        plan.cases.size(), axis.key, plan.cases.front().coordinate,
@@ -200,31 +203,33 @@ std::string describe(const AnalysisPlan& plan, const Settings& settings) {
 
 /// What a kind of analysis cannot do, whatever its sweep.
 void checkAbilities(AnalysisKind kind, const Settings& settings,
-                    std::vector<irsg::Offence>& offences) {
+                    std::vector<irsg::Diagnostic>& diagnostics) {
     const bool isOneBand = kind == AnalysisKind::image || kind == AnalysisKind::spectrum;
     if (isOneBand && eachBand(settings).size() > 1) {
         const bool hasResponse = !settings.paths("sensor.response").empty();
         const char* key = hasResponse ? "sensor.response" : "sensor.band";
-        offences.push_back({.file = "",
-                            .position = key,
-                            .value = settings.text(key),
-                            .expected = kind == AnalysisKind::image
-                                            ? "one band for an image in the window; smat-batch "
-                                              "writes a file for each of several"
-                                            : "one band: a spectrum runs from its one end to the "
-                                              "other"});
+        diagnostics.push_back(
+            {.file = "",
+             .position = key,
+             .value = settings.text(key),
+             .expected = kind == AnalysisKind::image
+                             ? "one band for an image in the window; smat-batch "
+                               "writes a file for each of several"
+                             : "one band: a spectrum runs from its one end to the "
+                               "other"});
     }
     // Modes 0 to 2 have no zoom.
     if (kind != AnalysisKind::image && settings.text("render.zoom") == "sills" &&
         settings.integer("render.antialiasing") > 2) {
-        offences.push_back({.file = "",
-                            .position = "render.zoom",
-                            .value = "sills",
-                            .expected = "aligned: the samples of the published zoom do not add to "
-                                        "pixels, so that the sums of a " +
-                                        name(kind) +
-                                        " analysis come from the aligned windows; only images show "
-                                        "the published zoom"});
+        diagnostics.push_back(
+            {.file = "",
+             .position = "render.zoom",
+             .value = "sills",
+             .expected = "aligned: the samples of the published zoom do not add to "
+                         "pixels, so that the sums of a " +
+                         name(kind) +
+                         " analysis come from the aligned windows; only images show "
+                         "the published zoom"});
     }
 }
 
@@ -269,30 +274,30 @@ std::string AnalysisPlan::place(const AnalysisCase& one) const {
 AnalysisPlan planAnalysis(AnalysisKind kind, const Project& project, const Settings& settings) {
     AnalysisPlan plan;
     plan.kind = kind;
-    std::vector<irsg::Offence> offences;
-    checkAbilities(kind, settings, offences);
+    std::vector<irsg::Diagnostic> diagnostics;
+    checkAbilities(kind, settings, diagnostics);
     switch (kind) {
     case AnalysisKind::image:
         plan.cases.push_back(standingCase(settings));
         break;
     case AnalysisKind::spectrum:
-        planSpectrum(plan, project, settings, offences);
+        planSpectrum(plan, project, settings, diagnostics);
         break;
     case AnalysisKind::polar:
-        planPolar(plan, settings, offences);
+        planPolar(plan, settings, diagnostics);
         break;
     case AnalysisKind::time:
-        planTime(plan, settings, offences);
+        planTime(plan, settings, diagnostics);
         break;
     case AnalysisKind::range:
-        planRange(plan, settings, offences);
+        planRange(plan, settings, diagnostics);
         break;
     }
-    if (!offences.empty()) {
-        for (irsg::Offence& offence : offences) {
-            offence.file = project.displayName();
+    if (!diagnostics.empty()) {
+        for (irsg::Diagnostic& diagnostic : diagnostics) {
+            diagnostic.file = project.displayName();
         }
-        throw irsg::InputError(offences);
+        throw irsg::InputError(diagnostics);
     }
     plan.description = describe(plan, settings);
     return plan;

@@ -43,7 +43,7 @@ struct AnalysisPlan {
     AnalysisKind kind = AnalysisKind::image;
     irsg::Quantity coordinate = irsg::Quantity::dimensionless;
     std::vector<AnalysisCase> cases;
-    std::vector<double> wavenumbers_cm1; ///< of a spectrum, ascending
+    std::vector<double> wavenumbers_per_cm; ///< of a spectrum, ascending
 
     /// "polar: 36 cases, angle 0 to 350 deg, 640 x 512 px".
     std::string description;

@@ -26,10 +26,10 @@ irsg::DisplayLimits limitsOf(const irsg::RadianceImage& image, const Settings& s
     if (limits.low >= limits.high) {
         const char* key = maximum ? "display.maximum" : "display.minimum";
         throw irsg::InputError(
-            irsg::Offence{.file = whose,
-                          .position = key,
-                          .value = settings.text(key),
-                          .expected = "a least value below the largest that is shown"});
+            irsg::Diagnostic{.file = whose,
+                             .position = key,
+                             .value = settings.text(key),
+                             .expected = "a least value below the largest that is shown"});
     }
     return limits.with(scale, {values});
 }

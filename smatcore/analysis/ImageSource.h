@@ -35,7 +35,7 @@ class ImageSource {
   public:
     virtual ~ImageSource() = default;
 
-    /// Takes a scene. Throws InputError with every offence where it cannot be drawn.
+    /// Takes a scene. Throws InputError with every diagnostic where it cannot be drawn.
     virtual void configure(const SceneDescription& scene) = 0;
     /// Takes the sensor, the environment and the settings of a scene, in which stand the entities
     /// that it already holds; their poses and states stay undefined until they are set.
@@ -68,13 +68,14 @@ class ImageSource {
     /// True where beginMeasure() returns before all is drawn, so that it is worth beginning the
     /// next case before this one is finished.
     virtual bool drawsBeside() const { return false; }
-    virtual irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) = 0;
+    virtual irsg::IntensitySpectrum
+    measureSpectrum(const std::vector<double>& wavenumbers_per_cm) = 0;
 
     /// The view as a function of scales: in the sensor's band, or, with wavenumbers, per
     /// wavenumber.
     virtual std::unique_ptr<const irsg::ScaledView>
     scaledView(const std::vector<irsg::ScalingInput>& inputs,
-               const std::vector<double>& wavenumbers_cm1) = 0;
+               const std::vector<double>& wavenumbers_per_cm) = 0;
     /// The view in each of these bands, in place of the sensor's own, from the same drawing.
     virtual std::vector<std::unique_ptr<const irsg::ScaledView>>
     scaledViews(const std::vector<irsg::ScalingInput>& inputs,

@@ -49,15 +49,16 @@ class IrsgImageSource : public ImageSource {
         };
     }
     bool drawsBeside() const override { return true; }
-    irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) override {
-        return irsg_.measureSpectrum(wavenumbers_cm1);
+    irsg::IntensitySpectrum
+    measureSpectrum(const std::vector<double>& wavenumbers_per_cm) override {
+        return irsg_.measureSpectrum(wavenumbers_per_cm);
     }
 
     std::unique_ptr<const irsg::ScaledView>
     scaledView(const std::vector<irsg::ScalingInput>& inputs,
-               const std::vector<double>& wavenumbers_cm1) override {
-        return wavenumbers_cm1.empty() ? irsg_.scaledView(inputs)
-                                       : irsg_.scaledSpectrum(inputs, wavenumbers_cm1);
+               const std::vector<double>& wavenumbers_per_cm) override {
+        return wavenumbers_per_cm.empty() ? irsg_.scaledView(inputs)
+                                          : irsg_.scaledSpectrum(inputs, wavenumbers_per_cm);
     }
 
     std::vector<std::unique_ptr<const irsg::ScaledView>>

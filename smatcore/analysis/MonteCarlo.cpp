@@ -55,7 +55,7 @@ class Run {
                 "model has");
         }
         const std::size_t places = plan_.kind == AnalysisKind::spectrum
-                                       ? plan_.wavenumbers_cm1.size()
+                                       ? plan_.wavenumbers_per_cm.size()
                                        : plan_.cases.size() * scene_.allBands().size();
         if (data_.options.samples > mostValues / std::max<std::size_t>(places, 1)) {
             throw refusal("samples",

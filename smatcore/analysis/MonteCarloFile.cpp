@@ -32,14 +32,14 @@ const char* kindWord(const SceneScaling& scaling) {
 } // namespace
 
 void MonteCarloOptions::check() const {
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     const auto require = [&](bool holds, const char* position, std::string value,
                              std::string expected) {
         if (!holds) {
-            offences.push_back({.file = "montecarlo",
-                                .position = position,
-                                .value = std::move(value),
-                                .expected = std::move(expected)});
+            diagnostics.push_back({.file = "montecarlo",
+                                   .position = position,
+                                   .value = std::move(value),
+                                   .expected = std::move(expected)});
         }
     };
     require(samples >= 2 && samples <= 10'000'000, "samples", std::to_string(samples),
@@ -63,8 +63,8 @@ void MonteCarloOptions::check() const {
             std::to_string(rankingPairs), "a whole number from 256 to 1e6");
     require(!rankingAt || std::isfinite(*rankingAt), "ranking at", "no number",
             "an abscissa of the analysis");
-    if (!offences.empty()) {
-        throw irsg::InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(std::move(diagnostics));
     }
 }
 

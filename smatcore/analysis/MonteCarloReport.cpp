@@ -68,7 +68,7 @@ void writeTable(MonteCarloData& data, const AnalysisPlan& plan) {
     for (std::size_t i = 0; i < data.abscissae.size(); ++i) {
         std::vector<double> row;
         if (isSpectrum)
-            row.push_back(plan.wavenumbers_cm1[i]);
+            row.push_back(plan.wavenumbers_per_cm[i]);
         row.push_back(data.abscissae[i]);
         for (std::size_t k = i; k < data.values.size(); k += data.abscissae.size()) {
             std::vector<double> ascending = data.values[k];

@@ -100,7 +100,7 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
 MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, CaseWarnings* warnings) {
     const Asked asked = data_.options.quantity;
     if (plan_.kind == AnalysisKind::spectrum) {
-        const irsg::IntensitySpectrum spectrum = source_.measureSpectrum(plan_.wavenumbers_cm1);
+        const irsg::IntensitySpectrum spectrum = source_.measureSpectrum(plan_.wavenumbers_per_cm);
         if (warnings != nullptr)
             for (const std::string& sentence : spectrum.warnings)
                 warnings->add(sentence);
@@ -138,7 +138,8 @@ void MonteCarloViews::drawPhases(const AnalysisCase& one, const irsg::Viewpoint&
             for (const SceneScaling& scaling : data_.scalings)
                 inputs.push_back(scaling.input);
             if (plan_.kind == AnalysisKind::spectrum)
-                views_.emplace_back().push_back(source_.scaledView(inputs, plan_.wavenumbers_cm1));
+                views_.emplace_back().push_back(
+                    source_.scaledView(inputs, plan_.wavenumbers_per_cm));
             else
                 views_.push_back(source_.scaledViews(inputs, bands_));
         }

@@ -20,7 +20,7 @@ std::vector<std::size_t> modelsWith(const Project& project, const std::filesyste
 /// another model's changes with its place and is left at 0.
 ///
 /// `builder` loads the models. Throws InputError where no model of the project names the database,
-/// and with the offences of models, sensors, atmospheres and sweeps that cannot be used.
+/// and with the diagnostics of models, sensors, atmospheres and sweeps that cannot be used.
 irsg::LintScope lintScopeOf(const Project& project, const std::filesystem::path& database,
                             SceneBuilder& builder);
 

@@ -44,16 +44,16 @@ AnalysisData loadResult(const std::filesystem::path& file) {
     } else if (extension == ".csv" || extension == ".json") {
         data.table = ResultTable::load(file);
         if (data.table.empty()) {
-            throw irsg::InputError(irsg::Offence{.file = file.string(),
-                                                 .position = "",
-                                                 .value = "a table without rows",
-                                                 .expected = "at least one row"});
+            throw irsg::InputError(irsg::Diagnostic{.file = file.string(),
+                                                    .position = "",
+                                                    .value = "a table without rows",
+                                                    .expected = "at least one row"});
         }
     } else {
-        throw irsg::InputError(irsg::Offence{.file = file.string(),
-                                             .position = "",
-                                             .value = "extension \"" + extension + "\"",
-                                             .expected = ".csv, .json, .exr, .txt or .dat"});
+        throw irsg::InputError(irsg::Diagnostic{.file = file.string(),
+                                                .position = "",
+                                                .value = "extension \"" + extension + "\"",
+                                                .expected = ".csv, .json, .exr, .txt or .dat"});
     }
     takeProvenance(data);
     summarise(data);

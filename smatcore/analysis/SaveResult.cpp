@@ -25,10 +25,10 @@ void checkResultFile(AnalysisKind kind, const std::filesystem::path& file) {
         list += (list.empty() ? "" : ", ") + extension;
     }
     throw irsg::InputError(
-        irsg::Offence{.file = file.string(),
-                      .position = "",
-                      .value = file.has_extension() ? file.extension().string() : "no extension",
-                      .expected = "a file of one of " + list});
+        irsg::Diagnostic{.file = file.string(),
+                         .position = "",
+                         .value = file.has_extension() ? file.extension().string() : "no extension",
+                         .expected = "a file of one of " + list});
 }
 
 void saveResult(const AnalysisData& data, const std::filesystem::path& file) {
@@ -37,10 +37,10 @@ void saveResult(const AnalysisData& data, const std::filesystem::path& file) {
     if (data.kind != AnalysisKind::image || extension == ".json") {
         data.table.save(file);
     } else if (data.image.empty()) {
-        throw irsg::InputError(irsg::Offence{.file = file.string(),
-                                             .position = "",
-                                             .value = "an analysis without an image",
-                                             .expected = "one that was not stopped"});
+        throw irsg::InputError(irsg::Diagnostic{.file = file.string(),
+                                                .position = "",
+                                                .value = "an analysis without an image",
+                                                .expected = "one that was not stopped"});
     } else {
         saveImage(data.image, data.settings,
                   data.project.title.empty() ? data.name : data.project.title + ": " + data.name,

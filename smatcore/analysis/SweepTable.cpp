@@ -110,10 +110,11 @@ void SweepTable::addCase(const AnalysisCase& one, const std::vector<irsg::Render
 }
 
 void SweepTable::addSpectrum(const irsg::IntensitySpectrum& spectrum) {
-    for (std::size_t i = 0; i < spectrum.wavenumbers_cm1.size(); ++i) {
-        std::vector<double> row = {
-            spectrum.wavenumbers_cm1[i], spectrum.wavelengths_um[i], spectrum.intensity_W_sr_um[i],
-            spectrum.contrastIntensity_W_sr_um[i], spectrum.irradiance_W_m2_um[i]};
+    for (std::size_t i = 0; i < spectrum.wavenumbers_per_cm.size(); ++i) {
+        std::vector<double> row = {spectrum.wavenumbers_per_cm[i], spectrum.wavelengths_um[i],
+                                   spectrum.intensity_W_sr_um[i],
+                                   spectrum.contrastIntensity_W_sr_um[i],
+                                   spectrum.irradiance_W_m2_um[i]};
         for (std::size_t e = 0; e < objects_.size(); ++e) {
             const irsg::ObjectSpectrum& object = spectrum.objects.at(e);
             row.insert(row.end(), {object.intensity_W_sr_um[i], object.contrastIntensity_W_sr_um[i],

@@ -20,7 +20,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 [[noreturn]] void refuse(const DifferenceSide& b, const std::string& value,
                          const std::string& expected) {
     throw irsg::InputError(
-        irsg::Offence{.file = b.name, .position = "", .value = value, .expected = expected});
+        irsg::Diagnostic{.file = b.name, .position = "", .value = value, .expected = expected});
 }
 
 bool varies(const ResultColumn* column) {

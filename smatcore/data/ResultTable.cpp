@@ -127,21 +127,21 @@ ResultTable ResultTable::load(const std::filesystem::path& file) {
 
 ResultTable ResultTable::fromCsv(const std::filesystem::path& file) {
     const irsg::CsvTable csv = irsg::CsvTable::read(file);
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     ResultTable table;
     for (const irsg::CsvComment& comment : csv.comments()) {
         table.provenance.add(comment.key, comment.value);
     }
     if (csv.rows().empty()) {
-        throw irsg::InputError(csv.offence("no rows", "a header row of names with units"));
+        throw irsg::InputError(csv.diagnostic("no rows", "a header row of names with units"));
     }
 
     // A header row names columns; one made of a number was meant as data.
     for (const irsg::CsvCell& cell : csv.rows().front().cells) {
         if (cell.text.empty() || irsg::parseNumber(cell.text)) {
-            offences.push_back(csv.offence(cell, "the name of a column"));
+            diagnostics.push_back(csv.diagnostic(cell, "the name of a column"));
         } else if (table.find(splitHeader(cell.text).first) != nullptr) {
-            offences.push_back(csv.offence(cell, "a name that no other column has"));
+            diagnostics.push_back(csv.diagnostic(cell, "a name that no other column has"));
         }
         const auto [key, unit] = splitHeader(cell.text);
         table.add(key, unit);
@@ -149,8 +149,9 @@ ResultTable ResultTable::fromCsv(const std::filesystem::path& file) {
     for (std::size_t row = 1; row < csv.rows().size(); ++row) {
         const irsg::CsvRow& line = csv.rows()[row];
         if (line.cells.size() != table.columns_.size()) {
-            offences.push_back(csv.offence(line.line, fmt::format("{} cells", line.cells.size()),
-                                           fmt::format("{} cells", table.columns_.size())));
+            diagnostics.push_back(csv.diagnostic(line.line,
+                                                 fmt::format("{} cells", line.cells.size()),
+                                                 fmt::format("{} cells", table.columns_.size())));
             continue;
         }
         for (std::size_t i = 0; i < line.cells.size(); ++i) {
@@ -158,12 +159,12 @@ ResultTable ResultTable::fromCsv(const std::filesystem::path& file) {
             // A quantity without a value (a temperature of no radiance) is written as nan.
             const std::optional<double> value = cell.text == "nan"
                                                     ? std::numeric_limits<double>::quiet_NaN()
-                                                    : csv.number(cell, offences, "a number");
+                                                    : csv.number(cell, diagnostics, "a number");
             table.columns_[i].values.push_back(value.value_or(0.0));
         }
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(offences);
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(diagnostics);
     }
     return table;
 }

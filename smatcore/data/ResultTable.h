@@ -46,8 +46,8 @@ class ResultTable {
     std::string toJson() const;
     /// Writes .json for that extension, CSV for any other. Throws InputError.
     void save(const std::filesystem::path& file) const;
-    /// Reads either form back. Throws InputError with every offence: a missing header, ragged rows,
-    /// cells that are no numbers.
+    /// Reads either form back. Throws InputError with every diagnostic: a missing header, ragged
+    /// rows, cells that are no numbers.
     static ResultTable load(const std::filesystem::path& file);
 
     bool operator==(const ResultTable&) const = default;

@@ -19,10 +19,10 @@ std::shared_ptr<const irsg::Atmosphere> openAtmosphere(const std::filesystem::pa
     }
     std::error_code failure;
     if (!std::filesystem::is_regular_file(input, failure)) {
-        throw irsg::InputError(irsg::Offence{.file = input.string(),
-                                             .position = "",
-                                             .value = "no such file",
-                                             .expected = "none, vacuum or an atmosphere file"});
+        throw irsg::InputError(irsg::Diagnostic{.file = input.string(),
+                                                .position = "",
+                                                .value = "no such file",
+                                                .expected = "none, vacuum or an atmosphere file"});
     }
     logInfo("reading atmosphere " + input.string());
     return irsg::loadAtmosphere(input);

@@ -44,21 +44,21 @@ LoadedAir loadedFrom(const std::filesystem::path& input) {
 /// The atmospheres with other bins where they have any. InputError where none has.
 std::vector<std::shared_ptr<const irsg::Atmosphere>>
 withResolution(const std::vector<std::shared_ptr<const irsg::Atmosphere>>& atmospheres,
-               int resolution_cm) {
+               int resolution_per_cm) {
     std::vector<std::shared_ptr<const irsg::Atmosphere>> result;
     std::string others;
     for (const auto& atmosphere : atmospheres) {
-        const auto other = atmosphere->withBins(resolution_cm);
+        const auto other = atmosphere->withBins(resolution_per_cm);
         result.push_back(other ? other : atmosphere);
         if (!other) {
             others += (others.empty() ? "" : ", ") + atmosphere->name();
         }
     }
     if (result == atmospheres) {
-        throw irsg::InputError(irsg::Offence{
+        throw irsg::InputError(irsg::Diagnostic{
             .file = others.empty() ? "environment" : others,
             .position = "resolution",
-            .value = irsg::numberText(resolution_cm) + " cm-1",
+            .value = irsg::numberText(resolution_per_cm) + " cm-1",
             .expected = "none: these spectra have nodes of their own, not bins as those of an "
                         "AtmosphereSmart"});
     }
@@ -72,10 +72,10 @@ withResolution(const std::vector<std::shared_ptr<const irsg::Atmosphere>>& atmos
 
 std::optional<irsg::SunPosition> addAir(irsg::Environment& environment,
                                         const std::vector<std::filesystem::path>& inputs,
-                                        std::optional<int> resolution_cm) {
+                                        std::optional<int> resolution_per_cm) {
     std::vector<std::shared_ptr<const irsg::Atmosphere>> atmospheres;
     std::optional<irsg::SunPosition> sun;
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     for (const auto& input : inputs) {
         try {
             const LoadedAir loaded = loadedFrom(input);
@@ -86,14 +86,15 @@ std::optional<irsg::SunPosition> addAir(irsg::Environment& environment,
             }
             sun = sun ? sun : loaded.sun;
         } catch (const irsg::InputError& error) {
-            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
         }
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(std::move(diagnostics));
     }
     for (const auto& atmosphere :
-         resolution_cm ? withResolution(atmospheres, *resolution_cm) : atmospheres) {
+         resolution_per_cm ? withResolution(atmospheres, *resolution_per_cm) : atmospheres) {
         logRemarks(atmosphere->name(), atmosphere->remarks());
         environment.add(atmosphere);
     }

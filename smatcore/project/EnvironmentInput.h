@@ -13,13 +13,13 @@ namespace smat {
 /// openAtmosphere opens, or a KARMA Environment file with its atmospheres by priority; the first
 /// default background of a file is taken where the environment has none yet. Returns the sun of the
 /// first Environment file, which is not set here. What the files leave open or have no use for is
-/// logged. Throws InputError with the offences of all files.
+/// logged. Throws InputError with the diagnostics of all files.
 ///
-/// `resolution_cm`, 1, 5 or 15, takes the place of that of every AtmosphereSmart among them; air
-/// without one has no bins and is an InputError with it.
+/// `resolution_per_cm`, 1, 5 or 15, takes the place of that of every AtmosphereSmart among them;
+/// air without one has no bins and is an InputError with it.
 std::optional<irsg::SunPosition> addAir(irsg::Environment& environment,
                                         const std::vector<std::filesystem::path>& inputs,
-                                        std::optional<int> resolution_cm = {});
+                                        std::optional<int> resolution_per_cm = {});
 
 /// What the settings list as atmospheres, with paths that hold anywhere; words (see isNoAir) stay.
 std::vector<std::filesystem::path> resolvedAir(const Project& project, const Settings& settings);

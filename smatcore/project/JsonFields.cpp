@@ -57,16 +57,16 @@ void JsonFields::takeVersion(int newest, const std::string& parts) {
     throwRefused();
     json_.erase("version");
     for (const auto& [path, line] : lines_.duplicates()) {
-        offences_.push_back({.file = fileName_,
-                             .position = fmt::format("{}, line {}", path, line),
-                             .value = "a key that occurs twice",
-                             .expected = "every key once"});
+        diagnostics_.push_back({.file = fileName_,
+                                .position = fmt::format("{}, line {}", path, line),
+                                .value = "a key that occurs twice",
+                                .expected = "every key once"});
     }
 }
 
 void JsonFields::throwRefused() const {
-    if (!offences_.empty()) {
-        throw irsg::InputError(offences_);
+    if (!diagnostics_.empty()) {
+        throw irsg::InputError(diagnostics_);
     }
 }
 
@@ -258,7 +258,7 @@ irsg::NoseAxis JsonFields::takeNoseAxis(Json& json, const std::string& path) {
 void JsonFields::refuse(const std::string& path, const std::string& value,
                         const std::string& expected) {
     const int line = lines_.line(path);
-    offences_.push_back(
+    diagnostics_.push_back(
         {.file = fileName_,
          .position = line > 0 && !path.empty() ? fmt::format("{}, line {}", path, line) : path,
          .value = value,

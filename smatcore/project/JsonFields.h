@@ -49,7 +49,7 @@ class JsonFields {
 
     void refuse(const std::string& path, const std::string& value, const std::string& expected);
     void refuse(const std::string& path, const Json& value, const std::string& expected);
-    bool isRefused() const { return !offences_.empty(); }
+    bool isRefused() const { return !diagnostics_.empty(); }
     /// Throws InputError with everything that was refused, if anything was.
     void throwRefused() const;
 
@@ -60,7 +60,7 @@ class JsonFields {
     std::string fileName_;
     Json json_;
     JsonLines lines_;
-    std::vector<irsg::Offence> offences_;
+    std::vector<irsg::Diagnostic> diagnostics_;
 };
 
 /// A value as an error shows it, cut where it is long.

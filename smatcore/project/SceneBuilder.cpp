@@ -17,11 +17,12 @@ namespace {
 
 /// Runs one piece of the work and keeps what it refuses, so that all pieces are judged in one go.
 template <typename Work>
-void collect(std::vector<irsg::Offence>& offences, const Work& work) {
+void collect(std::vector<irsg::Diagnostic>& diagnostics, const Work& work) {
     try {
         work();
     } catch (const irsg::InputError& error) {
-        offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+        diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                           error.diagnostics().end());
     }
 }
 
@@ -51,17 +52,17 @@ SceneBuilder::SceneBuilder(ModelLoader loader) : loader_(std::move(loader)) {
 SceneDescription SceneBuilder::build(const Project& project, const Settings& settings,
                                      const irsg::Environment* environment) {
     SceneDescription scene;
-    std::vector<irsg::Offence> offences;
-    collect(offences, [&] {
+    std::vector<irsg::Diagnostic> diagnostics;
+    collect(diagnostics, [&] {
         scene.environment = environment ? *environment : environmentOf(project, settings);
     });
-    collect(offences, [&] {
+    collect(diagnostics, [&] {
         scene.sensor = sensorOf(project, settings);
         scene.bands = bandsOf(project, settings);
     });
     scene.render = renderSettingsOf(settings);
-    collect(offences, [&] { scene.skybox = skybox(project, settings); });
-    collect(offences, [&] {
+    collect(diagnostics, [&] { scene.skybox = skybox(project, settings); });
+    collect(diagnostics, [&] {
         scene.terrain = terrain(project, settings);
         if (scene.terrain)
             for (const std::string& remark : scene.terrain->remarks())
@@ -69,29 +70,29 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
     });
 
     if (project.models.empty()) {
-        offences.push_back({.file = project.displayName(),
-                            .position = "models",
-                            .value = "no model",
-                            .expected = "at least one model"});
+        diagnostics.push_back({.file = project.displayName(),
+                               .position = "models",
+                               .value = "no model",
+                               .expected = "at least one model"});
     }
     for (std::size_t i = 0; i < project.models.size(); ++i) {
         const ProjectModel& given = project.models[i];
         irsg::Entity entity;
         entity.name = given.name.empty() ? given.file.stem().string() : given.name;
-        collect(offences, [&] {
+        collect(diagnostics, [&] {
             entity.model =
                 model(project.resolve(given.file),
                       {.noseAxis = given.noseAxis, .forceTwoSided = given.forceTwoSided});
             addRemarks(scene.remarks, entity.model.get(), given.file);
         });
         if (given.database.empty()) {
-            offences.push_back({.file = project.displayName(),
-                                .position = "models." + std::to_string(i) + ".database",
-                                .value = "nothing",
-                                .expected = "a signature database (.sigdb)"});
+            diagnostics.push_back({.file = project.displayName(),
+                                   .position = "models." + std::to_string(i) + ".database",
+                                   .value = "nothing",
+                                   .expected = "a signature database (.sigdb)"});
         } else {
             const auto file = project.resolve(given.database);
-            collect(offences, [&] { entity.database = database(file); });
+            collect(diagnostics, [&] { entity.database = database(file); });
             if (overrides_.contains(file)) {
                 scene.unsavedDatabases.insert(i);
             }
@@ -105,8 +106,8 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
         entity.fallbackMaterial = given.fallbackMaterial;
         scene.entities.push_back(std::move(entity));
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(offences);
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(diagnostics);
     }
     if (settings.boolean("scaling.use")) {
         applyScalings(project, static_cast<std::uint64_t>(settings.integer("scaling.seed")), scene);

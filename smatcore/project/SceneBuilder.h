@@ -23,7 +23,7 @@ class SceneBuilder {
     /// `loader` stands in for irsg::Model::load in tests.
     explicit SceneBuilder(ModelLoader loader = {});
 
-    /// Throws InputError with the offences of all parts together. An `environment` that is given
+    /// Throws InputError with the diagnostics of all parts together. An `environment` that is given
     /// stands in for reading the atmospheres of the settings.
     SceneDescription build(const Project& project, const Settings& settings,
                            const irsg::Environment* environment = nullptr);

@@ -59,7 +59,7 @@ double SceneScaling::at(std::uint64_t seed, std::uint64_t draw) const {
 std::vector<SceneScaling> sceneScalings(const Project& project, const SceneDescription& scene,
                                         std::vector<std::string>& remarks) {
     std::vector<SceneScaling> found;
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     bool anyFile = false;
     for (std::size_t e = 0; e < project.models.size() && e < scene.entities.size(); ++e) {
         const irsg::Entity& entity = scene.entities[e];
@@ -72,7 +72,8 @@ std::vector<SceneScaling> sceneScalings(const Project& project, const SceneDescr
         try {
             scalings = irsg::loadScalings(model);
         } catch (const irsg::InputError& error) {
-            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
             continue;
         }
         for (const ScalingKind kind : {ScalingKind::temperature, ScalingKind::emissivity}) {
@@ -98,15 +99,15 @@ std::vector<SceneScaling> sceneScalings(const Project& project, const SceneDescr
     }
     if (!anyFile && !project.models.empty()) {
         const std::filesystem::path model = project.resolve(project.models.front().file);
-        offences.push_back(
+        diagnostics.push_back(
             {.file = irsg::scalingFile(model, ScalingKind::temperature).string(),
              .position = "",
              .value = "no such file",
              .expected =
                  "a scaling file beside the model; saving its signature database makes one"});
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(offences);
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(diagnostics);
     }
     return found;
 }

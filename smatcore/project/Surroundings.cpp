@@ -26,11 +26,12 @@ auto naming(const std::string& key, const Load& load) {
     try {
         return load();
     } catch (const irsg::InputError& error) {
-        std::vector<irsg::Offence> offences = error.offences();
-        for (irsg::Offence& offence : offences) {
-            offence.position = key + (offence.position.empty() ? "" : ", " + offence.position);
+        std::vector<irsg::Diagnostic> diagnostics = error.diagnostics();
+        for (irsg::Diagnostic& diagnostic : diagnostics) {
+            diagnostic.position =
+                key + (diagnostic.position.empty() ? "" : ", " + diagnostic.position);
         }
-        throw irsg::InputError(std::move(offences));
+        throw irsg::InputError(std::move(diagnostics));
     }
 }
 

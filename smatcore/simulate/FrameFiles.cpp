@@ -38,19 +38,19 @@ FrameFiles::FrameFiles(const LoadedScenario& scenario, std::filesystem::path fol
       commandLine_(std::move(commandLine)) {}
 
 void FrameFiles::checkExtensions() const {
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     for (const std::string& extension : extensions_) {
         const std::vector<std::string>& known = imageExtensions();
         if (std::find(known.begin(), known.end(), extension) == known.end()) {
-            offences.push_back(
+            diagnostics.push_back(
                 {.file = "--format",
                  .position = "",
                  .value = extension.substr(std::min<std::size_t>(1, extension.size())),
                  .expected = "exr, csv or png"});
         }
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(offences);
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(diagnostics);
     }
 }
 

@@ -51,8 +51,8 @@ class Reader {
 
     ImagingSensorReading read() {
         if (document_.typeName() != "ImagingSensor") {
-            throw irsg::InputError(document_.offence("type", "'" + document_.type() + "'",
-                                                     "a type that ends in /ImagingSensor"));
+            throw irsg::InputError(document_.diagnostic("type", "'" + document_.type() + "'",
+                                                        "a type that ends in /ImagingSensor"));
         }
         for (const irsg::KarmaParameter& parameter : document_.parameters()) {
             const auto known = std::ranges::find(table, std::string_view(parameter.name),
@@ -66,11 +66,11 @@ class Reader {
             }
         }
         if (!document_.composites().empty()) {
-            offences_.push_back(document_.offence(document_.composites().front(), "a composition",
-                                                  "parameters alone"));
+            diagnostics_.push_back(document_.diagnostic(document_.composites().front(),
+                                                        "a composition", "parameters alone"));
         }
-        if (!offences_.empty()) {
-            throw irsg::InputError(offences_);
+        if (!diagnostics_.empty()) {
+            throw irsg::InputError(diagnostics_);
         }
         return std::move(reading_);
     }
@@ -78,15 +78,15 @@ class Reader {
   private:
     void readValue(const ImagingSensorParameter& known, const irsg::KarmaParameter& parameter) {
         if (parameter.kind != irsg::KarmaKind::number) {
-            offences_.push_back(document_.offence(
+            diagnostics_.push_back(document_.diagnostic(
                 parameter, std::string("a ") + irsg::name(parameter.kind), "a double"));
             return;
         }
         const double value = parameter.numbers.front();
         if (value < known.minimum || value > known.maximum ||
             (known.isWhole && value != std::floor(value))) {
-            offences_.push_back(
-                document_.offence(parameter, irsg::numberText(value), std::string(known.range)));
+            diagnostics_.push_back(
+                document_.diagnostic(parameter, irsg::numberText(value), std::string(known.range)));
             return;
         }
         reading_.parameters.*known.field = value;
@@ -94,7 +94,7 @@ class Reader {
 
     const irsg::KarmaXml& document_;
     ImagingSensorReading reading_;
-    std::vector<irsg::Offence> offences_;
+    std::vector<irsg::Diagnostic> diagnostics_;
 };
 
 } // namespace

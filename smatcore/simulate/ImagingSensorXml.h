@@ -47,8 +47,8 @@ struct ImagingSensorReading {
     std::vector<std::string> remarks; ///< parameters that are not known, with their lines
 };
 
-/// Throws InputError with file and line for every offence: another type than ImagingSensor, values
-/// of another kind than a number, out of range, or not whole where they must be.
+/// Throws InputError with file and line for every diagnostic: another type than ImagingSensor,
+/// values of another kind than a number, out of range, or not whole where they must be.
 ImagingSensorReading imagingSensorFromKarma(const irsg::KarmaXml& document);
 /// Writes the parameters that are given into a document, and removes the others that it knows; what
 /// else stands there is kept.

@@ -29,8 +29,8 @@ class Loader {
             loaded.sensors.push_back(loadSensor(sensor, project));
             shareEnvironment(loaded.sensors);
         }
-        if (!offences_.empty()) {
-            throw irsg::InputError(offences_);
+        if (!diagnostics_.empty()) {
+            throw irsg::InputError(diagnostics_);
         }
         return loaded;
     }
@@ -43,12 +43,12 @@ class Loader {
         try {
             work();
         } catch (const irsg::InputError& error) {
-            for (const irsg::Offence& offence : error.offences()) {
-                const auto isSame = [&](const irsg::Offence& other) {
-                    return other.message() == offence.message();
+            for (const irsg::Diagnostic& diagnostic : error.diagnostics()) {
+                const auto isSame = [&](const irsg::Diagnostic& other) {
+                    return other.message() == diagnostic.message();
                 };
-                if (std::none_of(offences_.begin(), offences_.end(), isSame)) {
-                    offences_.push_back(offence);
+                if (std::none_of(diagnostics_.begin(), diagnostics_.end(), isSame)) {
+                    diagnostics_.push_back(diagnostic);
                 }
             }
         }
@@ -61,10 +61,10 @@ class Loader {
         Trajectory path = read(entity.trajectory);
         const auto refuseBoth = [&](const char* key, bool isBoth) {
             if (isBoth) {
-                offences_.push_back({.file = scenario_.displayName(),
-                                     .position = fmt::format("entities.{}.{}", index, key),
-                                     .value = "a value beside a trajectory with that column",
-                                     .expected = "one of them"});
+                diagnostics_.push_back({.file = scenario_.displayName(),
+                                        .position = fmt::format("entities.{}.{}", index, key),
+                                        .value = "a value beside a trajectory with that column",
+                                        .expected = "one of them"});
             }
         };
         refuseBoth("power", entity.power && path.hasPower());
@@ -124,11 +124,12 @@ class Loader {
     void refuseMissing(const ScenarioSensor& sensor, const LoadedSensor& loaded) {
         for (const ImagingSensorSettings::Needed& needed : needed_) {
             if (loaded.settings.paths(needed.setting).empty()) {
-                offences_.push_back({.file = scenario_.resolve(sensor.imagingSensor).string(),
-                                     .position = needed.parameter,
-                                     .value = "1",
-                                     .expected = "0, or files in the setting " + needed.setting +
-                                                 " of the scenario or its sensor " + sensor.name});
+                diagnostics_.push_back({.file = scenario_.resolve(sensor.imagingSensor).string(),
+                                        .position = needed.parameter,
+                                        .value = "1",
+                                        .expected = "0, or files in the setting " + needed.setting +
+                                                    " of the scenario or its sensor " +
+                                                    sensor.name});
             }
         }
     }
@@ -168,7 +169,7 @@ class Loader {
     SceneBuilder& builder_;
     const Settings& overrides_;
     std::vector<ImagingSensorSettings::Needed> needed_; ///< of the sensor that is being loaded
-    std::vector<irsg::Offence> offences_;
+    std::vector<irsg::Diagnostic> diagnostics_;
 };
 
 } // namespace

@@ -38,9 +38,9 @@ struct LoadedScenario {
 };
 
 /// Reads what a scenario names. `overrides` go before the settings of every sensor. Throws
-/// InputError with the offences of all files and settings together: those of the parts, an engine
-/// setting beside a trajectory that has the column, an ImagingSensor file that turns something on
-/// that no setting describes.
+/// InputError with the diagnostics of all files and settings together: those of the parts, an
+/// engine setting beside a trajectory that has the column, an ImagingSensor file that turns
+/// something on that no setting describes.
 LoadedScenario loadScenarioFiles(const Scenario& scenario, SceneBuilder& builder,
                                  const Settings& overrides = {});
 

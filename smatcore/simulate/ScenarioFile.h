@@ -13,8 +13,8 @@ inline constexpr double mostSteps = 1e6;
 
 /// Reads a scenario: JSON with `version`, `title`, `notes`, `dt_s`, `start_s`, `end_s`, sections of
 /// settings, `entities` and `sensors` (docs/formats-scenario.md). Throws InputError with every
-/// offence at once, each with its key path and line, the value and what was expected; a key that is
-/// not known is one. Files that the scenario names are looked at by SceneGenerator3D, not here.
+/// diagnostic at once, each with its key path and line, the value and what was expected; a key that
+/// is not known is one. Files that the scenario names are looked at by SceneGenerator3D, not here.
 Scenario loadScenario(const std::filesystem::path& file);
 /// The same from memory, as if the text stood in `file`.
 Scenario scenarioFromJson(const std::string& text, const std::filesystem::path& file);

@@ -64,15 +64,15 @@ bool SceneGenerator3D::sees(std::size_t sensor, double time_s) const {
 
 void SceneGenerator3D::check(const std::vector<std::size_t>& sensors,
                              const std::vector<double>& times_s) const {
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     std::set<std::string> named;
     const auto refuse = [&](const std::string& what, double time_s, const std::string& value,
                             const std::string& expected) {
         if (named.insert(what + expected).second) {
-            offences.push_back({.file = scenario_.scenario.displayName(),
-                                .position = fmt::format("{} at {} s", what, time_s),
-                                .value = value,
-                                .expected = expected});
+            diagnostics.push_back({.file = scenario_.scenario.displayName(),
+                                   .position = fmt::format("{} at {} s", what, time_s),
+                                   .value = value,
+                                   .expected = expected});
         }
     };
     const auto refuseBelowGround = [&](const std::string& what, double time_s, double altitude_m) {
@@ -107,8 +107,8 @@ void SceneGenerator3D::check(const std::vector<std::size_t>& sensors,
             }
         }
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(offences);
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(diagnostics);
     }
 }
 

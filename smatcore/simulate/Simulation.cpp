@@ -148,17 +148,17 @@ std::vector<double> SimulationPlan::times_s() const {
 
 SimulationPlan planSimulation(const Scenario& scenario, const SimulationRequest& request) {
     SimulationPlan plan;
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     for (const std::string& name : request.sensors) {
         if (!scenario.findSensor(name)) {
             std::string known;
             for (const ScenarioSensor& sensor : scenario.sensors) {
                 known += (known.empty() ? "" : ", ") + sensor.name;
             }
-            offences.push_back({.file = scenario.displayName(),
-                                .position = "sensors",
-                                .value = name,
-                                .expected = "the name of a sensor: " + known});
+            diagnostics.push_back({.file = scenario.displayName(),
+                                   .position = "sensors",
+                                   .value = name,
+                                   .expected = "the name of a sensor: " + known});
         }
     }
     for (std::size_t i = 0; i < scenario.sensors.size(); ++i) {
@@ -179,7 +179,7 @@ SimulationPlan planSimulation(const Scenario& scenario, const SimulationRequest&
         }
     }
     if (plan.steps.empty()) {
-        offences.push_back(
+        diagnostics.push_back(
             {.file = scenario.displayName(),
              .position = "steps",
              .value = fmt::format("none from {} to {} s", request.from_s.value_or(times_s.front()),
@@ -187,8 +187,8 @@ SimulationPlan planSimulation(const Scenario& scenario, const SimulationRequest&
              .expected = fmt::format("times within {} to {} s, every {} s", times_s.front(),
                                      times_s.back(), scenario.dt_s)});
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(offences);
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(diagnostics);
     }
     return plan;
 }

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/CsvTable.h"
+#include "irsg/radiometry/Diagnostics.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Offences.h"
 #include "irsg/radiometry/Units.h"
 
 namespace smat {
@@ -63,7 +63,7 @@ class Reader {
 
     Trajectory read() {
         if (csv_.rows().empty()) {
-            throw irsg::InputError(csv_.offence("no rows", "a header row " + allHeaders()));
+            throw irsg::InputError(csv_.diagnostic("no rows", "a header row " + allHeaders()));
         }
         readHeader(csv_.rows().front());
         throwRefused();
@@ -71,7 +71,7 @@ class Reader {
             readRow(csv_.rows()[row]);
         }
         if (csv_.rows().size() < 2) {
-            offences_.push_back(csv_.offence("no points", "at least one row of numbers"));
+            diagnostics_.push_back(csv_.diagnostic("no points", "at least one row of numbers"));
         }
         throwRefused();
         return Trajectory(std::move(points_), places_[power].has_value(),
@@ -89,48 +89,49 @@ class Reader {
             const auto column = std::find_if(columns.begin(), columns.end(),
                                              [&](const Column& one) { return one.name == name; });
             if (column == columns.end()) {
-                offences_.push_back(csv_.offence(cell, "one of " + allHeaders()));
+                diagnostics_.push_back(csv_.diagnostic(cell, "one of " + allHeaders()));
                 continue;
             }
             if (open != std::string::npos &&
                 cell.text.substr(open) != fmt::format("[{}]", column->unit)) {
-                offences_.push_back(csv_.offence(cell, headerOf(*column)));
+                diagnostics_.push_back(csv_.diagnostic(cell, headerOf(*column)));
             }
             std::optional<std::size_t>& known =
                 places_[static_cast<std::size_t>(column - columns.begin())];
             if (known) {
-                offences_.push_back(csv_.offence(cell, "each column once"));
+                diagnostics_.push_back(csv_.diagnostic(cell, "each column once"));
             }
             known = place;
         }
         for (std::size_t i = 0; i < columnCount; ++i) {
             if (!places_[i] && columns[i].isRequired) {
-                offences_.push_back(csv_.offence(header.line,
-                                                 fmt::format("no column {}", columns[i].name),
-                                                 "the columns " + allHeaders()));
+                diagnostics_.push_back(csv_.diagnostic(header.line,
+                                                       fmt::format("no column {}", columns[i].name),
+                                                       "the columns " + allHeaders()));
             }
         }
     }
 
     void readRow(const irsg::CsvRow& row) {
-        irsg::keepFirstOffences(offences_);
+        irsg::keepFirstDiagnostics(diagnostics_);
         if (row.cells.size() != width_) {
-            offences_.push_back(csv_.offence(row.line, fmt::format("{} cells", row.cells.size()),
-                                             fmt::format("{} cells", width_)));
+            diagnostics_.push_back(csv_.diagnostic(row.line,
+                                                   fmt::format("{} cells", row.cells.size()),
+                                                   fmt::format("{} cells", width_)));
             return;
         }
-        const std::size_t before = offences_.size();
+        const std::size_t before = diagnostics_.size();
         std::array<double, columnCount> numbers{};
         for (std::size_t i = 0; i < columnCount; ++i) {
             if (places_[i]) {
                 numbers[i] = number(row.cells[*places_[i]], columns[i]);
             }
         }
-        if (offences_.size() > before) {
+        if (diagnostics_.size() > before) {
             return;
         }
         if (!points_.empty() && !(numbers[time] > points_.back().time_s)) {
-            offences_.push_back(csv_.offence(
+            diagnostics_.push_back(csv_.diagnostic(
                 row.cells[*places_[time]],
                 fmt::format("a time after {} s: times ascend", points_.back().time_s)));
             return;
@@ -147,16 +148,16 @@ class Reader {
         const std::string unit = column.unit.empty() ? "" : fmt::format(" {}", column.unit);
         const std::string expected =
             fmt::format("a number from {} to {}{}", column.minimum, column.maximum, unit);
-        const std::optional<double> value = csv_.number(cell, offences_, expected);
+        const std::optional<double> value = csv_.number(cell, diagnostics_, expected);
         if (value && (*value < column.minimum || *value > column.maximum)) {
-            offences_.push_back(csv_.offence(cell, expected));
+            diagnostics_.push_back(csv_.diagnostic(cell, expected));
         }
         return value.value_or(0.0);
     }
 
     void throwRefused() const {
-        if (!offences_.empty()) {
-            throw irsg::InputError(offences_);
+        if (!diagnostics_.empty()) {
+            throw irsg::InputError(diagnostics_);
         }
     }
 
@@ -164,7 +165,7 @@ class Reader {
     std::array<std::optional<std::size_t>, columnCount> places_;
     std::size_t width_ = 0;
     std::vector<TrajectoryPoint> points_;
-    std::vector<irsg::Offence> offences_;
+    std::vector<irsg::Diagnostic> diagnostics_;
 };
 
 } // namespace

@@ -33,12 +33,12 @@ class Trajectory {
     /// Reads a CSV with the columns `t [s]`, `x [m]`, `y [m]`, `z [m]` (east, north, altitude of
     /// the origin), `yaw [deg]`, `pitch [deg]`, `roll [deg]` and, where they are wanted, `power`
     /// and `mach`, in any order; the units may be left out. Lines that begin with # are remarks.
-    /// Throws InputError with every offence at its line and column: columns that are missing,
+    /// Throws InputError with every diagnostic at its line and column: columns that are missing,
     /// unknown, there twice or in another unit, cells that are no numbers, times that do not
     /// ascend, positions beyond 1e9 m, yaw or roll beyond 360 and pitch beyond 90 degrees, power
     /// outside 0 to 1e6, mach outside 0 to 30.
     static Trajectory read(const std::filesystem::path& file);
-    /// The same from memory; `name` stands for the file in offences.
+    /// The same from memory; `name` stands for the file in diagnostics.
     static Trajectory parse(std::string_view text, const std::string& name);
 
     /// No value before the first point and after the last, unless `hold` keeps the end there. What

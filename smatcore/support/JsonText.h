@@ -14,18 +14,18 @@ namespace smat {
 /// Deeper than any file of ours; the library's own writer would run out of stack far beyond it.
 inline constexpr int deepestJson = 100;
 
-/// The value of a JSON text. Throws InputError with the line of the first offence for text that is
-/// not JSON or nested deeper than deepestJson; `expected` says what the file should have been. A
+/// The value of a JSON text. Throws InputError with the line of the first diagnostic for text that
+/// is not JSON or nested deeper than deepestJson; `expected` says what the file should have been. A
 /// zero byte is refused here, because the library takes it for the end of the text and says nothing
 /// of what follows.
 template <typename Json>
 Json parseJsonText(const std::string& text, const std::string& file, const std::string& expected) {
     const auto refuse = [&](std::size_t byte, const std::string& value) {
         throw irsg::InputError(
-            irsg::Offence{.file = file,
-                          .position = "line " + std::to_string(lineOfByte(text, byte)),
-                          .value = value,
-                          .expected = expected});
+            irsg::Diagnostic{.file = file,
+                             .position = "line " + std::to_string(lineOfByte(text, byte)),
+                             .value = value,
+                             .expected = expected});
     };
     if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
         refuse(zero, "a zero byte");

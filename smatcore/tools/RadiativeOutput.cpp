@@ -27,13 +27,13 @@ const RadiativeQuantity& entryOf(AtmosphereProperty property) {
 }
 
 /// What a quantity needs of the geometry, or "" where it has it.
-std::string missingFor(AtmosphereProperty property, const AirGeometry& geometry) {
+std::string missingFor(AtmosphereProperty property, const PathGeometry& geometry) {
     switch (irsg::placeOf(property)) {
-    case irsg::AirPlace::path:
+    case irsg::QueryGeometry::path:
         return geometry.path ? ""
                              : "a sensor altitude, with a range and an elevation of the line of "
                                "sight or a target altitude, or with an elevation to space";
-    case irsg::AirPlace::sight:
+    case irsg::QueryGeometry::sight:
         return geometry.sight ? "" : "a sensor altitude and an elevation of the line of sight";
     default:
         return geometry.targetAltitude_m
@@ -66,7 +66,7 @@ class Output {
     /// The quantities that geometry and air have a value for.
     std::vector<AtmosphereProperty> answerable() {
         std::vector<AtmosphereProperty> asked;
-        std::vector<irsg::Offence> offences;
+        std::vector<irsg::Diagnostic> diagnostics;
         for (const AtmosphereProperty property : request_.quantities) {
             const std::string missing = missingFor(property, geometry_);
             const bool hasAir = environment_.find(request_.band, property) != nullptr ||
@@ -80,12 +80,12 @@ class Output {
                                                 ? "no atmosphere has it over the band"
                                                 : "its geometry is not given: " + missing));
             } else {
-                offences.push_back(
+                diagnostics.push_back(
                     {"geometry", irsg::name(property), "too little to know it", missing});
             }
         }
-        if (!offences.empty()) {
-            throw irsg::InputError(std::move(offences));
+        if (!diagnostics.empty()) {
+            throw irsg::InputError(std::move(diagnostics));
         }
         if (asked.empty()) {
             sayWhyNothing();
@@ -102,10 +102,10 @@ class Output {
             }
         }
         throw irsg::InputError(
-            irsg::Offence{.file = "geometry",
-                          .position = "",
-                          .value = "too little for any quantity",
-                          .expected = missingFor(AtmosphereProperty::transmittance, geometry_)});
+            irsg::Diagnostic{.file = "geometry",
+                             .position = "",
+                             .value = "too little for any quantity",
+                             .expected = missingFor(AtmosphereProperty::transmittance, geometry_)});
     }
 
     std::string bandText() const {
@@ -113,11 +113,12 @@ class Output {
     }
 
     Spectrum ask(AtmosphereProperty property) {
-        const irsg::AirQuestion question{.quantity = property,
-                                         .path = geometry_.path.value_or(irsg::AirPath{}),
-                                         .sight = geometry_.sight.value_or(irsg::LineOfSight{}),
-                                         .altitude_m = geometry_.targetAltitude_m.value_or(0.0),
-                                         .sun = environment_.sun};
+        const irsg::AtmosphericQuery question{
+            .quantity = property,
+            .path = geometry_.path.value_or(irsg::AtmosphericPath{}),
+            .sight = geometry_.sight.value_or(irsg::LineOfSight{}),
+            .altitude_m = geometry_.targetAltitude_m.value_or(0.0),
+            .sun = environment_.sun};
         irsg::Answer<Spectrum> answer = environment_.spectrum(question, request_.band);
         result_.answeredBy.push_back(std::string(irsg::name(property)) + ": " + answer.answeredBy);
         return std::move(answer.value);
@@ -137,7 +138,7 @@ class Output {
             values.push_back(spectrum.sample(axis));
         }
         for (std::size_t i = axis.size(); i-- > 0;) {
-            std::vector<double> row = {irsg::wavenumberFromWavelength_cm1(axis[i]), axis[i]};
+            std::vector<double> row = {irsg::wavenumberFromWavelength_per_cm(axis[i]), axis[i]};
             for (const std::vector<double>& column : values) {
                 row.push_back(column[i]);
             }
@@ -233,7 +234,7 @@ class Output {
 
     const irsg::Environment& environment_;
     const RadiativeRequest& request_;
-    AirGeometry geometry_;
+    PathGeometry geometry_;
     std::vector<std::pair<AtmosphereProperty, Spectrum>> spectra_;
     RadiativeOutput result_;
 };

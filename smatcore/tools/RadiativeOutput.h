@@ -7,7 +7,7 @@
 #include "irsg/atmosphere/Environment.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/data/ResultTable.h"
-#include "smatcore/tools/AirGeometry.h"
+#include "smatcore/tools/PathGeometry.h"
 
 namespace smat {
 
@@ -18,7 +18,7 @@ struct RadiativeRequest {
     /// Leave out, with a warning, what the air or the geometry has no value for; otherwise that is
     /// refused.
     bool leaveOutMissing = false;
-    AirGeometryInput geometry;
+    PathGeometryInput geometry;
     irsg::SpectralRange band;
     std::string commandLine = {}; ///< goes into the provenance where it is not empty
 };

@@ -11,9 +11,9 @@ namespace smat {
 namespace {
 
 void check(const TemperatureProfileRequest& request) {
-    std::vector<irsg::Offence> offences;
+    std::vector<irsg::Diagnostic> diagnostics;
     const auto offend = [&](const char* what, double value, std::string expected) {
-        offences.push_back(
+        diagnostics.push_back(
             {"temperature profile", what, irsg::numberText(value) + " m", std::move(expected)});
     };
     if (!(request.min_m >= 0.0 && std::isfinite(request.min_m))) {
@@ -31,8 +31,8 @@ void check(const TemperatureProfileRequest& request) {
         offend("step", request.step_m,
                "a step that gives at most " + std::to_string(maximumProfileRows) + " altitudes");
     }
-    if (!offences.empty()) {
-        throw irsg::InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw irsg::InputError(std::move(diagnostics));
     }
 }
 

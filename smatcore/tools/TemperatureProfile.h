@@ -22,8 +22,8 @@ inline constexpr int maximumProfileRows = 1'000'000;
 /// atmosphere that has one answers. The environment's default ambient temperature is no property of
 /// the air and is not used.
 ///
-/// Throws InputError naming every offence: altitudes below ground or not finite, a largest altitude
-/// below the least, a step of 0 or less, too many rows, air without a temperature.
+/// Throws InputError naming every diagnostic: altitudes below ground or not finite, a largest
+/// altitude below the least, a step of 0 or less, too many rows, air without a temperature.
 ResultTable temperatureProfile(const irsg::Environment& environment,
                                const TemperatureProfileRequest& request);
 

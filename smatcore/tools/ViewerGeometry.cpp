@@ -13,8 +13,8 @@
 
 namespace smat {
 
-AirGeometryInput viewerGeometry(const Project& project, const Settings& settings,
-                                const irsg::Vec3& referencePoint_m) {
+PathGeometryInput viewerGeometry(const Project& project, const Settings& settings,
+                                 const irsg::Vec3& referencePoint_m) {
     const irsg::Vec3 target = targetPoseOf(settings).toWorld(referencePoint_m);
     const AnalysisCase view = planAnalysis(AnalysisKind::image, project, settings).cases.front();
     const irsg::Viewpoint camera = view.viewpoint(target);
@@ -65,7 +65,7 @@ std::string airArguments(const std::vector<std::filesystem::path>& air) {
 
 std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
                              const std::vector<std::string>& words,
-                             const AirGeometryInput& geometry, const irsg::SpectralRange& band,
+                             const PathGeometryInput& geometry, const irsg::SpectralRange& band,
                              const irsg::SunPosition& sun, std::optional<double> dayOfYear,
                              const std::string& outputFile) {
     std::string command = "smat-batch radiative" + airArguments(air);

@@ -7,15 +7,15 @@
 
 #include "irsg/scene/Irsg.h"
 #include "smatcore/project/SceneBuilder.h"
-#include "smatcore/tools/AirGeometry.h"
+#include "smatcore/tools/PathGeometry.h"
 
 namespace smat {
 
 /// The line of sight from the camera to the target's reference point as settings place them
 /// (`camera.*`, `target.*`), altitudes, range and both angles: what an image with these settings
 /// asks the air for. `referencePoint_m` is in model axes.
-AirGeometryInput viewerGeometry(const Project& project, const Settings& settings,
-                                const irsg::Vec3& referencePoint_m);
+PathGeometryInput viewerGeometry(const Project& project, const Settings& settings,
+                                 const irsg::Vec3& referencePoint_m);
 
 /// Where the camera of a project looks, in the axes of its target: the point that the project
 /// names, else the centre of what is opaque in the infrared, as Irsg takes it; the origin where the
@@ -30,7 +30,7 @@ std::string airArguments(const std::vector<std::filesystem::path>& air);
 /// radiativeQuantities). The sun's distance is that of the day, the mean one without.
 std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
                              const std::vector<std::string>& words,
-                             const AirGeometryInput& geometry, const irsg::SpectralRange& band,
+                             const PathGeometryInput& geometry, const irsg::SpectralRange& band,
                              const irsg::SunPosition& sun, std::optional<double> dayOfYear,
                              const std::string& outputFile);
 

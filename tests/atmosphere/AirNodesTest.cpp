@@ -15,15 +15,15 @@ using namespace irsg;
 
 namespace {
 
-std::shared_ptr<const AtmosphereSmart> airOf(int resolution_cm = 5) {
+std::shared_ptr<const AtmosphereSmart> airOf(int resolution_per_cm = 5) {
     AtmosphereSmartParameters parameters;
     parameters.irradianceMode = 2;
-    parameters.resolution_cm = resolution_cm;
+    parameters.resolution_per_cm = resolution_per_cm;
     return std::make_shared<const AtmosphereSmart>(parameters);
 }
 
 const Band band = Band::topHat(3.01, 3.333);
-const AirPath path{1000.0, 800.0, 3000.0, 0.4};
+const AtmosphericPath path{1000.0, 800.0, 3000.0, 0.4};
 const SunPosition sun{1.0, 0.6};
 
 double sumOf(const Spectrum& spectrum, const Band& over) {
@@ -34,20 +34,21 @@ double sumOf(const Spectrum& spectrum, const Band& over) {
 } // namespace
 
 TEST(AirNodes, AddUpASingleQuantityAsItsSpectrumDoes) {
-    for (const int resolution_cm : {1, 5, 15}) {
-        const auto air = airOf(resolution_cm);
+    for (const int resolution_per_cm : {1, 5, 15}) {
+        const auto air = airOf(resolution_per_cm);
         const Band triangle =
             Band::fromResponse(Spectrum({3.02, 3.1, 3.3}, {0.0, 1.0, 0.2}), "triangle");
         for (const Band& over : {band, triangle}) {
             const auto nodes = air->nodesOf(over);
             EXPECT_NEAR(nodes->area_um(), over.area_um(), 2e-9); // weights are floats
-            for (const AirQuestion& question :
-                 {AirQuestion::transmittance(path), AirQuestion::pathRadiance(path, sun),
-                  AirQuestion::solarIrradiance(500.0, sun), AirQuestion::upwardFlux(500.0, sun),
-                  AirQuestion::backgroundRadiance({10.0, 0.3, 0.0}, sun)}) {
+            for (const AtmosphericQuery& question :
+                 {AtmosphericQuery::transmittance(path), AtmosphericQuery::pathRadiance(path, sun),
+                  AtmosphericQuery::solarIrradiance(500.0, sun),
+                  AtmosphericQuery::upwardFlux(500.0, sun),
+                  AtmosphericQuery::backgroundRadiance({10.0, 0.3, 0.0}, sun)}) {
                 const double expected = sumOf(air->spectrum(question, over.range()), over);
                 EXPECT_NEAR(nodes->integrate(air->answer(question, *nodes)) / expected, 1.0, 1e-9)
-                    << resolution_cm << " " << name(question.quantity);
+                    << resolution_per_cm << " " << name(question.quantity);
             }
         }
     }
@@ -58,10 +59,10 @@ TEST(AirNodes, MultiplyWhatMeetsTheSameLinesBeforeTheBinIsSummed) {
     // square, of means of bins it is not.
     const auto air = airOf();
     const auto nodes = air->nodesOf(band);
-    const AirPath once{1000.0, 1000.0, 1500.0}, twice{1000.0, 1000.0, 3000.0};
-    const std::vector<double> there = air->answer(AirQuestion::transmittance(once), *nodes);
+    const AtmosphericPath once{1000.0, 1000.0, 1500.0}, twice{1000.0, 1000.0, 3000.0};
+    const std::vector<double> there = air->answer(AtmosphericQuery::transmittance(once), *nodes);
     const double expected =
-        nodes->integrate(air->answer(AirQuestion::transmittance(twice), *nodes));
+        nodes->integrate(air->answer(AtmosphericQuery::transmittance(twice), *nodes));
     EXPECT_NEAR(nodes->integrate(there, there) / expected, 1.0, 2e-4);
     const Spectrum mean = air->transmittance(once, band.range());
     const Spectrum* const squared[] = {&mean, &mean};
@@ -86,7 +87,7 @@ TEST(AirNodes, AtWavelengthsAreTheSpectrum) {
     const auto sampling = air->nodesAt(wavelengths_um);
     const AirNodes& nodes = *AirNodes::of(*sampling);
     ASSERT_EQ(nodes.outputs().size(), wavelengths_um.size());
-    const AirQuestion question = AirQuestion::solarIrradiance(100.0, sun);
+    const AtmosphericQuery question = AtmosphericQuery::solarIrradiance(100.0, sun);
     const Spectrum spectrum = air->spectrum(question, band.range());
     const std::vector<double> values = air->answer(question, nodes);
     const Spectrum slope({3.0, 3.4}, {0.0, 1.0});
@@ -106,7 +107,7 @@ TEST(AirNodes, AtWavelengthsAreTheSpectrum) {
 TEST(AirNodes, OfOneAirAreAnsweredByAnotherWithItsSpectrum) {
     const auto air = airOf(), other = airOf(15);
     const auto nodes = air->nodesOf(band);
-    const AirQuestion question = AirQuestion::transmittance(path);
+    const AtmosphericQuery question = AtmosphericQuery::transmittance(path);
     EXPECT_EQ(other->answer(question, *nodes),
               nodes->sampled(other->transmittance(path, band.range())));
     BeerLambertParameters haze;

@@ -19,11 +19,11 @@ using namespace syntheticair;
 /// ground and 200 m above the peak.
 Profile withInversion(double peak_m, double peak_K) {
     const Profile model = Profile::model(ModelAtmosphere::usStandard1976);
-    std::vector<AirState> levels = model.levels();
+    std::vector<AtmosphericState> levels = model.levels();
     for (const double z : {peak_m, peak_m + 200.0})
         levels.push_back(model.at(z));
     levels[levels.size() - 2].temperature_K += peak_K;
-    std::ranges::sort(levels, {}, &AirState::altitude_m);
+    std::ranges::sort(levels, {}, &AtmosphericState::altitude_m);
     return Profile(std::move(levels), "inversion");
 }
 
@@ -32,9 +32,9 @@ Profile withInversion(double peak_m, double peak_K) {
 Profile ascent(std::size_t count, double noise = 0.0) {
     std::mt19937 generator(3);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    std::vector<AirState> bends;
+    std::vector<AtmosphericState> bends;
     for (int i = 0; i < 50; ++i) {
-        AirState level;
+        AtmosphericState level;
         level.altitude_m = 20e3 * i / 49.0;
         level.pressure_hPa = 1013.25 * std::exp(-level.altitude_m / 7500.0);
         level.temperature_K = std::max(290.0 - 6.5e-3 * level.altitude_m, 217.0) +
@@ -46,15 +46,15 @@ Profile ascent(std::size_t count, double noise = 0.0) {
         bends.push_back(level);
     }
     const Profile sparse(bends, "50 levels");
-    std::vector<AirState> levels = bends;
+    std::vector<AtmosphericState> levels = bends;
     for (std::size_t i = 1; levels.size() < count; ++i)
         levels.push_back(sparse.at(20e3 * static_cast<double>(i) / static_cast<double>(count)));
-    std::ranges::sort(levels, {}, &AirState::altitude_m);
-    const auto isTwin = [](const AirState& a, const AirState& b) {
+    std::ranges::sort(levels, {}, &AtmosphericState::altitude_m);
+    const auto isTwin = [](const AtmosphericState& a, const AtmosphericState& b) {
         return b.altitude_m - a.altitude_m < 1e-3;
     };
     levels.erase(std::unique(levels.begin(), levels.end(), isTwin), levels.end());
-    for (AirState& level : levels) {
+    for (AtmosphericState& level : levels) {
         level.temperature_K += noise * transferTemperatureTolerance_K * uniform(generator);
         level.moleFraction[static_cast<std::size_t>(Gas::H2O)] *=
             1.0 + noise * transferAmountTolerance * uniform(generator);
@@ -84,7 +84,7 @@ TEST(AltitudeGrid, keepTheEdgesOfACloudApart) {
 }
 
 TEST(AltitudeGrid, endWhereTheProfileEnds) {
-    std::vector<AirState> levels(2);
+    std::vector<AtmosphericState> levels(2);
     levels[1].altitude_m = 7.3e3;
     levels[1].pressure_hPa = 400.0;
     const auto altitudes_m = transferAltitudes_m(Profile(levels), {});
@@ -106,19 +106,19 @@ TEST(AltitudeGrid, keepsTheLevelsWhereTemperatureOrHumidityTurn) {
                 testing::IsSupersetOf({130.0, 330.0}));
     EXPECT_THAT(transferAltitudes_m(withInversion(6140.0, -3.0), {}),
                 testing::IsSupersetOf({6140.0, 6340.0}));
-    std::vector<AirState> levels = profile().levels();
+    std::vector<AtmosphericState> levels = profile().levels();
     const auto layer = [&](double altitude_m, double water) {
-        AirState level = profile().at(altitude_m);
+        AtmosphericState level = profile().at(altitude_m);
         level.moleFraction[static_cast<std::size_t>(Gas::H2O)] = water;
         levels.push_back(level);
     };
-    for (AirState& level : levels)
+    for (AtmosphericState& level : levels)
         level.moleFraction[static_cast<std::size_t>(Gas::H2O)] = 1e-3;
     layer(3310.0, 1e-3);
     layer(3340.0, 1e-5);
     layer(3430.0, 1e-5);
     layer(3460.0, 1e-3);
-    std::ranges::sort(levels, {}, &AirState::altitude_m);
+    std::ranges::sort(levels, {}, &AtmosphericState::altitude_m);
     EXPECT_THAT(transferAltitudes_m(Profile(levels), {}),
                 testing::IsSupersetOf({3310.0, 3340.0, 3430.0, 3460.0}));
 }
@@ -126,12 +126,12 @@ TEST(AltitudeGrid, keepsTheLevelsWhereTemperatureOrHumidityTurn) {
 TEST(AltitudeGrid, missesNoLevelOfAnAscentByMoreThanItSays) {
     const Profile air = ascent(5000, 0.5);
     const auto altitudes_m = transferAltitudes_m(air, {});
-    std::vector<AirState> nodes;
+    std::vector<AtmosphericState> nodes;
     for (const double z : altitudes_m)
         nodes.push_back(air.at(z));
     const Profile thinned(nodes, "thinned");
-    for (const AirState& level : air.levels()) {
-        const AirState found = thinned.at(level.altitude_m);
+    for (const AtmosphericState& level : air.levels()) {
+        const AtmosphericState found = thinned.at(level.altitude_m);
         const double slack = std::max(1.0, transferTolerancePressure_hPa / level.pressure_hPa);
         EXPECT_LE(std::abs(found.temperature_K - level.temperature_K),
                   transferTemperatureTolerance_K * slack * 1.001)
@@ -163,7 +163,7 @@ TEST(AltitudeGrid, aSurfaceInversionCountsAsOnAFineGrid) {
     std::vector<double> fine_m;
     for (double z = 10.0; z <= 340.0; z += 10.0)
         fine_m.push_back(z);
-    AirModel fine = model(withInversion(130.0, 10.0));
+    AtmosphericModel fine = model(withInversion(130.0, 10.0));
     fine.particles = {particles(fine_m, std::vector<double>(fine_m.size(), 0.0), 0.5, 0.5)};
     const RadiativeTransfer reference(fine, GasTable::shipped());
     const RadiativeTransfer air(model(withInversion(130.0, 10.0)), GasTable::shipped());

@@ -41,7 +41,7 @@ TEST(AtmosphereScatteringLut, IsReadFromItsFile) {
     ASSERT_NE(lut, nullptr);
     EXPECT_EQ(lut->database().filename(), "fog.mtf");
     EXPECT_DOUBLE_EQ(lut->coefficient_per_m(), 2.5e-3);
-    const AirPath path{.sensorAltitude_m = 10, .targetAltitude_m = 10, .range_m = 800};
+    const AtmosphericPath path{.sensorAltitude_m = 10, .targetAltitude_m = 10, .range_m = 800};
     EXPECT_NEAR(lut->scatteringOpticalDepth(path, {3, 5}).at(4.0), 2.0, 1e-12);
     EXPECT_FALSE(lut->supports(AtmosphereProperty::transmittance));
 }

@@ -32,7 +32,7 @@ TEST(AtmosphereSmartParameters, areTheTwentySevenOfTheReport) {
                             "Resolution", "ScatteringMode", "TemperatureALT0", "TemperatureMH",
                             "Visibility", "WindDirection", "WindSpeed", "WindSpeedAverage24",
                             "WindSpeedMeasurementHeight"));
-    EXPECT_TRUE(offencesOf({}).empty());
+    EXPECT_TRUE(diagnosticsOf({}).empty());
     EXPECT_TRUE(remarksOn({}).empty());
 }
 
@@ -144,7 +144,7 @@ TEST(AtmosphereSmartParameters, whatIsWrittenIsReadBackEqual) {
         p.meteoModel = code({1, 2});
         p.pressureMH_mbar = real(800.0, 1200.0);
         p.relativeHumidityMH_percent = real(0.0, 100.0);
-        p.resolution_cm = code({1, 5, 15});
+        p.resolution_per_cm = code({1, 5, 15});
         p.scatteringMode = p.cloudModel == 0 ? code({1, 2}) : 2;
         p.temperatureALT0_C = real(0.0, 30.0);
         p.temperatureMH_C = p.temperatureALT0_C + real(-9.9, 9.9);

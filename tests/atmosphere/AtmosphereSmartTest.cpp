@@ -37,7 +37,7 @@ AtmosphereSmart smart(const AtmosphereSmartParameters& parameters) {
 TEST(SmartAdapter, convertsUnitsAndCodes) {
     AtmosphereSmartParameters parameters;
     parameters.groundTemperature_C = -12.5;
-    parameters.resolution_cm = 15;
+    parameters.resolution_per_cm = 15;
     parameters.aerosolModel = 3;
     parameters.airMass = 6;
     parameters.windSpeed_m_s = 7.0;
@@ -48,9 +48,9 @@ TEST(SmartAdapter, convertsUnitsAndCodes) {
     parameters.cloudBaseAltitude_m = 500.0;
     parameters.cloudThickness_m = 300.0;
     parameters.cloudExtinction_per_m = 0.02;
-    const AirModel air = SmartAdapter::airModel(parameters);
+    const AtmosphericModel air = SmartAdapter::atmosphericModel(parameters);
     EXPECT_DOUBLE_EQ(air.groundTemperature_K, 260.65);
-    EXPECT_EQ(air.resolution_cm, 15);
+    EXPECT_EQ(air.resolution_per_cm, 15);
     EXPECT_EQ(air.scattering, ScatteringMode::twoStream);
     EXPECT_DOUBLE_EQ(air.groundAlbedo.at(2.75), 0.5 * (0.38 + 0.13));
     EXPECT_DOUBLE_EQ(air.groundAlbedo.at(30.0), 0.08);
@@ -84,7 +84,7 @@ TEST(SmartAdapter, dropsThePlaceOfACloudThatIsNotThere) {
     EXPECT_LT(particles.cloudBase_m, 0.0);
     EXPECT_EQ(particles.cloudThickness_m, 0.0);
     EXPECT_EQ(particles.cloudExtinction_per_m, 0.0);
-    EXPECT_NO_THROW(SmartAdapter::airModel(parameters));
+    EXPECT_NO_THROW(SmartAdapter::atmosphericModel(parameters));
 }
 
 TEST(SmartAdapter, takesTheSeasonOfTheWinterModels) {
@@ -129,7 +129,7 @@ TEST(SmartAdapter, setsAndScalesTheOtherGases) {
     const Profile profile = SmartAdapter::profile(parameters);
     EXPECT_NEAR(profile.at(0.0).fraction(Gas::CH4), 2.5e-6, 1e-12);
     for (const double altitude_m : {0.0, 3e3, 25e3, 60e3}) {
-        const AirState was = own.at(altitude_m), is = profile.at(altitude_m);
+        const AtmosphericState was = own.at(altitude_m), is = profile.at(altitude_m);
         EXPECT_NEAR(is.fraction(Gas::CH4) / was.fraction(Gas::CH4),
                     2.5e-6 / own.at(0.0).fraction(Gas::CH4), 1e-9);
         EXPECT_EQ(is.fraction(Gas::N2O), 0.0);
@@ -140,7 +140,7 @@ TEST(SmartAdapter, setsAndScalesTheOtherGases) {
     // More water than air can hold is not there.
     parameters.waterScale = 10.0;
     const Profile wet = SmartAdapter::profile(parameters);
-    for (const AirState& air : wet.levels())
+    for (const AtmosphericState& air : wet.levels())
         EXPECT_LE(relativeHumidity(air),
                   std::max(1.0 + 1e-9, relativeHumidity(own.at(air.altitude_m))));
     EXPECT_NEAR(relativeHumidity(wet.at(0.0)), 1.0, 1e-9);
@@ -149,11 +149,11 @@ TEST(SmartAdapter, setsAndScalesTheOtherGases) {
 
 TEST(SmartAdapter, leavesOutAerosolsAndKeepsClouds) {
     AtmosphereSmartParameters parameters;
-    EXPECT_FALSE(SmartAdapter::airModel(parameters).particles.empty());
+    EXPECT_FALSE(SmartAdapter::atmosphericModel(parameters).particles.empty());
     parameters.aerosols = 0;
-    EXPECT_TRUE(SmartAdapter::airModel(parameters).particles.empty());
+    EXPECT_TRUE(SmartAdapter::atmosphericModel(parameters).particles.empty());
     parameters.cloudModel = 3;
-    EXPECT_FALSE(SmartAdapter::airModel(parameters).particles.empty());
+    EXPECT_FALSE(SmartAdapter::atmosphericModel(parameters).particles.empty());
 }
 
 // The report allows -40 C at measurement height but no less than -10 C at altitude 0, within 10 C
@@ -168,7 +168,7 @@ TEST(SmartAdapter, takesMeasurementsOfAColdDay) {
         const Profile profile = SmartAdapter::profile(parameters);
         EXPECT_NEAR(profile.at(5.0).temperature_K, measured_C + 273.15, 1e-9);
         EXPECT_NEAR(profile.at(0.0).temperature_K, measured_C + 271.15, 1e-9);
-        EXPECT_TRUE(offencesOf(parameters).empty());
+        EXPECT_TRUE(diagnosticsOf(parameters).empty());
     }
 }
 
@@ -188,8 +188,8 @@ TEST(SmartAdapter, takesARadiosondeAscentFromBesideTheFile) {
 TEST(SmartAdapter, refusesParametersThatCannotBe) {
     AtmosphereSmartParameters parameters;
     parameters.visibility_m = std::nan("");
-    parameters.resolution_cm = 3;
-    EXPECT_THAT(refusalOf([&] { SmartAdapter::airModel(parameters); }),
+    parameters.resolution_per_cm = 3;
+    EXPECT_THAT(refusalOf([&] { SmartAdapter::atmosphericModel(parameters); }),
                 AllOf(HasSubstr("AtmosphereSmart: Visibility: found nan m"),
                       HasSubstr("AtmosphereSmart: Resolution: found 3 cm-1")));
 }
@@ -198,7 +198,7 @@ TEST(AtmosphereSmart, answersWhatItsRadiativeTransferComputes) {
     const AtmosphereSmart air = smart(parametersOfBand());
     const RadiativeTransfer& transfer = air.transfer();
     const NodeSet nodes = transfer.nodesOf(band);
-    const AirPath path{1000.0, 0.0, 3000.0};
+    const AtmosphericPath path{1000.0, 0.0, 3000.0};
     const LineOfSight up{100.0, 0.3, 1.0};
     const auto expect = [&](const Spectrum& found, const std::vector<double>& values) {
         EXPECT_EQ(found, transfer.spectrum(band, values));
@@ -216,7 +216,7 @@ TEST(AtmosphereSmart, answersWhatItsRadiativeTransferComputes) {
 
 TEST(AtmosphereSmart, aPathOfNoLengthChangesNothing) {
     const AtmosphereSmart air = smart(parametersOfBand());
-    const AirPath nothing{10.0, 10.0, 0.0};
+    const AtmosphericPath nothing{10.0, 10.0, 0.0};
     EXPECT_EQ(air.transmittance(nothing, band).minimum(), 1.0);
     EXPECT_EQ(air.pathRadiance(nothing, day, band).maximum(), 0.0);
 }
@@ -257,9 +257,10 @@ TEST(AtmosphereSmart, singleScatteringHasNoFluxesAndSaysWhy) {
     EXPECT_THROW(air->downwardFlux(0.0, day, band), LogicError);
     Environment environment;
     environment.add(air);
-    EXPECT_THAT(refusalOf([&] { environment.spectrum(AirQuestion::upwardFlux(0.0, day), band); }),
-                AllOf(HasSubstr("single (has no upward flux in ScatteringMode 1"),
-                      HasSubstr("ScatteringMode 2")));
+    EXPECT_THAT(
+        refusalOf([&] { environment.spectrum(AtmosphericQuery::upwardFlux(0.0, day), band); }),
+        AllOf(HasSubstr("single (has no upward flux in ScatteringMode 1"),
+              HasSubstr("ScatteringMode 2")));
 }
 
 TEST(AtmosphereSmart, aBandThatTheGasTableLacksIsRefused) {

@@ -85,7 +85,7 @@ TEST(BeerLambertCsv, theSampleHazeIsReadAndBehavesLikeOne) {
         BeerLambert::fromCsv(SMAT_SOURCE_DIR "/resources/atmospheres/haze-23km.csv");
     EXPECT_EQ(haze.name(), "Haze 23 km (sample)");
     EXPECT_EQ(haze.base(), (SpectralRange{0.3, 15.0}));
-    const AirPath fiveKilometres{0.0, 0.0, 5000.0};
+    const AtmosphericPath fiveKilometres{0.0, 0.0, 5000.0};
     const Spectrum tau = haze.transmittance(fiveKilometres, mwir);
     EXPECT_LT(tau.at(4.26), 1e-30);
     EXPECT_GT(tau.at(3.8), 0.8);
@@ -123,9 +123,9 @@ TEST_P(BeerLambertCsvRefuses, withFileLineValueAndExpectation) {
         ADD_FAILURE() << "accepted";
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr(path.string() + ": " + GetParam().message));
-        for (const Offence& offence : error.offences()) {
-            EXPECT_FALSE(offence.value.empty());
-            EXPECT_FALSE(offence.expected.empty());
+        for (const Diagnostic& diagnostic : error.diagnostics()) {
+            EXPECT_FALSE(diagnostic.value.empty());
+            EXPECT_FALSE(diagnostic.expected.empty());
         }
     }
 }
@@ -187,12 +187,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"binary", good + std::string("\0\0", 2), "byte 46: found a NUL byte"}),
     [](const auto& row) { return std::string(row.param.name); });
 
-TEST(BeerLambertCsv, namesEveryOffenceAtOnce) {
+TEST(BeerLambertCsv, namesEveryDiagnosticAtOnce) {
     try {
         airOf("# air_temperature [K]: x\n# sun: y\n" + header + "3,a\n2,b\n1,-1\n");
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().size(), 7u) << error.what();
+        EXPECT_EQ(error.diagnostics().size(), 7u) << error.what();
     }
 }
 

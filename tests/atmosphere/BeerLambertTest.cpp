@@ -102,7 +102,7 @@ TEST(BeerLambert, atRangeZeroThereIsNoAir) {
 
 TEST(BeerLambert, opaqueBandsRadiateAtAirTemperature) {
     const BeerLambert air(wavy());
-    const AirPath path{0.0, 0.0, 100.0};
+    const AtmosphericPath path{0.0, 0.0, 100.0};
     const Spectrum tau = air.transmittance(path, mwir);
     const Spectrum radiance = air.pathRadiance(path, noon, mwir);
     for (const double x : {4.0, 4.05, 4.1, 4.2}) {
@@ -119,7 +119,7 @@ TEST(BeerLambert, anIsothermalEnclosureHidesEverything) {
     parameters.skyRadiance_W_m2_sr_um = sampledPlanck(parameters.airTemperature_K, {2.5, 6.0});
     const BeerLambert air(parameters);
     for (const double range_m : {0.0, 0.5, 20.0, 3000.0, 1e7}) {
-        const AirPath path{0.0, 0.0, range_m};
+        const AtmosphericPath path{0.0, 0.0, range_m};
         const Spectrum tau = air.transmittance(path, mwir);
         const Spectrum radiance = air.pathRadiance(path, noon, mwir);
         for (const double x : probes(mwir, 997)) {

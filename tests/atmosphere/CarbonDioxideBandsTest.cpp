@@ -20,7 +20,7 @@ constexpr State ground = {"00001", 0.0, 0.39021894, 1.33373e-7};
 constexpr State bend = {"01101", 667.3801, 0.3906389, 1.3526e-7};
 constexpr State stretch = {"00011", 2349.1429, 0.38714139, 1.33034e-7};
 
-double energy_cm(const State& state, int J) {
+double energy_per_cm(const State& state, int J) {
     const double x = J * (J + 1);
     return state.G + state.B * x - state.D * x * x;
 }
@@ -36,9 +36,9 @@ std::string record(int isotopologue, const State& upper, const State& lower, cha
     std::snprintf(
         text, sizeof text,
         " 2%d%12.6f %9.3E %9.3E.%04d%5.3f%10.4f%4.2f-.002000%15s%15s%15s     %c%3d%c     ",
-        isotopologue, energy_cm(upper, J + step) - energy_cm(lower, J), 1e-20, 1.0, 900 - 5 * J,
-        0.1, energy_cm(lower, J), 0.7, spaced(upper.name).c_str(), spaced(lower.name).c_str(), "",
-        branch, J, 'e');
+        isotopologue, energy_per_cm(upper, J + step) - energy_per_cm(lower, J), 1e-20, 1.0,
+        900 - 5 * J, 0.1, energy_per_cm(lower, J), 0.7, spaced(upper.name).c_str(),
+        spaced(lower.name).c_str(), "", branch, J, 'e');
     return text;
 }
 
@@ -63,11 +63,11 @@ double sumOf(const std::vector<Line>& lines) {
     return sum;
 }
 
-const Line* nearest(const std::vector<Line>& lines, double wavenumber_cm) {
+const Line* nearest(const std::vector<Line>& lines, double wavenumber_per_cm) {
     const Line* best = nullptr;
     for (const Line& line : lines)
-        if (!best || std::abs(line.wavenumber_cm - wavenumber_cm) <
-                         std::abs(best->wavenumber_cm - wavenumber_cm))
+        if (!best || std::abs(line.wavenumber_per_cm - wavenumber_per_cm) <
+                         std::abs(best->wavenumber_per_cm - wavenumber_per_cm))
             best = &line;
     return best;
 }
@@ -75,16 +75,17 @@ const Line* nearest(const std::vector<Line>& lines, double wavenumber_cm) {
 TEST(CarbonDioxideBands, haveTheLinesOfTheFundamentalWhereTheyWereMeasured) {
     const auto lines = bandLines({1, "00011", "00001", 9.2e-17}, someLevels());
     // HITRAN: R(0), R(20), P(2), P(20), P(60).
-    for (const double known_cm : {2349.9171, 2364.1055, 2347.5763, 2332.3690, 2291.5417}) {
-        ASSERT_NE(nearest(lines, known_cm), nullptr);
-        EXPECT_NEAR(nearest(lines, known_cm)->wavenumber_cm, known_cm, 0.05) << known_cm;
+    for (const double known_per_cm : {2349.9171, 2364.1055, 2347.5763, 2332.3690, 2291.5417}) {
+        ASSERT_NE(nearest(lines, known_per_cm), nullptr);
+        EXPECT_NEAR(nearest(lines, known_per_cm)->wavenumber_per_cm, known_per_cm, 0.05)
+            << known_per_cm;
     }
     // R(16) is the strongest, 3.5e-18 (HITRAN).
     const Line* strongest = &lines.front();
     for (const Line& line : lines)
         if (line.intensity > strongest->intensity)
             strongest = &line;
-    EXPECT_NEAR(strongest->lowerEnergy_cm, 0.39022 * 16 * 17, 0.1);
+    EXPECT_NEAR(strongest->lowerEnergy_per_cm, 0.39022 * 16 * 17, 0.1);
     EXPECT_NEAR(strongest->intensity, 3.5e-18, 0.15e-18);
     EXPECT_NEAR(strongest->airWidth_cm_atm, 0.0900 - 0.0005 * 17, 1e-3);
 }
@@ -99,7 +100,7 @@ TEST(CarbonDioxideBands, haveEveryLevelOnlyWhereTheOxygensDiffer) {
     for (const int isotopologue : {1, 2, 3, 4})
         for (const Line& line :
              bandLines({isotopologue, "00011", "00001", 1e-18}, someLevels(isotopologue)))
-            counts[isotopologue] += line.lowerEnergy_cm < 0.39 * 40 * 41;
+            counts[isotopologue] += line.lowerEnergy_per_cm < 0.39 * 40 * 41;
     EXPECT_EQ(counts[1], 39u); // J = 0 has no P line; 2, 4 ... 38 have both, 40 lies above
     EXPECT_EQ(counts[2], counts[1]);
     EXPECT_EQ(counts[3], 79u);
@@ -110,14 +111,14 @@ TEST(CarbonDioxideBands, haveAQBranchWhereTheBendingChanges) {
     std::size_t near = 0;
     double strength = 0.0;
     for (const Line& line : bandLines({1, "01101", "00001", 1.0}, someLevels()))
-        if (std::abs(line.wavenumber_cm - 668.0) < 1.4 && line.lowerEnergy_cm > 2.0) {
+        if (std::abs(line.wavenumber_per_cm - 668.0) < 1.4 && line.lowerEnergy_per_cm > 2.0) {
             ++near;
             strength += line.intensity;
         }
     EXPECT_GT(near, 25u);
     EXPECT_NEAR(strength, 0.5, 0.05);
     for (const Line& line : bandLines({1, "00011", "00001", 1.0}, someLevels()))
-        EXPECT_GT(std::abs(line.wavenumber_cm - stretch.G), 0.7);
+        EXPECT_GT(std::abs(line.wavenumber_per_cm - stretch.G), 0.7);
 }
 
 TEST(CarbonDioxideBands, areNothingWhereAStateIsNotKnown) {
@@ -141,15 +142,15 @@ TEST(HoenlLondonFactors, ofOneLevelSumToItsWeight) {
 }
 
 TEST(RotationalTerm, followsLevelsAndPassesOverPerturbedOnes) {
-    std::map<int, double> energies_cm;
+    std::map<int, double> energies_per_cm;
     for (int J = 1; J < 60; J += 2)
-        energies_cm[J] = energy_cm(stretch, J);
-    energies_cm[31] += 0.5;
-    const auto term = RotationalTerm::fit(energies_cm);
+        energies_per_cm[J] = energy_per_cm(stretch, J);
+    energies_per_cm[31] += 0.5;
+    const auto term = RotationalTerm::fit(energies_per_cm);
     ASSERT_TRUE(term);
     EXPECT_EQ(term->highestJ(), 59);
     for (const int J : {0, 20, 31, 70})
-        EXPECT_NEAR(term->energy_cm(J), energy_cm(stretch, J), 1e-3) << J;
+        EXPECT_NEAR(term->energy_per_cm(J), energy_per_cm(stretch, J), 1e-3) << J;
     EXPECT_FALSE(RotationalTerm::fit({{0, 0.0}, {2, 2.0}, {4, 8.0}}));
 }
 
@@ -182,38 +183,38 @@ TEST(BandList, refusesWhatIsNoBand) {
 TEST(BareLines, takeTheirPropertiesFromTheNearestGeneratedLine) {
     std::vector<Line> generated(3);
     for (std::size_t i = 0; i < 3; ++i) {
-        generated[i].wavenumber_cm = 2300.0 + 0.004 * static_cast<double>(i);
+        generated[i].wavenumber_per_cm = 2300.0 + 0.004 * static_cast<double>(i);
         generated[i].intensity = i == 1 ? 1e-22 : 1e-24;
-        generated[i].lowerEnergy_cm = 100.0 * static_cast<double>(i + 1);
+        generated[i].lowerEnergy_per_cm = 100.0 * static_cast<double>(i + 1);
         generated[i].isotopologue = static_cast<int>(i + 1);
     }
     Line otherwise;
-    otherwise.lowerEnergy_cm = 1500.0;
+    otherwise.lowerEnergy_per_cm = 1500.0;
     const std::vector<BareLine> bare = {{2300.001, 1.1e-22}, {2300.009, 0.9e-24}, {2301.0, 1e-22}};
     const auto described = describedLines(bare, generated, otherwise);
     ASSERT_EQ(described.size(), 3u);
     EXPECT_EQ(described[0].isotopologue, 2);
     EXPECT_EQ(described[1].isotopologue, 3);
-    EXPECT_EQ(described[2].lowerEnergy_cm, 1500.0);
+    EXPECT_EQ(described[2].lowerEnergy_per_cm, 1500.0);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(described[i].wavenumber_cm, bare[i].wavenumber_cm);
+        EXPECT_EQ(described[i].wavenumber_per_cm, bare[i].wavenumber_per_cm);
         EXPECT_EQ(described[i].intensity, bare[i].intensity);
     }
 }
 
 TEST(BareLines, areMissingOnlyWhereTheListLacksThem) {
     std::vector<Line> list(2);
-    list[0].wavenumber_cm = 2300.0;
+    list[0].wavenumber_per_cm = 2300.0;
     list[0].intensity = 1e-22;
-    list[1].wavenumber_cm = 2301.0;
+    list[1].wavenumber_per_cm = 2301.0;
     list[1].intensity = 1e-22;
     const std::vector<BareLine> bare = {
         {2300.0005, 1.05e-22}, {2300.0006, 1.05e-22}, {2301.0, 3e-22}, {2301.01, 1e-22}};
     const auto missing = missingLines(bare, list);
     ASSERT_EQ(missing.size(), 3u);
-    EXPECT_EQ(missing[0].wavenumber_cm, 2300.0006); // the list's line stands for one of the two
+    EXPECT_EQ(missing[0].wavenumber_per_cm, 2300.0006); // the list's line stands for one of the two
     EXPECT_EQ(missing[1].intensity, 3e-22);
-    EXPECT_EQ(missing[2].wavenumber_cm, 2301.01);
+    EXPECT_EQ(missing[2].wavenumber_per_cm, 2301.01);
 }
 
 } // namespace

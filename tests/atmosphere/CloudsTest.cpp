@@ -266,14 +266,14 @@ TEST(ParticleSettings, eachThatIsOutOfRangeIsNamed) {
             particleLayers(settings, dry);
             ADD_FAILURE() << bad.name << " was accepted";
         } catch (const InputError& error) {
-            ASSERT_EQ(error.offences().size(), 1u) << bad.name << ": " << error.what();
-            EXPECT_EQ(error.offences().front().position, bad.parameter) << bad.name;
-            EXPECT_FALSE(error.offences().front().expected.empty()) << bad.name;
+            ASSERT_EQ(error.diagnostics().size(), 1u) << bad.name << ": " << error.what();
+            EXPECT_EQ(error.diagnostics().front().position, bad.parameter) << bad.name;
+            EXPECT_FALSE(error.diagnostics().front().expected.empty()) << bad.name;
         }
     }
 }
 
-TEST(ParticleSettings, allOffencesComeAtOnce) {
+TEST(ParticleSettings, allDiagnosticsComeAtOnce) {
     ParticleSettings settings;
     settings.visibility_m = -3.0;
     settings.airMass = 0;
@@ -283,7 +283,7 @@ TEST(ParticleSettings, allOffencesComeAtOnce) {
         particleLayers(settings, dry);
         ADD_FAILURE();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().size(), 4u);
+        EXPECT_EQ(error.diagnostics().size(), 4u);
         EXPECT_THAT(error.what(), testing::HasSubstr("AirMass"));
     }
 }

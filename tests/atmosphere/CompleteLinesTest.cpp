@@ -20,7 +20,7 @@ namespace {
 
 /// A range of wavenumbers and the largest RMS difference in transmittance allowed over it.
 struct Range {
-    double from_cm, to_cm, rms;
+    double from_per_cm, to_per_cm, rms;
 };
 
 /// A gas, its column in the published run, its mole fraction there.
@@ -112,12 +112,12 @@ class SlitMean {
         for (const double value : cross_cm2)
             sums_.push_back(sums_.back() + std::exp(-column_per_cm2 * value));
     }
-    double at(double centre_cm) const {
+    double at(double centre_per_cm) const {
         double mean = 0.0;
         for (int i = -10; i < 10; ++i) { // boxes of 1 cm-1
-            const auto first =
-                static_cast<std::size_t>((centre_cm + i - grid_.first_cm) / grid_.step_cm + 0.5);
-            const auto count = static_cast<std::size_t>(1.0 / grid_.step_cm + 0.5);
+            const auto first = static_cast<std::size_t>(
+                (centre_per_cm + i - grid_.first_per_cm) / grid_.step_per_cm + 0.5);
+            const auto count = static_cast<std::size_t>(1.0 / grid_.step_per_cm + 0.5);
             mean += (1.0 - std::abs(i + 0.5) / 10.0) / 10.0 *
                     (sums_[first + count] - sums_[first]) / static_cast<double>(count);
         }
@@ -131,11 +131,11 @@ class SlitMean {
 
 /// What the run counts with the lines of a gas: oxygen's collision-induced absorption, whose band
 /// at 1.27 um was fitted to this very column.
-double besideLines(Gas gas, double wavenumber_cm) {
+double besideLines(Gas gas, double wavenumber_per_cm) {
     if (gas != Gas::O2)
         return 1.0;
-    return std::exp(
-        -5e3 * continuumAbsorption_per_m(Continuum::oxygen, PublishedRun::air(), wavenumber_cm));
+    return std::exp(-5e3 * continuumAbsorption_per_m(Continuum::oxygen, PublishedRun::air(),
+                                                     wavenumber_per_cm));
 }
 
 TEST(CompleteLines, transmitAsAPublishedRunOfMODTRANGasByGas) {
@@ -149,18 +149,19 @@ TEST(CompleteLines, transmitAsAPublishedRunOfMODTRANGasByGas) {
     for (const Case& gas : cases()) {
         const LineList list = completeLineList(gas.gas, data);
         const std::string name = gasNames[static_cast<std::size_t>(gas.gas)];
-        EXPECT_TRUE(std::ranges::is_sorted(list.lines, {}, &Line::wavenumber_cm)) << name;
+        EXPECT_TRUE(std::ranges::is_sorted(list.lines, {}, &Line::wavenumber_per_cm)) << name;
         EXPECT_FALSE(list.origins.empty()) << name;
         for (const Range& range : gas.ranges) {
-            WavenumberGrid grid{range.from_cm - 11.0, 0.01, 0};
-            grid.count = static_cast<std::size_t>((range.to_cm - range.from_cm + 22.0) / 0.01);
+            WavenumberGrid grid{range.from_per_cm - 11.0, 0.01, 0};
+            grid.count =
+                static_cast<std::size_t>((range.to_per_cm - range.from_per_cm + 22.0) / 0.01);
             const SlitMean slit(grid,
                                 crossSection_cm2(list, partition, grid, temperature_K, pressure_hPa,
                                                  gas.fraction, defaultLineShape(gas.gas)),
                                 gas.fraction * air_per_cm2);
             double squares = 0.0, count = 0.0, ours = 0.0, theirs = 0.0;
             for (const auto& row : rows) {
-                if (row[0] < range.from_cm || row[0] > range.to_cm)
+                if (row[0] < range.from_per_cm || row[0] > range.to_per_cm)
                     continue;
                 const double value = slit.at(row[0]) * besideLines(gas.gas, row[0]);
                 squares += (value - row[gas.column]) * (value - row[gas.column]);
@@ -169,7 +170,7 @@ TEST(CompleteLines, transmitAsAPublishedRunOfMODTRANGasByGas) {
                 count += 1.0;
             }
             EXPECT_LT(std::sqrt(squares / count), range.rms)
-                << name << " at " << range.from_cm << "-" << range.to_cm << ": mean "
+                << name << " at " << range.from_per_cm << "-" << range.to_per_cm << ": mean "
                 << ours / count << ", published " << theirs / count;
         }
     }
@@ -181,10 +182,11 @@ TEST(CompleteLines, countEveryLineOfCarbonDioxideOnce) {
         GTEST_SKIP() << "the shared material is not beside the checkout";
     const LineList original = readLineList(Gas::CO2, data / "lines" / "CO2.par.gz");
     const LineList complete = completeLineList(Gas::CO2, data);
-    auto sum = [](const LineList& list, double from_cm, double to_cm, std::optional<int> only) {
+    auto sum = [](const LineList& list, double from_per_cm, double to_per_cm,
+                  std::optional<int> only) {
         double total = 0.0;
         for (const Line& line : list.lines)
-            if (line.wavenumber_cm >= from_cm && line.wavenumber_cm < to_cm &&
+            if (line.wavenumber_per_cm >= from_per_cm && line.wavenumber_per_cm < to_per_cm &&
                 (!only || line.isotopologue == *only))
                 total += line.intensity;
         return total;

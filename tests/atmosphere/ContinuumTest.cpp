@@ -17,8 +17,8 @@
 namespace irsg {
 namespace {
 
-AirState air(double pressure_hPa, double temperature_K, double water) {
-    AirState state = Profile::model(ModelAtmosphere::usStandard1976).at(0.0);
+AtmosphericState air(double pressure_hPa, double temperature_K, double water) {
+    AtmosphericState state = Profile::model(ModelAtmosphere::usStandard1976).at(0.0);
     state.pressure_hPa = pressure_hPa;
     state.temperature_K = temperature_K;
     state.moleFraction[0] = water;
@@ -26,7 +26,7 @@ AirState air(double pressure_hPa, double temperature_K, double water) {
 }
 
 TEST(Continuum, ofWaterGrowsWithTheSquareOfWaterOrWithWaterTimesAir) {
-    const AirState dry = air(1000.0, 290.0, 0.005), moist = air(1000.0, 290.0, 0.02);
+    const AtmosphericState dry = air(1000.0, 290.0, 0.005), moist = air(1000.0, 290.0, 0.02);
     for (const double nu : {900.0, 1150.0, 2600.0, 4500.0}) {
         EXPECT_NEAR(continuumAbsorption_per_m(Continuum::waterSelf, moist, nu) /
                         continuumAbsorption_per_m(Continuum::waterSelf, dry, nu),
@@ -52,7 +52,7 @@ TEST(Continuum, ofWaterWeakensAsAirWarms) {
 TEST(Continuum, ofWaterIsThatOfThePublishedFitInTheTenMicrometreWindow) {
     // Roberts, Selby and Biberman 1976 (Appl. Opt. 15, 2085), self part at 296 K: 4.18 + 5577.8
     // exp(-7.87e-3 v) cm2 per gram and atmosphere of water.
-    const AirState moist = air(1013.25, 296.0, 0.02);
+    const AtmosphericState moist = air(1013.25, 296.0, 0.02);
     const double grams_per_cm3 = moist.density_per_m3(Gas::H2O) * 1e-6 * 18.015 / 6.02214e23;
     for (const double nu : {750.0, 850.0, 950.0, 1000.0}) {
         const double published_per_m =
@@ -66,15 +66,15 @@ TEST(Continuum, ofWaterIsThatOfThePublishedFitInTheTenMicrometreWindow) {
 /// The unit of the table's header, worked by hand from one of its rows.
 TEST(Continuum, ofWaterFollowsTheUnitsOfItsTable) {
     const CsvTable table = CsvTable::read(atmosphereResource("continuum-water.csv"));
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (const CsvRow& row : table.rows()) {
         if (row.cells[0].text != "1000")
             continue;
-        const double self = table.number(row.cells[1], offences).value_or(0.0);
-        const double foreign = table.number(row.cells[3], offences).value_or(0.0);
+        const double self = table.number(row.cells[1], diagnostics).value_or(0.0);
+        const double foreign = table.number(row.cells[3], diagnostics).value_or(0.0);
         // 1013.25 hPa and 296 K: 2.4794e19 molecules cm-3, a tenth of them water.
         const double water = 2.4794e18, radiation = 1000.0 * std::tanh(1.438777 * 1000.0 / 592.0);
-        const AirState moist = air(1013.25, 296.0, 0.1);
+        const AtmosphericState moist = air(1013.25, 296.0, 0.1);
         EXPECT_NEAR(continuumAbsorption_per_m(Continuum::waterSelf, moist, 1000.0) /
                         (100.0 * self * 1e-20 * water * radiation * 0.1),
                     1.0, 1e-4);
@@ -88,14 +88,14 @@ TEST(Continuum, ofWaterFollowsTheUnitsOfItsTable) {
 
 TEST(Continuum, ofNitrogenAbsorbsHalfOfTheLightOverFiveKilometres) {
     // The published MODTRAN run gives 0.539 at 2332 cm-1, 5 km of tropical air at the ground.
-    const AirState tropical = Profile::model(ModelAtmosphere::tropical).at(0.0);
+    const AtmosphericState tropical = Profile::model(ModelAtmosphere::tropical).at(0.0);
     const double depth = 5000.0 * continuumAbsorption_per_m(Continuum::nitrogen, tropical, 2332.0);
     EXPECT_NEAR(std::exp(-depth), 0.539, 0.02);
     EXPECT_EQ(continuumAbsorption_per_m(Continuum::nitrogen, tropical, 1500.0), 0.0);
 }
 
 TEST(Continuum, ofNitrogenAndOxygenGrowsWithTheSquareOfTheDensityOfAir) {
-    const AirState thin = air(500.0, 280.0, 0.0), dense = air(1000.0, 280.0, 0.0);
+    const AtmosphericState thin = air(500.0, 280.0, 0.0), dense = air(1000.0, 280.0, 0.0);
     for (const double nu : {250.0, 2332.0})
         EXPECT_NEAR(continuumAbsorption_per_m(Continuum::nitrogen, dense, nu) /
                         continuumAbsorption_per_m(Continuum::nitrogen, thin, nu),
@@ -107,7 +107,7 @@ TEST(Continuum, ofNitrogenAndOxygenGrowsWithTheSquareOfTheDensityOfAir) {
 }
 
 TEST(Continuum, ofOxygenHasItsPublishedStrengths) {
-    const AirState state = air(1013.25, 273.15, 0.0); // one amagat
+    const AtmosphericState state = air(1013.25, 273.15, 0.0); // one amagat
     // Mate et al. 1999 at 1.27 um, cm-2 amagat-2: 3.499e-4 with oxygen, 0.679e-4 with nitrogen.
     double integral = 0.0;
     for (double nu = 7545.0; nu < 8500.0; nu += 10.0)
@@ -122,7 +122,7 @@ TEST(Continuum, ofOxygenHasItsPublishedStrengths) {
             << nu;
     }
     // The Herzberg continuum without collisions: 1.01e-24 cm2 at 240 nm.
-    const AirState thin = air(0.1, 273.15, 0.0);
+    const AtmosphericState thin = air(0.1, 273.15, 0.0);
     EXPECT_NEAR(0.01 * continuumAbsorption_per_m(Continuum::oxygen, thin, 1e7 / 240.0) /
                     (thin.density_per_m3(Gas::O2) * 1e-6),
                 1.01e-24, 0.03e-24);
@@ -130,7 +130,7 @@ TEST(Continuum, ofOxygenHasItsPublishedStrengths) {
 
 TEST(Continuum, hasNoStepsLargerThanATenThousandthOverFiveKilometres) {
     // Half a wavenumber from any table's end, and where one table takes over from another.
-    const AirState tropical = Profile::model(ModelAtmosphere::tropical).at(0.0);
+    const AtmosphericState tropical = Profile::model(ModelAtmosphere::tropical).at(0.0);
     for (const double end :
          {550.0,   845.0,   1395.0,  1740.0,  1760.0,  2010.0,  2720.0,  7540.0,  10000.0, 13000.0,
           15300.0, 15780.0, 15990.0, 20000.0, 24000.0, 27370.0, 30000.0, 36000.0, 40000.0, 40800.0})
@@ -150,7 +150,7 @@ TEST(Continuum, isHeldBeyondItsTemperatures) {
             // The same density of all molecules, so that only the coefficient could differ.
             const auto which = static_cast<Continuum>(i);
             const auto at = [&](double temperature_K) {
-                AirState state = air(500.0 * temperature_K / 300.0, temperature_K, 0.01);
+                AtmosphericState state = air(500.0 * temperature_K / 300.0, temperature_K, 0.01);
                 return continuumAbsorption_per_m(which, state, nu);
             };
             if (which == Continuum::oxygen && nu < 2000.0)
@@ -161,7 +161,7 @@ TEST(Continuum, isHeldBeyondItsTemperatures) {
 }
 
 TEST(Continuum, ofOzoneIsItsCrossSectionTimesItsDensity) {
-    AirState state = air(20.0, 273.15, 0.0);
+    AtmosphericState state = air(20.0, 273.15, 0.0);
     state.moleFraction[static_cast<std::size_t>(Gas::O3)] = 8e-6;
     // 1.1e-17 cm2 near 39000 cm-1, the top of the Hartley band.
     const double cross_cm2 = continuumAbsorption_per_m(Continuum::ozone, state, 39300.0) * 0.01 /
@@ -171,13 +171,13 @@ TEST(Continuum, ofOzoneIsItsCrossSectionTimesItsDensity) {
 }
 
 TEST(Continuum, isNothingWithoutItsGasAndOutsideItsRange) {
-    AirState nothing = air(1000.0, 290.0, 0.0);
+    AtmosphericState nothing = air(1000.0, 290.0, 0.0);
     nothing.moleFraction.fill(0.0);
     for (const double nu : {300.0, 900.0, 1500.0, 2600.0, 15000.0, 40000.0})
         for (const Continuum which : {Continuum::waterSelf, Continuum::waterForeign,
                                       Continuum::oxygen, Continuum::ozone, Continuum::nitricAcid})
             EXPECT_EQ(continuumAbsorption_per_m(which, nothing, nu), 0.0) << nu;
-    const AirState moist = air(1000.0, 290.0, 0.02);
+    const AtmosphericState moist = air(1000.0, 290.0, 0.02);
     for (const double nu : {100.0, 60000.0, -1.0})
         EXPECT_EQ(continuumAbsorption_per_m(moist, nu), 0.0);
 }
@@ -189,24 +189,24 @@ TEST(Continuum, isNeverNegativeWhateverTheAir) {
 }
 
 TEST(ContinuumSpectrum, isTheSumOfTheContinuaAtEveryWavenumber) {
-    std::vector<double> wavenumbers_cm;
+    std::vector<double> wavenumbers_per_cm;
     for (double nu = 150.0; nu < 52000.0; nu *= 1.0091)
-        wavenumbers_cm.push_back(nu);
-    const ContinuumSpectrum spectrum(wavenumbers_cm);
-    for (const AirState& state : {air(1000.0, 300.0, 0.03), air(200.0, 215.0, 1e-5),
-                                  air(0.1, 100.0, 0.0), air(1100.0, 400.0, 0.1)}) {
-        std::vector<double> found(wavenumbers_cm.size(), -1.0);
+        wavenumbers_per_cm.push_back(nu);
+    const ContinuumSpectrum spectrum(wavenumbers_per_cm);
+    for (const AtmosphericState& state : {air(1000.0, 300.0, 0.03), air(200.0, 215.0, 1e-5),
+                                          air(0.1, 100.0, 0.0), air(1100.0, 400.0, 0.1)}) {
+        std::vector<double> found(wavenumbers_per_cm.size(), -1.0);
         spectrum.absorption_per_m(state, found);
         for (std::size_t i = 0; i < found.size(); ++i) {
-            const double expected = continuumAbsorption_per_m(state, wavenumbers_cm[i]);
-            EXPECT_NEAR(found[i], expected, 1e-13 * expected) << wavenumbers_cm[i];
+            const double expected = continuumAbsorption_per_m(state, wavenumbers_per_cm[i]);
+            EXPECT_NEAR(found[i], expected, 1e-13 * expected) << wavenumbers_per_cm[i];
         }
     }
 }
 
 TEST(Rayleigh, agreesWithThePublishedCrossSection) {
     // Bodhaine et al. 1999, equation 29, 1e-28 cm2, air of 360 ppm CO2.
-    const AirState state = air(1013.25, 288.15, 0.0);
+    const AtmosphericState state = air(1013.25, 288.15, 0.0);
     for (const auto& [wavelength_um, part] :
          {std::pair{0.25, 0.013}, {0.3, 0.006}, {0.55, 0.001}, {1.0, 0.001}}) {
         const double square = wavelength_um * wavelength_um;

@@ -58,7 +58,7 @@ TEST(LightOfThePath, withTheSkyBeyondTheTargetIsTheSky) {
                     if (segment.endAltitude_m >= altitude_m - 1e-6)
                         break;
                 }
-                const AirPath path{200.0, altitude_m, range_m, azimuth_rad};
+                const AtmosphericPath path{200.0, altitude_m, range_m, azimuth_rad};
                 const std::vector<double> through = transfer.transmittance(nodes, path);
                 const std::vector<double> beyond = transfer.backgroundRadiance(
                     nodes, {altitude_m, std::asin(sine), azimuth_rad}, sun);
@@ -98,7 +98,7 @@ TEST(LightOfThePath, isTheSameFromTablesAtEveryAzimuth) {
     const SunPosition sun{1.0, 0.4};
     for (double range_m = 2000.0; range_m < 6000.0; range_m += 370.0)
         for (const double azimuth_rad : {1.05, 2.5}) {
-            const AirPath path{100.0, 900.0, range_m, azimuth_rad};
+            const AtmosphericPath path{100.0, 900.0, range_m, azimuth_rad};
             EXPECT_NEAR(sumOf(tables.pathRadiance(path, sun)) /
                             sumOf(fly.transfer().pathRadiance(nodes, path, sun)),
                         1.0, 2e-3);

@@ -38,34 +38,36 @@ class MidnightSun : public Vacuum {
     std::string name() const override { return "midnight sun"; }
 
   protected:
-    Spectrum nativeSpectrum(const AirQuestion&, const SpectralRange&) const override {
+    Spectrum nativeSpectrum(const AtmosphericQuery&, const SpectralRange&) const override {
         return Spectrum::constant(7.0);
     }
 };
 
-Answer<Spectrum> transmittance(const Environment& environment, const AirPath& path,
+Answer<Spectrum> transmittance(const Environment& environment, const AtmosphericPath& path,
                                const SpectralRange& range) {
-    return environment.spectrum(AirQuestion::transmittance(path), range);
+    return environment.spectrum(AtmosphericQuery::transmittance(path), range);
 }
-Answer<Spectrum> pathRadiance(const Environment& environment, const AirPath& path,
+Answer<Spectrum> pathRadiance(const Environment& environment, const AtmosphericPath& path,
                               const SpectralRange& range) {
-    return environment.spectrum(AirQuestion::pathRadiance(path, environment.sun), range);
+    return environment.spectrum(AtmosphericQuery::pathRadiance(path, environment.sun), range);
 }
 Answer<Spectrum> backgroundRadiance(const Environment& environment, const LineOfSight& sight,
                                     const SpectralRange& range) {
-    return environment.spectrum(AirQuestion::backgroundRadiance(sight, environment.sun), range);
+    return environment.spectrum(AtmosphericQuery::backgroundRadiance(sight, environment.sun),
+                                range);
 }
 Answer<Spectrum> solarIrradiance(const Environment& environment, double altitude_m,
                                  const SpectralRange& range) {
-    return environment.spectrum(AirQuestion::solarIrradiance(altitude_m, environment.sun), range);
+    return environment.spectrum(AtmosphericQuery::solarIrradiance(altitude_m, environment.sun),
+                                range);
 }
 Answer<Spectrum> upwardFlux(const Environment& environment, double altitude_m,
                             const SpectralRange& range) {
-    return environment.spectrum(AirQuestion::upwardFlux(altitude_m, environment.sun), range);
+    return environment.spectrum(AtmosphericQuery::upwardFlux(altitude_m, environment.sun), range);
 }
 Answer<Spectrum> downwardFlux(const Environment& environment, double altitude_m,
                               const SpectralRange& range) {
-    return environment.spectrum(AirQuestion::downwardFlux(altitude_m, environment.sun), range);
+    return environment.spectrum(AtmosphericQuery::downwardFlux(altitude_m, environment.sun), range);
 }
 
 template <typename Act>
@@ -89,7 +91,7 @@ TEST(Environment, theFirstOfTwoOverlappingAtmospheresAnswersAndTheOrderDecides) 
     Environment swapped;
     swapped.add(thick);
     swapped.add(thin);
-    const AirPath path{0.0, 0.0, 1000.0};
+    const AtmosphericPath path{0.0, 0.0, 1000.0};
 
     EXPECT_EQ(transmittance(environment, path, mwir).answeredBy, "thin");
     EXPECT_EQ(transmittance(swapped, path, mwir).answeredBy, "thick");

@@ -93,7 +93,7 @@ TEST(EnvironmentXml, theDefaultBackgroundAnswersWhereNoAtmosphereDoes) {
                                                  vectorXml("BackgroundRadianceValues", "1 3")));
     const LoadedEnvironment loaded = loadEnvironment(file);
     const auto answer = loaded.environment.spectrum(
-        AirQuestion::backgroundRadiance({}, loaded.environment.sun), {3.0, 5.0});
+        AtmosphericQuery::backgroundRadiance({}, loaded.environment.sun), {3.0, 5.0});
     EXPECT_EQ(answer.answeredBy, "default");
     EXPECT_EQ(answer.value.at(4.0), 2.0);
     EXPECT_EQ(answer.value.at(9.0), 0.0);

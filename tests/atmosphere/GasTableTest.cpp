@@ -37,8 +37,8 @@ std::vector<float> block(Gas gas, double offset) {
     return values;
 }
 
-BinSet bins(double width_cm) {
-    return {width_cm,
+BinSet bins(double width_per_cm) {
+    return {width_per_cm,
             {{1000.0, 1005.0, 0, 2}, {1005.0, 1010.0, 2, 1}},
             {0, 1, 2},
             {0.25f, 0.75f, 1.0f}};
@@ -53,8 +53,9 @@ GasTable table() {
                     {bins(1.0), bins(5.0), bins(15.0)}, "a recipe");
 }
 
-AirState air(double pressure_hPa, double temperature_K, double water, double carbonDioxide) {
-    AirState state;
+AtmosphericState air(double pressure_hPa, double temperature_K, double water,
+                     double carbonDioxide) {
+    AtmosphericState state;
     state.pressure_hPa = pressure_hPa;
     state.temperature_K = temperature_K;
     state.moleFraction[0] = water;
@@ -63,7 +64,7 @@ AirState air(double pressure_hPa, double temperature_K, double water, double car
 }
 
 TEST(GasTable, interpolatesALogarithmThatIsLinearExactly) {
-    const AirState state = air(432.1, 277.7, 0.0, 4e-4);
+    const AtmosphericState state = air(432.1, 277.7, 0.0, 4e-4);
     const double expected = std::exp(lnCross(std::log(432.1), 277.7, 1.0));
     EXPECT_NEAR(table().crossSection_cm2(1, Gas::CO2, state) / expected, 1.0, 1e-3);
     EXPECT_EQ(table().crossSection_cm2(0, Gas::CO2, state), 0.0);
@@ -71,13 +72,13 @@ TEST(GasTable, interpolatesALogarithmThatIsLinearExactly) {
 }
 
 TEST(GasTable, broadensWaterInProportionToItsFraction) {
-    const AirState state = air(700.0, 290.0, 0.02, 0.0);
+    const AtmosphericState state = air(700.0, 290.0, 0.02, 0.0);
     const double expected = std::exp(lnCross(std::log(700.0), 290.0, 0.25));
     EXPECT_NEAR(table().crossSection_cm2(0, Gas::H2O, state) / expected, 1.0, 1e-3);
 }
 
 TEST(GasTable, addsTheGasesOfANode) {
-    const AirState state = air(700.0, 290.0, 0.02, 4e-4);
+    const AtmosphericState state = air(700.0, 290.0, 0.02, 4e-4);
     const std::vector<std::uint32_t> nodes{2, 0, 1};
     std::vector<float> absorption(3, -1.0f);
     table().absorption_per_m(state, nodes, absorption);
@@ -97,10 +98,10 @@ TEST(NodeAbsorption, isThatOfTheTableForEveryStateInAnyOrder) {
     for (std::uint32_t i = 0; i < 1100; ++i)
         nodes.push_back((i * i + i / 3) % 3);
     const NodeAbsorption absorption(gases, nodes);
-    const AirState states[] = {air(700.0, 290.0, 0.02, 4e-4), air(20.0, 200.0, 0.0, 4e-4),
-                               air(700.0, 290.0, 0.02, 4e-4), air(1e-3, 350.0, 1e-6, 0.0)};
+    const AtmosphericState states[] = {air(700.0, 290.0, 0.02, 4e-4), air(20.0, 200.0, 0.0, 4e-4),
+                                       air(700.0, 290.0, 0.02, 4e-4), air(1e-3, 350.0, 1e-6, 0.0)};
     std::vector<std::vector<float>> found;
-    for (const AirState& state : states) {
+    for (const AtmosphericState& state : states) {
         found.emplace_back(nodes.size(), -1.0f);
         absorption.at(state, found.back());
         for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -144,7 +145,7 @@ TEST_F(GasTableFile, readsBackWhatWasWritten) {
     EXPECT_EQ(read->header(), "a recipe");
     EXPECT_EQ(read->nodeCount(), 3u);
     EXPECT_EQ(read->bins(5).weights, table().bins(5).weights);
-    const AirState state = air(700.0, 290.0, 0.02, 4e-4);
+    const AtmosphericState state = air(700.0, 290.0, 0.02, 4e-4);
     EXPECT_DOUBLE_EQ(read->crossSection_cm2(2, Gas::H2O, state),
                      table().crossSection_cm2(2, Gas::H2O, state));
 }

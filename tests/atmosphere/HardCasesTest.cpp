@@ -17,7 +17,7 @@ AtmosphereSmart airOver(const SpectralRange& base, int scatteringMode = 2) {
     AtmosphereSmartParameters parameters;
     parameters.baseWavelengthMin_um = base.min_um;
     parameters.baseWavelengthMax_um = base.max_um;
-    parameters.resolution_cm = 15;
+    parameters.resolution_per_cm = 15;
     parameters.irradianceMode = 2;
     parameters.scatteringMode = scatteringMode;
     return AtmosphereSmart(parameters);
@@ -43,7 +43,7 @@ TEST(HardCases, bothEndsOfTheSpectrumAreAnswered) {
     const AtmosphereSmart air = airOver({0.2, 40.0});
     for (const SpectralRange& end : {SpectralRange{0.2, 0.205}, SpectralRange{38.0, 40.0}}) {
         const std::string what = numberText(end.min_um) + " um";
-        const AirPath path{100.0, 2000.0, 5000.0};
+        const AtmosphericPath path{100.0, 2000.0, 5000.0};
         const LineOfSight sky{100.0, 0.4, 0.0};
         expectSound(air.transmittance(path, end), 1.0, what);
         expectSound(air.pathRadiance(path, day, end), 1e4, what);
@@ -58,7 +58,7 @@ TEST(HardCases, bothEndsOfTheSpectrumAreAnswered) {
 TEST(HardCases, anOpaqueBandRadiatesAsTheAirAtTheSensor) {
     const SpectralRange band{4.24, 4.28};
     const AtmosphereSmart air = airOver({4.2, 4.4});
-    const AirPath path{0.0, 0.0, 50e3};
+    const AtmosphericPath path{0.0, 0.0, 50e3};
     expectSound(air.transmittance(path, band), 1e-30, "transmittance");
     // Across a bin, whose nodes are not all at its centre, Planck's radiance changes by 4 %.
     const Spectrum radiance = air.pathRadiance(path, night, band);
@@ -86,13 +86,13 @@ TEST(HardCases, noRangeIsNoAirAndACentimetreKeepsItsDigits) {
 TEST(HardCases, airIsTheSameFromTheFringeOfSpaceAndFromTenThousandKilometres) {
     const SpectralRange band{8.0, 9.0};
     const AtmosphereSmart air = airOver(band);
-    const AirPath near{100e3, 1000.0, 99e3};
+    const AtmosphericPath near{100e3, 1000.0, 99e3};
     const double transmittance = bandOf(air.transmittance(near, band), band);
     const double radiance = bandOf(air.pathRadiance(near, day, band), band);
     const double ground = bandOf(air.backgroundRadiance({100e3, -0.5 * pi, 0.0}, day, band), band);
     EXPECT_GT(transmittance, 0.1);
     for (const double altitude_m : {6.4e6, 1e7}) {
-        const AirPath far{altitude_m, 1000.0, altitude_m - 1000.0};
+        const AtmosphericPath far{altitude_m, 1000.0, altitude_m - 1000.0};
         EXPECT_NEAR(bandOf(air.transmittance(far, band), band) / transmittance, 1.0, 1e-6);
         EXPECT_NEAR(bandOf(air.pathRadiance(far, day, band), band) / radiance, 1.0, 1e-6);
         const LineOfSight down{altitude_m, -0.5 * pi, 0.0};

@@ -17,18 +17,19 @@ struct Stretch {
     Gas gas;
     double fraction;
     std::size_t column; ///< of the MODTRAN file
-    double lower_cm, upper_cm, rms;
+    double lower_per_cm, upper_per_cm, rms;
 };
 
 /// Root mean square of the difference of 10 cm-1 transmittances (triangular slit, every 5 cm-1).
 double difference(const Stretch& at) {
-    constexpr double temperature_K = 299.7, pressure_hPa = 1013.0, slit_cm = 10.0;
+    constexpr double temperature_K = 299.7, pressure_hPa = 1013.0, slit_per_cm = 10.0;
     const auto lines = smat::test::sharedMaterial("data/atmosphere/lines");
     const LineList list = readLineList(
         at.gas, lines / (std::string(gasNames[static_cast<std::size_t>(at.gas)]) + ".par.gz"));
     const WavenumberGrid grid{
-        at.lower_cm - slit_cm, 0.005,
-        static_cast<std::size_t>((at.upper_cm - at.lower_cm + 2.0 * slit_cm) / 0.005) + 1};
+        at.lower_per_cm - slit_per_cm, 0.005,
+        static_cast<std::size_t>((at.upper_per_cm - at.lower_per_cm + 2.0 * slit_per_cm) / 0.005) +
+            1};
     std::vector<double> transmittance =
         crossSection_cm2(list, PartitionSums::read(lines / "partition"), grid, temperature_K,
                          pressure_hPa, at.fraction, defaultLineShape(at.gas));
@@ -46,11 +47,11 @@ double difference(const Stretch& at) {
         std::vector<double> row;
         for (double number = 0.0; words >> number;)
             row.push_back(number);
-        if (row.size() < 20 || row[0] < at.lower_cm || row[0] > at.upper_cm)
+        if (row.size() < 20 || row[0] < at.lower_per_cm || row[0] > at.upper_per_cm)
             continue;
         double mean = 0.0, weights = 0.0;
         for (std::size_t i = 0; i < grid.count; ++i) {
-            const double weight = 1.0 - std::abs(grid.at(i) - row[0]) / slit_cm;
+            const double weight = 1.0 - std::abs(grid.at(i) - row[0]) / slit_per_cm;
             if (weight > 0.0) {
                 mean += weight * transmittance[i];
                 weights += weight;

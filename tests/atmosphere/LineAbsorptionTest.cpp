@@ -12,11 +12,11 @@ namespace {
 
 const PartitionSums rotor = PartitionSums::rigidRotor();
 
-Line strongLine(double wavenumber_cm, double intensity = 1e-20) {
+Line strongLine(double wavenumber_per_cm, double intensity = 1e-20) {
     Line line;
-    line.wavenumber_cm = wavenumber_cm;
+    line.wavenumber_per_cm = wavenumber_per_cm;
     line.intensity = intensity;
-    line.lowerEnergy_cm = 300.0;
+    line.lowerEnergy_per_cm = 300.0;
     return line;
 }
 
@@ -28,23 +28,23 @@ std::vector<double> pointByPoint(const LineList& list, const WavenumberGrid& gri
     constexpr double c2 = 1.438776877;
     const double pressure_atm = pressure_hPa / 1013.25, ratio = 296.0 / temperature_K;
     for (const Line& line : list.lines) {
-        const double nu = line.wavenumber_cm;
+        const double nu = line.wavenumber_per_cm;
         const double intensity = line.intensity * std::pow(ratio, 1.5) *
-                                 std::exp(-c2 * line.lowerEnergy_cm * (ratio - 1.0) / 296.0) *
+                                 std::exp(-c2 * line.lowerEnergy_per_cm * (ratio - 1.0) / 296.0) *
                                  std::expm1(-c2 * nu / temperature_K) /
                                  std::expm1(-c2 * nu / 296.0);
         // Half width sqrt(2 ln 2 R T / M) nu / c.
-        const double doppler_cm = nu / 299792458.0 *
-                                  std::sqrt(2.0 * std::numbers::ln2 * 8.31446261815324 *
-                                            temperature_K / (1e-3 * molarMass_g(list.gas, 1)));
-        const VoigtProfile profile(doppler_cm,
+        const double doppler_per_cm = nu / 299792458.0 *
+                                      std::sqrt(2.0 * std::numbers::ln2 * 8.31446261815324 *
+                                                temperature_K / (1e-3 * molarMass_g(list.gas, 1)));
+        const VoigtProfile profile(doppler_per_cm,
                                    pressure_atm * static_cast<double>(line.airWidth_cm_atm) *
                                        std::pow(ratio, static_cast<double>(line.widthExponent)));
-        const double pedestal = shape.removePedestal ? profile.at(shape.cut_cm) : 0.0;
+        const double pedestal = shape.removePedestal ? profile.at(shape.cut_per_cm) : 0.0;
         const double centre = nu + pressure_atm * static_cast<double>(line.airShift_cm_atm);
         for (std::size_t i = 0; i < grid.count; ++i) {
             const double x = std::abs(grid.at(i) - centre);
-            if (x > shape.cut_cm)
+            if (x > shape.cut_per_cm)
                 continue;
             const double chi = shape.carbonDioxideWings ? carbonDioxideChi(x, temperature_K) : 1.0;
             sum[i] += intensity * (profile.at(x) * chi - pedestal);
@@ -72,7 +72,7 @@ TEST(LineAbsorption, followsBoltzmannAndThePartitionSum) {
         double sum = 0.0;
         for (const double value : crossSection_cm2(list, rotor, grid, temperature_K, 1.0, 0.0,
                                                    defaultLineShape(Gas::CO)))
-            sum += value * grid.step_cm;
+            sum += value * grid.step_per_cm;
         return sum;
     };
     EXPECT_NEAR(area(296.0) / 1e-20, 1.0, 1e-3);
@@ -86,7 +86,7 @@ TEST(LineAbsorption, followsBoltzmannAndThePartitionSum) {
 TEST(LineAbsorption, isWhatASumPointByPointGives) {
     struct Case {
         Gas gas;
-        double pressure_hPa, temperature_K, step_cm;
+        double pressure_hPa, temperature_K, step_per_cm;
     };
     for (const Case& now :
          {Case{Gas::H2O, 1013.0, 296.0, 0.001}, Case{Gas::H2O, 100.0, 250.0, 0.001},
@@ -104,7 +104,7 @@ TEST(LineAbsorption, isWhatASumPointByPointGives) {
         for (const double nu : {1905.3, 2160.0, 2182.0, 2222.0, 2460.0, 2510.0})
             list.lines.push_back(strongLine(nu, 1e-19));
         const LineShape shape = defaultLineShape(now.gas);
-        const WavenumberGrid grid{2200.0, now.step_cm, 2001};
+        const WavenumberGrid grid{2200.0, now.step_per_cm, 2001};
         const auto fast =
             crossSection_cm2(list, rotor, grid, now.temperature_K, now.pressure_hPa, 0.0, shape);
         const auto slow = pointByPoint(list, grid, now.temperature_K, now.pressure_hPa, shape);
@@ -169,9 +169,9 @@ TEST(LineAbsorption, endsAtTheCutWithAndWithoutAPedestal) {
 
 TEST(LineAbsorption, weakensTheWingsOfCarbonDioxide) {
     EXPECT_EQ(carbonDioxideChi(2.9, 296.0), 1.0);
-    for (const double at_cm : {3.0, 10.0, 70.0})
-        EXPECT_NEAR(carbonDioxideChi(at_cm + 1e-9, 250.0), carbonDioxideChi(at_cm - 1e-9, 250.0),
-                    1e-8);
+    for (const double at_per_cm : {3.0, 10.0, 70.0})
+        EXPECT_NEAR(carbonDioxideChi(at_per_cm + 1e-9, 250.0),
+                    carbonDioxideChi(at_per_cm - 1e-9, 250.0), 1e-8);
     double last = 1.0;
     for (double x = 4.0; x < 300.0; x += 1.0) {
         const double chi = carbonDioxideChi(-x, 296.0);

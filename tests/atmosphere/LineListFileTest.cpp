@@ -27,9 +27,9 @@ TEST(LineListFile, readsTheColumnsInOrderOfWavenumber) {
     const LineList list = readLineList(Gas::CO2, fileOf(first + "\r\n\n" + second));
     ASSERT_EQ(list.lines.size(), 2u);
     const Line& strong = list.lines[1];
-    EXPECT_EQ(strong.wavenumber_cm, 667.661);
+    EXPECT_EQ(strong.wavenumber_per_cm, 667.661);
     EXPECT_EQ(strong.intensity, 3e-19);
-    EXPECT_EQ(strong.lowerEnergy_cm, 100.25);
+    EXPECT_EQ(strong.lowerEnergy_per_cm, 100.25);
     EXPECT_FLOAT_EQ(strong.airWidth_cm_atm, 0.0789f);
     EXPECT_FLOAT_EQ(strong.selfWidth_cm_atm, 0.099f);
     EXPECT_FLOAT_EQ(strong.widthExponent, 0.74f);
@@ -37,9 +37,9 @@ TEST(LineListFile, readsTheColumnsInOrderOfWavenumber) {
     EXPECT_EQ(strong.isotopologue, 1);
     // An unknown self width is that in air, an unknown energy nothing.
     const Line& weak = list.lines[0];
-    EXPECT_EQ(weak.wavenumber_cm, 640.5);
+    EXPECT_EQ(weak.wavenumber_per_cm, 640.5);
     EXPECT_EQ(weak.isotopologue, 11);
-    EXPECT_EQ(weak.lowerEnergy_cm, 0.0);
+    EXPECT_EQ(weak.lowerEnergy_per_cm, 0.0);
     EXPECT_FLOAT_EQ(weak.selfWidth_cm_atm, 0.065f);
 }
 
@@ -63,7 +63,7 @@ TEST(LineListFile, readsWhatGzipCompressed) {
             (void)readLineList(Gas::CO2, fileOf(bytes.substr(0, size), "cut.par.gz"));
             ADD_FAILURE() << size;
         } catch (const InputError& error) {
-            EXPECT_EQ(error.offences().front().value, "damaged compression") << size;
+            EXPECT_EQ(error.diagnostics().front().value, "damaged compression") << size;
         }
 }
 
@@ -95,7 +95,7 @@ TEST(LineListFile, namesTheLineThatIsNoRecord) {
             (void)readLineList(Gas::CO2, fileOf(bad.text));
             ADD_FAILURE() << bad.name;
         } catch (const InputError& error) {
-            EXPECT_EQ(error.offences().front().position, bad.position) << bad.name;
+            EXPECT_EQ(error.diagnostics().front().position, bad.position) << bad.name;
         }
     EXPECT_THROW((void)readLineList(Gas::CO2, "no/such/file.par"), InputError);
 }
@@ -108,7 +108,7 @@ TEST(LineListFile, readsTheSharedLists) {
     EXPECT_EQ(list.lines.size(), 4606u);
     // R(7) of the fundamental band, one of its strongest lines.
     const auto strongest = std::ranges::max_element(list.lines, {}, &Line::intensity);
-    EXPECT_NEAR(strongest->wavenumber_cm, 2172.7588, 1e-9);
+    EXPECT_NEAR(strongest->wavenumber_per_cm, 2172.7588, 1e-9);
     EXPECT_NEAR(strongest->intensity, 4.461e-19, 1e-28);
 }
 

@@ -19,7 +19,7 @@ constexpr ModelAtmosphere allModels[] = {
 
 void expectSaneAir(const Profile& air) {
     for (double z = 0.0; z < 1500.0; z += 7.0) {
-        const AirState state = air.at(z);
+        const AtmosphericState state = air.at(z);
         EXPECT_LE(relativeHumidity(state), 1.0 + 1e-9) << z;
         EXPECT_GE(state.fraction(Gas::H2O), 0.0) << z;
         EXPECT_GT(state.pressure_hPa, air.at(z + 7.0).pressure_hPa) << z;
@@ -72,7 +72,7 @@ TEST(MeteoReshape, joinsTheAirAboveSmoothly) {
 TEST(MeteoReshape, ofTheModelsOwnValuesIsTheModel) {
     for (const ModelAtmosphere model : allModels) {
         const Profile before = Profile::model(model);
-        const AirState ten = before.at(10.0);
+        const AtmosphericState ten = before.at(10.0);
         const Profile after =
             before.withMeteo({10.0, ten.temperature_K, ten.pressure_hPa, relativeHumidity(ten),
                               before.at(0.0).temperature_K});
@@ -93,7 +93,7 @@ TEST(MeteoReshape, isHydrostaticUpToTheMisfitThatItSpreads) {
     EXPECT_NEAR(belowTheMeasurement,
                 9.80665 * (28.964e-3 - 10.949e-3 * water) * 10.0 / 8.314462618 / 288.05, 1e-8);
     for (const double z : {100.0, 300.0, 600.0, 900.0}) {
-        const AirState state = air.at(z);
+        const AtmosphericState state = air.at(z);
         const double scale_m = 8.314462618 * state.temperature_K /
                                (9.80665 * (28.964e-3 - 10.949e-3 * state.fraction(Gas::H2O)));
         const double fall = std::log(air.at(z - 10.0).pressure_hPa / air.at(z + 10.0).pressure_hPa);
@@ -180,6 +180,7 @@ TEST(MeteoReshape, refusesWeatherByName) {
             EXPECT_THAT(error.what(), HasSubstr(each.words));
         }
     }
-    const Profile low({AirState{0.0, 1000.0, 290.0, {}}, AirState{500.0, 950.0, 287.0, {}}});
+    const Profile low(
+        {AtmosphericState{0.0, 1000.0, 290.0, {}}, AtmosphericState{500.0, 950.0, 287.0, {}}});
     EXPECT_THROW(low.withMeteo({}), InputError);
 }

@@ -54,10 +54,10 @@ TEST(ModtranComparison, sunIsScatteredWithTheAsymmetryOfTheCards) {
             if (values.size() > 14 && values[0] >= 2050.0)
                 theirs.push_back(values[5] * values[0] * values[0]); // W m-2 sr-1 um-1
         }
-        ASSERT_EQ(theirs.size(), ours.wavenumbers_cm.size()) << name;
+        ASSERT_EQ(theirs.size(), ours.wavenumbers_per_cm.size()) << name;
         const BandLimits band{"", 2050.0, 2100.0};
-        EXPECT_NEAR(bandMean(ours.wavenumbers_cm, ours.scatteredSun, band) /
-                        bandMean(ours.wavenumbers_cm, theirs, band),
+        EXPECT_NEAR(bandMean(ours.wavenumbers_per_cm, ours.scatteredSun, band) /
+                        bandMean(ours.wavenumbers_per_cm, theirs, band),
                     1.0, 0.03)
             << name;
     }

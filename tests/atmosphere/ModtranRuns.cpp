@@ -71,7 +71,7 @@ SunPosition sunOf(const SpectralRun& run) {
 
 /// The air as sunlight meets it: with IPH 0 all particles scatter by Henyey and Greenstein's
 /// function with the asymmetry G of card 3A2 (0: alike into all directions) in place of their own.
-AirModel airOfSunlight(AirModel air, const SpectralRun& run) {
+AtmosphericModel airOfSunlight(AtmosphericModel air, const SpectralRun& run) {
     if (card(run, "IPH", 2.0) == 0.0)
         for (ParticleLayer& layer : air.particles)
             for (ParticleOptics& optics : layer.optics)
@@ -91,7 +91,7 @@ double trueElevation(const RayTracer& tracer, double altitude_m, double apparent
     return upper;
 }
 
-AirPath pathOf(const SpectralRun& run, const RadiativeTransfer& transfer) {
+AtmosphericPath pathOf(const SpectralRun& run, const RadiativeTransfer& transfer) {
     const RunGeometry& geometry = run.geometry;
     switch (geometry.path) {
     case RunPath::horizontal:
@@ -117,8 +117,8 @@ std::vector<double> radianceOf(const SpectralRun& run, const RadiativeTransfer& 
 }
 
 /// Bins much finer than the slit.
-int resolutionFor(double fwhm_cm) {
-    return fwhm_cm <= 10.0 ? 1 : 5;
+int resolutionFor(double fwhm_per_cm) {
+    return fwhm_per_cm <= 10.0 ? 1 : 5;
 }
 
 } // namespace
@@ -163,18 +163,19 @@ const std::vector<PublishedFile>& publishedFiles() {
     return files;
 }
 
-Slit::Slit(const RadiativeTransfer& transfer, std::vector<double> wavenumbers_cm, double fwhm_cm)
-    : wavenumbers_cm_(std::move(wavenumbers_cm)), fwhm_cm_(fwhm_cm) {
-    const BinSet& set = transfer.gases().bins(transfer.air().resolution_cm);
+Slit::Slit(const RadiativeTransfer& transfer, std::vector<double> wavenumbers_per_cm,
+           double fwhm_per_cm)
+    : wavenumbers_cm_(std::move(wavenumbers_per_cm)), fwhm_cm_(fwhm_per_cm) {
+    const BinSet& set = transfer.gases().bins(transfer.air().resolution_per_cm);
     const auto [first, last] =
         set.range(wavenumbers_cm_.front() - fwhm_cm_, wavenumbers_cm_.back() + fwhm_cm_);
     for (std::size_t bin = first; bin < last; ++bin) {
         const SpectralBin& own = set.bins[bin];
-        bins_.push_back({own.lower_cm, own.upper_cm, {}});
+        bins_.push_back({own.lower_per_cm, own.upper_per_cm, {}});
         for (std::uint32_t i = own.first; i < own.first + own.count; ++i) {
             bins_.back().weights.push_back(static_cast<double>(set.weights[i]));
             nodes_.nodes.push_back(set.nodes[i]);
-            nodes_.wavenumbers_cm.push_back(transfer.gases().wavenumber_cm(set.nodes[i]));
+            nodes_.wavenumbers_per_cm.push_back(transfer.gases().wavenumber_per_cm(set.nodes[i]));
         }
     }
 }
@@ -190,13 +191,14 @@ std::vector<double> Slit::at(const std::vector<double>& nodeValues) const {
     }
     std::vector<double> values;
     std::size_t first = 0;
-    for (const double at_cm : wavenumbers_cm_) {
-        while (first + 1 < bins_.size() && bins_[first].upper_cm <= at_cm - fwhm_cm_)
+    for (const double at_per_cm : wavenumbers_cm_) {
+        while (first + 1 < bins_.size() && bins_[first].upper_per_cm <= at_per_cm - fwhm_cm_)
             ++first;
         double sum = 0.0, area = 0.0;
-        for (std::size_t b = first; b < bins_.size() && bins_[b].lower_cm < at_cm + fwhm_cm_; ++b) {
-            const double part = triangleIntegral(bins_[b].upper_cm - at_cm, fwhm_cm_) -
-                                triangleIntegral(bins_[b].lower_cm - at_cm, fwhm_cm_);
+        for (std::size_t b = first;
+             b < bins_.size() && bins_[b].lower_per_cm < at_per_cm + fwhm_cm_; ++b) {
+            const double part = triangleIntegral(bins_[b].upper_per_cm - at_per_cm, fwhm_cm_) -
+                                triangleIntegral(bins_[b].lower_per_cm - at_per_cm, fwhm_cm_);
             sum += part * means[b];
             area += part;
         }
@@ -205,12 +207,13 @@ std::vector<double> Slit::at(const std::vector<double>& nodeValues) const {
     return values;
 }
 
-double bandMean(const std::vector<double>& wavenumbers_cm, const std::vector<double>& values,
+double bandMean(const std::vector<double>& wavenumbers_per_cm, const std::vector<double>& values,
                 const BandLimits& band) {
     double sum = 0.0, width = 0.0;
-    for (std::size_t i = 1; i < wavenumbers_cm.size(); ++i) {
-        const double below = wavenumbers_cm[i - 1], above = wavenumbers_cm[i];
-        const double from = std::max(below, band.lower_cm), to = std::min(above, band.upper_cm);
+    for (std::size_t i = 1; i < wavenumbers_per_cm.size(); ++i) {
+        const double below = wavenumbers_per_cm[i - 1], above = wavenumbers_per_cm[i];
+        const double from = std::max(below, band.lower_per_cm),
+                     to = std::min(above, band.upper_per_cm);
         if (from >= to)
             continue;
         auto at = [&](double nu) {
@@ -224,9 +227,9 @@ double bandMean(const std::vector<double>& wavenumbers_cm, const std::vector<dou
     return sum / width;
 }
 
-AirModel airOf(const SpectralRun& run, double co2_ppmv) {
+AtmosphericModel airOf(const SpectralRun& run, double co2_ppmv) {
     const auto model = static_cast<ModelAtmosphere>(static_cast<int>(card(run, "MODEL")));
-    AirModel air{Profile::model(model, co2_ppmv), {}};
+    AtmosphericModel air{Profile::model(model, co2_ppmv), {}};
     ParticleSettings settings;
     settings.aerosol = aerosolOf(static_cast<int>(card(run, "IHAZE")));
     settings.visibility_m = 1000.0 * card(run, "VIS");
@@ -239,22 +242,22 @@ AirModel airOf(const SpectralRun& run, double co2_ppmv) {
     air.groundTemperature_K = ground_K > 0.0 ? ground_K : air.profile.at(0.0).temperature_K;
     air.groundAlbedo = Spectrum::constant(card(run, "SALB"));
     air.scattering = card(run, "IMULT") == 0.0 ? ScatteringMode::single : ScatteringMode::twoStream;
-    air.resolution_cm = resolutionFor(card(run, "FWHM"));
+    air.resolution_per_cm = resolutionFor(card(run, "FWHM"));
     return air;
 }
 
 ModtranComparison compare(const std::filesystem::path& folder, const PublishedFile& file) {
     const SpectralRun run = readTape7(folder / file.name).front();
     const RadiativeTransfer transfer(airOf(run, file.co2_ppmv), GasTable::shipped());
-    const Slit slit(transfer, run.wavenumbers_cm, card(run, "FWHM"));
+    const Slit slit(transfer, run.wavenumbers_per_cm, card(run, "FWHM"));
     const double sensor_m = run.geometry.sensorAltitude_m;
     constexpr SunPosition night{0.0, -0.5 * std::numbers::pi};
 
-    ModtranComparison result{.wavenumbers_cm = run.wavenumbers_cm};
+    ModtranComparison result{.wavenumbers_per_cm = run.wavenumbers_per_cm};
     result.theirTransmittance = run.transmittance;
     result.theirRadiance = run.pathRadiance_W_m2_sr_um;
     result.theirSunlight = run.solarIrradiance_W_m2_um;
-    const AirPath path = pathOf(run, transfer);
+    const AtmosphericPath path = pathOf(run, transfer);
     result.transmittance = slit.at(transfer.transmittance(slit.nodes(), path));
     if (run.kind == RunKind::sunlight) {
         const double elevation =
@@ -276,7 +279,7 @@ ModtranComparison compare(const std::filesystem::path& folder, const PublishedFi
             }
         }
         const double air_K = transfer.air().profile.at(sensor_m).temperature_K;
-        for (const double nu : run.wavenumbers_cm)
+        for (const double nu : run.wavenumbers_per_cm)
             result.reference.push_back(planckRadiance_W_m2_sr_um(1e4 / nu, air_K));
     }
     return result;
@@ -296,7 +299,7 @@ std::vector<InBand> inBand(const ModtranComparison& comparison, const PublishedF
     std::vector<InBand> rows;
     for (const BandLimits& band : file.bands) {
         auto mean = [&](const std::vector<double>& values) {
-            return bandMean(comparison.wavenumbers_cm, values, band);
+            return bandMean(comparison.wavenumbers_per_cm, values, band);
         };
         InBand row{.band = band};
         row.transmittance = mean(comparison.transmittance);
@@ -334,12 +337,12 @@ AbsorberComparisons compareAbsorbers(const std::filesystem::path& folder) {
          {"O2", 17, {"O2", "O2 collision-induced"}}}};
 
     const SpectralRun run = readTape7(folder / absorberFile).front();
-    AbsorberComparisons result{.wavenumbers_cm = run.wavenumbers_cm};
+    AbsorberComparisons result{.wavenumbers_per_cm = run.wavenumbers_per_cm};
     for (const Column& column : columns)
         result.absorbers.push_back({column.name, {}, {}});
     constexpr std::size_t headerLines = 12;
     const TextLines text = TextLines::read(folder / absorberFile);
-    for (std::size_t row = 0; row < run.wavenumbers_cm.size(); ++row) {
+    for (std::size_t row = 0; row < run.wavenumbers_per_cm.size(); ++row) {
         std::istringstream words(text.lines.at(headerLines + row));
         std::vector<double> values;
         for (double value = 0.0; words >> value;)
@@ -348,11 +351,11 @@ AbsorberComparisons compareAbsorbers(const std::filesystem::path& folder) {
             result.absorbers[c].theirs.push_back(values.at(columns[c].index));
     }
 
-    AirModel air = airOf(run, publishedFiles().front().co2_ppmv);
+    AtmosphericModel air = airOf(run, publishedFiles().front().co2_ppmv);
     {
         const RadiativeTransfer transfer(air, GasTable::shipped());
-        const Slit slit(transfer, run.wavenumbers_cm, card(run, "FWHM"));
-        const AirPath path = pathOf(run, transfer);
+        const Slit slit(transfer, run.wavenumbers_per_cm, card(run, "FWHM"));
+        const AtmosphericPath path = pathOf(run, transfer);
         for (std::size_t c = 0; c < columns.size(); ++c) {
             std::vector<double> product(slit.nodes().nodes.size(), 1.0);
             for (const std::string& component : columns[c].ours)
@@ -365,13 +368,13 @@ AbsorberComparisons compareAbsorbers(const std::filesystem::path& folder) {
 
     // As much water in ten times as much air: its molecules hardly meet each other.
     constexpr double thinner = 10.0;
-    std::vector<AirState> levels = air.profile.levels();
-    for (AirState& level : levels)
+    std::vector<AtmosphericState> levels = air.profile.levels();
+    for (AtmosphericState& level : levels)
         level.moleFraction[static_cast<std::size_t>(Gas::H2O)] /= thinner;
     air.profile = Profile(levels);
     const RadiativeTransfer transfer(air, GasTable::shipped());
-    const Slit slit(transfer, run.wavenumbers_cm, card(run, "FWHM"));
-    AirPath path = pathOf(run, transfer);
+    const Slit slit(transfer, run.wavenumbers_per_cm, card(run, "FWHM"));
+    AtmosphericPath path = pathOf(run, transfer);
     path.range_m *= thinner;
     result.absorbers.push_back({"H2O by air alone",
                                 slit.at(transfer.componentTransmittance(slit.nodes(), path, "H2O")),

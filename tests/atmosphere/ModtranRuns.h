@@ -16,7 +16,7 @@ namespace irsg::modtran {
 /// A part of the spectrum over which results are averaged, in wavelength.
 struct BandLimits {
     std::string name;
-    double lower_cm = 0.0, upper_cm = 0.0;
+    double lower_per_cm = 0.0, upper_per_cm = 0.0;
 };
 
 /// One file: its run, and what the file itself does not tell.
@@ -30,15 +30,16 @@ const std::vector<PublishedFile>& publishedFiles();
 /// Means over bins brought to other wavenumbers with a triangular slit.
 class Slit {
   public:
-    /// `fwhm_cm`: full width of the slit at half of its height.
-    Slit(const RadiativeTransfer& transfer, std::vector<double> wavenumbers_cm, double fwhm_cm);
+    /// `fwhm_per_cm`: full width of the slit at half of its height.
+    Slit(const RadiativeTransfer& transfer, std::vector<double> wavenumbers_per_cm,
+         double fwhm_per_cm);
 
     const NodeSet& nodes() const { return nodes_; }
     std::vector<double> at(const std::vector<double>& nodeValues) const;
 
   private:
     struct Bin {
-        double lower_cm, upper_cm;
+        double lower_per_cm, upper_per_cm;
         std::vector<double> weights;
     };
     std::vector<double> wavenumbers_cm_;
@@ -48,12 +49,12 @@ class Slit {
 };
 
 /// The mean over a band in wavelength of values at wavenumbers (linear between).
-double bandMean(const std::vector<double>& wavenumbers_cm, const std::vector<double>& values,
+double bandMean(const std::vector<double>& wavenumbers_per_cm, const std::vector<double>& values,
                 const BandLimits& band);
 
 /// What is compared, on the wavenumbers of the file. Vectors that a run does not have are empty.
 struct ModtranComparison {
-    std::vector<double> wavenumbers_cm;
+    std::vector<double> wavenumbers_per_cm;
     std::vector<double> transmittance = {}, theirTransmittance = {};
     std::vector<double> radiance = {}, theirRadiance = {}; ///< of the path, W m-2 sr-1 um-1
     std::vector<double> scatteredSun = {};                 ///< ours, a part of the radiance
@@ -77,7 +78,7 @@ struct InBand {
 };
 
 /// The settings of a run as our air.
-AirModel airOf(const SpectralRun& run, double co2_ppmv);
+AtmosphericModel airOf(const SpectralRun& run, double co2_ppmv);
 /// Reads and computes. Throws InputError where the file cannot be read.
 ModtranComparison compare(const std::filesystem::path& folder, const PublishedFile& file);
 std::vector<InBand> inBand(const ModtranComparison& comparison, const PublishedFile& file);
@@ -89,7 +90,7 @@ struct AbsorberComparison {
     std::vector<double> ours, theirs; ///< at the wavenumbers of the file
 };
 struct AbsorberComparisons {
-    std::vector<double> wavenumbers_cm;
+    std::vector<double> wavenumbers_per_cm;
     std::vector<AbsorberComparison> absorbers = {};
 };
 AbsorberComparisons compareAbsorbers(const std::filesystem::path& folder);

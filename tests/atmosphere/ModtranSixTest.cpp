@@ -67,7 +67,7 @@ TEST(ModtranJson, readsADocumentWithItsResults) {
     EXPECT_NEAR(*run.geometry.sunElevation_rad, radians(55.0), 1e-12);
     EXPECT_EQ(run.cards.at("MODEL"), 2.0);
     EXPECT_EQ(run.cards.at("CO2MX"), 400.0);
-    EXPECT_EQ(run.wavenumbers_cm, (std::vector<double>{2000.0, 2010.0, 2020.0}));
+    EXPECT_EQ(run.wavenumbers_per_cm, (std::vector<double>{2000.0, 2010.0, 2020.0}));
     EXPECT_EQ(run.transmittance[1], 0.25);
     // The scattered parts stand beside the emitted: that closes with TOTAL_RAD.
     EXPECT_NEAR(run.pathRadiance_W_m2_sr_um[0], 3.15e-7 * 4e6, 1e-9);
@@ -81,7 +81,7 @@ TEST(ModtranJson, readsADocumentWithItsResults) {
 }
 
 TEST(ModtranJson, aMissingAxisIsThatOfTheInput) {
-    EXPECT_EQ(parseModtranJson(replaced(document, axis, ""), "x").front().wavenumbers_cm,
+    EXPECT_EQ(parseModtranJson(replaced(document, axis, ""), "x").front().wavenumbers_per_cm,
               (std::vector<double>{2000.0, 2010.0, 2020.0}));
 }
 
@@ -152,7 +152,7 @@ TEST(ModtranCsv, takesItsGeometryFromTheDocumentBesideIt) {
         ASSERT_EQ(runs.size(), 1u) << header;
         const SpectralRun expected = parseModtranJson(document, "x").front();
         EXPECT_EQ(runs.front().geometry, expected.geometry);
-        EXPECT_EQ(runs.front().wavenumbers_cm, expected.wavenumbers_cm);
+        EXPECT_EQ(runs.front().wavenumbers_per_cm, expected.wavenumbers_per_cm);
         EXPECT_EQ(runs.front().transmittance[1], 0.25);
         for (std::size_t i = 0; i < 3; ++i) {
             EXPECT_NEAR(runs.front().pathRadiance_W_m2_sr_um[i],
@@ -185,7 +185,7 @@ TEST(ModtranCsv, wavelengthsAndTheirDensitiesAreTheSameAir) {
             writtenFile(folder / "um.csv",
                         place + "wavelength,tot_trans,pth_thrml,total_rad\nmicrons,,,\n" + text))
             .front();
-    EXPECT_NEAR(microns.wavenumbers_cm.back(), 2000.0, 1e-9);
+    EXPECT_NEAR(microns.wavenumbers_per_cm.back(), 2000.0, 1e-9);
     EXPECT_NEAR(microns.pathRadiance_W_m2_sr_um.back(), perCm * 4e6, 1e-9);
     std::snprintf(text, sizeof text, "5000,0.5,%.12g,%.12g\n6000,0.5,1,1\n",
                   perCm * 2000.0 * 2000.0 * 1e-1, perCm * 2000.0 * 2000.0 * 1e-1);
@@ -194,7 +194,7 @@ TEST(ModtranCsv, wavelengthsAndTheirDensitiesAreTheSameAir) {
             writtenFile(folder / "nm.csv",
                         place + "wavelength,tot_trans,pth_thrml,total_rad\n[nm],,,\n" + text))
             .front();
-    EXPECT_NEAR(nanometres.wavenumbers_cm.back(), 2000.0, 1e-9);
+    EXPECT_NEAR(nanometres.wavenumbers_per_cm.back(), 2000.0, 1e-9);
     EXPECT_NEAR(nanometres.pathRadiance_W_m2_sr_um.back(), perCm * 4e6, 1e-9);
 }
 

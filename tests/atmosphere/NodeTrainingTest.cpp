@@ -7,7 +7,7 @@
 namespace irsg::lbl {
 namespace {
 
-constexpr double lower_cm = 4000.0, upper_cm = 4015.0, step_cm = 0.01;
+constexpr double lower_per_cm = 4000.0, upper_per_cm = 4015.0, step_per_cm = 0.01;
 
 CrossSectionGrid smallGrid() {
     CrossSectionGrid grid;
@@ -20,8 +20,9 @@ CrossSectionGrid smallGrid() {
 /// 50 within half a cm-1.
 FineCrossSections wavering(double mean_cm2) {
     FineCrossSections fine;
-    fine.grid = {lower_cm + 0.5 * step_cm, step_cm,
-                 static_cast<std::size_t>(std::lround((upper_cm - lower_cm) / step_cm))};
+    fine.grid = {
+        lower_per_cm + 0.5 * step_per_cm, step_per_cm,
+        static_cast<std::size_t>(std::lround((upper_per_cm - lower_per_cm) / step_per_cm))};
     std::vector<float> values;
     for (std::size_t i = 0; i < fine.grid.count; ++i)
         values.push_back(static_cast<float>(std::log(mean_cm2) +
@@ -42,14 +43,14 @@ double largestError(const FineCrossSections& fine, const TrainedNodes& trained,
         for (const SpectralBin& bin : bins.bins) {
             double mean = 0.0, count = 0.0, sum = 0.0;
             for (std::size_t i = 0; i < ln.size(); ++i)
-                if (fine.grid.at(i) > bin.lower_cm && fine.grid.at(i) < bin.upper_cm) {
+                if (fine.grid.at(i) > bin.lower_per_cm && fine.grid.at(i) < bin.upper_per_cm) {
                     mean += std::exp(-column * std::exp(static_cast<double>(ln[i])));
                     count += 1.0;
                 }
             for (std::uint32_t i = bin.first; i < bin.first + bin.count; ++i) {
-                const double nu_cm = trained.wavenumbers_cm[bins.nodes[i]];
-                const auto at =
-                    static_cast<std::size_t>(std::lround((nu_cm - fine.grid.first_cm) / step_cm));
+                const double nu_per_cm = trained.wavenumbers_per_cm[bins.nodes[i]];
+                const auto at = static_cast<std::size_t>(
+                    std::lround((nu_per_cm - fine.grid.first_per_cm) / step_per_cm));
                 sum += static_cast<double>(bins.weights[i]) *
                        std::exp(-column * std::exp(static_cast<double>(ln[at])));
             }
@@ -68,7 +69,7 @@ TEST(NodeTraining, seesTheFaintAbsorptionThatOnlyALongPathThroughThinAirAddsUp) 
     for (const double mean_cm2 : {3e-23, 1e-22, 1e-21, 1e-20}) {
         const FineCrossSections fine = wavering(mean_cm2);
         const TrainedNodes trained =
-            trainNodes(fine, smallGrid(), training, lower_cm, upper_cm, 1, goals);
+            trainNodes(fine, smallGrid(), training, lower_per_cm, upper_per_cm, 1, goals);
         ASSERT_EQ(trained.bins[1].bins.size(), 3u);
         EXPECT_LT(largestError(fine, trained, 3e20), 0.01) << mean_cm2;
     }

@@ -93,12 +93,12 @@ TEST(ParticleTable, everyDamageIsRefusedByName) {
     }
 }
 
-TEST(ParticleTable, allOffencesOfAFileComeAtOnce) {
+TEST(ParticleTable, allDiagnosticsOfAFileComeAtOnce) {
     try {
         readText("um,a_ext,a_abs,a_asym\n0.2,-1,0,7\n0.1,1,x,0\n", Kind::optics, opticsNames);
         ADD_FAILURE();
     } catch (const InputError& error) {
-        EXPECT_GE(error.offences().size(), 4u);
+        EXPECT_GE(error.diagnostics().size(), 4u);
     }
 }
 

@@ -14,8 +14,8 @@ namespace {
 using namespace syntheticair;
 
 /// A vertical path inside one layer, upwards.
-RaySegment vertical(const AirColumn& air, double from_m, double to_m) {
-    const AirColumn::Place place = air.placeOf(0.5 * (from_m + to_m));
+RaySegment vertical(const AtmosphericColumn& air, double from_m, double to_m) {
+    const AtmosphericColumn::Place place = air.placeOf(0.5 * (from_m + to_m));
     return {static_cast<int>(place.layer), std::abs(to_m - from_m), from_m, to_m, place.fraction,
             to_m > from_m ? 1.0 : -1.0};
 }
@@ -28,10 +28,10 @@ RayPath pathOf(std::vector<RaySegment> segments) {
 
 class PathIntegrator : public testing::Test {
   protected:
-    AirColumn air_{profile(290.0, 6.0), {}, table()};
+    AtmosphericColumn air_{profile(290.0, 6.0), {}, table()};
 
     NodeColumn column(std::uint32_t node) const {
-        return NodeColumn(air_, {node}, {wavenumbers_cm[node]}, 5.0);
+        return NodeColumn(air_, {node}, {wavenumbers_per_cm[node]}, 5.0);
     }
 };
 
@@ -55,7 +55,7 @@ TEST_F(PathIntegrator, integratesASourceThatIsLinearInOpticalDepth) {
     const double near = column.planck(5)[0], far = column.planck(6)[0];
     for (const double t : {1e-12, 1e-6, 0.0299999, 0.0300001, 0.5, 4.0, 50.0, 1e5}) {
         segment.length_m = t / perMetre;
-        const PathLight light = lightAlong(column, pathOf({segment}), {});
+        const PathLight light = integratePath(column, pathOf({segment}), {});
         const long double x = static_cast<long double>(t), absorbed = -std::expm1(-x);
         const long double share =
             x < 1e-3L ? x / 2 - x * x / 3 + x * x * x / 8 : absorbed / x - std::exp(-x);
@@ -79,8 +79,8 @@ TEST_F(PathIntegrator, addsWhatIsScatteredIntoThePath) {
     for (const bool isUp : {true, false}) {
         const double from_m = isUp ? 1050.0 : 1150.0, to_m = isUp ? 1150.0 : 1050.0;
         const RayPath path = pathOf({vertical(air_, from_m, to_m)});
-        const PathLight with = lightAlong(column, path, scattered);
-        const PathLight without = lightAlong(column, path, {});
+        const PathLight with = integratePath(column, path, scattered);
+        const PathLight without = integratePath(column, path, {});
         EXPECT_NEAR((with.radiance[0] - without.radiance[0]) / (1.0 - with.transmittance[0]),
                     isUp ? 1.0 : 3.0, 1e-6);
     }

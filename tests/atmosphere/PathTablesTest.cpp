@@ -90,8 +90,8 @@ TEST_F(PathTablesOfAir, giveWhatTheTransferGivesAlongARange) {
              {std::pair{10.0, 10.0}, std::pair{3000.0, 3010.0}}) {
             if (sensor_m < 100.0 && range_m > 60e3)
                 continue;
-            const AirPath path{sensor_m, target_m,
-                               std::max(range_m, 1.1 * std::abs(sensor_m - target_m))};
+            const AtmosphericPath path{sensor_m, target_m,
+                                       std::max(range_m, 1.1 * std::abs(sensor_m - target_m))};
             EXPECT_LT(largestDifference(tables.transmittance(path),
                                         transfer.transmittance(tables.nodes(), path)),
                       1.5 * tolerance)

@@ -19,7 +19,7 @@ constexpr ModelAtmosphere allModels[] = {
     ModelAtmosphere::subarcticWinter,   ModelAtmosphere::usStandard1976};
 
 /// g/cm2 of a gas above the ground, by fine trapezoids.
-double column_g_cm2(const Profile& profile, Gas gas, double molarMass_g) {
+double column_g_per_cm2(const Profile& profile, Gas gas, double molarMass_g) {
     double sum_per_m2 = 0.0;
     const double step_m = 10.0;
     for (double z = 0.0; z < profile.top_m(); z += step_m)
@@ -30,12 +30,12 @@ double column_g_cm2(const Profile& profile, Gas gas, double molarMass_g) {
 } // namespace
 
 TEST(Profile, holdsThePublishedNumbersOfTheModels) {
-    const AirState tropical = Profile::model(ModelAtmosphere::tropical, 330.0).at(0.0);
+    const AtmosphericState tropical = Profile::model(ModelAtmosphere::tropical, 330.0).at(0.0);
     EXPECT_EQ(tropical.pressure_hPa, 1013.0);
     EXPECT_EQ(tropical.temperature_K, 299.7);
     EXPECT_NEAR(tropical.fraction(Gas::H2O), 25930e-6, 1e-15);
     EXPECT_NEAR(tropical.fraction(Gas::O2), 0.209, 1e-15);
-    const AirState winter = Profile::model(ModelAtmosphere::subarcticWinter).at(1000.0);
+    const AtmosphericState winter = Profile::model(ModelAtmosphere::subarcticWinter).at(1000.0);
     EXPECT_EQ(winter.temperature_K, 259.1);
     EXPECT_EQ(winter.pressure_hPa, 887.8);
     const Profile standard = Profile::model(ModelAtmosphere::usStandard1976);
@@ -50,23 +50,24 @@ TEST(Profile, holdsThePublishedNumbersOfTheModels) {
 TEST(Profile, hasTheColumnsThatModtranPrints) {
     struct Case {
         ModelAtmosphere model;
-        double water_g_cm2;
-        double ozone_g_cm2;
+        double water_g_per_cm2;
+        double ozone_g_per_cm2;
     };
     for (const Case& each : {Case{ModelAtmosphere::tropical, 4.1147, 0.000594},
                              Case{ModelAtmosphere::usStandard1976, 1.416445, 0.000736}}) {
         const Profile full = Profile::model(each.model);
-        EXPECT_NEAR(column_g_cm2(full, Gas::H2O, 18.015) / each.water_g_cm2, 1.0, 1e-3);
-        EXPECT_NEAR(column_g_cm2(full, Gas::O3, 47.998) / each.ozone_g_cm2, 1.0, 0.02);
+        EXPECT_NEAR(column_g_per_cm2(full, Gas::H2O, 18.015) / each.water_g_per_cm2, 1.0, 1e-3);
+        EXPECT_NEAR(column_g_per_cm2(full, Gas::O3, 47.998) / each.ozone_g_per_cm2, 1.0, 0.02);
 
-        std::vector<AirState> levels;
-        for (const AirState& level : full.levels()) {
+        std::vector<AtmosphericState> levels;
+        for (const AtmosphericState& level : full.levels()) {
             const double z = level.altitude_m;
             if (z <= 25000.0 || (z <= 50000.0 && std::fmod(z, 5000.0) == 0.0) ||
                 std::fmod(z, 10000.0) == 0.0)
                 levels.push_back(level);
         }
-        EXPECT_NEAR(column_g_cm2(Profile(levels), Gas::O3, 47.998) / each.ozone_g_cm2, 1.0, 2e-3);
+        EXPECT_NEAR(column_g_per_cm2(Profile(levels), Gas::O3, 47.998) / each.ozone_g_per_cm2, 1.0,
+                    2e-3);
     }
 }
 
@@ -81,11 +82,11 @@ TEST(Profile, scalesTheWholeProfileOfCarbonDioxide) {
 }
 
 TEST(Profile, isLinearInTemperatureAndInLogarithmsOfPressureAndGases) {
-    AirState low{0.0, 1000.0, 300.0, {}};
-    AirState high{1000.0, 810.0, 290.0, {}};
+    AtmosphericState low{0.0, 1000.0, 300.0, {}};
+    AtmosphericState high{1000.0, 810.0, 290.0, {}};
     low.moleFraction = {0.04, 4e-4, 0.0, 0.0, 0.0, 0.0, 0.2, 0.0};
     high.moleFraction = {0.01, 4e-4, 1e-6, 0.0, 0.0, 0.0, 0.2, 0.0};
-    const AirState middle = Profile({low, high}).at(500.0);
+    const AtmosphericState middle = Profile({low, high}).at(500.0);
     EXPECT_NEAR(middle.temperature_K, 295.0, 1e-12);
     EXPECT_NEAR(middle.pressure_hPa, 900.0, 1e-10);
     EXPECT_NEAR(middle.fraction(Gas::H2O), 0.02, 1e-15);
@@ -106,7 +107,7 @@ TEST(Profile, knowsTheSaturationPressureOfWater) {
     EXPECT_NEAR(saturationPressure_hPa(273.16), 6.11657, 2e-4);
     EXPECT_NEAR(saturationPressure_hPa(240.0), 0.37667, 1e-4);
     EXPECT_NEAR(saturationPressure_hPa(300.0), 35.368, 0.005);
-    AirState air{0.0, 1000.0, 300.0, {}};
+    AtmosphericState air{0.0, 1000.0, 300.0, {}};
     air.moleFraction[0] = 0.5 * saturationPressure_hPa(300.0) / 1000.0;
     EXPECT_NEAR(relativeHumidity(air), 0.5, 1e-12);
 }
@@ -115,7 +116,7 @@ TEST(Profile, ofEveryModelIsNearHydrostaticAndUnsaturatedLow) {
     for (const ModelAtmosphere model : allModels) {
         const Profile air = Profile::model(model);
         for (double z = 0.0; z < 10000.0; z += 1000.0) {
-            const AirState middle = air.at(z + 500.0);
+            const AtmosphericState middle = air.at(z + 500.0);
             const double mass = 28.964e-3 - middle.fraction(Gas::H2O) * 10.95e-3;
             const double fall = std::log(air.at(z).pressure_hPa / air.at(z + 1000.0).pressure_hPa);
             EXPECT_NEAR(fall, 9.80665 * mass * 1000.0 / 8.314462618 / middle.temperature_K, 3e-3);
@@ -127,11 +128,11 @@ TEST(Profile, ofEveryModelIsNearHydrostaticAndUnsaturatedLow) {
 TEST(Profile, refusesLevelsByName) {
     struct Case {
         const char* name;
-        std::vector<AirState> levels;
+        std::vector<AtmosphericState> levels;
         const char* words;
     };
     const auto level = [](double z, double p, double t, double water = 0.01) {
-        AirState air{z, p, t, {}};
+        AtmosphericState air{z, p, t, {}};
         air.moleFraction[0] = water;
         return air;
     };
@@ -164,9 +165,10 @@ TEST(Profile, refusesLevelsByName) {
 
 TEST(Profile, namesEveryBadLevelAtOnce) {
     try {
-        const Profile profile({AirState{0.0, 1000.0, 50.0, {}}, AirState{10.0, 1001.0, 500.0, {}}});
+        const Profile profile(
+            {AtmosphericState{0.0, 1000.0, 50.0, {}}, AtmosphericState{10.0, 1001.0, 500.0, {}}});
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().size(), 3u);
+        EXPECT_EQ(error.diagnostics().size(), 3u);
     }
 }

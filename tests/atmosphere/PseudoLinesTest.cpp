@@ -19,8 +19,8 @@ const PartitionSums rotor = PartitionSums::rigidRotor();
 std::vector<BandPoint> wavyBand(double exponent, double pressureExponent,
                                 double temperatureExponent) {
     std::vector<BandPoint> points;
-    for (double nu_cm = 5000.0; nu_cm <= 5205.0; nu_cm += LowtranBands::step_cm)
-        points.push_back({nu_cm, typicalK_cm2 * std::exp(std::sin(nu_cm / 30.0)), exponent,
+    for (double nu_per_cm = 5000.0; nu_per_cm <= 5205.0; nu_per_cm += LowtranBands::step_per_cm)
+        points.push_back({nu_per_cm, typicalK_cm2 * std::exp(std::sin(nu_per_cm / 30.0)), exponent,
                           pressureExponent, temperatureExponent});
     return points;
 }
@@ -39,9 +39,10 @@ Error errorOf(const LineList& list, const std::vector<BandPoint>& points, double
     Error error;
     double count = 0.0;
     for (const BandPoint& point : points) {
-        if (point.wavenumber_cm < 5055.0 || point.wavenumber_cm > 5145.0)
+        if (point.wavenumber_per_cm < 5055.0 || point.wavenumber_per_cm > 5145.0)
             continue;
-        const auto first = static_cast<std::size_t>((point.wavenumber_cm - 5050.0) / grid.step_cm);
+        const auto first =
+            static_cast<std::size_t>((point.wavenumber_per_cm - 5050.0) / grid.step_per_cm);
         double mean = 0.0;
         for (std::size_t i = 0; i < 2000; ++i)
             mean += std::exp(-column * k[first + i]) / 2000.0;
@@ -91,37 +92,37 @@ TEST(PseudoLines, areTheSameEveryTimeAndOthersForAnotherSeed) {
     ASSERT_EQ(first.size(), second.size());
     ASSERT_GT(first.size(), 100u);
     for (std::size_t i = 0; i < first.size(); ++i) {
-        EXPECT_EQ(first[i].wavenumber_cm, second[i].wavenumber_cm);
+        EXPECT_EQ(first[i].wavenumber_per_cm, second[i].wavenumber_per_cm);
         EXPECT_EQ(first[i].intensity, second[i].intensity);
     }
     gas.seed += 1;
     const auto other = pseudoLines(points, gas, 5005.0, 5050.0);
-    EXPECT_NE(first.front().wavenumber_cm, other.front().wavenumber_cm);
+    EXPECT_NE(first.front().wavenumber_per_cm, other.front().wavenumber_per_cm);
 }
 
 TEST(PseudoLines, stayInTheirRangeInOrderAndFew) {
     for (const Gas gas : {Gas::H2O, Gas::O3, Gas::CH4}) {
         const auto lines = pseudoLines(wavyBand(0.6, 0.7, 0.0), pseudoGas(gas), 5012.3, 5101.7);
         EXPECT_LT(lines.size(), 90.0 / 5.0 * 70.0);
-        double last_cm = 5012.3;
+        double last_per_cm = 5012.3;
         for (const Line& line : lines) {
-            EXPECT_GE(line.wavenumber_cm, last_cm);
+            EXPECT_GE(line.wavenumber_per_cm, last_per_cm);
             EXPECT_GT(line.intensity, 0.0);
-            EXPECT_GE(line.lowerEnergy_cm, 0.0);
-            last_cm = line.wavenumber_cm;
+            EXPECT_GE(line.lowerEnergy_per_cm, 0.0);
+            last_per_cm = line.wavenumber_per_cm;
         }
-        EXPECT_LE(last_cm, 5101.7);
+        EXPECT_LE(last_per_cm, 5101.7);
     }
 }
 
 TEST(PseudoLines, areNoneWhereTheModelHasNoAbsorption) {
     auto points = wavyBand(0.6, 0.7, 0.0);
     for (BandPoint& point : points)
-        if (point.wavenumber_cm > 5100.0)
+        if (point.wavenumber_per_cm > 5100.0)
             point.coefficient_cm2 = 0.0;
     const auto lines = pseudoLines(points, pseudoGas(Gas::O3), 5005.0, 5200.0);
     ASSERT_FALSE(lines.empty());
-    EXPECT_LT(lines.back().wavenumber_cm, 5102.5);
+    EXPECT_LT(lines.back().wavenumber_per_cm, 5102.5);
     for (BandPoint& point : points)
         point.coefficient_cm2 = 0.0;
     EXPECT_TRUE(pseudoLines(points, pseudoGas(Gas::O3), 5005.0, 5200.0).empty());
@@ -157,7 +158,7 @@ TEST_F(LowtranFolder, givesTheTransmittanceOfTheReport) {
     const LowtranBands bands = LowtranBands::read(folder_);
     const auto water = bands.points(Gas::H2O, 5.0, 100.0);
     ASSERT_EQ(water.size(), 2u);
-    EXPECT_EQ(water[0].wavenumber_cm, 5.0);
+    EXPECT_EQ(water[0].wavenumber_per_cm, 5.0);
     // 2 g cm-2 at 506.625 hPa and 300 K: W = 2 * 0.5^0.9 * (273.15 / 300)^-2, tau = exp(-W^0.5).
     const double amount = 2.0 * std::pow(0.5, 0.9) * std::pow(300.0 / 273.15, 2.0);
     EXPECT_NEAR(water[0].opticalDepth(2.0 * 6.02214076e23 / 18.01528, 506.625, 300.0),

@@ -18,7 +18,7 @@ namespace irsg {
 namespace {
 
 struct Difference {
-    double squares = 0.0, worst = 0.0, worstAt_cm = 0.0;
+    double squares = 0.0, worst = 0.0, worstAt_per_cm = 0.0;
     int count = 0;
 
     void add(double nu, double error) {
@@ -26,13 +26,13 @@ struct Difference {
         ++count;
         if (std::abs(error) > std::abs(worst)) {
             worst = error;
-            worstAt_cm = nu;
+            worstAt_per_cm = nu;
         }
     }
     double rms() const { return count ? std::sqrt(squares / count) : 0.0; }
     std::string text() const {
         std::ostringstream out;
-        out << "rms " << rms() << ", largest " << worst << " at " << worstAt_cm << " cm-1";
+        out << "rms " << rms() << ", largest " << worst << " at " << worstAt_per_cm << " cm-1";
         return out.str();
     }
 };
@@ -72,7 +72,7 @@ std::vector<std::array<double, 18>> publishedRun() {
 struct RunCase {
     const char* name;
     RunColumn column;
-    double lower_cm, upper_cm, rms, largest;
+    double lower_per_cm, upper_per_cm, rms, largest;
 };
 
 class PublishedContinuum : public testing::TestWithParam<RunCase> {};
@@ -82,11 +82,11 @@ TEST_P(PublishedContinuum, givesTheTransmittanceOfTheRun) {
     if (rows.empty())
         GTEST_SKIP() << "the published MODTRAN run is not here";
     const RunCase& test = GetParam();
-    const AirState air = Profile::model(ModelAtmosphere::tropical).at(0.0);
+    const AtmosphericState air = Profile::model(ModelAtmosphere::tropical).at(0.0);
     Difference difference;
     for (const auto& row : rows) {
         const double nu = row[0];
-        if (nu < test.lower_cm || nu > test.upper_cm)
+        if (nu < test.lower_per_cm || nu > test.upper_per_cm)
             continue;
         double perMetre = 0.0;
         if (test.column == water)
@@ -132,7 +132,7 @@ TEST(Continuum, leavesRoomForLinesInARunThatWasNotFitted) {
     const auto tropical = publishedRun();
     if (file.empty() || tropical.empty())
         GTEST_SKIP() << "the MODTRAN runs are not here";
-    const AirState air = Profile::model(ModelAtmosphere::midlatitudeSummer).at(0.0);
+    const AtmosphericState air = Profile::model(ModelAtmosphere::midlatitudeSummer).at(0.0);
     std::ifstream in(file);
     std::string line;
     double clearest = 0.0;
@@ -162,17 +162,17 @@ class MtCkd {
   public:
     explicit MtCkd(const std::filesystem::path& file) {
         const CsvTable table = CsvTable::read(file);
-        std::vector<Offence> offences;
+        std::vector<Diagnostic> diagnostics;
         for (std::size_t r = 1; r < table.rows().size(); ++r) {
             std::array<double, 5> row{};
             for (std::size_t c = 0; c < row.size(); ++c)
-                row[c] = table.number(table.rows()[r].cells[c], offences).value_or(0.0);
+                row[c] = table.number(table.rows()[r].cells[c], diagnostics).value_or(0.0);
             rows_.push_back(row);
         }
     }
     const std::vector<std::array<double, 5>>& rows() const { return rows_; }
     /// m-1 of the self or of the foreign part.
-    static double absorption_per_m(const std::array<double, 5>& row, const AirState& air,
+    static double absorption_per_m(const std::array<double, 5>& row, const AtmosphericState& air,
                                    bool self) {
         const double reference = 101300.0 / (1.380649e-23 * 296.0), nu = row[0];
         const double water = air.density_per_m3(Gas::H2O), all = air.airDensity_per_m3();
@@ -194,11 +194,11 @@ TEST(Continuum, ofWaterLiesNearMtCkd) {
     const MtCkd published(file);
     struct Case {
         const char* name;
-        AirState air;
+        AtmosphericState air;
         double length_m;
     };
     struct Region {
-        double lower_cm, upper_cm, rms; ///< of transmittance, not to be passed in any case
+        double lower_per_cm, upper_per_cm, rms; ///< of transmittance, not to be passed in any case
     };
     const Profile winter = Profile::model(ModelAtmosphere::midlatitudeWinter);
     const std::array<Case, 3> cases = {
@@ -218,7 +218,7 @@ TEST(Continuum, ofWaterLiesNearMtCkd) {
             std::array<Difference, 3> differences; // self, foreign, both
             for (const auto& row : published.rows()) {
                 const double nu = row[0];
-                if (nu < region.lower_cm || nu > region.upper_cm)
+                if (nu < region.lower_per_cm || nu > region.upper_per_cm)
                     continue;
                 double ours = 0.0, theirs = 0.0;
                 for (const std::size_t part : {0u, 1u}) {
@@ -233,10 +233,12 @@ TEST(Continuum, ofWaterLiesNearMtCkd) {
                 differences[2].add(nu, std::exp(-ours * test.length_m) -
                                            std::exp(-theirs * test.length_m));
             }
-            std::cout << "ours less MT_CKD 4.3, " << test.name << ", " << region.lower_cm << "-"
-                      << region.upper_cm << " cm-1: self " << differences[0].text() << "; foreign "
-                      << differences[1].text() << "; both " << differences[2].text() << "\n";
-            EXPECT_LT(differences[2].rms(), region.rms) << test.name << " from " << region.lower_cm;
+            std::cout << "ours less MT_CKD 4.3, " << test.name << ", " << region.lower_per_cm << "-"
+                      << region.upper_per_cm << " cm-1: self " << differences[0].text()
+                      << "; foreign " << differences[1].text() << "; both " << differences[2].text()
+                      << "\n";
+            EXPECT_LT(differences[2].rms(), region.rms)
+                << test.name << " from " << region.lower_per_cm;
         }
 }
 
@@ -248,17 +250,17 @@ TEST(Continuum, ofOxygenHasTheTemperatureBehaviourOfLaboratorySpectra) {
     if (file.empty())
         GTEST_SKIP() << "the laboratory fit is not here";
     const CsvTable table = CsvTable::read(file);
-    AirState air = Profile::model(ModelAtmosphere::usStandard1976).at(0.0);
+    AtmosphericState air = Profile::model(ModelAtmosphere::usStandard1976).at(0.0);
     air.pressure_hPa = 1013.25;
     for (const double temperature_K : {200.0, 220.0, 240.0, 260.0, 280.0, 300.0, 320.0, 350.0}) {
         air.temperature_K = temperature_K;
         const double amagat = 273.15 / temperature_K;
         double ours = 0.0, theirs = 0.0;
-        std::vector<Offence> offences;
+        std::vector<Diagnostic> diagnostics;
         for (std::size_t r = 1; r < table.rows().size(); ++r) {
             std::array<double, 3> row{};
             for (std::size_t c = 0; c < row.size(); ++c)
-                row[c] = table.number(table.rows()[r].cells[c], offences).value_or(0.0);
+                row[c] = table.number(table.rows()[r].cells[c], diagnostics).value_or(0.0);
             if (row[0] < 1440.0 || row[0] > 1720.0)
                 continue;
             ours += continuumAbsorption_per_m(Continuum::oxygen, air, row[0]);

@@ -19,7 +19,7 @@ using namespace syntheticair;
 constexpr double pi = std::numbers::pi;
 
 double planck(std::uint32_t node, double temperature_K) {
-    return planckRadiance_W_m2_sr_um(1e4 / wavenumbers_cm[node], temperature_K);
+    return planckRadiance_W_m2_sr_um(1e4 / wavenumbers_per_cm[node], temperature_K);
 }
 
 double one(const std::vector<double>& values) {
@@ -30,7 +30,7 @@ double one(const std::vector<double>& values) {
 TEST(RadiativeTransfer, radiatesAsPlanckInsideOpaqueIsothermalAir) {
     for (const ScatteringMode mode : {ScatteringMode::single, ScatteringMode::twoStream})
         for (const double albedo : {0.0, 0.3, 1.0}) {
-            AirModel air = model(profile(270.0), mode);
+            AtmosphericModel air = model(profile(270.0), mode);
             air.groundTemperature_K = 270.0;
             air.groundAlbedo = Spectrum::constant(albedo);
             air.particles = {particles({0.0, 3000.0}, {2e-3, 1e-3}, 0.7, 0.8)};
@@ -57,7 +57,7 @@ TEST(RadiativeTransfer, radiatesAsPlanckInsideOpaqueIsothermalAir) {
 
 TEST(RadiativeTransfer, radiatesAsPlanckDeepInsideIsothermalFog) {
     // Half of the extinction is scattering; the top of the fog is 100 optical depths away.
-    AirModel air = model(profile(280.0));
+    AtmosphericModel air = model(profile(280.0));
     air.groundTemperature_K = 280.0;
     air.groundAlbedo = Spectrum::constant(0.4);
     air.particles = {particles({0.0, 4000.0}, {0.05, 0.05}, 0.5, 0.8)};
@@ -112,7 +112,7 @@ TEST(RadiativeTransfer, addsTheRadianceOfTwoPiecesOfAPath) {
 }
 
 TEST(RadiativeTransfer, transmitsLessTheLongerThePathAndNeverMoreThanAll) {
-    AirModel air = model(profile());
+    AtmosphericModel air = model(profile());
     air.particles = {particles({0.0, 3000.0}, {2e-4, 1e-5}, 0.7, 0.8)};
     const RadiativeTransfer transfer(air, table());
     const NodeSet set = nodes();
@@ -129,8 +129,8 @@ TEST(RadiativeTransfer, transmitsLessTheLongerThePathAndNeverMoreThanAll) {
 
 TEST(RadiativeTransfer, keepsTheDigitsOfACentimetre) {
     const RadiativeTransfer transfer(model(profile()), table());
-    const AirState ground = transfer.air().profile.at(100.0);
-    const AirPath path{100.0, 100.0, 0.01};
+    const AtmosphericState ground = transfer.air().profile.at(100.0);
+    const AtmosphericPath path{100.0, 100.0, 0.01};
     for (const std::uint32_t node : {medium, sunlit}) {
         const double expected = extinction_per_m(*table(), node, ground) * 0.01;
         EXPECT_NEAR((1.0 - one(transfer.transmittance(nodes({node}), path))) / expected, 1.0, 1e-3);
@@ -158,10 +158,10 @@ TEST(RadiativeTransfer, agreesWithBeerAndLambertAlongAHorizontalPath) {
     homogeneous.extinction_per_m =
         Spectrum::constant(extinction_per_m(*table(), medium, transfer.air().profile.at(0.0)));
     const BeerLambert reference(homogeneous);
-    const double wavelength_um = 1e4 / wavenumbers_cm[medium];
+    const double wavelength_um = 1e4 / wavenumbers_per_cm[medium];
     const SpectralRange range{wavelength_um - 0.01, wavelength_um + 0.01};
     for (const double range_m : {1.0, 500.0, 5000.0}) {
-        const AirPath path{0.0, 0.0, range_m};
+        const AtmosphericPath path{0.0, 0.0, range_m};
         EXPECT_NEAR(one(transfer.transmittance(nodes({medium}), path)),
                     reference.transmittance(path, range).at(wavelength_um), 1e-4);
         EXPECT_NEAR(one(transfer.pathRadiance(nodes({medium}), path, night)) /
@@ -187,10 +187,10 @@ TEST(RadiativeTransfer, radiatesAtTheNearTemperatureWhereTheAirIsOpaque) {
 
 TEST(RadiativeTransfer, radiatesWithAllOfItsExtinctionWhereLightIsScatteredOnce) {
     // As MODTRAN without multiple scattering: (1 - transmittance) Planck along a level path.
-    AirModel air = model(profile(288.0, 6.5), ScatteringMode::single);
+    AtmosphericModel air = model(profile(288.0, 6.5), ScatteringMode::single);
     air.particles = {particles({0.0, 3000.0}, {2e-4, 2e-4}, 0.7, 0.8)};
     const RadiativeTransfer transfer(air, table());
-    const AirPath path{1000.0, 1000.0, 4000.0};
+    const AtmosphericPath path{1000.0, 1000.0, 4000.0};
     for (const std::uint32_t node : {thin, medium}) {
         const double transmittance = one(transfer.transmittance(nodes({node}), path));
         EXPECT_LT(transmittance, 0.5);
@@ -210,11 +210,11 @@ TEST(RadiativeTransfer, radiatesUpAsDownThroughIsothermalAir) {
 }
 
 TEST(RadiativeTransfer, doesNotNoticeParticlesThatTakeNothing) {
-    AirModel air = model(profile(288.0, 6.5));
+    AtmosphericModel air = model(profile(288.0, 6.5));
     const RadiativeTransfer without(air, table());
     air.particles = {particles({1000.0, 2000.0}, {0.0, 0.0}, 0.5, 0.7)};
     const RadiativeTransfer with(air, table());
-    const AirPath path{300.0, 7000.0, 30e3};
+    const AtmosphericPath path{300.0, 7000.0, 30e3};
     const SunPosition sun{0.3, 0.6};
     EXPECT_EQ(without.transmittance(nodes(), path), with.transmittance(nodes(), path));
     EXPECT_EQ(without.pathRadiance(nodes(), path, sun), with.pathRadiance(nodes(), path, sun));
@@ -222,7 +222,7 @@ TEST(RadiativeTransfer, doesNotNoticeParticlesThatTakeNothing) {
 }
 
 TEST(RadiativeTransfer, isContinuousAcrossTheHorizon) {
-    AirModel air = model(profile(288.0, 6.5));
+    AtmosphericModel air = model(profile(288.0, 6.5));
     air.particles = {particles({0.0, 3000.0}, {1e-4, 1e-5}, 0.9, 0.7)};
     const RadiativeTransfer transfer(air, table());
     for (const double altitude_m : {10.0, 1500.0, 10e3}) {
@@ -238,7 +238,7 @@ TEST(RadiativeTransfer, isContinuousAcrossTheHorizon) {
 }
 
 TEST(RadiativeTransfer, keepsTheFluxOfTheSunWithoutAbsorption) {
-    AirModel air = model(profile(200.0));
+    AtmosphericModel air = model(profile(200.0));
     air.groundAlbedo = Spectrum::constant(1.0);
     air.particles = {particles({500.0, 2500.0}, {5e-3, 5e-3}, 1.0, 0.85)};
     const RadiativeTransfer transfer(air, table());
@@ -274,7 +274,7 @@ TEST(RadiativeTransfer, scattersTheSunOnceAsThinAirMust) {
 }
 
 TEST(RadiativeTransfer, scattersMoreOftenThanOnceWhereTwoStreamsAreAskedFor) {
-    AirModel air = model(profile());
+    AtmosphericModel air = model(profile());
     air.groundAlbedo = Spectrum::constant(0.0);
     air.scattering = ScatteringMode::single;
     const RadiativeTransfer once(air, table());
@@ -292,7 +292,7 @@ TEST(RadiativeTransfer, scattersMoreOftenThanOnceWhereTwoStreamsAreAskedFor) {
 }
 
 TEST(RadiativeTransfer, seesSunlitAndWarmGround) {
-    AirModel air = model(profile(250.0));
+    AtmosphericModel air = model(profile(250.0));
     air.groundTemperature_K = 300.0;
     air.groundAlbedo = Spectrum::constant(0.5);
     const RadiativeTransfer transfer(air, table());
@@ -322,7 +322,7 @@ TEST(RadiativeTransfer, knowsWhenTheEarthHidesTheSun) {
 }
 
 TEST(RadiativeTransfer, staysFiniteAndPositiveForEverySunAndSight) {
-    AirModel air = model(profile(288.0, 6.5));
+    AtmosphericModel air = model(profile(288.0, 6.5));
     air.particles = {particles({0.0, 2000.0}, {1e-4, 1e-5}, 0.9, 0.7),
                      particles({3000.0, 4000.0}, {0.1, 0.1}, 0.999999, 0.87)};
     for (const ScatteringMode mode : {ScatteringMode::single, ScatteringMode::twoStream}) {
@@ -346,7 +346,7 @@ TEST(RadiativeTransfer, staysFiniteAndPositiveForEverySunAndSight) {
 }
 
 TEST(RadiativeTransfer, darkensTheGroundUnderACloud) {
-    AirModel air = model(profile(270.0));
+    AtmosphericModel air = model(profile(270.0));
     const SunPosition sun{0.0, 0.8};
     const NodeSet set = nodes({blue});
     const RadiativeTransfer clear(air, table());
@@ -361,10 +361,10 @@ TEST(RadiativeTransfer, darkensTheGroundUnderACloud) {
 }
 
 TEST(RadiativeTransfer, transmitsTheProductOfItsComponents) {
-    AirModel air = model(profile());
+    AtmosphericModel air = model(profile());
     air.particles = {particles({0.0, 3000.0}, {1e-4, 1e-5}, 0.7, 0.8)};
     const RadiativeTransfer transfer(air, table());
-    const AirPath path{100.0, 6000.0, 15e3};
+    const AtmosphericPath path{100.0, 6000.0, 15e3};
     std::vector<double> product(nodes().nodes.size(), 1.0);
     for (const char* component :
          {"CO2", "H2O", "N2 collision-induced", "HNO3", "Rayleigh", "particles"}) {
@@ -395,7 +395,7 @@ TEST(RadiativeTransfer, averagesNodesIntoBinsOverWavelength) {
 }
 
 TEST(RadiativeTransfer, answersSeveralThreadsAsOne) {
-    const AirPath path{100.0, 6000.0, 15e3};
+    const AtmosphericPath path{100.0, 6000.0, 15e3};
     const SunPosition sun{0.2, 0.7};
     const RadiativeTransfer alone(model(profile(288.0, 6.0)), table());
     const auto expected = alone.pathRadiance(nodes(), path, sun);

@@ -153,12 +153,12 @@ TEST(Radiosonde, refusesEveryKindOfErrorByName) {
                  InputError);
 }
 
-TEST(Radiosonde, namesEveryOffenceAtOnce) {
+TEST(Radiosonde, namesEveryDiagnosticAtOnce) {
     try {
         ascentOf("altitude [m],pressure [hPa],temperature [K],relative_humidity [%]\n"
                  "0,1013,15,150\n1000,x,281,50\n500,800,281,50\n");
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().size(), 3u) << error.what();
+        EXPECT_EQ(error.diagnostics().size(), 3u) << error.what();
     }
 }

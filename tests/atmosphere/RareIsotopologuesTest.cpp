@@ -32,13 +32,13 @@ TEST(RareIsotopologues, moveAsTheLinesOfAnotherRotor) {
             line.J = J;
             line.m = up ? J + 1 : -J;
             const double m = line.m;
-            line.line.wavenumber_cm = origin + (upper + B) * m + (upper - B) * m * m;
-            line.line.lowerEnergy_cm = B * J * (J + 1.0);
+            line.line.wavenumber_per_cm = origin + (upper + B) * m + (upper - B) * m * m;
+            line.line.lowerEnergy_per_cm = B * J * (J + 1.0);
             line.line.intensity = 1e-20 * std::exp(-1.438776877 * B * J * (J + 1.0) / 296.0);
             const Line moved = movedLine(line, to);
-            EXPECT_NEAR(moved.wavenumber_cm, other + r * (upper + B) * m + q * (upper - B) * m * m,
-                        1e-9);
-            EXPECT_NEAR(moved.lowerEnergy_cm, r * B * J * (J + 1.0), 1e-9);
+            EXPECT_NEAR(moved.wavenumber_per_cm,
+                        other + r * (upper + B) * m + q * (upper - B) * m * m, 1e-9);
+            EXPECT_NEAR(moved.lowerEnergy_per_cm, r * B * J * (J + 1.0), 1e-9);
             EXPECT_NEAR(moved.intensity / (1e-20 * 0.004 * r *
                                            std::exp(-1.438776877 * r * B * J * (J + 1.0) / 296.0)),
                         1.0, 1e-12);
@@ -59,15 +59,15 @@ TEST(RareIsotopologues, ofNitrousOxideHaveTheStrengthOfTheirAbundance) {
     std::map<int, double> sums, positions;
     for (const Line& line : rareNitrousOxide(texts)) {
         sums[line.isotopologue] += line.intensity;
-        positions[line.isotopologue] += line.intensity * line.wavenumber_cm;
+        positions[line.isotopologue] += line.intensity * line.wavenumber_per_cm;
     }
     const double abundances[] = {3.64093e-3, 3.64093e-3, 1.98582e-3, 3.6928e-4};
-    const double origins_cm[] = {2177.66, 2201.61, 2216.71, 2220.07};
+    const double origins_per_cm[] = {2177.66, 2201.61, 2216.71, 2220.07};
     ASSERT_EQ(sums.size(), 4u);
     for (int i = 0; i < 4; ++i) {
         EXPECT_NEAR(sums[i + 2] / (main * abundances[i] / 0.990333), 1.0, 0.05) << i + 2;
         // The middle of a band with its hot bands stands a little below its origin.
-        EXPECT_NEAR(positions[i + 2] / sums[i + 2], origins_cm[i] - 2.5, 2.0) << i + 2;
+        EXPECT_NEAR(positions[i + 2] / sums[i + 2], origins_per_cm[i] - 2.5, 2.0) << i + 2;
     }
 }
 
@@ -80,13 +80,14 @@ TEST(RareIsotopologues, ofNitrousOxideAreWhereTheListHasThemAll) {
     // From the assigned lines of 1000-0110 of each: origin, B of 0110 and of 1000.
     struct Band {
         int number;
-        double origin_cm, lower_cm;
+        double origin_per_cm, lower_per_cm;
     };
-    constexpr double origin_cm = 696.13622, lower_cm = 0.4191831, upper_cm = 0.4172575;
+    constexpr double origin_per_cm = 696.13622, lower_per_cm = 0.4191831, upper_per_cm = 0.4172575;
     for (const Band& band : {Band{2, 704.92053, 0.4191083}, Band{3, 684.58069, 0.4050545},
                              Band{4, 662.65878, 0.3958045}, Band{5, 678.34280, 0.4068687}}) {
-        const RareIsotopologue to{band.number, 1.0,      band.origin_cm,      band.lower_cm,
-                                  origin_cm,   lower_cm, upper_cm + lower_cm, upper_cm - lower_cm};
+        const RareIsotopologue to{
+            band.number,   1.0,          band.origin_per_cm,          band.lower_per_cm,
+            origin_per_cm, lower_per_cm, upper_per_cm + lower_per_cm, upper_per_cm - lower_per_cm};
         double squares = 0.0;
         int count = 0;
         std::map<std::pair<char, int>, double> main, rare;
@@ -111,8 +112,8 @@ TEST(RareIsotopologues, ofNitrousOxideAreWhereTheListHasThemAll) {
             AssignedLine line;
             line.J = key.second;
             line.m = key.first == 'P' ? -line.J : line.J + 1;
-            line.line.wavenumber_cm = nu;
-            const double off = movedLine(line, to).wavenumber_cm - known->second;
+            line.line.wavenumber_per_cm = nu;
+            const double off = movedLine(line, to).wavenumber_per_cm - known->second;
             squares += off * off;
             ++count;
         }
@@ -132,20 +133,20 @@ TEST(RareIsotopologues, ofMethaneHaveTheirQBranchWhereHitranHasIt) {
     const auto middle = [](const auto& lines) {
         double sum = 0.0, moment = 0.0;
         for (const auto& line : lines)
-            if (line.wavenumber_cm > 3007.0 && line.wavenumber_cm < 3010.1 &&
+            if (line.wavenumber_per_cm > 3007.0 && line.wavenumber_per_cm < 3010.1 &&
                 line.intensity > 3e-23) {
                 sum += line.intensity;
-                moment += line.intensity * line.wavenumber_cm;
+                moment += line.intensity * line.wavenumber_per_cm;
             }
         return std::pair{sum, moment / sum};
     };
     std::vector<BareLine> bare = readBareLines(folder / "extra" / "CH4_nu_S_2000-3333.txt.gz");
     std::erase_if(bare, [](const BareLine& line) {
-        return line.wavenumber_cm < 3000.0 || line.wavenumber_cm > 3015.0;
+        return line.wavenumber_per_cm < 3000.0 || line.wavenumber_per_cm > 3015.0;
     });
     std::vector<Line> near = list.lines;
     std::erase_if(near, [](const Line& line) {
-        return line.wavenumber_cm < 2999.0 || line.wavenumber_cm > 3030.0;
+        return line.wavenumber_per_cm < 2999.0 || line.wavenumber_per_cm > 3030.0;
     });
     const auto found = middle(missingLines(bare, near));
     const auto moved = middle(heavyMethane(near));

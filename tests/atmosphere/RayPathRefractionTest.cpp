@@ -39,7 +39,7 @@ TEST(RayPathRefraction, bendsTheSunAtTheHorizonByTheKnownAngle) {
 TEST(RayPathRefraction, bendsTheSunAsLaplaceSays) {
     const Profile profile = Profile::model(ModelAtmosphere::usStandard1976);
     const RayTracer tracer(profile, gridOf(profile));
-    const AirState ground = profile.at(0.0);
+    const AtmosphericState ground = profile.at(0.0);
     const double n1 = tracer.refractiveIndex(0.0) - 1.0;
     EXPECT_NEAR(n1, 2.7272e-4, 0.006e-4);
     const double b = 8.314462618 * ground.temperature_K / (28.92e-3 * 9.80665) / earth_m;

@@ -16,7 +16,7 @@ inline constexpr double earth_m = 6371.23e3;
 
 inline std::vector<double> gridOf(const Profile& profile) {
     std::vector<double> grid;
-    for (const AirState& level : profile.levels())
+    for (const AtmosphericState& level : profile.levels())
         grid.push_back(level.altitude_m);
     return grid;
 }
@@ -30,7 +30,8 @@ inline RayTracer tracerOf(ModelAtmosphere model = ModelAtmosphere::usStandard197
 /// Air so thin that rays are straight lines.
 inline RayTracer emptyAir(std::vector<double> grid = {0.0, 1000.0, 2500.0, 5000.0, 20000.0,
                                                       100000.0}) {
-    const Profile thin({AirState{0.0, 1e-9, 300.0, {}}, AirState{100000.0, 1e-10, 300.0, {}}});
+    const Profile thin(
+        {AtmosphericState{0.0, 1e-9, 300.0, {}}, AtmosphericState{100000.0, 1e-10, 300.0, {}}});
     return RayTracer(thin, std::move(grid));
 }
 

@@ -85,10 +85,11 @@ TEST(RayPath, fromSpaceEntersTheAirOrMissesIt) {
 
 TEST(RayPath, joinsTheEndsOfAStraightLine) {
     const RayTracer tracer = emptyAir();
-    for (const AirPath& ends :
-         {AirPath{0, 100, 1000}, AirPath{3000, 10000, 9000}, AirPath{10, 20, 20},
-          AirPath{4000, 4500, 150e3}, AirPath{20000, 9000, 500e3}, AirPath{0, 99999, 99999.001},
-          AirPath{35786e3, 5000, 38000e3}, AirPath{90000, 90000, 2000e3}}) {
+    for (const AtmosphericPath& ends :
+         {AtmosphericPath{0, 100, 1000}, AtmosphericPath{3000, 10000, 9000},
+          AtmosphericPath{10, 20, 20}, AtmosphericPath{4000, 4500, 150e3},
+          AtmosphericPath{20000, 9000, 500e3}, AtmosphericPath{0, 99999, 99999.001},
+          AtmosphericPath{35786e3, 5000, 38000e3}, AtmosphericPath{90000, 90000, 2000e3}}) {
         const RayPath path = tracer.between(ends);
         expectSound(tracer, path);
         const double low = std::min(ends.sensorAltitude_m, ends.targetAltitude_m);
@@ -145,11 +146,12 @@ TEST(RayPath, ofNoLengthHasNoSegments) {
 
 TEST(RayPath, isTheSameFromBothEnds) {
     const RayTracer tracer = tracerOf(ModelAtmosphere::tropical);
-    for (const AirPath& there :
-         {AirPath{0, 10, 10000}, AirPath{2000, 10000, 9235.9}, AirPath{100, 100, 30e3},
-          AirPath{5000, 5010, 400e3}, AirPath{0, 90000, 1000e3}, AirPath{3, 17, 60e3},
-          AirPath{10, 300e3, 900e3}}) {
-        const AirPath back{there.targetAltitude_m, there.sensorAltitude_m, there.range_m};
+    for (const AtmosphericPath& there :
+         {AtmosphericPath{0, 10, 10000}, AtmosphericPath{2000, 10000, 9235.9},
+          AtmosphericPath{100, 100, 30e3}, AtmosphericPath{5000, 5010, 400e3},
+          AtmosphericPath{0, 90000, 1000e3}, AtmosphericPath{3, 17, 60e3},
+          AtmosphericPath{10, 300e3, 900e3}}) {
+        const AtmosphericPath back{there.targetAltitude_m, there.sensorAltitude_m, there.range_m};
         const RayPath a = tracer.between(there);
         const RayPath b = tracer.between(back);
         ASSERT_EQ(a.segments.size(), b.segments.size());
@@ -265,7 +267,8 @@ TEST(RayPath, carriesQuantitiesLinearInAltitudeExactly) {
 
 TEST(RayPath, isUnchangedByALayerCutInTwo) {
     // Refractivity is exponential in an isothermal dry atmosphere, on any grid.
-    const Profile air({AirState{0.0, 1013.0, 260.0, {}}, AirState{80000.0, 0.03, 260.0, {}}});
+    const Profile air(
+        {AtmosphericState{0.0, 1013.0, 260.0, {}}, AtmosphericState{80000.0, 0.03, 260.0, {}}});
     const RayTracer coarse(air, {0.0, 2000.0, 4000.0, 10000.0, 30000.0, 80000.0});
     const RayTracer fine(air, {0.0, 500.0, 1000.0, 2000.0, 3000.0, 4000.0, 6000.0, 8000.0, 10000.0,
                                15000.0, 20000.0, 30000.0, 50000.0, 80000.0});
@@ -275,7 +278,7 @@ TEST(RayPath, isUnchangedByALayerCutInTwo) {
         EXPECT_NEAR(a.length_m / b.length_m, 1.0, 1e-7);
         EXPECT_NEAR(meanAltitude_m(coarse, a) / meanAltitude_m(fine, b), 1.0, 1e-6);
     }
-    const AirPath ends{100.0, 500.0, 70e3};
+    const AtmosphericPath ends{100.0, 500.0, 70e3};
     EXPECT_NEAR(coarse.between(ends).endElevation_rad, fine.between(ends).endElevation_rad, 1e-8);
 }
 
@@ -336,7 +339,7 @@ TEST(RayPath, refusesWhatCannotBe) {
     const double nan = std::nan("");
     struct Case {
         const char* name;
-        AirPath path;
+        AtmosphericPath path;
         const char* words;
     };
     const Case cases[] = {{"sensor below ground", {-1, 10, 100}, "sensor altitude"},

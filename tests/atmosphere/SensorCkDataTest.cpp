@@ -12,7 +12,7 @@ namespace irsg {
 namespace {
 
 RadiativeTransfer airOf(ModelAtmosphere model) {
-    AirModel air{Profile::model(model), {}};
+    AtmosphericModel air{Profile::model(model), {}};
     ParticleSettings particles;
     particles.visibility_m = 23e3;
     air.particles = particleLayers(particles, air.profile);
@@ -33,8 +33,8 @@ Spectrum plume() {
 }
 
 /// Twenty paths that are none of those trained on.
-std::vector<AirPath> paths() {
-    std::vector<AirPath> all;
+std::vector<AtmosphericPath> paths() {
+    std::vector<AtmosphericPath> all;
     for (const double range_m : {70.0, 800.0, 3500.0, 11e3, 47e3})
         for (const auto& [sensor_m, target_m] :
              {std::pair{20.0, 40.0}, std::pair{2200.0, 2500.0}, std::pair{8000.0, 7700.0},
@@ -77,7 +77,7 @@ TEST_P(Wideband, givesApparentRadianceWithinHalfAPercent) {
         const NodeSet spectral = transfer.nodesOf(band.range());
         nodes = spectral.nodes.size();
         const std::vector<double> hotTerms = ck.sampled(hot);
-        for (const AirPath& path : paths()) {
+        for (const AtmosphericPath& path : paths()) {
             const Spectrum transmittance =
                 transfer.spectrum(band.range(), transfer.transmittance(spectral, path));
             const Spectrum radiance =

@@ -87,9 +87,9 @@ TEST(SolarPosition, RefusesWhatIsNoMoment) {
             (void)UniversalTime::fromText(row.date, row.utc, "moment");
             ADD_FAILURE() << row.date << " " << row.utc;
         } catch (const InputError& error) {
-            EXPECT_EQ(error.offences().front().position, row.position)
+            EXPECT_EQ(error.diagnostics().front().position, row.position)
                 << row.date << " " << row.utc;
-            EXPECT_EQ(error.offences().front().file, "moment");
+            EXPECT_EQ(error.diagnostics().front().file, "moment");
         }
     }
 }

@@ -16,8 +16,8 @@ namespace {
 
 /// W m-2 between two wavelengths.
 double irradiance_W_m2(double lower_um, double upper_um) {
-    const double lower_cm = 1e4 / upper_um, upper_cm = 1e4 / lower_um;
-    return solarIrradiance_W_m2_per_cm(lower_cm, upper_cm) * (upper_cm - lower_cm);
+    const double lower_per_cm = 1e4 / upper_um, upper_per_cm = 1e4 / lower_um;
+    return solarIrradiance_W_m2_per_cm(lower_per_cm, upper_per_cm) * (upper_per_cm - lower_per_cm);
 }
 
 TEST(SolarSpectrum, holdsTheSolarConstant) {
@@ -54,12 +54,16 @@ TEST(SolarSpectrum, isThatOfABodyOfFiveToSixThousandKelvin) {
 }
 
 TEST(SolarSpectrum, addsUpWhereverItIsCut) {
-    for (const double cut_cm : {2000.4, 2511.7, 6999.9, 7000.0, 7003.0, 19999.5, 20004.0}) {
-        const double lower_cm = 1999.3, upper_cm = 21234.5;
-        const double left = solarIrradiance_W_m2_per_cm(lower_cm, cut_cm) * (cut_cm - lower_cm);
-        const double right = solarIrradiance_W_m2_per_cm(cut_cm, upper_cm) * (upper_cm - cut_cm);
+    for (const double cut_per_cm : {2000.4, 2511.7, 6999.9, 7000.0, 7003.0, 19999.5, 20004.0}) {
+        const double lower_per_cm = 1999.3, upper_per_cm = 21234.5;
+        const double left =
+            solarIrradiance_W_m2_per_cm(lower_per_cm, cut_per_cm) * (cut_per_cm - lower_per_cm);
+        const double right =
+            solarIrradiance_W_m2_per_cm(cut_per_cm, upper_per_cm) * (upper_per_cm - cut_per_cm);
         EXPECT_NEAR(left + right,
-                    solarIrradiance_W_m2_per_cm(lower_cm, upper_cm) * (upper_cm - lower_cm), 1e-9);
+                    solarIrradiance_W_m2_per_cm(lower_per_cm, upper_per_cm) *
+                        (upper_per_cm - lower_per_cm),
+                    1e-9);
     }
 }
 

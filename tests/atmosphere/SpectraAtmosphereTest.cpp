@@ -25,7 +25,7 @@ const Spectrum rising({3.0, 4.0, 5.0}, {0.25, 0.5, 0.75});
 SpectraAtmosphereParameters kilometre() {
     SpectraAtmosphereParameters air;
     air.name = "kilometre";
-    air.path = AirPath{500.0, 100.0, 1000.0};
+    air.path = AtmosphericPath{500.0, 100.0, 1000.0};
     air.sight = LineOfSight{500.0, std::asin(-0.4), radians(90.0)};
     air.targetAltitude_m = 100.0;
     air.sun = SunPosition{radians(180.0), radians(45.0)};
@@ -83,7 +83,7 @@ TEST(SpectraAtmosphere, supportsWhatItHasASpectrumOf) {
 TEST(SpectraAtmosphere, takesTheFlatAndTheSphericalPathForTheSame) {
     // After 30 km the earth has fallen away by 71 m and the horizon has sunk by 2.4 mrad.
     SpectraAtmosphereParameters parameters = kilometre();
-    parameters.path = AirPath{10.0, 80.6, 30e3};
+    parameters.path = AtmosphericPath{10.0, 80.6, 30e3};
     parameters.sight = LineOfSight{10.0, 0.0, 0.0};
     const SpectraAtmosphere air(parameters);
     EXPECT_NO_THROW((void)air.transmittance({10.0, 10.0, 30e3}, band));

@@ -16,11 +16,11 @@ namespace irsg {
 namespace {
 
 using lbl::truthBands;
-using lbl::truthBinWidth_cm;
+using lbl::truthBinWidth_per_cm;
 using lbl::truthPaths;
 
 struct Truth {
-    std::vector<double> transmittance, radiance_W_m2_sr_cm;
+    std::vector<double> transmittance, radiance_W_m2_sr_per_cm;
 };
 
 /// By atmosphere, path and band.
@@ -36,11 +36,11 @@ const std::map<std::array<int, 3>, Truth>& truth() {
                             &transmittance, &radiance) != 5)
                 continue;
             int band = 0;
-            while (lower >= truthBands[static_cast<std::size_t>(band)].upper_cm)
+            while (lower >= truthBands[static_cast<std::size_t>(band)].upper_per_cm)
                 ++band;
             Truth& own = cases[{atmosphere, path, band}];
             own.transmittance.push_back(transmittance);
-            own.radiance_W_m2_sr_cm.push_back(radiance);
+            own.radiance_W_m2_sr_per_cm.push_back(radiance);
         }
         return cases;
     }();
@@ -48,7 +48,7 @@ const std::map<std::array<int, 3>, Truth>& truth() {
 }
 
 RadiativeTransfer molecularAir(int atmosphere) {
-    AirModel air{Profile::model(static_cast<ModelAtmosphere>(atmosphere)), {}};
+    AtmosphericModel air{Profile::model(static_cast<ModelAtmosphere>(atmosphere)), {}};
     air.scattering = ScatteringMode::single;
     return RadiativeTransfer(air, GasTable::shipped());
 }
@@ -56,20 +56,20 @@ RadiativeTransfer molecularAir(int atmosphere) {
 /// The nodes of exactly the band's bins.
 NodeSet nodesOf(const GasTable& gases, const lbl::TruthBand& band) {
     const BinSet& bins = gases.bins(5);
-    const auto [first, last] = bins.range(band.lower_cm, band.upper_cm);
+    const auto [first, last] = bins.range(band.lower_per_cm, band.upper_per_cm);
     NodeSet set;
     for (std::size_t b = first; b < last; ++b)
         for (std::uint32_t i = bins.bins[b].first; i < bins.bins[b].first + bins.bins[b].count;
              ++i) {
             set.nodes.push_back(bins.nodes[i]);
-            set.wavenumbers_cm.push_back(gases.wavenumber_cm(bins.nodes[i]));
+            set.wavenumbers_per_cm.push_back(gases.wavenumber_per_cm(bins.nodes[i]));
         }
     return set;
 }
 
 std::vector<double> binMeans(const BinSet& bins, const lbl::TruthBand& band,
                              const std::vector<double>& nodeValues) {
-    const auto [first, last] = bins.range(band.lower_cm, band.upper_cm);
+    const auto [first, last] = bins.range(band.lower_per_cm, band.upper_per_cm);
     std::vector<double> means;
     std::size_t at = 0;
     for (std::size_t b = first; b < last; ++b) {
@@ -106,9 +106,10 @@ TEST_P(SpectralTruth, isFollowedOverSixtyPaths) {
                 squares += error * error;
                 largest = std::max(largest, std::abs(error));
                 ++count;
-                const double nu = band.lower_cm + truthBinWidth_cm * (static_cast<double>(b) + 0.5);
+                const double nu =
+                    band.lower_per_cm + truthBinWidth_per_cm * (static_cast<double>(b) + 0.5);
                 sum += radiance[b] * 1e4 / (nu * nu);
-                expectedSum += expected.radiance_W_m2_sr_cm[b];
+                expectedSum += expected.radiance_W_m2_sr_per_cm[b];
             }
             const double relative = std::abs(sum / expectedSum - 1.0);
             largestRadiance = std::max(largestRadiance, relative);
@@ -116,7 +117,8 @@ TEST_P(SpectralTruth, isFollowedOverSixtyPaths) {
                                       << sum << " against " << expectedSum;
         }
     }
-    std::cout << band.lower_cm << "-" << band.upper_cm << " cm-1: transmittance of 5 cm-1, RMS "
+    std::cout << band.lower_per_cm << "-" << band.upper_per_cm
+              << " cm-1: transmittance of 5 cm-1, RMS "
               << std::sqrt(squares / static_cast<double>(count)) << ", largest " << largest
               << "; in-band path radiance, largest " << 100.0 * largestRadiance << " %\n";
     EXPECT_LT(std::sqrt(squares / static_cast<double>(count)), 0.01);

@@ -18,15 +18,15 @@ LineList randomLines() {
     RandomNumbers random(7);
     for (int i = 0; i < 240; ++i) {
         Line line;
-        line.wavenumber_cm = 4980.0 + i + random.next();
+        line.wavenumber_per_cm = 4980.0 + i + random.next();
         line.intensity = 4e-23 * std::exp(2.0 * random.next());
         list.lines.push_back(line);
     }
     return list;
 }
 
-AirState air() {
-    AirState state;
+AtmosphericState air() {
+    AtmosphericState state;
     state.moleFraction[static_cast<std::size_t>(Gas::CH4)] = 0.01;
     return state;
 }
@@ -34,8 +34,8 @@ AirState air() {
 /// What a list transmits along a kilometre, every 5 cm-1, each the mean over 5 cm-1.
 KnownPath transmitted(const LineList& list) {
     KnownPath path{air(), 1e5, {}, {}};
-    for (double nu_cm = 5002.5; nu_cm < 5200.0; nu_cm += 5.0) {
-        const WavenumberGrid grid{nu_cm - 2.495, 0.01, 500};
+    for (double nu_per_cm = 5002.5; nu_per_cm < 5200.0; nu_per_cm += 5.0) {
+        const WavenumberGrid grid{nu_per_cm - 2.495, 0.01, 500};
         const auto cross =
             crossSection_cm2(list, PartitionSums::rigidRotor(), grid, air().temperature_K,
                              air().pressure_hPa, 0.01, defaultLineShape(Gas::CH4));
@@ -43,7 +43,7 @@ KnownPath transmitted(const LineList& list) {
         for (const double value : cross)
             mean += std::exp(-value * air().density_per_m3(Gas::CH4) * 1e-6 * path.length_cm) /
                     static_cast<double>(cross.size());
-        path.wavenumbers_cm.push_back(nu_cm);
+        path.wavenumbers_per_cm.push_back(nu_per_cm);
         path.transmittances.push_back(mean);
     }
     return path;
@@ -57,18 +57,18 @@ TEST(StrengthScaling, findsTheFactorByWhichAllLinesAreTooWeak) {
     scaleStrengths(list, known, windows);
     const LineList original = randomLines();
     for (std::size_t i = 0; i < list.lines.size(); ++i) {
-        const double nu_cm = original.lines[i].wavenumber_cm;
-        const bool inside = nu_cm >= windows.lower_cm && nu_cm <= windows.upper_cm;
+        const double nu_per_cm = original.lines[i].wavenumber_per_cm;
+        const bool inside = nu_per_cm >= windows.lower_per_cm && nu_per_cm <= windows.upper_per_cm;
         EXPECT_NEAR(list.lines[i].intensity / original.lines[i].intensity, inside ? 1.0 : 0.6,
                     inside ? 0.02 : 1e-12)
-            << nu_cm;
+            << nu_per_cm;
     }
 }
 
 TEST(StrengthScaling, bringsTheMeanOfEveryWindowToTheKnownOne) {
     LineList list = randomLines();
     for (Line& line : list.lines)
-        line.intensity *= std::exp(0.4 * std::sin(line.wavenumber_cm / 60.0));
+        line.intensity *= std::exp(0.4 * std::sin(line.wavenumber_per_cm / 60.0));
     const KnownPath known = transmitted(list);
     list = randomLines();
     scaleStrengths(list, known, windows);

@@ -15,7 +15,7 @@ using namespace irsg::raypathtest;
 namespace {
 
 RadiativeTransfer hazyAir() {
-    AirModel air{.profile = syntheticair::profile(290.0, 6.5), .particles = {}};
+    AtmosphericModel air{.profile = syntheticair::profile(290.0, 6.5), .particles = {}};
     air.particles = {syntheticair::particles({0.0, 2000.0, 4000.0}, {5e-5, 1e-5, 0.0}, 0.9, 0.6)};
     return {std::move(air), syntheticair::table()};
 }

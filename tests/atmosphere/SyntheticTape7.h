@@ -27,7 +27,7 @@ struct SyntheticRun {
     double parm2_deg = -99.0;
     double temperature_K = 288.15; ///< of the air, which emits as a black body
     double sunDepth = 0.0;         ///< along the way of the sun
-    std::vector<double> wavenumbers_cm = {2000.0, 2010.0, 2020.0, 2030.0, 2040.0};
+    std::vector<double> wavenumbers_per_cm = {2000.0, 2010.0, 2020.0, 2030.0, 2040.0};
     /// Optical depth of the path at a wavenumber.
     std::function<double(double)> depth = [](double) { return 0.1; };
 };
@@ -40,8 +40,8 @@ std::string printed(const char* format, Values... values) {
 }
 
 /// Planck's law in W cm-2 sr-1 (cm-1)-1.
-inline double planckPerWavenumber(double wavenumber_cm, double temperature_K) {
-    const double wavelength_um = wavelengthFromWavenumber_um(wavenumber_cm);
+inline double planckPerWavenumber(double wavenumber_per_cm, double temperature_K) {
+    const double wavelength_um = wavelengthFromWavenumber_um(wavenumber_per_cm);
     return 1e-4 * perWavenumberFromPerMicrometre(
                       planckRadiance_W_m2_sr_um(wavelength_um, temperature_K), wavelength_um);
 }
@@ -61,8 +61,8 @@ inline std::string tape7(const SyntheticRun& run) {
                     run.h2_km, run.zenith_deg, run.range_km);
     text += printed("%5d  -99  -99  -99\n", run.iparm);
     text += printed(" -99.00000%10.5f -99.00000 -99.00000 -99.00000 -99.00000\n", run.parm2_deg);
-    text += printed("%10.1f%10.1f%10.1f%10.1fNW\n", run.wavenumbers_cm.front(),
-                    run.wavenumbers_cm.back(), 10.0, 20.0);
+    text += printed("%10.1f%10.1f%10.1f%10.1fNW\n", run.wavenumbers_per_cm.front(),
+                    run.wavenumbers_per_cm.back(), 10.0, 20.0);
     text += "    0   0    0.000  0    0.000  0    1.000\n";
     if (run.kind == 0) {
         text += "    FREQ COMBIN MOLEC AER+CLD AER+CLD    -LOG\n"
@@ -74,7 +74,7 @@ inline std::string tape7(const SyntheticRun& run) {
                 "GRND_RFLT  DRCT_RFLT  TOTAL_RAD  REF_SOL  SOL@OBS   DEPTH DIR_EM    TOA_SUN "
                 "BBODY_T[K]\n";
     }
-    for (const double wavenumber : run.wavenumbers_cm) {
+    for (const double wavenumber : run.wavenumbers_per_cm) {
         const double depth = run.depth(wavenumber);
         const double tau = std::exp(-depth);
         const double emitted = (1.0 - tau) * planckPerWavenumber(wavenumber, run.temperature_K);

@@ -117,7 +117,7 @@ TEST(TabulatedAtmosphere, supportsWhatItsRunsContain) {
     Environment environment;
     environment.add(std::make_shared<TabulatedAtmosphere>(clear));
     EXPECT_EQ(
-        environment.spectrum(AirQuestion::transmittance({0, 0, 100}), {4.95, 4.96}).answeredBy,
+        environment.spectrum(AtmosphericQuery::transmittance({0, 0, 100}), {4.95, 4.96}).answeredBy,
         "family");
 }
 

@@ -24,7 +24,7 @@ TEST(TabulatedInterpolation, beersLawIsMetBetweenTheNodesOfRange) {
     for (const double range : {0.0, 1.0, 250.0, 500.0, 700.0, 2500.0, 8000.0, 10000.0}) {
         const Spectrum tau = air.transmittance({0.0, 0.0, range}, air.base());
         const Spectrum path = air.pathRadiance({0.0, 0.0, range}, {}, air.base());
-        for (const double nu : nodes_cm) {
+        for (const double nu : nodes_per_cm) {
             const double expected = std::exp(-depthOf({0.0, 0.0, range}, nu));
             EXPECT_NEAR(tau.at(1e4 / nu), expected, 2e-7) << range;
             const double planck = planckRadiance_W_m2_sr_um(1e4 / nu, airTemperature_K);
@@ -76,7 +76,7 @@ TEST(TabulatedInterpolation, aBandThatTurnsFromWeakToStrongIsMetWithinTheStatedE
     EXPECT_LT(stated, 0.05);
     for (double range = 1.0; range <= 10000.0; range *= 1.1) {
         const Spectrum tau = air.transmittance({0.0, 0.0, range}, air.base());
-        for (const double nu : nodes_cm) {
+        for (const double nu : nodes_per_cm) {
             EXPECT_NEAR(tau.at(1e4 / nu), std::exp(-depth(range, nu)), stated) << range;
         }
     }
@@ -110,7 +110,7 @@ TEST(TabulatedInterpolation, theStatedErrorOverRangeIsTheLargerOne) {
             double worst = 0.0;
             for (double range = 1.0; range <= 8000.0; range *= 1.02) {
                 const Spectrum tau = air.transmittance({0.0, 0.0, range}, air.base());
-                for (const double nu : nodes_cm) {
+                for (const double nu : nodes_per_cm) {
                     worst =
                         std::max(worst, std::abs(tau.at(1e4 / nu) - std::exp(-depth(range, nu))));
                 }
@@ -124,7 +124,7 @@ TEST(TabulatedInterpolation, theStatedErrorOverRangeIsTheLargerOne) {
 
 TEST(TabulatedInterpolation, nodesAreMetExactly) {
     std::vector<SyntheticRun> made;
-    std::vector<AirPath> paths;
+    std::vector<AtmosphericPath> paths;
     for (const double sensor : {0.0, 1000.0, 3000.0}) {
         for (const double target : {0.0, 2000.0, 3000.0}) {
             for (const double range : {4000.0, 9000.0}) {
@@ -161,11 +161,11 @@ TEST(TabulatedInterpolation, altitudesBetweenTheRunsAreMetWithinTheStatedError) 
     EXPECT_EQ(sensors.nodes, 15u);
     EXPECT_LT(sensors.worst, 5e-3);
     EXPECT_GT(sensors.worst, sensors.rms);
-    for (const AirPath path : {AirPath{250.0, 3250.0, 6000.0},
-                               {1700.0, 4900.0, 5000.0},
-                               {1250.0, 3500.0, 3000.0},
-                               {0.0, 4123.0, 6000.0}}) {
-        for (const double nu : nodes_cm) {
+    for (const AtmosphericPath path : {AtmosphericPath{250.0, 3250.0, 6000.0},
+                                       {1700.0, 4900.0, 5000.0},
+                                       {1250.0, 3500.0, 3000.0},
+                                       {0.0, 4123.0, 6000.0}}) {
+        for (const double nu : nodes_per_cm) {
             EXPECT_NEAR(air.transmittance(path, air.base()).at(1e4 / nu),
                         std::exp(-depthOf(path, nu)), sensors.worst + targets.worst);
         }
@@ -180,7 +180,7 @@ TEST(TabulatedInterpolation, horizontalPathsNeedOnlyHorizontalRuns) {
     const TabulatedAtmosphere air = family(made);
     const double stated =
         errorOf(air.interpolationErrors(), "transmittance", "altitude of horizontal paths").worst;
-    for (const double nu : nodes_cm) {
+    for (const double nu : nodes_per_cm) {
         EXPECT_NEAR(air.transmittance({700.0, 704.0, 3000.0}, air.base()).at(1e4 / nu),
                     std::exp(-depthOf({702.0, 702.0, 3000.0}, nu)), stated);
     }
@@ -209,7 +209,7 @@ TEST(TabulatedInterpolation, anOpaqueRunContinuesTheOneBefore) {
         SpectralRun made;
         made.source = numberText(range_m);
         made.geometry.range_m = range_m;
-        made.wavenumbers_cm = {2000.0, 2010.0};
+        made.wavenumbers_per_cm = {2000.0, 2010.0};
         made.transmittance = {tau, tau};
         return made;
     };
@@ -228,7 +228,7 @@ TEST(TabulatedInterpolation, betweenAltitudesDepthsFallAsDensitiesDo) {
         made.source = numberText(altitude_m);
         made.geometry.sensorAltitude_m = made.geometry.targetAltitude_m = altitude_m;
         made.geometry.range_m = range_m;
-        made.wavenumbers_cm = {2000.0, 2010.0};
+        made.wavenumbers_per_cm = {2000.0, 2010.0};
         made.transmittance = {tau, tau};
         return made;
     };

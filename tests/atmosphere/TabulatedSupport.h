@@ -13,7 +13,7 @@
 /// Families of runs through an exponential atmosphere over a flat earth.
 namespace irsg::tabulatedtest {
 
-inline constexpr double nodes_cm[] = {2000.0, 2010.0, 2020.0, 2030.0, 2040.0};
+inline constexpr double nodes_per_cm[] = {2000.0, 2010.0, 2020.0, 2030.0, 2040.0};
 inline constexpr double airTemperature_K = 280.0;
 
 inline TabulatedAtmosphere family(const std::vector<SyntheticRun>& made) {
@@ -25,23 +25,23 @@ inline TabulatedAtmosphere family(const std::vector<SyntheticRun>& made) {
 }
 
 /// Absorption of an exponential atmosphere, m-1, stronger at larger wavenumbers.
-inline double absorption_per_m(double altitude_m, double wavenumber_cm) {
-    return 1e-4 * (wavenumber_cm - 1990.0) / 10.0 * std::exp(-altitude_m / 5000.0);
+inline double absorption_per_m(double altitude_m, double wavenumber_per_cm) {
+    return 1e-4 * (wavenumber_per_cm - 1990.0) / 10.0 * std::exp(-altitude_m / 5000.0);
 }
 
 /// Optical depth of a straight path over a flat earth.
-inline double depthOf(const AirPath& path, double wavenumber_cm) {
+inline double depthOf(const AtmosphericPath& path, double wavenumber_per_cm) {
     const double rise = path.targetAltitude_m - path.sensorAltitude_m;
     if (rise == 0.0) {
-        return absorption_per_m(path.sensorAltitude_m, wavenumber_cm) * path.range_m;
+        return absorption_per_m(path.sensorAltitude_m, wavenumber_per_cm) * path.range_m;
     }
     return 5000.0 *
-           (absorption_per_m(path.sensorAltitude_m, wavenumber_cm) -
-            absorption_per_m(path.targetAltitude_m, wavenumber_cm)) *
+           (absorption_per_m(path.sensorAltitude_m, wavenumber_per_cm) -
+            absorption_per_m(path.targetAltitude_m, wavenumber_per_cm)) *
            path.range_m / rise;
 }
 
-inline SyntheticRun runOver(const AirPath& path) {
+inline SyntheticRun runOver(const AtmosphericPath& path) {
     SyntheticRun run;
     run.path = path.sensorAltitude_m == path.targetAltitude_m ? 1 : 2;
     run.h1_km = path.sensorAltitude_m / 1e3;

@@ -63,7 +63,7 @@ TEST(Tape7, readsARunAndConvertsItsUnits) {
     EXPECT_DOUBLE_EQ(run.geometry.targetAltitude_m, 1750.0);
     EXPECT_DOUBLE_EQ(run.geometry.range_m, 1730.0);
     EXPECT_NEAR(run.geometry.elevation_rad, radians(60.0), 1e-12);
-    EXPECT_EQ(run.wavenumbers_cm, made.wavenumbers_cm);
+    EXPECT_EQ(run.wavenumbers_per_cm, made.wavenumbers_per_cm);
     EXPECT_NEAR(run.transmittance[2], std::exp(-0.1), 1e-8);
     const double expected =
         (1.0 - std::exp(-0.1)) * planckRadiance_W_m2_sr_um(1e4 / 2020.0, made.temperature_K);
@@ -132,36 +132,36 @@ TEST(Tape7, theSumThatClosesDecidesWhatPathRadianceIs) {
                    .unit = SpectralUnit::wavenumber,
                    .transmittanceRounding = 0.0,
                    .sumsIncluded = false};
-    std::vector<Offence> offences;
-    fillRun(run, table, offences);
+    std::vector<Diagnostic> diagnostics;
+    fillRun(run, table, diagnostics);
     EXPECT_NEAR(run.pathRadiance_W_m2_sr_um[0], 3.5e-7 * 1e6, 1e-9);
     table.columns[RunColumn::total] = {1.47e-6, 1.47e-6};
     SpectralRun apart = SpectralRun();
     apart.kind = run.kind;
-    fillRun(apart, table, offences);
+    fillRun(apart, table, diagnostics);
     EXPECT_NEAR(apart.pathRadiance_W_m2_sr_um[0], 4.7e-7 * 1e6, 1e-9);
     EXPECT_TRUE(apart.warnings.empty());
     table.columns[RunColumn::total] = {3e-6, 3e-6};
     SpectralRun open = SpectralRun();
     open.kind = run.kind;
-    fillRun(open, table, offences);
+    fillRun(open, table, diagnostics);
     ASSERT_EQ(open.warnings.size(), 1u);
     EXPECT_THAT(open.warnings.front(), HasSubstr("TOTAL_RAD differs"));
-    EXPECT_TRUE(offences.empty());
+    EXPECT_TRUE(diagnostics.empty());
 }
 
 TEST(Tape7, anEarlyEndIsAWarningThatNamesTheLastWavenumber) {
     std::string text = tape7({});
     text.resize(text.find(" 2030.00"));
     const SpectralRun run = parsed(text).front();
-    EXPECT_EQ(run.wavenumbers_cm.size(), 3u);
+    EXPECT_EQ(run.wavenumbers_per_cm.size(), 3u);
     ASSERT_EQ(run.warnings.size(), 1u);
     EXPECT_THAT(run.warnings.front(), HasSubstr("stops at 2020 cm-1"));
 
     std::string cut = tape7({});
     cut.resize(cut.find(" 2030.00") + 15);
     const SpectralRun rest = parsed(cut).front();
-    EXPECT_EQ(rest.wavenumbers_cm.size(), 3u);
+    EXPECT_EQ(rest.wavenumbers_per_cm.size(), 3u);
     EXPECT_EQ(rest.warnings.size(), 2u);
 }
 
@@ -213,15 +213,15 @@ TEST(Tape7, badFilesAreRefusedByName) {
     slant.path = 2;
     slant.h2_km = 1.0;
     SyntheticRun single;
-    single.wavenumbers_cm = {2000.0};
+    single.wavenumbers_per_cm = {2000.0};
     SyntheticRun falling;
-    falling.wavenumbers_cm = {2000.0, 1990.0, 1980.0};
+    falling.wavenumbers_per_cm = {2000.0, 1990.0, 1980.0};
     SyntheticRun twice;
-    twice.wavenumbers_cm = {2000.0, 2010.0, 2010.0};
+    twice.wavenumbers_per_cm = {2000.0, 2010.0, 2010.0};
     SyntheticRun other;
     other.range_km = 2.0;
     SyntheticRun otherGrid = other;
-    otherGrid.wavenumbers_cm = {2000.0, 2005.0, 2010.0};
+    otherGrid.wavenumbers_per_cm = {2000.0, 2005.0, 2010.0};
     SyntheticRun otherAir = other;
     otherAir.model = 1;
     SyntheticRun otherGround = other;
@@ -325,7 +325,8 @@ TEST(Tape7, everyFileOfModtranHasTheCardsOfTheList) {
                 ++compared;
             }
             if (card == "n_points") {
-                EXPECT_EQ(std::to_string(runs.front().wavenumbers_cm.size()), row[k].text) << file;
+                EXPECT_EQ(std::to_string(runs.front().wavenumbers_per_cm.size()), row[k].text)
+                    << file;
                 ++compared;
             }
         }
@@ -341,7 +342,7 @@ TEST(Tape7, realFilesReproduceTheirOwnNumbers) {
     EXPECT_TRUE(air.supports(AtmosphereProperty::pathRadiance));
     EXPECT_FALSE(air.supports(AtmosphereProperty::backgroundRadiance));
     EXPECT_NEAR(air.base().min_um, 1e4 / 2100.0, 1e-12);
-    const AirPath path{2000.0, 10000.0, 9235.9};
+    const AtmosphericPath path{2000.0, 10000.0, 9235.9};
     EXPECT_NEAR(air.transmittance(path, air.base()).at(1e4 / 2051.0), 0.74512768, 1e-12);
     const double nu = 2051.0;
     EXPECT_NEAR(air.pathRadiance(path, {}, air.base()).at(1e4 / nu),
@@ -359,7 +360,7 @@ TEST(Tape7, realFilesReproduceTheirOwnNumbers) {
 
     const std::filesystem::path gases = modtranFolder() / "pyradi/horizon5kmtropical.fl7";
     const auto tropical = TabulatedAtmosphere::import(std::span(&gases, 1));
-    EXPECT_EQ(tropical.runs().front().wavenumbers_cm.size(), 9867u);
+    EXPECT_EQ(tropical.runs().front().wavenumbers_per_cm.size(), 9867u);
     EXPECT_TRUE(tropical.supports(AtmosphereProperty::scatteringOpticalDepth));
     EXPECT_NEAR(
         tropical.scatteringOpticalDepth({0.0, 0.0, 5000.0}, tropical.base()).at(1e4 / 49987.0),
@@ -377,7 +378,7 @@ TEST(Tape7, theFileThatStopsEarlySaysWhere) {
     const std::vector<SpectralRun> runs = readTape7(modtranFolder() / "well-fill/SW31km/tape7");
     ASSERT_EQ(runs.front().warnings.size(), 1u);
     EXPECT_THAT(runs.front().warnings.front(), HasSubstr("stops at 3140 cm-1"));
-    EXPECT_EQ(runs.front().wavenumbers_cm.size(), 115u);
+    EXPECT_EQ(runs.front().wavenumbers_per_cm.size(), 115u);
 }
 
 TEST(Tape7, aTransmittanceAndARadianceRunOfOnePathCompleteEachOther) {

@@ -22,7 +22,7 @@ const SunPosition noon{0.0, 1.0};
 TEST(Vacuum, isClearAndDarkAtEveryRange) {
     const Vacuum vacuum;
     for (const double range_m : {0.0, 1.0, 1e7}) {
-        const AirPath path{100.0, 0.0, range_m};
+        const AtmosphericPath path{100.0, 0.0, range_m};
         EXPECT_EQ(vacuum.transmittance(path, whole), Spectrum::constant(1.0));
         EXPECT_EQ(vacuum.pathRadiance(path, noon, whole), Spectrum::constant(0.0));
     }
@@ -91,9 +91,10 @@ TEST(Vacuum, refusesPlacesBelowGroundAndRangesThatAreNone) {
     const double notANumber = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     const Vacuum vacuum;
-    for (const AirPath& path : {AirPath{-1.0, 0.0, 1.0}, AirPath{0.0, -1.0, 1.0},
-                                AirPath{0.0, 0.0, -1.0}, AirPath{0.0, 0.0, infinity},
-                                AirPath{0.0, 0.0, notANumber}, AirPath{notANumber, 0.0, 1.0}}) {
+    for (const AtmosphericPath& path :
+         {AtmosphericPath{-1.0, 0.0, 1.0}, AtmosphericPath{0.0, -1.0, 1.0},
+          AtmosphericPath{0.0, 0.0, -1.0}, AtmosphericPath{0.0, 0.0, infinity},
+          AtmosphericPath{0.0, 0.0, notANumber}, AtmosphericPath{notANumber, 0.0, 1.0}}) {
         EXPECT_THROW((void)vacuum.transmittance(path, whole), InputError);
         EXPECT_THROW((void)vacuum.pathRadiance(path, noon, whole), InputError);
     }

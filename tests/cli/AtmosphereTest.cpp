@@ -53,7 +53,7 @@ std::string tableOver(double min_um, double max_um) {
     run.kind = irsg::RunKind::thermalRadiance;
     run.geometry.sensorAltitude_m = run.geometry.targetAltitude_m = 1000.0;
     run.geometry.range_m = 2000.0;
-    run.wavenumbers_cm = {1e4 / max_um, 0.5e4 / max_um + 0.5e4 / min_um, 1e4 / min_um};
+    run.wavenumbers_per_cm = {1e4 / max_um, 0.5e4 / max_um + 0.5e4 / min_um, 1e4 / min_um};
     run.transmittance.assign(3, 0.5);
     run.pathRadiance_W_m2_sr_um.assign(3, 2.0);
     run.totalRadiance_W_m2_sr_um.assign(3, 3.0);

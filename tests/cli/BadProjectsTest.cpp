@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(
                project(good("\"sensor\": {\"width\": \"640\"}")),
                image,
                {"sensor.width, line 2", "\"640\""}},
-        BadRow{"TwoOffences",
+        BadRow{"TwoDiagnostics",
                project(good("\"sensor\": {\"fov\": 200,\n\"band\": \"5-3\"}")),
                image,
                {"sensor.fov, line 2", "200", "sensor.band, line 3", "5-3"}},

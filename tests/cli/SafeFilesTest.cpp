@@ -126,7 +126,7 @@ TEST(SmatBatchDatabase, ImportOverADatabaseAsksForReplace) {
     EXPECT_EQ(smatBatch({"db", "import", json, "a.sigdb", "--replace"}, folder.path()).exitCode, 0);
 }
 
-TEST(SmatBatchBounds, NameAHundredOffencesAndHowManyMore) {
+TEST(SmatBatchBounds, NameAHundredDiagnosticsAndHowManyMore) {
     const TemporaryFolder folder;
     fs::copy(sample("flyby"), folder / "flyby");
     std::string rows = "t,x,y,z,yaw,pitch,roll\n";

@@ -297,8 +297,8 @@ TEST(AnalysisGenerator, PutsEverythingBackWhenADrawingFails) {
     struct Failing : SixSidedBox {
         irsg::RenderReport measure() override {
             if (drawings >= 3) {
-                throw irsg::InputError(
-                    irsg::Offence{.file = "box", .position = "", .value = "bad", .expected = ""});
+                throw irsg::InputError(irsg::Diagnostic{
+                    .file = "box", .position = "", .value = "bad", .expected = ""});
             }
             return SixSidedBox::measure();
         }
@@ -373,9 +373,9 @@ TEST_P(RefusedPlan, NamesTheSetting) {
                      asked(GetParam().kind, GetParam().settings).settings);
         FAIL() << "nothing was refused";
     } catch (const irsg::InputError& error) {
-        EXPECT_EQ(error.offences().front().position, GetParam().position);
-        EXPECT_FALSE(error.offences().front().value.empty());
-        EXPECT_FALSE(error.offences().front().expected.empty());
+        EXPECT_EQ(error.diagnostics().front().position, GetParam().position);
+        EXPECT_FALSE(error.diagnostics().front().value.empty());
+        EXPECT_FALSE(error.diagnostics().front().expected.empty());
     }
 }
 
@@ -430,7 +430,7 @@ TEST(AnalysisData, ANameThatIsNotThereIsRefusedWithTheNamesThereAre) {
         AnalysisData::of(project, "three");
         FAIL();
     } catch (const irsg::InputError& error) {
-        EXPECT_EQ(error.offences().front().expected, "one of one, two");
+        EXPECT_EQ(error.diagnostics().front().expected, "one of one, two");
     }
 }
 

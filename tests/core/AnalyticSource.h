@@ -87,11 +87,12 @@ class AnalyticSource : public ImageSource {
             radiance;
         return rendered;
     }
-    irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) override {
+    irsg::IntensitySpectrum
+    measureSpectrum(const std::vector<double>& wavenumbers_per_cm) override {
         irsg::IntensitySpectrum spectrum;
-        spectrum.wavenumbers_cm1 = wavenumbers_cm1;
+        spectrum.wavenumbers_per_cm = wavenumbers_per_cm;
         const double area_m2 = projectedArea_m2(towardsCamera());
-        for (const double wavenumber : wavenumbers_cm1) {
+        for (const double wavenumber : wavenumbers_per_cm) {
             const double wavelength_um = irsg::wavelengthFromWavenumber_um(wavenumber);
             const double intensity =
                 area_m2 * irsg::planckRadiance_W_m2_sr_um(wavelength_um, 320.0);

@@ -28,9 +28,9 @@ class EnvironmentInput : public testing::Test {
         return irsg::writtenFile(folder_ / name, text);
     }
     irsg::Environment environmentOf(const std::filesystem::path& file,
-                                    std::optional<int> resolution_cm = {}) const {
+                                    std::optional<int> resolution_per_cm = {}) const {
         irsg::Environment environment;
-        addAir(environment, {file}, resolution_cm);
+        addAir(environment, {file}, resolution_per_cm);
         return environment;
     }
     std::filesystem::path haze() const {
@@ -44,10 +44,10 @@ class EnvironmentInput : public testing::Test {
 TEST_F(EnvironmentInput, AResolutionTakesThePlaceOfTheFilesOwn) {
     const auto file = written("air.xml", irsg::smartXml(irsg::numberXml("Resolution", "15") +
                                                         irsg::numberXml("Visibility", "9000")));
-    EXPECT_EQ(smartOf(environmentOf(file), 0).parameters().resolution_cm, 15);
+    EXPECT_EQ(smartOf(environmentOf(file), 0).parameters().resolution_per_cm, 15);
     const irsg::Environment fine = environmentOf(file, 1);
     const irsg::AtmosphereSmart& air = smartOf(fine, 0);
-    EXPECT_EQ(air.parameters().resolution_cm, 1);
+    EXPECT_EQ(air.parameters().resolution_per_cm, 1);
     EXPECT_EQ(air.parameters().visibility_m, 9000.0);
     EXPECT_EQ(air.name(), "AtmosphereSmart (air.xml)");
     EXPECT_THAT(air.remarks(), testing::Contains(HasSubstr("no AerosolModel")));
@@ -63,9 +63,9 @@ TEST_F(EnvironmentInput, AResolutionReachesEveryAtmosphereOfAnEnvironmentThatHas
                              irsg::compositeXml("three", "../air.xml", 3) + "</composition>"));
     const irsg::Environment environment = environmentOf(world, 15);
     ASSERT_EQ(environment.atmospheres().size(), 3u);
-    EXPECT_EQ(smartOf(environment, 0).parameters().resolution_cm, 15);
+    EXPECT_EQ(smartOf(environment, 0).parameters().resolution_per_cm, 15);
     EXPECT_EQ(environment.atmospheres()[1]->name(), "Beer-Lambert (haze.csv)");
-    EXPECT_EQ(smartOf(environment, 2).parameters().resolution_cm, 15);
+    EXPECT_EQ(smartOf(environment, 2).parameters().resolution_per_cm, 15);
 }
 
 TEST_F(EnvironmentInput, AResolutionOfAirWithoutBinsIsRefused) {
@@ -111,15 +111,17 @@ TEST_F(EnvironmentInput, TheBackgroundOfAnEnvironmentWithoutAtmospheresIsSeenThr
     const irsg::Environment environment = smat::environmentOf(project, settings);
     const irsg::SpectralPoints points({3.0, 4.0, 5.0});
     const auto seen = environment.answer(
-        irsg::AirQuestion::backgroundRadiance({0.0, 0.2, 0.0}, environment.sun), points);
+        irsg::AtmosphericQuery::backgroundRadiance({0.0, 0.2, 0.0}, environment.sun), points);
     EXPECT_EQ(seen.value, (std::vector<double>{2.0, 2.5, 3.0}));
     EXPECT_EQ(seen.answeredBy, "default");
-    EXPECT_EQ(environment.answer(irsg::AirQuestion::transmittance({0.0, 0.0, 1e4}), points).value,
-              (std::vector<double>{1.0, 1.0, 1.0}));
+    EXPECT_EQ(
+        environment.answer(irsg::AtmosphericQuery::transmittance({0.0, 0.0, 1e4}), points).value,
+        (std::vector<double>{1.0, 1.0, 1.0}));
     settings.set("environment.atmospheres", "none");
     EXPECT_EQ(
         smat::environmentOf(project, settings)
-            .answer(irsg::AirQuestion::backgroundRadiance({0.0, 0.2, 0.0}, environment.sun), points)
+            .answer(irsg::AtmosphericQuery::backgroundRadiance({0.0, 0.2, 0.0}, environment.sun),
+                    points)
             .answeredBy,
         "vacuum");
 }
@@ -178,17 +180,17 @@ TEST_F(EnvironmentInput, WideBinsAreTheMeansOfTheNarrowOnesInside) {
     const ResultTable narrow = radiativeOutput(environmentOf(file, 1), request).table;
     // Each width has nodes of its own, so that they agree to the error of the nodes: RMS, and the
     // worst bin, of the largest value.
-    for (const double width_cm : {5.0, 15.0}) {
+    for (const double width_per_cm : {5.0, 15.0}) {
         const ResultTable wide =
-            radiativeOutput(environmentOf(file, static_cast<int>(width_cm)), request).table;
+            radiativeOutput(environmentOf(file, static_cast<int>(width_per_cm)), request).table;
         for (const char* column :
              {"transmittance", "path_radiance", "background_radiance", "solar_irradiance",
               "up_flux", "down_flux", "scattering_optical_depth"}) {
             const test::BinComparison found =
-                test::compareBins(narrow, 1.0, wide, width_cm, column);
-            EXPECT_GE(found.bins, width_cm == 5.0 ? 265u : 87u) << column;
-            EXPECT_LE(found.rms, 0.006 * found.largest) << column << ", " << width_cm;
-            EXPECT_LE(found.worst, 0.03 * found.largest) << column << ", " << width_cm;
+                test::compareBins(narrow, 1.0, wide, width_per_cm, column);
+            EXPECT_GE(found.bins, width_per_cm == 5.0 ? 265u : 87u) << column;
+            EXPECT_LE(found.rms, 0.006 * found.largest) << column << ", " << width_per_cm;
+            EXPECT_LE(found.worst, 0.03 * found.largest) << column << ", " << width_per_cm;
         }
     }
 }

@@ -158,7 +158,7 @@ TEST(ProjectFile, SavesAndLoads) {
     EXPECT_THROW(saveProject(project, folder / "none" / "p.smat"), irsg::InputError);
 }
 
-TEST(ProjectFile, ReportsAllOffencesAtOnceWithKeyPathAndLine) {
+TEST(ProjectFile, ReportsAllDiagnosticsAtOnceWithKeyPathAndLine) {
     try {
         readText("{\"version\": 1,\n \"sensor\": {\"width\": 0,\n \"fov\": \"wide\"},\n"
                  " \"models\": [{\"database\": 7}],\n"
@@ -166,9 +166,9 @@ TEST(ProjectFile, ReportsAllOffencesAtOnceWithKeyPathAndLine) {
         FAIL();
     } catch (const irsg::InputError& error) {
         std::vector<std::string> positions;
-        for (const irsg::Offence& offence : error.offences()) {
-            positions.push_back(offence.position);
-            EXPECT_EQ(offence.file, here.string());
+        for (const irsg::Diagnostic& diagnostic : error.diagnostics()) {
+            positions.push_back(diagnostic.position);
+            EXPECT_EQ(diagnostic.file, here.string());
         }
         EXPECT_THAT(positions, testing::UnorderedElementsAre(
                                    "sensor.width, line 2", "sensor.fov, line 3", "models.0.file",
@@ -182,7 +182,7 @@ const std::string endlessNesting =
 struct MalformedRow {
     const char* name;
     const char* text;
-    const char* position; ///< how the first offence's position begins
+    const char* position; ///< how the first diagnostic's position begins
     const char* value;    ///< what is in its value
 };
 
@@ -197,11 +197,11 @@ TEST_P(MalformedProject, IsRefusedWithPositionValueAndExpectation) {
         readText(GetParam().text);
         FAIL() << "accepted";
     } catch (const irsg::InputError& error) {
-        const irsg::Offence& offence = error.offences().front();
-        EXPECT_EQ(offence.file, here.string());
-        EXPECT_THAT(offence.position, testing::StartsWith(GetParam().position));
-        EXPECT_THAT(offence.value, testing::HasSubstr(GetParam().value));
-        EXPECT_FALSE(offence.expected.empty());
+        const irsg::Diagnostic& diagnostic = error.diagnostics().front();
+        EXPECT_EQ(diagnostic.file, here.string());
+        EXPECT_THAT(diagnostic.position, testing::StartsWith(GetParam().position));
+        EXPECT_THAT(diagnostic.value, testing::HasSubstr(GetParam().value));
+        EXPECT_FALSE(diagnostic.expected.empty());
     }
 }
 

@@ -22,7 +22,7 @@ using irsg::Spectrum;
 using testing::HasSubstr;
 
 constexpr irsg::SpectralRange band{3.0, 5.0};
-const AirGeometryInput slant = {
+const PathGeometryInput slant = {
     .sensorAltitude_m = 2000.0, .losElevation_deg = -20.0, .range_m = 1000.0};
 
 irsg::Environment haze() {
@@ -167,7 +167,7 @@ TEST_P(BadRadiativeRequest, IsRefusedByName) {
     }
 }
 
-RadiativeRequest one(AtmosphereProperty property, const AirGeometryInput& geometry,
+RadiativeRequest one(AtmosphereProperty property, const PathGeometryInput& geometry,
                      const irsg::SpectralRange& range = band) {
     return {.quantities = {property}, .geometry = geometry, .band = range};
 }

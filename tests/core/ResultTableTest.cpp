@@ -89,8 +89,8 @@ TEST_P(BadTable, IsRefusedWithItsPlace) {
         ResultTable::load(file);
         FAIL() << "accepted";
     } catch (const irsg::InputError& error) {
-        EXPECT_EQ(error.offences().front().file, file.string());
-        EXPECT_THAT(error.offences().front().position, testing::HasSubstr(GetParam().position));
+        EXPECT_EQ(error.diagnostics().front().file, file.string());
+        EXPECT_THAT(error.diagnostics().front().position, testing::HasSubstr(GetParam().position));
     }
 }
 

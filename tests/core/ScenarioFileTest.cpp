@@ -114,7 +114,7 @@ TEST(Scenario, stepsFromStartToEndWithBoth) {
 struct BadRow {
     const char* name;
     std::string text;
-    std::vector<std::string> named; ///< all in one offence
+    std::vector<std::string> named; ///< all in one diagnostic
 };
 void PrintTo(const BadRow& row, std::ostream* out) {
     *out << row.name;
@@ -127,8 +127,8 @@ TEST_P(ABadScenario, isRefusedWithKeyPathLineAndValue) {
         readText(GetParam().text);
         FAIL() << "accepted";
     } catch (const irsg::InputError& error) {
-        for (const irsg::Offence& offence : error.offences()) {
-            messages.push_back(offence.message());
+        for (const irsg::Diagnostic& diagnostic : error.diagnostics()) {
+            messages.push_back(diagnostic.message());
         }
     }
     std::vector<testing::Matcher<std::string>> words;
@@ -264,7 +264,7 @@ INSTANTIATE_TEST_SUITE_P(
                {"end_s, line 4", "occurs twice"}}),
     [](const auto& row) { return std::string(row.param.name); });
 
-TEST(ScenarioFile, reportsAllOffencesAtOnce) {
+TEST(ScenarioFile, reportsAllDiagnosticsAtOnce) {
     try {
         readText(R"({"version": 1, "dt_s": "fast", "entities": [{"model": 3, "position_m": 1}],
                      "sensors": [{"track": "x", "sensor": {"fov": 500}}], "speed": 1})");

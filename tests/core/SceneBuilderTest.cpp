@@ -37,11 +37,11 @@ class SceneBuilderTest : public testing::Test {
         });
     }
 
-    std::vector<irsg::Offence> refused() {
+    std::vector<irsg::Diagnostic> refused() {
         try {
             builder().build(project, project.settings);
         } catch (const irsg::InputError& error) {
-            return error.offences();
+            return error.diagnostics();
         }
         return {};
     }
@@ -124,9 +124,9 @@ TEST_F(SceneBuilderTest, RefusesAllThatIsWrongAtOnce) {
     project.settings.set("environment.atmospheres", "missing.csv;air.xml");
     project.settings.set("sensor.response", "missing-response.csv");
     std::vector<std::string> places;
-    for (const irsg::Offence& offence : refused()) {
-        places.push_back(std::filesystem::path(offence.file).filename().string() + "|" +
-                         offence.position);
+    for (const irsg::Diagnostic& diagnostic : refused()) {
+        places.push_back(std::filesystem::path(diagnostic.file).filename().string() + "|" +
+                         diagnostic.position);
     }
     EXPECT_THAT(places, testing::UnorderedElementsAre("missing.flt|", "missing.sigdb|",
                                                       "p.smat|models.2.database", "missing.csv|",
@@ -230,12 +230,12 @@ TEST_F(SceneBuilderTest, LoadsSkyboxAndTerrainOnceWithTheirScales) {
 TEST_F(SceneBuilderTest, RefusesSkyboxAndTerrainByTheirKeys) {
     project.settings.set("environment.skybox", "a.png;b.png");
     project.settings.set("environment.terrain", "missing.osgb");
-    const std::vector<irsg::Offence> offences = refused();
-    ASSERT_EQ(offences.size(), 2u);
-    EXPECT_EQ(offences[0].position, "environment.skybox");
-    EXPECT_EQ(offences[0].value, "2 files");
-    EXPECT_EQ(offences[1].position, "environment.terrain");
-    EXPECT_EQ(std::filesystem::path(offences[1].file).filename(), "missing.osgb");
+    const std::vector<irsg::Diagnostic> diagnostics = refused();
+    ASSERT_EQ(diagnostics.size(), 2u);
+    EXPECT_EQ(diagnostics[0].position, "environment.skybox");
+    EXPECT_EQ(diagnostics[0].value, "2 files");
+    EXPECT_EQ(diagnostics[1].position, "environment.terrain");
+    EXPECT_EQ(std::filesystem::path(diagnostics[1].file).filename(), "missing.osgb");
 
     std::filesystem::create_directory(folder / "sky");
     project.settings.set("environment.skybox", "sky");

@@ -122,11 +122,11 @@ TEST_P(SettingText, IsAcceptedInItsCanonicalFormOrRefusedWithKeyValueAndExpectat
         settings.set(row.key, row.text, "here");
         FAIL() << "accepted as " << settings.text(row.key);
     } catch (const irsg::InputError& error) {
-        const irsg::Offence& offence = error.offences().front();
-        EXPECT_EQ(offence.file, "here");
-        EXPECT_EQ(offence.position, row.key);
-        EXPECT_EQ(offence.value, row.text);
-        EXPECT_FALSE(offence.expected.empty());
+        const irsg::Diagnostic& diagnostic = error.diagnostics().front();
+        EXPECT_EQ(diagnostic.file, "here");
+        EXPECT_EQ(diagnostic.position, row.key);
+        EXPECT_EQ(diagnostic.value, row.text);
+        EXPECT_FALSE(diagnostic.expected.empty());
     }
     EXPECT_EQ(settings, Settings());
 }

@@ -277,7 +277,7 @@ TEST_F(ASimulation, sharesTheAirOfSensorsThatAreAlikeInIt) {
     EXPECT_NEAR(loaded.sensors[2].scene.environment.sun.elevation_rad, irsg::radians(10), 1e-15);
 }
 
-TEST_F(ASimulation, collectsTheOffencesOfAllFiles) {
+TEST_F(ASimulation, collectsTheDiagnosticsOfAllFiles) {
     scenario.entities[0].trajectory = "none.csv";
     scenario.entities[1].model = "none.flt";
     scenario.sensors[0].imagingSensor = "none.xml";

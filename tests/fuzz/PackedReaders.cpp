@@ -38,8 +38,8 @@ std::string gasTableBytes() {
     const irsg::GasTable::Grid grid{
         {1100.0, 600.0, 300.0, 100.0, 30.0, 1.0}, {180.0, 220.0, 260.0, 300.0, 340.0}, 0.04, 4};
     const std::vector<float> block(30, -50.0f);
-    const auto bins = [](double width_cm) {
-        return irsg::BinSet{width_cm, {{1000.0, 1005.0, 0, 2}}, {0, 1}, {0.25f, 0.75f}};
+    const auto bins = [](double width_per_cm) {
+        return irsg::BinSet{width_per_cm, {{1000.0, 1005.0, 0, 2}}, {0, 1}, {0.25f, 0.75f}};
     };
     const irsg::GasTable table(grid, {1001.0, 1004.0},
                                {{0, irsg::Gas::CO2, block}, {1, irsg::Gas::CO2, block}},

@@ -210,8 +210,8 @@ void readBytes(const FuzzedReader& reader, std::string_view bytes) {
     try {
         reader.read(file);
     } catch (const irsg::InputError& error) {
-        for (const irsg::Offence& offence : error.offences())
-            if (offence.message().empty())
+        for (const irsg::Diagnostic& diagnostic : error.diagnostics())
+            if (diagnostic.message().empty())
                 throw std::logic_error("a refusal without a sentence");
     }
 }

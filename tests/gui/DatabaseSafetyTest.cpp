@@ -83,7 +83,7 @@ TEST_F(DatabaseSafetyTest, TellsWhatCannotBeOpenedAndOffersWhatCanBeDone) {
     test::keepScreenshot(*window, "editor-missing");
 }
 
-TEST_F(DatabaseSafetyTest, OpensAnotherDatabaseThatHasToBeMended) {
+TEST_F(DatabaseSafetyTest, OpensAnotherDatabaseThatHasToBeRepaired) {
     const auto own = session().value();
     // What cannot be read changes nothing.
     std::ofstream(folder / "text.sigdb") << "no database";

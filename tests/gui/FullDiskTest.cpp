@@ -62,7 +62,7 @@ class FullDiskTest : public test::WindowFixture {
             write(disk / name);
             ADD_FAILURE() << "nothing was said";
         } catch (const irsg::InputError& error) {
-            EXPECT_EQ(error.offences().size(), 1U);
+            EXPECT_EQ(error.diagnostics().size(), 1U);
             EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
             EXPECT_TRUE(saysWhy(error.what())) << error.what();
         }

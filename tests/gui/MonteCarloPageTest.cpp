@@ -64,13 +64,14 @@ class WaitingSource : public ImageSource {
         wait();
         return source_->measure(bands);
     }
-    irsg::IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_cm1) override {
-        return source_->measureSpectrum(wavenumbers_cm1);
+    irsg::IntensitySpectrum
+    measureSpectrum(const std::vector<double>& wavenumbers_per_cm) override {
+        return source_->measureSpectrum(wavenumbers_per_cm);
     }
     std::unique_ptr<const irsg::ScaledView>
     scaledView(const std::vector<irsg::ScalingInput>& inputs,
-               const std::vector<double>& wavenumbers_cm1) override {
-        return source_->scaledView(inputs, wavenumbers_cm1);
+               const std::vector<double>& wavenumbers_per_cm) override {
+        return source_->scaledView(inputs, wavenumbers_per_cm);
     }
     std::vector<std::unique_ptr<const irsg::ScaledView>>
     scaledViews(const std::vector<irsg::ScalingInput>& inputs,

@@ -76,7 +76,7 @@ NodeRules emissivityRules() {
     return rules;
 }
 
-TEST(NodeRulesTest, SayRowColumnAndValueOfTheFirstOffence) {
+TEST(NodeRulesTest, SayRowColumnAndValueOfTheFirstDiagnostic) {
     const NodeRules rules = emissivityRules();
     EXPECT_EQ(rules.problemOf({{3, 0.5}, {5, 0.8}}), "");
     EXPECT_EQ(rules.problemOf({{3, 0.5}}), "at least 2 rows have to stay");

@@ -56,7 +56,8 @@ TEST(ResultPlotTest, NamesTheColumnsThereAreWhenOneIsMissing) {
         cartesianData({{"run", &table}}, "irradiance");
         FAIL();
     } catch (const irsg::InputError& error) {
-        EXPECT_NE(error.offences().front().expected.find("contrast_intensity"), std::string::npos);
+        EXPECT_NE(error.diagnostics().front().expected.find("contrast_intensity"),
+                  std::string::npos);
     }
     EXPECT_THROW(plottableQuantities(ResultTable()), irsg::InputError);
 }

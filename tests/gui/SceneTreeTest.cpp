@@ -172,7 +172,7 @@ TEST_F(SceneTreeTest, MarksFilesThatAreMissingAndTakesOthers) {
     EXPECT_TRUE(window->tree().index().front().databaseProblem.contains("vanished.sigdb"));
     test::keepScreenshot(*window, "window-missing-files");
 
-    // Enter on what is marked mends it, as a step to undo.
+    // Enter on what is marked repairs it, as a step to undo.
     told.clear();
     auto* tree = window->findChild<QTreeWidget*>("sceneTree");
     chosen = QString::fromStdString(

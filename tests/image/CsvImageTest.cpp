@@ -161,14 +161,14 @@ TEST(CsvImage, RefusesBadTextWithItsPlace) {
     }
 }
 
-TEST(CsvImage, CollectsOffencesButNotWithoutEnd) {
+TEST(CsvImage, CollectsDiagnosticsButNotWithoutEnd) {
     const test::TemporaryFolder folder;
     writeFileDurably(folder / "m.csv", "1,2\na,b\n3\n");
     try {
         readCsvImage(folder / "m.csv");
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().size(), 3U);
+        EXPECT_EQ(error.diagnostics().size(), 3U);
     }
     std::string text;
     for (int i = 0; i < 1000; ++i)
@@ -178,7 +178,7 @@ TEST(CsvImage, CollectsOffencesButNotWithoutEnd) {
         readCsvImage(folder / "m.csv");
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().size(), 20U);
+        EXPECT_EQ(error.diagnostics().size(), 20U);
     }
 }
 
@@ -192,7 +192,7 @@ TEST(CsvImage, ATableOfResultsIsRefusedInOneSentence) {
         readCsvImage(folder / "m.csv");
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().size(), 1U);
+        EXPECT_EQ(error.diagnostics().size(), 1U);
     }
 }
 

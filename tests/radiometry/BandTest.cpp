@@ -70,9 +70,9 @@ TEST(Band, csvInWavenumbersIsLinearInWavenumbers) {
     const Band band = bandOf("cm-1,response\n2000,0\n2500,1\n3000,0\n");
     EXPECT_DOUBLE_EQ(band.range().min_um, 1e4 / 3000.0);
     EXPECT_DOUBLE_EQ(band.range().max_um, 5.0);
-    for (double wavenumber_cm1 = 2001.0; wavenumber_cm1 < 3000.0; wavenumber_cm1 += 7.0) {
-        EXPECT_NEAR(band.responseAt(1e4 / wavenumber_cm1),
-                    1.0 - std::abs(wavenumber_cm1 - 2500.0) / 500.0, 1.1e-7);
+    for (double wavenumber_per_cm = 2001.0; wavenumber_per_cm < 3000.0; wavenumber_per_cm += 7.0) {
+        EXPECT_NEAR(band.responseAt(1e4 / wavenumber_per_cm),
+                    1.0 - std::abs(wavenumber_per_cm - 2500.0) / 500.0, 1.1e-7);
     }
 }
 
@@ -102,8 +102,8 @@ TEST_P(BandCsvRefuses, withFilePlaceAndExpectation) {
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr(path.string()));
         EXPECT_THAT(error.what(), HasSubstr(GetParam().message));
-        for (const Offence& offence : error.offences()) {
-            EXPECT_FALSE(offence.expected.empty());
+        for (const Diagnostic& diagnostic : error.diagnostics()) {
+            EXPECT_FALSE(diagnostic.expected.empty());
         }
     }
 }
@@ -142,14 +142,14 @@ TEST(BandCsv, refusesAFileThatIsNotThere) {
     EXPECT_THROW(Band::fromCsv("no/such/band.csv"), InputError);
 }
 
-TEST(BandCsv, namesEveryOffenceAtOnce) {
+TEST(BandCsv, namesEveryDiagnosticAtOnce) {
     try {
         bandOf("um,r\n3,x\n2,1\n4,-1\n");
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        ASSERT_EQ(error.offences().size(), 2u);
-        EXPECT_EQ(error.offences()[0].position, "line 2, column 2");
-        EXPECT_EQ(error.offences()[1].position, "line 4, column 2");
+        ASSERT_EQ(error.diagnostics().size(), 2u);
+        EXPECT_EQ(error.diagnostics()[0].position, "line 2, column 2");
+        EXPECT_EQ(error.diagnostics()[1].position, "line 4, column 2");
     }
 }
 

@@ -80,16 +80,16 @@ TEST(CsvTable, keepsEmptyCellsAndRowsOfDifferentLength) {
     EXPECT_TRUE(CsvTable::parse("", "f.csv").rows().empty());
 }
 
-TEST(CsvTable, turnsABadCellIntoAnOffence) {
+TEST(CsvTable, turnsABadCellIntoAnDiagnostic) {
     const CsvTable table = CsvTable::parse("x\n1,abc\n2,\n", "f.csv");
-    std::vector<Offence> offences;
-    EXPECT_EQ(table.number(table.rows()[1].cells[0], offences), 1.0);
-    EXPECT_FALSE(table.number(table.rows()[1].cells[1], offences));
-    EXPECT_FALSE(table.number(table.rows()[2].cells[1], offences, "a temperature in K"));
-    ASSERT_EQ(offences.size(), 2u);
-    EXPECT_EQ(offences[0].message(),
+    std::vector<Diagnostic> diagnostics;
+    EXPECT_EQ(table.number(table.rows()[1].cells[0], diagnostics), 1.0);
+    EXPECT_FALSE(table.number(table.rows()[1].cells[1], diagnostics));
+    EXPECT_FALSE(table.number(table.rows()[2].cells[1], diagnostics, "a temperature in K"));
+    ASSERT_EQ(diagnostics.size(), 2u);
+    EXPECT_EQ(diagnostics[0].message(),
               "f.csv: line 2, column 2: found 'abc', expected a finite number");
-    EXPECT_EQ(offences[1].message(),
+    EXPECT_EQ(diagnostics[1].message(),
               "f.csv: line 3, column 2: found nothing, expected a temperature in K");
 }
 
@@ -98,10 +98,10 @@ TEST(CsvTable, showsLongAndUnprintableTextInOneShortLine) {
     text += ",b\x01\x7f"
             "c\n";
     const CsvTable table = CsvTable::parse(text, "f.csv");
-    EXPECT_THAT(table.offence(table.rows()[0].cells[0], "").value,
+    EXPECT_THAT(table.diagnostic(table.rows()[0].cells[0], "").value,
                 testing::MatchesRegex("'a+\\.\\.\\.'"));
-    EXPECT_EQ(table.offence(table.rows()[0].cells[0], "").value.size(), 65u);
-    EXPECT_EQ(table.offence(table.rows()[0].cells[1], "").value, "'b??c'");
+    EXPECT_EQ(table.diagnostic(table.rows()[0].cells[0], "").value.size(), 65u);
+    EXPECT_EQ(table.diagnostic(table.rows()[0].cells[1], "").value, "'b??c'");
 }
 
 TEST(CsvTable, refusesWhatIsNotAReadableTextTable) {

@@ -4,45 +4,45 @@
 
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Offences.h"
+#include "irsg/radiometry/Diagnostics.h"
 
 using namespace irsg;
 
-TEST(Errors, anOffenceSaysWhatIsKnownAndNothingElse) {
-    EXPECT_EQ((Offence{"a.csv", "line 7", "'x'", "a number"}).message(),
+TEST(Errors, anDiagnosticSaysWhatIsKnownAndNothingElse) {
+    EXPECT_EQ((Diagnostic{"a.csv", "line 7", "'x'", "a number"}).message(),
               "a.csv: line 7: found 'x', expected a number");
-    EXPECT_EQ((Offence{"a.csv", "", "", "a readable file"}).message(),
+    EXPECT_EQ((Diagnostic{"a.csv", "", "", "a readable file"}).message(),
               "a.csv: expected a readable file");
-    EXPECT_EQ((Offence{"", "line 7", "'x'", ""}).message(), "line 7: found 'x'");
-    EXPECT_EQ((Offence{"a.csv", "", "", ""}).message(), "a.csv");
-    EXPECT_EQ((Offence{"", "", "'x'", "a number"}).message(), "found 'x', expected a number");
+    EXPECT_EQ((Diagnostic{"", "line 7", "'x'", ""}).message(), "line 7: found 'x'");
+    EXPECT_EQ((Diagnostic{"a.csv", "", "", ""}).message(), "a.csv");
+    EXPECT_EQ((Diagnostic{"", "", "'x'", "a number"}).message(), "found 'x', expected a number");
 }
 
-TEST(Errors, anInputErrorHoldsEveryOffenceAndPrintsOneALine) {
+TEST(Errors, anInputErrorHoldsEveryDiagnosticAndPrintsOneALine) {
     const InputError error({{"a", "1", "x", "y"}, {"a", "2", "u", "v"}});
-    EXPECT_EQ(error.offences().size(), 2u);
+    EXPECT_EQ(error.diagnostics().size(), 2u);
     EXPECT_STREQ(error.what(), "a: 1: found x, expected y\na: 2: found u, expected v");
-    EXPECT_THROW(InputError(std::vector<Offence>{}), LogicError);
+    EXPECT_THROW(InputError(std::vector<Diagnostic>{}), LogicError);
 }
 
-TEST(Errors, tellAHundredOffencesOfAFileAndHowManyMore) {
-    std::vector<Offence> offences(250, {"a.csv", "line 1", "x", "a number"});
-    offences.push_back({"b.csv", "", "nothing", "a table"});
-    // Whoever collects offences of several readers tells the same.
-    const InputError once(offences), again(once.offences());
+TEST(Errors, tellAHundredDiagnosticsOfAFileAndHowManyMore) {
+    std::vector<Diagnostic> diagnostics(250, {"a.csv", "line 1", "x", "a number"});
+    diagnostics.push_back({"b.csv", "", "nothing", "a table"});
+    // Whoever collects diagnostics of several readers tells the same.
+    const InputError once(diagnostics), again(once.diagnostics());
     for (const InputError* error : {&once, &again}) {
-        ASSERT_EQ(error->offences().size(), 102u);
-        EXPECT_EQ(error->offences()[100].message(), "b.csv: found nothing, expected a table");
-        EXPECT_EQ(error->offences()[101].message(), "a.csv: and 150 more");
+        ASSERT_EQ(error->diagnostics().size(), 102u);
+        EXPECT_EQ(error->diagnostics()[100].message(), "b.csv: found nothing, expected a table");
+        EXPECT_EQ(error->diagnostics()[101].message(), "a.csv: and 150 more");
     }
 }
 
-TEST(Errors, offencesAreFoldedWhileTheyAreCollected) {
-    std::vector<Offence> all, folded;
+TEST(Errors, diagnosticsAreFoldedWhileTheyAreCollected) {
+    std::vector<Diagnostic> all, folded;
     for (int line = 1; line <= 5000; ++line) {
         for (auto* list : {&all, &folded})
             list->push_back({"a.csv", "line " + std::to_string(line), "x", "a number"});
-        keepFirstOffences(folded);
+        keepFirstDiagnostics(folded);
         ASSERT_LE(folded.size(), 1000u);
     }
     EXPECT_STREQ(InputError(folded).what(), InputError(all).what());

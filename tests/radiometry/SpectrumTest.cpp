@@ -242,11 +242,11 @@ TEST_P(SpectrumRefuses, theAxisAndNamesTheFirstBadNode) {
         const Spectrum spectrum(row.wavelengths_um, row.values, Spectrum::Outside::hold, "paint");
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        ASSERT_EQ(error.offences().size(), 1u);
-        EXPECT_EQ(error.offences()[0].file, "paint");
-        EXPECT_EQ(error.offences()[0].position, row.position);
-        EXPECT_THAT(error.offences()[0].value, HasSubstr(row.found));
-        EXPECT_FALSE(error.offences()[0].expected.empty());
+        ASSERT_EQ(error.diagnostics().size(), 1u);
+        EXPECT_EQ(error.diagnostics()[0].file, "paint");
+        EXPECT_EQ(error.diagnostics()[0].position, row.position);
+        EXPECT_THAT(error.diagnostics()[0].value, HasSubstr(row.found));
+        EXPECT_FALSE(error.diagnostics()[0].expected.empty());
     }
 }
 

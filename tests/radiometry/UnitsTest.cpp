@@ -17,7 +17,7 @@ TEST(Units, celsiusStartsAt27315Kelvin) {
 
 TEST(Units, wavenumbersAndWavelengthsAreReciprocal) {
     EXPECT_DOUBLE_EQ(wavelengthFromWavenumber_um(2500.0), 4.0);
-    EXPECT_DOUBLE_EQ(wavenumberFromWavelength_cm1(4.0), 2500.0);
+    EXPECT_DOUBLE_EQ(wavenumberFromWavelength_per_cm(4.0), 2500.0);
 }
 
 TEST(Units, densitiesChangeByTheJacobian) {

@@ -16,8 +16,8 @@ TEST(DamagedMtf, IsRefusedByNameAndByteOffset) {
             MtfDatabase::fromBytes(damaged.bytes, "haze.mtf");
             ADD_FAILURE() << "was read";
         } catch (const InputError& error) {
-            ASSERT_FALSE(error.offences().empty());
-            const Offence& first = error.offences().front();
+            ASSERT_FALSE(error.diagnostics().empty());
+            const Diagnostic& first = error.diagnostics().front();
             EXPECT_EQ(first.file, "haze.mtf");
             EXPECT_EQ(first.position, damaged.position) << error.what();
             EXPECT_FALSE(first.value.empty());
@@ -26,7 +26,7 @@ TEST(DamagedMtf, IsRefusedByNameAndByteOffset) {
     }
 }
 
-TEST(DamagedMtf, TellsEveryOffenceUpToTwenty) {
+TEST(DamagedMtf, TellsEveryDiagnosticUpToTwenty) {
     std::string bytes = smallDatabase().bytes();
     for (std::size_t at = 40; at < bytes.size(); at += 8)
         putDouble(bytes, at, -3.0);
@@ -34,8 +34,8 @@ TEST(DamagedMtf, TellsEveryOffenceUpToTwenty) {
         MtfDatabase::fromBytes(bytes, "haze.mtf");
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().size(), 14u);
-        EXPECT_EQ(error.offences().back().position, "byte 144");
+        EXPECT_EQ(error.diagnostics().size(), 14u);
+        EXPECT_EQ(error.diagnostics().back().position, "byte 144");
     }
 }
 

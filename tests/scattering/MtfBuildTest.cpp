@@ -39,7 +39,7 @@ TEST(MtfBuild, MakesADatabaseThatCanBeRead) {
     const MtfDatabase read = MtfDatabase::read(file);
     EXPECT_NEAR(1e6 * read.header().particleDiameter_m, 10.0, 1e-9);
     EXPECT_NEAR(read.header().wavelength_um(), 10.0, 1e-9);
-    EXPECT_NEAR(read.values(1).front(), std::exp(2.0 * built.forwardShare), 1e-6);
+    EXPECT_NEAR(read.values(1).front(), std::exp(2.0 * built.forwardFraction), 1e-6);
     EXPECT_GT(built.asymmetry, 0.5);
 }
 
@@ -103,7 +103,7 @@ TEST(MtfBuild, RefusesAllThatIsWrongAtOnce) {
         buildMtf(wrong);
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().size(), 5u) << error.what();
+        EXPECT_EQ(error.diagnostics().size(), 5u) << error.what();
     }
 }
 

@@ -27,7 +27,7 @@ TEST(PhaseFunction, SumsToOneAndHasItsAsymmetry) {
     const PhaseFunction phase(angles, values);
     EXPECT_NEAR(phase.asymmetry(), g, 1e-6);
     const double forward = (1.0 - g * g) / (2.0 * g) * (1.0 / (1.0 - g) - 1.0 / std::hypot(1.0, g));
-    EXPECT_NEAR(phase.forwardShare(), forward, 1e-6);
+    EXPECT_NEAR(phase.forwardFraction(), forward, 1e-6);
     // Its cosine at a share, from the inverse of its sum.
     for (const double u : {0.1, 0.5, 0.9}) {
         const double s = (1.0 - g * g) / (1.0 + g - 2.0 * g * u);

@@ -36,9 +36,9 @@ class Mill {
             EXPECT_TRUE(model->bounds().valid()) << what;
         } catch (const InputError& error) {
             ++refused;
-            EXPECT_FALSE(error.offences().empty()) << what;
-            EXPECT_NE(error.offences().front().file, "") << what;
-            withByte += error.offences().front().position.starts_with("byte ");
+            EXPECT_FALSE(error.diagnostics().empty()) << what;
+            EXPECT_NE(error.diagnostics().front().file, "") << what;
+            withByte += error.diagnostics().front().position.starts_with("byte ");
         }
     }
 

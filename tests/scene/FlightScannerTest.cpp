@@ -174,7 +174,7 @@ TEST(FlightScanner, RefusesAReferenceThatLeadsNowhereNamingBothFiles) {
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("a.flt"));
         EXPECT_THAT(error.what(), HasSubstr("lost.flt"));
-        EXPECT_EQ(error.offences().front().position, file.positionOf(&SquareFile::group));
+        EXPECT_EQ(error.diagnostics().front().position, file.positionOf(&SquareFile::group));
     }
 }
 
@@ -214,7 +214,7 @@ TEST(FlightScanner, RefusesInstancesThatMultiplyWithoutEnd) {
     }
 }
 
-TEST(FlightScanner, ReportsEveryOffenceOfAFile) {
+TEST(FlightScanner, ReportsEveryDiagnosticOfAFile) {
     SquareFile file;
     file.drawType = 7;
     file.unit = 3;
@@ -224,7 +224,7 @@ TEST(FlightScanner, ReportsEveryOffenceOfAFile) {
         scanFlightBytes(file.bytes(), "three.flt");
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().size(), 3u);
+        EXPECT_EQ(error.diagnostics().size(), 3u);
     }
 }
 
@@ -251,8 +251,8 @@ TEST_P(BadFlight, IsRefusedWithTheByte) {
         scanFlightBytes(file.bytes(), "bad.flt");
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().front().file, "bad.flt");
-        EXPECT_EQ(error.offences().front().position, GetParam().position(file));
+        EXPECT_EQ(error.diagnostics().front().file, "bad.flt");
+        EXPECT_EQ(error.diagnostics().front().position, GetParam().position(file));
         EXPECT_THAT(error.what(), HasSubstr(GetParam().says));
     }
 }

@@ -14,7 +14,7 @@ constexpr IrCodes paint{1, 1}, glass{1, 2};
 std::vector<ModelEdge> edgesOf(const Mesh& mesh) {
     const auto model = modelOf(mesh);
     const auto items = collectDrawItems(*model);
-    return longEdges(items, boundingBall(items, model->bounds()).radius_m);
+    return longEdges(items, boundingSphere(items, model->bounds()).radius_m);
 }
 
 TEST(LongEdges, OfABoxAreItsTwelveAndNoDiagonals) {

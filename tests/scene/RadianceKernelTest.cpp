@@ -127,11 +127,11 @@ TEST(EveryWayToANumber, GivesTheSameNumber) {
         }
 
         // The spectrum integrates to the band.
-        std::vector<double> wavenumbers_cm1;
+        std::vector<double> wavenumbers_per_cm;
         constexpr int steps = 8000;
         for (int i = 0; i < steps; ++i) // in the middle of steps, on whose borders the gas begins
-            wavenumbers_cm1.push_back(1e4 / (3.0 + 2.0 * (i + 0.5) / steps));
-        const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_cm1);
+            wavenumbers_per_cm.push_back(1e4 / (3.0 + 2.0 * (i + 0.5) / steps));
+        const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_per_cm);
         double integral = 0.0;
         for (const double intensity_W_sr_um : spectrum.intensity_W_sr_um)
             integral += intensity_W_sr_um * 2.0 / steps;
@@ -406,7 +406,7 @@ TEST(AirOfASweep, IsAskedOnceForAPathThatItsCasesShare) {
         mutable long asked = 0;
 
       protected:
-        Spectrum nativeSpectrum(const AirQuestion& question,
+        Spectrum nativeSpectrum(const AtmosphericQuery& question,
                                 const SpectralRange& range) const override {
             ++asked;
             return ConstantAir::nativeSpectrum(question, range);

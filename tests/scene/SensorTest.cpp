@@ -136,7 +136,7 @@ TEST(Sensor, NamesAllThatIsWrongAtOnce) {
         sensorOf(0, 0, 200).check();
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.offences().size(), 3U);
+        EXPECT_EQ(error.diagnostics().size(), 3U);
     }
 }
 

@@ -20,7 +20,7 @@ const Band midwave = Band::topHat(3.0, 5.0);
 /// not.
 class TwoBandAir : public ConstantAir {
   protected:
-    Spectrum nativeSpectrum(const AirQuestion& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& question,
                             const SpectralRange& range) const override {
         if (question.quantity != AtmosphereProperty::transmittance)
             return ConstantAir::nativeSpectrum(question, range);
@@ -35,8 +35,8 @@ Environment tabulatedAir(const std::vector<SpectralRange>& ranges) {
     Environment environment;
     for (const SpectralRange& range : ranges) {
         std::vector<SpectralRun> runs;
-        for (const AirPath& path :
-             {AirPath{1000.0, 1000.0, 100.0}, AirPath{1000.0, 1000.0, 200.0}}) {
+        for (const AtmosphericPath& path :
+             {AtmosphericPath{1000.0, 1000.0, 100.0}, AtmosphericPath{1000.0, 1000.0, 200.0}}) {
             SpectralRun run;
             run.source = "table";
             run.kind = RunKind::thermalRadiance;
@@ -44,9 +44,9 @@ Environment tabulatedAir(const std::vector<SpectralRange>& ranges) {
             run.geometry.targetAltitude_m = path.targetAltitude_m;
             run.geometry.range_m = path.range_m;
             for (int i = 0; i <= 10; ++i)
-                run.wavenumbers_cm.push_back(std::lerp(wavenumberFromWavelength_cm1(range.max_um),
-                                                       wavenumberFromWavelength_cm1(range.min_um),
-                                                       i / 10.0));
+                run.wavenumbers_per_cm.push_back(
+                    std::lerp(wavenumberFromWavelength_per_cm(range.max_um),
+                              wavenumberFromWavelength_per_cm(range.min_um), i / 10.0));
             run.transmittance.assign(11, 0.5);
             run.pathRadiance_W_m2_sr_um.assign(11, 2.0);
             run.totalRadiance_W_m2_sr_um.assign(11, 3.0);
@@ -90,18 +90,18 @@ TEST(IntensitySpectrumOfASphere, IsPlancksLawTimesItsArea) {
     irsg.setEnvironment(environmentOf(ConstantAir{}));
     irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.9, 450.0))});
     look(irsg, {.range_m = 1000.0, .width_px = 200, .height_px = 200, .fieldOfView_rad = 0.0024});
-    const std::vector<double> wavenumbers_cm1{2000.0, 3333.0, 2500.0, 2100.5};
-    const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_cm1);
+    const std::vector<double> wavenumbers_per_cm{2000.0, 3333.0, 2500.0, 2100.5};
+    const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_per_cm);
 
-    EXPECT_EQ(spectrum.wavenumbers_cm1, wavenumbers_cm1) << "in the order that was asked for";
+    EXPECT_EQ(spectrum.wavenumbers_per_cm, wavenumbers_per_cm) << "in the order that was asked for";
     const Vec3 from = irsg.viewpoint().position_m - irsg.referencePoint(0);
     const double area_m2 = convexSolidAngle_sr(mesh, from) * dot(from, from);
-    for (std::size_t i = 0; i < wavenumbers_cm1.size(); ++i) {
+    for (std::size_t i = 0; i < wavenumbers_per_cm.size(); ++i) {
         const double expected =
-            0.9 * planckRadiance_W_m2_sr_um(1e4 / wavenumbers_cm1[i], 450.0) * area_m2;
+            0.9 * planckRadiance_W_m2_sr_um(1e4 / wavenumbers_per_cm[i], 450.0) * area_m2;
         EXPECT_NEAR(spectrum.intensity_W_sr_um[i] / expected, 1.0, 1e-3);
         EXPECT_NEAR(spectrum.intensity_W_sr_um[i] / spectrum.intensity_W_sr_um[0],
-                    planckRadiance_W_m2_sr_um(1e4 / wavenumbers_cm1[i], 450.0) /
+                    planckRadiance_W_m2_sr_um(1e4 / wavenumbers_per_cm[i], 450.0) /
                         planckRadiance_W_m2_sr_um(5.0, 450.0),
                     1e-9);
     }
@@ -117,12 +117,12 @@ TEST(IntensitySpectrumOfAScene, IntegratesToItsInBandIntensity) {
     irsg.setEntities({entityOf(modelOf(boxMesh({1, 2, 1}, std::vector<IrCodes>(6, one))),
                                greyDatabase(0.7, 330.0))});
     look(irsg, {.azimuth_rad = 0.4, .fieldOfView_rad = 0.08});
-    std::vector<double> wavelengths_um, wavenumbers_cm1;
+    std::vector<double> wavelengths_um, wavenumbers_per_cm;
     for (int i = 0; i <= 4000; ++i) {
         wavelengths_um.push_back(3.0 + i * 2.0 / 4000.0);
-        wavenumbers_cm1.push_back(1e4 / wavelengths_um.back());
+        wavenumbers_per_cm.push_back(1e4 / wavelengths_um.back());
     }
-    const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_cm1);
+    const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_per_cm);
     double integral = 0.0;
     for (std::size_t i = 1; i < wavelengths_um.size(); ++i)
         integral +=
@@ -143,27 +143,27 @@ TEST(IntensitySpectrumOfAScene, ReachesTheEndsOfATable) {
         settings.background_W_m2_sr = 0.0;
         irsg.setSettings(settings);
 
-        std::vector<double> wavenumbers_cm1;
+        std::vector<double> wavenumbers_per_cm;
         for (int i = 0; i <= 40; ++i)
-            wavenumbers_cm1.push_back(
-                wavenumberFromWavelength_cm1(std::lerp(range.max_um, range.min_um, i / 40.0)));
-        wavenumbers_cm1.front() = 1e4 / range.max_um;
-        wavenumbers_cm1.back() = 1e4 / range.min_um;
+            wavenumbers_per_cm.push_back(
+                wavenumberFromWavelength_per_cm(std::lerp(range.max_um, range.min_um, i / 40.0)));
+        wavenumbers_per_cm.front() = 1e4 / range.max_um;
+        wavenumbers_per_cm.back() = 1e4 / range.min_um;
         irsg.setEnvironment(Environment::vacuum());
-        const IntensitySpectrum bare = irsg.measureSpectrum(wavenumbers_cm1);
+        const IntensitySpectrum bare = irsg.measureSpectrum(wavenumbers_per_cm);
         irsg.setEnvironment(tabulatedAir({range}));
-        const IntensitySpectrum all = irsg.measureSpectrum(wavenumbers_cm1);
+        const IntensitySpectrum all = irsg.measureSpectrum(wavenumbers_per_cm);
         const double area_m2 =
             bare.intensity_W_sr_um[0] / (0.9 * planckRadiance_W_m2_sr_um(range.max_um, 450.0));
-        for (std::size_t i = 0; i < wavenumbers_cm1.size(); ++i)
+        for (std::size_t i = 0; i < wavenumbers_per_cm.size(); ++i)
             EXPECT_NEAR(all.intensity_W_sr_um[i] /
                             (0.5 * bare.intensity_W_sr_um[i] + 2.0 * area_m2),
                         1.0, 1e-6)
-                << wavenumbers_cm1[i];
+                << wavenumbers_per_cm[i];
 
         // One wavelength is a spectrum, too: at both ends and between.
-        for (const std::size_t i : {std::size_t{0}, std::size_t{17}, wavenumbers_cm1.size() - 1})
-            EXPECT_NEAR(irsg.measureSpectrum({wavenumbers_cm1[i]}).intensity_W_sr_um.at(0) /
+        for (const std::size_t i : {std::size_t{0}, std::size_t{17}, wavenumbers_per_cm.size() - 1})
+            EXPECT_NEAR(irsg.measureSpectrum({wavenumbers_per_cm[i]}).intensity_W_sr_um.at(0) /
                             all.intensity_W_sr_um[i],
                         1.0, 1e-6);
 

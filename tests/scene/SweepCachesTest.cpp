@@ -33,7 +33,7 @@ class SensitiveAir : public Atmosphere {
     }
 
   protected:
-    Spectrum nativeSpectrum(const AirQuestion& question, const SpectralRange&) const override {
+    Spectrum nativeSpectrum(const AtmosphericQuery& question, const SpectralRange&) const override {
         const auto& numbers = question.key(true).numbers;
         double depth = 0.0;
         const double weights[] = {3e-5, 2e-5, 3e-3, 0.2, 0.1, 0.3, 0.4};
@@ -226,7 +226,7 @@ TEST(CachesOfASweep, AreSeenByNobodyInTheTurnOfAnAspect) {
 
 TEST(SampledScenes, AreFoundAgainOnlyWhereTheAirIsTheSame) {
     const Case base = first();
-    AirAnswers answers;
+    AtmosphericQueryCache answers;
     answers.setEnvironment(base.scene.environment);
     SceneSampling sampling;
     SampledScenes scenes;

@@ -12,7 +12,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
-#include "irsg/scene/radiance/WidebandTerms.h"
+#include "irsg/scene/radiance/WidebandPoints.h"
 #include "irsg/signature/SignatureFile.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/SceneSpectra.h"
@@ -83,8 +83,8 @@ TEST(WidebandRadiometry, MultipliesMonochromaticallyAtEveryTerm) {
     const ObjectGeometry geometry = geometryOf({1500.0, 1000.0, 3000.0});
     RenderSettings settings;
     settings.sun = settings.fluxes = ReflectionMode::off;
-    const auto terms = std::make_shared<const WidebandTerms>(environment, Band::topHat(3.0, 5.0),
-                                                             widebandSpectraOf(entities));
+    const auto terms = std::make_shared<const WidebandPoints>(environment, Band::topHat(3.0, 5.0),
+                                                              widebandSpectraOf(entities));
     const SceneRadiometry scene =
         atTerms(environment, entities, {geometry}, settings, {1500.0, -0.1, 0.0}, terms);
 
@@ -116,10 +116,11 @@ TEST_P(WidebandScenes, ReflectAsIfMultipliedAtEveryNodeOfTheBand) {
     const RadiativeTransfer& transfer = smart->transfer();
     const NodeSet nodes = transfer.nodesOf(range);
     const std::vector<Entity> entities{entityOf(ball(), greyDatabase(0.6, 300.0))};
-    const auto terms = std::make_shared<const WidebandTerms>(environment, GetParam().band(),
-                                                             widebandSpectraOf(entities));
-    for (const AirPath& path : {AirPath{1000.0, 1000.0, 500.0}, AirPath{3300.0, 1000.0, 3000.0},
-                                AirPath{2200.0, 1000.0, 4000.0}}) {
+    const auto terms = std::make_shared<const WidebandPoints>(environment, GetParam().band(),
+                                                              widebandSpectraOf(entities));
+    for (const AtmosphericPath& path :
+         {AtmosphericPath{1000.0, 1000.0, 500.0}, AtmosphericPath{3300.0, 1000.0, 3000.0},
+          AtmosphericPath{2200.0, 1000.0, 4000.0}}) {
         const SceneRadiometry scene =
             atTerms(environment, entities, {geometryOf(path)}, RenderSettings{},
                     {path.sensorAltitude_m, -0.1, 0.0}, terms);
@@ -168,8 +169,8 @@ TEST(WidebandTermsOfAScene, AreThoseOfAGasHoweverFaintItIs) {
     const Spectrum faint = bright.mapped([](double radiance) { return radiance / 65536.0; });
     ASSERT_GT(bright.maximum(), 1.0);
     ASSERT_LT(faint.maximum(), 1.0);
-    const WidebandTerms terms(environment, band, {{}, {bright}});
-    EXPECT_EQ(WidebandTerms(environment, band, {{}, {faint}}).data().weights_um(),
+    const WidebandPoints terms(environment, band, {{}, {bright}});
+    EXPECT_EQ(WidebandPoints(environment, band, {{}, {faint}}).data().weights_um(),
               terms.data().weights_um());
 }
 

@@ -29,12 +29,12 @@ TEST(CopyEntries, RefusesWhatIsTakenAndWhatIsNotThereAllAtOnce) {
     to.materials[3].name = "something else";
     to.spectra["plume core"].name = "plume core";
     const SignatureDatabase before = to;
-    const auto offences = refusalOf([&] {
+    const auto diagnostics = refusalOf([&] {
         copied(to, {.temperatures = {2147483647, 5}, .materials = {3, 4}, .spectra = {"absent"}});
     });
     std::string all;
-    for (const Offence& offence : offences) {
-        all += offence.file + " " + offence.position + "\n";
+    for (const Diagnostic& diagnostic : diagnostics) {
+        all += diagnostic.file + " " + diagnostic.position + "\n";
     }
     EXPECT_EQ(all, "from.sigdb spectra.absent\nto.sigdb spectra.plume core\n"
                    "from.sigdb temperatures.5\nto.sigdb materials.3\nfrom.sigdb materials.4\n");

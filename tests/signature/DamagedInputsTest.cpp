@@ -97,10 +97,10 @@ const std::string& micrometreText() {
 const std::string& blackbodyText() {
     static const std::string text = [] {
         std::string made = "# unit: W cm-2 sr-1 (cm-1)-1\ncm-1,BB(T1)\n";
-        for (int wavenumber_cm1 = 1900; wavenumber_cm1 <= 3300; wavenumber_cm1 += 50) {
-            const double wavelength_um = 1e4 / wavenumber_cm1;
+        for (int wavenumber_per_cm = 1900; wavenumber_per_cm <= 3300; wavenumber_per_cm += 50) {
+            const double wavelength_um = 1e4 / wavenumber_per_cm;
             char line[64];
-            std::snprintf(line, sizeof line, "%d,%.2e\n", wavenumber_cm1,
+            std::snprintf(line, sizeof line, "%d,%.2e\n", wavenumber_per_cm,
                           planckRadiance_W_m2_sr_um(wavelength_um, 600.0) * wavelength_um *
                               wavelength_um * 1e-8);
             made += line;
@@ -157,9 +157,9 @@ std::string complaintAbout(Kind kind, const fs::path& file) {
         const auto findings = lint(database);
         return findings.empty() ? ""
                                 : "found: " + findings[0].place + ": " + findings[0].value + "; " +
-                                      findings[0].repair;
+                                      findings[0].remedy;
     } catch (const InputError& error) {
-        const Offence& first = error.offences().front();
+        const Diagnostic& first = error.diagnostics().front();
         return "refused: " + first.position + ": " + first.value + ", expected " + first.expected;
     }
 }

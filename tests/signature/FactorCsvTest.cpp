@@ -96,17 +96,17 @@ TEST_P(RefusedFactorCsv, NamesFilePlaceValueAndExpectationAndChangesNothing) {
     const fs::path file = writeBytes(folder / "bad.csv", row.text);
     const ComponentFactors before = {{"H2O", 0.25, {}, {}}};
     ComponentFactors factors = before;
-    const auto offences =
+    const auto diagnostics =
         refusalOf([&] { readFactorCsv(file, row.axis, row.loop, report(), factors); });
     EXPECT_TRUE(factors == before);
     bool found = false;
     std::string all;
-    for (const Offence& offence : offences) {
-        EXPECT_EQ(offence.file, file.string());
-        all += offence.message() + "\n";
-        found |= offence.position == row.position &&
-                 offence.value.find(row.value) != std::string::npos &&
-                 offence.expected.find(row.expected) != std::string::npos;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        EXPECT_EQ(diagnostic.file, file.string());
+        all += diagnostic.message() + "\n";
+        found |= diagnostic.position == row.position &&
+                 diagnostic.value.find(row.value) != std::string::npos &&
+                 diagnostic.expected.find(row.expected) != std::string::npos;
     }
     EXPECT_TRUE(found) << all;
 }

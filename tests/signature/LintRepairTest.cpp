@@ -16,7 +16,7 @@ std::string listOf(const std::vector<Finding>& findings) {
     std::string text;
     for (const Finding& finding : findings) {
         text += finding.place + ": " + finding.value + ": " + finding.reason + "; " +
-                finding.repair + "\n";
+                finding.remedy + "\n";
     }
     return text;
 }
@@ -29,7 +29,7 @@ struct Row {
     Spoil spoil;
     const char* place;
     const char* repair;
-    Spoil mended; ///< done to the good database; what else the repair writes is compared apart
+    Spoil repaired; ///< done to the good database; what else the repair writes is compared apart
 };
 
 TemperatureTerms& terms(SignatureDatabase& d) {
@@ -235,7 +235,7 @@ void expectAlike(const SignatureDatabase& a, const SignatureDatabase& b) {
     }
 }
 
-TEST_P(Repairs, MendWhatTheyAreAbout) {
+TEST_P(Repairs, RepairWhatTheyAreAbout) {
     const LintScope scope{.bands = {{4.0, 5.0}}};
     SignatureDatabase database = completeDatabase();
     GetParam().spoil(database);
@@ -243,22 +243,22 @@ TEST_P(Repairs, MendWhatTheyAreAbout) {
     const auto findings = lint(database, scope);
     ASSERT_GE(findings.size(), 1U);
     EXPECT_EQ(findings[0].place, GetParam().place) << listOf(findings);
-    EXPECT_THAT(findings[0].repair, HasSubstr(GetParam().repair)) << listOf(findings);
-    ASSERT_TRUE(findings[0].mend) << listOf(findings);
+    EXPECT_THAT(findings[0].remedy, HasSubstr(GetParam().repair)) << listOf(findings);
+    ASSERT_TRUE(findings[0].repair) << listOf(findings);
     EXPECT_TRUE(findings[0].place.starts_with(findings[0].entry));
 
-    const auto mended = repairAll(database, scope);
-    EXPECT_GE(mended.size(), 1U);
+    const auto repaired = repairAll(database, scope);
+    EXPECT_GE(repaired.size(), 1U);
     EXPECT_EQ(listOf(lint(database, scope)), "");
     if (std::string(GetParam().name) != "LoopThatJumps") {
         SignatureDatabase expected = completeDatabase();
-        GetParam().mended(expected);
+        GetParam().repaired(expected);
         expectAlike(database, expected);
     }
 
     // A repair whose entry is gone changes nothing.
     SignatureDatabase empty;
-    findings[0].mend(empty);
+    findings[0].repair(empty);
     EXPECT_TRUE(empty == SignatureDatabase{});
     EXPECT_FALSE(database == spoilt);
 }
@@ -275,9 +275,9 @@ TEST(LintRepair, LeavesChoicesAndDeletionsToAPerson) {
     EXPECT_TRUE(database == before);
     const auto findings = lint(database);
     ASSERT_EQ(findings.size(), 2U) << listOf(findings);
-    EXPECT_FALSE(findings[0].mend);
+    EXPECT_FALSE(findings[0].repair);
     EXPECT_TRUE(findings[1].removes);
-    findings[1].mend(database);
+    findings[1].repair(database);
     EXPECT_EQ(lint(database).size(), 1U);
 }
 
@@ -287,8 +287,8 @@ TEST(LintRepair, TellsNanometresFromWavenumbersByTheBandAndElseNamesBoth) {
     database.materials[0].emissivity = Spectrum({2500, 3300}, {0.9, 0.8});
     const auto open = lint(database);
     ASSERT_EQ(open.size(), 1U) << listOf(open);
-    EXPECT_THAT(open[0].repair, HasSubstr("cm-1 or nm"));
-    EXPECT_FALSE(open[0].mend);
+    EXPECT_THAT(open[0].remedy, HasSubstr("cm-1 or nm"));
+    EXPECT_FALSE(open[0].repair);
 
     SignatureDatabase asWavenumbers = database;
     repairAll(asWavenumbers, {.bands = {{3.4, 4.1}}});
@@ -346,9 +346,9 @@ TEST(LintRepair, KnowsADensityPerWavenumberByTheShapeOfAGreyBody) {
             });
             const auto findings = lint(database);
             ASSERT_EQ(findings.size(), 1U) << temperature_K << forgotten;
-            EXPECT_THAT(findings[0].repair, HasSubstr(forgotten ? "per cm-1 read as one per um"
+            EXPECT_THAT(findings[0].remedy, HasSubstr(forgotten ? "per cm-1 read as one per um"
                                                                 : "per um read as one per cm-1"));
-            ASSERT_TRUE(findings[0].mend);
+            ASSERT_TRUE(findings[0].repair);
         }
     }
 }
@@ -357,13 +357,13 @@ TEST(LintRepair, MultipliesTheUnitThatIsSuspectedAndSaysSoInTheNotes) {
     for (const double factor : {1e-4, 1e4}) {
         SignatureDatabase database;
         database.spectra["bb"] = greyBody(600.0, 1.0, [&](double) { return factor; });
-        const auto mended = repairAll(database);
-        ASSERT_EQ(mended.size(), 1U);
+        const auto repaired = repairAll(database);
+        ASSERT_EQ(repaired.size(), 1U);
         EXPECT_EQ(listOf(lint(database)), "");
         EXPECT_NEAR(database.spectra["bb"].components[0].radiance.at(4.0),
                     planckRadiance_W_m2_sr_um(4.0, 600.0),
                     0.01 * planckRadiance_W_m2_sr_um(4.0, 600.0));
-        EXPECT_THAT(database.spectra["bb"].notes, HasSubstr("mended by lint"));
+        EXPECT_THAT(database.spectra["bb"].notes, HasSubstr("repaired by lint"));
     }
 }
 

@@ -46,7 +46,7 @@ class LintScalings : public testing::Test {
         }
         EXPECT_EQ(all.front().place, place);
         EXPECT_FALSE(all.front().value.empty());
-        EXPECT_FALSE(all.front().repair.empty());
+        EXPECT_FALSE(all.front().remedy.empty());
         return all.front();
     }
 
@@ -71,7 +71,7 @@ TEST_F(LintScalings, NameAnEmissivityThatLeavesOne) {
     EXPECT_EQ(found.entry, "materials.1");
     EXPECT_EQ(found.value, "emissivity 0.8, times 1.3: 1.04");
     EXPECT_THAT(found.reason, HasSubstr("at most 1"));
-    EXPECT_EQ(found.repair, "max of at most 1.25");
+    EXPECT_EQ(found.remedy, "max of at most 1.25");
     EXPECT_FALSE(found.isError());
 
     scalings.scalings.emissivities.clear();
@@ -79,7 +79,7 @@ TEST_F(LintScalings, NameAnEmissivityThatLeavesOne) {
     found = only(emissivityScales + " 2");
     EXPECT_THAT(found.value, HasSubstr("0.3 at 5 um, times 1.5: 0.45"));
     EXPECT_THAT(found.reason, HasSubstr("at most 0.4, one less transmissivity"));
-    EXPECT_THAT(found.repair, HasSubstr("1.3333"));
+    EXPECT_THAT(found.remedy, HasSubstr("1.3333"));
 
     // Nodes of the transmissivity alone count, too.
     scalings.scalings.emissivities.clear();
@@ -98,7 +98,7 @@ TEST_F(LintScalings, NameAnEmissivityThatLeavesOne) {
 
     scalings.scalings.emissivities.clear();
     paint(1, 90.0, 110.0);
-    EXPECT_EQ(only(emissivityScales + " 1").repair, "divide min and max by 100");
+    EXPECT_EQ(only(emissivityScales + " 1").remedy, "divide min and max by 100");
 }
 
 TEST_F(LintScalings, NameATemperatureThatNoSurfaceHas) {
@@ -106,11 +106,11 @@ TEST_F(LintScalings, NameATemperatureThatNoSurfaceHas) {
     Finding found = only(temperatureScales + " 1");
     EXPECT_EQ(found.value, "300 K at rest, times 0.1: 30 K");
     EXPECT_THAT(found.reason, HasSubstr("100 to 4000 K"));
-    EXPECT_THAT(found.repair, HasSubstr("min of at least 0.333"));
+    EXPECT_THAT(found.remedy, HasSubstr("min of at least 0.333"));
     heat(1, 0.9, 14.0);
     EXPECT_THAT(only(temperatureScales + " 1").value, HasSubstr("4200 K"));
     heat(1, 95.0, 105.0);
-    EXPECT_EQ(only(temperatureScales + " 1").repair, "divide min and max by 100");
+    EXPECT_EQ(only(temperatureScales + " 1").remedy, "divide min and max by 100");
     heat(1, 20.0, 20.0);
     EXPECT_THAT(only(temperatureScales + " 1").value, HasSubstr("6000 K")) << "fixed, but not at 1";
     // What the terms alone make impossible is theirs, and told once.
@@ -156,7 +156,7 @@ TEST_F(LintScalings, NameDistributionsThatDoNotFillTheirEnds) {
     }
 }
 
-TEST_F(LintScalings, NameEveryOffenceOfAFileThatCannotBeRead) {
+TEST_F(LintScalings, NameEveryDiagnosticOfAFileThatCannotBeRead) {
     const TemporaryFolder folder;
     const auto file = [&](const std::string& parameters) {
         writeBytes(folder / temperatureScales,
@@ -185,7 +185,7 @@ TEST_F(LintScalings, NameEveryOffenceOfAFileThatCannotBeRead) {
         EXPECT_TRUE(all.front().isError()) << numbers;
         EXPECT_THAT(all.front().place, HasSubstr(temperatureScales + ", line")) << numbers;
         EXPECT_THAT(all.front().value + all.front().reason, HasSubstr(value)) << numbers;
-        EXPECT_FALSE(all.front().repair.empty());
+        EXPECT_FALSE(all.front().remedy.empty());
     }
     // Shape parameters that the distribution does not have, in number or value.
     for (const char* numbers :
@@ -208,7 +208,7 @@ TEST_F(LintScalings, AreReadBesideTheModelWhereTheyAre) {
     const TemporaryFolder folder;
     ScalingUse none = scalingUseOf(folder / "ship.flt");
     EXPECT_TRUE(none.scalings.empty());
-    EXPECT_TRUE(none.offences.empty());
+    EXPECT_TRUE(none.diagnostics.empty());
     createScalingFiles(folder / "ship.flt", database);
     const ScalingUse made = scalingUseOf(folder / "ship.flt");
     EXPECT_EQ(made.temperatureFile, temperatureScales);
@@ -223,7 +223,7 @@ TEST(LintScalingsOfSamples, CanBeRead) {
     for (const auto& folder : std::filesystem::directory_iterator(samples)) {
         const auto model = folder.path() / (folder.path().filename().string() + ".flt");
         const ScalingUse scalings = scalingUseOf(model);
-        EXPECT_TRUE(scalings.offences.empty()) << model;
+        EXPECT_TRUE(scalings.diagnostics.empty()) << model;
         files += hasScalingFiles(model);
     }
     EXPECT_GT(files, 0);

@@ -73,7 +73,7 @@ TEST(LintScope, NamesEntriesAndSpectraThatNothingUsesAndDeletesOnlyWhenAsked) {
     for (const Finding& finding : findings) {
         EXPECT_FALSE(finding.isError());
         EXPECT_TRUE(finding.removes);
-        finding.mend(database);
+        finding.repair(database);
     }
     EXPECT_FALSE(database.temperatures.contains(2147483647));
     EXPECT_FALSE(database.materials.contains(3));

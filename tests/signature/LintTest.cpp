@@ -71,7 +71,7 @@ TEST_P(Finds, OneThingAndNothingElse) {
     EXPECT_EQ(findings[0].severity, GetParam().severity);
     EXPECT_EQ(findings[0].place, GetParam().place);
     EXPECT_THAT(findings[0].value, testing::HasSubstr(GetParam().value));
-    EXPECT_THAT(findings[0].reason + " " + findings[0].repair,
+    EXPECT_THAT(findings[0].reason + " " + findings[0].remedy,
                 testing::HasSubstr(GetParam().reason));
 }
 

@@ -89,13 +89,13 @@ class RefusedLookupTable : public testing::TestWithParam<BadTable> {};
 
 TEST_P(RefusedLookupTable, NamesTheNodeAndTheValue) {
     const BadTable& row = GetParam();
-    const auto offences =
+    const auto diagnostics =
         refusalOf([&] { LookupTable(row.x, row.y, row.loop, "power of the cowl"); });
-    ASSERT_EQ(offences.size(), 1U);
-    EXPECT_EQ(offences[0].file, "power of the cowl");
-    EXPECT_EQ(offences[0].position, row.position);
-    EXPECT_EQ(offences[0].value, row.value);
-    EXPECT_THAT(offences[0].expected, testing::HasSubstr(row.expected));
+    ASSERT_EQ(diagnostics.size(), 1U);
+    EXPECT_EQ(diagnostics[0].file, "power of the cowl");
+    EXPECT_EQ(diagnostics[0].position, row.position);
+    EXPECT_EQ(diagnostics[0].value, row.value);
+    EXPECT_THAT(diagnostics[0].expected, testing::HasSubstr(row.expected));
 }
 
 INSTANTIATE_TEST_SUITE_P(

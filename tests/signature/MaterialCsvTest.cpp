@@ -79,12 +79,12 @@ TEST_P(BadMaterialCsv, IsRefusedWithItsPlaceAndChangesNothing) {
     const TemporaryFolder folder;
     const auto file = writeBytes(folder / "bad.csv", GetParam().text);
     Material material = completeDatabase().materials.at(3);
-    const auto offences = refusalOf([&] { readMaterialCsv(file, material); });
-    ASSERT_FALSE(offences.empty());
-    EXPECT_EQ(offences[0].file, file.string());
-    EXPECT_EQ(offences[0].position, GetParam().position);
-    EXPECT_THAT(offences[0].value, HasSubstr(GetParam().value));
-    EXPECT_THAT(offences[0].expected, HasSubstr(GetParam().expected));
+    const auto diagnostics = refusalOf([&] { readMaterialCsv(file, material); });
+    ASSERT_FALSE(diagnostics.empty());
+    EXPECT_EQ(diagnostics[0].file, file.string());
+    EXPECT_EQ(diagnostics[0].position, GetParam().position);
+    EXPECT_THAT(diagnostics[0].value, HasSubstr(GetParam().value));
+    EXPECT_THAT(diagnostics[0].expected, HasSubstr(GetParam().expected));
     EXPECT_TRUE(material == completeDatabase().materials.at(3));
 }
 

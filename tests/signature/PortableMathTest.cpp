@@ -10,7 +10,7 @@
 
 #include "irsg/signature/random/LogTails.h"
 #include "irsg/signature/random/Philox.h"
-#include "irsg/signature/random/StableLaw.h"
+#include "irsg/signature/random/StableDistribution.h"
 
 namespace irsg {
 
@@ -98,8 +98,8 @@ TEST(LogTails, goOnWhereTheProbabilityIsZeroInDoublePrecision) {
     }
 }
 
-TEST(StableLaw, isLevysOwnTheNormalAndTheCauchyDistributionInItsSpecialCases) {
-    const StableLaw levy(0.5, 1.0), mirrored(0.5, -1.0), gauss(2.0, 0.0), cauchy(1.0, 0.0);
+TEST(StableDistribution, isLevysOwnTheNormalAndTheCauchyDistributionInItsSpecialCases) {
+    const StableDistribution levy(0.5, 1.0), mirrored(0.5, -1.0), gauss(2.0, 0.0), cauchy(1.0, 0.0);
     const boost::math::normal normal(0.0, std::sqrt(2.0));
     for (const double z : {0.003, 0.05, 0.4, 1.0, 7.0, 1e4, 1e12}) {
         // F(z) = erfc(sqrt(1 / (2 z))).

@@ -93,9 +93,9 @@ TEST(ScalingXml, writesBothFilesOnceAndNeverTouchesOneThatIsThere) {
 
 TEST(ScalingXml, saysWhereAFileCannotBeWritten) {
     const TemporaryFolder folder;
-    const auto offences =
+    const auto diagnostics =
         refusalOf([&] { createScalingFiles(folder / "no" / "such" / "ship.flt", small()); });
-    EXPECT_EQ(offences.front().value, "a folder that does not exist");
+    EXPECT_EQ(diagnostics.front().value, "a folder that does not exist");
 }
 
 TEST(ScalingXml, bringsParametersOfOnesOwnThroughTheFile) {
@@ -135,10 +135,10 @@ TEST(ScalingXml, refusesWhatNoScaleCanBeWithItsLine) {
          "expected 2"},
     };
     for (const auto& row : rows) {
-        const auto offences = refusalOf([&] { read(row.parameters, row.kind); });
-        ASSERT_FALSE(offences.empty()) << row.name;
-        EXPECT_THAT(offences.front().message(), HasSubstr(row.says)) << row.name;
-        EXPECT_THAT(offences.front().position, HasSubstr("line ")) << row.name;
+        const auto diagnostics = refusalOf([&] { read(row.parameters, row.kind); });
+        ASSERT_FALSE(diagnostics.empty()) << row.name;
+        EXPECT_THAT(diagnostics.front().message(), HasSubstr(row.says)) << row.name;
+        EXPECT_THAT(diagnostics.front().position, HasSubstr("line ")) << row.name;
     }
     EXPECT_EQ(refusalOf([&] {
                   read(scale("a", "1 1 0") + scale("1", "2 1 0") + scale("2", "1 1 99"));

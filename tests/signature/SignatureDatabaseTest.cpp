@@ -12,7 +12,7 @@ TEST(SignatureDatabase, ReflectivityIsWhatTheOthersLeave) {
     const Material glass = completeDatabase().materials.at(3);
     EXPECT_DOUBLE_EQ(glass.reflectivityAt(2.0), 1.0 - 0.1 - 0.85);
     EXPECT_DOUBLE_EQ(glass.reflectivityAt(4.75), 1.0 - 0.55 - 0.35);
-    EXPECT_DOUBLE_EQ(glass.reflectivityAt(1.0), glass.reflectivityAt(2.0)) << "held outside";
+    EXPECT_DOUBLE_EQ(glass.reflectivityAt(1.0), glass.reflectivityAt(2.0)) << "clamped outside";
     EXPECT_FALSE(glass.isOpaque());
     EXPECT_TRUE(completeDatabase().materials.at(0).isOpaque());
 }

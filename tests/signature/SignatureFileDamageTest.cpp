@@ -39,10 +39,10 @@ bool isRefusedOrHarmless(const fs::path& file, const std::string& what) {
         EXPECT_TRUE(loaded.database == saved) << what;
         return false;
     } catch (const InputError& error) {
-        for (const Offence& offence : error.offences()) {
-            EXPECT_EQ(offence.file, file.string()) << what;
-            EXPECT_FALSE(offence.value.empty()) << what;
-            EXPECT_FALSE(offence.expected.empty()) << what;
+        for (const Diagnostic& diagnostic : error.diagnostics()) {
+            EXPECT_EQ(diagnostic.file, file.string()) << what;
+            EXPECT_FALSE(diagnostic.value.empty()) << what;
+            EXPECT_FALSE(diagnostic.expected.empty()) << what;
         }
         return true;
     }
@@ -184,17 +184,17 @@ TEST_P(UnusableFile, IsNamedOnLoadAndOnSaveAndLeftAlone) {
     GetParam().make(file);
     const std::string before = fs::is_directory(file) ? "" : readBytes(file);
     for (const bool saving : {false, true}) {
-        const auto offences = refusalOf([&] {
+        const auto diagnostics = refusalOf([&] {
             if (saving) {
                 saveSignatureFile(completeDatabase(), file);
             } else {
                 loadSignatureFile(file);
             }
         });
-        ASSERT_EQ(offences.size(), 1U);
-        EXPECT_EQ(offences[0].file, file.string());
-        EXPECT_THAT(offences[0].value, HasSubstr(GetParam().value));
-        EXPECT_THAT(offences[0].expected, HasSubstr(GetParam().expected));
+        ASSERT_EQ(diagnostics.size(), 1U);
+        EXPECT_EQ(diagnostics[0].file, file.string());
+        EXPECT_THAT(diagnostics[0].value, HasSubstr(GetParam().value));
+        EXPECT_THAT(diagnostics[0].expected, HasSubstr(GetParam().expected));
     }
     EXPECT_EQ(fs::is_directory(file) ? "" : readBytes(file), before);
 }
@@ -204,9 +204,9 @@ INSTANTIATE_TEST_SUITE_P(SignatureFileDamage, UnusableFile, testing::ValuesIn(un
 
 TEST(SignatureFileDamage, AMissingFileIsNamed) {
     const TemporaryFolder folder;
-    const auto offences = refusalOf([&] { loadSignatureFile(folder / "absent.sigdb"); });
-    EXPECT_EQ(offences[0].file, (folder / "absent.sigdb").string());
-    EXPECT_EQ(offences[0].value, "no such file");
+    const auto diagnostics = refusalOf([&] { loadSignatureFile(folder / "absent.sigdb"); });
+    EXPECT_EQ(diagnostics[0].file, (folder / "absent.sigdb").string());
+    EXPECT_EQ(diagnostics[0].value, "no such file");
     EXPECT_FALSE(fs::exists(folder / "absent.sigdb"));
 }
 
@@ -225,18 +225,18 @@ TEST(SignatureFileDamage, AWriteProtectedFileIsReadButNotSavedTo) {
     const std::string before = readBytes(file);
     fs::permissions(file, fs::perms::owner_read);
     EXPECT_TRUE(loadSignatureFile(file).database == completeDatabase());
-    const auto offences = refusalOf([&] { saveSignatureFile({}, file); });
-    EXPECT_EQ(offences[0].file, file.string());
-    EXPECT_EQ(offences[0].value, "a write-protected file");
+    const auto diagnostics = refusalOf([&] { saveSignatureFile({}, file); });
+    EXPECT_EQ(diagnostics[0].file, file.string());
+    EXPECT_EQ(diagnostics[0].value, "a write-protected file");
     EXPECT_EQ(readBytes(file), before);
 }
 
 TEST(SignatureFileDamage, AFolderThatIsMissingIsNamedOnSave) {
     const TemporaryFolder folder;
     const fs::path file = folder / "nowhere/a.sigdb";
-    const auto offences = refusalOf([&] { saveSignatureFile({}, file); });
-    EXPECT_EQ(offences[0].file, file.string());
-    EXPECT_THAT(offences[0].value, HasSubstr("a folder that does not exist"));
+    const auto diagnostics = refusalOf([&] { saveSignatureFile({}, file); });
+    EXPECT_EQ(diagnostics[0].file, file.string());
+    EXPECT_THAT(diagnostics[0].value, HasSubstr("a folder that does not exist"));
 }
 
 TEST(SignatureFileDamage, AFileInUseByAnotherProgramIsNamed) {
@@ -265,14 +265,14 @@ TEST_P(BadRows, AreNamedWithTableOrEntry) {
     const fs::path file = folder / "rows.sigdb";
     change(file, std::string("PRAGMA foreign_keys = OFF; PRAGMA ignore_check_constraints = ON; ") +
                      GetParam().sql);
-    const auto offences = refusalOf([&] { loadSignatureFile(file, OutsideChanges::accept); });
+    const auto diagnostics = refusalOf([&] { loadSignatureFile(file, OutsideChanges::accept); });
     bool found = false;
     std::string all;
-    for (const Offence& offence : offences) {
-        EXPECT_EQ(offence.file, file.string());
-        all += offence.message() + "\n";
-        found |= offence.position.find(GetParam().position) != std::string::npos &&
-                 offence.value.find(GetParam().value) != std::string::npos;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        EXPECT_EQ(diagnostic.file, file.string());
+        all += diagnostic.message() + "\n";
+        found |= diagnostic.position.find(GetParam().position) != std::string::npos &&
+                 diagnostic.value.find(GetParam().value) != std::string::npos;
     }
     EXPECT_TRUE(found) << all;
 }

@@ -112,11 +112,11 @@ TEST_P(ChangedOutside, IsRefusedOrAcceptedButNeverSilent) {
     SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
         .exec(std::string("PRAGMA foreign_keys = ON; ") + GetParam().sql);
 
-    const auto offences = refusalOf([&] { loadSignatureFile(file); });
-    ASSERT_EQ(offences.size(), 1U);
-    EXPECT_EQ(offences[0].file, file.string());
-    EXPECT_EQ(offences[0].position, GetParam().entry);
-    EXPECT_THAT(offences[0].value, HasSubstr("changed outside"));
+    const auto diagnostics = refusalOf([&] { loadSignatureFile(file); });
+    ASSERT_EQ(diagnostics.size(), 1U);
+    EXPECT_EQ(diagnostics[0].file, file.string());
+    EXPECT_EQ(diagnostics[0].position, GetParam().entry);
+    EXPECT_THAT(diagnostics[0].value, HasSubstr("changed outside"));
 
     const LoadedSignature accepted = loadSignatureFile(file, OutsideChanges::accept);
     EXPECT_THAT(accepted.changedOutside, ElementsAre(GetParam().entry));
@@ -163,10 +163,10 @@ TEST(SignatureFile, WithWrongPhysicsFromOutsideIsRefusedEvenWhenChangesAreAccept
     saveSignatureFile(completeDatabase(), file);
     SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
         .exec("UPDATE material SET emissivity = 1.5 WHERE id = 0");
-    const auto offences = refusalOf([&] { loadSignatureFile(file, OutsideChanges::accept); });
-    ASSERT_EQ(offences.size(), 1U);
-    EXPECT_EQ(offences[0].position, "materials.0.emissivity");
-    EXPECT_EQ(offences[0].value, "1.5");
+    const auto diagnostics = refusalOf([&] { loadSignatureFile(file, OutsideChanges::accept); });
+    ASSERT_EQ(diagnostics.size(), 1U);
+    EXPECT_EQ(diagnostics[0].position, "materials.0.emissivity");
+    EXPECT_EQ(diagnostics[0].value, "1.5");
 }
 
 TEST(SignatureFile, RefusesToSaveWhatIsPhysicallyWrongAndLeavesTheFileAlone) {
@@ -176,8 +176,8 @@ TEST(SignatureFile, RefusesToSaveWhatIsPhysicallyWrongAndLeavesTheFileAlone) {
     const std::string before = readBytes(file);
     SignatureDatabase wrong = completeDatabase();
     wrong.materials[0].nAngleFactor = -1.0;
-    const auto offences = refusalOf([&] { saveSignatureFile(wrong, file); });
-    EXPECT_EQ(offences[0].position, "materials.0.nAngleFactor");
+    const auto diagnostics = refusalOf([&] { saveSignatureFile(wrong, file); });
+    EXPECT_EQ(diagnostics[0].position, "materials.0.nAngleFactor");
     wrong = completeDatabase();
     wrong.materials[0].notes = "\xff";
     EXPECT_THROW(saveSignatureFile(wrong, file), InputError);

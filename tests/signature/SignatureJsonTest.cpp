@@ -77,17 +77,17 @@ TEST(SignatureJson, WithAReflectivityThatClosesIsAcceptedAndNotKept) {
 TEST(SignatureJson, RefusesToWriteWhatIsPhysicallyWrong) {
     SignatureDatabase database = completeDatabase();
     database.materials[0].emissivity = Spectrum::constant(1.2);
-    const auto offences = refusalOf([&] { signatureToJson(database); });
-    ASSERT_EQ(offences.size(), 1U);
-    EXPECT_EQ(offences[0].position, "materials.0.emissivity");
+    const auto diagnostics = refusalOf([&] { signatureToJson(database); });
+    ASSERT_EQ(diagnostics.size(), 1U);
+    EXPECT_EQ(diagnostics[0].position, "materials.0.emissivity");
 }
 
 TEST(SignatureJson, RefusesToWriteTextThatIsNotUtf8) {
     SignatureDatabase database = completeDatabase();
     database.materials[0].notes = "\xff latin";
-    const auto offences = refusalOf([&] { signatureToJson(database); });
-    ASSERT_EQ(offences.size(), 1U);
-    EXPECT_THAT(offences[0].expected, HasSubstr("UTF-8"));
+    const auto diagnostics = refusalOf([&] { signatureToJson(database); });
+    ASSERT_EQ(diagnostics.size(), 1U);
+    EXPECT_THAT(diagnostics[0].expected, HasSubstr("UTF-8"));
 }
 
 struct BadJson {
@@ -123,16 +123,16 @@ class RefusedJson : public testing::TestWithParam<BadJson> {};
 
 TEST_P(RefusedJson, NamesFilePlaceValueAndExpectation) {
     const BadJson& row = GetParam();
-    const auto offences = refusalOf([&] { signatureFromJson(row.text, "bad.json"); });
+    const auto diagnostics = refusalOf([&] { signatureFromJson(row.text, "bad.json"); });
     bool found = false;
     std::string all;
-    for (const Offence& offence : offences) {
-        EXPECT_EQ(offence.file, "bad.json");
-        EXPECT_FALSE(offence.expected.empty()) << offence.message();
-        all += offence.message() + "\n";
-        found |= offence.position == row.position &&
-                 offence.value.find(row.value) != std::string::npos &&
-                 offence.expected.find(row.expected) != std::string::npos;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        EXPECT_EQ(diagnostic.file, "bad.json");
+        EXPECT_FALSE(diagnostic.expected.empty()) << diagnostic.message();
+        all += diagnostic.message() + "\n";
+        found |= diagnostic.position == row.position &&
+                 diagnostic.value.find(row.value) != std::string::npos &&
+                 diagnostic.expected.find(row.expected) != std::string::npos;
     }
     EXPECT_TRUE(found) << all;
 }
@@ -265,20 +265,20 @@ INSTANTIATE_TEST_SUITE_P(
                 "spectra.p.referenceDistance_m", "-2", "at least 0 m"}),
     [](const auto& row) { return row.param.name; });
 
-TEST(SignatureJson, ReportsAllOffencesAtOnce) {
-    const auto offences = refusalOf([] {
+TEST(SignatureJson, ReportsAllDiagnosticsAtOnce) {
+    const auto diagnostics = refusalOf([] {
         signatureFromJson(R"({"format": "x", "version": 3, "temperatures": {"a": {}},
                               "materials": {"1": {"name": 5, "emissivity": "x", "k": 1}}})");
     });
-    EXPECT_EQ(offences.size(), 6U);
+    EXPECT_EQ(diagnostics.size(), 6U);
 }
 
 TEST(SignatureJson, SurvivesDeepNesting) {
     for (const std::string& text :
          {std::string(200000, '['), std::string(100000, '[') + std::string(100000, ']')}) {
-        const auto offences = refusalOf([&] { signatureFromJson(text, "deep.json"); });
-        ASSERT_EQ(offences.size(), 1U);
-        EXPECT_THAT(offences[0].value, HasSubstr("nested more than 16 deep"));
+        const auto diagnostics = refusalOf([&] { signatureFromJson(text, "deep.json"); });
+        ASSERT_EQ(diagnostics.size(), 1U);
+        EXPECT_THAT(diagnostics[0].value, HasSubstr("nested more than 16 deep"));
     }
 }
 

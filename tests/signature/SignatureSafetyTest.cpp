@@ -163,19 +163,19 @@ TEST(SignatureSafety, AWriteThatFailsInTheMiddleLeavesTheOldState) {
     const std::string before = readBytes(file);
     const SignatureDatabase larger = largerDatabase();
     for (const rlim_t limit : {0UL, 600UL, 5000UL, 60000UL}) {
-        std::vector<Offence> offences;
+        std::vector<Diagnostic> diagnostics;
         {
             const FileSizeLimit limited(limit);
-            offences = refusalOf([&] { saveSignatureFile(larger, file); });
+            diagnostics = refusalOf([&] { saveSignatureFile(larger, file); });
             EXPECT_FALSE(
                 refusalOf([&] { createSignatureFile(larger, folder / "new.sigdb"); }).empty());
             EXPECT_FALSE(refusalOf([&] {
                              writeFileDurably(folder / "text", std::string(70000, 'x'));
                          }).empty());
         }
-        ASSERT_EQ(offences.size(), 1U) << limit;
-        EXPECT_EQ(offences[0].file, file.string());
-        EXPECT_THAT(offences[0].expected, HasSubstr("what was there is as it was"));
+        ASSERT_EQ(diagnostics.size(), 1U) << limit;
+        EXPECT_EQ(diagnostics[0].file, file.string());
+        EXPECT_THAT(diagnostics[0].expected, HasSubstr("what was there is as it was"));
         EXPECT_TRUE(loadSignatureFile(file).database == completeDatabase()) << limit;
         EXPECT_EQ(readBytes(file), before) << limit;
         EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1)
@@ -300,10 +300,10 @@ TEST(SignatureSafety, WhatAnotherWindowSavedIsNotSavedOver) {
     theirs.materials[0].notes = "theirs";
 
     saveSignatureFile(theirs, file, opened);
-    const auto offences = refusalOf([&] { saveSignatureFile(mine, file, opened); });
-    ASSERT_EQ(offences.size(), 1U);
-    EXPECT_EQ(offences[0].value, "another content than was opened here");
-    EXPECT_THAT(offences[0].expected, HasSubstr("save under another name"));
+    const auto diagnostics = refusalOf([&] { saveSignatureFile(mine, file, opened); });
+    ASSERT_EQ(diagnostics.size(), 1U);
+    EXPECT_EQ(diagnostics[0].value, "another content than was opened here");
+    EXPECT_THAT(diagnostics[0].expected, HasSubstr("save under another name"));
     EXPECT_TRUE(loadSignatureFile(file).database == theirs);
 
     // Having looked at theirs, one may.

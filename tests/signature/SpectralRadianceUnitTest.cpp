@@ -46,10 +46,10 @@ TEST(SpectralRadianceUnit, IsKnownInOtherSpellings) {
 TEST(SpectralRadianceUnit, IsRefusedWithTheListOfWhatIsKnown) {
     for (const char* const text : {"", "W", "W cm-2 sr-1", "W cm-2 um-1", "W m-2 sr-1 nm-1",
                                    "MW m-2 sr-1 um-1", "w m-2 sr-1 um-1", "K", "W m-2 sr-1 cm-1"}) {
-        const auto offences = refusalOf([&] { SpectralRadianceUnit::parse(text); });
-        ASSERT_EQ(offences.size(), 1U) << text;
-        EXPECT_EQ(offences[0].value, "'" + std::string(text) + "'");
-        EXPECT_THAT(offences[0].expected, testing::HasSubstr("uW cm-2 sr-1 (cm-1)-1"));
+        const auto diagnostics = refusalOf([&] { SpectralRadianceUnit::parse(text); });
+        ASSERT_EQ(diagnostics.size(), 1U) << text;
+        EXPECT_EQ(diagnostics[0].value, "'" + std::string(text) + "'");
+        EXPECT_THAT(diagnostics[0].expected, testing::HasSubstr("uW cm-2 sr-1 (cm-1)-1"));
     }
 }
 

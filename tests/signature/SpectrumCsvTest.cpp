@@ -30,11 +30,11 @@ struct Pair {
 };
 
 template <typename Radiance>
-Pair writeAndRead(const TemporaryFolder& folder, double from_cm1, double to_cm1, double step_cm1,
-                  Radiance radiance_W_m2_sr_um) {
+Pair writeAndRead(const TemporaryFolder& folder, double from_per_cm, double to_per_cm,
+                  double step_per_cm, Radiance radiance_W_m2_sr_um) {
     std::string overWavenumber = "# unit: W cm-2 sr-1 (cm-1)-1\ncm-1,L\n";
     std::string overWavelength = "# unit: W m-2 sr-1 um-1\num,L\n";
-    for (double nu = from_cm1; nu <= to_cm1; nu += step_cm1) {
+    for (double nu = from_per_cm; nu <= to_per_cm; nu += step_per_cm) {
         const double lambda_um = 1e4 / nu;
         const double radiance = radiance_W_m2_sr_um(lambda_um);
         overWavenumber += numberText(nu) + "," +
@@ -48,14 +48,14 @@ Pair writeAndRead(const TemporaryFolder& folder, double from_cm1, double to_cm1,
 
 TEST(SpectrumCsv, GivesOneInBandRadianceOverMicrometresAndOverWavenumbers) {
     const TemporaryFolder folder;
-    for (const double step_cm1 : {0.5, 1.0, 2.0}) {
-        const Pair pair = writeAndRead(folder, 1900.0, 3400.0, step_cm1, [](double lambda_um) {
+    for (const double step_per_cm : {0.5, 1.0, 2.0}) {
+        const Pair pair = writeAndRead(folder, 1900.0, 3400.0, step_per_cm, [](double lambda_um) {
             return (1.5 + std::sin(40.0 * lambda_um)) * planckRadiance_W_m2_sr_um(lambda_um, 700.0);
         });
         for (const SpectralRange band : {SpectralRange{3.0, 5.0}, SpectralRange{4.2, 4.5}}) {
             const double a = inBand(pair.overWavenumber.components[0].radiance, band);
             const double b = inBand(pair.overWavelength.components[0].radiance, band);
-            EXPECT_NEAR(a / b, 1.0, 1e-6) << step_cm1 << " cm-1";
+            EXPECT_NEAR(a / b, 1.0, 1e-6) << step_per_cm << " cm-1";
         }
     }
 }
@@ -162,10 +162,10 @@ TEST(SpectrumCsv, ComesBackAsItWasWritten) {
 
 TEST(SpectrumCsv, ThatCannotBeWrittenIsNamed) {
     const TemporaryFolder folder;
-    const auto offences = refusalOf([&] {
+    const auto diagnostics = refusalOf([&] {
         writeSpectrumCsv(completeDatabase().spectra.at("plume core"), folder / "nowhere/a.csv");
     });
-    EXPECT_EQ(offences[0].file, (folder / "nowhere/a.csv").string());
+    EXPECT_EQ(diagnostics[0].file, (folder / "nowhere/a.csv").string());
 }
 
 TEST(SpectrumCsv, OfTheReportsTable18HasItsNumbers) {
@@ -224,15 +224,15 @@ class RefusedSpectrumCsv : public testing::TestWithParam<BadCsv> {};
 TEST_P(RefusedSpectrumCsv, NamesFilePlaceValueAndExpectation) {
     const TemporaryFolder folder;
     const fs::path file = writeBytes(folder / "bad.csv", GetParam().text);
-    const auto offences = refusalOf([&] { readSpectrumCsv(file); });
+    const auto diagnostics = refusalOf([&] { readSpectrumCsv(file); });
     bool found = false;
     std::string all;
-    for (const Offence& offence : offences) {
-        EXPECT_EQ(offence.file, file.string());
-        all += offence.message() + "\n";
-        found |= offence.position == GetParam().position &&
-                 offence.value.find(GetParam().value) != std::string::npos &&
-                 offence.expected.find(GetParam().expected) != std::string::npos;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        EXPECT_EQ(diagnostic.file, file.string());
+        all += diagnostic.message() + "\n";
+        found |= diagnostic.position == GetParam().position &&
+                 diagnostic.value.find(GetParam().value) != std::string::npos &&
+                 diagnostic.expected.find(GetParam().expected) != std::string::npos;
     }
     EXPECT_TRUE(found) << all;
 }
@@ -292,7 +292,7 @@ INSTANTIATE_TEST_SUITE_P(
                "far", "at least 0 m"}),
     [](const auto& row) { return row.param.name; });
 
-TEST(SpectrumCsv, ReportsAllOffencesAtOnce) {
+TEST(SpectrumCsv, ReportsAllDiagnosticsAtOnce) {
     const TemporaryFolder folder;
     const fs::path file = writeBytes(folder / "many.csv", "nm,a,a,\n4,x,1,1\n5,1,y\n");
     EXPECT_EQ(refusalOf([&] { readSpectrumCsv(file); }).size(), 6U);
@@ -309,8 +309,9 @@ TEST(SpectrumCsv, RefusesAReferenceDistanceThatIsNone) {
     const TemporaryFolder folder;
     const fs::path file = writeBytes(folder / "a.csv", "um,L\n4,1\n5,3\n");
     for (const double distance_m : {-1.0, std::nan(""), HUGE_VAL}) {
-        const auto offences = refusalOf([&] { readSpectrumCsv(file, perWavenumber, distance_m); });
-        EXPECT_EQ(offences[0].position, "reference distance");
+        const auto diagnostics =
+            refusalOf([&] { readSpectrumCsv(file, perWavenumber, distance_m); });
+        EXPECT_EQ(diagnostics[0].position, "reference distance");
     }
 }
 

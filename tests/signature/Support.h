@@ -31,11 +31,11 @@ inline std::filesystem::path writeBytes(const std::filesystem::path& file,
 
 /// What an action is refused with; a failure and nothing when it is not.
 template <typename Action>
-std::vector<Offence> refusalOf(Action action) {
+std::vector<Diagnostic> refusalOf(Action action) {
     try {
         action();
     } catch (const InputError& error) {
-        return error.offences();
+        return error.diagnostics();
     }
     ADD_FAILURE() << "nothing was refused";
     return {};

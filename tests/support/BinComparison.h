@@ -19,13 +19,14 @@ struct BinComparison {
     double largest = 0.0; ///< of the wide bins
 };
 
-/// Compares a column of two radiative outputs over the same band, whose bins are `narrow_cm` and
-/// `wide_cm` wide. Rows at the ends of the band, which are no centres of bins, are left out.
-inline BinComparison compareBins(const ResultTable& narrow, double narrow_cm,
-                                 const ResultTable& wide, double wide_cm,
+/// Compares a column of two radiative outputs over the same band, whose bins are `narrow_per_cm`
+/// and `wide_per_cm` wide. Rows at the ends of the band, which are no centres of bins, are left
+/// out.
+inline BinComparison compareBins(const ResultTable& narrow, double narrow_per_cm,
+                                 const ResultTable& wide, double wide_per_cm,
                                  const std::string& column) {
-    const auto isCentre = [narrow_cm](double wavenumber_cm) {
-        const double bins = wavenumber_cm / narrow_cm;
+    const auto isCentre = [narrow_per_cm](double wavenumber_per_cm) {
+        const double bins = wavenumber_per_cm / narrow_per_cm;
         return std::abs(bins - std::floor(bins) - 0.5) < 1e-6;
     };
     const auto& x = narrow.find("wavenumber")->values;
@@ -38,13 +39,13 @@ inline BinComparison compareBins(const ResultTable& narrow, double narrow_cm,
         double sum = 0.0;
         int count = 0;
         for (std::size_t k = 0; k < x.size(); ++k) {
-            if (std::abs(x[k] - wideX[i]) < 0.5 * wide_cm && isCentre(x[k])) {
+            if (std::abs(x[k] - wideX[i]) < 0.5 * wide_per_cm && isCentre(x[k])) {
                 sum += y[k];
                 ++count;
             }
         }
         // A bin at an end of the band is not whole.
-        if (count != static_cast<int>(wide_cm / narrow_cm + 0.5)) {
+        if (count != static_cast<int>(wide_per_cm / narrow_per_cm + 0.5)) {
             continue;
         }
         const double difference = sum / count - wideY[i];

@@ -152,7 +152,7 @@ Entity entityOf(std::shared_ptr<const Model> model, SignatureDatabase database) 
     return entity;
 }
 
-Spectrum ConstantAir::nativeSpectrum(const AirQuestion& question, const SpectralRange&) const {
+Spectrum ConstantAir::nativeSpectrum(const AtmosphericQuery& question, const SpectralRange&) const {
     switch (question.quantity) {
     case AtmosphereProperty::transmittance:
         return Spectrum::constant(transmittanceValue);

@@ -11,7 +11,7 @@
 namespace irsg::test {
 
 /// The geometry of an object of no extent at the end of a path.
-inline ObjectGeometry geometryOf(const AirPath& path) {
+inline ObjectGeometry geometryOf(const AtmosphericPath& path) {
     ObjectGeometry geometry;
     geometry.path = path;
     geometry.nearest_m = geometry.farthest_m = path.range_m;
@@ -23,7 +23,7 @@ inline SceneRadiometry inBand(const Environment& environment, const std::vector<
                               const std::vector<ObjectGeometry>& geometry,
                               const RenderSettings& settings, const LineOfSight& centre,
                               const Band& band) {
-    AirAnswers air;
+    AtmosphericQueryCache air;
     air.setEnvironment(environment);
     const RadianceTerms& terms = RadianceTerms::standard();
     SceneSampling sampling;
@@ -37,8 +37,8 @@ inline SceneRadiometry inBand(const Environment& environment, const std::vector<
 inline SceneRadiometry atTerms(const Environment& environment, const std::vector<Entity>& entities,
                                const std::vector<ObjectGeometry>& geometry,
                                const RenderSettings& settings, const LineOfSight& centre,
-                               const std::shared_ptr<const WidebandTerms>& wideband) {
-    AirAnswers air;
+                               const std::shared_ptr<const WidebandPoints>& wideband) {
+    AtmosphericQueryCache air;
     air.setEnvironment(environment);
     const RadianceTerms& terms = RadianceTerms::standard();
     return {

@@ -14,13 +14,13 @@ const IrCodes one{1, 1}, two{2, 2};
 } // namespace
 
 std::shared_ptr<AtmosphereSmart> smartAir(int model, double min_um, double max_um, int scattering,
-                                          int resolution_cm) {
+                                          int resolution_per_cm) {
     AtmosphereSmartParameters parameters;
     parameters.atmosphereModel = model;
     parameters.baseWavelengthMin_um = min_um;
     parameters.baseWavelengthMax_um = max_um;
     parameters.scatteringMode = scattering;
-    parameters.resolution_cm = resolution_cm;
+    parameters.resolution_per_cm = resolution_per_cm;
     parameters.irradianceMode = 2;
     return std::make_shared<AtmosphereSmart>(parameters);
 }
@@ -70,8 +70,8 @@ std::shared_ptr<const Model> box() {
     return model;
 }
 
-Environment WidebandAir::environment(int resolution_cm) const {
-    return environmentOf(smartAir(model, min_um, max_um, 2, resolution_cm));
+Environment WidebandAir::environment(int resolution_per_cm) const {
+    return environmentOf(smartAir(model, min_um, max_um, 2, resolution_per_cm));
 }
 
 std::vector<WidebandAir> widebandAirs() {

@@ -11,7 +11,7 @@ namespace irsg::test {
 
 /// Computed air of a model atmosphere (1 to 6) over a band, which answers every view on the fly.
 std::shared_ptr<AtmosphereSmart> smartAir(int model, double min_um = 3.0, double max_um = 5.0,
-                                          int scattering = 2, int resolution_cm = 5);
+                                          int scattering = 2, int resolution_per_cm = 5);
 /// It alone, with the sun in the east, 34 deg high.
 Environment environmentOf(std::shared_ptr<const Atmosphere> atmosphere);
 
@@ -35,7 +35,7 @@ struct WidebandAir {
     double min_um, max_um;
 
     Band band() const { return Band::topHat(min_um, max_um); }
-    Environment environment(int resolution_cm = 5) const;
+    Environment environment(int resolution_per_cm = 5) const;
 };
 std::vector<WidebandAir> widebandAirs();
 

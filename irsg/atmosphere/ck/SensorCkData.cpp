@@ -17,11 +17,11 @@ namespace {
 constexpr double opaque = 1e-3; ///< in-band transmittances below this need not be right relatively
 
 /// Paths between altitudes and over ranges that scenes have.
-std::vector<AirPath> spreadOfPaths(double top_m) {
+std::vector<AtmosphericPath> spreadOfPaths(double top_m) {
     struct Ends {
         double sensor_m, target_m;
     };
-    std::vector<AirPath> paths;
+    std::vector<AtmosphericPath> paths;
     for (const Ends& ends :
          {Ends{5, 5}, Ends{5, 500}, Ends{5, 3000}, Ends{1500, 0}, Ends{1500, 1500},
           Ends{3000, 3000}, Ends{6000, 1000}, Ends{3000, 10000}, Ends{6000, 6000},
@@ -45,12 +45,12 @@ class BandNodes {
   public:
     BandNodes(const RadiativeTransfer& transfer, const Band& band)
         : set(transfer.nodesOf(band.range())), band_(band) {
-        const BinSet& bins = transfer.gases().bins(transfer.air().resolution_cm);
+        const BinSet& bins = transfer.gases().bins(transfer.air().resolution_per_cm);
         for (const SpectralBin& own : transfer.binsOf(band.range())) {
             binOf_.insert(binOf_.end(), own.count, centres_um_.size());
             for (std::uint32_t i = own.first; i < own.first + own.count; ++i)
                 weight_.push_back(static_cast<double>(bins.weights[i]));
-            centres_um_.push_back(1e4 / own.centre_cm());
+            centres_um_.push_back(1e4 / own.centre_per_cm());
         }
         ones_ = factor([](double) { return 1.0; });
     }
@@ -95,7 +95,7 @@ class BandNodes {
         return Spectrum(axis, values, Spectrum::Outside::zero, "hat");
     }
     const std::vector<double>& ones() const { return ones_; }
-    double wavelength_um(std::size_t i) const { return 1e4 / set.wavenumbers_cm[i]; }
+    double wavelength_um(std::size_t i) const { return 1e4 / set.wavenumbers_per_cm[i]; }
 
     NodeSet set;
 
@@ -255,10 +255,10 @@ Training trainingCases(const RadiativeTransfer& transfer, const BandNodes& nodes
                                              transfer.air().profile.at(0.0).temperature_K);
         }).inBand();
 
-    std::vector<AirPath> paths = request.paths;
-    const std::vector<AirPath> spread = spreadOfPaths(transfer.air().profile.top_m());
+    std::vector<AtmosphericPath> paths = request.paths;
+    const std::vector<AtmosphericPath> spread = spreadOfPaths(transfer.air().profile.top_m());
     paths.insert(paths.end(), spread.begin(), spread.end());
-    for (const AirPath& path : paths) {
+    for (const AtmosphericPath& path : paths) {
         const std::vector<double> transmittance = transfer.transmittance(set, path);
         for (const Source& surface : surfaces)
             training.add(surface, transmittance, opaque * surface.inBand());
@@ -268,7 +268,7 @@ Training trainingCases(const RadiativeTransfer& transfer, const BandNodes& nodes
             for (const Source& surface : own)
                 training.add(surface, transmittance, opaque * surface.inBand());
         // Across the sun, where its light is scattered as much as on the average over azimuths.
-        AirPath across = path;
+        AtmosphericPath across = path;
         across.azimuth_rad = request.sun.azimuth_rad + 0.5 * std::numbers::pi;
         training.add(transfer.pathRadiance(set, across, request.sun), opaque * ambient_W_m2_sr);
 
@@ -299,8 +299,8 @@ Training trainingCases(const RadiativeTransfer& transfer, const BandNodes& nodes
 SensorCkData SensorCkData::prepare(const RadiativeTransfer& transfer, const CkRequest& request) {
     const BandNodes nodes(transfer, request.band);
     if (nodes.size() == 0)
-        throw InputError(Offence{"band " + request.band.name(), "", "no spectral node",
-                                 "a band within the atmosphere's table"});
+        throw InputError(Diagnostic{"band " + request.band.name(), "", "no spectral node",
+                                    "a band within the atmosphere's table"});
     const SparseProblem problem = trainingCases(transfer, nodes, request).problem();
     const SparseWeights chosen = sparseWeights(problem, request.largestError, request.mostTerms);
 
@@ -310,7 +310,7 @@ SensorCkData SensorCkData::prepare(const RadiativeTransfer& transfer, const CkRe
     for (std::size_t i = chosen.columns.size(); i-- > 0;) {
         const std::size_t node = chosen.columns[i];
         data.nodes_.nodes.push_back(nodes.set.nodes[node]);
-        data.nodes_.wavenumbers_cm.push_back(nodes.set.wavenumbers_cm[node]);
+        data.nodes_.wavenumbers_per_cm.push_back(nodes.set.wavenumbers_per_cm[node]);
         wavelengths_um.push_back(nodes.wavelength_um(node));
         weights_um.push_back(chosen.weights[i]);
         data.hats_.push_back(nodes.hat(node));

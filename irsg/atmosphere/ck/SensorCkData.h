@@ -15,7 +15,7 @@ struct CkRequest {
     Band band = Band::topHat(3.0, 5.0);
     SunPosition sun;
     /// Paths that the scene will use, where they are known; a spread of paths is always added.
-    std::vector<AirPath> paths;
+    std::vector<AtmosphericPath> paths;
     /// Emissivities and transmissivities of the scene's surfaces. Not owned, as those that follow;
     /// need to live during the preparation only.
     std::vector<const Spectrum*> materials;

@@ -47,8 +47,8 @@ void addSteps(Altitudes& altitudes) {
 /// A piece of the grid with the level of the profile inside it that a straight line between the
 /// ends misses by most, in units of what is allowed.
 struct Piece {
-    AirState lower, upper;
-    std::span<const AirState> inside;
+    AtmosphericState lower, upper;
+    std::span<const AtmosphericState> inside;
     std::size_t worst = 0;
     double error = 0.0;
 
@@ -60,7 +60,8 @@ double logarithm(double fraction) {
     return std::log(fraction + hardlyAnything);
 }
 
-double errorOf(const AirState& level, const AirState& lower, const AirState& upper) {
+double errorOf(const AtmosphericState& level, const AtmosphericState& lower,
+               const AtmosphericState& upper) {
     const double part =
         (level.altitude_m - lower.altitude_m) / (upper.altitude_m - lower.altitude_m);
     const auto missed = [&](double low, double value, double high) {
@@ -76,7 +77,8 @@ double errorOf(const AirState& level, const AirState& lower, const AirState& upp
     return error * std::min(1.0, level.pressure_hPa / transferTolerancePressure_hPa);
 }
 
-Piece pieceOf(const AirState& lower, const AirState& upper, std::span<const AirState> inside) {
+Piece pieceOf(const AtmosphericState& lower, const AtmosphericState& upper,
+              std::span<const AtmosphericState> inside) {
     Piece piece{lower, upper, inside};
     for (std::size_t i = 0; i < inside.size(); ++i) {
         const double error = errorOf(inside[i], lower, upper);
@@ -95,10 +97,11 @@ constexpr std::size_t keptForOthers = 16;
 /// is allowed.
 void addBends(Altitudes& altitudes, const Profile& profile) {
     const std::vector<double> grid = altitudes.values();
-    const std::span<const AirState> levels = profile.levels();
+    const std::span<const AtmosphericState> levels = profile.levels();
     const auto levelsBetween = [&](double from_m, double to_m) {
-        const auto first = std::ranges::upper_bound(levels, from_m, {}, &AirState::altitude_m);
-        const auto last = std::ranges::lower_bound(levels, to_m, {}, &AirState::altitude_m);
+        const auto first =
+            std::ranges::upper_bound(levels, from_m, {}, &AtmosphericState::altitude_m);
+        const auto last = std::ranges::lower_bound(levels, to_m, {}, &AtmosphericState::altitude_m);
         return std::span(first, std::max(first, last));
     };
     std::priority_queue<Piece> pieces;
@@ -109,7 +112,7 @@ void addBends(Altitudes& altitudes, const Profile& profile) {
            altitudes.values().size() + keptForOthers < mostTransferAltitudes) {
         const Piece piece = pieces.top();
         pieces.pop();
-        const AirState& level = piece.inside[piece.worst];
+        const AtmosphericState& level = piece.inside[piece.worst];
         // Where the grid is too close already, each side is looked at as if it were there.
         altitudes.add(level.altitude_m);
         pieces.push(pieceOf(piece.lower, level, piece.inside.first(piece.worst)));
@@ -123,7 +126,7 @@ void divideSteepLayers(Altitudes& altitudes, const Profile& profile) {
     constexpr double steep_K_per_m = 0.01;
     const std::vector<double> grid = altitudes.values();
     for (std::size_t i = 1; i < grid.size(); ++i) {
-        const AirState lower = profile.at(grid[i - 1]);
+        const AtmosphericState lower = profile.at(grid[i - 1]);
         const double thickness_m = grid[i] - grid[i - 1];
         const double change_K = std::abs(profile.at(grid[i]).temperature_K - lower.temperature_K);
         if (change_K <= steep_K_per_m * thickness_m ||

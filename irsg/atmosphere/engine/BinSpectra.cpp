@@ -10,15 +10,15 @@ namespace {
 
 /// The bins whose centres enclose a range, as far as there are any.
 std::pair<std::size_t, std::size_t> enclosing(const BinSet& set, const SpectralRange& range) {
-    const double lower_cm = 1e4 / range.max_um;
-    const double upper_cm = 1e4 / range.min_um;
-    auto [first, last] = set.range(lower_cm, upper_cm);
+    const double lower_per_cm = 1e4 / range.max_um;
+    const double upper_per_cm = 1e4 / range.min_um;
+    auto [first, last] = set.range(lower_per_cm, upper_per_cm);
     if (first == last)
         throw LogicError("the table of gases has no bins from " + numberText(range.min_um) +
                          " to " + numberText(range.max_um) + " um");
-    if (first > 0 && set.bins[first].centre_cm() > lower_cm)
+    if (first > 0 && set.bins[first].centre_per_cm() > lower_per_cm)
         --first;
-    if (last < set.bins.size() && set.bins[last - 1].centre_cm() < upper_cm)
+    if (last < set.bins.size() && set.bins[last - 1].centre_per_cm() < upper_per_cm)
         ++last;
     return {first, last};
 }
@@ -26,25 +26,25 @@ std::pair<std::size_t, std::size_t> enclosing(const BinSet& set, const SpectralR
 } // namespace
 
 std::span<const SpectralBin> RadiativeTransfer::binsOf(const SpectralRange& range) const {
-    const BinSet& set = gases().bins(air().resolution_cm);
+    const BinSet& set = gases().bins(air().resolution_per_cm);
     const auto [first, last] = enclosing(set, range);
     return std::span(set.bins).subspan(first, last - first);
 }
 
 NodeSet RadiativeTransfer::nodesOf(const SpectralRange& range) const {
-    const BinSet& set = gases().bins(air().resolution_cm);
+    const BinSet& set = gases().bins(air().resolution_per_cm);
     NodeSet nodes;
     for (const SpectralBin& bin : binsOf(range))
         for (std::size_t i = 0; i < bin.count; ++i) {
             nodes.nodes.push_back(set.nodes[bin.first + i]);
-            nodes.wavenumbers_cm.push_back(gases().wavenumber_cm(nodes.nodes.back()));
+            nodes.wavenumbers_per_cm.push_back(gases().wavenumber_per_cm(nodes.nodes.back()));
         }
     return nodes;
 }
 
 Spectrum RadiativeTransfer::spectrum(const SpectralRange& range,
                                      std::span<const double> nodeValues) const {
-    const BinSet& set = gases().bins(air().resolution_cm);
+    const BinSet& set = gases().bins(air().resolution_per_cm);
     const auto [first, last] = enclosing(set, range);
     std::vector<double> wavelengths_um, means;
     std::size_t next = 0;
@@ -55,7 +55,7 @@ Spectrum RadiativeTransfer::spectrum(const SpectralRange& range,
                 throw LogicError("a spectrum was asked for with the values of other nodes");
             mean += static_cast<double>(set.weights[set.bins[bin].first + i]) * nodeValues[next];
         }
-        wavelengths_um.push_back(1e4 / set.bins[bin].centre_cm());
+        wavelengths_um.push_back(1e4 / set.bins[bin].centre_per_cm());
         means.push_back(mean);
     }
     if (next != nodeValues.size())

@@ -43,8 +43,8 @@ std::pair<std::size_t, std::size_t> rowsOf(const char* kind) {
     auto wet = [](double value) { return value > 0.0; };
     const auto first = std::ranges::find_if(values, wet);
     if (first == values.end())
-        throw InputError(Offence{atmosphereResource("particles-clouds.csv").string(),
-                                 "column " + std::string(kind), "no value above 0", "a cloud"});
+        throw InputError(Diagnostic{atmosphereResource("particles-clouds.csv").string(),
+                                    "column " + std::string(kind), "no value above 0", "a cloud"});
     const auto behind = std::find_if(values.rbegin(), values.rend(), wet);
     return {static_cast<std::size_t>(first - values.begin()),
             static_cast<std::size_t>(values.rend() - behind) - 1};

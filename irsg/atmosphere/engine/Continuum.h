@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "irsg/atmosphere/engine/AirState.h"
+#include "irsg/atmosphere/engine/AtmosphericState.h"
 
 namespace irsg {
 
@@ -16,7 +16,7 @@ inline constexpr std::array<const char*, continuumCount> continuumNames = {
     "O2 collision-induced", "O3 ultraviolet and visible", "HNO3"};
 
 /// m-1 at a wavenumber of 200 to 50000 cm-1, 0 outside a continuum's own range and where the gas
-/// is not. Valid for 150 to 350 K; held beyond.
+/// is not. Valid for 150 to 350 K; clamped beyond.
 ///
 /// Water: LOWTRAN 7 corrected towards a published MODTRAN run, 200 to 20000 cm-1. It holds the
 /// line wings beyond 25 cm-1; lines are cut there and have their pedestal removed (see
@@ -25,17 +25,18 @@ inline constexpr std::array<const char*, continuumCount> continuumNames = {
 /// the bands at 1.27 and 1.06 um, the pair bands of the visible, the Herzberg continuum; not the
 /// Schumann-Runge bands above 49600 cm-1. Ozone: Chappuis, Huggins and Hartley bands. HNO3: three
 /// bands. Sources and errors stand in resources/atmosphere/continuum-*.csv.
-double continuumAbsorption_per_m(Continuum which, const AirState& air, double wavenumber_cm);
+double continuumAbsorption_per_m(Continuum which, const AtmosphericState& air,
+                                 double wavenumber_per_cm);
 /// All of them.
-double continuumAbsorption_per_m(const AirState& air, double wavenumber_cm);
+double continuumAbsorption_per_m(const AtmosphericState& air, double wavenumber_per_cm);
 
 /// All of them at a few wavenumbers, for many states of the air: what the tables say at the
 /// wavenumbers is looked up once.
 class ContinuumSpectrum {
   public:
-    explicit ContinuumSpectrum(std::vector<double> wavenumbers_cm);
+    explicit ContinuumSpectrum(std::vector<double> wavenumbers_per_cm);
     /// m-1, as many as wavenumbers.
-    void absorption_per_m(const AirState& air, std::span<double> out) const;
+    void absorption_per_m(const AtmosphericState& air, std::span<double> out) const;
 
   private:
     std::vector<double> wavenumbers_cm_;
@@ -46,6 +47,6 @@ class ContinuumSpectrum {
 /// Molecular (Rayleigh) scattering, m-1, by the formula of LOWTRAN 7. Against Bodhaine et al. 1999
 /// (J. Atmos. Ocean. Technol. 16, 1854) within 0.6 % from 0.3 to 1 um, 1.2 % less at 0.25 um and
 /// 3 % less at 0.2 um.
-double rayleighScattering_per_m(const AirState& air, double wavenumber_cm);
+double rayleighScattering_per_m(const AtmosphericState& air, double wavenumber_per_cm);
 
 } // namespace irsg

@@ -47,7 +47,7 @@ std::size_t CrossSectionGrid::points(Gas gas) const {
     return (pressures_hPa.size() + (gas == Gas::H2O ? moistPressures : 0)) * temperatures_K.size();
 }
 
-GridStencil CrossSectionGrid::stencil(Gas gas, const AirState& air) const {
+GridStencil CrossSectionGrid::stencil(Gas gas, const AtmosphericState& air) const {
     std::vector<double> lnPressures(pressures_hPa.size());
     std::ranges::transform(pressures_hPa, lnPressures.begin(),
                            [](double p) { return std::log(p); });

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "irsg/atmosphere/engine/AirState.h"
+#include "irsg/atmosphere/engine/AtmosphericState.h"
 
 namespace irsg {
 
@@ -31,7 +31,7 @@ struct CrossSectionGrid {
     /// Number of values of a gas: temperature running fastest, the dry set before the moist one.
     std::size_t points(Gas gas) const;
     /// Air beyond the grid is clamped to it.
-    GridStencil stencil(Gas gas, const AirState& air) const;
+    GridStencil stencil(Gas gas, const AtmosphericState& air) const;
     /// LogicError where an axis is too short or out of order.
     void check() const;
 };

@@ -24,14 +24,14 @@ void put(const std::vector<double>& part, std::size_t count, std::size_t first, 
 
 /// The air at a level, per node.
 struct LevelRows {
-    const float *extinction, *scattering, *moment, *forward;
+    const float *extinction, *scattering, *asymmetry, *forwardPeak;
     const double* planck;
 
     LevelRows(const NodeColumn& column, std::size_t level)
         : extinction(column.extinction(level).data()),
           scattering(column.scattering(level).data()),
-          moment(column.moment(level).data()),
-          forward(column.forward(level).data()),
+          asymmetry(column.asymmetry(level).data()),
+          forwardPeak(column.forwardPeak(level).data()),
           planck(column.planck(level).data()) {}
 };
 
@@ -48,17 +48,17 @@ IRSG_VECTOR_CLONES void scaledLayer(const LevelRows& below, const LevelRows& abo
                                     double* __restrict albedo, double* __restrict asymmetry) {
     const float *lowE = below.extinction + first, *highE = above.extinction + first;
     const float *lowS = below.scattering + first, *highS = above.scattering + first;
-    const float *lowM = below.moment + first, *highM = above.moment + first;
-    const float *lowF = below.forward + first, *highF = above.forward + first;
+    const float *lowM = below.asymmetry + first, *highM = above.asymmetry + first;
+    const float *lowF = below.forwardPeak + first, *highF = above.forwardPeak + first;
     const auto sum = [](float low, float high) {
         return static_cast<double>(low) + static_cast<double>(high);
     };
     for (std::size_t i = 0; i < count; ++i) {
-        const double forward = sum(lowF[i], highF[i]);
-        const double e = std::max(sum(lowE[i], highE[i]) - forward, 0.0);
-        const double s = std::max(sum(lowS[i], highS[i]) - forward, 0.0);
+        const double forwardPeak = sum(lowF[i], highF[i]);
+        const double e = std::max(sum(lowE[i], highE[i]) - forwardPeak, 0.0);
+        const double s = std::max(sum(lowS[i], highS[i]) - forwardPeak, 0.0);
         const double ratio = s / (e > 0.0 ? e : 1.0);
-        const double g = (sum(lowM[i], highM[i]) - forward) / (s > 0.0 ? s : 1.0);
+        const double g = (sum(lowM[i], highM[i]) - forwardPeak) / (s > 0.0 ? s : 1.0);
         depth[i] = half_m * e;
         albedo[i] = ratio < 1.0 ? ratio : 1.0;
         asymmetry[i] = s > 0.0 ? std::min(std::max(g, -0.5), 0.5) : 0.0;
@@ -84,8 +84,8 @@ TwoStreamLayers layersOf(const std::vector<double>& altitudes_m,
 
 DiffuseLight::DiffuseLight(const NodeColumn& column, Ground ground)
     : column_(column), ground_(std::move(ground)) {
-    for (const double wavenumber_cm : column_.wavenumbers_cm())
-        albedo_.push_back(std::clamp(ground_.albedo.at(1e4 / wavenumber_cm), 0.0, 1.0));
+    for (const double wavenumber_per_cm : column_.wavenumbers_per_cm())
+        albedo_.push_back(std::clamp(ground_.albedo.at(1e4 / wavenumber_per_cm), 0.0, 1.0));
 }
 
 TwoStreamFluxes DiffuseLight::solveThermal() const {
@@ -122,7 +122,7 @@ DiffuseLight::Sunlight DiffuseLight::solveSunlight(const SunPaths& sun) const {
 
     // The beam at every level; optical depths along it are kept for the slant of the layers.
     std::vector<double> scaledDepth(levels * all, 0.0);
-    std::vector<double> forward(all);
+    std::vector<double> forwardPeak(all);
     for (std::size_t level = 0; level < levels; ++level) {
         const double part = sun.strength() * sun.part(level);
         const std::vector<double>& weights = sun.weights(level);
@@ -130,16 +130,16 @@ DiffuseLight::Sunlight DiffuseLight::solveSunlight(const SunPaths& sun) const {
         double* scaled = &light.scaled[level * all];
         double* depth = &scaledDepth[level * all];
         opticalDepth(column_, weights, Depth::extinction, {direct, all});
-        std::ranges::fill(forward, 0.0);
+        std::ranges::fill(forwardPeak, 0.0);
         for (std::size_t from = 0; from < levels; ++from) {
-            const float* row = column_.forward(from).data();
+            const float* row = column_.forwardPeak(from).data();
             if (weights[from] > 0.0)
                 for (std::size_t i = 0; i < all; ++i)
-                    forward[i] += weights[from] * static_cast<double>(row[i]);
+                    forwardPeak[i] += weights[from] * static_cast<double>(row[i]);
         }
         const double* above = column_.sun().data();
         for (std::size_t i = 0; i < all; ++i) {
-            depth[i] = std::max(direct[i] - forward[i], 0.0);
+            depth[i] = std::max(direct[i] - forwardPeak[i], 0.0);
             scaled[i] = part * above[i] * (1.0 - vectorAbsorbed(depth[i]));
             direct[i] = part * above[i] * (1.0 - vectorAbsorbed(direct[i]));
         }
@@ -199,7 +199,7 @@ void DiffuseLight::scattered(std::size_t level, const TwoStreamFluxes& thermal, 
     constexpr double perPi = std::numbers::inv_pi;
     const std::size_t n = column_.size();
     const float* scattering = column_.scattering(level).data();
-    const float* moment = column_.moment(level).data();
+    const float* asymmetry = column_.asymmetry(level).data();
     std::ranges::fill(mean, 0.0);
     std::ranges::fill(slope, 0.0);
     const auto add = [&](const TwoStreamFluxes& fluxes, double meanPerFlux) {
@@ -207,7 +207,7 @@ void DiffuseLight::scattered(std::size_t level, const TwoStreamFluxes& thermal, 
         const double* down = &fluxes.down[level * n];
         for (std::size_t i = 0; i < n; ++i) {
             mean[i] += meanPerFlux * static_cast<double>(scattering[i]) * (up[i] + down[i]);
-            slope[i] += 0.75 * perPi * static_cast<double>(moment[i]) * (up[i] - down[i]);
+            slope[i] += 0.75 * perPi * static_cast<double>(asymmetry[i]) * (up[i] - down[i]);
         }
     };
     add(thermal, 0.5 * perPi);
@@ -217,8 +217,8 @@ void DiffuseLight::scattered(std::size_t level, const TwoStreamFluxes& thermal, 
         slope[i] = std::clamp(slope[i], -mean[i], mean[i]);
 }
 
-void interpolateLevels(const AirColumn& air, std::span<const double> levels, double altitude_m,
-                       std::span<double> out) {
+void interpolateLevels(const AtmosphericColumn& air, std::span<const double> levels,
+                       double altitude_m, std::span<double> out) {
     const std::size_t n = out.size();
     const std::vector<double>& z = air.altitudes_m();
     const auto [layer, f] = air.placeOf(altitude_m);

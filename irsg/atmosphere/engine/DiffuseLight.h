@@ -59,7 +59,7 @@ class DiffuseLight {
 
 /// A row at an altitude from rows at all levels ([level][node]): cubic between levels, monotone
 /// where the rows are (slopes of Fritsch and Butland 1984, SIAM J. Sci. Stat. Comput. 5, 300).
-void interpolateLevels(const AirColumn& air, std::span<const double> levels, double altitude_m,
-                       std::span<double> out);
+void interpolateLevels(const AtmosphericColumn& air, std::span<const double> levels,
+                       double altitude_m, std::span<double> out);
 
 } // namespace irsg

@@ -10,20 +10,20 @@ namespace irsg {
 class EvenTable {
   public:
     /// The header names the columns, the first of which is `wavenumber [cm-1]`. Throws InputError
-    /// naming every offence: columns that are missing, rows of another length, cells that are no
+    /// naming every diagnostic: columns that are missing, rows of another length, cells that are no
     /// number, an axis that is not even.
     static EvenTable read(const std::filesystem::path& file,
                           const std::vector<std::string>& columns);
 
-    double lower_cm() const { return lower_cm_; }
-    double upper_cm() const { return lower_cm_ + step_cm_ * static_cast<double>(rows_ - 1); }
+    double lower_per_cm() const { return lower_cm_; }
+    double upper_per_cm() const { return lower_cm_ + step_cm_ * static_cast<double>(rows_ - 1); }
     /// The place of a wavenumber in the table, by which all columns are interpolated.
     struct Place {
         std::size_t row = 0;
         double part = 0.0;
         bool inside = false;
     };
-    Place place(double wavenumber_cm) const;
+    Place place(double wavenumber_per_cm) const;
     /// Linear between rows, 0 outside.
     double at(std::size_t column, const Place& place) const;
 

@@ -19,18 +19,18 @@ std::uint16_t encoded(double lnCrossSection) {
 
 } // namespace
 
-std::pair<std::size_t, std::size_t> BinSet::range(double lower_cm, double upper_cm) const {
-    const auto first = std::ranges::upper_bound(bins, lower_cm, {}, &SpectralBin::upper_cm);
-    const auto last = std::ranges::lower_bound(bins, upper_cm, {}, &SpectralBin::lower_cm);
+std::pair<std::size_t, std::size_t> BinSet::range(double lower_per_cm, double upper_per_cm) const {
+    const auto first = std::ranges::upper_bound(bins, lower_per_cm, {}, &SpectralBin::upper_per_cm);
+    const auto last = std::ranges::lower_bound(bins, upper_per_cm, {}, &SpectralBin::lower_per_cm);
     const auto begin = static_cast<std::size_t>(first - bins.begin());
     return {begin, std::max(begin, static_cast<std::size_t>(last - bins.begin()))};
 }
 
-GasTable::GasTable(Grid grid, std::vector<double> nodeWavenumbers_cm, std::vector<Block> blocks,
+GasTable::GasTable(Grid grid, std::vector<double> nodeWavenumbers_per_cm, std::vector<Block> blocks,
                    std::array<BinSet, 3> bins, std::string header)
     : grid_(std::move(grid)),
       header_(std::move(header)),
-      wavenumbers_cm_(std::move(nodeWavenumbers_cm)),
+      wavenumbers_cm_(std::move(nodeWavenumbers_per_cm)),
       bins_(std::move(bins)) {
     std::ranges::sort(blocks, {},
                       [](const Block& block) { return std::pair(block.gas, block.node); });
@@ -73,7 +73,7 @@ void GasTable::index() {
             throw LogicError("the bins of a gas table have not as many weights as nodes");
         for (const SpectralBin& bin : set.bins)
             if (bin.count == 0 || std::size_t(bin.first) + bin.count > set.nodes.size() ||
-                bin.lower_cm >= bin.upper_cm)
+                bin.lower_per_cm >= bin.upper_per_cm)
                 throw LogicError("a bin of a gas table is empty");
         for (const std::uint32_t node : set.nodes)
             if (node >= nodeCount())
@@ -86,23 +86,23 @@ std::shared_ptr<const GasTable> GasTable::shipped() {
     return table;
 }
 
-const BinSet& GasTable::bins(int resolution_cm) const {
-    for (std::size_t i = 0; i < std::size(resolutions_cm); ++i)
-        if (resolutions_cm[i] == resolution_cm)
+const BinSet& GasTable::bins(int resolution_per_cm) const {
+    for (std::size_t i = 0; i < std::size(resolutions_per_cm); ++i)
+        if (resolutions_per_cm[i] == resolution_per_cm)
             return bins_[i];
-    throw LogicError("a resolution of " + std::to_string(resolution_cm) +
+    throw LogicError("a resolution of " + std::to_string(resolution_per_cm) +
                      " cm-1 was asked for; there are 1, 5 and 15");
 }
 
-double GasTable::lower_cm() const {
-    return bins_[0].bins.front().lower_cm;
+double GasTable::lower_per_cm() const {
+    return bins_[0].bins.front().lower_per_cm;
 }
 
-double GasTable::upper_cm() const {
-    return bins_[0].bins.back().upper_cm;
+double GasTable::upper_per_cm() const {
+    return bins_[0].bins.back().upper_per_cm;
 }
 
-void GasTable::absorption_per_m(const AirState& air, std::span<const std::uint32_t> nodes,
+void GasTable::absorption_per_m(const AtmosphericState& air, std::span<const std::uint32_t> nodes,
                                 std::span<float> out) const {
     NodeAbsorption(*this, nodes).at(air, out);
 }
@@ -123,7 +123,7 @@ void GasTable::steps(Gas gas, std::size_t point, std::span<const std::int32_t> c
         out[i] = columns[i] >= 0 ? static_cast<float>(row[columns[i]]) : 0.0f;
 }
 
-double GasTable::crossSection_cm2(std::uint32_t node, Gas gas, const AirState& air) const {
+double GasTable::crossSection_cm2(std::uint32_t node, Gas gas, const AtmosphericState& air) const {
     const auto which = static_cast<std::size_t>(gas);
     if (which >= lineGasCount || gases_[which].position.at(node) < 0)
         return 0.0;

@@ -15,23 +15,24 @@ namespace irsg {
 /// A spectral interval whose mean is a weighted sum over a few monochromatic nodes:
 /// mean f = sum of weight * f(node).
 struct SpectralBin {
-    double lower_cm = 0.0;
-    double upper_cm = 0.0;
+    double lower_per_cm = 0.0;
+    double upper_per_cm = 0.0;
     std::uint32_t first = 0; ///< into BinSet::nodes and ::weights
     std::uint32_t count = 0;
 
-    double centre_cm() const { return 0.5 * (lower_cm + upper_cm); }
+    double centre_per_cm() const { return 0.5 * (lower_per_cm + upper_per_cm); }
 };
 
 /// Bins of one resolution, ascending and touching each other.
 struct BinSet {
-    double resolution_cm = 5.0;
+    double resolution_per_cm = 5.0;
     std::vector<SpectralBin> bins;
     std::vector<std::uint32_t> nodes;
     std::vector<float> weights; ///< positive, sum 1 in a bin
 
-    /// First bin that reaches above `lower_cm` and one past the last that begins below `upper_cm`.
-    std::pair<std::size_t, std::size_t> range(double lower_cm, double upper_cm) const;
+    /// First bin that reaches above `lower_per_cm` and one past the last that begins below
+    /// `upper_per_cm`.
+    std::pair<std::size_t, std::size_t> range(double lower_per_cm, double upper_per_cm) const;
 };
 
 /// Absorption of the line gases at selected single wavenumbers ("nodes", optimal spectral sampling:
@@ -42,7 +43,7 @@ struct BinSet {
 /// table.
 class GasTable {
   public:
-    static constexpr int resolutions_cm[] = {1, 5, 15};
+    static constexpr int resolutions_per_cm[] = {1, 5, 15};
 
     using Grid = CrossSectionGrid;
     /// One node and one gas: ln of the cross section (cm2) on the grid, temperature running
@@ -56,7 +57,7 @@ class GasTable {
 
     /// From memory, for the program that writes tables and for tests. Throws LogicError for blocks
     /// of the wrong size, bins that name unknown nodes.
-    GasTable(Grid grid, std::vector<double> nodeWavenumbers_cm, std::vector<Block> blocks,
+    GasTable(Grid grid, std::vector<double> nodeWavenumbers_per_cm, std::vector<Block> blocks,
              std::array<BinSet, 3> bins, std::string header);
     /// Reads and writes `.gastable`. Throws InputError for a damaged or foreign file.
     static std::shared_ptr<const GasTable> read(const std::filesystem::path& file);
@@ -67,20 +68,20 @@ class GasTable {
     const std::string& header() const { return header_; } ///< recipe, sources, expected errors
     const Grid& grid() const { return grid_; }
     std::size_t nodeCount() const { return wavenumbers_cm_.size(); }
-    double wavenumber_cm(std::uint32_t node) const { return wavenumbers_cm_[node]; }
+    double wavenumber_per_cm(std::uint32_t node) const { return wavenumbers_cm_[node]; }
     /// Bins of 1, 5 or 15 cm-1 (LogicError for others). Where the data are coarser, so are the
     /// bins.
-    const BinSet& bins(int resolution_cm) const;
+    const BinSet& bins(int resolution_per_cm) const;
     /// 200 to 50000 cm-1 and what of it this table covers.
-    double lower_cm() const;
-    double upper_cm() const;
+    double lower_per_cm() const;
+    double upper_per_cm() const;
 
     /// Absorption by all line gases, m-1, at `nodes` for air; `out` as many as nodes. Pressures and
     /// temperatures beyond the grid are clamped to it.
-    void absorption_per_m(const AirState& air, std::span<const std::uint32_t> nodes,
+    void absorption_per_m(const AtmosphericState& air, std::span<const std::uint32_t> nodes,
                           std::span<float> out) const;
     /// Cross section of one gas at one node, cm2 per molecule; 0 where the table holds none.
-    double crossSection_cm2(std::uint32_t node, Gas gas, const AirState& air) const;
+    double crossSection_cm2(std::uint32_t node, Gas gas, const AtmosphericState& air) const;
 
     /// Steps of `lnStep` above `lnLowest` in which logarithms of cross sections in cm2 are kept; 0
     /// steps count as nothing.

@@ -84,8 +84,8 @@ class Reader {
         at_ += size;
     }
     [[noreturn]] void refuse(std::string value, std::string expected) const {
-        throw InputError(
-            Offence{file_, "byte " + std::to_string(at_), std::move(value), std::move(expected)});
+        throw InputError(Diagnostic{file_, "byte " + std::to_string(at_), std::move(value),
+                                    std::move(expected)});
     }
 
     const std::string& bytes_;
@@ -108,7 +108,7 @@ void GasTable::write(const std::filesystem::path& file) const {
         writer.array(gas.values);
     }
     for (const BinSet& set : bins_) {
-        writer.number(set.resolution_cm);
+        writer.number(set.resolution_per_cm);
         writer.array(set.bins);
         writer.array(set.nodes);
         writer.array(set.weights);
@@ -131,7 +131,7 @@ std::shared_ptr<const GasTable> GasTable::read(const std::filesystem::path& file
         reader.array(gas.values);
     }
     for (BinSet& set : table->bins_) {
-        set.resolution_cm = reader.number<double>();
+        set.resolution_per_cm = reader.number<double>();
         reader.array(set.bins);
         reader.array(set.nodes);
         reader.array(set.weights);
@@ -139,7 +139,7 @@ std::shared_ptr<const GasTable> GasTable::read(const std::filesystem::path& file
     try {
         table->index();
     } catch (const LogicError& error) {
-        throw InputError(Offence{file.string(), "", error.what(), "a table whose parts fit"});
+        throw InputError(Diagnostic{file.string(), "", error.what(), "a table whose parts fit"});
     }
     return table;
 }

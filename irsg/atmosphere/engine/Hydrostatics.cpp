@@ -4,7 +4,7 @@
 
 namespace irsg {
 
-double hydrostaticPressure_hPa(const AirState& here, const AirState& there) {
+double hydrostaticPressure_hPa(const AtmosphericState& here, const AtmosphericState& there) {
     constexpr double gasConstant = 8.314462618;
     const double water = 0.5 * (here.fraction(Gas::H2O) + there.fraction(Gas::H2O));
     const double molarMass_kg = 28.964e-3 + water * (18.015e-3 - 28.964e-3);

@@ -69,12 +69,12 @@ class TemperatureShift {
 };
 
 void check(const MeteoMeasurement& measured, const Profile& profile) {
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     const auto require = [&](const char* what, double value, double least, double most,
                              const char* unit) {
         if (!(value >= least && value <= most))
-            offences.push_back({"weather", what, numberText(value),
-                                numberText(least) + " to " + numberText(most) + unit});
+            diagnostics.push_back({"weather", what, numberText(value),
+                                   numberText(least) + " to " + numberText(most) + unit});
     };
     require("height_m", measured.height_m, 2.0, 40.0, " m");
     require("temperature_K", measured.temperature_K, 213.15, 333.15, " K");
@@ -82,10 +82,10 @@ void check(const MeteoMeasurement& measured, const Profile& profile) {
     require("relativeHumidity", measured.relativeHumidity, 0.0, 1.0, "");
     require("temperatureAtZero_K", measured.temperatureAtZero_K, 213.15, 333.15, " K");
     if (profile.top_m() < ceiling_m)
-        offences.push_back({profile.name(), "", "top at " + numberText(profile.top_m()) + " m",
-                            "a profile of at least 1000 m"});
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+        diagnostics.push_back({profile.name(), "", "top at " + numberText(profile.top_m()) + " m",
+                               "a profile of at least 1000 m"});
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
 }
 
 /// The measured heights, a ladder that follows the curves, and the levels that were there.
@@ -95,7 +95,7 @@ std::vector<double> altitudesOf(const Profile& profile, double height_m) {
                               600.0, 700.0, 800.0, 900.0, 950.0})
         if (rung > 1.4 * height_m)
             altitudes.push_back(rung);
-    for (const AirState& level : profile.levels())
+    for (const AtmosphericState& level : profile.levels())
         if (std::ranges::none_of(altitudes, [&](double altitude_m) {
                 return std::abs(altitude_m - level.altitude_m) < 1.0;
             }))
@@ -104,7 +104,7 @@ std::vector<double> altitudesOf(const Profile& profile, double height_m) {
     return altitudes;
 }
 
-void setWater(AirState& air, double humidity) {
+void setWater(AtmosphericState& air, double humidity) {
     air.moleFraction[static_cast<std::size_t>(Gas::H2O)] =
         humidity * saturationPressure_hPa(air.temperature_K) / air.pressure_hPa;
 }
@@ -114,17 +114,17 @@ void setWater(AirState& air, double humidity) {
 Profile Profile::withMeteo(const MeteoMeasurement& measured) const {
     check(measured, *this);
     const double height_m = measured.height_m;
-    const AirState atHeight = at(height_m);
+    const AtmosphericState atHeight = at(height_m);
     const TemperatureShift shift(height_m,
                                  measured.temperatureAtZero_K - levels_.front().temperature_K,
                                  measured.temperature_K - atHeight.temperature_K);
 
     // Temperature and humidity first.
-    std::vector<AirState> air;
+    std::vector<AtmosphericState> air;
     std::vector<double> humidity;
     std::size_t measuredLevel = 0;
     for (const double altitude_m : altitudesOf(*this, height_m)) {
-        AirState level = at(altitude_m);
+        AtmosphericState level = at(altitude_m);
         const double weight = 1.0 - smoothStep((altitude_m - height_m) / (ceiling_m - height_m));
         humidity.push_back((1.0 - weight) * std::min(relativeHumidity(level), 1.0) +
                            weight * measured.relativeHumidity);
@@ -161,7 +161,7 @@ Profile Profile::withMeteo(const MeteoMeasurement& measured) const {
                 std::exp(taken * smoothStep((altitude_m - height_m) / (ceiling_m - height_m)));
             setWater(air[i], humidity[i]);
         } else {
-            const AirState unchanged = at(altitude_m);
+            const AtmosphericState unchanged = at(altitude_m);
             air[i] = unchanged;
             air[i].pressure_hPa *= std::exp(taken - misfit);
         }

@@ -18,7 +18,7 @@ constexpr double tabulatedCo2_ppmv = 330.0;
 constexpr std::array modelNames = {"tropical",         "midlatitude summer", "midlatitude winter",
                                    "subarctic summer", "subarctic winter",   "US standard 1976"};
 
-using LevelsOfModels = std::map<int, std::vector<AirState>>;
+using LevelsOfModels = std::map<int, std::vector<AtmosphericState>>;
 
 std::vector<std::string> columnsOfTable() {
     std::vector<std::string> columns = {"atmosphere", "altitude [m]", "pressure [hPa]",
@@ -29,25 +29,26 @@ std::vector<std::string> columnsOfTable() {
 }
 
 void readRow(const CsvTable& table, const CsvRow& row, LevelsOfModels& models,
-             std::vector<Offence>& offences) {
+             std::vector<Diagnostic>& diagnostics) {
     std::array<double, 4 + gasCount> values{};
     if (row.cells.size() != values.size()) {
-        offences.push_back(table.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                                         std::to_string(values.size()) + " cells"));
+        diagnostics.push_back(table.diagnostic(row.line,
+                                               std::to_string(row.cells.size()) + " cells",
+                                               std::to_string(values.size()) + " cells"));
         return;
     }
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto value = table.number(row.cells[i], offences);
+        const auto value = table.number(row.cells[i], diagnostics);
         if (!value)
             return;
         values[i] = *value;
     }
     const int model = static_cast<int>(std::clamp(values[0], 0.0, 7.0));
     if (model < 1 || model > 6 || model != values[0]) {
-        offences.push_back(table.offence(row.cells[0], "an atmosphere from 1 to 6"));
+        diagnostics.push_back(table.diagnostic(row.cells[0], "an atmosphere from 1 to 6"));
         return;
     }
-    AirState level{values[1], values[2], values[3], {}};
+    AtmosphericState level{values[1], values[2], values[3], {}};
     for (std::size_t gas = 0; gas < gasCount; ++gas)
         level.moleFraction[gas] = 1e-6 * values[4 + gas];
     models[model].push_back(level);
@@ -55,7 +56,7 @@ void readRow(const CsvTable& table, const CsvRow& row, LevelsOfModels& models,
 
 LevelsOfModels readModels() {
     const CsvTable table = CsvTable::read(atmosphereResource("profiles.csv"));
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     LevelsOfModels models;
     const std::vector<std::string> columns = columnsOfTable();
     if (table.rows().empty() ||
@@ -63,16 +64,16 @@ LevelsOfModels readModels() {
         std::string wanted;
         for (const std::string& column : columns)
             wanted += (wanted.empty() ? "" : ", ") + column;
-        throw InputError(table.offence("another header", "the columns " + wanted));
+        throw InputError(table.diagnostic("another header", "the columns " + wanted));
     }
     for (std::size_t i = 1; i < table.rows().size(); ++i)
-        readRow(table, table.rows()[i], models, offences);
+        readRow(table, table.rows()[i], models, diagnostics);
     for (int model = 1; model <= 6; ++model)
         if (!models.contains(model))
-            offences.push_back(table.offence("no rows of atmosphere " + std::to_string(model),
-                                             "levels of atmospheres 1 to 6"));
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+            diagnostics.push_back(table.diagnostic("no rows of atmosphere " + std::to_string(model),
+                                                   "levels of atmospheres 1 to 6"));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return models;
 }
 
@@ -81,15 +82,15 @@ LevelsOfModels readModels() {
 Profile Profile::model(ModelAtmosphere model, double co2_ppmv) {
     if (!(co2_ppmv >= 0.0 && co2_ppmv <= 1e5))
         throw InputError(
-            Offence{"atmosphere", "co2_ppmv", numberText(co2_ppmv), "0 to 100000 ppmv"});
+            Diagnostic{"atmosphere", "co2_ppmv", numberText(co2_ppmv), "0 to 100000 ppmv"});
     static const LevelsOfModels models = readModels();
     const int number = static_cast<int>(model);
     if (number < 1 || number > 6)
         throw InputError(
-            Offence{"atmosphere", "model", std::to_string(number), "an atmosphere from 1 to 6"});
+            Diagnostic{"atmosphere", "model", std::to_string(number), "an atmosphere from 1 to 6"});
 
-    std::vector<AirState> levels = models.at(number);
-    for (AirState& level : levels)
+    std::vector<AtmosphericState> levels = models.at(number);
+    for (AtmosphericState& level : levels)
         level.moleFraction[static_cast<std::size_t>(Gas::CO2)] *= co2_ppmv / tabulatedCo2_ppmv;
     return Profile(std::move(levels), modelNames[static_cast<std::size_t>(number - 1)]);
 }

@@ -55,7 +55,7 @@ const float* NodeAbsorption::row(Gas gas, std::size_t point) const {
     return row.steps.data();
 }
 
-void NodeAbsorption::at(const AirState& air, std::span<float> out) const {
+void NodeAbsorption::at(const AtmosphericState& air, std::span<float> out) const {
     std::ranges::fill(out, 0.0f);
     std::array<float, nodesAtOnce> sums;
     std::array<const float*, GridStencil::most> rows;

@@ -19,7 +19,7 @@ class NodeAbsorption {
     NodeAbsorption(const GasTable& gases, std::span<const std::uint32_t> nodes);
 
     /// m-1, as many as nodes. Pressures and temperatures beyond the grid are clamped to it.
-    void at(const AirState& air, std::span<float> out) const;
+    void at(const AtmosphericState& air, std::span<float> out) const;
 
   private:
     struct Row {

@@ -13,16 +13,18 @@ namespace irsg {
 namespace {
 
 /// Where slowly varying quantities are computed: a grid over the wavenumbers, or these themselves.
-std::vector<double> smoothPoints(const std::vector<double>& wavenumbers_cm) {
-    std::vector<double> own = wavenumbers_cm;
+std::vector<double> smoothPoints(const std::vector<double>& wavenumbers_per_cm) {
+    std::vector<double> own = wavenumbers_per_cm;
     std::ranges::sort(own);
     own.erase(std::ranges::unique(own).begin(), own.end());
 
-    const auto step_cm = [](double wavenumber_cm) { return wavenumber_cm < 1e4 ? 10.0 : 50.0; };
-    const double first_step_cm = step_cm(own.front());
+    const auto step_per_cm = [](double wavenumber_per_cm) {
+        return wavenumber_per_cm < 1e4 ? 10.0 : 50.0;
+    };
+    const double first_step_cm = step_per_cm(own.front());
     std::vector<double> grid{std::floor(own.front() / first_step_cm) * first_step_cm};
     while (grid.back() < own.back() && grid.size() < own.size())
-        grid.push_back(grid.back() + step_cm(grid.back()));
+        grid.push_back(grid.back() + step_per_cm(grid.back()));
     return grid.back() < own.back() ? own : grid;
 }
 
@@ -40,34 +42,34 @@ IRSG_VECTOR_CLONES void blackBodies(const double* factor, const double* line, do
 
 } // namespace
 
-NodeColumn::NodeColumn(const AirColumn& air, std::vector<std::uint32_t> nodes,
-                       std::vector<double> wavenumbers_cm, double sunWidth_cm)
+NodeColumn::NodeColumn(const AtmosphericColumn& air, std::vector<std::uint32_t> nodes,
+                       std::vector<double> wavenumbers_per_cm, double sunWidth_per_cm)
     : air_(air),
       nodes_(std::move(nodes)),
-      wavenumbers_cm_(std::move(wavenumbers_cm)),
-      sunWidth_cm_(sunWidth_cm),
+      wavenumbers_cm_(std::move(wavenumbers_per_cm)),
+      sunWidth_cm_(sunWidth_per_cm),
       absorption_(air.gases(), nodes_),
       smoothPoints_cm_(smoothPoints(wavenumbers_cm_)),
       continua_(smoothPoints_cm_),
       levels_(air.levelCount()) {
-    for (const double wavenumber_cm : wavenumbers_cm_) {
-        const double perLength = wavenumber_cm * 1e-4;
+    for (const double wavenumber_per_cm : wavenumbers_cm_) {
+        const double perLength = wavenumber_per_cm * 1e-4;
         planckFactor_.push_back(firstRadiationConstant_W_um4_m2_sr * std::pow(perLength, 5));
         planckLine_.push_back(secondRadiationConstant_um_K * perLength);
 
-        const auto above = std::ranges::upper_bound(smoothPoints_cm_, wavenumber_cm);
+        const auto above = std::ranges::upper_bound(smoothPoints_cm_, wavenumber_per_cm);
         const auto below = std::max<std::ptrdiff_t>(above - smoothPoints_cm_.begin() - 1, 0);
         const auto i = static_cast<std::size_t>(below);
         const bool isLast = i + 1 >= smoothPoints_cm_.size();
         smoothBelow_.push_back(static_cast<std::uint32_t>(i));
         smoothPart_.push_back(isLast ? 0.0
-                                     : (wavenumber_cm - smoothPoints_cm_[i]) /
+                                     : (wavenumber_per_cm - smoothPoints_cm_[i]) /
                                            (smoothPoints_cm_[i + 1] - smoothPoints_cm_[i]));
     }
     for (const ParticleLayer& kind : air_.particles()) {
         Optics optics;
-        for (const double wavenumber_cm : smoothPoints_cm_) {
-            const ParticleOptics here = kind.opticsAt(1e4 / wavenumber_cm);
+        for (const double wavenumber_per_cm : smoothPoints_cm_) {
+            const ParticleOptics here = kind.opticsAt(1e4 / wavenumber_per_cm);
             optics.extinction.push_back(here.extinction);
             optics.scattering.push_back(std::max(here.extinction - here.absorption, 0.0));
             optics.asymmetry.push_back(here.asymmetry);
@@ -77,7 +79,7 @@ NodeColumn::NodeColumn(const AirColumn& air, std::vector<std::uint32_t> nodes,
 }
 
 NodeColumn::Smooth NodeColumn::smoothAt(std::size_t level) const {
-    const AirState& air = air_.level(level);
+    const AtmosphericState& air = air_.level(level);
     const std::size_t points = smoothPoints_cm_.size();
     Smooth smooth;
     smooth.extinction.resize(points);
@@ -88,8 +90,8 @@ NodeColumn::Smooth NodeColumn::smoothAt(std::size_t level) const {
         smooth.extinction[i] += smooth.rayleigh[i];
     }
     smooth.scattering = smooth.rayleigh;
-    smooth.moment.assign(points, 0.0);
-    smooth.forward.assign(points, 0.0);
+    smooth.asymmetry.assign(points, 0.0);
+    smooth.forwardPeak.assign(points, 0.0);
     for (std::size_t kind = 0; kind < optics_.size(); ++kind) {
         const double density_per_m = air_.particleExtinction550_per_m(kind, level);
         if (density_per_m <= 0.0)
@@ -100,8 +102,8 @@ NodeColumn::Smooth NodeColumn::smoothAt(std::size_t level) const {
             const double g = optics.asymmetry[i];
             smooth.extinction[i] += density_per_m * optics.extinction[i];
             smooth.scattering[i] += scattering;
-            smooth.moment[i] += scattering * g;
-            smooth.forward[i] += scattering * g * g;
+            smooth.asymmetry[i] += scattering * g;
+            smooth.forwardPeak[i] += scattering * g * g;
         }
     }
     return smooth;
@@ -135,16 +137,16 @@ NodeColumn::Level& NodeColumn::withExtinction(std::size_t index) const {
     return level;
 }
 
-NodeColumn::Level& NodeColumn::withMoments(std::size_t index) const {
+NodeColumn::Level& NodeColumn::withPhase(std::size_t index) const {
     Level& level = withExtinction(index);
-    level.momentsOnce.call([&] {
-        level.moment.resize(size());
-        level.forward.resize(size());
-        if (std::ranges::all_of(level.smooth.moment, [](double v) { return v == 0.0; }) &&
-            std::ranges::all_of(level.smooth.forward, [](double v) { return v == 0.0; }))
+    level.phaseOnce.call([&] {
+        level.asymmetry.resize(size());
+        level.forwardPeak.resize(size());
+        if (std::ranges::all_of(level.smooth.asymmetry, [](double v) { return v == 0.0; }) &&
+            std::ranges::all_of(level.smooth.forwardPeak, [](double v) { return v == 0.0; }))
             return; // no particles
-        spread<float>(level.smooth.moment, level.moment);
-        spread<float>(level.smooth.forward, level.forward);
+        spread<float>(level.smooth.asymmetry, level.asymmetry);
+        spread<float>(level.smooth.forwardPeak, level.forwardPeak);
     });
     return level;
 }
@@ -157,12 +159,12 @@ std::span<const float> NodeColumn::scattering(std::size_t level) const {
     return withExtinction(level).scattering;
 }
 
-std::span<const float> NodeColumn::moment(std::size_t level) const {
-    return withMoments(level).moment;
+std::span<const float> NodeColumn::asymmetry(std::size_t level) const {
+    return withPhase(level).asymmetry;
 }
 
-std::span<const float> NodeColumn::forward(std::size_t level) const {
-    return withMoments(level).forward;
+std::span<const float> NodeColumn::forwardPeak(std::size_t level) const {
+    return withPhase(level).forwardPeak;
 }
 
 void NodeColumn::planckAt(double temperature_K, std::span<double> radiance) const {
@@ -182,10 +184,10 @@ std::span<const double> NodeColumn::planck(std::size_t index) const {
 std::span<const double> NodeColumn::sun() const {
     sunOnce_.call([&] {
         std::vector<double> sun;
-        for (const double wavenumber_cm : wavenumbers_cm_)
-            sun.push_back(solarIrradiance_W_m2_per_cm(wavenumber_cm - 0.5 * sunWidth_cm_,
-                                                      wavenumber_cm + 0.5 * sunWidth_cm_) *
-                          wavenumber_cm * wavenumber_cm * 1e-4);
+        for (const double wavenumber_per_cm : wavenumbers_cm_)
+            sun.push_back(solarIrradiance_W_m2_per_cm(wavenumber_per_cm - 0.5 * sunWidth_cm_,
+                                                      wavenumber_per_cm + 0.5 * sunWidth_cm_) *
+                          wavenumber_per_cm * wavenumber_per_cm * 1e-4);
         sun_ = std::move(sun);
     });
     return sun_;

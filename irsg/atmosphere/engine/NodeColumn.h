@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "irsg/atmosphere/engine/AirColumn.h"
+#include "irsg/atmosphere/engine/AtmosphericColumn.h"
 #include "irsg/atmosphere/engine/Continuum.h"
 #include "irsg/atmosphere/engine/NodeAbsorption.h"
 #include "irsg/atmosphere/engine/Once.h"
@@ -29,14 +29,14 @@ struct SunAngle {
 /// fewer. Const members may be called from several threads.
 class NodeColumn {
   public:
-    /// `sunWidth_cm`: over how much of the spectrum the sun is averaged around a node.
-    NodeColumn(const AirColumn& air, std::vector<std::uint32_t> nodes,
-               std::vector<double> wavenumbers_cm, double sunWidth_cm);
+    /// `sunWidth_per_cm`: over how much of the spectrum the sun is averaged around a node.
+    NodeColumn(const AtmosphericColumn& air, std::vector<std::uint32_t> nodes,
+               std::vector<double> wavenumbers_per_cm, double sunWidth_per_cm);
 
-    const AirColumn& air() const { return air_; }
+    const AtmosphericColumn& air() const { return air_; }
     std::size_t size() const { return nodes_.size(); }
     const std::vector<std::uint32_t>& nodes() const { return nodes_; }
-    const std::vector<double>& wavenumbers_cm() const { return wavenumbers_cm_; }
+    const std::vector<double>& wavenumbers_per_cm() const { return wavenumbers_cm_; }
 
     /// m-1: gases, continua, Rayleigh scattering, particles.
     std::span<const float> extinction(std::size_t level) const;
@@ -44,8 +44,8 @@ class NodeColumn {
     std::span<const float> scattering(std::size_t level) const;
     /// m-1: scattering times its asymmetry, and the part of the scattering that delta scaling
     /// counts as not scattered (asymmetry squared, of each kind of particles by itself).
-    std::span<const float> moment(std::size_t level) const;
-    std::span<const float> forward(std::size_t level) const;
+    std::span<const float> asymmetry(std::size_t level) const;
+    std::span<const float> forwardPeak(std::size_t level) const;
     /// Radiance of a black body of the level's temperature, W m-2 sr-1 um-1.
     std::span<const double> planck(std::size_t level) const;
     void planckAt(double temperature_K, std::span<double> radiance) const;
@@ -63,12 +63,12 @@ class NodeColumn {
   private:
     /// Slowly varying parts at the smooth points of one level, m-1.
     struct Smooth {
-        std::vector<double> extinction, scattering, moment, forward, rayleigh;
+        std::vector<double> extinction, scattering, asymmetry, forwardPeak, rayleigh;
     };
     struct Level {
-        Once extinctionOnce, momentsOnce, planckOnce;
+        Once extinctionOnce, phaseOnce, planckOnce;
         Smooth smooth;
-        std::vector<float> extinction, scattering, moment, forward;
+        std::vector<float> extinction, scattering, asymmetry, forwardPeak;
         std::vector<double> planck;
     };
     /// Optical properties of one kind of particles at the smooth points, per extinction at 0.55 um.
@@ -76,12 +76,12 @@ class NodeColumn {
         std::vector<double> extinction, scattering, asymmetry;
     };
     Level& withExtinction(std::size_t level) const;
-    Level& withMoments(std::size_t level) const;
+    Level& withPhase(std::size_t level) const;
     Smooth smoothAt(std::size_t level) const;
     template <typename Number>
     void spread(const std::vector<double>& smooth, std::span<Number> out) const;
 
-    const AirColumn& air_;
+    const AtmosphericColumn& air_;
     std::vector<std::uint32_t> nodes_;
     std::vector<double> wavenumbers_cm_;
     double sunWidth_cm_;

@@ -28,24 +28,25 @@ const Tables& tables() {
 
 } // namespace
 
-double ozone_per_m(const AirState& air, double wavenumber_cm) {
+double ozone_per_m(const AtmosphericState& air, double wavenumber_per_cm) {
     const Tables& all = tables();
     double cross_cm2 = 0.0;
-    if (const auto huggins = all.huggins.place(wavenumber_cm); huggins.inside) {
-        const double dT = heldTemperature_K(air) - 273.15;
+    if (const auto huggins = all.huggins.place(wavenumber_per_cm); huggins.inside) {
+        const double dT = clampedTemperature_K(air) - 273.15;
         cross_cm2 = 1e-20 * all.huggins.at(0, huggins) *
                     (1.0 + all.huggins.at(1, huggins) * dT + all.huggins.at(2, huggins) * dT * dT);
-    } else if (const auto far = all.ultraviolet.place(wavenumber_cm); far.inside) {
+    } else if (const auto far = all.ultraviolet.place(wavenumber_per_cm); far.inside) {
         cross_cm2 = 1e-20 * all.ultraviolet.at(0, far);
-    } else if (const auto visible = all.visible.place(wavenumber_cm); visible.inside) {
+    } else if (const auto visible = all.visible.place(wavenumber_per_cm); visible.inside) {
         cross_cm2 = all.visible.at(0, visible) / loschmidt_per_cm3;
     }
-    return 100.0 * std::max(cross_cm2, 0.0) * air.fraction(Gas::O3) * numberPer_cm3(air);
+    return 100.0 * std::max(cross_cm2, 0.0) * air.fraction(Gas::O3) * number_per_cm3(air);
 }
 
-double nitricAcid_per_m(const AirState& air, double wavenumber_cm) {
+double nitricAcid_per_m(const AtmosphericState& air, double wavenumber_per_cm) {
     const EvenTable& table = tables().nitricAcid;
-    return 100.0 * table.at(0, table.place(wavenumber_cm)) * air.fraction(Gas::HNO3) * amagats(air);
+    return 100.0 * table.at(0, table.place(wavenumber_per_cm)) * air.fraction(Gas::HNO3) *
+           amagats(air);
 }
 
 } // namespace irsg::continuum

@@ -25,7 +25,7 @@ std::vector<std::string> opticsColumns(const std::vector<std::string>& prefixes,
 Optics dryOptics(const std::string& kind);
 /// Rural, urban, maritime or tropospheric aerosol (Shettle and Fenn 1979). The logarithms of
 /// extinction and absorption and the asymmetry are linear in ln(100 - RH) between 0, 70, 80 and 99
-/// % (as in LOWTRAN 7); held beyond 99 %.
+/// % (as in LOWTRAN 7); clamped beyond 99 %.
 Optics humidOptics(const std::string& model, double relativeHumidity);
 
 /// Optics between two neighbours, `part` 0 to 1 of the way: logarithms of extinction and

@@ -41,15 +41,16 @@ Limits limitsOf(ParticleTable::Kind kind, const std::string& column) {
 std::vector<std::size_t> places(const CsvTable& csv, const CsvRow& header,
                                 const std::vector<std::string>& columns) {
     std::vector<std::size_t> result = {0};
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (const std::string& name : columns) {
         const auto found = std::ranges::find(header.cells, name, &CsvCell::text);
         if (found == header.cells.end())
-            offences.push_back(csv.offence(header.line, "no column " + name, "a column " + name));
+            diagnostics.push_back(
+                csv.diagnostic(header.line, "no column " + name, "a column " + name));
         result.push_back(static_cast<std::size_t>(found - header.cells.begin()));
     }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return result;
 }
 
@@ -59,7 +60,7 @@ ParticleTable ParticleTable::read(const std::filesystem::path& file, Kind kind,
                                   const std::vector<std::string>& columns) {
     const CsvTable csv = CsvTable::read(file);
     if (csv.rows().empty())
-        throw InputError(csv.offence("no rows", "a header and rows of numbers"));
+        throw InputError(csv.diagnostic("no rows", "a header and rows of numbers"));
     const CsvRow& header = csv.rows().front();
     const std::vector<std::size_t> place = places(csv, header, columns);
 
@@ -68,29 +69,30 @@ ParticleTable ParticleTable::read(const std::filesystem::path& file, Kind kind,
     table.names_.insert(table.names_.end(), columns.begin(), columns.end());
     table.columns_.resize(table.names_.size());
 
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (std::size_t r = 1; r < csv.rows().size(); ++r) {
         const CsvRow& row = csv.rows()[r];
         if (row.cells.size() != header.cells.size()) {
-            offences.push_back(csv.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                                           std::to_string(header.cells.size()) + " cells"));
+            diagnostics.push_back(csv.diagnostic(row.line,
+                                                 std::to_string(row.cells.size()) + " cells",
+                                                 std::to_string(header.cells.size()) + " cells"));
             continue;
         }
 
         // The first column ascends.
         std::vector<double> values;
-        const auto first = csv.number(row.cells[0], offences);
+        const auto first = csv.number(row.cells[0], diagnostics);
         if (first && !table.first().empty() && *first <= table.first().back())
-            offences.push_back(csv.offence(
+            diagnostics.push_back(csv.diagnostic(
                 row.cells[0], "more than the " + numberText(table.first().back()) + " before it"));
 
         // The others keep to their limits.
         for (std::size_t i = 1; i < place.size(); ++i) {
             const Limits limits = limitsOf(kind, table.names_[i]);
             const CsvCell& cell = row.cells[place[i]];
-            const auto value = csv.number(cell, offences, limits.words);
+            const auto value = csv.number(cell, diagnostics, limits.words);
             if (value && (*value < limits.lowest || *value > limits.highest))
-                offences.push_back(csv.offence(cell, limits.words));
+                diagnostics.push_back(csv.diagnostic(cell, limits.words));
             values.push_back(value.value_or(0.0));
         }
         table.columns_[0].push_back(first.value_or(0.0));
@@ -103,8 +105,8 @@ ParticleTable ParticleTable::read(const std::filesystem::path& file, Kind kind,
                 continue;
             const double extinction = table.column(extinctionOf(table.names_[i])).back();
             if (table.columns_[i].back() > extinction)
-                offences.push_back(csv.offence(row.cells[place[i]],
-                                               "at most the extinction " + numberText(extinction)));
+                diagnostics.push_back(csv.diagnostic(
+                    row.cells[place[i]], "at most the extinction " + numberText(extinction)));
         }
     }
 
@@ -113,12 +115,12 @@ ParticleTable ParticleTable::read(const std::filesystem::path& file, Kind kind,
         table.first().size() >= 2 &&
         (kind == Kind::profile ? table.first().front() == 0.0
                                : table.first().front() <= 0.2 && table.first().back() >= 40.0);
-    if (offences.empty() && !covers)
-        offences.push_back(csv.offence(
+    if (diagnostics.empty() && !covers)
+        diagnostics.push_back(csv.diagnostic(
             std::to_string(table.first().size()) + " rows that do not cover the whole range",
             kind == Kind::profile ? "altitudes from 0 m" : "wavelengths of 0.2 to 40 um"));
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return table;
 }
 

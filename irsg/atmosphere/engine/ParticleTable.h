@@ -18,7 +18,7 @@ class ParticleTable {
         profile ///< 0 or more, at least two rows; the first column, an altitude in m, begins at 0
     };
 
-    /// Throws InputError naming every offence: columns that are missing, rows of another length,
+    /// Throws InputError naming every diagnostic: columns that are missing, rows of another length,
     /// cells that are no number or break the rule, a first column that does not ascend.
     static ParticleTable read(const std::filesystem::path& file, Kind kind,
                               const std::vector<std::string>& columns);

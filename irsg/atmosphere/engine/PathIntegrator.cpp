@@ -283,7 +283,8 @@ void crossBeam(const BeamSources::Row& near, const BeamSources::Row& far, const 
 
 } // namespace
 
-PathLight lightAlong(const LevelSources& sources, const RayPath& path, const BeamSources* beams) {
+PathLight integratePath(const LevelSources& sources, const RayPath& path,
+                        const BeamSources* beams) {
     const NodeColumn& column = sources.column();
     const std::size_t n = column.size();
     const std::size_t kinds = beams ? beams->kinds() : 0;
@@ -325,8 +326,9 @@ PathLight lightAlong(const LevelSources& sources, const RayPath& path, const Bea
     return light;
 }
 
-PathLight lightAlong(const NodeColumn& column, const RayPath& path, ScatteredEmission scattered) {
-    return lightAlong(LevelSources(column, std::move(scattered)), path);
+PathLight integratePath(const NodeColumn& column, const RayPath& path,
+                        ScatteredEmission scattered) {
+    return integratePath(LevelSources(column, std::move(scattered)), path);
 }
 
 } // namespace irsg

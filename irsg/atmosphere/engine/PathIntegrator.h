@@ -106,8 +106,8 @@ struct PathLight {
 /// Integrates the equation of transfer along a ray, from the sensor outward: in every segment the
 /// source function is linear in optical depth between its values at the segment's ends. Exact for
 /// isothermal air, for optically thin and thick segments.
-PathLight lightAlong(const LevelSources& sources, const RayPath& path,
-                     const BeamSources* beams = nullptr);
-PathLight lightAlong(const NodeColumn& column, const RayPath& path, ScatteredEmission scattered);
+PathLight integratePath(const LevelSources& sources, const RayPath& path,
+                        const BeamSources* beams = nullptr);
+PathLight integratePath(const NodeColumn& column, const RayPath& path, ScatteredEmission scattered);
 
 } // namespace irsg

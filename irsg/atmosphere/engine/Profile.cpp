@@ -23,20 +23,20 @@ bool isWithin(double value, double least, double most) {
     return value >= least && value <= most; // false for nan
 }
 
-void checkLevel(const AirState& level, const std::string& position, const std::string& name,
-                std::vector<Offence>& offences) {
+void checkLevel(const AtmosphericState& level, const std::string& position, const std::string& name,
+                std::vector<Diagnostic>& diagnostics) {
     if (!std::isfinite(level.altitude_m))
-        offences.push_back(
+        diagnostics.push_back(
             {name, position, numberText(level.altitude_m), "a finite altitude in m"});
     if (!isWithin(level.pressure_hPa, 1e-12, 2000.0))
-        offences.push_back({name, position, "pressure " + numberText(level.pressure_hPa),
-                            "more than 0 and at most 2000 hPa"});
+        diagnostics.push_back({name, position, "pressure " + numberText(level.pressure_hPa),
+                               "more than 0 and at most 2000 hPa"});
     if (!isWithin(level.temperature_K, 100.0, 400.0))
-        offences.push_back(
+        diagnostics.push_back(
             {name, position, "temperature " + numberText(level.temperature_K), "100 to 400 K"});
     for (std::size_t gas = 0; gas < gasCount; ++gas)
         if (!isWithin(level.moleFraction[gas], 0.0, 1.0))
-            offences.push_back(
+            diagnostics.push_back(
                 {name, position,
                  std::string(gasNames[gas]) + " " + numberText(level.moleFraction[gas]),
                  "a mole fraction of 0 to 1"});
@@ -44,40 +44,41 @@ void checkLevel(const AirState& level, const std::string& position, const std::s
 
 } // namespace
 
-Profile::Profile(std::vector<AirState> levels, std::string name)
+Profile::Profile(std::vector<AtmosphericState> levels, std::string name)
     : levels_(std::move(levels)), name_(std::move(name)) {
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     if (levels_.size() < 2)
-        offences.push_back(
+        diagnostics.push_back(
             {name_, "", std::to_string(levels_.size()) + " levels", "at least two levels"});
     for (std::size_t i = 0; i < levels_.size(); ++i) {
         const std::string position = "level " + std::to_string(i + 1);
-        checkLevel(levels_[i], position, name_, offences);
+        checkLevel(levels_[i], position, name_, diagnostics);
         if (i == 0) {
             if (levels_[i].altitude_m != 0.0)
-                offences.push_back({name_, position,
-                                    "altitude " + numberText(levels_[i].altitude_m),
-                                    "the lowest level at 0 m"});
+                diagnostics.push_back({name_, position,
+                                       "altitude " + numberText(levels_[i].altitude_m),
+                                       "the lowest level at 0 m"});
             continue;
         }
         if (levels_[i].altitude_m <= levels_[i - 1].altitude_m)
-            offences.push_back({name_, position, "altitude " + numberText(levels_[i].altitude_m),
-                                "more than " + numberText(levels_[i - 1].altitude_m) +
-                                    " m: altitudes ascend strictly"});
+            diagnostics.push_back({name_, position, "altitude " + numberText(levels_[i].altitude_m),
+                                   "more than " + numberText(levels_[i - 1].altitude_m) +
+                                       " m: altitudes ascend strictly"});
         if (levels_[i].pressure_hPa >= levels_[i - 1].pressure_hPa)
-            offences.push_back({name_, position, "pressure " + numberText(levels_[i].pressure_hPa),
-                                "less than " + numberText(levels_[i - 1].pressure_hPa) +
-                                    " hPa: pressure falls with altitude"});
+            diagnostics.push_back({name_, position,
+                                   "pressure " + numberText(levels_[i].pressure_hPa),
+                                   "less than " + numberText(levels_[i - 1].pressure_hPa) +
+                                       " hPa: pressure falls with altitude"});
     }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
 }
 
 Profile Profile::withScaled(Gas gas, double factor) const {
     if (!(factor >= 0.0 && std::isfinite(factor)))
         throw LogicError("a gas was to be multiplied by " + numberText(factor));
-    std::vector<AirState> levels = levels_;
-    for (AirState& air : levels) {
+    std::vector<AtmosphericState> levels = levels_;
+    for (AtmosphericState& air : levels) {
         double& fraction = air.moleFraction[static_cast<std::size_t>(gas)];
         double most = 1.0;
         if (gas == Gas::H2O)
@@ -87,18 +88,18 @@ Profile Profile::withScaled(Gas gas, double factor) const {
     return Profile(std::move(levels), name_);
 }
 
-AirState Profile::at(double altitude_m) const {
+AtmosphericState Profile::at(double altitude_m) const {
     const auto upper = std::ranges::upper_bound(
-        levels_, altitude_m, {}, [](const AirState& level) { return level.altitude_m; });
+        levels_, altitude_m, {}, [](const AtmosphericState& level) { return level.altitude_m; });
     if (upper == levels_.begin() || upper == levels_.end()) {
-        AirState held = upper == levels_.end() ? levels_.back() : levels_.front();
+        AtmosphericState held = upper == levels_.end() ? levels_.back() : levels_.front();
         held.altitude_m = altitude_m;
         return held;
     }
-    const AirState& a = *(upper - 1);
-    const AirState& b = *upper;
+    const AtmosphericState& a = *(upper - 1);
+    const AtmosphericState& b = *upper;
     const double fraction = (altitude_m - a.altitude_m) / (b.altitude_m - a.altitude_m);
-    AirState result;
+    AtmosphericState result;
     result.altitude_m = altitude_m;
     result.pressure_hPa = logarithmicBetween(a.pressure_hPa, b.pressure_hPa, fraction);
     result.temperature_K = between(a.temperature_K, b.temperature_K, fraction);
@@ -116,7 +117,7 @@ double saturationPressure_hPa(double temperature_K) {
     return 0.01 * std::exp(logarithm_Pa);
 }
 
-double relativeHumidity(const AirState& air) {
+double relativeHumidity(const AtmosphericState& air) {
     return air.fraction(Gas::H2O) * air.pressure_hPa / saturationPressure_hPa(air.temperature_K);
 }
 

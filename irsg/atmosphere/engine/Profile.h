@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/atmosphere/engine/AirState.h"
+#include "irsg/atmosphere/engine/AtmosphericState.h"
 
 namespace irsg {
 
@@ -37,7 +37,7 @@ class Profile {
   public:
     /// Levels ascending in altitude from 0, at least two, pressures falling, 100 to 400 K,
     /// fractions 0 to 1. Throws InputError naming each level that breaks a rule.
-    explicit Profile(std::vector<AirState> levels, std::string name = "profile");
+    explicit Profile(std::vector<AtmosphericState> levels, std::string name = "profile");
 
     /// `co2_ppmv` replaces the tables' 330 ppmv by scaling the whole CO2 profile.
     static Profile model(ModelAtmosphere model, double co2_ppmv = 400.0);
@@ -48,7 +48,7 @@ class Profile {
     /// `hno3 [ppmv]`. Humidity and dew point are over water. The first altitude is at most 1000 m;
     /// below it the air is isothermal and hydrostatic. Above its last level the ascent is blended
     /// into `background` over 5 km (smooth step; the pressures there must agree within a fifth);
-    /// gases that the file lacks are the background's. Throws InputError naming every offence.
+    /// gases that the file lacks are the background's. Throws InputError naming every diagnostic.
     static Profile fromRadiosonde(const std::filesystem::path& file, const Profile& background);
 
     /// The same air with a gas multiplied by a factor of 0 or more at all altitudes. Water stays
@@ -73,19 +73,19 @@ class Profile {
     Profile withMeteo(const MeteoMeasurement& measured) const;
 
     const std::string& name() const { return name_; }
-    const std::vector<AirState>& levels() const { return levels_; }
+    const std::vector<AtmosphericState>& levels() const { return levels_; }
     double top_m() const { return levels_.back().altitude_m; }
     /// Air at an altitude in m; held below the lowest level and above the top.
-    AirState at(double altitude_m) const;
+    AtmosphericState at(double altitude_m) const;
 
   private:
-    std::vector<AirState> levels_;
+    std::vector<AtmosphericState> levels_;
     std::string name_;
 };
 
 /// Saturation vapour pressure over water, hPa (Murphy and Koop 2005, eq. 10; 123 to 332 K).
 double saturationPressure_hPa(double temperature_K);
 /// 0 to 1 and beyond; over water.
-double relativeHumidity(const AirState& air);
+double relativeHumidity(const AtmosphericState& air);
 
 } // namespace irsg

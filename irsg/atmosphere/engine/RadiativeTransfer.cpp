@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "irsg/atmosphere/engine/AirColumn.h"
+#include "irsg/atmosphere/engine/AtmosphericColumn.h"
 #include "irsg/atmosphere/engine/Continuum.h"
 #include "irsg/atmosphere/engine/DiffuseLight.h"
 #include "irsg/atmosphere/engine/NodeColumn.h"
@@ -28,7 +28,7 @@ constexpr std::size_t litKept = 2; ///< suns whose sources a block keeps
 
 /// The ray of a path, and what every level counts along it.
 struct PathRay {
-    AirPath path;
+    AtmosphericPath path;
     RayPath ray;
     std::vector<double> weights;
 };
@@ -48,16 +48,16 @@ struct LitSources {
 
 /// Nodes that belong together and what is known of the air at them.
 struct Block {
-    Block(const AirColumn& air, std::vector<std::uint32_t> nodes, std::vector<double> wavenumbers,
-          double sunWidth_cm, DiffuseLight::Ground ground)
-        : column(air, std::move(nodes), std::move(wavenumbers), sunWidth_cm),
+    Block(const AtmosphericColumn& air, std::vector<std::uint32_t> nodes,
+          std::vector<double> wavenumbers, double sunWidth_per_cm, DiffuseLight::Ground ground)
+        : column(air, std::move(nodes), std::move(wavenumbers), sunWidth_per_cm),
           light(column, std::move(ground)) {}
 
     NodeColumn column;
     DiffuseLight light;
-    /// Source functions without the sun, and those of the last few suns: see State::lightAlong.
-    mutable Once darkOnce;
-    mutable std::optional<LevelSources> dark;
+    /// Source functions without the sun, and those of the last few suns: see State::integratePath.
+    mutable Once sunlessOnce;
+    mutable std::optional<LevelSources> sunless;
     mutable std::mutex litMutex;
     mutable std::list<std::shared_ptr<const LitSources>> lit; ///< the latest first
 };
@@ -70,7 +70,7 @@ Component componentCalled(const std::string& name) {
         if (name == gasNames[gas])
             return [gas = static_cast<Gas>(gas)](const NodeColumn& column, std::size_t level,
                                                  std::size_t node) {
-                const AirState& air = column.air().level(level);
+                const AtmosphericState& air = column.air().level(level);
                 return column.air().gases().crossSection_cm2(column.nodes()[node], gas, air) *
                        1e-4 * air.density_per_m3(gas);
             };
@@ -79,21 +79,22 @@ Component componentCalled(const std::string& name) {
             return [which = static_cast<Continuum>(which)](const NodeColumn& column,
                                                            std::size_t level, std::size_t node) {
                 return continuumAbsorption_per_m(which, column.air().level(level),
-                                                 column.wavenumbers_cm()[node]);
+                                                 column.wavenumbers_per_cm()[node]);
             };
     if (name == "Rayleigh")
         return [](const NodeColumn& column, std::size_t level, std::size_t node) {
             return rayleighScattering_per_m(column.air().level(level),
-                                            column.wavenumbers_cm()[node]);
+                                            column.wavenumbers_per_cm()[node]);
         };
     if (name == "particles")
         return [](const NodeColumn& column, std::size_t level, std::size_t node) {
-            const AirColumn& air = column.air();
+            const AtmosphericColumn& air = column.air();
             double sum = 0.0;
             for (std::size_t kind = 0; kind < air.particles().size(); ++kind)
-                sum +=
-                    air.particleExtinction550_per_m(kind, level) *
-                    air.particles()[kind].opticsAt(1e4 / column.wavenumbers_cm()[node]).extinction;
+                sum += air.particleExtinction550_per_m(kind, level) *
+                       air.particles()[kind]
+                           .opticsAt(1e4 / column.wavenumbers_per_cm()[node])
+                           .extinction;
             return sum;
         };
     throw LogicError("the air has no component called " + name);
@@ -102,15 +103,15 @@ Component componentCalled(const std::string& name) {
 } // namespace
 
 struct RadiativeTransfer::State {
-    State(AirModel model, std::shared_ptr<const GasTable> table)
+    State(AtmosphericModel model, std::shared_ptr<const GasTable> table)
         : air(std::move(model)),
           gases(std::move(table)),
           column(air.profile, air.particles, gases),
           tracer(air.profile, column.altitudes_m()) {}
 
-    AirModel air;
+    AtmosphericModel air;
     std::shared_ptr<const GasTable> gases;
-    AirColumn column;
+    AtmosphericColumn column;
     RayTracer tracer;
     std::mutex mutex;
     std::list<std::shared_ptr<const Block>> blocks; ///< the latest first
@@ -118,19 +119,19 @@ struct RadiativeTransfer::State {
     std::list<std::shared_ptr<const PathRay>> rays;
 
     std::shared_ptr<const Block> block(std::span<const std::uint32_t> nodes,
-                                       std::span<const double> wavenumbers_cm) {
+                                       std::span<const double> wavenumbers_per_cm) {
         const std::lock_guard lock(mutex);
         const auto known = std::ranges::find_if(blocks, [&](const auto& kept) {
             return std::ranges::equal(kept->column.nodes(), nodes) &&
-                   std::ranges::equal(kept->column.wavenumbers_cm(), wavenumbers_cm);
+                   std::ranges::equal(kept->column.wavenumbers_per_cm(), wavenumbers_per_cm);
         });
         if (known != blocks.end()) {
             blocks.splice(blocks.begin(), blocks, known);
         } else {
             blocks.push_front(std::make_shared<const Block>(
                 column, std::vector<std::uint32_t>(nodes.begin(), nodes.end()),
-                std::vector<double>(wavenumbers_cm.begin(), wavenumbers_cm.end()),
-                static_cast<double>(air.resolution_cm),
+                std::vector<double>(wavenumbers_per_cm.begin(), wavenumbers_per_cm.end()),
+                static_cast<double>(air.resolution_per_cm),
                 DiffuseLight::Ground{air.groundTemperature_K, air.groundAlbedo}));
             if (blocks.size() > blocksKept)
                 blocks.pop_back();
@@ -154,7 +155,7 @@ struct RadiativeTransfer::State {
     }
 
     /// Transmittance, radiance and scattering of a path are usually asked for together.
-    std::shared_ptr<const PathRay> ray(const AirPath& path) {
+    std::shared_ptr<const PathRay> ray(const AtmosphericPath& path) {
         const std::lock_guard lock(mutex);
         const auto known = std::ranges::find_if(rays, [&](const auto& kept) {
             return kept->path.sensorAltitude_m == path.sensorAltitude_m &&
@@ -177,13 +178,13 @@ struct RadiativeTransfer::State {
     /// Calls `compute(block, values of the block)` for all nodes of a set.
     template <typename Compute>
     std::vector<double> forEachBlock(const NodeSet& set, Compute compute) {
-        if (set.nodes.size() != set.wavenumbers_cm.size())
+        if (set.nodes.size() != set.wavenumbers_per_cm.size())
             throw LogicError("a set of nodes has not as many wavenumbers as nodes");
         std::vector<double> values(set.nodes.size());
         for (std::size_t first = 0; first < values.size(); first += nodesAtOnce) {
             const std::size_t count = std::min(nodesAtOnce, values.size() - first);
             const auto own = block(std::span(set.nodes).subspan(first, count),
-                                   std::span(set.wavenumbers_cm).subspan(first, count));
+                                   std::span(set.wavenumbers_per_cm).subspan(first, count));
             compute(*own, std::span(values).subspan(first, count));
         }
         return values;
@@ -246,14 +247,14 @@ struct RadiativeTransfer::State {
     }
 
     /// Sources depend on the level and the sun's elevation alone, and are kept.
-    PathLight lightAlong(const Block& block, const RayPath& ray,
-                         const std::shared_ptr<const DiffuseLight::Sunlight>& light) const {
+    PathLight integratePath(const Block& block, const RayPath& ray,
+                            const std::shared_ptr<const DiffuseLight::Sunlight>& light) const {
         if (light) {
             const auto sources = litSources(block, light);
-            return irsg::lightAlong(sources->even, ray, &sources->beams);
+            return irsg::integratePath(sources->even, ray, &sources->beams);
         }
-        block.darkOnce.call([&] { block.dark.emplace(block.column, scattered(block, {})); });
-        return irsg::lightAlong(*block.dark, ray);
+        block.sunlessOnce.call([&] { block.sunless.emplace(block.column, scattered(block, {})); });
+        return irsg::integratePath(*block.sunless, ray);
     }
 
     /// Light along a ray at all nodes; `behind(block, along, light, values)` adds what is seen at
@@ -267,7 +268,7 @@ struct RadiativeTransfer::State {
         std::size_t first = 0;
         forEachBlock(set, [&](const Block& block, std::span<double> values) {
             const auto light = sunlight(block, *paths);
-            const PathLight along = lightAlong(block, ray, light);
+            const PathLight along = integratePath(block, ray, light);
             std::ranges::copy(along.radiance, values.begin());
             behind(block, along, light.get(), values);
             std::ranges::copy(values, all.even.begin() + static_cast<std::ptrdiff_t>(first));
@@ -286,12 +287,12 @@ struct RadiativeTransfer::State {
     }
 };
 
-RadiativeTransfer::RadiativeTransfer(AirModel air, std::shared_ptr<const GasTable> gases)
+RadiativeTransfer::RadiativeTransfer(AtmosphericModel air, std::shared_ptr<const GasTable> gases)
     : state_(std::make_unique<State>(std::move(air), std::move(gases))) {}
 
 RadiativeTransfer::~RadiativeTransfer() = default;
 
-const AirModel& RadiativeTransfer::air() const {
+const AtmosphericModel& RadiativeTransfer::air() const {
     return state_->air;
 }
 
@@ -304,7 +305,7 @@ const RayTracer& RadiativeTransfer::tracer() const {
 }
 
 std::vector<double> RadiativeTransfer::transmittance(const NodeSet& set,
-                                                     const AirPath& path) const {
+                                                     const AtmosphericPath& path) const {
     const auto own = state_->ray(path);
     const std::vector<double>& weights = own->weights;
     return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
@@ -314,7 +315,7 @@ std::vector<double> RadiativeTransfer::transmittance(const NodeSet& set,
 }
 
 std::vector<double> RadiativeTransfer::scatteringOpticalDepth(const NodeSet& set,
-                                                              const AirPath& path) const {
+                                                              const AtmosphericPath& path) const {
     const auto own = state_->ray(path);
     const std::vector<double>& weights = own->weights;
     return state_->forEachBlock(set, [&](const Block& block, std::span<double> values) {
@@ -323,7 +324,7 @@ std::vector<double> RadiativeTransfer::scatteringOpticalDepth(const NodeSet& set
 }
 
 std::vector<double> RadiativeTransfer::componentTransmittance(const NodeSet& set,
-                                                              const AirPath& path,
+                                                              const AtmosphericPath& path,
                                                               const std::string& component) const {
     const Component absorption_per_m = componentCalled(component);
     const auto own = state_->ray(path);
@@ -339,7 +340,7 @@ std::vector<double> RadiativeTransfer::componentTransmittance(const NodeSet& set
     });
 }
 
-DirectedLight RadiativeTransfer::pathLight(const NodeSet& set, const AirPath& path,
+DirectedLight RadiativeTransfer::pathLight(const NodeSet& set, const AtmosphericPath& path,
                                            const SunPosition& sun) const {
     const auto own = state_->ray(path);
     if (own->ray.segments.empty())
@@ -394,7 +395,7 @@ std::vector<double> RadiativeTransfer::towards(const NodeSet& set, const Directe
     });
 }
 
-std::vector<double> RadiativeTransfer::pathRadiance(const NodeSet& set, const AirPath& path,
+std::vector<double> RadiativeTransfer::pathRadiance(const NodeSet& set, const AtmosphericPath& path,
                                                     const SunPosition& sun) const {
     return towards(set, pathLight(set, path, sun), sun.elevation_rad,
                    path.azimuth_rad - sun.azimuth_rad);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "irsg/atmosphere/AirQuestion.h"
+#include "irsg/atmosphere/AtmosphericQuery.h"
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "irsg/atmosphere/engine/Particles.h"
 #include "irsg/atmosphere/engine/Profile.h"
@@ -17,20 +17,21 @@ namespace irsg {
 enum class ScatteringMode { single = 1, twoStream = 2 };
 
 /// Everything that describes the air and the ground under it.
-struct AirModel {
+struct AtmosphericModel {
     Profile profile;
     std::vector<ParticleLayer> particles;
     double groundTemperature_K = 288.15;
     Spectrum groundAlbedo = Spectrum::constant(0.2); ///< 0 to 1; emissivity is 1 - albedo
     ScatteringMode scattering = ScatteringMode::twoStream;
-    int resolution_cm = 5; ///< 1, 5 or 15
+    int resolution_per_cm = 5; ///< 1, 5 or 15
 };
 
 /// Nodes with the smooth quantities shared between them: spectral mode has the nodes of many bins,
 /// wideband-ck a few nodes of the whole band.
 struct NodeSet {
-    std::vector<std::uint32_t> nodes;   ///< of the GasTable
-    std::vector<double> wavenumbers_cm; ///< at which continua, particles, Planck and sun are taken
+    std::vector<std::uint32_t> nodes; ///< of the GasTable
+    std::vector<double>
+        wavenumbers_per_cm; ///< at which continua, particles, Planck and sun are taken
 };
 
 /// Light along a ray, apart by what depends on the azimuth between the ray and the sun: the sun's
@@ -57,10 +58,10 @@ struct DirectedLight {
 /// touches. Const members may be called from several threads.
 class RadiativeTransfer {
   public:
-    RadiativeTransfer(AirModel air, std::shared_ptr<const GasTable> gases);
+    RadiativeTransfer(AtmosphericModel air, std::shared_ptr<const GasTable> gases);
     ~RadiativeTransfer();
 
-    const AirModel& air() const;
+    const AtmosphericModel& air() const;
     const GasTable& gases() const;
     const RayTracer& tracer() const;
 
@@ -73,13 +74,14 @@ class RadiativeTransfer {
 
     /// Values per node, in the order of the set. Radiances per um at the node's wavenumber. They
     /// throw what RayTracer throws for geometry that cannot be.
-    std::vector<double> transmittance(const NodeSet& set, const AirPath& path) const;
-    std::vector<double> pathRadiance(const NodeSet& set, const AirPath& path,
+    std::vector<double> transmittance(const NodeSet& set, const AtmosphericPath& path) const;
+    std::vector<double> pathRadiance(const NodeSet& set, const AtmosphericPath& path,
                                      const SunPosition& sun) const;
     std::vector<double> backgroundRadiance(const NodeSet& set, const LineOfSight& sight,
                                            const SunPosition& sun) const;
     /// The same two for all azimuths, and one azimuth from that.
-    DirectedLight pathLight(const NodeSet& set, const AirPath& path, const SunPosition& sun) const;
+    DirectedLight pathLight(const NodeSet& set, const AtmosphericPath& path,
+                            const SunPosition& sun) const;
     DirectedLight skyLight(const NodeSet& set, const LineOfSight& sight,
                            const SunPosition& sun) const;
     std::vector<double> towards(const NodeSet& set, const DirectedLight& light,
@@ -90,11 +92,12 @@ class RadiativeTransfer {
                                    const SunPosition& sun) const;
     std::vector<double> downwardFlux(const NodeSet& set, double altitude_m,
                                      const SunPosition& sun) const;
-    std::vector<double> scatteringOpticalDepth(const NodeSet& set, const AirPath& path) const;
+    std::vector<double> scatteringOpticalDepth(const NodeSet& set,
+                                               const AtmosphericPath& path) const;
     /// Part of the transmittance that one gas, the continua or the particles make alone; for
     /// comparison with the columns of other programs. `component` is a name of gasNames,
     /// continuumNames, "Rayleigh" or "particles".
-    std::vector<double> componentTransmittance(const NodeSet& set, const AirPath& path,
+    std::vector<double> componentTransmittance(const NodeSet& set, const AtmosphericPath& path,
                                                const std::string& component) const;
 
     /// Means over the resolution's bins as a spectrum over wavelength that covers the range, with a

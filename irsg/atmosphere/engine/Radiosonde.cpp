@@ -63,7 +63,7 @@ std::string quoted(const std::vector<std::string_view>& words, std::string_view 
     return text;
 }
 
-/// One ascent on its way from cells to levels; gathers the offences as it goes.
+/// One ascent on its way from cells to levels; gathers the diagnostics as it goes.
 class Ascent {
   public:
     Ascent(const std::filesystem::path& file, const Profile& background)
@@ -73,7 +73,7 @@ class Ascent {
         for (std::size_t i = 1; i < table_.rows().size(); ++i)
             readRow(table_.rows()[i]);
         if (table_.rows().size() < 3)
-            offences_.push_back(table_.offence(
+            diagnostics_.push_back(table_.diagnostic(
                 std::to_string(table_.rows().size() - 1) + " rows of numbers", "at least two"));
         refuse();
         checkTop();
@@ -81,18 +81,18 @@ class Ascent {
     }
 
     /// The rows, from the ground up, with the other gases of the background.
-    const std::vector<AirState>& levels() const { return levels_; }
+    const std::vector<AtmosphericState>& levels() const { return levels_; }
     bool has(std::size_t gas) const { return gas == water || cells_.contains(gasHeaders[gas]); }
 
   private:
     void refuse() {
-        if (!offences_.empty())
-            throw InputError(std::move(offences_));
+        if (!diagnostics_.empty())
+            throw InputError(std::move(diagnostics_));
     }
 
     void readHeader() {
         if (table_.rows().empty()) {
-            offences_.push_back(table_.offence("no rows", "a header and at least two rows"));
+            diagnostics_.push_back(table_.diagnostic("no rows", "a header and at least two rows"));
             return;
         }
         const CsvRow& header = table_.rows().front();
@@ -103,27 +103,27 @@ class Ascent {
                 std::vector<std::string_view> known;
                 for (const Column& each : columns)
                     known.push_back(each.header);
-                offences_.push_back(table_.offence(cell, "one of " + quoted(known, ", ")));
+                diagnostics_.push_back(table_.diagnostic(cell, "one of " + quoted(known, ", ")));
             } else if (!cells_.emplace(column->header, i).second) {
-                offences_.push_back(table_.offence(cell, "each column once"));
+                diagnostics_.push_back(table_.diagnostic(cell, "each column once"));
             }
         }
         for (const auto& group : groups) {
             const auto count = std::ranges::count_if(
                 group, [&](std::string_view name) { return cells_.contains(name); });
             if (count != 1)
-                offences_.push_back(table_.offence(header.line,
-                                                   std::to_string(count) + " such columns",
-                                                   "one column " + quoted(group, " or ")));
+                diagnostics_.push_back(table_.diagnostic(header.line,
+                                                         std::to_string(count) + " such columns",
+                                                         "one column " + quoted(group, " or ")));
         }
     }
 
     void readRow(const CsvRow& row) {
         const std::size_t width = table_.rows().front().cells.size();
         if (row.cells.size() != width) {
-            offences_.push_back(table_.offence(row.line,
-                                               std::to_string(row.cells.size()) + " cells",
-                                               std::to_string(width) + " cells as in the header"));
+            diagnostics_.push_back(
+                table_.diagnostic(row.line, std::to_string(row.cells.size()) + " cells",
+                                  std::to_string(width) + " cells as in the header"));
             return;
         }
         bool isUsable = true;
@@ -132,9 +132,9 @@ class Ascent {
             const CsvCell& cell = row.cells[place];
             const std::string expected = numberText(column.least) + " to " +
                                          numberText(column.most) + " " + std::string(column.unit);
-            const auto value = table_.number(cell, offences_, expected);
+            const auto value = table_.number(cell, diagnostics_, expected);
             if (value && !(*value >= column.least && *value <= column.most))
-                offences_.push_back(table_.offence(cell, expected));
+                diagnostics_.push_back(table_.diagnostic(cell, expected));
             isUsable = isUsable && value && *value >= column.least && *value <= column.most;
             values_[header] = value.value_or(0.0);
         }
@@ -147,7 +147,7 @@ class Ascent {
     }
 
     void addLevel(const CsvRow& row) {
-        AirState level = background_.at(values_["altitude [m]"]);
+        AtmosphericState level = background_.at(values_["altitude [m]"]);
         level.pressure_hPa = values_["pressure [hPa]"];
         level.temperature_K = cells_.contains("temperature [K]")
                                   ? values_["temperature [K]"]
@@ -159,35 +159,35 @@ class Ascent {
 
         if (levels_.empty()) {
             if (level.altitude_m > highestStart_m)
-                offences_.push_back(table_.offence(cell(row, "altitude [m]"),
-                                                   "a first altitude of at most " +
-                                                       numberText(highestStart_m) + " m"));
+                diagnostics_.push_back(table_.diagnostic(cell(row, "altitude [m]"),
+                                                         "a first altitude of at most " +
+                                                             numberText(highestStart_m) + " m"));
         } else {
             if (level.altitude_m <= levels_.back().altitude_m)
-                offences_.push_back(table_.offence(cell(row, "altitude [m]"),
-                                                   "more than " +
-                                                       numberText(levels_.back().altitude_m) +
-                                                       " m: altitudes ascend strictly"));
+                diagnostics_.push_back(table_.diagnostic(cell(row, "altitude [m]"),
+                                                         "more than " +
+                                                             numberText(levels_.back().altitude_m) +
+                                                             " m: altitudes ascend strictly"));
             if (level.pressure_hPa >= levels_.back().pressure_hPa)
-                offences_.push_back(table_.offence(cell(row, "pressure [hPa]"),
-                                                   "less than " +
-                                                       numberText(levels_.back().pressure_hPa) +
-                                                       " hPa: pressure falls with altitude"));
+                diagnostics_.push_back(
+                    table_.diagnostic(cell(row, "pressure [hPa]"),
+                                      "less than " + numberText(levels_.back().pressure_hPa) +
+                                          " hPa: pressure falls with altitude"));
         }
         levels_.push_back(level);
     }
 
-    void readHumidity(const CsvRow& row, AirState& level) {
+    void readHumidity(const CsvRow& row, AtmosphericState& level) {
         double vapour_hPa = 0.0;
         if (cells_.contains("h2o [ppmv]"))
             return;
         if (cells_.contains("dew_point [C]")) {
             const double dewPoint_K = kelvinFromCelsius(values_["dew_point [C]"]);
             if (dewPoint_K > level.temperature_K + 0.05)
-                offences_.push_back(
-                    table_.offence(cell(row, "dew_point [C]"),
-                                   "at most the temperature, " +
-                                       numberText(celsiusFromKelvin(level.temperature_K)) + " C"));
+                diagnostics_.push_back(table_.diagnostic(
+                    cell(row, "dew_point [C]"),
+                    "at most the temperature, " +
+                        numberText(celsiusFromKelvin(level.temperature_K)) + " C"));
             vapour_hPa = saturationPressure_hPa(std::min(dewPoint_K, level.temperature_K));
         } else {
             vapour_hPa = 0.01 * values_["relative_humidity [%]"] *
@@ -198,12 +198,12 @@ class Ascent {
     }
 
     void checkTop() {
-        const AirState& last = levels_.back();
+        const AtmosphericState& last = levels_.back();
         if (last.altitude_m >= background_.top_m())
             return;
         const double expected_hPa = background_.at(last.altitude_m).pressure_hPa;
         if (std::abs(std::log(last.pressure_hPa / expected_hPa)) > greatestPressureStep)
-            offences_.push_back(table_.offence(
+            diagnostics_.push_back(table_.diagnostic(
                 cell(table_.rows().back(), "pressure [hPa]"),
                 "about " + numberText(std::round(expected_hPa * 100.0) / 100.0) +
                     " hPa, the pressure of the atmosphere above (" + background_.name() + ") at " +
@@ -214,8 +214,8 @@ class Ascent {
     const Profile& background_;
     std::map<std::string_view, std::size_t> cells_;
     std::map<std::string_view, double> values_;
-    std::vector<AirState> levels_;
-    std::vector<Offence> offences_;
+    std::vector<AtmosphericState> levels_;
+    std::vector<Diagnostic> diagnostics_;
 };
 
 double stepDown(double x) {
@@ -224,9 +224,10 @@ double stepDown(double x) {
 }
 
 /// The background moved towards what the ascent last measured.
-AirState blended(const AirState& background, const AirState& backgroundAtLast, const AirState& last,
-                 double weight) {
-    AirState air = background;
+AtmosphericState blended(const AtmosphericState& background,
+                         const AtmosphericState& backgroundAtLast, const AtmosphericState& last,
+                         double weight) {
+    AtmosphericState air = background;
     air.temperature_K += weight * (last.temperature_K - backgroundAtLast.temperature_K);
     air.pressure_hPa *= std::pow(last.pressure_hPa / backgroundAtLast.pressure_hPa, weight);
     for (std::size_t gas = 0; gas < gasCount; ++gas)
@@ -239,9 +240,9 @@ AirState blended(const AirState& background, const AirState& backgroundAtLast, c
 
 Profile Profile::fromRadiosonde(const std::filesystem::path& file, const Profile& background) {
     const Ascent ascent(file, background);
-    std::vector<AirState> measured = ascent.levels();
+    std::vector<AtmosphericState> measured = ascent.levels();
     if (measured.front().altitude_m > 0.0) {
-        AirState ground = measured.front();
+        AtmosphericState ground = measured.front();
         ground.altitude_m = 0.0;
         ground.pressure_hPa = hydrostaticPressure_hPa(measured.front(), ground);
         measured.insert(measured.begin(), ground);
@@ -251,9 +252,9 @@ Profile Profile::fromRadiosonde(const std::filesystem::path& file, const Profile
 
     // Between the rows stand the background's levels, where gases bend that were not measured.
     std::vector<double> altitudes;
-    for (const AirState& level : measured)
+    for (const AtmosphericState& level : measured)
         altitudes.push_back(level.altitude_m);
-    for (const AirState& level : background.levels())
+    for (const AtmosphericState& level : background.levels())
         altitudes.push_back(level.altitude_m);
     if (last_m < background.top_m())
         for (const double part : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0})
@@ -262,17 +263,17 @@ Profile Profile::fromRadiosonde(const std::filesystem::path& file, const Profile
     const auto close = [](double a, double b) { return b - a < 1e-3; };
     altitudes.erase(std::unique(altitudes.begin(), altitudes.end(), close), altitudes.end());
 
-    const AirState backgroundAtLast = background.at(last_m);
-    std::vector<AirState> levels;
+    const AtmosphericState backgroundAtLast = background.at(last_m);
+    std::vector<AtmosphericState> levels;
     for (const double altitude_m : altitudes) {
-        const AirState outside = background.at(altitude_m);
+        const AtmosphericState outside = background.at(altitude_m);
         if (altitude_m > last_m) {
             if (last_m < background.top_m())
                 levels.push_back(blended(outside, backgroundAtLast, lower.levels().back(),
                                          stepDown((altitude_m - last_m) / blending_m)));
             continue;
         }
-        AirState inside = lower.at(altitude_m);
+        AtmosphericState inside = lower.at(altitude_m);
         for (std::size_t gas = 0; gas < gasCount; ++gas)
             if (!ascent.has(gas))
                 inside.moleFraction[gas] = outside.moleFraction[gas];

@@ -31,7 +31,7 @@ double elevationOf(double w_m, double u_m) {
 std::vector<double> refractivityOf(const Profile& profile, const std::vector<double>& altitudes_m) {
     std::vector<double> refractivity;
     for (const double altitude_m : altitudes_m) {
-        const AirState air = profile.at(altitude_m);
+        const AtmosphericState air = profile.at(altitude_m);
         const double vapour_hPa = air.fraction(Gas::H2O) * air.pressure_hPa;
         const double dry_hPa = air.pressure_hPa - vapour_hPa;
         refractivity.push_back(2.7272e-4 * (dry_hPa / 1013.25) * (288.15 / air.temperature_K) +
@@ -50,7 +50,7 @@ std::vector<double> checkedGrid(std::vector<double> altitudes_m, const Profile& 
 
 void require(bool isTrue, const char* position, double value, std::string expected) {
     if (!isTrue)
-        throw InputError(Offence{"path", position, numberText(value), std::move(expected)});
+        throw InputError(Diagnostic{"path", position, numberText(value), std::move(expected)});
 }
 
 void requireAltitude(double altitude_m, const char* position) {
@@ -230,7 +230,7 @@ double RayTracer::elevationOver(const Chord& chord, double range_m, double& leng
     return std::max(ground_rad, elevationFor(straight_m));
 }
 
-RayPath RayTracer::between(const AirPath& path) const {
+RayPath RayTracer::between(const AtmosphericPath& path) const {
     requireAltitude(path.sensorAltitude_m, "sensor altitude");
     requireAltitude(path.targetAltitude_m, "target altitude");
     const double rise_m = std::abs(path.targetAltitude_m - path.sensorAltitude_m);

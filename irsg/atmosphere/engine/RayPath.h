@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "irsg/atmosphere/AirQuestion.h"
+#include "irsg/atmosphere/AtmosphericQuery.h"
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/atmosphere/engine/RayLayers.h"
 
@@ -63,7 +63,7 @@ class RayTracer {
     /// the difference of the altitudes by at most a millionth is vertical. Throws InputError for
     /// altitudes below ground, for a range still shorter, and for ends that the earth hides: their
     /// straight line in space lies more than 500 m below ground at its lowest point.
-    RayPath between(const AirPath& path) const;
+    RayPath between(const AtmosphericPath& path) const;
     /// To space or to the ground. A sensor above the atmosphere enters it where the line meets the
     /// top, or sees nothing (no segments, end space).
     RayPath along(const LineOfSight& sight) const;

@@ -24,7 +24,8 @@ std::filesystem::path atmosphereResource(const std::string& name) {
             return folder / name;
         searched += (searched.empty() ? "" : ", ") + folder.string();
     }
-    throw InputError(Offence{name, "", "no such file", "a table of the atmosphere in " + searched});
+    throw InputError(
+        Diagnostic{name, "", "no such file", "a table of the atmosphere in " + searched});
 }
 
 } // namespace irsg

@@ -6,11 +6,11 @@
 
 namespace irsg {
 
-double solarIrradiance_W_m2_per_cm(double lower_cm, double upper_cm) {
-    if (!(lower_cm < upper_cm))
+double solarIrradiance_W_m2_per_cm(double lower_per_cm, double upper_per_cm) {
+    if (!(lower_per_cm < upper_per_cm))
         throw LogicError("the sun was asked for over an interval of no width");
     static const SolarTable sun = SolarTable::read(atmosphereResource("solar.csv"));
-    return sun.integral(lower_cm, upper_cm) / (upper_cm - lower_cm);
+    return sun.integral(lower_per_cm, upper_per_cm) / (upper_per_cm - lower_per_cm);
 }
 
 } // namespace irsg

@@ -13,51 +13,53 @@ SolarTable SolarTable::read(const std::filesystem::path& file) {
                                                    "irradiance [W m-2 cm]"};
     const CsvTable csv = CsvTable::read(file);
     if (csv.rows().size() < 2)
-        throw InputError(csv.offence(std::to_string(csv.rows().size()) + " rows",
-                                     "a header and the sun's spectrum"));
-    std::vector<Offence> offences;
+        throw InputError(csv.diagnostic(std::to_string(csv.rows().size()) + " rows",
+                                        "a header and the sun's spectrum"));
+    std::vector<Diagnostic> diagnostics;
     const CsvRow& names = csv.rows().front();
     for (std::size_t i = 0; i < header.size(); ++i)
         if (i >= names.cells.size() || names.cells[i].text != header[i])
-            offences.push_back(
-                csv.offence(names.line, i < names.cells.size() ? names.cells[i].text : "no column",
-                            std::string(header[i]) + " as column " + std::to_string(i + 1)));
+            diagnostics.push_back(csv.diagnostic(
+                names.line, i < names.cells.size() ? names.cells[i].text : "no column",
+                std::string(header[i]) + " as column " + std::to_string(i + 1)));
 
     SolarTable table;
     for (std::size_t r = 1; r < csv.rows().size(); ++r) {
         const CsvRow& row = csv.rows()[r];
         if (row.cells.size() != header.size()) {
-            offences.push_back(csv.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                                           "lower and upper wavenumber and irradiance"));
+            diagnostics.push_back(csv.diagnostic(row.line,
+                                                 std::to_string(row.cells.size()) + " cells",
+                                                 "lower and upper wavenumber and irradiance"));
             continue;
         }
-        const std::size_t before = offences.size();
-        const double lower = csv.number(row.cells[0], offences).value_or(0.0);
-        const double upper = csv.number(row.cells[1], offences).value_or(0.0);
-        const double value = csv.number(row.cells[2], offences).value_or(0.0);
-        if (offences.size() > before)
+        const std::size_t before = diagnostics.size();
+        const double lower = csv.number(row.cells[0], diagnostics).value_or(0.0);
+        const double upper = csv.number(row.cells[1], diagnostics).value_or(0.0);
+        const double value = csv.number(row.cells[2], diagnostics).value_or(0.0);
+        if (diagnostics.size() > before)
             continue;
         if (table.edges_cm_.empty()) {
             table.edges_cm_.push_back(lower);
             table.sums_.push_back(0.0);
         }
         if (lower != table.edges_cm_.back())
-            offences.push_back(csv.offence(row.cells[0], "the upper end of the row before, " +
-                                                             numberText(table.edges_cm_.back())));
+            diagnostics.push_back(
+                csv.diagnostic(row.cells[0], "the upper end of the row before, " +
+                                                 numberText(table.edges_cm_.back())));
         if (!(upper > lower))
-            offences.push_back(csv.offence(row.cells[1], "more than " + numberText(lower)));
+            diagnostics.push_back(csv.diagnostic(row.cells[1], "more than " + numberText(lower)));
         if (!(value >= 0.0))
-            offences.push_back(csv.offence(row.cells[2], "an irradiance >= 0"));
+            diagnostics.push_back(csv.diagnostic(row.cells[2], "an irradiance >= 0"));
         table.edges_cm_.push_back(upper);
         table.sums_.push_back(table.sums_.back() + value * (upper - lower));
     }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return table;
 }
 
-double SolarTable::below(double wavenumber_cm) const {
-    const double x = std::clamp(wavenumber_cm, edges_cm_.front(), edges_cm_.back());
+double SolarTable::below(double wavenumber_per_cm) const {
+    const double x = std::clamp(wavenumber_per_cm, edges_cm_.front(), edges_cm_.back());
     const auto upper =
         std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(edges_cm_, x) - edges_cm_.begin(), 1,
                                    static_cast<std::ptrdiff_t>(edges_cm_.size()) - 1);

@@ -21,10 +21,10 @@ const EvenTable& table() {
 
 } // namespace
 
-WaterSpectral waterAt(double wavenumber_cm) {
-    const EvenTable::Place place = table().place(wavenumber_cm);
+WaterSpectral waterAt(double wavenumber_per_cm) {
+    const EvenTable::Place place = table().place(wavenumber_per_cm);
     WaterSpectral water;
-    water.wavenumber_cm = wavenumber_cm;
+    water.wavenumber_per_cm = wavenumber_per_cm;
     water.foreign296 = table().at(foreign296, place);
     const double warm = table().at(self296, place), cool = table().at(self260, place);
     if (warm > 0.0 && cool > 0.0) {
@@ -34,12 +34,12 @@ WaterSpectral waterAt(double wavenumber_cm) {
     return water;
 }
 
-WaterAir::WaterAir(const AirState& air) {
-    const double all_per_cm3 = numberPer_cm3(air);
+WaterAir::WaterAir(const AtmosphericState& air) {
+    const double all_per_cm3 = number_per_cm3(air);
     const double water_per_cm3 = std::max(air.fraction(Gas::H2O) * all_per_cm3, 0.0);
     const double perCoefficient = 1e-18 * water_per_cm3 / reference_per_cm3;
-    cooling_K = 296.0 - heldTemperature_K(air);
-    perTemperature_per_K = 1.0 / heldTemperature_K(air);
+    cooling_K = 296.0 - clampedTemperature_K(air);
+    perTemperature_per_K = 1.0 / clampedTemperature_K(air);
     self = perCoefficient * water_per_cm3;
     foreign = perCoefficient * (all_per_cm3 - water_per_cm3);
 }

@@ -28,16 +28,16 @@ class Reader {
 
     EnvironmentReading read() {
         if (document_.typeName() != "Environment")
-            throw InputError(document_.offence("type", "'" + document_.type() + "'",
-                                               "a type that ends in /Environment"));
+            throw InputError(document_.diagnostic("type", "'" + document_.type() + "'",
+                                                  "a type that ends in /Environment"));
         SunPosition& sun = reading_.parameters.sun;
         readAngle(azimuthName, sun.azimuth_rad, 0.0, fullTurn_rad, "0 to 2 pi rad");
         readAngle(elevationName, sun.elevation_rad, -quarterTurn_rad, quarterTurn_rad,
                   "-pi/2 to pi/2 rad");
         readBackground();
         readComposition();
-        if (!offences_.empty())
-            throw InputError(std::move(offences_));
+        if (!diagnostics_.empty())
+            throw InputError(std::move(diagnostics_));
         for (const KarmaParameter& parameter : document_.parameters())
             if (std::ranges::find(known, parameter.name) == known.end())
                 reading_.remarks.push_back("line " + std::to_string(parameter.line) + ": " +
@@ -53,8 +53,9 @@ class Reader {
         const KarmaParameter* found = document_.find(name);
         if (!found || found->kind == kind)
             return found;
-        offences_.push_back(document_.offence(*found, std::string("a ") + irsg::name(found->kind),
-                                              std::string("a ") + irsg::name(kind)));
+        diagnostics_.push_back(document_.diagnostic(*found,
+                                                    std::string("a ") + irsg::name(found->kind),
+                                                    std::string("a ") + irsg::name(kind)));
         return nullptr;
     }
 
@@ -68,7 +69,8 @@ class Reader {
             return;
         angle_rad = found->numbers.front();
         if (!(angle_rad >= least_rad && angle_rad <= most_rad))
-            offences_.push_back(document_.offence(*found, numberText(angle_rad) + " rad", range));
+            diagnostics_.push_back(
+                document_.diagnostic(*found, numberText(angle_rad) + " rad", range));
     }
 
     void readBackground() {
@@ -79,28 +81,29 @@ class Reader {
         if (!wavelengths || !values) {
             const char* missing = wavelengths ? valuesName : wavelengthsName;
             if (!document_.find(missing))
-                offences_.push_back(document_.offence(
+                diagnostics_.push_back(document_.diagnostic(
                     *(wavelengths ? wavelengths : values), "no " + std::string(missing),
                     "wavelengths and values of the background, or neither"));
             return;
         }
-        const std::size_t before = offences_.size();
+        const std::size_t before = diagnostics_.size();
         const std::vector<double>& x = wavelengths->numbers;
         if (x.size() < 2 || x.front() <= 0.0 ||
             std::ranges::adjacent_find(x, std::greater_equal()) != x.end())
-            offences_.push_back(document_.offence(*wavelengths,
-                                                  "wavelengths that are fewer than two, not "
-                                                  "positive or not ascending",
-                                                  "at least two ascending wavelengths in um"));
+            diagnostics_.push_back(
+                document_.diagnostic(*wavelengths,
+                                     "wavelengths that are fewer than two, not "
+                                     "positive or not ascending",
+                                     "at least two ascending wavelengths in um"));
         if (values->numbers.size() != x.size())
-            offences_.push_back(document_.offence(
+            diagnostics_.push_back(document_.diagnostic(
                 *values, std::to_string(values->numbers.size()) + " numbers",
                 std::string("as many as ") + wavelengthsName + ", " + std::to_string(x.size())));
         for (const double value : values->numbers)
             if (value < 0.0)
-                offences_.push_back(document_.offence(
+                diagnostics_.push_back(document_.diagnostic(
                     *values, numberText(value) + " W m-2 sr-1 um-1", "radiances of at least 0"));
-        if (offences_.size() == before)
+        if (diagnostics_.size() == before)
             reading_.parameters.background =
                 Spectrum(x, values->numbers, Spectrum::Outside::zero, "default background");
     }
@@ -110,9 +113,9 @@ class Reader {
         composition = document_.composites();
         for (const KarmaComposite& composite : composition)
             if (composite.composition != "none")
-                offences_.push_back(
-                    document_.offence(composite, "composition '" + composite.composition + "'",
-                                      "none: atmospheres are not composed of components"));
+                diagnostics_.push_back(
+                    document_.diagnostic(composite, "composition '" + composite.composition + "'",
+                                         "none: atmospheres are not composed of components"));
         std::ranges::stable_sort(composition, {}, &KarmaComposite::priority);
         if (composition.empty())
             reading_.remarks.push_back("no composition: no atmosphere");
@@ -120,7 +123,7 @@ class Reader {
 
     const KarmaXml& document_;
     EnvironmentReading reading_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
 };
 
 } // namespace
@@ -179,18 +182,19 @@ LoadedEnvironment loadEnvironment(const std::filesystem::path& file) {
         std::clamp(loaded.environment.sun.elevation_rad, -0.5 * pi, 0.5 * pi);
     loaded.environment.defaultBackground = reading.parameters.background;
 
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (const KarmaComposite& composite : reading.parameters.composition) {
         try {
-            const std::string position = document.offence(composite, "", "").position;
+            const std::string position = document.diagnostic(composite, "", "").position;
             loaded.environment.add(
                 loadAtmosphere(resolveKarmaPath(composite.parameters, file, position)));
         } catch (const InputError& error) {
-            offences.insert(offences.end(), error.offences().begin(), error.offences().end());
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
         }
     }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return loaded;
 }
 

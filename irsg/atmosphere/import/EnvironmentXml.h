@@ -29,9 +29,9 @@ struct EnvironmentReading {
 /// cannot be read.
 bool isEnvironmentXml(const std::filesystem::path& file);
 
-/// Throws InputError with file and line for every offence: another type, values out of range or of
-/// another kind, a background whose arrays differ in number or do not ascend, a composite that has
-/// a composition of its own.
+/// Throws InputError with file and line for every diagnostic: another type, values out of range or
+/// of another kind, a background whose arrays differ in number or do not ascend, a composite that
+/// has a composition of its own.
 EnvironmentReading environmentFromKarma(const KarmaXml& document);
 /// Writes the parameters into a document; what else stands there is kept.
 void toKarma(const EnvironmentParameters& parameters, KarmaXml& document);
@@ -44,7 +44,7 @@ struct LoadedEnvironment {
     std::vector<std::string> remarks; ///< of the file alone; each atmosphere has its own
 };
 /// Reads the file and, with loadAtmosphere, the files of its composition (paths as in
-/// resolveKarmaPath). Throws InputError with the offences of all of them together.
+/// resolveKarmaPath). Throws InputError with the diagnostics of all of them together.
 LoadedEnvironment loadEnvironment(const std::filesystem::path& file);
 
 } // namespace irsg

@@ -139,10 +139,10 @@ std::vector<ModtranCase> casesBeside(const std::filesystem::path& file) {
 }
 
 SpectralRun readBlock(const CsvTable& csv, const Block& block, const ModtranCase* documented,
-                      std::vector<Offence>& offences) {
+                      std::vector<Diagnostic>& diagnostics) {
     ModtranCase settings = documented ? *documented : ModtranCase();
     SpectralRun run;
-    const std::size_t before = offences.size();
+    const std::size_t before = diagnostics.size();
     const int line = block.header.empty() ? 1 : block.header.front()->line;
     for (const CsvComment& comment : csv.comments()) {
         if (const std::optional<double> value = parseNumber(comment.value)) {
@@ -151,19 +151,19 @@ SpectralRun readBlock(const CsvTable& csv, const Block& block, const ModtranCase
     }
     const auto kind = settings.cards.find("IEMSCT");
     if (kind == settings.cards.end() || !settings.cards.contains("ITYPE")) {
-        offences.push_back(csv.offence(
+        diagnostics.push_back(csv.diagnostic(
             "no word about the line of sight",
             "the input document beside the CSV (CSVPRNT names it), or comments # ITYPE, # IEMSCT, "
             "# H1, # H2, # ANGLE, # RANGE"));
         return run;
     }
     if (kind->second != 0.0 && kind->second != 1.0 && kind->second != 2.0 && kind->second != 3.0) {
-        offences.push_back(csv.offence("IEMSCT " + numberText(kind->second), "0, 1, 2 or 3"));
+        diagnostics.push_back(csv.diagnostic("IEMSCT " + numberText(kind->second), "0, 1, 2 or 3"));
         return run;
     }
     run.kind = static_cast<RunKind>(static_cast<int>(kind->second));
     run.cards = settings.cards;
-    placeRun(run, csv.file(), "", offences);
+    placeRun(run, csv.file(), "", diagnostics);
 
     RunTable table{.file = csv.file(),
                    .positions = {},
@@ -173,13 +173,13 @@ SpectralRun readBlock(const CsvTable& csv, const Block& block, const ModtranCase
                    .sumsIncluded = true};
     const std::optional<SpectralUnit> stated = unitOf(block);
     if (stated && documented && *stated != settings.unit) {
-        offences.push_back(csv.offence(line, "a spectral unit in the header",
-                                       "the one of SPECTRAL.XFLAG of the input document"));
+        diagnostics.push_back(csv.diagnostic(line, "a spectral unit in the header",
+                                             "the one of SPECTRAL.XFLAG of the input document"));
     }
     table.unit = stated.value_or(settings.unit);
     if (block.header.empty() || block.rows.empty()) {
-        offences.push_back(csv.offence(line, "no header or no rows",
-                                       "names of columns and rows of numbers below them"));
+        diagnostics.push_back(csv.diagnostic(line, "no header or no rows",
+                                             "names of columns and rows of numbers below them"));
         return run;
     }
     std::vector<std::pair<RunColumn, std::size_t>> places;
@@ -199,9 +199,9 @@ SpectralRun readBlock(const CsvTable& csv, const Block& block, const ModtranCase
     }
     for (const CsvRow* row : block.rows) {
         if (row->cells.size() != block.rows.front()->cells.size()) {
-            offences.push_back(csv.offence(row->line, std::to_string(row->cells.size()) + " cells",
-                                           std::to_string(block.rows.front()->cells.size()) +
-                                               " as in the first row"));
+            diagnostics.push_back(csv.diagnostic(
+                row->line, std::to_string(row->cells.size()) + " cells",
+                std::to_string(block.rows.front()->cells.size()) + " as in the first row"));
             continue;
         }
         table.positions.push_back("line " + std::to_string(row->line));
@@ -211,13 +211,13 @@ SpectralRun readBlock(const CsvTable& csv, const Block& block, const ModtranCase
             if (const std::optional<double> number = fortranNumber(cell.text)) {
                 value = *number;
             } else if (!cell.text.empty()) {
-                offences.push_back(csv.offence(cell, "a finite number"));
+                diagnostics.push_back(csv.diagnostic(cell, "a finite number"));
             }
             table.columns[column].push_back(value);
         }
     }
-    if (offences.size() == before) {
-        fillRun(run, table, offences);
+    if (diagnostics.size() == before) {
+        fillRun(run, table, diagnostics);
     }
     return run;
 }
@@ -231,22 +231,22 @@ std::vector<SpectralRun> readModtranCsv(const std::filesystem::path& file) {
     }
     const std::vector<ModtranCase> cases = casesBeside(file);
     const std::vector<Block> blocks = blocksOf(csv);
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     if (!cases.empty() && cases.size() != blocks.size()) {
-        throw InputError(csv.offence(std::to_string(blocks.size()) + " tables of numbers",
-                                     "one for each of the " + std::to_string(cases.size()) +
-                                         " cases that the input document has for this file"));
+        throw InputError(csv.diagnostic(std::to_string(blocks.size()) + " tables of numbers",
+                                        "one for each of the " + std::to_string(cases.size()) +
+                                            " cases that the input document has for this file"));
     }
     std::vector<SpectralRun> runs;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-        runs.push_back(readBlock(csv, blocks[i], cases.empty() ? nullptr : &cases[i], offences));
+        runs.push_back(readBlock(csv, blocks[i], cases.empty() ? nullptr : &cases[i], diagnostics));
         const std::string which =
             cases.empty() || cases[i].name.empty() ? std::to_string(i + 1) : cases[i].name;
         runs.back().source =
             file.filename().string() + (blocks.size() > 1 ? ", case " + which : "");
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
     return runs;
 }

@@ -119,17 +119,17 @@ class Document {
 
     const std::string& file() const { return file_; }
     const json& cases() const { return root_["MODTRAN"]; }
-    std::vector<Offence>& offences() { return offences_; }
+    std::vector<Diagnostic>& diagnostics() { return diagnostics_; }
     void offend(std::string path, std::string value, std::string expected) {
-        offences_.push_back({file_, std::move(path), std::move(value), std::move(expected)});
+        diagnostics_.push_back({file_, std::move(path), std::move(value), std::move(expected)});
     }
     void throwIfAny() {
-        if (!offences_.empty()) {
-            throw InputError(std::move(offences_));
+        if (!diagnostics_.empty()) {
+            throw InputError(std::move(diagnostics_));
         }
     }
 
-    /// The case of an index; `number` of its offences begin with MODTRAN[number].
+    /// The case of an index; `number` of its diagnostics begin with MODTRAN[number].
     ModtranCase readCase(std::size_t number) {
         ModtranCase result;
         const std::string path = pathOf(number) + ".MODTRANINPUT";
@@ -243,7 +243,7 @@ class Document {
 
     const std::string& file_;
     json root_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
 };
 
 /// The arrays of one case's results.
@@ -327,12 +327,12 @@ std::vector<SpectralRun> parseModtranJson(const std::string& text, const std::st
                      (settings.name.empty() ? std::to_string(i) : settings.name);
         run.kind = settings.kind;
         run.cards = settings.cards;
-        const std::size_t before = document.offences().size();
+        const std::size_t before = document.diagnostics().size();
         const RunTable table = spectraOf(document, i, settings);
-        if (before == document.offences().size()) {
+        if (before == document.diagnostics().size()) {
             placeRun(run, file, Document::pathOf(i) + ".MODTRANINPUT.GEOMETRY",
-                     document.offences());
-            fillRun(run, table, document.offences());
+                     document.diagnostics());
+            fillRun(run, table, document.diagnostics());
         }
         runs.push_back(std::move(run));
     }

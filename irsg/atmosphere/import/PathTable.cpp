@@ -77,7 +77,8 @@ double betweenDepths(const std::vector<std::pair<double, double>>& depthsWithWei
 
 } // namespace
 
-void PathTable::add(const AirPath& path, std::vector<double> depth, std::vector<double> radiance) {
+void PathTable::add(const AtmosphericPath& path, std::vector<double> depth,
+                    std::vector<double> radiance) {
     if (!(path.range_m > 0.0) || holds(path) ||
         (!nodes_.empty() && (depth.size() != nodes_.front().depth.size() ||
                              radiance.empty() != nodes_.front().source.empty())) ||
@@ -88,7 +89,7 @@ void PathTable::add(const AirPath& path, std::vector<double> depth, std::vector<
     place(nodes_.size() - 1);
 }
 
-bool PathTable::holds(const AirPath& path) const {
+bool PathTable::holds(const AtmosphericPath& path) const {
     return std::ranges::any_of(nodes_, [&](const Node& node) {
         return std::abs(node.path.sensorAltitude_m - path.sensorAltitude_m) < 0.1 &&
                std::abs(node.path.targetAltitude_m - path.targetAltitude_m) < 0.1 &&
@@ -249,7 +250,7 @@ PathTable::Answer PathTable::blend(const std::vector<Corner>& corners, double ra
     return answer;
 }
 
-PathTable::Answer PathTable::at(const AirPath& path, std::size_t first, std::size_t last,
+PathTable::Answer PathTable::at(const AtmosphericPath& path, std::size_t first, std::size_t last,
                                 const std::string& owner) const {
     const std::vector<Corner> ends = corners(path.sensorAltitude_m, path.targetAltitude_m, nullptr);
     if (!reaches(ends, path.range_m)) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/atmosphere/AirQuestion.h"
+#include "irsg/atmosphere/AtmosphericQuery.h"
 #include "irsg/atmosphere/import/Interpolation.h"
 
 namespace irsg {
@@ -29,8 +29,8 @@ class PathTable {
 
     /// Spectral values of every node have the same length; `radiance` may be empty. Infinite depths
     /// are opaque. LogicError for a node that is there twice or does not fit.
-    void add(const AirPath& path, std::vector<double> depth, std::vector<double> radiance);
-    bool holds(const AirPath& path) const;
+    void add(const AtmosphericPath& path, std::vector<double> depth, std::vector<double> radiance);
+    bool holds(const AtmosphericPath& path) const;
     bool isEmpty() const { return nodes_.empty(); }
 
     struct Answer {
@@ -39,7 +39,7 @@ class PathTable {
     };
     /// Values at spectral indices first to last - 1. Throws InputError that names `owner`, the path
     /// and the table's span for a path outside the table.
-    Answer at(const AirPath& path, std::size_t first, std::size_t last,
+    Answer at(const AtmosphericPath& path, std::size_t first, std::size_t last,
               const std::string& owner) const;
 
     /// "sensor 0 to 2000 m, target 0 m, range up to 5000 m (12 paths)".
@@ -51,7 +51,7 @@ class PathTable {
 
   private:
     struct Node {
-        AirPath path;
+        AtmosphericPath path;
         std::vector<double> depth;
         std::vector<double> source;
     };

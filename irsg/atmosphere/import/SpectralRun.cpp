@@ -104,11 +104,11 @@ const char* headerOf(RunColumn column) {
 /// One table on its way into a run.
 class Filler {
   public:
-    Filler(SpectralRun& run, const RunTable& table, std::vector<Offence>& offences)
-        : run_(run), table_(table), offences_(offences), rows_(table.positions.size()) {}
+    Filler(SpectralRun& run, const RunTable& table, std::vector<Diagnostic>& diagnostics)
+        : run_(run), table_(table), diagnostics_(diagnostics), rows_(table.positions.size()) {}
 
     void fill() {
-        const std::size_t before = offences_.size();
+        const std::size_t before = diagnostics_.size();
         if (rows_ < 2) {
             offend("", std::to_string(rows_) + " rows of numbers", "at least two wavenumbers");
         }
@@ -124,7 +124,7 @@ class Filler {
         for (const RunColumn column : required) {
             require(column);
         }
-        if (offences_.size() != before) {
+        if (diagnostics_.size() != before) {
             return;
         }
         fillWavenumbers();
@@ -138,9 +138,9 @@ class Filler {
             run_.solarIrradiance_W_m2_um = density(RunColumn::sunAtObserver);
         }
         fillScatteringDepth();
-        if (table_.unit != SpectralUnit::wavenumber && offences_.size() == before) {
+        if (table_.unit != SpectralUnit::wavenumber && diagnostics_.size() == before) {
             for (std::vector<double>* values :
-                 {&run_.wavenumbers_cm, &run_.transmittance, &run_.pathRadiance_W_m2_sr_um,
+                 {&run_.wavenumbers_per_cm, &run_.transmittance, &run_.pathRadiance_W_m2_sr_um,
                   &run_.totalRadiance_W_m2_sr_um, &run_.solarIrradiance_W_m2_um,
                   &run_.scatteringDepth}) {
                 std::ranges::reverse(*values);
@@ -150,7 +150,7 @@ class Filler {
 
   private:
     void offend(std::string position, std::string value, std::string expected) {
-        offences_.push_back(
+        diagnostics_.push_back(
             {table_.file, std::move(position), std::move(value), std::move(expected)});
     }
 
@@ -189,10 +189,10 @@ class Filler {
                 offend(table_.positions[i], axisName() + " " + numberText(axis[i]),
                        "ascending, above " + numberText(axis[i - 1]));
             }
-            run_.wavenumbers_cm.push_back(table_.unit == SpectralUnit::wavenumber ? axis[i]
-                                          : table_.unit == SpectralUnit::micrometre
-                                              ? wavenumberFromWavelength_cm1(axis[i])
-                                              : 1e7 / axis[i]);
+            run_.wavenumbers_per_cm.push_back(table_.unit == SpectralUnit::wavenumber ? axis[i]
+                                              : table_.unit == SpectralUnit::micrometre
+                                                  ? wavenumberFromWavelength_per_cm(axis[i])
+                                                  : 1e7 / axis[i]);
         }
     }
 
@@ -232,7 +232,7 @@ class Filler {
                 offend(table_.positions[i], std::string(headerOf(column)) + " " + numberText(value),
                        "at least 0");
             }
-            const double nu = run_.wavenumbers_cm[i];
+            const double nu = run_.wavenumbers_per_cm[i];
             values[i] = table_.unit == SpectralUnit::wavenumber
                             ? perMicrometreFromPerWavenumber(1e4 * value, nu)
                         : table_.unit == SpectralUnit::micrometre ? 1e4 * value
@@ -300,7 +300,7 @@ class Filler {
 
     SpectralRun& run_;
     const RunTable& table_;
-    std::vector<Offence>& offences_;
+    std::vector<Diagnostic>& diagnostics_;
     std::size_t rows_;
 };
 
@@ -331,8 +331,8 @@ std::optional<RunColumn> runColumn(std::string_view header) {
     return found == aliases.end() ? std::nullopt : std::optional(found->column);
 }
 
-void fillRun(SpectralRun& run, const RunTable& table, std::vector<Offence>& offences) {
-    Filler(run, table, offences).fill();
+void fillRun(SpectralRun& run, const RunTable& table, std::vector<Diagnostic>& diagnostics) {
+    Filler(run, table, diagnostics).fill();
 }
 
 std::optional<double> chord_m(double fromAltitude_m, double toAltitude_m, double elevation_rad,

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "irsg/atmosphere/AirQuestion.h"
+#include "irsg/atmosphere/AtmosphericQuery.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
@@ -41,7 +41,7 @@ struct SpectralRun {
     std::map<std::string, double> cards;
     std::vector<std::string> warnings;
 
-    std::vector<double> wavenumbers_cm;           ///< ascending
+    std::vector<double> wavenumbers_per_cm;       ///< ascending
     std::vector<double> transmittance;            ///< 0 to 1
     std::vector<double> pathRadiance_W_m2_sr_um;  ///< emitted and scattered into the path
     std::vector<double> totalRadiance_W_m2_sr_um; ///< with what is at the end of the path
@@ -96,10 +96,10 @@ struct RunTable {
 /// or stand beside them depends on the version: that sum is taken which together with SURF_EMIS and
 /// GRND_RFLT gives the file's own TOTAL_RAD; a warning says when none does to 1 %. A transmittance
 /// that is printed with too few digits is taken from the optical depth beside it. Scattering depth
-/// is -ln(MOLEC SCAT) - ln(AER+CLD TRANS / AER+CLD abTRNS). Adds an offence for each missing
+/// is -ln(MOLEC SCAT) - ln(AER+CLD TRANS / AER+CLD abTRNS). Adds an diagnostic for each missing
 /// column, each required cell that is blank, each value out of range, wavenumbers that do not
 /// ascend.
-void fillRun(SpectralRun& run, const RunTable& table, std::vector<Offence>& offences);
+void fillRun(SpectralRun& run, const RunTable& table, std::vector<Diagnostic>& diagnostics);
 
 /// Length in m of the straight chord of a spherical earth from one altitude to another, leaving at
 /// an elevation; no value where the ray does not reach that altitude

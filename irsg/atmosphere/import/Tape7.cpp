@@ -46,8 +46,8 @@ std::vector<Column> words(const std::string& line) {
 /// One run on its way from lines to columns.
 class Reader {
   public:
-    Reader(const TextLines& text, std::vector<Offence>& offences)
-        : text_(text), offences_(offences) {}
+    Reader(const TextLines& text, std::vector<Diagnostic>& diagnostics)
+        : text_(text), diagnostics_(diagnostics) {}
 
     /// Reads the run that begins at line `at` and moves `at` behind it.
     SpectralRun read(std::size_t& at, const std::string& source) {
@@ -60,24 +60,24 @@ class Reader {
         }
         if (names_ >= text_.lines.size() || !isColumnNames(text_.lines[names_]) ||
             names_ < first_ + shortestHeader) {
-            offences_.push_back(text_.offence(
+            diagnostics_.push_back(text_.diagnostic(
                 std::min(names_, text_.lines.size() - 1), "a header that is cut or foreign",
                 "the cards of a MODTRAN run and a line that begins with FREQ after at least " +
                     std::to_string(shortestHeader) + " lines"));
             at = text_.lines.size();
             return run_;
         }
-        const std::size_t before = offences_.size();
-        run_.cards = tape7Cards(text_, first_, names_, offences_);
-        if (offences_.size() == before) {
+        const std::size_t before = diagnostics_.size();
+        run_.cards = tape7Cards(text_, first_, names_, diagnostics_);
+        if (diagnostics_.size() == before) {
             readKind();
         }
-        if (offences_.size() == before) {
-            placeRun(run_, text_.file, "line " + std::to_string(names_ - 4), offences_);
+        if (diagnostics_.size() == before) {
+            placeRun(run_, text_.file, "line " + std::to_string(names_ - 4), diagnostics_);
             readColumns();
         }
         std::size_t row = names_ + 1;
-        if (offences_.size() == before) {
+        if (diagnostics_.size() == before) {
             row = run_.kind == RunKind::transmittance ? names_ + 2 : names_ + 1;
             row = readRows(row);
         } else {
@@ -85,10 +85,10 @@ class Reader {
                 ++row;
             }
         }
-        if (offences_.size() == before) {
-            fillRun(run_, table_, offences_);
+        if (diagnostics_.size() == before) {
+            fillRun(run_, table_, diagnostics_);
         }
-        if (offences_.size() == before) {
+        if (diagnostics_.size() == before) {
             warnOfEnd(row < text_.lines.size());
         }
         at = row + 1;
@@ -99,9 +99,9 @@ class Reader {
     void readKind() {
         const double kind = run_.cards["IEMSCT"];
         if (kind != 0.0 && kind != 1.0 && kind != 2.0 && kind != 3.0) {
-            offences_.push_back(
-                text_.offence(first_, "IEMSCT " + numberText(kind),
-                              "0 (transmittance), 1 or 2 (radiance) or 3 (solar irradiance)"));
+            diagnostics_.push_back(
+                text_.diagnostic(first_, "IEMSCT " + numberText(kind),
+                                 "0 (transmittance), 1 or 2 (radiance) or 3 (solar irradiance)"));
             return;
         }
         run_.kind = static_cast<RunKind>(static_cast<int>(kind));
@@ -123,8 +123,8 @@ class Reader {
                         {"SOLAR", 25, 34},
                         {"DEPTH", 34, std::string::npos}};
             if (line.find("SOL TR") == std::string::npos) {
-                offences_.push_back(
-                    text_.offence(names_, line, "FREQ, TRANS, SOL TR and SOLAR for IEMSCT 3"));
+                diagnostics_.push_back(
+                    text_.diagnostic(names_, line, "FREQ, TRANS, SOL TR and SOLAR for IEMSCT 3"));
             }
             return;
         }
@@ -144,10 +144,10 @@ class Reader {
         const bool isThere = names_ + 1 < text_.lines.size();
         columns_ = isThere ? words(text_.lines[names_ + 1]) : std::vector<Column>();
         if (columns_.empty() || columns_.front().name != "CM-1") {
-            offences_.push_back(text_.offence(names_ + 1,
-                                              isThere ? text_.lines[names_ + 1] : "the end",
-                                              "a second line of column names for IEMSCT 0, which "
-                                              "begins with CM-1"));
+            diagnostics_.push_back(
+                text_.diagnostic(names_ + 1, isThere ? text_.lines[names_ + 1] : "the end",
+                                 "a second line of column names for IEMSCT 0, which "
+                                 "begins with CM-1"));
             return;
         }
         std::size_t begin = 0;
@@ -224,8 +224,8 @@ class Reader {
             if (const std::optional<double> number = fortranNumber(cell)) {
                 value = *number;
             } else if (!cell.empty()) {
-                offences_.push_back(text_.offence(row, "'" + std::string(cell) + "'",
-                                                  "a number for " + columns_[i].name));
+                diagnostics_.push_back(text_.diagnostic(row, "'" + std::string(cell) + "'",
+                                                        "a number for " + columns_[i].name));
             }
             table_.columns[*places_[i]].push_back(value);
             if (places_[i] == RunColumn::transmittance && table_.positions.size() == 1) {
@@ -237,7 +237,7 @@ class Reader {
     }
 
     void warnOfEnd(bool terminated) {
-        const double last = run_.wavenumbers_cm.back();
+        const double last = run_.wavenumbers_per_cm.back();
         const double asked = run_.cards["V2"];
         if (!terminated) {
             run_.warnings.push_back("the file stops at " + numberText(last) +
@@ -253,7 +253,7 @@ class Reader {
     }
 
     const TextLines& text_;
-    std::vector<Offence>& offences_;
+    std::vector<Diagnostic>& diagnostics_;
     SpectralRun run_;
     RunTable table_;
     std::size_t first_ = 0;
@@ -269,7 +269,7 @@ std::vector<SpectralRun> readTape7(const std::filesystem::path& file) {
 }
 
 std::vector<SpectralRun> parseTape7(const TextLines& text) {
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     std::vector<SpectralRun> runs;
     std::size_t at = 0;
     while (true) {
@@ -281,11 +281,11 @@ std::vector<SpectralRun> parseTape7(const TextLines& text) {
         }
         const std::string file = std::filesystem::path(text.file).filename().string();
         runs.push_back(
-            Reader(text, offences)
+            Reader(text, diagnostics)
                 .read(at, runs.empty() ? file : file + ", run " + std::to_string(runs.size() + 1)));
     }
-    if (!offences.empty()) {
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty()) {
+        throw InputError(std::move(diagnostics));
     }
     return runs;
 }

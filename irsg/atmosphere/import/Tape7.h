@@ -24,25 +24,25 @@ namespace irsg {
 /// warning and no sun position.
 ///
 /// A file that stops before -9999 or before V2 is accepted with a warning that names the last
-/// wavenumber; a last row that is cut is dropped. Throws InputError naming every other offence with
-/// its line.
+/// wavenumber; a last row that is cut is dropped. Throws InputError naming every other diagnostic
+/// with its line.
 std::vector<SpectralRun> readTape7(const std::filesystem::path& file);
 /// The same from memory.
 std::vector<SpectralRun> parseTape7(const TextLines& text);
 
 /// The cards that the header echoes, by name: MODEL ITYPE IEMSCT IMULT M1..M6 MDEF IM NOPRNT TBOUND
 /// SALB; IHAZE ISEASN IVULCN ICSTL ICLD IVSA VIS WSS WHH RAINRT GNDALT; H1 H2 ANGLE RANGE BETA RO
-/// LEN; IPARM IPH IDAY ISOURC; PARM1..PARM4 TIME PSIPO, and G where the line goes on to it; V1 V2 DV
-/// FWHM, in the units of MODTRAN (km, degrees, cm-1). -99 is "not used". `first` is the line of
-/// card 1 and `names` the one of the column names. Adds an offence for each cell that is not a
+/// LEN; IPARM IPH IDAY ISOURC; PARM1..PARM4 TIME PSIPO, and G where the line goes on to it; V1 V2
+/// DV FWHM, in the units of MODTRAN (km, degrees, cm-1). -99 is "not used". `first` is the line of
+/// card 1 and `names` the one of the column names. Adds an diagnostic for each cell that is not a
 /// number.
 std::map<std::string, double> tape7Cards(const TextLines& text, std::size_t first,
-                                         std::size_t names, std::vector<Offence>& offences);
+                                         std::size_t names, std::vector<Diagnostic>& diagnostics);
 
 /// Geometry of a run from cards in MODTRAN's units by the names above, shared by all importers.
-/// Adds offences (at `position`) for an ITYPE, an altitude or a range that cannot be used, and
+/// Adds diagnostics (at `position`) for an ITYPE, an altitude or a range that cannot be used, and
 /// warnings to `run`.
 void placeRun(SpectralRun& run, const std::string& file, const std::string& position,
-              std::vector<Offence>& offences);
+              std::vector<Diagnostic>& diagnostics);
 
 } // namespace irsg

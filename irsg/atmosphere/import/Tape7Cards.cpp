@@ -39,7 +39,7 @@ double cardOf(const SpectralRun& run, const char* name) {
 } // namespace
 
 std::map<std::string, double> tape7Cards(const TextLines& text, std::size_t first,
-                                         std::size_t names, std::vector<Offence>& offences) {
+                                         std::size_t names, std::vector<Diagnostic>& diagnostics) {
     std::map<std::string, double> cards;
     const auto read = [&](std::size_t line, std::span<const CardField> fields) {
         for (const CardField& wanted : fields) {
@@ -47,11 +47,11 @@ std::map<std::string, double> tape7Cards(const TextLines& text, std::size_t firs
             if (const std::optional<double> value = fortranNumber(cell)) {
                 cards[wanted.name] = *value;
             } else {
-                offences.push_back(text.offence(line, "'" + std::string(cell) + "'",
-                                                "a number for " + std::string(wanted.name) +
-                                                    " in columns " +
-                                                    std::to_string(wanted.first + 1) + " to " +
-                                                    std::to_string(wanted.first + wanted.columns)));
+                diagnostics.push_back(
+                    text.diagnostic(line, "'" + std::string(cell) + "'",
+                                    "a number for " + std::string(wanted.name) + " in columns " +
+                                        std::to_string(wanted.first + 1) + " to " +
+                                        std::to_string(wanted.first + wanted.columns)));
             }
         }
     };
@@ -67,9 +67,9 @@ std::map<std::string, double> tape7Cards(const TextLines& text, std::size_t firs
 }
 
 void placeRun(SpectralRun& run, const std::string& file, const std::string& position,
-              std::vector<Offence>& offences) {
+              std::vector<Diagnostic>& diagnostics) {
     const auto offend = [&](std::string value, std::string expected) {
-        offences.push_back({file, position, std::move(value), std::move(expected)});
+        diagnostics.push_back({file, position, std::move(value), std::move(expected)});
     };
     const double type = cardOf(run, "ITYPE");
     if (type != 1.0 && type != 2.0 && type != 3.0) {

@@ -45,7 +45,7 @@ TextLines TextLines::parse(std::string_view text, std::string file) {
     return result;
 }
 
-Offence TextLines::offence(std::size_t index, std::string value, std::string expected) const {
+Diagnostic TextLines::diagnostic(std::size_t index, std::string value, std::string expected) const {
     return {file, "line " + std::to_string(index + 1), std::move(value), std::move(expected)};
 }
 

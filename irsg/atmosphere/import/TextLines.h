@@ -22,7 +22,7 @@ struct TextLines {
     static TextLines parse(std::string_view text, std::string file);
 
     /// About the line of an index (which counts from 0; the message counts from 1).
-    Offence offence(std::size_t index, std::string value, std::string expected) const;
+    Diagnostic diagnostic(std::size_t index, std::string value, std::string expected) const;
 };
 
 /// The whole of a file. Throws InputError as above.

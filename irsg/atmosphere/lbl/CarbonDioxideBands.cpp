@@ -57,8 +57,8 @@ std::vector<CarbonDioxideBand> readCarbonDioxideBands(const std::vector<std::str
                                                       const std::string& file) {
     std::map<std::string, std::size_t> places;
     std::vector<CarbonDioxideBand> bands;
-    std::vector<Offence> offences;
-    for (std::size_t i = 0; i < lines.size() && offences.size() < 10; ++i) {
+    std::vector<Diagnostic> diagnostics;
+    for (std::size_t i = 0; i < lines.size() && diagnostics.size() < 10; ++i) {
         std::istringstream words(lines[i]);
         std::string name, strength;
         words >> name >> strength;
@@ -69,8 +69,8 @@ std::vector<CarbonDioxideBand> readCarbonDioxideBands(const std::vector<std::str
         if (code.size() != 11 || (!half.empty() && half != "I" && half != "II") || !value ||
             *value < 0.0 ||
             !std::ranges::all_of(code, [](char c) { return c >= '0' && c <= '9'; })) {
-            offences.push_back({file, "line " + std::to_string(i + 1), "'" + lines[i] + "'",
-                                "isotopologue and two states of five digits, strength"});
+            diagnostics.push_back({file, "line " + std::to_string(i + 1), "'" + lines[i] + "'",
+                                   "isotopologue and two states of five digits, strength"});
             continue;
         }
         const auto [place, isNew] = places.try_emplace(code, bands.size());
@@ -79,10 +79,10 @@ std::vector<CarbonDioxideBand> readCarbonDioxideBands(const std::vector<std::str
                 {code[0] == '0' ? 10 : code[0] - '0', code.substr(1, 5), code.substr(6, 5), 0.0});
         bands[place->second].strength += *value;
     }
-    if (bands.empty() && offences.empty())
-        offences.push_back({file, "", "no band", "bands of CO2"});
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (bands.empty() && diagnostics.empty())
+        diagnostics.push_back({file, "", "no band", "bands of CO2"});
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return bands;
 }
 
@@ -106,14 +106,15 @@ std::vector<Line> bandLines(const CarbonDioxideBand& band, const CarbonDioxideLe
                     !exists(band.isotopologue, band.upper, upperSymmetry, J + branch))
                     continue;
                 Line line;
-                line.lowerEnergy_cm = lower->energy_cm(J);
-                line.wavenumber_cm = upper->energy_cm(J + branch) - line.lowerEnergy_cm;
-                if (line.wavenumber_cm <= 0.0)
+                line.lowerEnergy_per_cm = lower->energy_per_cm(J);
+                line.wavenumber_per_cm = upper->energy_per_cm(J + branch) - line.lowerEnergy_per_cm;
+                if (line.wavenumber_per_cm <= 0.0)
                     continue;
                 const double c = secondRadiationConstant_cm_K / referenceTemperature_K;
-                line.intensity = line.wavenumber_cm * hoenlLondonFactor(branch, J, lowerL, upperL) *
-                                 std::exp(-c * line.lowerEnergy_cm) *
-                                 -std::expm1(-c * line.wavenumber_cm);
+                line.intensity = line.wavenumber_per_cm *
+                                 hoenlLondonFactor(branch, J, lowerL, upperL) *
+                                 std::exp(-c * line.lowerEnergy_per_cm) *
+                                 -std::expm1(-c * line.wavenumber_per_cm);
                 levels.widths(branch > 0 ? J + 1 : J).applyTo(line);
                 line.isotopologue = band.isotopologue;
                 sum += line.intensity;

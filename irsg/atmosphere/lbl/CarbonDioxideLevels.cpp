@@ -50,7 +50,7 @@ struct Assignment {
     int isotopologue, J;
     char branch, symmetry;
     std::string upper, lower;
-    double wavenumber_cm, lowerEnergy_cm;
+    double wavenumber_per_cm, lowerEnergy_per_cm;
     WidthOfM widths;
 };
 
@@ -85,8 +85,8 @@ std::optional<Assignment> assignmentOf(const std::string& record) {
         (line.symmetry != 'e' && line.symmetry != 'f'))
         return std::nullopt;
     line.J = static_cast<int>(*J);
-    line.wavenumber_cm = *wavenumber;
-    line.lowerEnergy_cm = *energy;
+    line.wavenumber_per_cm = *wavenumber;
+    line.lowerEnergy_per_cm = *energy;
     line.widths = {*air, *self, *exponent, *shift};
     return line;
 }
@@ -100,39 +100,41 @@ void WidthOfM::applyTo(Line& line) const {
     line.airShift_cm_atm = static_cast<float>(airShift_cm_atm);
 }
 
-std::optional<RotationalTerm> RotationalTerm::fit(const std::map<int, double>& energies_cm) {
+std::optional<RotationalTerm> RotationalTerm::fit(const std::map<int, double>& energies_per_cm) {
     std::vector<std::pair<double, double>> points;
-    for (const auto& [J, energy_cm] : energies_cm)
-        points.emplace_back(scaled(J), energy_cm);
+    for (const auto& [J, energy_per_cm] : energies_per_cm)
+        points.emplace_back(scaled(J), energy_per_cm);
     RotationalTerm term;
     for (int round = 0; round < 2; ++round) {
         if (points.size() < fewestLevels)
             return std::nullopt;
         term.coefficients_ = polynomial(points, points.size() < 15 ? 3 : 4);
-        term.highestJ_ = energies_cm.rbegin()->first;
-        auto error_cm = [&](const std::pair<double, double>& point) {
+        term.highestJ_ = energies_per_cm.rbegin()->first;
+        auto error_per_cm = [&](const std::pair<double, double>& point) {
             double value = 0.0;
             for (std::size_t i = 4; i-- > 0;)
                 value = value * point.first + term.coefficients_[i];
             return std::abs(value - point.second);
         };
-        std::vector<double> errors_cm;
+        std::vector<double> errors_per_cm;
         double squares = 0.0;
         for (const auto& point : points) {
-            errors_cm.push_back(error_cm(point));
-            squares += errors_cm.back() * errors_cm.back();
+            errors_per_cm.push_back(error_per_cm(point));
+            squares += errors_per_cm.back() * errors_per_cm.back();
         }
         term.residual_cm_ = std::sqrt(squares / static_cast<double>(points.size()));
-        std::ranges::nth_element(errors_cm, errors_cm.begin() +
-                                                static_cast<std::ptrdiff_t>(errors_cm.size() / 2));
-        const double limit_cm = std::max(0.05, 6.0 * errors_cm[errors_cm.size() / 2]);
-        if (std::erase_if(points, [&](const auto& p) { return error_cm(p) > limit_cm; }) == 0)
+        std::ranges::nth_element(errors_per_cm,
+                                 errors_per_cm.begin() +
+                                     static_cast<std::ptrdiff_t>(errors_per_cm.size() / 2));
+        const double limit_per_cm = std::max(0.05, 6.0 * errors_per_cm[errors_per_cm.size() / 2]);
+        if (std::erase_if(points, [&](const auto& p) { return error_per_cm(p) > limit_per_cm; }) ==
+            0)
             break;
     }
     return term;
 }
 
-double RotationalTerm::energy_cm(int J) const {
+double RotationalTerm::energy_per_cm(int J) const {
     const double x = scaled(J);
     double value = 0.0;
     for (std::size_t i = coefficients_.size(); i-- > 0;)
@@ -153,10 +155,10 @@ CarbonDioxideLevels::CarbonDioxideLevels(const std::vector<std::string>& records
         ++assigned;
         const int step = line->branch == 'P' ? -1 : line->branch == 'R' ? 1 : 0;
         const char other = line->symmetry == 'e' ? 'f' : 'e';
-        levels[{line->isotopologue, line->lower, line->symmetry}].try_emplace(line->J,
-                                                                              line->lowerEnergy_cm);
+        levels[{line->isotopologue, line->lower, line->symmetry}].try_emplace(
+            line->J, line->lowerEnergy_per_cm);
         levels[{line->isotopologue, line->upper, step == 0 ? other : line->symmetry}].try_emplace(
-            line->J + step, line->lowerEnergy_cm + line->wavenumber_cm);
+            line->J + step, line->lowerEnergy_per_cm + line->wavenumber_per_cm);
 
         const auto m = static_cast<std::size_t>(step == 1 ? line->J + 1 : line->J);
         if (m > largestM)
@@ -168,10 +170,10 @@ CarbonDioxideLevels::CarbonDioxideLevels(const std::vector<std::string>& records
         widths_[m].airShift_cm_atm += line->widths.airShift_cm_atm;
     }
     if (assigned < 100)
-        throw InputError(Offence{file, "", std::to_string(assigned) + " assigned lines",
-                                 "records with quanta of CO2"});
-    for (const auto& [key, energies_cm] : levels)
-        if (const auto term = RotationalTerm::fit(energies_cm))
+        throw InputError(Diagnostic{file, "", std::to_string(assigned) + " assigned lines",
+                                    "records with quanta of CO2"});
+    for (const auto& [key, energies_per_cm] : levels)
+        if (const auto term = RotationalTerm::fit(energies_per_cm))
             terms_.emplace(key, *term);
 
     // A mean for each |m|; where there is no line, that of the next smaller (of the first, at 0).

@@ -17,12 +17,12 @@ class RotationalTerm {
   public:
     /// Least squares through energies (cm-1) of levels J; needs at least eight levels. Levels off
     /// by more than 0.05 cm-1 and six times the median are set aside once (perturbed ones).
-    static std::optional<RotationalTerm> fit(const std::map<int, double>& energies_cm);
+    static std::optional<RotationalTerm> fit(const std::map<int, double>& energies_per_cm);
 
-    double energy_cm(int J) const;
+    double energy_per_cm(int J) const;
     int highestJ() const { return highestJ_; }
     /// RMS of the levels that were kept, cm-1.
-    double residual_cm() const { return residual_cm_; }
+    double residual_per_cm() const { return residual_cm_; }
 
   private:
     std::array<double, 4> coefficients_{};
@@ -53,7 +53,7 @@ class CarbonDioxideLevels {
     const RotationalTerm* term(int isotopologue, const std::string& state, char symmetry) const;
     std::size_t termCount() const { return terms_.size(); }
 
-    /// Mean of the assigned lines of that |m|, held beyond the largest.
+    /// Mean of the assigned lines of that |m|, clamped beyond the largest.
     WidthOfM widths(int m) const;
 
   private:

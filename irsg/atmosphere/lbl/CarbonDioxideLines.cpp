@@ -11,16 +11,17 @@ namespace irsg::lbl {
 
 namespace {
 
-constexpr double lowest_cm = 250.0;
+constexpr double lowest_per_cm = 250.0;
 constexpr double weakestGenerated = 1e-27;
 constexpr double weakestBare = 2e-28;
-constexpr double bareFrom_cm = 2000.0, bareTo_cm = 3333.34;
+constexpr double bareFrom_per_cm = 2000.0, bareTo_per_cm = 3333.34;
 constexpr int bareHighestIsotopologue = 3;
-constexpr double mainListTo_cm = 2400.0; ///< CO2.par.gz has the main isotopologue from bareFrom on
+constexpr double mainListTo_per_cm =
+    2400.0; ///< CO2.par.gz has the main isotopologue from bareFrom on
 
 /// Ranges for which CO2.par.gz has all lines of the first isotopologues up to a number.
 struct Covered {
-    double from_cm, to_cm;
+    double from_per_cm, to_per_cm;
     int highestIsotopologue;
 };
 constexpr Covered covered[] = {
@@ -29,10 +30,12 @@ constexpr Covered covered[] = {
 };
 
 bool isCovered(const Line& line) {
-    const double nu = line.wavenumber_cm;
-    return (nu >= bareFrom_cm && nu < bareTo_cm && line.isotopologue <= bareHighestIsotopologue) ||
+    const double nu = line.wavenumber_per_cm;
+    return (nu >= bareFrom_per_cm && nu < bareTo_per_cm &&
+            line.isotopologue <= bareHighestIsotopologue) ||
            std::ranges::any_of(covered, [&](const auto& c) {
-               return nu >= c.from_cm && nu < c.to_cm && line.isotopologue <= c.highestIsotopologue;
+               return nu >= c.from_per_cm && nu < c.to_per_cm &&
+                      line.isotopologue <= c.highestIsotopologue;
            });
 }
 
@@ -40,9 +43,9 @@ bool isCovered(const Line& line) {
 
 std::vector<BareLine> readBareLines(const std::filesystem::path& file) {
     std::vector<BareLine> bare;
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     const std::vector<std::string> lines = readTextLines(file);
-    for (std::size_t i = 0; i < lines.size() && offences.size() < 10; ++i) {
+    for (std::size_t i = 0; i < lines.size() && diagnostics.size() < 10; ++i) {
         std::istringstream words(lines[i]);
         std::string first, second, more;
         words >> first >> second >> more;
@@ -50,33 +53,33 @@ std::vector<BareLine> readBareLines(const std::filesystem::path& file) {
             continue;
         const auto wavenumber = parseNumber(first), intensity = parseNumber(second);
         if (!more.empty() || !wavenumber || *wavenumber <= 0.0 || !intensity || *intensity < 0.0)
-            offences.push_back({file.string(), "line " + std::to_string(i + 1),
-                                "'" + lines[i] + "'", "wavenumber and intensity"});
+            diagnostics.push_back({file.string(), "line " + std::to_string(i + 1),
+                                   "'" + lines[i] + "'", "wavenumber and intensity"});
         else
             bare.push_back({*wavenumber, *intensity});
     }
-    if (bare.empty() && offences.empty())
-        offences.push_back({file.string(), "", "no line", "wavenumbers and intensities"});
-    if (!offences.empty())
-        throw InputError(std::move(offences));
-    std::ranges::stable_sort(bare, {}, &BareLine::wavenumber_cm);
+    if (bare.empty() && diagnostics.empty())
+        diagnostics.push_back({file.string(), "", "no line", "wavenumbers and intensities"});
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
+    std::ranges::stable_sort(bare, {}, &BareLine::wavenumber_per_cm);
     return bare;
 }
 
 std::vector<Line> describedLines(std::span<const BareLine> bare, std::span<const Line> generated,
-                                 const Line& otherwise, double near_cm) {
+                                 const Line& otherwise, double near_per_cm) {
     constexpr double widest = 3.0;
     std::vector<Line> described;
     described.reserve(bare.size());
     for (const BareLine& line : bare) {
         const Line* best = nullptr;
         double bestDistance = 2.0 * widest * widest;
-        auto next = std::ranges::lower_bound(generated, line.wavenumber_cm - widest * near_cm, {},
-                                             &Line::wavenumber_cm);
+        auto next = std::ranges::lower_bound(
+            generated, line.wavenumber_per_cm - widest * near_per_cm, {}, &Line::wavenumber_per_cm);
         for (; next != generated.end() &&
-               next->wavenumber_cm <= line.wavenumber_cm + widest * near_cm;
+               next->wavenumber_per_cm <= line.wavenumber_per_cm + widest * near_per_cm;
              ++next) {
-            const double away = (next->wavenumber_cm - line.wavenumber_cm) / near_cm;
+            const double away = (next->wavenumber_per_cm - line.wavenumber_per_cm) / near_per_cm;
             const double factor = std::log(next->intensity / line.intensity) / std::log(1.5);
             const double distance = away * away + factor * factor;
             if (distance < bestDistance) {
@@ -85,7 +88,7 @@ std::vector<Line> describedLines(std::span<const BareLine> bare, std::span<const
             }
         }
         described.push_back(best ? *best : otherwise);
-        described.back().wavenumber_cm = line.wavenumber_cm;
+        described.back().wavenumber_per_cm = line.wavenumber_per_cm;
         described.back().intensity = line.intensity;
     }
     return described;
@@ -94,25 +97,26 @@ std::vector<Line> describedLines(std::span<const BareLine> bare, std::span<const
 std::vector<BareLine> missingLines(std::span<const BareLine> bare, std::span<const Line> list) {
     // The surest pairs first, so that no line is taken by a neighbour that resembles it.
     struct Likeness {
-        double near_cm, factor;
+        double near_per_cm, factor;
     };
     constexpr Likeness likenesses[] = {{1e-4, 1.02}, {1e-3, 1.1}, {2e-3, 1.3}, {8e-3, 1.05}};
     std::vector<char> taken(list.size(), 0), found(bare.size(), 0);
-    for (const auto& [near_cm, factor] : likenesses)
+    for (const auto& [near_per_cm, factor] : likenesses)
         for (std::size_t i = 0; i < bare.size(); ++i) {
             if (found[i])
                 continue;
             std::size_t best = list.size();
-            double bestDistance = near_cm;
+            double bestDistance = near_per_cm;
             auto place = static_cast<std::size_t>(
-                std::ranges::lower_bound(list, bare[i].wavenumber_cm - near_cm, {},
-                                         &Line::wavenumber_cm) -
+                std::ranges::lower_bound(list, bare[i].wavenumber_per_cm - near_per_cm, {},
+                                         &Line::wavenumber_per_cm) -
                 list.begin());
             for (; place < list.size() &&
-                   list[place].wavenumber_cm <= bare[i].wavenumber_cm + near_cm;
+                   list[place].wavenumber_per_cm <= bare[i].wavenumber_per_cm + near_per_cm;
                  ++place) {
                 const double ratio = list[place].intensity / bare[i].intensity;
-                const double distance = std::abs(list[place].wavenumber_cm - bare[i].wavenumber_cm);
+                const double distance =
+                    std::abs(list[place].wavenumber_per_cm - bare[i].wavenumber_per_cm);
                 if (!taken[place] && ratio < factor && ratio > 1.0 / factor &&
                     distance <= bestDistance) {
                     bestDistance = distance;
@@ -141,29 +145,29 @@ LineList completeCarbonDioxide(const std::filesystem::path& folder) {
          readCarbonDioxideBands(readTextLines(bandFile), bandFile.string()))
         for (const Line& line : bandLines(band, levels))
             generated.push_back(line);
-    std::ranges::stable_sort(generated, {}, &Line::wavenumber_cm);
+    std::ranges::stable_sort(generated, {}, &Line::wavenumber_per_cm);
 
     // Positions and strengths of isotopologues 1 to 3 are known here; the rest comes from the
     // bands.
     std::vector<BareLine> bare = readBareLines(folder / "extra" / "CO2_nu_S_2000-3333.txt.gz");
     std::erase_if(bare, [](const BareLine& line) { return line.intensity < weakestBare; });
     Line otherwise;
-    otherwise.lowerEnergy_cm = 1500.0;
+    otherwise.lowerEnergy_per_cm = 1500.0;
     levels.widths(30).applyTo(otherwise);
     std::vector<Line> candidates = generated;
     std::erase_if(candidates, [](const Line& line) {
         return line.isotopologue > bareHighestIsotopologue ||
-               (line.isotopologue == 1 && line.wavenumber_cm < mainListTo_cm);
+               (line.isotopologue == 1 && line.wavenumber_per_cm < mainListTo_per_cm);
     });
     const std::vector<Line> described =
         describedLines(missingLines(bare, list.lines), candidates, otherwise);
 
     list.lines.insert(list.lines.end(), described.begin(), described.end());
     std::ranges::copy_if(generated, std::back_inserter(list.lines), [](const Line& line) {
-        return line.wavenumber_cm >= lowest_cm && line.intensity >= weakestGenerated &&
+        return line.wavenumber_per_cm >= lowest_per_cm && line.intensity >= weakestGenerated &&
                !isCovered(line);
     });
-    std::ranges::stable_sort(list.lines, {}, &Line::wavenumber_cm);
+    std::ranges::stable_sort(list.lines, {}, &Line::wavenumber_per_cm);
     list.origins = {
         "CO2 lines at 600-765, 800-1200, 2000-2400, 4000-5200 and 6000-6400 cm-1: HITRAN2016 and "
         "HITRAN2020 (Gordon et al. 2017, J. Quant. Spectrosc. Radiat. Transfer 203, 3; Gordon et "

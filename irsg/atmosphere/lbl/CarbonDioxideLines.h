@@ -10,7 +10,7 @@ namespace irsg::lbl {
 
 /// A line of which only the position and the strength are known.
 struct BareLine {
-    double wavenumber_cm = 0.0, intensity = 0.0;
+    double wavenumber_per_cm = 0.0, intensity = 0.0;
 };
 
 /// Two columns, wavenumber (cm-1) and intensity at 296 K, ascending afterwards. Throws InputError
@@ -18,10 +18,10 @@ struct BareLine {
 std::vector<BareLine> readBareLines(const std::filesystem::path& file);
 
 /// Gives bare lines E'', widths and isotopologue of the generated line that is nearest in position
-/// (`near_cm` counts as one, at most three) and strength (a factor of 1.5 counts as one); where
+/// (`near_per_cm` counts as one, at most three) and strength (a factor of 1.5 counts as one); where
 /// there is none, those of `otherwise`. Both ascending.
 std::vector<Line> describedLines(std::span<const BareLine> bare, std::span<const Line> generated,
-                                 const Line& otherwise, double near_cm = 0.01);
+                                 const Line& otherwise, double near_per_cm = 0.01);
 
 /// The bare lines that a list lacks. A line of the list stands for one bare line, the most alike:
 /// first pairs within 1e-4 cm-1 and 2 percent in strength are made, at last those within 2e-3 cm-1

@@ -15,12 +15,12 @@ namespace irsg::lbl {
 
 namespace {
 
-constexpr double lowest_cm = 250.0;
+constexpr double lowest_per_cm = 250.0;
 constexpr double weakestMethane = 2e-26;
 
 /// A range of wavenumbers for which a list has no line.
 struct Gap {
-    double from_cm, to_cm;
+    double from_per_cm, to_per_cm;
 };
 
 std::vector<Gap> gapsOf(Gas gas) {
@@ -45,12 +45,12 @@ void addPseudoLines(LineList& list, const std::filesystem::path& dataFolder) {
     std::string ranges;
     for (const Gap& gap : gaps) {
         const std::vector<Line> lines =
-            pseudoLines(bands.points(list.gas, gap.from_cm - LowtranBands::step_cm,
-                                     gap.to_cm + LowtranBands::step_cm),
-                        pseudoGas(list.gas), gap.from_cm, gap.to_cm);
+            pseudoLines(bands.points(list.gas, gap.from_per_cm - LowtranBands::step_per_cm,
+                                     gap.to_per_cm + LowtranBands::step_per_cm),
+                        pseudoGas(list.gas), gap.from_per_cm, gap.to_per_cm);
         list.lines.insert(list.lines.end(), lines.begin(), lines.end());
-        ranges +=
-            (ranges.empty() ? "" : ", ") + numberText(gap.from_cm) + "-" + numberText(gap.to_cm);
+        ranges += (ranges.empty() ? "" : ", ") + numberText(gap.from_per_cm) + "-" +
+                  numberText(gap.to_per_cm);
     }
     list.origins.push_back(
         std::string(gasNames[static_cast<std::size_t>(list.gas)]) + " at " + ranges +
@@ -68,14 +68,14 @@ void scalePseudoLines(LineList& list, const std::filesystem::path& dataFolder) {
     const ScalingWindows windows =
         isWater ? ScalingWindows{8000.0, 11000.0, 100.0} : ScalingWindows{1275.0, 1400.0, 25.0};
     scaleStrengths(list,
-                   {PublishedRun::air(), PublishedRun::length_cm, run.wavenumber_cm,
+                   {PublishedRun::air(), PublishedRun::length_cm, run.wavenumber_per_cm,
                     isWater ? run.water : run.methane},
                    windows);
     list.origins.push_back(
         std::string(gasNames[static_cast<std::size_t>(list.gas)]) + " at " +
-        numberText(windows.lower_cm) + "-" + numberText(windows.upper_cm) +
+        numberText(windows.lower_per_cm) + "-" + numberText(windows.upper_per_cm) +
         " cm-1: pseudo-lines fitted to LOWTRAN 7, then scaled in windows of " +
-        numberText(windows.width_cm) +
+        numberText(windows.width_per_cm) +
         " cm-1 to the column of this gas in a published MODTRAN run of 5 km of tropical air "
         "(horizon5kmtropical.fl7 of pyradi, C. J. Willers et al., MIT licence), from which LOWTRAN "
         "7 itself is " +
@@ -83,7 +83,7 @@ void scalePseudoLines(LineList& list, const std::filesystem::path& dataFolder) {
 }
 
 // Where the list has all that is known of the main isotopologue of methane.
-constexpr double methaneFrom_cm = 2832.8, methaneTo_cm = 3246.31;
+constexpr double methaneFrom_per_cm = 2832.8, methaneTo_per_cm = 3246.31;
 
 /// Methane at 2000 to 3333 cm-1, where positions and strengths of all isotopologues are known.
 /// Those that the list lacks are 13CH4's, and a few of CH3D: lower energies and widths are those of
@@ -91,7 +91,7 @@ constexpr double methaneFrom_cm = 2832.8, methaneTo_cm = 3246.31;
 void addBareMethane(LineList& list, const std::filesystem::path& folder) {
     Line mean;
     const PseudoGas methane = pseudoGas(Gas::CH4);
-    mean.lowerEnergy_cm = 300.0;
+    mean.lowerEnergy_per_cm = 300.0;
     mean.airWidth_cm_atm = methane.airWidth_cm_atm;
     mean.selfWidth_cm_atm = methane.selfWidth_cm_atm;
     mean.widthExponent = methane.widthExponent;
@@ -99,13 +99,14 @@ void addBareMethane(LineList& list, const std::filesystem::path& folder) {
     for (const BareLine& bare : readBareLines(folder / "extra" / "CH4_nu_S_2000-3333.txt.gz")) {
         if (bare.intensity < weakestMethane)
             continue;
-        const bool isInside =
-            bare.wavenumber_cm > methaneFrom_cm && bare.wavenumber_cm < methaneTo_cm;
+        const bool isInside = bare.wavenumber_per_cm > methaneFrom_per_cm &&
+                              bare.wavenumber_per_cm < methaneTo_per_cm;
         (isInside ? inside : outside).push_back(bare);
     }
     std::vector<Line> listed;
     std::ranges::copy_if(list.lines, std::back_inserter(listed), [](const Line& line) {
-        return line.wavenumber_cm > methaneFrom_cm - 1.0 && line.wavenumber_cm < methaneTo_cm + 1.0;
+        return line.wavenumber_per_cm > methaneFrom_per_cm - 1.0 &&
+               line.wavenumber_per_cm < methaneTo_per_cm + 1.0;
     });
     Line rare = mean;
     rare.isotopologue = 2;
@@ -114,7 +115,7 @@ void addBareMethane(LineList& list, const std::filesystem::path& folder) {
     list.lines.insert(list.lines.end(), described.begin(), described.end());
     for (const BareLine& bare : outside) {
         list.lines.push_back(mean);
-        list.lines.back().wavenumber_cm = bare.wavenumber_cm;
+        list.lines.back().wavenumber_per_cm = bare.wavenumber_per_cm;
         list.lines.back().intensity = bare.intensity;
     }
     list.origins.push_back(
@@ -164,13 +165,13 @@ std::vector<Line> heavyMethane(const std::vector<Line>& listed) {
     // nu3 of 12CH4 and 13CH4, cm-1 (J. S. Margolis 1988, Appl. Opt. 27, 4038; S. Albert et al.
     // 2009, Chem. Phys. 356, 131), and HITRAN's abundances. B is that of the tetrahedron of
     // hydrogen.
-    constexpr double origin12_cm = 3018.92, origin13_cm = 3009.55;
+    constexpr double origin12_per_cm = 3018.92, origin13_per_cm = 3009.55;
     constexpr double abundanceRatio = 0.0111031 / 0.988274;
     std::vector<Line> heavy;
     for (Line line : listed) {
         if (line.isotopologue != 1)
             continue;
-        line.wavenumber_cm += origin13_cm - origin12_cm;
+        line.wavenumber_per_cm += origin13_per_cm - origin12_per_cm;
         line.intensity *= abundanceRatio;
         line.isotopologue = 2;
         heavy.push_back(line);
@@ -193,8 +194,9 @@ LineList completeLineList(Gas gas, const std::filesystem::path& dataFolder) {
         addRareNitrousOxide(list, folder / "N2O.par.gz");
     addPseudoLines(list, dataFolder);
     scalePseudoLines(list, dataFolder);
-    std::erase_if(list.lines, [](const Line& line) { return line.wavenumber_cm < lowest_cm; });
-    std::ranges::stable_sort(list.lines, {}, &Line::wavenumber_cm);
+    std::erase_if(list.lines,
+                  [](const Line& line) { return line.wavenumber_per_cm < lowest_per_cm; });
+    std::ranges::stable_sort(list.lines, {}, &Line::wavenumber_per_cm);
     return list;
 }
 

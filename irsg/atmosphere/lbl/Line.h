@@ -3,16 +3,16 @@
 #include <string>
 #include <vector>
 
-#include "irsg/atmosphere/engine/AirState.h"
+#include "irsg/atmosphere/engine/AtmosphericState.h"
 
 namespace irsg::lbl {
 
 /// A spectral line, with the parameters of the HITRAN database (Gordon et al. 2022).
 struct Line {
-    double wavenumber_cm = 0.0;
-    double intensity = 0.0;        ///< at 296 K, cm-1 / (molecule cm-2), natural abundance included
-    double lowerEnergy_cm = 0.0;   ///< E''
-    float airWidth_cm_atm = 0.07f; ///< half width at half maximum, 296 K
+    double wavenumber_per_cm = 0.0;
+    double intensity = 0.0; ///< at 296 K, cm-1 / (molecule cm-2), natural abundance included
+    double lowerEnergy_per_cm = 0.0; ///< E''
+    float airWidth_cm_atm = 0.07f;   ///< half width at half maximum, 296 K
     float selfWidth_cm_atm = 0.1f;
     float widthExponent = 0.7f; ///< n: width ~ (296/T)^n
     float airShift_cm_atm = 0.0f;

@@ -19,8 +19,10 @@ constexpr double pressureOfOneAtmosphere_hPa = 1013.25;
 class WingFactor {
   public:
     struct Segment {
-        double start_cm, value, rate; ///< value exp(-rate (x - start))
-        double at(double x_cm) const { return value * std::exp(-rate * (x_cm - start_cm)); }
+        double start_per_cm, value, rate; ///< value exp(-rate (x - start))
+        double at(double x_per_cm) const {
+            return value * std::exp(-rate * (x_per_cm - start_per_cm));
+        }
     };
 
     explicit WingFactor(double temperature_K) {
@@ -31,8 +33,8 @@ class WingFactor {
         segments_[2] = {10.0, segments_[1].at(10.0), b2};
         segments_[3] = {70.0, segments_[2].at(70.0), 0.0200};
     }
-    const Segment& segment(double x_cm) const {
-        return segments_[(x_cm > 3.0) + (x_cm > 10.0) + (x_cm > 70.0)];
+    const Segment& segment(double x_per_cm) const {
+        return segments_[(x_per_cm > 3.0) + (x_per_cm > 10.0) + (x_per_cm > 70.0)];
     }
 
   private:
@@ -41,7 +43,7 @@ class WingFactor {
 
 /// A line as it is at one temperature and pressure.
 struct LineNow {
-    double centre_cm, intensity;
+    double centre_per_cm, intensity;
     VoigtProfile profile;
     double pedestal;
 };
@@ -83,28 +85,30 @@ class Pyramid {
   public:
     Pyramid(const WavenumberGrid& grid, const LineShape& shape, double temperature_K)
         : grid_(grid), shape_(shape), wings_(temperature_K) {
-        double step = grid.step_cm;
+        double step = grid.step_per_cm;
         for (;;) {
             Level level;
-            level.step_cm = step;
-            level.radius_cm = capRatio * 4.0 * step;
-            const double span = grid.step_cm * static_cast<double>(grid.count - 1);
+            level.step_per_cm = step;
+            level.radius_per_cm = capRatio * 4.0 * step;
+            const double span = grid.step_per_cm * static_cast<double>(grid.count - 1);
             level.count = static_cast<std::size_t>(std::ceil(span / step)) + 2 * margin + 2;
             level.sum.assign(level.count, 0.0);
             levels_.push_back(std::move(level));
-            if (2.5 * levels_.back().radius_cm >= shape.cut_cm)
+            if (2.5 * levels_.back().radius_per_cm >= shape.cut_per_cm)
                 break;
             step *= 4.0;
         }
-        levels_.back().radius_cm = shape.cut_cm;
+        levels_.back().radius_per_cm = shape.cut_per_cm;
     }
 
     void add(const LineNow& line) {
         for (std::size_t j = 0; j < levels_.size(); ++j) {
             const Level& level = levels_[j];
-            const double first_cm = grid_.first_cm - margin * level.step_cm;
-            const double low = (line.centre_cm - level.radius_cm - first_cm) / level.step_cm;
-            const double high = (line.centre_cm + level.radius_cm - first_cm) / level.step_cm;
+            const double first_per_cm = grid_.first_per_cm - margin * level.step_per_cm;
+            const double low =
+                (line.centre_per_cm - level.radius_per_cm - first_per_cm) / level.step_per_cm;
+            const double high =
+                (line.centre_per_cm + level.radius_per_cm - first_per_cm) / level.step_per_cm;
             if (high < 0.0 || low > static_cast<double>(level.count - 1))
                 continue;
             const auto begin = static_cast<std::size_t>(std::max(0.0, std::ceil(low)));
@@ -147,13 +151,13 @@ class Pyramid {
     static constexpr double capRatio = 12.0;
 
     struct Level {
-        double step_cm = 0.0, radius_cm = 0.0;
+        double step_per_cm = 0.0, radius_per_cm = 0.0;
         std::size_t count = 0;
         std::vector<double> sum;
     };
 
     Cap capOf(std::size_t level, const LineNow& line) const {
-        const double radius = levels_[level].radius_cm;
+        const double radius = levels_[level].radius_per_cm;
         const WingFactor::Segment& segment = wings_.segment(radius);
         std::array<double, 5> values;
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -171,21 +175,24 @@ class Pyramid {
     /// this level (there is none on the coarsest).
     void addLevel(std::size_t j, const LineNow& line, std::size_t begin, std::size_t end) {
         Level& level = levels_[j];
-        const double step_cm = level.step_cm;
+        const double step_per_cm = level.step_per_cm;
         const std::size_t count = end - begin;
-        const double from_cm = grid_.first_cm - line.centre_cm +
-                               step_cm * (static_cast<double>(begin) - static_cast<double>(margin));
-        auto place = [&](std::size_t i) { return from_cm + step_cm * static_cast<double>(i); };
+        const double from_per_cm =
+            grid_.first_per_cm - line.centre_per_cm +
+            step_per_cm * (static_cast<double>(begin) - static_cast<double>(margin));
+        auto place = [&](std::size_t i) {
+            return from_per_cm + step_per_cm * static_cast<double>(i);
+        };
         values_.assign(count, -line.pedestal);
 
         // The finer level's share, i in [innerBegin, innerEnd), is its cap here.
         std::size_t innerBegin = count, innerEnd = count;
         if (j > 0) {
-            const double radius = levels_[j - 1].radius_cm, most = static_cast<double>(count);
+            const double radius = levels_[j - 1].radius_per_cm, most = static_cast<double>(count);
             innerBegin = static_cast<std::size_t>(
-                std::clamp(std::ceil((-radius - from_cm) / step_cm), 0.0, most));
+                std::clamp(std::ceil((-radius - from_per_cm) / step_per_cm), 0.0, most));
             innerEnd = static_cast<std::size_t>(
-                std::clamp(std::floor((radius - from_cm) / step_cm) + 1.0, 0.0, most));
+                std::clamp(std::floor((radius - from_per_cm) / step_per_cm) + 1.0, 0.0, most));
             innerEnd = std::max(innerBegin, innerEnd);
             const Cap inner = capOf(j - 1, line);
             for (std::size_t i = innerBegin; i < innerEnd; ++i)
@@ -194,7 +201,7 @@ class Pyramid {
         auto shapeOn = [&](std::size_t first, std::size_t last) {
             if (first == last)
                 return;
-            line.profile.add(place(first), step_cm, last - first, 1.0, values_.data() + first);
+            line.profile.add(place(first), step_per_cm, last - first, 1.0, values_.data() + first);
             if (!shape_.carbonDioxideWings)
                 return;
             for (std::size_t i = first; i < last; ++i) {
@@ -240,8 +247,8 @@ double negligible_cm2(Gas gas) {
     return limits[static_cast<std::size_t>(gas)];
 }
 
-double carbonDioxideChi(double distance_cm, double temperature_K) {
-    const double x = std::abs(distance_cm);
+double carbonDioxideChi(double distance_per_cm, double temperature_K) {
+    const double x = std::abs(distance_per_cm);
     return WingFactor(temperature_K).segment(x).at(x);
 }
 
@@ -249,35 +256,37 @@ std::vector<double> crossSection_cm2(const LineList& lines, const PartitionSums&
                                      const WavenumberGrid& grid, double temperature_K,
                                      double pressure_hPa, double moleFraction,
                                      const LineShape& shape, double weakest_cm2) {
-    if (grid.count == 0 || !(grid.step_cm > 0.0) || !(temperature_K > 0.0) || !(pressure_hPa > 0.0))
+    if (grid.count == 0 || !(grid.step_per_cm > 0.0) || !(temperature_K > 0.0) ||
+        !(pressure_hPa > 0.0))
         throw LogicError("absorption was asked for without a grid, a temperature or a pressure");
     Pyramid pyramid(grid, shape, temperature_K);
     const double pressure_atm = pressure_hPa / pressureOfOneAtmosphere_hPa;
     const double cooler = 1.0 / temperature_K - 1.0 / referenceTemperature_K;
 
     for (const Line& line : lines.lines) {
-        const double nu = line.wavenumber_cm;
-        if (nu < grid.first_cm - shape.cut_cm - 1.0 || nu > grid.last_cm() + shape.cut_cm + 1.0)
+        const double nu = line.wavenumber_per_cm;
+        if (nu < grid.first_per_cm - shape.cut_per_cm - 1.0 ||
+            nu > grid.last_per_cm() + shape.cut_per_cm + 1.0)
             continue;
         const double intensity =
             line.intensity * partition.ratioTo296(lines.gas, line.isotopologue, temperature_K) *
-            std::exp(-secondRadiationConstant_cm_K * line.lowerEnergy_cm * cooler) *
+            std::exp(-secondRadiationConstant_cm_K * line.lowerEnergy_per_cm * cooler) *
             std::expm1(-secondRadiationConstant_cm_K * nu / temperature_K) /
             std::expm1(-secondRadiationConstant_cm_K * nu / referenceTemperature_K);
-        const double doppler_cm =
+        const double doppler_per_cm =
             3.581163e-7 * nu * std::sqrt(temperature_K / molarMass_g(lines.gas, line.isotopologue));
-        const double lorentz_cm =
+        const double lorentz_per_cm =
             pressure_atm *
             (static_cast<double>(line.airWidth_cm_atm) * (1.0 - moleFraction) +
              static_cast<double>(line.selfWidth_cm_atm) * moleFraction) *
             std::pow(referenceTemperature_K / temperature_K,
                      static_cast<double>(line.widthExponent));
         LineNow now{nu + pressure_atm * static_cast<double>(line.airShift_cm_atm), intensity,
-                    VoigtProfile(doppler_cm, lorentz_cm), 0.0};
+                    VoigtProfile(doppler_per_cm, lorentz_per_cm), 0.0};
         if (weakest_cm2 > 0.0 && intensity * now.profile.at(0.0) < weakest_cm2)
             continue;
         if (shape.removePedestal)
-            now.pedestal = now.profile.at(shape.cut_cm);
+            now.pedestal = now.profile.at(shape.cut_per_cm);
         pyramid.add(now);
     }
     std::vector<double> cross_cm2 = pyramid.sum();

@@ -10,20 +10,20 @@ namespace irsg::lbl {
 
 /// An even grid of wavenumbers.
 struct WavenumberGrid {
-    double first_cm = 0.0;
-    double step_cm = 0.001;
+    double first_per_cm = 0.0;
+    double step_per_cm = 0.001;
     std::size_t count = 0;
 
-    double at(std::size_t i) const { return first_cm + step_cm * static_cast<double>(i); }
-    double last_cm() const { return at(count - 1); }
+    double at(std::size_t i) const { return first_per_cm + step_per_cm * static_cast<double>(i); }
+    double last_per_cm() const { return at(count - 1); }
 };
 
 /// Shape of a gas's lines far from their centres.
 struct LineShape {
-    double cut_cm = 25.0; ///< nothing beyond; rays of light farther out are the continuum
+    double cut_per_cm = 25.0; ///< nothing beyond; rays of light farther out are the continuum
     bool removePedestal =
         false; ///< subtract the value at the cut (water, as its continuum expects)
-    /// Sub-Lorentzian wings of CO2 (Perrin and Hartmann 1989), which reach out to `cut_cm`.
+    /// Sub-Lorentzian wings of CO2 (Perrin and Hartmann 1989), which reach out to `cut_per_cm`.
     bool carbonDioxideWings = false;
 };
 /// Water: 25 cm-1, pedestal removed. CO2: chi factor, 300 cm-1. Others: 25 cm-1.
@@ -47,6 +47,6 @@ double negligible_cm2(Gas gas);
 /// and Hartmann 1989 (J. Quant. Spectrosc. Radiat. Transfer 42, 311) with their parameters of CO2
 /// in N2, fitted beyond the head of the 4.3 um band; those of pure CO2 leave six times as much wing
 /// at 10 cm-1.
-double carbonDioxideChi(double distance_cm, double temperature_K);
+double carbonDioxideChi(double distance_per_cm, double temperature_K);
 
 } // namespace irsg::lbl

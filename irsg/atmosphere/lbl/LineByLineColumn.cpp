@@ -12,27 +12,29 @@ namespace irsg::lbl {
 namespace {
 
 /// Black body radiance per wavenumber, W m-2 sr-1 / cm-1.
-double planckPerWavenumber(double wavenumber_cm, double temperature_K) {
-    const double wavelength_um = 1e4 / wavenumber_cm;
-    return planckRadiance_W_m2_sr_um(wavelength_um, temperature_K) * wavelength_um / wavenumber_cm;
+double planckPerWavenumber(double wavenumber_per_cm, double temperature_K) {
+    const double wavelength_um = 1e4 / wavenumber_per_cm;
+    return planckRadiance_W_m2_sr_um(wavelength_um, temperature_K) * wavelength_um /
+           wavenumber_per_cm;
 }
 
 /// Continua on a coarse grid, as they vary slowly.
 class CoarseContinuum {
   public:
-    CoarseContinuum(const AirState& air, double lower_cm, double upper_cm) : lower_cm_(lower_cm) {
-        for (double nu = lower_cm; nu < upper_cm + step_cm; nu += step_cm)
+    CoarseContinuum(const AtmosphericState& air, double lower_per_cm, double upper_per_cm)
+        : lower_cm_(lower_per_cm) {
+        for (double nu = lower_per_cm; nu < upper_per_cm + step_per_cm; nu += step_per_cm)
             values_.push_back(continuumAbsorption_per_m(air, nu));
     }
-    double at(double wavenumber_cm) const {
-        const double place = (wavenumber_cm - lower_cm_) / step_cm;
+    double at(double wavenumber_per_cm) const {
+        const double place = (wavenumber_per_cm - lower_cm_) / step_per_cm;
         const auto i = std::min(static_cast<std::size_t>(place), values_.size() - 2);
         const double part = place - static_cast<double>(i);
         return (1.0 - part) * values_[i] + part * values_[i + 1];
     }
 
   private:
-    static constexpr double step_cm = 1.0;
+    static constexpr double step_per_cm = 1.0;
     double lower_cm_;
     std::vector<double> values_;
 };
@@ -41,17 +43,18 @@ class CoarseContinuum {
 
 LineByLineColumn::LineByLineColumn(const std::vector<LineList>& gases,
                                    const PartitionSums& partition, const Profile& profile,
-                                   std::vector<double> levels_m, double lower_cm, double upper_cm,
-                                   double step_cm)
+                                   std::vector<double> levels_m, double lower_per_cm,
+                                   double upper_per_cm, double step_per_cm)
     : profile_(profile), levels_m_(std::move(levels_m)) {
-    if (levels_m_.size() < 2 || !(lower_cm < upper_cm) || step_cm <= 0.0)
+    if (levels_m_.size() < 2 || !(lower_per_cm < upper_per_cm) || step_per_cm <= 0.0)
         throw LogicError("a column of air has no levels or no spectrum");
-    grid_.step_cm = step_cm;
-    grid_.first_cm = lower_cm + 0.5 * step_cm;
-    grid_.count = static_cast<std::size_t>(std::lround((upper_cm - lower_cm) / step_cm));
+    grid_.step_per_cm = step_per_cm;
+    grid_.first_per_cm = lower_per_cm + 0.5 * step_per_cm;
+    grid_.count =
+        static_cast<std::size_t>(std::lround((upper_per_cm - lower_per_cm) / step_per_cm));
 
     for (const double altitude_m : levels_m_) {
-        const AirState air = profile.at(altitude_m);
+        const AtmosphericState air = profile.at(altitude_m);
         std::vector<double> extinction(grid_.count, 0.0);
         for (const LineList& gas : gases) {
             const double density_per_m3 = air.density_per_m3(gas.gas);
@@ -63,7 +66,7 @@ LineByLineColumn::LineByLineColumn(const std::vector<LineList>& gases,
             for (std::size_t i = 0; i < grid_.count; ++i)
                 extinction[i] += density_per_m3 * 1e-4 * cross_cm2[i];
         }
-        const CoarseContinuum continuum(air, lower_cm, upper_cm);
+        const CoarseContinuum continuum(air, lower_per_cm, upper_per_cm);
         std::vector<float> level(grid_.count);
         for (std::size_t i = 0; i < grid_.count; ++i)
             level[i] = static_cast<float>(extinction[i] + continuum.at(grid_.at(i)));
@@ -71,8 +74,8 @@ LineByLineColumn::LineByLineColumn(const std::vector<LineList>& gases,
     }
 }
 
-LineByLineColumn::Means LineByLineColumn::along(const RayPath& ray, double width_cm) const {
-    const auto perBin = static_cast<std::size_t>(std::lround(width_cm / grid_.step_cm));
+LineByLineColumn::Means LineByLineColumn::along(const RayPath& ray, double width_per_cm) const {
+    const auto perBin = static_cast<std::size_t>(std::lround(width_per_cm / grid_.step_per_cm));
     const std::size_t bins = grid_.count / perBin;
     Means means{std::vector<double>(bins), std::vector<double>(bins)};
 
@@ -87,11 +90,11 @@ LineByLineColumn::Means LineByLineColumn::along(const RayPath& ray, double width
     std::vector<double> startPlanck(ends.size()), endPlanck(ends.size());
     for (std::size_t bin = 0; bin < bins; ++bin) {
         // Black bodies change little over a bin.
-        const double centre_cm =
-            grid_.first_cm - 0.5 * grid_.step_cm + (static_cast<double>(bin) + 0.5) * width_cm;
+        const double centre_per_cm = grid_.first_per_cm - 0.5 * grid_.step_per_cm +
+                                     (static_cast<double>(bin) + 0.5) * width_per_cm;
         for (std::size_t s = 0; s < ends.size(); ++s) {
-            startPlanck[s] = planckPerWavenumber(centre_cm, ends[s].start_K);
-            endPlanck[s] = planckPerWavenumber(centre_cm, ends[s].end_K);
+            startPlanck[s] = planckPerWavenumber(centre_per_cm, ends[s].start_K);
+            endPlanck[s] = planckPerWavenumber(centre_per_cm, ends[s].end_K);
         }
         for (std::size_t i = bin * perBin; i < (bin + 1) * perBin; ++i) {
             double through = 1.0, radiance = 0.0;
@@ -113,10 +116,10 @@ LineByLineColumn::Means LineByLineColumn::along(const RayPath& ray, double width
                     break;
             }
             means.transmittance[bin] += through;
-            means.radiance_W_m2_sr_cm[bin] += radiance;
+            means.radiance_W_m2_sr_per_cm[bin] += radiance;
         }
         means.transmittance[bin] /= static_cast<double>(perBin);
-        means.radiance_W_m2_sr_cm[bin] /= static_cast<double>(perBin);
+        means.radiance_W_m2_sr_per_cm[bin] /= static_cast<double>(perBin);
     }
     return means;
 }

@@ -14,23 +14,23 @@ namespace irsg::lbl {
 /// altitude in between. Nothing scatters.
 class LineByLineColumn {
   public:
-    /// Absorption of all gases and continua from `lower_cm` to `upper_cm` in steps of `step_cm`
-    /// (which divides 1 cm-1) at every altitude of `levels_m` (ascending from 0). Takes seconds to
-    /// minutes and (levels x points) floats.
+    /// Absorption of all gases and continua from `lower_per_cm` to `upper_per_cm` in steps of
+    /// `step_per_cm` (which divides 1 cm-1) at every altitude of `levels_m` (ascending from 0).
+    /// Takes seconds to minutes and (levels x points) floats.
     LineByLineColumn(const std::vector<LineList>& gases, const PartitionSums& partition,
-                     const Profile& profile, std::vector<double> levels_m, double lower_cm,
-                     double upper_cm, double step_cm);
+                     const Profile& profile, std::vector<double> levels_m, double lower_per_cm,
+                     double upper_per_cm, double step_per_cm);
 
     const std::vector<double>& levels_m() const { return levels_m_; }
 
     struct Means {
         std::vector<double> transmittance;
         std::vector<double>
-            radiance_W_m2_sr_cm; ///< emitted by the path towards the sensor, per cm-1
+            radiance_W_m2_sr_per_cm; ///< emitted by the path towards the sensor, per cm-1
     };
-    /// Means over bins of `width_cm` from the lower end, along a ray that was cut at the same
+    /// Means over bins of `width_per_cm` from the lower end, along a ray that was cut at the same
     /// levels.
-    Means along(const RayPath& ray, double width_cm) const;
+    Means along(const RayPath& ray, double width_per_cm) const;
 
   private:
     Profile profile_;

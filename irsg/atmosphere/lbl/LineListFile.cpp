@@ -46,9 +46,9 @@ std::optional<Line> lineOf(const std::string& record, Gas gas) {
         !energy || !exponent || !shift)
         return std::nullopt;
     Line line;
-    line.wavenumber_cm = *wavenumber;
+    line.wavenumber_per_cm = *wavenumber;
     line.intensity = *intensity;
-    line.lowerEnergy_cm = std::max(*energy, 0.0); // -1 marks one that is not known
+    line.lowerEnergy_per_cm = std::max(*energy, 0.0); // -1 marks one that is not known
     line.airWidth_cm_atm = static_cast<float>(*air);
     line.selfWidth_cm_atm = static_cast<float>(*self > 0.0 ? *self : *air);
     line.widthExponent = static_cast<float>(*exponent);
@@ -62,7 +62,7 @@ std::optional<Line> lineOf(const std::string& record, Gas gas) {
 std::vector<std::string> readTextLines(const std::filesystem::path& file) {
     std::unique_ptr<gzFile_s, decltype(&gzclose)> in(gzopen(file.c_str(), "rb"), &gzclose);
     if (!in)
-        throw InputError(Offence{file.string(), "", "no file that can be read", "a text file"});
+        throw InputError(Diagnostic{file.string(), "", "no file that can be read", "a text file"});
     std::string text;
     std::array<char, 1 << 16> buffer;
     int count = 0;
@@ -70,8 +70,8 @@ std::vector<std::string> readTextLines(const std::filesystem::path& file) {
         text.append(buffer.data(), static_cast<std::size_t>(count));
     // Only closing tells of a file that stops within its compressed stream.
     if (gzclose(in.release()) != Z_OK || count < 0)
-        throw InputError(Offence{file.string(), "byte " + std::to_string(text.size()),
-                                 "damaged compression", "a gzip file that is whole"});
+        throw InputError(Diagnostic{file.string(), "byte " + std::to_string(text.size()),
+                                    "damaged compression", "a gzip file that is whole"});
     std::vector<std::string> lines;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -85,7 +85,7 @@ std::vector<std::string> readTextLines(const std::filesystem::path& file) {
 
 LineList readLineList(Gas gas, const std::filesystem::path& file) {
     LineList list{gas, {}, {}};
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     int number = 0;
     for (const std::string& record : readTextLines(file)) {
         ++number;
@@ -94,17 +94,17 @@ LineList readLineList(Gas gas, const std::filesystem::path& file) {
         if (const auto line = lineOf(record, gas))
             list.lines.push_back(*line);
         else
-            offences.push_back(
+            diagnostics.push_back(
                 {file.string(), "line " + std::to_string(number), "'" + record.substr(0, 67) + "'",
                  "a HITRAN record of " + std::string(gasNames[static_cast<std::size_t>(gas)])});
-        if (offences.size() == 10)
+        if (diagnostics.size() == 10)
             break;
     }
-    if (list.lines.empty() && offences.empty())
-        offences.push_back({file.string(), "", "no line", "HITRAN records"});
-    if (!offences.empty())
-        throw InputError(std::move(offences));
-    std::ranges::stable_sort(list.lines, {}, &Line::wavenumber_cm);
+    if (list.lines.empty() && diagnostics.empty())
+        diagnostics.push_back({file.string(), "", "no line", "HITRAN records"});
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
+    std::ranges::stable_sort(list.lines, {}, &Line::wavenumber_per_cm);
     return list;
 }
 

@@ -16,17 +16,17 @@ constexpr double loschmidt_per_cm3 = 2.686780111e19; // an atm-cm holds so many 
 
 struct Band {
     std::string gas;
-    double lower_cm = 0.0, upper_cm = 0.0, a = 0.0, n = 0.0, m = 0.0;
+    double lower_per_cm = 0.0, upper_per_cm = 0.0, a = 0.0, n = 0.0, m = 0.0;
 };
 
-/// A table with a header, of which rows of another length are offences.
+/// A table with a header, of which rows of another length are diagnostics.
 struct HeadedTable {
     explicit HeadedTable(const std::filesystem::path& path) : csv(CsvTable::read(path)) {
         if (csv.rows().size() < 2)
-            throw InputError(csv.offence("no rows", "a header and rows"));
+            throw InputError(csv.diagnostic("no rows", "a header and rows"));
         for (std::size_t r = 1; r < csv.rows().size(); ++r)
             if (csv.rows()[r].cells.size() != csv.rows()[0].cells.size())
-                offences.push_back(csv.offence(
+                diagnostics.push_back(csv.diagnostic(
                     csv.rows()[r].line, std::to_string(csv.rows()[r].cells.size()) + " cells",
                     std::to_string(csv.rows()[0].cells.size()) + " cells"));
         finish();
@@ -35,19 +35,19 @@ struct HeadedTable {
         const auto& header = csv.rows()[0].cells;
         const auto found = std::ranges::find(header, name, &CsvCell::text);
         if (found == header.end())
-            offences.push_back(csv.offence("no column " + name, name));
+            diagnostics.push_back(csv.diagnostic("no column " + name, name));
         return static_cast<std::size_t>(found - header.begin()) % header.size();
     }
     double number(std::size_t row, std::size_t column_) {
-        return csv.number(csv.rows()[row].cells[column_], offences).value_or(0.0);
+        return csv.number(csv.rows()[row].cells[column_], diagnostics).value_or(0.0);
     }
     void finish() {
-        if (!offences.empty())
-            throw InputError(std::move(offences));
+        if (!diagnostics.empty())
+            throw InputError(std::move(diagnostics));
     }
 
     CsvTable csv;
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
 };
 
 std::vector<Band> readBands(const std::filesystem::path& file) {
@@ -88,10 +88,10 @@ LowtranBands LowtranBands::read(const std::filesystem::path& folder) {
         const double perUnit = name == "H2O" ? avogadro / waterMass_g : loschmidt_per_cm3;
         for (std::size_t r = 1; r < table.csv.rows().size(); ++r) {
             BandPoint point;
-            point.wavenumber_cm = table.number(r, wavenumber);
+            point.wavenumber_per_cm = table.number(r, wavenumber);
             const auto band = std::ranges::find_if(bands, [&](const Band& b) {
-                return b.gas == name && point.wavenumber_cm >= b.lower_cm &&
-                       point.wavenumber_cm <= b.upper_cm;
+                return b.gas == name && point.wavenumber_per_cm >= b.lower_per_cm &&
+                       point.wavenumber_per_cm <= b.upper_per_cm;
             });
             if (band != bands.end() && !table.csv.rows()[r].cells[column].text.empty()) {
                 point.coefficient_cm2 = std::pow(10.0, table.number(r, column)) / perUnit;
@@ -106,10 +106,11 @@ LowtranBands LowtranBands::read(const std::filesystem::path& folder) {
     return result;
 }
 
-std::vector<BandPoint> LowtranBands::points(Gas gas, double lower_cm, double upper_cm) const {
+std::vector<BandPoint> LowtranBands::points(Gas gas, double lower_per_cm,
+                                            double upper_per_cm) const {
     std::vector<BandPoint> inside;
     for (const BandPoint& point : points_[static_cast<std::size_t>(gas)])
-        if (point.wavenumber_cm >= lower_cm && point.wavenumber_cm <= upper_cm)
+        if (point.wavenumber_per_cm >= lower_per_cm && point.wavenumber_per_cm <= upper_per_cm)
             inside.push_back(point);
     return inside;
 }

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "irsg/atmosphere/engine/AirState.h"
+#include "irsg/atmosphere/engine/AtmosphericState.h"
 
 namespace irsg::lbl {
 
@@ -12,7 +12,7 @@ namespace irsg::lbl {
 /// transmittance of an interval of 20 cm-1 around it is exp(-(K W)^a), W = u (p / 1013.25 hPa)^n
 /// (273.15 K / T)^m.
 struct BandPoint {
-    double wavenumber_cm = 0.0;
+    double wavenumber_per_cm = 0.0;
     double coefficient_cm2 = 0.0; ///< K, for u in molecules per cm2; 0: no absorption
     double exponent = 0.0;        ///< a
     double pressureExponent = 0.0;
@@ -28,9 +28,9 @@ class LowtranBands {
     /// naming what is missing or wrong.
     static LowtranBands read(const std::filesystem::path& folder);
 
-    static constexpr double step_cm = 5.0;
+    static constexpr double step_per_cm = 5.0;
     /// Every 5 cm-1 within [lower, upper], those without absorption included.
-    std::vector<BandPoint> points(Gas gas, double lower_cm, double upper_cm) const;
+    std::vector<BandPoint> points(Gas gas, double lower_per_cm, double upper_per_cm) const;
 
   private:
     std::array<std::vector<BandPoint>, lineGasCount> points_;

@@ -9,24 +9,24 @@ namespace {
 
 constexpr double secondRadiationConstant_cm_K = 1.438776877;
 constexpr double referenceTemperature_K = 296.0;
-constexpr double listFrom_cm = 2000.0, listTo_cm = 2400.0;
+constexpr double listFrom_per_cm = 2000.0, listTo_per_cm = 2400.0;
 
 // nu3 of 14N2-16O: from its lines in this list, which agree with Toth 1987 in all digits here.
-constexpr double mainOrigin_cm = 2223.75676;
-constexpr double mainRotation_cm = 0.4190110;
-constexpr double mainUpperRotation_cm = 0.4155595;
+constexpr double mainOrigin_per_cm = 2223.75676;
+constexpr double mainRotation_per_cm = 0.4190110;
+constexpr double mainUpperRotation_per_cm = 0.4155595;
 constexpr double mainAbundance = 0.990333;
 
-constexpr RareIsotopologue rare(int number, double abundance, double origin_cm,
-                                double rotation_cm) {
+constexpr RareIsotopologue rare(int number, double abundance, double origin_per_cm,
+                                double rotation_per_cm) {
     return {number,
             abundance / mainAbundance,
-            origin_cm,
-            rotation_cm,
-            mainOrigin_cm,
-            mainRotation_cm,
-            mainUpperRotation_cm + mainRotation_cm,
-            mainUpperRotation_cm - mainRotation_cm};
+            origin_per_cm,
+            rotation_per_cm,
+            mainOrigin_per_cm,
+            mainRotation_per_cm,
+            mainUpperRotation_per_cm + mainRotation_per_cm,
+            mainUpperRotation_per_cm - mainRotation_per_cm};
 }
 
 constexpr RareIsotopologue rarer[] = {rare(2, 3.64093e-3, 2177.6568, 0.4189809), // 14N15N16O
@@ -50,22 +50,23 @@ bool readState(const std::string& text, int (&state)[4]) {
 } // namespace
 
 Line movedLine(const AssignedLine& of, const RareIsotopologue& to) {
-    const double r = to.rotation_cm / to.mainRotation_cm;
-    const double q = r * r * to.mainOrigin_cm / to.origin_cm;
+    const double r = to.rotation_per_cm / to.mainRotation_per_cm;
+    const double q = r * r * to.mainOrigin_per_cm / to.origin_per_cm;
     const double m = of.m;
-    const double rotation = (r - 1.0) * to.mainRotation_cm * of.J * (of.J + 1.0);
+    const double rotation = (r - 1.0) * to.mainRotation_per_cm * of.J * (of.J + 1.0);
     Line line = of.line;
     line.isotopologue = to.number;
-    line.wavenumber_cm += to.origin_cm - to.mainOrigin_cm + (r - 1.0) * to.mainSum_cm * m +
-                          (q - 1.0) * to.mainChange_cm * m * m;
-    line.lowerEnergy_cm += rotation;
+    line.wavenumber_per_cm += to.origin_per_cm - to.mainOrigin_per_cm +
+                              (r - 1.0) * to.mainSum_per_cm * m +
+                              (q - 1.0) * to.mainChange_per_cm * m * m;
+    line.lowerEnergy_per_cm += rotation;
     line.intensity *= to.abundanceRatio * r *
                       std::exp(-secondRadiationConstant_cm_K * rotation / referenceTemperature_K);
     return line;
 }
 
 std::vector<AssignedLine> assignedLines(const std::vector<std::string>& texts, int isotopologue,
-                                        double lower_cm, double upper_cm) {
+                                        double lower_per_cm, double upper_per_cm) {
     std::vector<AssignedLine> lines;
     for (const std::string& text : texts) {
         if (text.size() < 127 || text[2] != static_cast<char>('0' + isotopologue))
@@ -74,8 +75,9 @@ std::vector<AssignedLine> assignedLines(const std::vector<std::string>& texts, i
             return std::strtod(text.substr(first, count).c_str(), nullptr);
         };
         AssignedLine found;
-        found.line.wavenumber_cm = number(3, 12);
-        if (found.line.wavenumber_cm < lower_cm || found.line.wavenumber_cm >= upper_cm)
+        found.line.wavenumber_per_cm = number(3, 12);
+        if (found.line.wavenumber_per_cm < lower_per_cm ||
+            found.line.wavenumber_per_cm >= upper_per_cm)
             continue;
         int upper[4], lower[4];
         const std::size_t branch = text.find_first_of("PQR", 112);
@@ -85,7 +87,7 @@ std::vector<AssignedLine> assignedLines(const std::vector<std::string>& texts, i
         found.line.intensity = number(15, 10);
         found.line.airWidth_cm_atm = static_cast<float>(number(35, 5));
         found.line.selfWidth_cm_atm = static_cast<float>(number(40, 5));
-        found.line.lowerEnergy_cm = number(45, 10);
+        found.line.lowerEnergy_per_cm = number(45, 10);
         found.line.widthExponent = static_cast<float>(number(55, 4));
         found.line.airShift_cm_atm = static_cast<float>(number(59, 8));
         found.line.isotopologue = isotopologue;
@@ -99,11 +101,11 @@ std::vector<AssignedLine> assignedLines(const std::vector<std::string>& texts, i
 std::vector<Line> rareNitrousOxide(const std::vector<std::string>& texts) {
     constexpr double weakest = 1e-25;
     std::vector<Line> lines;
-    for (const AssignedLine& line : assignedLines(texts, 1, listFrom_cm, listTo_cm))
+    for (const AssignedLine& line : assignedLines(texts, 1, listFrom_per_cm, listTo_per_cm))
         for (const RareIsotopologue& isotopologue : rarer) {
             const Line moved = movedLine(line, isotopologue);
-            if (moved.intensity >= weakest && moved.wavenumber_cm >= listFrom_cm &&
-                moved.wavenumber_cm < listTo_cm)
+            if (moved.intensity >= weakest && moved.wavenumber_per_cm >= listFrom_per_cm &&
+                moved.wavenumber_per_cm < listTo_per_cm)
                 lines.push_back(moved);
         }
     return lines;

@@ -17,14 +17,14 @@ struct AssignedLine {
 
 /// A rarer isotopologue of a linear molecule beside the main one.
 struct RareIsotopologue {
-    int number = 2;               ///< HITRAN's
-    double abundanceRatio = 0.0;  ///< to the main one
-    double origin_cm = 0.0;       ///< of the band
-    double rotation_cm = 0.0;     ///< B of the lowest state
-    double mainOrigin_cm = 0.0;   ///< of the main one
-    double mainRotation_cm = 0.0; ///< B'' of it
-    double mainSum_cm = 0.0;      ///< B' + B'' of it
-    double mainChange_cm = 0.0;   ///< B' - B'' of it, negative
+    int number = 2;                   ///< HITRAN's
+    double abundanceRatio = 0.0;      ///< to the main one
+    double origin_per_cm = 0.0;       ///< of the band
+    double rotation_per_cm = 0.0;     ///< B of the lowest state
+    double mainOrigin_per_cm = 0.0;   ///< of the main one
+    double mainRotation_per_cm = 0.0; ///< B'' of it
+    double mainSum_per_cm = 0.0;      ///< B' + B'' of it
+    double mainChange_per_cm = 0.0;   ///< B' - B'' of it, negative
 };
 
 /// The same line of another isotopologue: with m as above and r = B / B(main) its position moves by
@@ -44,6 +44,6 @@ std::vector<Line> rareNitrousOxide(const std::vector<std::string>& texts);
 /// Lines of a record list whose vibrational states are such: v1 v2 l2 v3 with blanks between.
 /// Without a predicate on bands: those that raise v3 by 1.
 std::vector<AssignedLine> assignedLines(const std::vector<std::string>& texts, int isotopologue,
-                                        double lower_cm, double upper_cm);
+                                        double lower_per_cm, double upper_per_cm);
 
 } // namespace irsg::lbl

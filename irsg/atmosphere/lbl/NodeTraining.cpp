@@ -160,8 +160,8 @@ bool absorbs(Gas gas, const std::vector<std::vector<float>>& points, const Cross
         const std::size_t row = (p / grid.temperatures_K.size()) % grid.pressures_hPa.size();
         const double pressure_hPa = grid.pressures_hPa[row];
         const double here = gas == Gas::H2O && pressure_hPa < 150.0 ? 1e-4 : fraction;
-        const double molecules_cm2 = here * pressure_hPa * 2.7e16 * length_cm;
-        if (static_cast<double>(points[p][i]) > std::log(leastDepth / molecules_cm2))
+        const double molecules_per_cm2 = here * pressure_hPa * 2.7e16 * length_cm;
+        if (static_cast<double>(points[p][i]) > std::log(leastDepth / molecules_per_cm2))
             return true;
     }
     return false;
@@ -184,15 +184,15 @@ void addBlocks(TrainedNodes& trained, std::uint32_t node, const FineCrossSection
 } // namespace
 
 TrainedNodes trainNodes(const FineCrossSections& fine, const CrossSectionGrid& grid,
-                        const TrainingPaths& training, double lower_cm, double upper_cm,
-                        int baseWidth_cm, const std::array<NodeGoals, 3>& goals) {
+                        const TrainingPaths& training, double lower_per_cm, double upper_per_cm,
+                        int baseWidth_per_cm, const std::array<NodeGoals, 3>& goals) {
     TrainedNodes trained;
     for (std::size_t r = 0; r < 3; ++r)
-        trained.bins[r].resolution_cm = GasTable::resolutions_cm[r];
+        trained.bins[r].resolution_per_cm = GasTable::resolutions_per_cm[r];
 
     std::vector<std::vector<float>> nodeColumns; // transmittances of all paths at each node
     std::vector<std::vector<double>> means;      // of each base bin
-    std::vector<double> baseLower_cm;
+    std::vector<double> baseLower_per_cm;
     auto append = [&](std::size_t r, double lower, double width, const NodeSelection& selection,
                       const std::vector<std::uint32_t>& nodes) {
         BinSet& set = trained.bins[r];
@@ -208,12 +208,14 @@ TrainedNodes trainNodes(const FineCrossSections& fine, const CrossSectionGrid& g
         trained.cases[r] += training.paths.size();
     };
 
-    const auto baseIndex = static_cast<std::size_t>(
-        std::ranges::find(GasTable::resolutions_cm, baseWidth_cm) - GasTable::resolutions_cm);
-    const auto perBin = static_cast<std::size_t>(std::lround(baseWidth_cm / fine.grid.step_cm));
-    for (double lower = lower_cm; lower < upper_cm - 0.5; lower += baseWidth_cm) {
+    const auto baseIndex =
+        static_cast<std::size_t>(std::ranges::find(GasTable::resolutions_per_cm, baseWidth_per_cm) -
+                                 GasTable::resolutions_per_cm);
+    const auto perBin =
+        static_cast<std::size_t>(std::lround(baseWidth_per_cm / fine.grid.step_per_cm));
+    for (double lower = lower_per_cm; lower < upper_per_cm - 0.5; lower += baseWidth_per_cm) {
         const auto first = static_cast<std::size_t>(
-            std::lround((lower - fine.grid.first_cm) / fine.grid.step_cm + 0.5));
+            std::lround((lower - fine.grid.first_per_cm) / fine.grid.step_per_cm + 0.5));
         const OpticalDepths depths(fine, grid, training, first, perBin);
         const BinTransmittance transmittance(depths, training);
         const std::vector<std::size_t> points = candidates(depths, training);
@@ -228,27 +230,27 @@ TrainedNodes trainNodes(const FineCrossSections& fine, const CrossSectionGrid& g
 
         std::vector<std::uint32_t> nodes;
         for (const std::size_t column : selection.columns) {
-            const auto node = static_cast<std::uint32_t>(trained.wavenumbers_cm.size());
+            const auto node = static_cast<std::uint32_t>(trained.wavenumbers_per_cm.size());
             const std::size_t point = points[column];
             nodes.push_back(node);
-            trained.wavenumbers_cm.push_back(fine.grid.at(first + point));
+            trained.wavenumbers_per_cm.push_back(fine.grid.at(first + point));
             addBlocks(trained, node, fine, grid, first + point);
             const auto values = matrix.column(column);
             nodeColumns.emplace_back(values.begin(), values.end());
         }
         means.push_back(transmittance.mean());
-        baseLower_cm.push_back(lower);
+        baseLower_per_cm.push_back(lower);
         for (std::size_t r = 0; r <= baseIndex;
              ++r) // finer bins than the data are those of the data
-            append(r, lower, baseWidth_cm, selection, nodes);
+            append(r, lower, baseWidth_per_cm, selection, nodes);
     }
 
     // Wider bins choose among the nodes of the narrow ones that they hold.
     for (std::size_t r = baseIndex + 1; r < 3; ++r) {
-        const int width_cm = GasTable::resolutions_cm[r];
-        const auto binsInside = static_cast<std::size_t>(width_cm / baseWidth_cm);
+        const int width_per_cm = GasTable::resolutions_per_cm[r];
+        const auto binsInside = static_cast<std::size_t>(width_per_cm / baseWidth_per_cm);
         for (std::size_t base = 0; base < means.size(); base += binsInside) {
-            const double lower = baseLower_cm[base];
+            const double lower = baseLower_per_cm[base];
             TrainingMatrix matrix{
                 training.paths.size(), {}, std::vector<double>(training.paths.size()), {}};
             for (std::size_t i = base; i < base + binsInside; ++i)
@@ -257,8 +259,8 @@ TrainedNodes trainNodes(const FineCrossSections& fine, const CrossSectionGrid& g
             matrix.rowWeights = rowWeights(matrix.target);
             std::vector<std::uint32_t> inside;
             for (std::uint32_t node = 0; node < nodeColumns.size(); ++node)
-                if (trained.wavenumbers_cm[node] >= lower &&
-                    trained.wavenumbers_cm[node] < lower + width_cm) {
+                if (trained.wavenumbers_per_cm[node] >= lower &&
+                    trained.wavenumbers_per_cm[node] < lower + width_per_cm) {
                     inside.push_back(node);
                     matrix.columns.insert(matrix.columns.end(), nodeColumns[node].begin(),
                                           nodeColumns[node].end());
@@ -267,7 +269,7 @@ TrainedNodes trainNodes(const FineCrossSections& fine, const CrossSectionGrid& g
             std::vector<std::uint32_t> nodes;
             for (const std::size_t column : selection.columns)
                 nodes.push_back(inside[column]);
-            append(r, lower, width_cm, selection, nodes);
+            append(r, lower, width_per_cm, selection, nodes);
         }
     }
     return trained;

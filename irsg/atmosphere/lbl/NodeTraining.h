@@ -20,7 +20,7 @@ struct FineCrossSections {
 
 /// Nodes and bins of one interval of the spectrum.
 struct TrainedNodes {
-    std::vector<double> wavenumbers_cm;
+    std::vector<double> wavenumbers_per_cm;
     std::vector<GasTable::Block> blocks;  ///< nodes counted within this interval
     std::array<BinSet, 3> bins;           ///< likewise
     std::array<double, 3> squaredError{}; ///< summed over bins and paths, for an RMS
@@ -28,10 +28,10 @@ struct TrainedNodes {
     std::array<std::size_t, 3> cases{};
 };
 
-/// Chooses the nodes of the bins of `baseWidth_cm` (1, 5 or 15) in [lower, upper), whole multiples
-/// of 15 cm-1 apart, and out of these nodes those of the wider bins.
+/// Chooses the nodes of the bins of `baseWidth_per_cm` (1, 5 or 15) in [lower, upper), whole
+/// multiples of 15 cm-1 apart, and out of these nodes those of the wider bins.
 TrainedNodes trainNodes(const FineCrossSections& fine, const CrossSectionGrid& grid,
-                        const TrainingPaths& training, double lower_cm, double upper_cm,
-                        int baseWidth_cm, const std::array<NodeGoals, 3>& goals);
+                        const TrainingPaths& training, double lower_per_cm, double upper_per_cm,
+                        int baseWidth_per_cm, const std::array<NodeGoals, 3>& goals);
 
 } // namespace irsg::lbl

@@ -10,9 +10,9 @@ namespace irsg::lbl {
 
 PartitionSums PartitionSums::read(const std::filesystem::path& folder) {
     const CsvTable table = CsvTable::read(folder / "tips_12_molecules.csv");
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     if (table.rows().size() < 3)
-        throw InputError(table.offence("no rows", "temperatures and partition sums"));
+        throw InputError(table.diagnostic("no rows", "temperatures and partition sums"));
     const std::vector<CsvCell>& header = table.rows().front().cells;
 
     PartitionSums sums;
@@ -36,31 +36,33 @@ PartitionSums PartitionSums::read(const std::filesystem::path& folder) {
                     columns[c] = &sums.sums_[g][i];
     }
     if (!temperatures)
-        offences.push_back(table.offence("no column", "temperature_K"));
+        diagnostics.push_back(table.diagnostic("no column", "temperature_K"));
     for (std::size_t r = 1; r < table.rows().size(); ++r) {
         const CsvRow& row = table.rows()[r];
         if (row.cells.size() != header.size()) {
-            offences.push_back(table.offence(row.line, std::to_string(row.cells.size()) + " cells",
-                                             std::to_string(header.size()) + " cells"));
+            diagnostics.push_back(table.diagnostic(row.line,
+                                                   std::to_string(row.cells.size()) + " cells",
+                                                   std::to_string(header.size()) + " cells"));
             continue;
         }
         for (std::size_t c = 0; c < header.size(); ++c)
             if (columns[c])
-                if (const auto value = table.number(row.cells[c], offences, "a number above 0")) {
+                if (const auto value =
+                        table.number(row.cells[c], diagnostics, "a number above 0")) {
                     if (!(*value > 0.0))
-                        offences.push_back(table.offence(row.cells[c], "a number above 0"));
+                        diagnostics.push_back(table.diagnostic(row.cells[c], "a number above 0"));
                     columns[c]->push_back(*value);
                 }
         const auto& ascending = sums.temperatures_K_;
         if (ascending.size() > 1 && !(ascending.back() > ascending[ascending.size() - 2]))
-            offences.push_back(table.offence(row.line, numberText(ascending.back()) + " K",
-                                             "temperatures that ascend"));
+            diagnostics.push_back(table.diagnostic(row.line, numberText(ascending.back()) + " K",
+                                                   "temperatures that ascend"));
     }
     for (std::size_t g = 0; g < lineGasCount; ++g)
         if (sums.sums_[g].empty() || sums.sums_[g].front().empty())
-            offences.push_back(table.offence("no column", std::string(gasNames[g]) + "_1"));
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+            diagnostics.push_back(table.diagnostic("no column", std::string(gasNames[g]) + "_1"));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return sums;
 }
 

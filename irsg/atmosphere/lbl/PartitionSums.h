@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "irsg/atmosphere/engine/AirState.h"
+#include "irsg/atmosphere/engine/AtmosphericState.h"
 
 namespace irsg::lbl {
 

@@ -45,23 +45,24 @@ struct Profiles {
     std::vector<double> columns, targets;
 };
 
-Profiles profilesOf(const std::vector<double>& places_cm, const PseudoGas& gas, double pressure_atm,
-                    double exponent, double pressureExponent) {
+Profiles profilesOf(const std::vector<double>& places_per_cm, const PseudoGas& gas,
+                    double pressure_atm, double exponent, double pressureExponent) {
     const LineShape shape = defaultLineShape(gas.gas);
-    const double width_cm = static_cast<double>(gas.airWidth_cm_atm) * pressure_atm;
+    const double width_per_cm = static_cast<double>(gas.airWidth_cm_atm) * pressure_atm;
     auto lorentz = [&](double x) {
-        return width_cm / std::numbers::pi / (x * x + width_cm * width_cm);
+        return width_per_cm / std::numbers::pi / (x * x + width_per_cm * width_per_cm);
     };
-    const double pedestal = shape.removePedestal ? lorentz(shape.cut_cm) : 0.0;
-    const int repetitions = static_cast<int>(std::ceil(shape.cut_cm / gas.cellWidth_cm)) + 1;
+    const double pedestal = shape.removePedestal ? lorentz(shape.cut_per_cm) : 0.0;
+    const int repetitions =
+        static_cast<int>(std::ceil(shape.cut_per_cm / gas.cellWidth_per_cm)) + 1;
     Profiles profiles;
-    for (const double place_cm : places_cm) {
+    for (const double place_per_cm : places_per_cm) {
         std::vector<double> values(pointCount, 0.0);
         for (std::size_t i = 0; i < pointCount; ++i)
             for (int k = -repetitions; k <= repetitions; ++k) {
                 const double x =
-                    gas.cellWidth_cm * (static_cast<double>(i) / pointCount + k) - place_cm;
-                if (std::abs(x) <= shape.cut_cm)
+                    gas.cellWidth_per_cm * (static_cast<double>(i) / pointCount + k) - place_per_cm;
+                if (std::abs(x) <= shape.cut_per_cm)
                     values[i] += lorentz(x) - pedestal;
             }
         profiles.values.push_back(std::move(values));
@@ -147,29 +148,29 @@ double improve(const std::vector<Profiles>& all, std::vector<double>& logStrengt
 } // namespace
 
 Cell fitCell(double exponent, double pressureExponent, const PseudoGas& gas) {
-    const double width_cm = static_cast<double>(gas.airWidth_cm_atm);
+    const double width_per_cm = static_cast<double>(gas.airWidth_cm_atm);
     RandomNumbers random(gas.seed);
     Cell cell;
     double best = 1e300;
     for (int draw = 0; draw < draws; ++draw) {
-        std::vector<double> places_cm, logStrengths;
+        std::vector<double> places_per_cm, logStrengths;
         for (std::size_t k = 0; k < gas.linesInCell; ++k) {
-            places_cm.push_back(gas.cellWidth_cm * random.next());
+            places_per_cm.push_back(gas.cellWidth_per_cm * random.next());
             // One strong line closes the cell at K u = 1, the others are weaker, down to 1e-3.
-            logStrengths.push_back(std::log(0.5 * gas.cellWidth_cm * gas.cellWidth_cm / width_cm) -
-                                   6.9 * (static_cast<double>(k) + 0.5) /
-                                       static_cast<double>(gas.linesInCell));
+            logStrengths.push_back(
+                std::log(0.5 * gas.cellWidth_per_cm * gas.cellWidth_per_cm / width_per_cm) -
+                6.9 * (static_cast<double>(k) + 0.5) / static_cast<double>(gas.linesInCell));
         }
         std::vector<Profiles> all;
         for (const double pressure_atm : gas.pressures_atm)
-            all.push_back(profilesOf(places_cm, gas, pressure_atm, exponent, pressureExponent));
+            all.push_back(profilesOf(places_per_cm, gas, pressure_atm, exponent, pressureExponent));
         const double value = improve(all, logStrengths);
         if (value >= best)
             continue;
         best = value;
         cell.lines.clear();
         for (std::size_t k = 0; k < gas.linesInCell; ++k)
-            cell.lines.push_back({places_cm[k], std::exp(logStrengths[k])});
+            cell.lines.push_back({places_per_cm[k], std::exp(logStrengths[k])});
         cell.rmsError =
             std::sqrt(value / static_cast<double>(std::size(depths) * gas.pressures_atm.size()));
     }

@@ -12,7 +12,7 @@ namespace irsg::lbl {
 
 namespace {
 
-constexpr double step_cm = LowtranBands::step_cm;
+constexpr double step_per_cm = LowtranBands::step_per_cm;
 constexpr double referenceTemperature_K = 296.0, modelTemperature_K = 273.15;
 constexpr double secondRadiationConstant_cm_K = 1.438776877;
 constexpr double pressureOfOneAtmosphere_hPa = 1013.25;
@@ -27,21 +27,21 @@ double coefficientAt296(const BandPoint& point) {
 }
 
 /// ln K runs straight from point to point; the nearer point alone counts where the other has none.
-double coefficientBetween(const std::vector<BandPoint>& points, std::size_t i, double nu_cm) {
+double coefficientBetween(const std::vector<BandPoint>& points, std::size_t i, double nu_per_cm) {
     const double own = coefficientAt296(points[i]);
-    const bool above = nu_cm > points[i].wavenumber_cm;
+    const bool above = nu_per_cm > points[i].wavenumber_per_cm;
     if (above ? i + 1 >= points.size() : i == 0)
         return own;
     const double other = coefficientAt296(points[above ? i + 1 : i - 1]);
     if (other <= 0.0)
         return own;
-    const double part = std::abs(nu_cm - points[i].wavenumber_cm) / step_cm;
+    const double part = std::abs(nu_per_cm - points[i].wavenumber_per_cm) / step_per_cm;
     return own * std::pow(other / own, part);
 }
 
 /// E'' for which, at 273 K, absorption follows T^-m as the model's W does: the widths, ~ T^-x,
 /// bring T^(-x n), the partition sum T^-1.5 and the Boltzmann factor T^(c2 E'' / T).
-double lowerEnergy_cm(const BandPoint& point, const PseudoGas& gas) {
+double lowerEnergy_per_cm(const BandPoint& point, const PseudoGas& gas) {
     const double slope = static_cast<double>(gas.widthExponent) * point.pressureExponent + 1.5 -
                          point.temperatureExponent;
     return std::max(0.0, modelTemperature_K / secondRadiationConstant_cm_K * slope);
@@ -53,12 +53,13 @@ class SlidingMean {
     SlidingMean(const WavenumberGrid& grid, std::span<const double> crossSection_cm2)
         : grid_(grid), crossSection_cm2_(crossSection_cm2) {}
 
-    double opticalDepth(double centre_cm, double column_per_cm2) const {
-        auto index = [&](double nu_cm) {
-            return static_cast<std::size_t>(std::clamp((nu_cm - grid_.first_cm) / grid_.step_cm,
-                                                       0.0, static_cast<double>(grid_.count)));
+    double opticalDepth(double centre_per_cm, double column_per_cm2) const {
+        auto index = [&](double nu_per_cm) {
+            return static_cast<std::size_t>(
+                std::clamp((nu_per_cm - grid_.first_per_cm) / grid_.step_per_cm, 0.0,
+                           static_cast<double>(grid_.count)));
         };
-        const std::size_t from = index(centre_cm - 10.0), to = index(centre_cm + 10.0);
+        const std::size_t from = index(centre_per_cm - 10.0), to = index(centre_per_cm + 10.0);
         double sum = 0.0;
         for (std::size_t i = from; i < to; ++i)
             sum += std::exp(-column_per_cm2 * crossSection_cm2_[i]);
@@ -86,16 +87,16 @@ PseudoGas pseudoGas(Gas gas) {
 }
 
 std::vector<Line> pseudoLines(const std::vector<BandPoint>& points, const PseudoGas& gas,
-                              double lower_cm, double upper_cm) {
+                              double lower_per_cm, double upper_per_cm) {
     std::map<std::pair<double, double>, Cell> cells;
     LineList list{gas.gas, {}, {}};
     std::vector<std::size_t> cellOf; ///< of each line, the point
-    RandomNumbers random(gas.seed * 1000003 + static_cast<std::uint64_t>(lower_cm));
+    RandomNumbers random(gas.seed * 1000003 + static_cast<std::uint64_t>(lower_per_cm));
 
     for (std::size_t i = 0; i < points.size(); ++i) {
         const BandPoint& point = points[i];
-        if (point.wavenumber_cm + 0.5 * step_cm < lower_cm ||
-            point.wavenumber_cm - 0.5 * step_cm > upper_cm ||
+        if (point.wavenumber_per_cm + 0.5 * step_per_cm < lower_per_cm ||
+            point.wavenumber_per_cm - 0.5 * step_per_cm > upper_per_cm ||
             point.opticalDepth(widestPath_per_cm2, pressureOfOneAtmosphere_hPa,
                                referenceTemperature_K) < leastDepth)
             continue;
@@ -103,18 +104,22 @@ std::vector<Line> pseudoLines(const std::vector<BandPoint>& points, const Pseudo
             cells.try_emplace({point.exponent, point.pressureExponent}, Cell{});
         if (isNew)
             cell->second = fitCell(point.exponent, point.pressureExponent, gas);
-        for (double begin_cm = 0.0; begin_cm < step_cm; begin_cm += gas.cellWidth_cm) {
-            const double turn_cm = gas.cellWidth_cm * random.next();
+        for (double begin_per_cm = 0.0; begin_per_cm < step_per_cm;
+             begin_per_cm += gas.cellWidth_per_cm) {
+            const double turn_per_cm = gas.cellWidth_per_cm * random.next();
             const bool mirrored = random.next() < 0.5;
             for (const CellLine& part : cell->second.lines) {
-                const double place_cm = mirrored ? gas.cellWidth_cm - part.place_cm : part.place_cm;
+                const double place_per_cm =
+                    mirrored ? gas.cellWidth_per_cm - part.place_per_cm : part.place_per_cm;
                 Line line;
-                line.wavenumber_cm = point.wavenumber_cm - 0.5 * step_cm + begin_cm +
-                                     std::fmod(place_cm + turn_cm, gas.cellWidth_cm);
-                if (line.wavenumber_cm < lower_cm || line.wavenumber_cm > upper_cm)
+                line.wavenumber_per_cm =
+                    point.wavenumber_per_cm - 0.5 * step_per_cm + begin_per_cm +
+                    std::fmod(place_per_cm + turn_per_cm, gas.cellWidth_per_cm);
+                if (line.wavenumber_per_cm < lower_per_cm || line.wavenumber_per_cm > upper_per_cm)
                     continue;
-                line.intensity = part.strength * coefficientBetween(points, i, line.wavenumber_cm);
-                line.lowerEnergy_cm = lowerEnergy_cm(point, gas);
+                line.intensity =
+                    part.strength * coefficientBetween(points, i, line.wavenumber_per_cm);
+                line.lowerEnergy_per_cm = lowerEnergy_per_cm(point, gas);
                 line.airWidth_cm_atm = gas.airWidth_cm_atm;
                 line.selfWidth_cm_atm = gas.selfWidth_cm_atm;
                 line.widthExponent = gas.widthExponent;
@@ -125,8 +130,8 @@ std::vector<Line> pseudoLines(const std::vector<BandPoint>& points, const Pseudo
     }
 
     const PartitionSums rotor = PartitionSums::rigidRotor();
-    const WavenumberGrid grid{lower_cm, 0.02,
-                              static_cast<std::size_t>((upper_cm - lower_cm) / 0.02) + 1};
+    const WavenumberGrid grid{lower_per_cm, 0.02,
+                              static_cast<std::size_t>((upper_per_cm - lower_per_cm) / 0.02) + 1};
     for (int round = 0; round < corrections && !list.lines.empty(); ++round) {
         const std::vector<double> cross_cm2 =
             crossSection_cm2(list, rotor, grid, referenceTemperature_K, pressureOfOneAtmosphere_hPa,
@@ -135,21 +140,21 @@ std::vector<Line> pseudoLines(const std::vector<BandPoint>& points, const Pseudo
         std::vector<double> factors(points.size(), 1.0);
         for (std::size_t i = 0; i < points.size(); ++i) {
             const BandPoint& point = points[i];
-            if (point.coefficient_cm2 <= 0.0 || point.wavenumber_cm < lower_cm ||
-                point.wavenumber_cm > upper_cm)
+            if (point.coefficient_cm2 <= 0.0 || point.wavenumber_per_cm < lower_per_cm ||
+                point.wavenumber_per_cm > upper_per_cm)
                 continue;
             double sum = 0.0;
             for (const double depth : {0.2, 0.6, 1.5}) {
                 const double column =
                     std::pow(depth, 1.0 / point.exponent) / coefficientAt296(point);
-                sum += std::log(depth / mean.opticalDepth(point.wavenumber_cm, column));
+                sum += std::log(depth / mean.opticalDepth(point.wavenumber_per_cm, column));
             }
             factors[i] = std::exp(std::clamp(0.6 * sum / 3.0 / point.exponent, -0.5, 0.5));
         }
         for (std::size_t k = 0; k < list.lines.size(); ++k)
             list.lines[k].intensity *= factors[cellOf[k]];
     }
-    std::ranges::stable_sort(list.lines, {}, &Line::wavenumber_cm);
+    std::ranges::stable_sort(list.lines, {}, &Line::wavenumber_per_cm);
     return list.lines;
 }
 

@@ -12,8 +12,8 @@ namespace irsg::lbl {
 struct PseudoGas {
     Gas gas = Gas::O3;
     float airWidth_cm_atm = 0.07f, selfWidth_cm_atm = 0.1f, widthExponent = 0.75f;
-    std::uint64_t seed = 1;    ///< of the positions; the same seed gives the same lines
-    double cellWidth_cm = 5.0; ///< divides LowtranBands::step_cm
+    std::uint64_t seed = 1;        ///< of the positions; the same seed gives the same lines
+    double cellWidth_per_cm = 5.0; ///< divides LowtranBands::step_per_cm
     std::size_t linesInCell = 8;
     std::vector<double> pressures_atm = {1.0}; ///< at which a cell is fitted, all alike
 };
@@ -23,8 +23,8 @@ PseudoGas pseudoGas(Gas gas);
 
 /// A line of a cell, which is repeated over the spectrum.
 struct CellLine {
-    double place_cm = 0.0; ///< from the beginning of the cell
-    double strength = 0.0; ///< cm-1 per unit of 1 / K
+    double place_per_cm = 0.0; ///< from the beginning of the cell
+    double strength = 0.0;     ///< cm-1 per unit of 1 / K
 };
 
 /// Lines of a cell whose mean transmittance is exp(-(K u p^n)^a), p in atmospheres, as nearly as
@@ -45,6 +45,6 @@ Cell fitCell(double exponent, double pressureExponent, const PseudoGas& gas);
 /// 5 cm-1 apart and go at least one beyond each end where the gas absorbs there. The temperature of
 /// reference is 296 K.
 std::vector<Line> pseudoLines(const std::vector<BandPoint>& points, const PseudoGas& gas,
-                              double lower_cm, double upper_cm);
+                              double lower_per_cm, double upper_per_cm);
 
 } // namespace irsg::lbl

@@ -17,7 +17,7 @@ PublishedRun PublishedRun::read(const std::filesystem::path& data) {
     constexpr std::array columns = {waterColumn, continuumColumn, methaneColumn, oxygenColumn};
     const auto file = data / "modtran" / "pyradi" / "horizon5kmtropical.fl7";
     PublishedRun run;
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     std::size_t number = 0;
     for (const std::string& line : readTextLines(file)) {
         if (++number <= headerLines)
@@ -33,24 +33,24 @@ PublishedRun PublishedRun::read(const std::filesystem::path& data) {
         };
         if (values.size() <= oxygenColumn || values[0] <= 0.0 ||
             !std::ranges::all_of(columns, isTransmittance)) {
-            offences.push_back({file.string(), "line " + std::to_string(number), line.substr(0, 60),
-                                "a wavenumber and transmittances"});
+            diagnostics.push_back({file.string(), "line " + std::to_string(number),
+                                   line.substr(0, 60), "a wavenumber and transmittances"});
             continue;
         }
-        run.wavenumber_cm.push_back(values[0]);
+        run.wavenumber_per_cm.push_back(values[0]);
         run.water.push_back(values[waterColumn]);
         run.waterContinuum.push_back(values[continuumColumn]);
         run.methane.push_back(values[methaneColumn]);
         run.oxygen.push_back(values[oxygenColumn]);
     }
-    if (offences.empty() && run.wavenumber_cm.empty())
-        offences.push_back({file.string(), "", "no rows", "rows of a MODTRAN run"});
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (diagnostics.empty() && run.wavenumber_per_cm.empty())
+        diagnostics.push_back({file.string(), "", "no rows", "rows of a MODTRAN run"});
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return run;
 }
 
-AirState PublishedRun::air() {
+AtmosphericState PublishedRun::air() {
     return Profile::model(ModelAtmosphere::tropical).at(0.0);
 }
 

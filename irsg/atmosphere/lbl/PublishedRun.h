@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "irsg/atmosphere/engine/AirState.h"
+#include "irsg/atmosphere/engine/AtmosphericState.h"
 
 namespace irsg::lbl {
 
@@ -18,12 +18,12 @@ struct PublishedRun {
     static constexpr double length_cm = 5e5;
     static constexpr double rounding = 5e-5; ///< of a transmittance
 
-    std::vector<double> wavenumber_cm, water, waterContinuum, methane, oxygen;
+    std::vector<double> wavenumber_per_cm, water, waterContinuum, methane, oxygen;
 
     /// Throws InputError naming the file and each line that is not a row of the run.
     static PublishedRun read(const std::filesystem::path& data);
     /// Tropical air at the ground.
-    static AirState air();
+    static AtmosphericState air();
 };
 
 } // namespace irsg::lbl

@@ -10,7 +10,7 @@ namespace irsg::lbl {
 
 namespace {
 
-constexpr double step_cm = 0.02, leastTransmittance = 1e-4, leastDepth = 5e-4;
+constexpr double step_per_cm = 0.02, leastTransmittance = 1e-4, leastDepth = 5e-4;
 constexpr int rounds = 8;
 
 /// Optical depths of the mean transmittances over windows.
@@ -21,14 +21,15 @@ class WindowMeans {
 
     std::size_t count() const {
         return static_cast<std::size_t>(
-            std::lround((windows_.upper_cm - windows_.lower_cm) / windows_.width_cm));
+            std::lround((windows_.upper_per_cm - windows_.lower_per_cm) / windows_.width_per_cm));
     }
-    void add(double wavenumber_cm, double transmittance) {
-        if (wavenumber_cm < windows_.lower_cm || wavenumber_cm >= windows_.upper_cm)
+    void add(double wavenumber_per_cm, double transmittance) {
+        if (wavenumber_per_cm < windows_.lower_per_cm || wavenumber_per_cm >= windows_.upper_per_cm)
             return;
-        const auto window = std::min(
-            static_cast<std::size_t>((wavenumber_cm - windows_.lower_cm) / windows_.width_cm),
-            count() - 1);
+        const auto window =
+            std::min(static_cast<std::size_t>((wavenumber_per_cm - windows_.lower_per_cm) /
+                                              windows_.width_per_cm),
+                     count() - 1);
         sums_[window] += transmittance;
         members_[window] += 1.0;
     }
@@ -49,10 +50,10 @@ class WindowMeans {
 
 std::vector<double> depthsOf(const LineList& list, const KnownPath& path,
                              const ScalingWindows& windows) {
-    const WavenumberGrid grid{
-        windows.lower_cm + 0.5 * step_cm, step_cm,
-        static_cast<std::size_t>(std::lround((windows.upper_cm - windows.lower_cm) / step_cm))};
-    const AirState& air = path.air;
+    const WavenumberGrid grid{windows.lower_per_cm + 0.5 * step_per_cm, step_per_cm,
+                              static_cast<std::size_t>(std::lround(
+                                  (windows.upper_per_cm - windows.lower_per_cm) / step_per_cm))};
+    const AtmosphericState& air = path.air;
     const std::vector<double> cross_cm2 =
         crossSection_cm2(list, PartitionSums::rigidRotor(), grid, air.temperature_K,
                          air.pressure_hPa, air.fraction(list.gas), defaultLineShape(list.gas));
@@ -64,9 +65,11 @@ std::vector<double> depthsOf(const LineList& list, const KnownPath& path,
 }
 
 /// ln of the factor, from its values in the middle of the windows.
-double between(const std::vector<double>& lnFactors, const ScalingWindows& windows, double nu_cm) {
+double between(const std::vector<double>& lnFactors, const ScalingWindows& windows,
+               double nu_per_cm) {
     const double last = static_cast<double>(lnFactors.size() - 1);
-    const double place = std::clamp((nu_cm - windows.lower_cm) / windows.width_cm - 0.5, 0.0, last);
+    const double place =
+        std::clamp((nu_per_cm - windows.lower_per_cm) / windows.width_per_cm - 0.5, 0.0, last);
     const auto below = static_cast<std::size_t>(place);
     const std::size_t above = std::min(below + 1, lnFactors.size() - 1);
     return std::lerp(lnFactors[below], lnFactors[above], place - static_cast<double>(below));
@@ -75,12 +78,12 @@ double between(const std::vector<double>& lnFactors, const ScalingWindows& windo
 } // namespace
 
 void scaleStrengths(LineList& list, const KnownPath& path, const ScalingWindows& windows) {
-    const double parts = (windows.upper_cm - windows.lower_cm) / windows.width_cm;
+    const double parts = (windows.upper_per_cm - windows.lower_per_cm) / windows.width_per_cm;
     if (!(parts >= 1.0) || std::abs(parts - std::round(parts)) > 1e-9)
         throw LogicError("windows of the spectrum do not fill their range");
     WindowMeans known(windows);
-    for (std::size_t i = 0; i < path.wavenumbers_cm.size(); ++i)
-        known.add(path.wavenumbers_cm[i], path.transmittances.at(i));
+    for (std::size_t i = 0; i < path.wavenumbers_per_cm.size(); ++i)
+        known.add(path.wavenumbers_per_cm[i], path.transmittances.at(i));
     const std::vector<double> wanted = known.depths();
 
     const std::vector<Line> original = list.lines;
@@ -97,10 +100,10 @@ void scaleStrengths(LineList& list, const KnownPath& path, const ScalingWindows&
                 std::clamp(lnFactors[i] + std::log(wanted[i] / depths[i]) / growth, -most, most);
         }
         for (std::size_t k = 0; k < original.size(); ++k) {
-            const double nu_cm = original[k].wavenumber_cm;
-            if (nu_cm >= windows.lower_cm && nu_cm <= windows.upper_cm)
+            const double nu_per_cm = original[k].wavenumber_per_cm;
+            if (nu_per_cm >= windows.lower_per_cm && nu_per_cm <= windows.upper_per_cm)
                 list.lines[k].intensity =
-                    original[k].intensity * std::exp(between(lnFactors, windows, nu_cm));
+                    original[k].intensity * std::exp(between(lnFactors, windows, nu_per_cm));
         }
     }
 }

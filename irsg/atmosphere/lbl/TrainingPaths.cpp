@@ -20,7 +20,7 @@ std::size_t edgeIndex(double altitude_km) {
 }
 
 /// The air half-way through a layer's mass, which is below its middle.
-AirState meanAir(const Profile& profile, double lower_m, double upper_m) {
+AtmosphericState meanAir(const Profile& profile, double lower_m, double upper_m) {
     const double below = profile.at(lower_m).pressure_hPa;
     const double above = profile.at(upper_m).pressure_hPa;
     const double middle = 0.5 * (below + above);

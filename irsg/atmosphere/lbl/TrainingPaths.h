@@ -8,7 +8,7 @@ namespace irsg::lbl {
 
 /// A layer of one training atmosphere, uniform.
 struct TrainingLayer {
-    AirState air;
+    AtmosphericState air;
     double thickness_m = 0.0;
 };
 
@@ -19,9 +19,9 @@ struct TrainingPath {
     double factor = 1.0;
 };
 
-/// The paths on which spectral nodes are trained, in every atmosphere: horizontal from 10 m to 80 km
-/// at seven altitudes and to 250 km from 8 km up, slant between levels, from the ground to space and
-/// from space down, up to 12 times the vertical.
+/// The paths on which spectral nodes are trained, in every atmosphere: horizontal from 10 m to 80
+/// km at seven altitudes and to 250 km from 8 km up, slant between levels, from the ground to space
+/// and from space down, up to 12 times the vertical.
 struct TrainingPaths {
     std::vector<TrainingLayer> layers; ///< atmosphere by atmosphere, from the ground up
     std::vector<TrainingPath> paths;

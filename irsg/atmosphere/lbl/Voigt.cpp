@@ -97,20 +97,21 @@ std::complex<double> complexErrorFunction(std::complex<double> z) {
     return 2.0 * polynomial / (below * below) + 1.0 / (rootPi * below);
 }
 
-VoigtProfile::VoigtProfile(double dopplerWidth_cm, double lorentzWidth_cm)
-    : scale_(std::sqrt(std::numbers::ln2) / dopplerWidth_cm), y_(scale_ * lorentzWidth_cm) {}
+VoigtProfile::VoigtProfile(double dopplerWidth_per_cm, double lorentzWidth_per_cm)
+    : scale_(std::sqrt(std::numbers::ln2) / dopplerWidth_per_cm),
+      y_(scale_ * lorentzWidth_per_cm) {}
 
-double VoigtProfile::at(double distance_cm) const {
-    const double x = scale_ * distance_cm;
+double VoigtProfile::at(double distance_per_cm) const {
+    const double x = scale_ * distance_per_cm;
     const double real =
         std::abs(x) + y_ > farAway ? farReal(x, y_) : complexErrorFunction({x, y_}).real();
     return scale_ / rootPi * real;
 }
 
-void VoigtProfile::add(double first_cm, double step_cm, std::size_t count, double factor,
+void VoigtProfile::add(double first_per_cm, double step_per_cm, std::size_t count, double factor,
                        double* sum) const {
     const double scaled = factor * scale_ / rootPi;
-    const double x0 = scale_ * first_cm, dx = scale_ * step_cm;
+    const double x0 = scale_ * first_per_cm, dx = scale_ * step_per_cm;
 
     // The stretch of points that are not far away, if any, lies between two that are.
     const double reach = farAway - y_;

@@ -15,11 +15,13 @@ std::complex<double> complexErrorFunction(std::complex<double> z);
 /// to 1e-12 of the peak for a Gaussian alone.
 class VoigtProfile {
   public:
-    VoigtProfile(double dopplerWidth_cm, double lorentzWidth_cm);
+    VoigtProfile(double dopplerWidth_per_cm, double lorentzWidth_per_cm);
 
-    double at(double distance_cm) const;
-    /// `count` values from `first_cm` on in steps of `step_cm` times `factor` are added to `sum`.
-    void add(double first_cm, double step_cm, std::size_t count, double factor, double* sum) const;
+    double at(double distance_per_cm) const;
+    /// `count` values from `first_per_cm` on in steps of `step_per_cm` times `factor` are added to
+    /// `sum`.
+    void add(double first_per_cm, double step_per_cm, std::size_t count, double factor,
+             double* sum) const;
 
   private:
     double scale_; ///< sqrt(ln 2) / Doppler width

@@ -104,13 +104,13 @@ const AdaptiveTable& PathTables::table(const Key& key, double low, double high,
     return *own;
 }
 
-std::vector<double> PathTables::transmittance(const AirPath& path) const {
+std::vector<double> PathTables::transmittance(const AtmosphericPath& path) const {
     const double least_m = shortest_m(path.sensorAltitude_m, path.targetAltitude_m);
     if (onTheFly() || !(path.range_m > least_m && path.range_m <= farthest_m))
         return transfer_.transmittance(nodes_, path);
     const RangeCell cell = cellOf(path.range_m, least_m);
     auto function = [this, path](double range_m) {
-        AirPath at = path;
+        AtmosphericPath at = path;
         at.range_m = range_m;
         return depths(transfer_.transmittance(nodes_, at));
     };
@@ -145,7 +145,8 @@ DirectedLight PathTables::recent(const Key& key,
     return light;
 }
 
-std::vector<double> PathTables::pathRadiance(const AirPath& path, const SunPosition& sun) const {
+std::vector<double> PathTables::pathRadiance(const AtmosphericPath& path,
+                                             const SunPosition& sun) const {
     const double least_m = shortest_m(path.sensorAltitude_m, path.targetAltitude_m);
     if (onTheFly() || !(path.range_m > least_m && path.range_m <= farthest_m)) {
         const Key key{Kind::pathRadiance, path.sensorAltitude_m, path.targetAltitude_m,
@@ -155,7 +156,7 @@ std::vector<double> PathTables::pathRadiance(const AirPath& path, const SunPosit
     }
     const RangeCell cell = cellOf(path.range_m, least_m);
     auto function = [this, path, sun](double range_m) {
-        AirPath at = path;
+        AtmosphericPath at = path;
         at.range_m = range_m;
         return packed(transfer_.pathLight(nodes_, at, sun));
     };

@@ -29,8 +29,8 @@ class PathTables {
 
     const NodeSet& nodes() const { return nodes_; }
 
-    std::vector<double> transmittance(const AirPath& path) const;
-    std::vector<double> pathRadiance(const AirPath& path, const SunPosition& sun) const;
+    std::vector<double> transmittance(const AtmosphericPath& path) const;
+    std::vector<double> pathRadiance(const AtmosphericPath& path, const SunPosition& sun) const;
     std::vector<double> backgroundRadiance(const LineOfSight& sight, const SunPosition& sun) const;
     std::vector<double> solarIrradiance(double altitude_m, const SunPosition& sun) const;
     std::vector<double> upwardFlux(double altitude_m, const SunPosition& sun) const;

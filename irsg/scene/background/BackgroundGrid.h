@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "irsg/atmosphere/AirQuestion.h"
+#include "irsg/atmosphere/AtmosphericQuery.h"
 #include "irsg/scene/background/FieldRays.h"
 #include "irsg/scene/background/Horizon.h"
 

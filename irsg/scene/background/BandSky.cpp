@@ -7,7 +7,7 @@ namespace irsg {
 BandSky::BandSky(const Environment& environment, const SpectralSampling& sampling)
     : environment_(environment), sampling_(sampling) {}
 
-double BandSky::ask(const char* quantity, const AirQuestion& question) const {
+double BandSky::ask(const char* quantity, const AtmosphericQuery& question) const {
     const auto answer = environment_.answer(question, sampling_);
     std::string line = quantity;
     line += ": ";
@@ -17,11 +17,11 @@ double BandSky::ask(const char* quantity, const AirQuestion& question) const {
 }
 
 double BandSky::radiance_W_m2_sr(const LineOfSight& sight) const {
-    return ask("background", AirQuestion::backgroundRadiance(sight, environment_.sun));
+    return ask("background", AtmosphericQuery::backgroundRadiance(sight, environment_.sun));
 }
 
 double BandSky::sun_W_m2(double altitude_m) const {
-    return ask("solar disc", AirQuestion::solarIrradiance(altitude_m, environment_.sun));
+    return ask("solar disc", AtmosphericQuery::solarIrradiance(altitude_m, environment_.sun));
 }
 
 SunView BandSky::sunView(double altitude_m) const {

@@ -97,7 +97,7 @@ double Skybox::Level::at(std::size_t face, double right, double down) const {
 
 Skybox::Skybox(std::array<TextureImage, 6> faces, const std::array<std::string, 6>& names) {
     const int size = faces[0].width_px;
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (std::size_t face = 0; face < 6; ++face) {
         const TextureImage& image = faces[face];
         const std::string found =
@@ -105,14 +105,14 @@ Skybox::Skybox(std::array<TextureImage, 6> faces, const std::array<std::string, 
         const std::string who =
             names[face].empty() ? "skybox face " + std::string(faceNames[face]) : names[face];
         if (image.width_px < 1 || image.width_px != image.height_px)
-            offences.push_back({who, "", found, "a square picture"});
+            diagnostics.push_back({who, "", found, "a square picture"});
         else if (image.width_px != size)
-            offences.push_back({who, "", found,
-                                "the size of the north face, " + std::to_string(size) + " x " +
-                                    std::to_string(size)});
+            diagnostics.push_back({who, "", found,
+                                   "the size of the north face, " + std::to_string(size) + " x " +
+                                       std::to_string(size)});
     }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
 
     Level finest;
     finest.size = size;

@@ -40,7 +40,7 @@ std::array<fs::path, 6> Skybox::filesIn(const fs::path& folder) {
                           "a folder with six pictures north, south, east, west, up and down"});
 
     std::array<fs::path, 6> files;
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (std::size_t face = 0; face < 6; ++face) {
         const std::string name = faceNames[face];
         std::vector<fs::path> found;
@@ -51,44 +51,45 @@ std::array<fs::path, 6> Skybox::filesIn(const fs::path& folder) {
         }
         std::ranges::sort(found);
         if (found.empty())
-            offences.push_back({folder.string(), "skybox face " + name, "no picture",
-                                name + ".png or another picture of that name"});
+            diagnostics.push_back({folder.string(), "skybox face " + name, "no picture",
+                                   name + ".png or another picture of that name"});
         else if (found.size() > 1)
-            offences.push_back(
+            diagnostics.push_back(
                 {folder.string(), "skybox face " + name,
                  found[0].filename().string() + " and " + found[1].filename().string(),
                  "one picture"});
         else
             files[face] = found[0];
     }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return files;
 }
 
 std::shared_ptr<const Skybox> Skybox::load(const std::array<fs::path, 6>& files) {
     std::array<TextureImage, 6> faces;
     std::array<std::string, 6> names;
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     for (std::size_t face = 0; face < 6; ++face) {
         names[face] = files[face].string();
         if (files[face].empty()) {
-            offences.push_back({"skybox", "face " + std::string(faceNames[face]), "no file",
-                                "the file of its picture"});
+            diagnostics.push_back({"skybox", "face " + std::string(faceNames[face]), "no file",
+                                   "the file of its picture"});
             continue;
         }
         try {
             faces[face] = readTexture(files[face]);
         } catch (const InputError& error) {
-            for (Offence offence : error.offences()) {
-                offence.position = "skybox face " + std::string(faceNames[face]) +
-                                   (offence.position.empty() ? "" : ", " + offence.position);
-                offences.push_back(std::move(offence));
+            for (Diagnostic diagnostic : error.diagnostics()) {
+                diagnostic.position =
+                    "skybox face " + std::string(faceNames[face]) +
+                    (diagnostic.position.empty() ? "" : ", " + diagnostic.position);
+                diagnostics.push_back(std::move(diagnostic));
             }
         }
     }
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return std::make_shared<const Skybox>(std::move(faces), names);
 }
 

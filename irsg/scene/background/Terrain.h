@@ -42,13 +42,13 @@ class Terrain {
     /// What hides the objects of a frame.
     std::vector<OccluderItem> occluders(const CameraFrame& camera) const;
 
-    struct Parts;
+    struct Impl;
     /// Geometry and textures, for drawing.
-    const Parts& parts() const { return *parts_; }
+    const Impl& parts() const { return *impl_; }
 
   private:
-    explicit Terrain(std::unique_ptr<Parts> parts);
-    std::unique_ptr<Parts> parts_;
+    explicit Terrain(std::unique_ptr<Impl> parts);
+    std::unique_ptr<Impl> impl_;
 };
 
 } // namespace irsg

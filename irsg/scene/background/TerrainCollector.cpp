@@ -143,7 +143,7 @@ TextureImage TerrainCollector::read(const osg::Texture& texture) const {
     return irsg::textureOf(image, name_ + ", texture '" + image.getFileName() + "'");
 }
 
-void TerrainCollector::collect(osg::Node& graph, const Vec3& position_m, Terrain::Parts& parts) {
+void TerrainCollector::collect(osg::Node& graph, const Vec3& position_m, Terrain::Impl& parts) {
     graph.accept(*this);
     constexpr double huge = std::numeric_limits<double>::max();
     BoundingBox box{{huge, huge, huge}, {-huge, -huge, -huge}};

@@ -8,7 +8,7 @@
 #include <osg/Matrixd>
 #include <osg/NodeVisitor>
 
-#include "irsg/scene/background/TerrainParts.h"
+#include "irsg/scene/background/TerrainImpl.h"
 
 namespace irsg {
 
@@ -19,7 +19,7 @@ class TerrainCollector : public osg::NodeVisitor {
     /// `folder`: where textures of the file lie; `name` is used in messages.
     TerrainCollector(const std::filesystem::path& folder, const std::string& name);
     /// Fills in everything but the name and the remarks of the loader. Throws InputError.
-    void collect(osg::Node& graph, const Vec3& position_m, Terrain::Parts& parts);
+    void collect(osg::Node& graph, const Vec3& position_m, Terrain::Impl& parts);
 
     void apply(osg::Node& node) override;
     void apply(osg::Transform& transform) override;

@@ -8,7 +8,7 @@
 #include <osg/State>
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/scene/background/TerrainParts.h"
+#include "irsg/scene/background/TerrainImpl.h"
 #include "irsg/scene/draw/FloatTarget.h"
 #include "irsg/scene/draw/ReversedDepth.h"
 #include "irsg/scene/draw/ShaderProgram.h"
@@ -23,7 +23,7 @@ constexpr int pieceSide_px = 2048 / TerrainPass::samplesPerAxis;
 /// Textures of one terrain in GL's memory.
 class UploadedTextures {
   public:
-    explicit UploadedTextures(const std::vector<Terrain::Parts::Texture>& textures)
+    explicit UploadedTextures(const std::vector<Terrain::Impl::Texture>& textures)
         : names_(textures.size()) {
         GLint largest = 0;
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -69,7 +69,7 @@ class UploadedTextures {
 
 } // namespace
 
-struct TerrainPass::Parts {
+struct TerrainPass::Impl {
     ShaderProgram program{{"terrain.vert.glsl"}, {"terrain.frag.glsl"}};
     FloatTarget target{{2}};
     std::shared_ptr<const Terrain> terrain; // whose textures are uploaded
@@ -93,7 +93,7 @@ struct TerrainPass::Parts {
         program.set("clipFromModel", clipFromLocal);
         program.set("texels", 0);
         glActiveTexture(GL_TEXTURE0);
-        for (const Terrain::Parts::Piece& part : terrain->parts().pieces) {
+        for (const Terrain::Impl::Piece& part : terrain->parts().pieces) {
             const bool textured = part.texture >= 0;
             glBindTexture(GL_TEXTURE_2D, textured ? (*textures)[part.texture] : 0);
             program.set("weightAndOffset", textured ? 1.0f : 0.0f, static_cast<float>(offset),
@@ -132,12 +132,12 @@ struct TerrainPass::Parts {
     }
 };
 
-TerrainPass::TerrainPass() : parts_(std::make_unique<Parts>()) {}
+TerrainPass::TerrainPass() : impl_(std::make_unique<Impl>()) {}
 TerrainPass::~TerrainPass() = default;
 
 TerrainImage TerrainPass::draw(osg::RenderInfo& info, const std::shared_ptr<const Terrain>& terrain,
                                const CameraFrame& camera, double offset) {
-    Parts& p = *parts_;
+    Impl& p = *impl_;
     const Sensor& sensor = camera.sensor();
     TerrainImage image;
     image.texel.resize(static_cast<std::size_t>(sensor.width_px) *

@@ -31,8 +31,8 @@ class TerrainPass {
                       const CameraFrame& camera, double offset);
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 } // namespace irsg

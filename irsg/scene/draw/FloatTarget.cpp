@@ -85,9 +85,9 @@ void FloatTarget::reserve(int width, int height) {
     height_ = newHeight;
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw InputError(
-            Offence{"OpenGL", "float render target",
-                    std::to_string(newWidth) + " x " + std::to_string(newHeight),
-                    "a driver that renders into float planes with 32-bit float depth"});
+            Diagnostic{"OpenGL", "float render target",
+                       std::to_string(newWidth) + " x " + std::to_string(newHeight),
+                       "a driver that renders into float planes with 32-bit float depth"});
 }
 
 std::size_t FloatTarget::bytes() const {

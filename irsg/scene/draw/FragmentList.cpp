@@ -60,8 +60,8 @@ void FragmentList::read(std::uint32_t entries, int vectorsPerEntry,
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, fragments_);
     const void* mapped = glMapBufferRange(GL_SHADER_STORAGE_BUFFER, 0, bytes, GL_MAP_READ_BIT);
     if (!mapped)
-        throw InputError(Offence{"OpenGL", "list of fragments", std::to_string(bytes) + " bytes",
-                                 "a driver that lets a storage buffer be read"});
+        throw InputError(Diagnostic{"OpenGL", "list of fragments", std::to_string(bytes) + " bytes",
+                                    "a driver that lets a storage buffer be read"});
     try {
         take({static_cast<const float*>(mapped), static_cast<std::size_t>(bytes) / sizeof(float)});
     } catch (...) {

@@ -21,9 +21,9 @@ namespace irsg {
 namespace {
 
 InputError unavailable(const std::string& step) {
-    return InputError(Offence{"OpenGL", step, "not available on this machine",
-                              "an EGL driver with an OpenGL 4.5 compatibility context "
-                              "(Mesa's software renderer is enough)"});
+    return InputError(Diagnostic{"OpenGL", step, "not available on this machine",
+                                 "an EGL driver with an OpenGL 4.5 compatibility context "
+                                 "(Mesa's software renderer is enough)"});
 }
 
 /// OSG's view of an EGL context without a surface.
@@ -137,7 +137,7 @@ class EglContext : public osg::GraphicsContext {
 
 } // namespace
 
-struct OffscreenContext::Parts {
+struct OffscreenContext::Impl {
     osg::ref_ptr<EglContext> egl;
     osg::RenderInfo renderInfo;
     std::string description;
@@ -179,22 +179,22 @@ OffscreenContext& OffscreenContext::shared() {
     return *context;
 }
 
-OffscreenContext::OffscreenContext() : parts_(std::make_unique<Parts>()) {
+OffscreenContext::OffscreenContext() : impl_(std::make_unique<Impl>()) {
     try {
-        parts_->thread.post([this] { parts_->open(); }).get();
+        impl_->thread.post([this] { impl_->open(); }).get();
     } catch (...) {
-        parts_->thread.post([this] { parts_->close(); }).get();
+        impl_->thread.post([this] { impl_->close(); }).get();
         throw;
     }
 }
 
 OffscreenContext::~OffscreenContext() {
-    parts_->thread.post([this] { parts_->close(); }).get();
+    impl_->thread.post([this] { impl_->close(); }).get();
 }
 
 std::future<void> OffscreenContext::post(std::function<void(osg::RenderInfo&)> work) {
-    return parts_->thread.post(
-        [parts = parts_.get(), work = std::move(work)] { work(parts->renderInfo); });
+    return impl_->thread.post(
+        [parts = impl_.get(), work = std::move(work)] { work(parts->renderInfo); });
 }
 
 void OffscreenContext::run(const std::function<void(osg::RenderInfo&)>& work) {
@@ -202,10 +202,10 @@ void OffscreenContext::run(const std::function<void(osg::RenderInfo&)>& work) {
 }
 
 const std::string& OffscreenContext::rendererDescription() const {
-    return parts_->description;
+    return impl_->description;
 }
 int OffscreenContext::maximumTargetSize() const {
-    return parts_->maximumTargetSize;
+    return impl_->maximumTargetSize;
 }
 
 } // namespace irsg

@@ -44,8 +44,8 @@ class OffscreenContext {
     OffscreenContext();
     ~OffscreenContext();
 
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 } // namespace irsg

@@ -113,7 +113,7 @@ std::vector<RasterItems> rastersOf(const SheetScene& sheet) {
 
 } // namespace
 
-struct SurfacePass::Parts {
+struct SurfacePass::Impl {
     /// What a program was compiled for: product, angle, transparent, and the factors.
     using Variant = std::tuple<int, int, int, std::string>;
     std::map<Variant, ShaderProgram> programs;
@@ -287,12 +287,12 @@ struct SurfacePass::Parts {
     }
 };
 
-SurfacePass::SurfacePass() : parts_(std::make_unique<Parts>()) {}
+SurfacePass::SurfacePass() : impl_(std::make_unique<Impl>()) {}
 SurfacePass::~SurfacePass() = default;
 
 void SurfacePass::drawRadiance(osg::RenderInfo& info, const SheetScene& sheet,
                                RadianceSamples& samples) {
-    Parts& p = *parts_;
+    Impl& p = *impl_;
     if (std::ranges::any_of(sheet.scenes, &SurfaceScene::hasTransparent))
         throw LogicError("radiance alone was drawn of what lies behind a transparent surface");
     {
@@ -308,7 +308,7 @@ void SurfacePass::drawRadiance(osg::RenderInfo& info, const SheetScene& sheet,
 
 void SurfacePass::drawFactors(osg::RenderInfo& info, const SheetScene& sheet, bool withDistance,
                               FactorSamples& samples) {
-    Parts& p = *parts_;
+    Impl& p = *impl_;
     const int width = sheet.sheet.width, height = sheet.sheet.height;
     const FactorShader& factors = sheet.scenes.front().factors;
     const bool manyFactors = factors.factorCount > 3;
@@ -338,18 +338,18 @@ void SurfacePass::drawFactors(osg::RenderInfo& info, const SheetScene& sheet, bo
 }
 
 std::size_t SurfacePass::bytes() const {
-    std::size_t sum = parts_->radiance.bytes() + parts_->list.bytes();
-    for (const auto& targets : parts_->factors)
+    std::size_t sum = impl_->radiance.bytes() + impl_->list.bytes();
+    for (const auto& targets : impl_->factors)
         for (const FloatTarget& target : targets)
             sum += target.bytes();
     return sum;
 }
 
 double SurfacePass::takeDrawSeconds() {
-    return std::exchange(parts_->drawSeconds, 0.0);
+    return std::exchange(impl_->drawSeconds, 0.0);
 }
 double SurfacePass::takeReadSeconds() {
-    return std::exchange(parts_->readSeconds, 0.0);
+    return std::exchange(impl_->readSeconds, 0.0);
 }
 
 } // namespace irsg

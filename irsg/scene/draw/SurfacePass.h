@@ -93,8 +93,8 @@ class SurfacePass {
     double takeReadSeconds();
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 } // namespace irsg

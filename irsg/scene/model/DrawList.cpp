@@ -69,7 +69,7 @@ std::vector<DrawItem> collectDrawItems(const Model& model) {
     return std::move(collector.items);
 }
 
-BoundingBall boundingBall(const std::vector<DrawItem>& items, const BoundingBox& bounds) {
+BoundingSphere boundingSphere(const std::vector<DrawItem>& items, const BoundingBox& bounds) {
     const Vec3 centre = bounds.centre();
     double square_m2 = 0.0;
     for (const DrawItem& item : items) {

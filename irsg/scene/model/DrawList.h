@@ -24,10 +24,10 @@ struct DrawItem {
 std::vector<DrawItem> collectDrawItems(const Model& model);
 
 /// A ball about the centre of a model's bounding box that holds all its vertices.
-struct BoundingBall {
+struct BoundingSphere {
     Vec3 centre_m; ///< model axes
     double radius_m = 0.0;
 };
-BoundingBall boundingBall(const std::vector<DrawItem>& items, const BoundingBox& bounds);
+BoundingSphere boundingSphere(const std::vector<DrawItem>& items, const BoundingBox& bounds);
 
 } // namespace irsg

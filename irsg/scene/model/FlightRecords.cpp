@@ -26,17 +26,18 @@ bool onlyZeros(std::string_view bytes) {
 }
 
 /// What is wrong with a record of this header and so many bytes left in the file.
-std::optional<Offence> brokenHeader(std::uint16_t opcode, std::size_t length, std::size_t left) {
+std::optional<Diagnostic> brokenHeader(std::uint16_t opcode, std::size_t length, std::size_t left) {
     const auto record =
         "a " + flightRecordName(opcode) + " record of length " + std::to_string(length);
     if (left < headerSize)
-        return Offence{"", "", "a record header of " + std::to_string(left) + " bytes",
-                       "4 bytes: the file is truncated"};
+        return Diagnostic{"", "", "a record header of " + std::to_string(left) + " bytes",
+                          "4 bytes: the file is truncated"};
     if (length < headerSize)
-        return Offence{"", "", record, "a length of at least 4"};
+        return Diagnostic{"", "", record, "a length of at least 4"};
     if (length > left)
-        return Offence{"", "", record + " with " + std::to_string(left) + " bytes left in the file",
-                       "the whole record: the file is truncated"};
+        return Diagnostic{"", "",
+                          record + " with " + std::to_string(left) + " bytes left in the file",
+                          "the whole record: the file is truncated"};
     return std::nullopt;
 }
 
@@ -74,7 +75,7 @@ std::string FlightRecord::text(std::size_t at, std::size_t length) const {
 }
 
 FlightRecords::FlightRecords(std::string_view bytes, const std::string& file,
-                             std::vector<Offence>& offences) {
+                             std::vector<Diagnostic>& diagnostics) {
     std::size_t at = 0;
     int level = 0;
 
@@ -92,7 +93,7 @@ FlightRecords::FlightRecords(std::string_view bytes, const std::string& file,
         if (auto broken = brokenHeader(opcode, length, rest.size())) {
             broken->file = file;
             broken->position = "byte " + std::to_string(at);
-            offences.push_back(*broken);
+            diagnostics.push_back(*broken);
             break;
         }
 

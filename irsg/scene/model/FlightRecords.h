@@ -95,9 +95,10 @@ struct FlightRecord {
 /// The records of one file in their order. The bytes must outlive the object.
 class FlightRecords {
   public:
-    /// Walks to the pop that closes the first level or to zero padding. Appends to `offences` what
-    /// ends the walk early: a record that is shorter than its header or longer than the file.
-    FlightRecords(std::string_view bytes, const std::string& file, std::vector<Offence>& offences);
+    /// Walks to the pop that closes the first level or to zero padding. Appends to `diagnostics`
+    /// what ends the walk early: a record that is shorter than its header or longer than the file.
+    FlightRecords(std::string_view bytes, const std::string& file,
+                  std::vector<Diagnostic>& diagnostics);
 
     const std::vector<FlightRecord>& all() const { return records_; }
     /// First byte behind the last record.

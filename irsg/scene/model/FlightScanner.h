@@ -74,8 +74,8 @@ struct FlightFile {
 /// offsets, palettes, mesh pools and their indices, finite coordinates, instances, everything that
 /// the stock plug-in would follow blindly. Real files hold vertex offsets that lie inside the
 /// palette but on no vertex; such a vertex is left out and remarked. Throws InputError with every
-/// offence and its byte offset. `coloursGiven`: a referring file lends its colour palette. External
-/// references are listed, not followed, and their `file` is empty.
+/// diagnostic and its byte offset. `coloursGiven`: a referring file lends its colour palette.
+/// External references are listed, not followed, and their `file` is empty.
 FlightFile scanFlightBytes(std::string bytes, const std::filesystem::path& name,
                            bool coloursGiven = false);
 

@@ -7,7 +7,7 @@
 namespace irsg {
 namespace {
 
-constexpr std::size_t mostOffences = 50;
+constexpr std::size_t mostDiagnostics = 50;
 constexpr std::size_t deepest = 256;
 constexpr double mostFaces = 20e6;
 
@@ -27,7 +27,7 @@ FlightValidator::FlightValidator(FlightFile& file, bool coloursGiven)
 
 void FlightValidator::run() {
     // The first record says that this is OpenFlight at all.
-    const FlightRecords records(file_.bytes, file_.path.string(), offences_);
+    const FlightRecords records(file_.bytes, file_.path.string(), diagnostics_);
     const auto& all = records.all();
     if (all.empty() || all.front().opcode != flight::header)
         throw InputError({file_.path.string(), "byte 0",
@@ -38,8 +38,8 @@ void FlightValidator::run() {
 
     for (const auto& record : all) {
         visit(record);
-        if (offences_.size() >= mostOffences)
-            throw InputError(offences_);
+        if (diagnostics_.size() >= mostDiagnostics)
+            throw InputError(diagnostics_);
     }
 
     // What was opened must have been closed.
@@ -54,8 +54,8 @@ void FlightValidator::run() {
                                 " billboard faces do not turn towards the sensor");
     if (emptyFaces_ > 0)
         file_.remarks.push_back(std::to_string(emptyFaces_) + " faces have no vertices");
-    if (!offences_.empty())
-        throw InputError(offences_);
+    if (!diagnostics_.empty())
+        throw InputError(diagnostics_);
 }
 
 void FlightValidator::visit(const FlightRecord& record) {
@@ -260,7 +260,8 @@ void FlightValidator::finite(const FlightRecord& record, std::size_t at, std::si
 
 void FlightValidator::offend(std::size_t offset, const std::string& value,
                              const std::string& expected) {
-    offences_.push_back({file_.path.string(), "byte " + std::to_string(offset), value, expected});
+    diagnostics_.push_back(
+        {file_.path.string(), "byte " + std::to_string(offset), value, expected});
 }
 
 void FlightValidator::remarkOnce(const std::string& key, const std::string& text) {

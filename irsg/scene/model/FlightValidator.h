@@ -18,7 +18,8 @@ class FlightValidator {
   public:
     /// `file.bytes` must be set and stay where they are.
     FlightValidator(FlightFile& file, bool coloursGiven);
-    /// Fills the file's faces, externals, remarks and steps; throws InputError with every offence.
+    /// Fills the file's faces, externals, remarks and steps; throws InputError with every
+    /// diagnostic.
     void run();
 
   private:
@@ -79,7 +80,7 @@ class FlightValidator {
     void remarkOnce(const std::string& key, const std::string& text);
 
     FlightFile& file_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
     std::vector<Node> levels_;    ///< nodes whose children are being read
     std::optional<Node> current_; ///< the node read last at the present level
     bool closed_ = false;         ///< the first level has been closed

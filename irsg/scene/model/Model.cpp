@@ -45,7 +45,7 @@ constexpr BoundingBox nowhere{{1, 1, 1}, {-1, -1, -1}};
 
 } // namespace
 
-struct Model::Parts {
+struct Model::Impl {
     std::string name;
     std::filesystem::path file;
     osg::ref_ptr<osg::Group> graph;
@@ -99,12 +99,12 @@ struct Model::Parts {
     }
 };
 
-Model::Model(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Model::Model(std::unique_ptr<Impl> parts) : impl_(std::move(parts)) {}
 Model::~Model() = default;
 
 std::shared_ptr<Model> Model::load(const std::filesystem::path& file, const ModelOptions& options) {
     auto loaded = loadGraph(file, LoadPurpose::infrared);
-    auto parts = std::make_unique<Parts>();
+    auto parts = std::make_unique<Impl>();
     parts->name = file.stem().string();
     parts->file = file;
     parts->remarks = std::move(loaded.remarks);
@@ -116,34 +116,34 @@ std::shared_ptr<Model> Model::fromGraph(osg::Node* graph, const std::string& nam
                                         const ModelOptions& options) {
     if (!graph)
         throw LogicError("Model::fromGraph without a graph");
-    auto parts = std::make_unique<Parts>();
+    auto parts = std::make_unique<Impl>();
     parts->name = name;
     parts->fill(*graph, {}, options);
     return std::shared_ptr<Model>(new Model(std::move(parts)));
 }
 
 const std::string& Model::name() const {
-    return parts_->name;
+    return impl_->name;
 }
 const std::filesystem::path& Model::file() const {
-    return parts_->file;
+    return impl_->file;
 }
 osg::Node* Model::graph() const {
-    return parts_->graph.get();
+    return impl_->graph.get();
 }
 const std::map<IrCodes, CodeUse>& Model::codes() const {
-    return parts_->codes;
+    return impl_->codes;
 }
 const BoundingBox& Model::bounds() const {
-    return parts_->bounds;
+    return impl_->bounds;
 }
 const std::vector<std::string>& Model::remarks() const {
-    return parts_->remarks;
+    return impl_->remarks;
 }
 
 BoundingBox Model::boundsOf(const std::function<bool(const IrCodes&)>& wanted) const {
     auto box = nowhere;
-    for (const auto& [codes, part] : parts_->boxes)
+    for (const auto& [codes, part] : impl_->boxes)
         if (wanted(codes))
             unite(box, part);
     return box;

@@ -50,9 +50,9 @@ class Model {
     const std::vector<std::string>& remarks() const;
 
   private:
-    struct Parts;
-    explicit Model(std::unique_ptr<Parts> parts);
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    explicit Model(std::unique_ptr<Impl> parts);
+    std::unique_ptr<Impl> impl_;
 };
 
 } // namespace irsg

@@ -68,8 +68,8 @@ double mostChange(const SpectralSampling& sampling, const std::vector<double>& a
 
 } // namespace
 
-void planSlicesOf(AirAnswers& air, const std::vector<SampledBand>& bands, std::size_t number,
-                  const RenderSettings& settings, ObjectGeometry& geometry) {
+void planSlicesOf(AtmosphericQueryCache& air, const std::vector<SampledBand>& bands,
+                  std::size_t number, const RenderSettings& settings, ObjectGeometry& geometry) {
     geometry.slices_m.clear();
     geometry.airError = 0.0;
     const double extent_m = geometry.farthest_m - geometry.nearest_m;
@@ -84,7 +84,8 @@ void planSlicesOf(AirAnswers& air, const std::vector<SampledBand>& bands, std::s
         const std::vector<double> ambient = sampling.planck(ambientBody_K);
         const auto pathAt = [&](double range_m) {
             return air
-                .at(AirQuestion::pathRadiance(atRange(geometry.path, range_m), sun), band.sampling)
+                .at(AtmosphericQuery::pathRadiance(atRange(geometry.path, range_m), sun),
+                    band.sampling)
                 .value;
         };
         const AirSamples& middle = band.air.objects[number].nodes.front();
@@ -96,7 +97,8 @@ void planSlicesOf(AirAnswers& air, const std::vector<SampledBand>& bands, std::s
             continue;
         const auto at = [&](double range_m) {
             const SharedValues transmittance =
-                air.at(AirQuestion::transmittance(atRange(geometry.path, range_m)), band.sampling)
+                air.at(AtmosphericQuery::transmittance(atRange(geometry.path, range_m)),
+                       band.sampling)
                     .value;
             return sumsOf(sampling, ambient, *transmittance, *pathAt(range_m));
         };

@@ -17,7 +17,7 @@ namespace irsg {
 /// the whole path, as most extents are, that is seen without asking the air again. Between the
 /// nodes of slices radiance is linear in range: with a change c over a slice at most c^2 / 8 is
 /// wrong. Air that answers for the path to the reference point alone is not sliced.
-void planSlicesOf(AirAnswers& air, const std::vector<SampledBand>& bands, std::size_t number,
-                  const RenderSettings& settings, ObjectGeometry& geometry);
+void planSlicesOf(AtmosphericQueryCache& air, const std::vector<SampledBand>& bands,
+                  std::size_t number, const RenderSettings& settings, ObjectGeometry& geometry);
 
 } // namespace irsg

@@ -45,7 +45,8 @@ SampledScenes::Key SampledScenes::keyOf(const Environment& environment, const Ai
     return key;
 }
 
-std::shared_ptr<const SampledScene> SampledScenes::make(AirAnswers& answers, const AirScene& scene,
+std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& answers,
+                                                        const AirScene& scene,
                                                         const std::vector<Band>& bands,
                                                         const Sampler& sample) {
     std::vector<ObjectGeometry> geometry = scene.geometry;
@@ -72,7 +73,8 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AirAnswers& answers, con
     return made;
 }
 
-std::shared_ptr<const SampledScene> SampledScenes::of(AirAnswers& answers, const AirScene& scene,
+std::shared_ptr<const SampledScene> SampledScenes::of(AtmosphericQueryCache& answers,
+                                                      const AirScene& scene,
                                                       const std::vector<Band>& bands,
                                                       const Sampler& sample) {
     Key key = keyOf(answers.environment(), scene, bands);

@@ -31,7 +31,7 @@ class SampledScenes {
     using Sampler = std::function<SampledBand(const AirScene&, const Band&)>;
 
     /// `scene.geometry` may hold any slices: they come out.
-    std::shared_ptr<const SampledScene> of(AirAnswers& answers, const AirScene& scene,
+    std::shared_ptr<const SampledScene> of(AtmosphericQueryCache& answers, const AirScene& scene,
                                            const std::vector<Band>& bands, const Sampler& sample);
 
   private:
@@ -39,7 +39,7 @@ class SampledScenes {
         std::vector<std::shared_ptr<const Atmosphere>> atmospheres;
         std::optional<Spectrum> defaultBackground;
         std::optional<double> defaultAmbient_K;
-        std::vector<AirKey> questions;
+        std::vector<AtmosphericQueryKey> questions;
         /// The sun, the extent of each object, settings, and which terms are on.
         std::vector<double> numbers;
         std::vector<Band> bands;
@@ -57,7 +57,8 @@ class SampledScenes {
 
     static Key keyOf(const Environment& environment, const AirScene& scene,
                      const std::vector<Band>& bands);
-    static std::shared_ptr<const SampledScene> make(AirAnswers& answers, const AirScene& scene,
+    static std::shared_ptr<const SampledScene> make(AtmosphericQueryCache& answers,
+                                                    const AirScene& scene,
                                                     const std::vector<Band>& bands,
                                                     const Sampler& sample);
 

@@ -18,9 +18,10 @@ double meanOver(const Band& band, const Spectrum& spectrum) {
 
 } // namespace
 
-PathScattering scatteringAlong(AirAnswers& answers, const AirPath& path, const Band& band) {
+PathScattering scatteringAlong(AtmosphericQueryCache& answers, const AtmosphericPath& path,
+                               const Band& band) {
     const Environment& environment = answers.environment();
-    const AirQuestion question = AirQuestion::scatteringOpticalDepth(path);
+    const AtmosphericQuery question = AtmosphericQuery::scatteringOpticalDepth(path);
     const AtmosphereScatteringLut* lut = scatteringLutOf(environment);
     if (lut && lut->accept(band.range(), question.quantity))
         return {meanOver(band, lut->spectrum(question, band.range())), lut->name()};
@@ -29,7 +30,7 @@ PathScattering scatteringAlong(AirAnswers& answers, const AirPath& path, const B
         return {std::max(meanOver(band, answer.value), 0.0), answer.answeredBy};
     }
     const Answer<Spectrum>& through =
-        answers.spectrum(AirQuestion::transmittance(path), band.range());
+        answers.spectrum(AtmosphericQuery::transmittance(path), band.range());
     const double mean = meanOver(band, through.value);
     return {mean > 0.0 ? std::max(-std::log(mean), 0.0) : std::numeric_limits<double>::infinity(),
             through.answeredBy, true};

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "irsg/radiometry/Band.h"
-#include "irsg/scene/radiance/AirAnswers.h"
+#include "irsg/scene/radiance/AtmosphericQueryCache.h"
 
 namespace irsg {
 
@@ -17,6 +17,7 @@ struct PathScattering {
 /// The scattering optical depth along a path: of an AtmosphereScatteringLUT that knows it, else of
 /// the first atmosphere that does, else -ln(Int T R / Int R) of the transmittance (report eq. 10).
 /// InputError where nobody knows either.
-PathScattering scatteringAlong(AirAnswers& answers, const AirPath& path, const Band& band);
+PathScattering scatteringAlong(AtmosphericQueryCache& answers, const AtmosphericPath& path,
+                               const Band& band);
 
 } // namespace irsg

@@ -17,8 +17,9 @@ double rounded(double value, double step) {
 }
 
 /// The question behind the light of a term.
-AirQuestion questionOf(AtmosphereProperty light, const AirPath& path, const SunPosition& sun) {
-    AirQuestion question;
+AtmosphericQuery questionOf(AtmosphereProperty light, const AtmosphericPath& path,
+                            const SunPosition& sun) {
+    AtmosphericQuery question;
     question.quantity = light;
     question.path = path;
     question.altitude_m = path.targetAltitude_m;
@@ -31,8 +32,8 @@ bool isOn(const RadianceTerm& term, const RenderSettings& settings) {
 }
 
 /// What a measured spectrum already holds of the air: the part of the path next to the target.
-AirPath nearTarget(const AirPath& path, double range_m) {
-    AirPath part = path;
+AtmosphericPath nearTarget(const AtmosphericPath& path, double range_m) {
+    AtmosphericPath part = path;
     part.range_m = range_m;
     part.sensorAltitude_m =
         path.targetAltitude_m +
@@ -54,7 +55,7 @@ bool ObjectAir::operator==(const ObjectAir& other) const {
            nodes == other.nodes && areEqual(toReference, other.toReference);
 }
 
-AirPath steadied(const AirPath& path) {
+AtmosphericPath steadied(const AtmosphericPath& path) {
     const double step_m = std::max(1e-8, 1e-12 * path.range_m);
     return {rounded(path.sensorAltitude_m, step_m), rounded(path.targetAltitude_m, step_m),
             rounded(path.range_m, step_m), rounded(path.azimuth_rad, angleStep_rad)};
@@ -65,8 +66,8 @@ LineOfSight steadied(const LineOfSight& sight) {
             rounded(sight.elevation_rad, angleStep_rad), rounded(sight.azimuth_rad, angleStep_rad)};
 }
 
-AirPath atRange(const AirPath& path, double range_m) {
-    AirPath part = path;
+AtmosphericPath atRange(const AtmosphericPath& path, double range_m) {
+    AtmosphericPath part = path;
     part.range_m = range_m;
     if (path.range_m > 0.0)
         part.targetAltitude_m =
@@ -75,33 +76,35 @@ AirPath atRange(const AirPath& path, double range_m) {
     return part;
 }
 
-std::vector<AirKey> airQuestions(const Environment& environment, const RadianceTerms& terms,
-                                 const std::vector<ObjectGeometry>& geometry,
-                                 const RenderSettings& settings, const LineOfSight& centre) {
-    std::vector<AirKey> keys;
-    const auto add = [&](const AirQuestion& question) {
+std::vector<AtmosphericQueryKey> airQuestions(const Environment& environment,
+                                              const RadianceTerms& terms,
+                                              const std::vector<ObjectGeometry>& geometry,
+                                              const RenderSettings& settings,
+                                              const LineOfSight& centre) {
+    std::vector<AtmosphericQueryKey> keys;
+    const auto add = [&](const AtmosphericQuery& question) {
         keys.push_back(
             question.key(std::ranges::any_of(environment.atmospheres(), [&](const auto& air) {
                 return air->answersByAzimuth(question.quantity);
             })));
     };
     for (const ObjectGeometry& object : geometry) {
-        add(AirQuestion::transmittance(object.path));
-        add(AirQuestion::pathRadiance(object.path, environment.sun));
+        add(AtmosphericQuery::transmittance(object.path));
+        add(AtmosphericQuery::pathRadiance(object.path, environment.sun));
         for (const RadianceTerm& term : terms.terms)
             if (isOn(term, settings))
                 add(questionOf(*term.light, object.path, environment.sun));
     }
     if (settings.background == BackgroundMode::environment)
-        add(AirQuestion::backgroundRadiance(centre, environment.sun));
+        add(AtmosphericQuery::backgroundRadiance(centre, environment.sun));
     return keys;
 }
 
-Answer<double> ambientOf(const AirAnswers& answers, const ObjectGeometry& geometry) {
+Answer<double> ambientOf(const AtmosphericQueryCache& answers, const ObjectGeometry& geometry) {
     return answers.environment().ambientTemperature_K(geometry.path.targetAltitude_m);
 }
 
-SceneAir sceneAir(AirAnswers& answers, const RadianceTerms& terms,
+SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                   const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
                   const RenderSettings& settings, const LineOfSight& centre,
                   const std::shared_ptr<const SpectralSampling>& sampling) {
@@ -113,31 +116,31 @@ SceneAir sceneAir(AirAnswers& answers, const RadianceTerms& terms,
         line += who;
         addNew(scene.answeredBy, std::move(line));
     };
-    const auto take = [&](const AirQuestion& question, const char* quantity) {
+    const auto take = [&](const AtmosphericQuery& question, const char* quantity) {
         const auto& answer = answers.at(question, sampling);
         note(quantity, answer.answeredBy);
         return answer.value;
     };
     std::set<std::string> said;
     for (std::size_t e = 0; e < entities.size(); ++e) {
-        const AirPath& path = geometry[e].path;
+        const AtmosphericPath& path = geometry[e].path;
         ObjectAir air;
-        std::vector<AirPath> paths{path};
+        std::vector<AtmosphericPath> paths{path};
         if (geometry[e].slices_m.size() > 1) {
             paths.clear();
             for (const double range_m : geometry[e].slices_m)
                 paths.push_back(atRange(path, range_m));
         }
-        for (const AirPath& toNode : paths) {
+        for (const AtmosphericPath& toNode : paths) {
             AirSamples& node = air.nodes.emplace_back();
-            node.transmittance = take(AirQuestion::transmittance(toNode), "transmittance");
+            node.transmittance = take(AtmosphericQuery::transmittance(toNode), "transmittance");
             for (const RadianceTerm& term : terms.terms) {
                 SharedValues& light = node.light.emplace_back();
                 if (!isOn(term, settings))
                     continue;
                 // Light onto an object is that at its reference point; light of a path ends at the
                 // node.
-                const bool ofPath = placeOf(*term.light) == AirPlace::path;
+                const bool ofPath = placeOf(*term.light) == QueryGeometry::path;
                 light =
                     take(questionOf(*term.light, ofPath ? toNode : path, sun), name(*term.light));
             }
@@ -158,37 +161,39 @@ SceneAir sceneAir(AirAnswers& answers, const RadianceTerms& terms,
                 air.insideReference.insert(name);
                 continue;
             }
-            const AirQuestion question = AirQuestion::transmittance(nearTarget(path, inside_m));
+            const AtmosphericQuery question =
+                AtmosphericQuery::transmittance(nearTarget(path, inside_m));
             air.toReference.emplace(name, answers.at(question, sampling).value);
         }
         scene.objects.push_back(std::move(air));
     }
     if (settings.background == BackgroundMode::environment)
-        scene.background = take(AirQuestion::backgroundRadiance(centre, sun), "background");
+        scene.background = take(AtmosphericQuery::backgroundRadiance(centre, sun), "background");
     return scene;
 }
 
-std::vector<const Spectrum*> airSpectra(AirAnswers& answers, const RadianceTerms& terms,
+std::vector<const Spectrum*> airSpectra(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                                         const std::vector<Entity>& entities,
                                         const std::vector<ObjectGeometry>& geometry,
                                         const RenderSettings& settings, const LineOfSight& centre,
                                         const SpectralRange& range) {
     const SunPosition& sun = answers.environment().sun;
     std::vector<const Spectrum*> spectra;
-    const auto add = [&](const AirQuestion& question) {
+    const auto add = [&](const AtmosphericQuery& question) {
         spectra.push_back(&answers.spectrum(question, range).value);
     };
     if (settings.background == BackgroundMode::environment)
-        add(AirQuestion::backgroundRadiance(centre, sun));
+        add(AtmosphericQuery::backgroundRadiance(centre, sun));
     for (std::size_t e = 0; e < entities.size(); ++e) {
-        const AirPath& path = geometry[e].path;
-        add(AirQuestion::transmittance(path));
+        const AtmosphericPath& path = geometry[e].path;
+        add(AtmosphericQuery::transmittance(path));
         for (const RadianceTerm& term : terms.terms)
             if (isOn(term, settings))
                 add(questionOf(*term.light, path, sun));
         for (const auto& [name, spectrum] : entities[e].database->spectra)
             if (spectrum.referenceDistance_m > 0.0 && path.range_m > spectrum.referenceDistance_m)
-                add(AirQuestion::transmittance(nearTarget(path, spectrum.referenceDistance_m)));
+                add(AtmosphericQuery::transmittance(
+                    nearTarget(path, spectrum.referenceDistance_m)));
     }
     return spectra;
 }

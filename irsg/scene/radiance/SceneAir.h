@@ -8,8 +8,8 @@
 
 #include "irsg/scene/Entity.h"
 #include "irsg/scene/RenderSettings.h"
-#include "irsg/scene/radiance/AirAnswers.h"
 #include "irsg/scene/radiance/ApparentRadiance.h"
+#include "irsg/scene/radiance/AtmosphericQueryCache.h"
 #include "irsg/scene/radiance/RadianceTerms.h"
 #include "irsg/scene/radiance/SurfaceRows.h"
 
@@ -17,7 +17,7 @@ namespace irsg {
 
 /// The geometry that the air is asked for, once per object or once per slice of it.
 struct ObjectGeometry {
-    AirPath path;                 ///< sensor to reference point
+    AtmosphericPath path;         ///< sensor to reference point
     double aspectAngle_rad = 0.0; ///< nose axis to the direction reference point -> sensor
     /// Distances from the sensor that a ball about the reference point spans which holds the
     /// object, m.
@@ -29,11 +29,11 @@ struct ObjectGeometry {
 
 /// The same but for digits that differ by rounding alone, so that the path which many views share
 /// is one: ranges and altitudes to 1e-8 m or 1e-12, angles to 1e-10 rad.
-AirPath steadied(const AirPath& path);
+AtmosphericPath steadied(const AtmosphericPath& path);
 LineOfSight steadied(const LineOfSight& sight);
 
 /// The path that ends on the line to the reference point at another range.
-AirPath atRange(const AirPath& path, double range_m);
+AtmosphericPath atRange(const AtmosphericPath& path, double range_m);
 
 /// The air of one object on the nodes of a sampling.
 struct ObjectAir {
@@ -54,14 +54,14 @@ struct SceneAir {
 };
 
 /// What the settings do not use is not asked for. Throws InputError where no atmosphere answers.
-SceneAir sceneAir(AirAnswers& answers, const RadianceTerms& terms,
+SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                   const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
                   const RenderSettings& settings, const LineOfSight& centre,
                   const std::shared_ptr<const SpectralSampling>& sampling);
 
 /// The spectra of the same answers on the nodes that the air has of itself, for their kinks: of
 /// every object at its reference point, and of the background.
-std::vector<const Spectrum*> airSpectra(AirAnswers& answers, const RadianceTerms& terms,
+std::vector<const Spectrum*> airSpectra(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                                         const std::vector<Entity>& entities,
                                         const std::vector<ObjectGeometry>& geometry,
                                         const RenderSettings& settings, const LineOfSight& centre,
@@ -69,11 +69,13 @@ std::vector<const Spectrum*> airSpectra(AirAnswers& answers, const RadianceTerms
 
 /// The questions behind all that: equal ones have equal answers of the same environment, whatever
 /// the band. Those at other ranges of the same paths are left out.
-std::vector<AirKey> airQuestions(const Environment& environment, const RadianceTerms& terms,
-                                 const std::vector<ObjectGeometry>& geometry,
-                                 const RenderSettings& settings, const LineOfSight& centre);
+std::vector<AtmosphericQueryKey> airQuestions(const Environment& environment,
+                                              const RadianceTerms& terms,
+                                              const std::vector<ObjectGeometry>& geometry,
+                                              const RenderSettings& settings,
+                                              const LineOfSight& centre);
 
 /// Ambient temperature at an object's altitude, K, and who said so.
-Answer<double> ambientOf(const AirAnswers& answers, const ObjectGeometry& geometry);
+Answer<double> ambientOf(const AtmosphericQueryCache& answers, const ObjectGeometry& geometry);
 
 } // namespace irsg

@@ -22,7 +22,7 @@ double scaleOf(const std::map<int, double>& scales, int index) {
 }
 
 /// The coldest surface decides how fine the quadrature must be.
-double coldest_K(const AirAnswers& answers, const AirScene& scene) {
+double coldest_K(const AtmosphericQueryCache& answers, const AirScene& scene) {
     double coldest_K = 300.0;
     std::vector<double> ambient_K;
     for (const ObjectGeometry& object : scene.geometry)
@@ -88,7 +88,7 @@ SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
 }
 
 std::shared_ptr<const SpectralSampling>
-SceneSampling::quadrature(AirAnswers& answers, const AirScene& scene, const Band& band) {
+SceneSampling::quadrature(AtmosphericQueryCache& answers, const AirScene& scene, const Band& band) {
     std::vector<const Spectrum*> spectra =
         airSpectra(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
                    scene.centre, band.range());
@@ -116,7 +116,8 @@ SceneSampling::quadrature(AirAnswers& answers, const AirScene& scene, const Band
     return kept_.front().sampling;
 }
 
-void SceneSampling::takeAir(AirAnswers& answers, const AirScene& scene, SampledBand& band) {
+void SceneSampling::takeAir(AtmosphericQueryCache& answers, const AirScene& scene,
+                            SampledBand& band) {
     band.air = sceneAir(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
                         scene.centre, band.sampling);
     if (!band.description.empty())
@@ -141,7 +142,8 @@ std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& 
     return made;
 }
 
-SampledBand SceneSampling::spectral(AirAnswers& answers, const AirScene& scene, const Band& band) {
+SampledBand SceneSampling::spectral(AtmosphericQueryCache& answers, const AirScene& scene,
+                                    const Band& band) {
     auto sampling = nodes(answers.environment(), band);
     SampledBand made = sampledBand(sampling ? sampling : quadrature(answers, scene, band));
     made.area_um = band.area_um();
@@ -149,8 +151,8 @@ SampledBand SceneSampling::spectral(AirAnswers& answers, const AirScene& scene, 
     return made;
 }
 
-SampledBand SceneSampling::wideband(AirAnswers& answers, const AirScene& scene,
-                                    const std::shared_ptr<const WidebandTerms>& terms) {
+SampledBand SceneSampling::wideband(AtmosphericQueryCache& answers, const AirScene& scene,
+                                    const std::shared_ptr<const WidebandPoints>& terms) {
     SampledBand made = sampledBand(terms->sampling());
     made.sample = [terms](const Spectrum& spectrum) { return terms->sampled(spectrum); };
     made.area_um = made.sampling->area_um();
@@ -159,7 +161,7 @@ SampledBand SceneSampling::wideband(AirAnswers& answers, const AirScene& scene,
     return made;
 }
 
-SampledBand SceneSampling::wavelengths(AirAnswers& answers, const AirScene& scene,
+SampledBand SceneSampling::wavelengths(AtmosphericQueryCache& answers, const AirScene& scene,
                                        const std::vector<double>& wavelengths_um) {
     if (wavelengths_um.empty())
         throw LogicError("a spectrum without wavelengths was asked for");

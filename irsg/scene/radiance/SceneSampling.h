@@ -7,7 +7,7 @@
 
 #include "irsg/radiometry/Band.h"
 #include "irsg/scene/radiance/SceneAir.h"
-#include "irsg/scene/radiance/WidebandTerms.h"
+#include "irsg/scene/radiance/WidebandPoints.h"
 
 namespace irsg {
 
@@ -40,19 +40,19 @@ class SceneSampling {
     /// twice is right; null where it has none.
     std::shared_ptr<const SpectralSampling> nodes(const Environment& environment, const Band& band);
     /// Without: Gauss points between the kinks of all spectra of the scene.
-    std::shared_ptr<const SpectralSampling> quadrature(AirAnswers& answers, const AirScene& scene,
-                                                       const Band& band);
+    std::shared_ptr<const SpectralSampling> quadrature(AtmosphericQueryCache& answers,
+                                                       const AirScene& scene, const Band& band);
 
-    SampledBand spectral(AirAnswers& answers, const AirScene& scene, const Band& band);
+    SampledBand spectral(AtmosphericQueryCache& answers, const AirScene& scene, const Band& band);
     /// In the wideband mode: a node is a term, and spectra are means over its bin.
-    static SampledBand wideband(AirAnswers& answers, const AirScene& scene,
-                                const std::shared_ptr<const WidebandTerms>& terms);
+    static SampledBand wideband(AtmosphericQueryCache& answers, const AirScene& scene,
+                                const std::shared_ptr<const WidebandPoints>& terms);
     /// For spectra: each of the ascending wavelengths is an output.
-    static SampledBand wavelengths(AirAnswers& answers, const AirScene& scene,
+    static SampledBand wavelengths(AtmosphericQueryCache& answers, const AirScene& scene,
                                    const std::vector<double>& wavelengths_um);
 
     /// The air of the scene at the nodes of a band, anew: with the slices that its geometry has.
-    static void takeAir(AirAnswers& answers, const AirScene& scene, SampledBand& band);
+    static void takeAir(AtmosphericQueryCache& answers, const AirScene& scene, SampledBand& band);
 
   private:
     /// Nodes and edges that are kept: every range of a sweep through real air has its own.

@@ -37,7 +37,8 @@ class SillsBasedStrategy : public AbstractZoomAntialiasingStrategy {
     PixelSizeBasedLod lod_;
 };
 
-/// Bilinear sample of a texture at coordinates from 0 to 1, its edge held beyond the outer texels.
+/// Bilinear sample of a texture at coordinates from 0 to 1, its edge clamped beyond the outer
+/// texels.
 std::pair<double, double> bilinear(const ObjectTexture& texture, double u, double v);
 
 } // namespace irsg

@@ -3,7 +3,7 @@
 namespace irsg {
 
 std::optional<ZoomEntityInfo> zoomEntityInfo(int entity, const CameraFrame& camera,
-                                             const BoundingBox& box, const BoundingBall& ball,
+                                             const BoundingBox& box, const BoundingSphere& ball,
                                              const Pose& pose) {
     if (!camera.depthOf(box, pose))
         return std::nullopt;

@@ -27,7 +27,7 @@ struct ZoomEntityInfo {
 /// where it lies behind the camera or outside the frame; the whole frame where it reaches behind
 /// the camera.
 std::optional<ZoomEntityInfo> zoomEntityInfo(int entity, const CameraFrame& camera,
-                                             const BoundingBox& box, const BoundingBall& ball,
+                                             const BoundingBox& box, const BoundingSphere& ball,
                                              const Pose& pose);
 
 } // namespace irsg

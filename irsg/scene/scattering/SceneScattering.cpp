@@ -114,7 +114,7 @@ void addObject(const ScatteredObject& object, double direct, const FrameBackgrou
 
 } // namespace
 
-struct SceneScattering::Parts {
+struct SceneScattering::Impl {
     /// A database with what tells whether its file is still the same.
     struct Loaded {
         std::filesystem::path file;
@@ -187,15 +187,15 @@ MtfSummary describeMtf(const std::filesystem::path& database) {
     return summary;
 }
 
-SceneScattering::SceneScattering() : parts_(std::make_unique<Parts>()) {}
+SceneScattering::SceneScattering() : impl_(std::make_unique<Impl>()) {}
 SceneScattering::~SceneScattering() = default;
 
 void SceneScattering::check(const std::filesystem::path& database) {
-    parts_->load(database);
+    impl_->load(database);
 }
 
 int SceneScattering::support_px(const std::filesystem::path& database, const Sensor& sensor) {
-    return supportOf(parts_->load(database), sensor);
+    return supportOf(impl_->load(database), sensor);
 }
 
 std::vector<ScatteredLight> SceneScattering::addHaze(const std::filesystem::path& file,
@@ -204,7 +204,7 @@ std::vector<ScatteredLight> SceneScattering::addHaze(const std::filesystem::path
                                                      const std::vector<ScatteredObject>& objects,
                                                      RadianceImage& image,
                                                      std::vector<std::string>& warnings) {
-    const MtfDatabase& database = parts_->load(file);
+    const MtfDatabase& database = impl_->load(file);
     const double pitch_rad = sensor.pixelPitch();
     const int support_px = supportOf(database, sensor);
     addNew(warnings, misfits(file, database, sensor, halfFieldOf(database)));
@@ -214,8 +214,8 @@ std::vector<ScatteredLight> SceneScattering::addHaze(const std::filesystem::path
     for (const ScatteredObject& object : objects) {
         if (object.pixels.empty())
             continue;
-        Parts::Filter& filter =
-            parts_->filterOf(database, object.opticalDepth, object.name, pitch_rad, support_px);
+        Impl::Filter& filter =
+            impl_->filterOf(database, object.opticalDepth, object.name, pitch_rad, support_px);
         told.push_back({object.name, object.opticalDepth, filter.gain,
                         filter.filter.haze().cut() / filter.gain, static_cast<double>(support_px)});
         if (object.opticalDepth > 0.0)

@@ -85,8 +85,8 @@ class SceneScattering {
                                         RadianceImage& image, std::vector<std::string>& warnings);
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 } // namespace irsg

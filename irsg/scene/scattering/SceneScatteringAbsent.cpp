@@ -4,7 +4,7 @@
 
 namespace irsg {
 
-struct SceneScattering::Parts {};
+struct SceneScattering::Impl {};
 
 bool isScatteringBuilt() {
     return false;

@@ -16,20 +16,20 @@ constexpr int largestResolution = 16384;
 } // namespace
 
 void Sensor::check() const {
-    std::vector<Offence> offences;
-    const auto checkResolution = [&offences](const std::string& name, int pixels) {
+    std::vector<Diagnostic> diagnostics;
+    const auto checkResolution = [&diagnostics](const std::string& name, int pixels) {
         if (pixels < 1 || pixels > largestResolution)
-            offences.push_back({"sensor", name, std::to_string(pixels),
-                                "1 to " + std::to_string(largestResolution) + " px"});
+            diagnostics.push_back({"sensor", name, std::to_string(pixels),
+                                   "1 to " + std::to_string(largestResolution) + " px"});
     };
     checkResolution("width", width_px);
     checkResolution("height", height_px);
     if (!(horizontalFieldOfView_rad > 0.0 && horizontalFieldOfView_rad < pi))
-        offences.push_back({"sensor", "horizontal field of view",
-                            numberText(degrees(horizontalFieldOfView_rad)) + " deg",
-                            "more than 0 and less than 180 deg"});
-    if (!offences.empty())
-        throw InputError(std::move(offences));
+        diagnostics.push_back({"sensor", "horizontal field of view",
+                               numberText(degrees(horizontalFieldOfView_rad)) + " deg",
+                               "more than 0 and less than 180 deg"});
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
 }
 
 double Sensor::pixelPitch() const {

@@ -66,12 +66,12 @@ std::string answerTo(FileKind kind, const std::filesystem::path& place,
     return sink.take();
 }
 
-std::string refusalText(const std::vector<Offence>& offences) {
+std::string refusalText(const std::vector<Diagnostic>& diagnostics) {
     ByteSink sink;
-    sink.putCount(offences.size());
-    for (const Offence& offence : offences)
+    sink.putCount(diagnostics.size());
+    for (const Diagnostic& diagnostic : diagnostics)
         for (const auto* text :
-             {&offence.file, &offence.position, &offence.value, &offence.expected})
+             {&diagnostic.file, &diagnostic.position, &diagnostic.value, &diagnostic.expected})
             sink.putText(*text);
     return sink.take();
 }
@@ -88,7 +88,7 @@ std::string answer(FileKind kind, const std::string& place, const std::string& n
         return answerTo(kind, place, name);
     } catch (const InputError& error) {
         refused = true;
-        return refusalText(error.offences());
+        return refusalText(error.diagnostics());
     } catch (const std::bad_alloc&) {
         return refuse("a file whose reading takes more memory than a file of its size may");
     } catch (const std::exception& error) {
@@ -104,15 +104,16 @@ bool isReader() {
 
 void throwRefusal(std::string_view answer) {
     ByteSource source(answer);
-    std::vector<Offence> offences(source.getCount(32));
-    for (Offence& offence : offences)
-        for (auto* text : {&offence.file, &offence.position, &offence.value, &offence.expected})
+    std::vector<Diagnostic> diagnostics(source.getCount(32));
+    for (Diagnostic& diagnostic : diagnostics)
+        for (auto* text :
+             {&diagnostic.file, &diagnostic.position, &diagnostic.value, &diagnostic.expected})
             *text = source.getText();
-    if (offences.empty() || std::ranges::any_of(offences, [](const Offence& offence) {
-            return offence.message().empty();
+    if (diagnostics.empty() || std::ranges::any_of(diagnostics, [](const Diagnostic& diagnostic) {
+            return diagnostic.message().empty();
         }))
         throw DamagedBytes("a refusal without a reason");
-    throw InputError(std::move(offences));
+    throw InputError(std::move(diagnostics));
 }
 
 void serveReadings(int socket) {

@@ -14,7 +14,7 @@ struct QuestionHead {
     std::uint64_t placeSize = 0, nameSize = 0; ///< where the bytes are, and what they are called
 };
 
-/// What goes before the answer: remarks and a graph, a picture, or the offences of a refusal.
+/// What goes before the answer: remarks and a graph, a picture, or the diagnostics of a refusal.
 struct AnswerHead {
     std::uint8_t refused = 0;
     std::uint64_t size = 0;

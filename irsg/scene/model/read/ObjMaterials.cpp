@@ -84,7 +84,7 @@ void ObjMaterials::readText(const std::string& text, const std::string& file,
     std::string name;
     Material material;
     bool any = false;
-    std::vector<Offence> offences;
+    std::vector<Diagnostic> diagnostics;
     const auto finish = [&] {
         if (any)
             states_[name] = makeState(material, remarks);
@@ -105,21 +105,22 @@ void ObjMaterials::readText(const std::string& text, const std::string& file,
         } else if (rgb) {
             // A spectrum by file or in other terms keeps what was there.
             if (words.words().size() > 1 && parseNumber(words.words()[1]))
-                words.numbers(1, std::min<std::size_t>(3, words.words().size() - 1), rgb, offences);
-        } else if (word == "Ns" && words.numbers(1, 1, &number, offences)) {
+                words.numbers(1, std::min<std::size_t>(3, words.words().size() - 1), rgb,
+                              diagnostics);
+        } else if (word == "Ns" && words.numbers(1, 1, &number, diagnostics)) {
             material.shininess = std::clamp(number, 0.0, 128.0);
         } else if (word == "d" && words.words().size() == 2 &&
-                   words.numbers(1, 1, &number, offences)) {
+                   words.numbers(1, 1, &number, diagnostics)) {
             material.alpha = std::clamp(number, 0.0, 1.0);
-        } else if (word == "Tr" && words.numbers(1, 1, &number, offences)) {
+        } else if (word == "Tr" && words.numbers(1, 1, &number, diagnostics)) {
             material.alpha = 1.0 - std::clamp(number, 0.0, 1.0);
         } else if (word == "map_Kd") {
             material.picture = nameBehindOptions(words);
         }
     }
     finish();
-    if (!offences.empty())
-        addNew(remarks, offences.front().message() + " (" + std::to_string(offences.size()) +
+    if (!diagnostics.empty())
+        addNew(remarks, diagnostics.front().message() + " (" + std::to_string(diagnostics.size()) +
                             " lines like this are left out)");
 }
 

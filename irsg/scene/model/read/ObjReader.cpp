@@ -18,7 +18,7 @@ namespace irsg {
 
 namespace {
 
-constexpr std::size_t mostOffences = 100;
+constexpr std::size_t mostDiagnostics = 100;
 
 /// Words of the format that no surface of facets comes of.
 constexpr std::string_view otherWords[] = {
@@ -38,11 +38,11 @@ class ObjText {
             if (word[0] == '#')
                 continue;
             readLine(word);
-            if (offences_.size() >= mostOffences)
+            if (diagnostics_.size() >= mostDiagnostics)
                 break;
         }
-        if (!offences_.empty())
-            throw InputError(std::move(offences_));
+        if (!diagnostics_.empty())
+            throw InputError(std::move(diagnostics_));
         return finish();
     }
 
@@ -50,19 +50,19 @@ class ObjText {
     void readLine(std::string_view word) {
         double values[3];
         if (word == "v") {
-            if (words_.numbers(1, 3, values, offences_))
+            if (words_.numbers(1, 3, values, diagnostics_))
                 // y is up in the file.
                 shape_.vertices.emplace_back(values[0], -values[2], values[1]);
             else
                 shape_.vertices.emplace_back();
         } else if (word == "vn") {
-            if (words_.numbers(1, 3, values, offences_))
+            if (words_.numbers(1, 3, values, diagnostics_))
                 shape_.normals.emplace_back(values[0], -values[2], values[1]);
             else
                 shape_.normals.emplace_back();
         } else if (word == "vt") {
             values[1] = 0.0;
-            if (words_.numbers(1, words_.words().size() > 2 ? 2 : 1, values, offences_))
+            if (words_.numbers(1, words_.words().size() > 2 ? 2 : 1, values, diagnostics_))
                 shape_.places.emplace_back(values[0], values[1]);
             else
                 shape_.places.emplace_back();
@@ -78,7 +78,7 @@ class ObjText {
             materials_.read(words_.rest(), remarks_);
         } else if (std::ranges::find(otherWords, word) == std::end(otherWords)) {
             if (unknown_++ == 0)
-                firstUnknown_ = words_.offence(quoted(word), "").message();
+                firstUnknown_ = words_.diagnostic(quoted(word), "").message();
         } else if (word != "s" && word != "mg" && word != "lod") {
             ++others_;
         }
@@ -92,10 +92,10 @@ class ObjText {
         const long long index = number > 0 ? number - 1 : last + number;
         if (error != std::errc{} || stop != text.data() + text.size() || number == 0 || index < 0 ||
             index >= last) {
-            offences_.push_back(words_.offence(quoted(text), std::string("the number of a ") +
-                                                                 what + ", 1 to " +
-                                                                 std::to_string(count) + " or -" +
-                                                                 std::to_string(count) + " to -1"));
+            diagnostics_.push_back(
+                words_.diagnostic(quoted(text), std::string("the number of a ") + what + ", 1 to " +
+                                                    std::to_string(count) + " or -" +
+                                                    std::to_string(count) + " to -1"));
             return -1;
         }
         return static_cast<int>(index);
@@ -124,7 +124,7 @@ class ObjText {
     void readFace() {
         const auto& words = words_.words();
         if (words.size() < 4) {
-            offences_.push_back(words_.offence(
+            diagnostics_.push_back(words_.diagnostic(
                 "a face of " + std::to_string(words.size() - 1) + " corners", "3 or more"));
             return;
         }
@@ -179,7 +179,7 @@ class ObjText {
     ObjDrawable* drawable_ = nullptr; ///< of this name and material
     std::string name_, material_;
     std::vector<ObjCorner> face_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
     std::vector<std::string> remarks_;
     long others_ = 0, unknown_ = 0;
     std::string firstUnknown_;

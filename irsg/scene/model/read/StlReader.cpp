@@ -18,7 +18,7 @@ namespace irsg {
 namespace {
 
 constexpr std::size_t headSize = 84, facetSize = 50;
-constexpr std::size_t mostOffences = 100;
+constexpr std::size_t mostDiagnostics = 100;
 
 /// The facets of one solid.
 struct Solid {
@@ -106,8 +106,8 @@ class TextReader {
             solids.back().name = words_.rest();
             readSolid(solids.back());
         }
-        if (!offences_.empty())
-            throw InputError(std::move(offences_));
+        if (!diagnostics_.empty())
+            throw InputError(std::move(diagnostics_));
         return solids;
     }
 
@@ -118,23 +118,23 @@ class TextReader {
             return false;
         if (words_.words().size() < begin.size() ||
             !std::equal(begin.begin(), begin.end(), words_.words().begin()))
-            fail(words_.offence(quoted(words_.words()[0]), expected));
+            fail(words_.diagnostic(quoted(words_.words()[0]), expected));
         return true;
     }
     void demand(const char* expected, std::initializer_list<std::string_view> begin) {
         if (!next(expected, begin))
-            fail(words_.offence("the end of the file behind this line", expected));
+            fail(words_.diagnostic("the end of the file behind this line", expected));
     }
     /// What follows a line that is out of place means nothing.
-    [[noreturn]] void fail(Offence offence) {
-        offences_.push_back(std::move(offence));
-        throw InputError(std::move(offences_));
+    [[noreturn]] void fail(Diagnostic diagnostic) {
+        diagnostics_.push_back(std::move(diagnostic));
+        throw InputError(std::move(diagnostics_));
     }
     bool vector(std::size_t from, osg::Vec3& into) {
         double values[3];
-        if (!words_.numbers(from, 3, values, offences_)) {
-            if (offences_.size() >= mostOffences)
-                throw InputError(std::move(offences_));
+        if (!words_.numbers(from, 3, values, diagnostics_)) {
+            if (diagnostics_.size() >= mostDiagnostics)
+                throw InputError(std::move(diagnostics_));
             return false;
         }
         into.set(static_cast<float>(values[0]), static_cast<float>(values[1]),
@@ -145,12 +145,12 @@ class TextReader {
     void readSolid(Solid& solid) {
         for (;;) {
             if (!words_.next())
-                fail(words_.offence("the end of the file behind this line", "endsolid"));
+                fail(words_.diagnostic("the end of the file behind this line", "endsolid"));
             const auto& words = words_.words();
             if (words[0] == "endsolid")
                 return;
             if (words[0] != "facet")
-                fail(words_.offence(quoted(words[0]), "facet or endsolid"));
+                fail(words_.diagnostic(quoted(words[0]), "facet or endsolid"));
             readFacet(solid);
         }
     }
@@ -170,7 +170,7 @@ class TextReader {
     }
 
     TextWords words_;
-    std::vector<Offence> offences_;
+    std::vector<Diagnostic> diagnostics_;
 };
 
 /// Some binary files begin with the word of the text files; their size tells.

@@ -45,22 +45,23 @@ std::string TextWords::rest() const {
     return begin < end ? std::string(begin, end) : std::string(words_[1]);
 }
 
-Offence TextWords::offence(std::string value, std::string expected) const {
+Diagnostic TextWords::diagnostic(std::string value, std::string expected) const {
     return {file_, "line " + std::to_string(line_), std::move(value), std::move(expected)};
 }
 
 bool TextWords::numbers(std::size_t from, std::size_t count, double* into,
-                        std::vector<Offence>& offences) const {
+                        std::vector<Diagnostic>& diagnostics) const {
     if (words_.size() < from + count) {
-        offences.push_back(offence(std::to_string(words_.size() - std::min(from, words_.size())) +
-                                       " numbers behind \"" + std::string(words_[0]) + "\"",
-                                   std::to_string(count)));
+        diagnostics.push_back(
+            diagnostic(std::to_string(words_.size() - std::min(from, words_.size())) +
+                           " numbers behind \"" + std::string(words_[0]) + "\"",
+                       std::to_string(count)));
         return false;
     }
     for (std::size_t i = 0; i < count; ++i) {
         const auto number = parseNumber(words_[from + i]);
         if (!number) {
-            offences.push_back(offence(quoted(words_[from + i]), "a finite number"));
+            diagnostics.push_back(diagnostic(quoted(words_[from + i]), "a finite number"));
             return false;
         }
         into[i] = *number;

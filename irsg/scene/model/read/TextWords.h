@@ -23,10 +23,10 @@ class TextWords {
     std::string rest() const;
 
     /// About the line that was read last.
-    Offence offence(std::string value, std::string expected) const;
-    /// The finite numbers of `count` words from one on; notes an offence where one is not.
+    Diagnostic diagnostic(std::string value, std::string expected) const;
+    /// The finite numbers of `count` words from one on; notes an diagnostic where one is not.
     bool numbers(std::size_t from, std::size_t count, double* into,
-                 std::vector<Offence>& offences) const;
+                 std::vector<Diagnostic>& diagnostics) const;
 
   private:
     std::string_view text_;

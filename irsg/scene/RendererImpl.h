@@ -1,0 +1,293 @@
+#pragma once
+
+#include <array>
+#include <exception>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "irsg/scene/PreparedEntities.h"
+#include "irsg/scene/Renderer.h"
+#include "irsg/scene/SceneCheck.h"
+#include "irsg/scene/background/SceneBackground.h"
+#include "irsg/scene/draw/OffscreenContext.h"
+#include "irsg/scene/draw/Stopwatch.h"
+#include "irsg/scene/draw/SurfacePass.h"
+#include "irsg/scene/draw/WindowStream.h"
+#include "irsg/scene/radiance/AtmosphericQueryCache.h"
+#include "irsg/scene/radiance/PointSources.h"
+#include "irsg/scene/radiance/RadiometryCache.h"
+#include "irsg/scene/radiance/RangeFactors.h"
+#include "irsg/scene/radiance/Reductions.h"
+#include "irsg/scene/radiance/SampledScene.h"
+#include "irsg/scene/radiance/SceneSampling.h"
+#include "irsg/scene/radiance/ViewFactors.h"
+#include "irsg/scene/radiance/WidebandPoints.h"
+#include "irsg/scene/sampling/FrameReduction.h"
+#include "irsg/scene/sampling/ZoomAntialiasingManager.h"
+#include "irsg/scene/scattering/SceneScattering.h"
+
+namespace irsg {
+
+inline void append(std::vector<double>& numbers, const Vec3& v) {
+    numbers.insert(numbers.end(), {v.x, v.y, v.z});
+}
+
+/// What a renderer keeps, and the steps that its call is made of.
+struct Renderer::Impl {
+    explicit Impl(const RadianceTerms& list) : terms(list) {}
+
+    OffscreenContext& context = OffscreenContext::shared();
+    std::unique_ptr<SurfacePass> pass; // made and destroyed on the context's thread
+    const RadianceTerms& terms;
+    std::vector<StageTimes::Stage> stages;
+    WindowStream stream{context};
+
+    PreparedEntities prepared;
+    ZoomAntialiasingManager antialiasing;
+    SceneBackground background;
+    AtmosphericQueryCache air;
+    SceneSampling sampling;
+    SampledScenes sampledScenes;
+    std::vector<std::shared_ptr<const WidebandPoints>> widebandTerms; // latest first
+    RadiometryCache radiometry;
+    Fronts fronts;
+    PointSources pointSources;
+    RangeFactors rangeFactors;
+    SceneScattering scattering;
+
+    /// All that the factors of a view depend on.
+    struct ViewKey {
+        std::vector<double> numbers;
+        std::vector<std::shared_ptr<const Model>> models;
+        std::shared_ptr<const Terrain> terrain;
+        SurfaceRows rows;
+        std::string shader;
+        bool operator==(const ViewKey&) const = default;
+    };
+    struct FactorDrawing;
+    /// The factors of the view that was begun last.
+    std::shared_ptr<FactorDrawing> view;
+    /// The details of the last view, by entity.
+    struct {
+        std::optional<ViewKey> key;
+        std::map<int, std::vector<ImageRectangle>> byEntity;
+    } details;
+    /// The last view of a followed image, and once it was asked for twice what its pixels are made
+    /// of.
+    struct {
+        std::optional<ViewKey> key;
+        std::optional<FactorField<float>> factors;
+    } pixels;
+
+    /// Sum of omega cos(theta) over the frame, of the last raster.
+    struct {
+        std::array<double, 3> raster{};
+        double projected_sr = 0.0;
+    } solidAngle;
+
+    /// Everything one call needs.
+    struct Frame {
+        Frame(const Scene& ofScene, const SensorView& ofView, std::vector<Band> inBands)
+            : scene(ofScene),
+              view(ofView),
+              camera(ofView.sensor, ofView.viewpoint),
+              bands(std::move(inBands)) {}
+
+        const Scene& scene;
+        const SensorView& view;
+        CameraFrame camera;
+        std::vector<Band> bands;
+        std::vector<ObjectGeometry> geometry;
+        LineOfSight centre; ///< through the middle of the field, unbounded
+        std::vector<std::string> answeredBy, warnings;
+        std::shared_ptr<EvaluatedScene> evaluated;
+        SharedValues background;                  ///< uniform, as evaluated radiances have it
+        std::vector<FrameBackground> backgrounds; // by band
+        BackgroundReport backgroundReport;
+        std::vector<SurfaceItem> items;     // of all objects, in their model axes until sceneOf
+        std::vector<SurfaceRow> rows;       // by drawn row, of the first band
+        std::vector<bool> hot;              // by drawn row: worth samples of its own
+        std::vector<ZoomEntityInfo> seen;   // all that the frame can see
+        std::vector<ZoomEntityInfo> drawn;  // into windows
+        std::vector<ZoomEntityInfo> points; // as point sources
+        /// Not drawn, nor among those above: their factors are interpolated between distances.
+        std::vector<ZoomEntityInfo> alongRange;
+
+        const Entity& entity(int e) const { return scene.entities[static_cast<std::size_t>(e)]; }
+        const SurfaceRows& surfaceRows() const { return evaluated->radiometry.rows(); }
+        bool isTransparent() const;
+    };
+
+    template <typename Work>
+    auto timed(const char* stage, Work work) {
+        double seconds = 0.0;
+        if constexpr (std::is_void_v<decltype(work())>) {
+            {
+                Stopwatch watch(seconds);
+                work();
+            }
+            addTime(stage, seconds);
+        } else {
+            auto result = [&] {
+                Stopwatch watch(seconds);
+                return work();
+            }();
+            addTime(stage, seconds);
+            return result;
+        }
+    }
+    void addTime(const std::string& name, double seconds);
+
+    // RendererFrame.cpp: the radiometry of a call and what is to be drawn.
+    /// How far an entity reaches from its reference point at most, m.
+    double reachOf_m(const Entity& entity);
+    std::vector<ObjectGeometry> geometry(const Scene& scene, const SensorView& view);
+    Frame frame(const Scene& scene, const SensorView& view, const Wanted& wanted);
+    std::shared_ptr<const SampledScene> sample(const Frame& frame);
+    void evaluate(Frame& frame);
+    std::shared_ptr<const WidebandPoints> wideband(const Scene& scene, const Band& band);
+    void drawBackgrounds(Frame& frame, const std::vector<SampledBand>& bands);
+    void fillRows(Frame& frame);
+    void fillItems(Frame& frame);
+    void planPoints(Frame& frame) const;
+    /// True where all of an object is inside the frame, and no other object in its part of it.
+    static bool isWholeAndApart(const Frame& frame, const ZoomEntityInfo& object);
+    /// True where terrain that may hide objects is in or beside the pixels of a rectangle.
+    bool touchesTerrain(const Frame& frame, const ImageRectangle& extent) const;
+    /// Gives the objects that are drawn into windows their details.
+    void findDetails(Frame& frame);
+    /// Where a camera sees the hot parts of an entity that are not hidden by the entity itself.
+    std::vector<ImageRectangle> detailsOf(const Frame& frame, const CameraFrame& camera,
+                                          int entity);
+    /// Where it sees the long edges of an entity; those that reach behind it are left out.
+    std::vector<ImageEdge> edgesOf(const Frame& frame, const CameraFrame& camera, int entity);
+
+    // RendererDrawing.cpp
+    void onContext(const std::function<void(osg::RenderInfo&)>& work);
+    void readyPass(osg::RenderInfo& info);
+    int largestDrawing() const;
+    FactorShader factorShader(const Frame& frame, const CameraFrame& camera) const;
+    /// What of the scene stands in a window as a camera sees it, between the depths it spans.
+    SurfaceScene sceneOf(const Frame& frame, const CameraFrame& camera, const SampleWindow& window);
+    SheetScene scenesOf(const Frame& frame, const CameraFrame& camera, const SampleSheet& sheet);
+    /// Draws the objects with the strategy that the settings ask for.
+    FrameReduction drawObjects(const Frame& frame, std::vector<SampledWindow>& windows,
+                               std::vector<std::string>& warnings, int& layersLeftOver);
+    /// The pixels of a followed image: drawn, or a sum where the view is that of the last one.
+    FrameReduction followedPixels(const Frame& frame, std::vector<SampledWindow>& windows,
+                                  std::vector<std::string>& warnings, int& layersLeftOver);
+    std::vector<SampledWindow> sampledWindows(const Frame& frame,
+                                              const std::vector<DrawnWindow>& drawn) const;
+    using TakeWindow = std::function<void(const SampleWindow&, const FactorSamples&)>;
+    /// Begins to draw the factors of windows and to give their samples to `take`, on other threads;
+    /// the frame must live until it is done.
+    std::future<WindowStream::Seconds> beginWindows(const Frame& frame,
+                                                    const std::vector<SampleWindow>& windows,
+                                                    bool withDistance, TakeWindow take);
+    /// Waits for it. Of the time that others took, what was waited for counts, by stages in
+    /// proportion; that of `take` is called `stage`.
+    void waitFor(std::future<WindowStream::Seconds>& windows, const char* stage);
+    void drawFactorWindows(const Frame& frame, const std::vector<ZoomEntityInfo>& objects,
+                           bool withDistance, const char* stage, TakeWindow take);
+
+    // RendererFactors.cpp
+    /// What the objects of a frame are sampled by where only their sums are asked for.
+    std::vector<SampleWindow> windowsOfSums(const Frame& frame);
+    bool sumsSampleAsPictures(const Frame& frame);
+    ViewKey viewKey(const Frame& frame) const;
+    /// Begins to draw the factors of a view, unless they are known or under way.
+    std::shared_ptr<FactorDrawing> beginFactors(const Frame& frame);
+    const ViewFactors& factorsOf(const Frame& frame, FactorDrawing& drawing);
+    const ViewFactors& factorsOf(const Frame& frame);
+    void addTruthLayers(const Frame& frame, RadianceImage& image);
+
+    // RendererAspects.cpp: what is drawn once for an aspect and serves at many distances.
+    /// An entity as it is seen from a direction in its model's axes.
+    PointAspect aspectOf(const Frame& frame, int entity, const Vec3& from) const;
+    /// Factors of one entity as a camera of its own sees it, with nothing before it.
+    ViewFactors drawAlone(const Frame& frame, int entity, const CameraFrame& camera, int zoomWindow,
+                          const SurfaceRows& rows);
+    /// Factors of a point source at unit distance, kept for its aspect.
+    const FactorField<double>& pointFactors(const Frame& frame, const ZoomEntityInfo& object);
+    PointPlace placeOf(const Frame& frame, const ZoomEntityInfo& object) const;
+    /// Takes the objects whose factors are interpolated out of those that are drawn.
+    void planAlongRange(Frame& frame);
+    bool isAlongRange(const Frame& frame, const ZoomEntityInfo& object);
+    /// From an entity's reference point.
+    Vec3 towardsSensor(const Frame& frame, int entity);
+    void addAlongRange(const Frame& frame, const ZoomEntityInfo& object, ViewFactors& view);
+    ViewFactors drawAtNode(const Frame& frame, int entity, const Vec3& from, std::size_t node,
+                           const SurfaceRows& rows);
+
+    // RendererScattering.cpp
+    /// Tells of objects that are partly or wholly outside the frame, and near enough for their
+    /// haze.
+    void warnOfHazeFromOutside(const Frame& frame, int support_px,
+                               std::vector<std::string>& warnings);
+    /// The objects of a scene with the optical depths of their paths, still without pixels.
+    std::vector<ScatteredObject> objectsToScatter(const Frame& frame,
+                                                  std::vector<std::string>& warnings);
+    /// Adds the haze of all objects to a composed picture.
+    void scatter(const Frame& frame, RadianceImage& image, std::vector<std::string>& warnings);
+
+    // Renderer.cpp
+    void fillReport(const Frame& frame, std::size_t band, RenderReport& report) const;
+    std::vector<RenderReport> reports(const Frame& frame, const ViewFactors& factors);
+    std::vector<RenderReport> reports(const Frame& frame) {
+        return reports(frame, factorsOf(frame));
+    }
+    double totalIrradiance_W_m2(const Frame& frame, std::size_t band, double contrast_W_m2);
+    double frameProjectedSolidAngle_sr(const Sensor& sensor);
+    void describe(const Frame& frame, RadianceImage& image) const;
+    void renderImage(const Frame& frame, const Wanted& wanted, Rendered& result);
+    /// What the pixels of a picture of at most one object add up to.
+    RenderReport reportOf(const Frame& frame, const FrameReduction& pixels);
+    IntensitySpectrum spectrum(const Frame& frame, const Wanted& wanted, Rendered& result);
+};
+
+/// The factors of a view and how far they are.
+struct Renderer::Impl::FactorDrawing {
+    ViewKey key;
+    std::vector<FrameBackground> varying; // backgrounds that vary over the view
+    Fronts fronts;                        // of its own, as it is summed on another thread
+    std::optional<FactorSums> sums;
+    std::future<WindowStream::Seconds> windows; // until they were waited for
+    ViewFactors factors;        // with the renderer's numbers of fronts from then on
+    std::exception_ptr failure; // of the drawing, for all who share it
+
+    /// Waits until nothing refers to the frame any more that it was begun for.
+    void wait() const {
+        if (windows.valid())
+            windows.wait();
+    }
+    ~FactorDrawing() { wait(); }
+};
+
+/// Reports that were begun.
+struct Renderer::Begun {
+    Begun(Impl& of, Scene ofScene, SensorView ofView, Wanted ofWanted)
+        : scene(std::move(ofScene)),
+          view(std::move(ofView)),
+          wanted(std::move(ofWanted)),
+          frame(of.frame(scene, view, wanted)) {}
+    Begun(const Begun&) = delete;
+    Begun& operator=(const Begun&) = delete;
+    ~Begun() {
+        if (drawing)
+            drawing->wait();
+    }
+
+    const Scene scene;
+    const SensorView view;
+    const Wanted wanted;
+    const Impl::Frame frame; // of these
+    std::shared_ptr<Impl::FactorDrawing> drawing;
+};
+
+} // namespace irsg

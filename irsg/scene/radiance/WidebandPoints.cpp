@@ -1,0 +1,88 @@
+#include "irsg/scene/radiance/WidebandPoints.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "irsg/atmosphere/ck/SensorCkData.h"
+#include "irsg/scene/radiance/SceneRadiometry.h"
+
+namespace irsg {
+
+namespace {
+
+/// The samples of a spectrum among those of some; null where it is none of them.
+const std::vector<double>* samplesOf(const Spectrum& spectrum, const std::vector<Spectrum>& some,
+                                     const std::vector<std::vector<double>>& samples) {
+    const auto found = std::ranges::find(some, spectrum);
+    return found == some.end() ? nullptr : &samples[static_cast<std::size_t>(found - some.begin())];
+}
+
+} // namespace
+
+WidebandSpectra widebandSpectraOf(const std::vector<Entity>& entities) {
+    WidebandSpectra spectra;
+    auto add = [](std::vector<Spectrum>& kind, const Spectrum& spectrum) {
+        if (!spectrum.isConstant() && std::ranges::find(kind, spectrum) == kind.end())
+            kind.push_back(spectrum);
+    };
+    for (const Entity& entity : entities)
+        for (const auto& [codes, use] : entity.model->codes()) {
+            if (const Material* material = materialEntry(entity, codes.material)) {
+                add(spectra.materials, material->emissivity);
+                add(spectra.materials, material->transmissivity);
+            }
+            if (const TemperatureEntry* entry = temperatureEntry(entity, codes.temperature))
+                if (const UserSpectrum* user = userSpectrumOf(entity, *entry))
+                    for (const SpectrumComponent& component : user->components)
+                        add(spectra.radiances, component.radiance);
+        }
+    return spectra;
+}
+
+WidebandPoints::WidebandPoints(const Environment& environment, const Band& band,
+                               WidebandSpectra spectra)
+    : atmospheres_(environment.atmospheres()), sun_(environment.sun), spectra_(std::move(spectra)) {
+    CkRequest request;
+    request.band = band;
+    request.sun = sun_;
+    for (const Spectrum& material : spectra_.materials)
+        request.materials.push_back(&material);
+    for (const Spectrum& radiance : spectra_.radiances)
+        request.radiances.push_back(&radiance);
+    auto answer = environment.prepareCk(request);
+    data_ = std::move(answer.value);
+    answeredBy_ = std::move(answer.answeredBy);
+    for (const Spectrum& material : spectra_.materials)
+        materialSamples_.push_back(data_->sampled(material));
+    for (const Spectrum& radiance : spectra_.radiances)
+        radianceSamples_.push_back(data_->sampled(radiance));
+}
+
+bool WidebandPoints::areOf(const Environment& environment, const Band& band,
+                           const WidebandSpectra& spectra) const {
+    return atmospheres_ == environment.atmospheres() && sun_ == environment.sun &&
+           data_->band() == band && spectra_ == spectra;
+}
+
+std::shared_ptr<const SpectralSampling> WidebandPoints::sampling() const {
+    return data_;
+}
+
+std::vector<double> WidebandPoints::sampled(const Spectrum& spectrum) const {
+    if (spectrum.isConstant())
+        return std::vector<double>(data_->size(), spectrum.values().front());
+    for (const auto* known : {samplesOf(spectrum, spectra_.materials, materialSamples_),
+                              samplesOf(spectrum, spectra_.radiances, radianceSamples_)})
+        if (known)
+            return *known;
+    return data_->sampled(spectrum);
+}
+
+std::string WidebandPoints::description() const {
+    char percent[32];
+    std::snprintf(percent, sizeof percent, "%.2g", 100.0 * data_->largestError());
+    return "wideband-ck: " + std::to_string(data_->size()) + " terms, trained to " + percent +
+           " %, of " + answeredBy_;
+}
+
+} // namespace irsg

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "irsg/radiometry/Band.h"
+#include "irsg/scene/radiance/SceneAir.h"
+
+namespace irsg {
+
+class SensorCkData;
+
+/// The spectra of a scene's surfaces that are not constant over wavelength. Entity by entity, codes
+/// ascending, each curve once, however many entries hold it.
+struct WidebandSpectra {
+    std::vector<Spectrum> materials; ///< emissivities and transmissivities
+    std::vector<Spectrum> radiances; ///< components of user-defined spectra
+    bool operator==(const WidebandSpectra&) const = default;
+};
+WidebandSpectra widebandSpectraOf(const std::vector<Entity>& entities);
+
+/// The wideband-ck terms of one environment, band and set of spectra, with the spectra sampled on
+/// them: what takes a second to make and does not depend on geometry, temperatures or time.
+class WidebandPoints {
+  public:
+    /// Trains the terms. Throws InputError where no atmosphere has a wideband mode for the band.
+    WidebandPoints(const Environment& environment, const Band& band, WidebandSpectra spectra);
+
+    /// True where these terms are those of other arguments, too.
+    bool areOf(const Environment& environment, const Band& band,
+               const WidebandSpectra& spectra) const;
+
+    const SensorCkData& data() const { return *data_; }
+    std::shared_ptr<const SpectralSampling> sampling() const;
+    /// Means over the bins of the terms.
+    std::vector<double> sampled(const Spectrum& spectrum) const;
+    /// "wideband-ck: 107 terms, trained to 0.3 %, of AtmosphereSmart (clear.xml)"
+    std::string description() const;
+
+  private:
+    std::vector<std::shared_ptr<const Atmosphere>> atmospheres_;
+    SunPosition sun_;
+    WidebandSpectra spectra_;
+    std::shared_ptr<const SensorCkData> data_;
+    std::string answeredBy_;
+    std::vector<std::vector<double>> materialSamples_, radianceSamples_; ///< of spectra_
+};
+
+} // namespace irsg
