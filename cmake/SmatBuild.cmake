@@ -70,6 +70,40 @@ function(smat_precompile target kind)
     target_precompile_headers(${target} PRIVATE ${${kind}})
 endfunction()
 
+# smat_registry(target FILE Kinds.cpp HEADER a/Kind.h NAMESPACE smat TYPE Kind SUFFIX Analysis
+#               FUNCTION "const std::vector<T>& all()" ELEMENT T AS "T(<>)" ITEMS image polar)
+# writes a source that lists the objects `<item><SUFFIX>` of TYPE, which files of the target define,
+# in this order, each as the expression AS. The list in CMake is the only one: what is added here is known everywhere.
+function(smat_registry target)
+    cmake_parse_arguments(ARG "" "FILE;HEADER;NAMESPACE;TYPE;SUFFIX;FUNCTION;ELEMENT;AS" "ITEMS" ${ARGN})
+    set(names ${ARG_ITEMS})
+    list(TRANSFORM names APPEND "${ARG_SUFFIX}")
+    list(JOIN names ", " declared)
+    set(listed "")
+    foreach(name ${names})
+        string(REPLACE "<>" "${name}" item "${ARG_AS}")
+        list(APPEND listed "${item}")
+    endforeach()
+    list(JOIN listed ", " listed)
+    file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+    file(CONFIGURE OUTPUT "${ARG_FILE}" @ONLY CONTENT [[
+// Made by CMake from a list in @folder@/CMakeLists.txt.
+#include "@ARG_HEADER@"
+
+namespace @ARG_NAMESPACE@ {
+
+extern const @ARG_TYPE@ @declared@;
+
+@ARG_FUNCTION@ {
+    static const std::vector<@ARG_ELEMENT@> all = {@listed@};
+    return all;
+}
+
+} // namespace @ARG_NAMESPACE@
+]])
+    target_sources(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/${ARG_FILE}")
+endfunction()
+
 # smat_add_floor(irsg radiometry SOURCES a.cpp b.cpp DEPENDS other::target PRIVATE_DEPENDS x)
 # makes the library irsg_radiometry with the alias irsg::radiometry. Includes are written from the
 # top of the tree: #include "irsg/radiometry/Spectrum.h".

@@ -8,6 +8,7 @@
 #include "gui/Theme.h"
 #include "gui/analysis/ResultsDock.h"
 #include "gui/image/ComparisonWindow.h"
+#include "gui/image/ImageExport.h"
 #include "gui/image/ImageView.h"
 #include "gui/plot/ResultPlot.h"
 #include "gui/project/ProjectFiles.h"
@@ -101,7 +102,7 @@ void MainWindow::overlayResultsFrom(std::size_t first) {
 }
 
 void MainWindow::chooseFile() {
-    const QString models = ProjectFiles::modelPatterns(), images = "*.exr *.csv *.txt *.dat";
+    const QString models = ProjectFiles::modelPatterns(), images = readableImagePatterns();
     const QString file = dialogs_.openFile(
         this, tr("Open a project, a model, a result or an image"),
         {tr("All that can be opened (%1)").arg("*.smat " + models + " *.json " + images),

@@ -133,7 +133,7 @@ void MainWindow::makeViewMenu(QMenu* menu) {
 
 void MainWindow::makeAnalysisMenu(QMenu* menu) {
     int number = 0;
-    for (const AnalysisKind kind : allAnalysisKinds) {
+    for (const AnalysisKind kind : allAnalysisKinds()) {
         const QString word = QString::fromStdString(name(kind));
         auto* action = menu->addAction(icon(word), tr("New &%1 analysis…").arg(word), this,
                                        [this, kind] { newAnalysis(kind, workbench_.settings()); });

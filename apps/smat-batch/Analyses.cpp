@@ -10,6 +10,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::batch {
@@ -42,7 +43,7 @@ std::vector<Job> eachBandItsImage(const std::vector<Job>& jobs) {
     std::vector<Job> list;
     for (const Job& job : jobs) {
         const std::vector<Settings> each = eachBand(job.data.settings);
-        if (job.data.kind != AnalysisKind::image || each.size() < 2) {
+        if (job.data.kind->form != AnalysisForm::image || each.size() < 2) {
             list.push_back(job);
             continue;
         }
@@ -104,8 +105,8 @@ int runJobs(std::vector<Job> jobs, Context& context) {
             warn(job.data.name + ": " + warning);
         }
         const StageTimer::Scope scope(&context.timer, "save");
-        const bool hasResult = job.data.kind == AnalysisKind::image ? !job.data.image.empty()
-                                                                    : !job.data.table.empty();
+        const bool hasResult = job.data.kind->form == AnalysisForm::image ? !job.data.image.empty()
+                                                                          : !job.data.table.empty();
         Outcome outcome{&job.data, {}};
         for (const std::filesystem::path& file : job.files) {
             if (hasResult) {

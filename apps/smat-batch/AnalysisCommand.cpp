@@ -2,6 +2,7 @@
 #include "apps/smat-batch/ProjectInput.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat::batch {
 
@@ -19,9 +20,9 @@ class AnalysisCommand {
         command.add_option("--analysis", analysis_, "Start from this analysis of the project")
             ->type_name("NAME");
         command.add_flag("--dry-run", dryRun_, "Say what would be drawn, and stop");
-        if (kind == AnalysisKind::image) {
+        if (kind->form == AnalysisForm::image) {
             command.footer("Several bands give a file each: FILE@3-5um.exr.");
-        } else if (kind != AnalysisKind::spectrum) {
+        } else if (kind->form != AnalysisForm::spectrum) {
             command.footer(
                 "Columns: where the case is, then the sums of all objects, then those of each "
                 "object "
@@ -84,18 +85,13 @@ class AnalysisCommand {
 } // namespace
 
 void addAnalysisCommands(CLI::App& app, Context& context) {
-    const auto add = [&](AnalysisKind kind, const char* help) {
-        CLI::App* command = app.add_subcommand(name(kind), help);
+    for (const AnalysisKind kind : allAnalysisKinds()) {
+        CLI::App* command = app.add_subcommand(name(kind), kind->help);
         auto shared = std::make_shared<AnalysisCommand>(*command, kind);
         command->callback([&context, shared] {
             context.work = [&context, shared] { return shared->run(context); };
         });
-    };
-    add(AnalysisKind::image, "One image: radiance, irradiance or apparent temperature");
-    add(AnalysisKind::spectrum, "Intensity of the target over wavenumber and wavelength");
-    add(AnalysisKind::polar, "Intensity over one turn of camera or target");
-    add(AnalysisKind::range, "Contrast intensity and irradiance over range");
-    add(AnalysisKind::time, "Intensity over time");
+    }
 }
 
 } // namespace smat::batch

@@ -9,10 +9,8 @@
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/Output.h"
 #include "irsg/image/ComparisonFigures.h"
-#include "irsg/image/CsvImage.h"
-#include "irsg/image/ExrFile.h"
 #include "irsg/image/ImageFile.h"
-#include "irsg/image/PngView.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::batch {
@@ -80,24 +78,18 @@ irsg::PixelRectangle rectangleFrom(const std::string& text) {
 
 void checkOut(const std::vector<std::string>& out) {
     for (const std::string& file : out) {
-        const std::string suffix = std::filesystem::path(file).extension().string();
-        if (suffix != ".exr" && suffix != ".csv" && suffix != ".png") {
-            throw irsg::InputError({"", "--out", file, "a name that ends in .exr, .csv or .png"});
+        if (irsg::imageFormatOf(file) == nullptr) {
+            throw irsg::InputError(
+                {"", "--out", file, "a name that ends in " + irsg::imageExtensionNames()});
         }
     }
 }
 
 void writeDifference(const irsg::RadianceImage& image, const std::filesystem::path& file) {
-    if (file.extension() == ".exr") {
-        irsg::writeExr(image, file);
-    } else if (file.extension() == ".csv") {
-        irsg::writeCsvImage(image, file);
-    } else {
-        irsg::PngViewOptions view;
-        view.colorMap = "diverging";
-        view.label = "A - B";
-        irsg::writePngView(image, file, view);
-    }
+    irsg::ImageWriting how;
+    how.view.colorMap = "diverging";
+    how.view.label = "A - B";
+    irsg::writeImageFile(image, file, how);
 }
 
 std::string rectangleText(const irsg::PixelRectangle& r) {

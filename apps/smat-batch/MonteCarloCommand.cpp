@@ -14,6 +14,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat::batch {
 
@@ -158,7 +159,7 @@ class MonteCarloCommand {
     AnalysisData started(const Project& project) const {
         if (!kind_.empty()) {
             const auto kind = analysisKindFromName(kind_);
-            if (!kind || *kind == AnalysisKind::image) {
+            if (!kind || (*kind)->form == AnalysisForm::image) {
                 throw refusal("--kind", kind_, "polar, range, time or spectrum");
             }
             if (!analysis_.empty()) {
@@ -170,7 +171,7 @@ class MonteCarloCommand {
             return AnalysisData::of(project, analysis_);
         }
         for (const NamedAnalysis& analysis : project.analyses) {
-            if (analysis.kind != AnalysisKind::image) {
+            if (analysis.kind->form != AnalysisForm::image) {
                 return AnalysisData::of(project, analysis.name);
             }
         }

@@ -49,7 +49,7 @@ void TableFiles::check(const std::string& example) const {
                              .expected = "a result file, such as --out " + example});
     }
     for (const std::string& file : files_) {
-        checkResultFile(AnalysisKind::spectrum, file);
+        checkResultFile(AnalysisKind::table, file);
     }
 }
 

@@ -60,7 +60,7 @@ class RunCommand {
             Job job{AnalysisData::of(project, one), {}};
             job.data.settings = job.data.settings.with(given);
             job.data.commandLine = context.commandLine;
-            for (const std::string& extension : resultExtensions(job.data.kind)) {
+            for (const std::string& extension : usualResultExtensions(job.data.kind)) {
                 job.files.push_back(std::filesystem::path(folder_) / (one + extension));
             }
             jobs.push_back(std::move(job));

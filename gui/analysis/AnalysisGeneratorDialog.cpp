@@ -20,6 +20,7 @@
 #include "gui/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
@@ -27,7 +28,7 @@ namespace {
 
 /// The file a terminal user would write, by kind.
 std::string exampleFile(AnalysisKind kind) {
-    return name(kind) + (kind == AnalysisKind::image ? ".exr" : ".csv");
+    return name(kind) + (kind->form == AnalysisForm::image ? ".exr" : ".csv");
 }
 
 } // namespace
@@ -62,7 +63,7 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
     addPage(tr("Sensor"), {"sensor"}, tabs);
     addPage(tr("Environment"), {"environment"}, tabs);
     addPage(tr("Rendering"), {"render"}, tabs);
-    if (kind_ == AnalysisKind::image)
+    if (kind_->form == AnalysisForm::image)
         addPage(tr("Display"), {"display"}, tabs);
 
     problems_ = new QLabel(this);

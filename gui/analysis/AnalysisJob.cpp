@@ -7,6 +7,7 @@
 #include "gui/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat::gui {
 namespace {
@@ -124,7 +125,7 @@ void AnalysisJob::keep(const AnalysisData& data, const Progress& now) {
 AnalysisJob::Outcome AnalysisJob::keptSoFar() {
     const std::lock_guard lock(kept_.mutex);
     Outcome outcome{.data = kept_.data, .sentences = {}};
-    if (outcome.data.table.empty() || outcome.data.kind == AnalysisKind::image) {
+    if (outcome.data.table.empty() || outcome.data.kind->form == AnalysisForm::image) {
         outcome.sentences << tr("Cancelled before the first case was done.");
         return outcome;
     }

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "gui/image/ColorBar.h"
+#include "gui/image/ImageExport.h"
 #include "gui/image/ImageView.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotPanel.h"
@@ -124,7 +125,7 @@ CartesianPlot* ResultPage::cartesianPlot() const {
 
 QStringList ResultPage::exportFilters() const {
     if (image_ != nullptr)
-        return {tr("OpenEXR image (*.exr)"), tr("Values as text (*.csv)"), tr("Picture (*.png)")};
+        return imageFilters();
     QStringList filters{tr("Scalable picture (*.svg)"), tr("PDF (*.pdf)"), tr("Picture (*.png)"),
                         tr("Values as text (*.csv)")};
     if (results_.size() == 1)
@@ -134,13 +135,15 @@ QStringList ResultPage::exportFilters() const {
 
 void ResultPage::exportTo(const std::filesystem::path& file) const {
     const std::string suffix = file.extension().string();
-    if (image_ != nullptr && suffix == ".png") {
+    const irsg::ImageFormat* format = irsg::imageFormatOf(file);
+    if (image_ != nullptr && format != nullptr &&
+        format->keeps == irsg::ImageFormat::Keeps::picture) {
         // The plane, colours and limits that are seen.
         irsg::PngViewOptions options;
         options.colorMap = image_->colorMap().name();
         options.limits = image_->colorBar()->limits();
         options.title = results_.front().title.toStdString();
-        irsg::writePngView(image_->image(), file, options, image_->shownChannel());
+        exportImage(image_->image(), image_->shownChannel(), options, file);
     } else if (image_ != nullptr) {
         saveResult(*results_.front().data, file);
     } else if (results_.size() == 1 && (suffix == ".json" || suffix == ".csv")) {

@@ -69,7 +69,7 @@ int ResultStore::addDifference(int first, int second) {
 
 int ResultStore::addTable(const QString& title, const ResultTable& table) {
     AnalysisData data;
-    data.kind = AnalysisKind::spectrum;
+    data.kind = resultKindFromName(table.provenance.value("analysis"));
     data.state = AnalysisState::complete;
     data.name = title.toStdString();
     data.table = table;

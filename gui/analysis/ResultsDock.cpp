@@ -19,7 +19,9 @@
 #include "gui/analysis/JobPanel.h"
 #include "gui/analysis/ResultDetailsDialog.h"
 #include "gui/analysis/ResultItemDelegate.h"
+#include "gui/image/ImageExport.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat::gui {
 namespace {
@@ -55,7 +57,7 @@ QString sweptWords(const ResultEntry& entry) {
     const QStringList parts = asked.split(", ");
     if (!entry.canRunAgain() || parts.size() < 2)
         return asked;
-    if (entry.data->kind == AnalysisKind::spectrum)
+    if (entry.data->kind->form == AnalysisForm::spectrum)
         return parts[1].section(" from ", -1);
     return parts[1];
 }
@@ -332,8 +334,7 @@ void ResultsDock::save() {
     if (entry == nullptr)
         return;
     const QStringList filters =
-        entry->isImage() ? QStringList{tr("OpenEXR image (*.exr)"), tr("Values as text (*.csv)"),
-                                       tr("Picture (*.png)"), tr("Row of sums (*.json)")}
+        entry->isImage() ? imageFilters() + QStringList{tr("Row of sums (*.json)")}
                          : QStringList{tr("Values as text (*.csv)"), tr("Values as JSON (*.json)")};
     const QString file = dialogs_.saveFile(this, tr("Save result"), filters,
                                            QString::fromStdString(name(entry->data->kind)));
@@ -342,10 +343,12 @@ void ResultsDock::save() {
     try {
         // A table is one whatever it was measured for, also the sums of an image.
         if (!entry->isImage())
-            checkResultFile(AnalysisKind::range, file.toStdString());
+            checkResultFile(AnalysisKind::table, file.toStdString());
         entry->isImage() ? saveResult(*entry->data, file.toStdString())
                          : entry->data->table.save(file.toStdString());
-        if (entry->isImage() && file.endsWith(".exr"))
+        const irsg::ImageFormat* format = irsg::imageFormatOf(file.toStdString());
+        if (entry->isImage() && format != nullptr &&
+            format->keeps == irsg::ImageFormat::Keeps::allPlanes)
             workbench_.resultStore().noteSaved(entry->id, file.toStdString());
     } catch (const irsg::InputError& error) {
         dialogs_.tell(this, tr("This cannot be saved"), sentencesOf(error));
@@ -355,7 +358,7 @@ void ResultsDock::save() {
 void ResultsDock::openFile() {
     const QString file = dialogs_.openFile(
         this, tr("Open a saved result"),
-        {tr("Results and matrices (*.csv *.json *.exr *.txt *.dat)"), tr("All files (*)")});
+        {tr("Results and matrices (*.json %1)").arg(readableImagePatterns()), tr("All files (*)")});
     if (!file.isEmpty())
         openResult(file.toStdString());
 }

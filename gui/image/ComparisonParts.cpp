@@ -83,8 +83,7 @@ QWidget* ComparisonWindow::makeBar() {
         copy_->menu()->addAction(tr("Command line"), this, &ComparisonWindow::copyCommand);
     copyCommandAction_->setObjectName("copyCommandLine");
     export_ = menuButton(tr("Export"), "exportComparison", tr("Write the difference to a file"));
-    for (const QString& filter :
-         {tr("OpenEXR image (*.exr)"), tr("Values as text (*.csv)"), tr("Picture (*.png)")})
+    for (const QString& filter : imageFilters())
         export_->menu()->addAction(filter, this, [this, filter] { askAndExport(filter); });
     auto* fit = textButton(tr("Fit"), "fitComparison", tr("Show the whole images (F)"));
     auto* actual = textButton(tr("1:1"), "actualSizeComparison",

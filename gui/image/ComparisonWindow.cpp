@@ -341,7 +341,7 @@ QString ComparisonWindow::commandLine() const {
 QStringList ComparisonWindow::exportFilters() const {
     if (!whole_)
         return {};
-    return {tr("OpenEXR image (*.exr)"), tr("Values as text (*.csv)"), tr("Picture (*.png)")};
+    return imageFilters();
 }
 
 void ComparisonWindow::exportTo(const std::filesystem::path& file) const {
@@ -368,7 +368,7 @@ void ComparisonWindow::askAndExport(const QString& filter) {
 void ComparisonWindow::askForFile(int side) {
     const QString file =
         dialogs_.openFile(this, side == 0 ? tr("Open image A") : tr("Open image B"),
-                          {tr("Images (*.exr *.csv *.txt *.dat)"), tr("All files (*)")});
+                          {tr("Images (%1)").arg(readableImagePatterns()), tr("All files (*)")});
     if (!file.isEmpty())
         openFiles({file}, side);
 }

@@ -12,8 +12,7 @@
 
 #include "gui/Readable.h"
 #include "irsg/image/ApparentTemperature.h"
-#include "irsg/image/CsvImage.h"
-#include "irsg/image/ExrFile.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReplacement.h"
 
@@ -21,16 +20,28 @@ namespace smat::gui {
 
 void exportImage(const irsg::RadianceImage& image, const std::string& channel,
                  const irsg::PngViewOptions& view, const std::filesystem::path& file) {
-    const std::string suffix = file.extension().string();
-    if (suffix == ".exr")
-        irsg::writeExr(image, file);
-    else if (suffix == ".csv")
-        irsg::writeCsvImage(image, file, channel);
-    else if (suffix == ".png")
-        irsg::writePngView(image, file, view, channel);
-    else
-        throw irsg::InputError(
-            {file.string(), "", "the ending '" + suffix + "'", ".exr, .csv or .png"});
+    irsg::writeImageFile(image, file, {.channel = channel, .view = view});
+}
+
+QStringList imageFilters() {
+    QStringList filters;
+    for (const irsg::ImageFormat* format : irsg::imageFormats())
+        filters += filterOf(*format);
+    return filters;
+}
+
+QString filterOf(const irsg::ImageFormat& format) {
+    QString patterns;
+    for (const std::string& extension : format.extensionList())
+        patterns += (patterns.isEmpty() ? "*" : " *") + QString::fromStdString(extension);
+    return QStringLiteral("%1 (%2)").arg(QString::fromUtf8(format.name), patterns);
+}
+
+QString readableImagePatterns() {
+    QString patterns;
+    for (const std::string& extension : irsg::readableImageExtensions())
+        patterns += (patterns.isEmpty() ? "*" : " *") + QString::fromStdString(extension);
+    return patterns;
 }
 
 void writePicture(const QImage& picture, const std::filesystem::path& file) {

@@ -5,17 +5,26 @@
 
 #include <QImage>
 #include <QString>
+#include <QStringList>
 
+#include "irsg/image/ImageFormat.h"
 #include "irsg/image/ImageStatistics.h"
 #include "irsg/image/PngView.h"
 #include "irsg/image/RadianceImage.h"
 
 namespace smat::gui {
 
-/// Writes an image by the suffix of the file: .exr with all planes, .csv with `channel`, .png as a
-/// view. Throws irsg::InputError for another suffix and for a file that cannot be written.
+/// Writes an image in the format of the file's extension, with `channel` where that keeps one plane
+/// and as a view where it is a picture. Throws irsg::InputError for another suffix and for a file
+/// that cannot be written.
 void exportImage(const irsg::RadianceImage& image, const std::string& channel,
                  const irsg::PngViewOptions& view, const std::filesystem::path& file);
+
+/// "OpenEXR image (*.exr)" of each format that images are written in, for file dialogs.
+QStringList imageFilters();
+QString filterOf(const irsg::ImageFormat& format);
+/// "*.exr *.csv *.txt": of all files that images are read from.
+QString readableImagePatterns();
 
 /// Writes a picture as PNG. Throws irsg::InputError for another suffix and for a file that cannot
 /// be written; what was there is then as it was.

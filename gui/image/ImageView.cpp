@@ -13,6 +13,7 @@
 #include "gui/Sentences.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageCanvas.h"
+#include "gui/image/ImageExport.h"
 #include "gui/image/ImageInspector.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/radiometry/Errors.h"
@@ -233,7 +234,7 @@ bool ImageView::isBusy() const {
 QStringList ImageView::exportFilters() const {
     if (image_ == nullptr)
         return {};
-    return {tr("OpenEXR image (*.exr)"), tr("Values as text (*.csv)"), tr("Picture (*.png)")};
+    return imageFilters();
 }
 
 irsg::PngViewOptions ImageView::pictureOptions(bool withColorBar) const {

@@ -9,6 +9,7 @@
 #include "gui/Widgets.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageCanvas.h"
+#include "gui/image/ImageExport.h"
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ImageView.h"
 
@@ -84,10 +85,18 @@ QHBoxLayout* ImageView::makeBar() {
         write->menu()->addAction(text, this,
                                  [this, filter, withBar] { askAndExport(filter, withBar); });
     };
-    format(tr("All planes as OpenEXR…"), tr("OpenEXR image (*.exr)"), false);
-    format(tr("This plane as CSV…"), tr("Values as text (*.csv)"), false);
-    format(tr("Picture with colour bar…"), tr("Picture (*.png)"), true);
-    format(tr("Picture…"), tr("Picture (*.png)"), false);
+    for (const irsg::ImageFormat* one : irsg::imageFormats()) {
+        const QString filter = filterOf(*one), name = QString::fromUtf8(one->shortName);
+        if (one->keeps == irsg::ImageFormat::Keeps::picture) {
+            format(tr("Picture with colour bar…"), filter, true);
+            format(tr("Picture…"), filter, false);
+        } else {
+            format(one->keeps == irsg::ImageFormat::Keeps::allPlanes
+                       ? tr("All planes as %1…").arg(name)
+                       : tr("This plane as %1…").arg(name),
+                   filter, false);
+        }
+    }
     auto* fit = textButton(tr("Fit"), "fit", tr("Show the whole image (F, double click)"));
     auto* actual =
         textButton(tr("1:1"), "actualSize", tr("One pixel of the image is one of the screen (A)"));

@@ -178,7 +178,7 @@ void AirToolPage::showTable(const ResultTable& table, const QString& title,
     figures_->setText(figures);
     figures_->setVisible(!figures.isEmpty());
     AnalysisData data;
-    data.kind = AnalysisKind::spectrum;
+    data.kind = resultKindFromName(table.provenance.value("analysis"));
     data.table = table;
     ResultEntry entry;
     entry.title = title;

@@ -27,6 +27,7 @@
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
@@ -113,11 +114,11 @@ void MonteCarloPage::fillAnalyses() {
     if (!workbench_.hasProject())
         return;
     for (const NamedAnalysis& one : workbench_.project().analyses)
-        if (one.kind != AnalysisKind::image)
+        if (one.kind->form != AnalysisForm::image)
             analysis_->addItem(QString::fromStdString(one.name + " (" + name(one.kind) + ")"),
                                "analysis:" + QString::fromStdString(one.name));
-    for (const AnalysisKind kind : allAnalysisKinds)
-        if (kind != AnalysisKind::image)
+    for (const AnalysisKind kind : allAnalysisKinds())
+        if (kind->form != AnalysisForm::image)
             analysis_->addItem(tr("%1 (project)").arg(QString::fromStdString(title(kind))),
                                "kind:" + QString::fromStdString(name(kind)));
     analysis_->setCurrentIndex(std::max(analysis_->findData(kept), 0));

@@ -237,16 +237,17 @@ void ModelPage::refreshBar() {
 }
 
 QStringList ModelPage::exportFilters() const {
-    const QString picture = tr("Picture (*.png)");
-    if (view_->shownPicture() == nullptr)
-        return {picture};
-    return {tr("OpenEXR image (*.exr)"), tr("Values as text (*.csv)"), picture};
+    QStringList filters;
+    for (const irsg::ImageFormat* format : irsg::imageFormats())
+        if (view_->shownPicture() != nullptr || format->keeps == irsg::ImageFormat::Keeps::picture)
+            filters += filterOf(*format);
+    return filters;
 }
 
 void ModelPage::exportTo(const std::filesystem::path& file) const {
-    const std::string suffix = file.extension().string();
+    const irsg::ImageFormat& format = irsg::requiredImageFormat(file);
     const InfraredPicture* picture = view_->shownPicture();
-    if (suffix != ".exr" && suffix != ".csv") {
+    if (format.keeps == irsg::ImageFormat::Keeps::picture) {
         writePicture(pictureOfPage(), file);
         return;
     }

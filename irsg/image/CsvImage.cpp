@@ -9,7 +9,9 @@
 #include <set>
 #include <string_view>
 
+#include "irsg/image/AttributeText.h"
 #include "irsg/image/ExrFile.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/FileReplacement.h"
@@ -18,46 +20,7 @@ namespace irsg {
 
 namespace {
 
-constexpr std::string_view escapePrefix = "attribute.";
 constexpr std::size_t diagnosticsShown = 20;
-
-bool isReserved(std::string_view key) {
-    static const std::set<std::string, std::less<>> keys = {"channel", "unit", "width", "height"};
-    return keys.contains(key) || key.starts_with(escapePrefix);
-}
-
-std::string escaped(std::string_view text, bool isKey) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '\\')
-            out += "\\\\";
-        else if (c == '\n')
-            out += "\\n";
-        else if (c == '\r')
-            out += "\\r";
-        else if (c == ':' && isKey)
-            out += "\\c";
-        else
-            out += c;
-    }
-    return out;
-}
-
-std::string unescaped(std::string_view text) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char next = text[i] == '\\' && i + 1 < text.size() ? text[i + 1] : '\0';
-        const std::string_view codes = "\\nrc", meanings = "\\\n\r:";
-        const std::size_t code = next == '\0' ? std::string_view::npos : codes.find(next);
-        if (code == std::string_view::npos) {
-            out += text[i];
-        } else {
-            out += meanings[code];
-            ++i;
-        }
-    }
-    return out;
-}
 
 void appendNumber(std::string& out, float value) {
     if (std::isnan(value)) {
@@ -152,13 +115,13 @@ class CsvImageParser {
             throw InputError(diagnostics_);
 
         const auto header = [this](const char* key, std::string otherwise) {
-            const auto it = header_.find(key);
-            return it == header_.end() ? otherwise : it->second;
+            const auto it = header_.plane.find(key);
+            return it == header_.plane.end() ? otherwise : it->second;
         };
         RadianceImage image(static_cast<int>(width_), static_cast<int>(height_),
                             header("channel", "L"), header("unit", ""));
         image.primary().values = std::move(values_);
-        image.attributes = std::move(attributes_);
+        image.attributes = std::move(header_.attributes);
         return image;
     }
 
@@ -174,17 +137,7 @@ class CsvImageParser {
     void comment(std::string_view text) {
         if (text.starts_with(' '))
             text.remove_prefix(1);
-        const std::size_t colon = text.find(':');
-        if (colon == std::string_view::npos)
-            return;
-        const std::string key = unescaped(text.substr(0, colon));
-        std::string_view value = text.substr(colon + 1);
-        if (value.starts_with(' '))
-            value.remove_prefix(1);
-        if (key.starts_with(escapePrefix))
-            attributes_[key.substr(escapePrefix.size())] = unescaped(value);
-        else
-            (isReserved(key) ? header_ : attributes_)[key] = unescaped(value);
+        header_.read(text);
     }
 
     void row(std::string_view text) {
@@ -255,8 +208,8 @@ class CsvImageParser {
 
     void checkSize() {
         const auto claim = [this](const char* key, std::size_t found) {
-            const auto it = header_.find(key);
-            if (it != header_.end() && it->second != std::to_string(found))
+            const auto it = header_.plane.find(key);
+            if (it != header_.plane.end() && it->second != std::to_string(found))
                 offend(key, std::to_string(found), it->second + ", as the header says");
         };
         claim("width", width_);
@@ -272,7 +225,7 @@ class CsvImageParser {
     bool isNoImage_ = false;
     std::size_t width_ = 0, height_ = 0;
     std::vector<float> values_;
-    std::map<std::string, std::string> header_, attributes_;
+    AttributeText header_;
     std::vector<Diagnostic> diagnostics_;
 };
 
@@ -287,15 +240,13 @@ void writeCsvImage(const RadianceImage& image, const std::filesystem::path& file
         throw LogicError("channel " + plane->name + " is not as large as its image");
 
     std::string out;
-    const auto comment = [&out](const std::string& key, const std::string& value) {
-        out += "# " + escaped(key, true) + ": " + escaped(value, false) + "\n";
-    };
-    comment("channel", plane->name);
-    comment("unit", plane->unit);
-    comment("width", std::to_string(image.width()));
-    comment("height", std::to_string(image.height()));
+    const auto comment = [&out](const std::string& line) { out += "# " + line + "\n"; };
+    comment(attributeLine("channel", plane->name));
+    comment(attributeLine("unit", plane->unit));
+    comment(attributeLine("width", std::to_string(image.width())));
+    comment(attributeLine("height", std::to_string(image.height())));
     for (const auto& [key, value] : image.attributes)
-        comment(isReserved(key) ? std::string(escapePrefix) + key : key, value);
+        comment(imageAttributeLine(key, value));
 
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) {
@@ -336,5 +287,20 @@ bool beginsAsCsvImage(std::string_view text) {
     }
     return false;
 }
+
+extern constinit const ImageFormat csvFormat{
+    .name = "Values as text",
+    .shortName = "CSV",
+    .extensions = ".csv",
+    .alsoRead = ".txt .dat",
+    .keeps = ImageFormat::Keeps::onePlane,
+    .isUsual = true,
+    .recognises =
+        [](std::string_view beginning) {
+            return beginning.find('\0') == std::string_view::npos && beginsAsCsvImage(beginning);
+        },
+    .read = readCsvImage,
+    .write = [](const RadianceImage& image, const std::filesystem::path& file,
+                const ImageWriting& how) { writeCsvImage(image, file, how.channel); }};
 
 } // namespace irsg

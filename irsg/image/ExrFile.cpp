@@ -21,6 +21,7 @@
 #include <OpenEXR/ImfStringVectorAttribute.h>
 
 #include "irsg/image/ExrHeader.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/FileReplacement.h"
@@ -29,6 +30,7 @@ namespace irsg {
 
 namespace {
 
+constexpr std::string_view exrSignature = "\x76\x2f\x31\x01";
 constexpr std::string_view unitPrefix = "unit.";
 constexpr std::string_view escapePrefix = "attribute.";
 const std::string orderName = "channelOrder";
@@ -52,26 +54,6 @@ bool isReserved(std::string_view name) {
                                                              "view",
                                                              orderName};
     return names.contains(name) || name.starts_with(unitPrefix) || name.starts_with(escapePrefix);
-}
-
-void checkNames(const RadianceImage& image) {
-    const auto checkName = [](const std::string& name, const std::string& what) {
-        if (name.empty() || name.size() > 200 || name.find('\0') != std::string::npos)
-            throw LogicError(what + " of an image has an empty, too long or broken name: '" + name +
-                             "'");
-    };
-    std::set<std::string> seen;
-    for (const ImageChannel& channel : image.channels) {
-        checkName(channel.name, "a channel");
-        if (!seen.insert(channel.name).second)
-            throw LogicError("two channels of an image are called " + channel.name);
-        if (channel.values.size() != image.pixelCount())
-            throw LogicError("channel " + channel.name + " has " +
-                             std::to_string(channel.values.size()) + " values, the image has " +
-                             std::to_string(image.pixelCount()) + " pixels");
-    }
-    for (const auto& [name, value] : image.attributes)
-        checkName(name, "an attribute");
 }
 
 /// Bytes in memory as a stream that OpenEXR reads: the file was read once, with our own errors.
@@ -224,9 +206,7 @@ RadianceImage readPixels(Imf::InputFile& input, const std::string& file) {
 } // namespace
 
 void writeExr(const RadianceImage& image, const std::filesystem::path& file) {
-    if (image.empty() || image.channels.empty())
-        throw LogicError("an empty image cannot be written");
-    checkNames(image);
+    checkPlanes(image);
 
     // The header: channels, their order and units, and what the image says of itself.
     Imf::Header header(image.width(), image.height());
@@ -260,7 +240,7 @@ void writeExr(const RadianceImage& image, const std::filesystem::path& file) {
 RadianceImage readExr(const std::filesystem::path& file) {
     const std::string bytes = readFile(file);
     const std::string name = file.string();
-    if (bytes.size() < 4 || std::string_view(bytes).substr(0, 4) != "\x76\x2f\x31\x01")
+    if (!bytes.starts_with(exrSignature))
         throw InputError({name, "byte 0", bytes.empty() ? "an empty file" : "no OpenEXR signature",
                           "an OpenEXR file"});
     checkExrHeader(bytes, name);
@@ -274,5 +254,15 @@ RadianceImage readExr(const std::filesystem::path& file) {
         throw InputError({name, "", error.what(), "an OpenEXR image, undamaged and complete"});
     }
 }
+
+extern constinit const ImageFormat exrFormat{
+    .name = "OpenEXR image",
+    .shortName = "OpenEXR",
+    .extensions = ".exr",
+    .isUsual = true,
+    .recognises = [](std::string_view beginning) { return beginning.starts_with(exrSignature); },
+    .read = readExr,
+    .write = [](const RadianceImage& image, const std::filesystem::path& file,
+                const ImageWriting&) { writeExr(image, file); }};
 
 } // namespace irsg

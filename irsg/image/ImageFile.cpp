@@ -2,11 +2,13 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "irsg/image/CsvImage.h"
-#include "irsg/image/ExrFile.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/Wording.h"
 
 namespace irsg {
 
@@ -17,36 +19,49 @@ struct Signature {
     std::string_view bytes, format;
 };
 constexpr std::array<Signature, 7> otherFormats = {{{"\x89PNG", "a PNG picture"},
-                                                    {"\xFF\xD8\xFF", "a JPEG picture"},
                                                     {"II*", "a TIFF file"},
                                                     {"MM", "a TIFF file"},
+                                                    {"\xFF\xD8\xFF", "a JPEG picture"},
                                                     {"GIF8", "a GIF picture"},
                                                     {"SIMPLE  =", "a FITS file"},
                                                     {"SQLite format 3", "a database"}}};
 
-constexpr std::string_view exrBytes = "\x76\x2f\x31\x01";
+constexpr std::size_t beginningSize = std::size_t{256} << 10;
+
+const ImageFormat* formatThatBegins(std::string_view beginning) {
+    for (const ImageFormat* format : imageFormats())
+        if (format->read != nullptr && format->recognises(beginning))
+            return format;
+    return nullptr;
+}
+
+/// "OpenEXR image, TIFF image or values as text".
+std::string namesOfReadFormats() {
+    std::vector<std::string> names;
+    for (const ImageFormat* format : imageFormats())
+        if (format->read != nullptr)
+            names.emplace_back(format->name);
+    return alternatives(names);
+}
 
 } // namespace
 
 RadianceImage readImageFile(const std::filesystem::path& file) {
-    const std::string beginning = readFileBeginning(file, 16);
-    if (beginning.starts_with(exrBytes))
-        return readExr(file);
+    const std::string beginning = readFileBeginning(file, beginningSize);
+    if (const ImageFormat* format = formatThatBegins(beginning))
+        return format->read(file);
     for (const Signature& other : otherFormats)
         if (beginning.starts_with(other.bytes))
             throw InputError({file.string(), "byte 0", std::string(other.format),
-                              "OpenEXR or CSV, which hold values and not colours"});
+                              namesOfReadFormats() + ", which hold values and not colours"});
+    // What is left is text, or refused as such with line and column.
     return readCsvImage(file);
 }
 
 bool holdsImage(const std::filesystem::path& file) {
     std::error_code unknown;
-    if (!std::filesystem::is_regular_file(file, unknown))
-        return false;
-    const std::string beginning = readFileBeginning(file, std::size_t{256} << 10);
-    if (beginning.starts_with(exrBytes))
-        return true;
-    return beginning.find('\0') == std::string::npos && beginsAsCsvImage(beginning);
+    return std::filesystem::is_regular_file(file, unknown) &&
+           formatThatBegins(readFileBeginning(file, beginningSize)) != nullptr;
 }
 
 std::string channelList(const RadianceImage& image) {

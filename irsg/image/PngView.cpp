@@ -5,6 +5,7 @@
 
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/AxisTicks.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/image/StrokeFont.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Quantity.h"
@@ -243,5 +244,14 @@ void writePngView(const RadianceImage& image, const std::filesystem::path& file,
         throw LogicError("an image has no channel " + channel);
     writePng(renderView(image, *plane, options), file);
 }
+
+extern constinit const ImageFormat pngFormat{
+    .name = "Picture",
+    .shortName = "PNG",
+    .extensions = ".png",
+    .keeps = ImageFormat::Keeps::picture,
+    .isUsual = true,
+    .write = [](const RadianceImage& image, const std::filesystem::path& file,
+                const ImageWriting& how) { writePngView(image, file, how.view, how.channel); }};
 
 } // namespace irsg

@@ -1,6 +1,7 @@
 #include "irsg/image/RadianceImage.h"
 
 #include <algorithm>
+#include <set>
 
 #include "irsg/radiometry/Errors.h"
 
@@ -39,6 +40,28 @@ const ImageChannel& RadianceImage::primary() const {
     if (channels.empty())
         throw LogicError("an empty image has no channel to show");
     return channels.front();
+}
+
+void checkPlanes(const RadianceImage& image) {
+    if (image.empty() || image.channels.empty())
+        throw LogicError("an empty image cannot be written");
+    const auto checkName = [](const std::string& name, const std::string& what) {
+        if (name.empty() || name.size() > 200 || name.find('\0') != std::string::npos)
+            throw LogicError(what + " of an image has an empty, too long or broken name: '" + name +
+                             "'");
+    };
+    std::set<std::string> seen;
+    for (const ImageChannel& channel : image.channels) {
+        checkName(channel.name, "a channel");
+        if (!seen.insert(channel.name).second)
+            throw LogicError("two channels of an image are called " + channel.name);
+        if (channel.values.size() != image.pixelCount())
+            throw LogicError("channel " + channel.name + " has " +
+                             std::to_string(channel.values.size()) + " values, the image has " +
+                             std::to_string(image.pixelCount()) + " pixels");
+    }
+    for (const auto& [name, value] : image.attributes)
+        checkName(name, "an attribute");
 }
 
 } // namespace irsg

@@ -54,4 +54,8 @@ class RadianceImage {
     int height_ = 0;
 };
 
+/// Throws LogicError for what no file can hold: an empty image, a plane whose size is not the
+/// image's, a name that is empty, repeated, longer than 200 bytes or holds a NUL.
+void checkPlanes(const RadianceImage& image);
+
 } // namespace irsg

@@ -86,6 +86,13 @@ std::string columnHeader(Quantity quantity) {
     return entry.unit.empty() ? key : key + " [" + std::string(entry.unit) + "]";
 }
 
+std::optional<Quantity> quantityOfKey(std::string_view key) {
+    for (const Entry& entry : entries)
+        if (entry.info.key == key)
+            return entry.quantity;
+    return std::nullopt;
+}
+
 std::string axisTitle(Quantity quantity) {
     const QuantityInfo& entry = info(quantity);
     const std::string label(entry.label);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -50,6 +51,8 @@ struct QuantityInfo {
 };
 
 const QuantityInfo& info(Quantity quantity);
+/// The quantity whose info has this key; none of other keys.
+std::optional<Quantity> quantityOfKey(std::string_view key);
 /// "contrast_intensity [W sr-1]", or the bare key when dimensionless.
 std::string columnHeader(Quantity quantity);
 /// "Contrast intensity (W·sr⁻¹)".

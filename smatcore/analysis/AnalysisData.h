@@ -52,9 +52,11 @@ struct AnalysisData {
     std::string equivalentCommand(const std::string& outputFile) const;
 };
 
-/// The extensions a result of this kind can be saved with: images as .exr, .csv and .png (false
-/// colour with a colour bar) and their row of sums as .json, tables as .csv and .json.
+/// The extensions a result of this kind can be saved with: images in every format of
+/// irsg::imageFormats() and their row of sums as .json, tables as .csv and .json.
 std::vector<std::string> resultExtensions(AnalysisKind kind);
+/// Of these the ones that `smat-batch run` writes: .exr, .csv, .png and .json of an image.
+std::vector<std::string> usualResultExtensions(AnalysisKind kind);
 /// Throws InputError naming the extensions there are, so that a wrong name is refused before the
 /// work begins.
 void checkResultFile(AnalysisKind kind, const std::filesystem::path& file);

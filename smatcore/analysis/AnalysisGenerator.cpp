@@ -14,6 +14,7 @@
 #include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/analysis/SweepTable.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {
@@ -64,10 +65,6 @@ std::string caseName(const AnalysisPlan& plan, const AnalysisCase& one) {
                        plan.place(one));
 }
 
-bool isSweep(AnalysisKind kind) {
-    return kind != AnalysisKind::image && kind != AnalysisKind::spectrum;
-}
-
 /// What a case set, and what is to be said of it.
 struct CaseSetUp {
     const AnalysisCase* one = nullptr;
@@ -77,10 +74,11 @@ struct CaseSetUp {
     std::function<ImageSource::Reports()> reports; ///< of a sweep: what was begun
 };
 
-/// Sets a case; `standing` is the target's pose as the scene has it.
+/// Sets a case; `inScene` is the target's pose there.
 CaseSetUp setUp(ImageSource& source, const SceneDescription& scene, const AnalysisCase& one,
-                const irsg::Pose& standing, const std::vector<irsg::Vec3>& inModel) {
+                const irsg::Pose& inScene, const std::vector<irsg::Vec3>& inModel) {
     CaseSetUp set;
+    const irsg::Pose standing = one.standing(inScene);
     set.one = &one;
     for (const irsg::Entity& entity : scene.entities) {
         set.poses.push_back(entity.pose);
@@ -91,8 +89,7 @@ CaseSetUp setUp(ImageSource& source, const SceneDescription& scene, const Analys
     source.setViewpoint(set.viewpoint);
     for (std::size_t i = 0; i < scene.entities.size(); ++i) {
         const irsg::Entity& entity = scene.entities[i];
-        irsg::EntityState state = entity.state;
-        state.time_s = one.time_s;
+        const irsg::EntityState state = one.state(entity.state);
         source.setState(i, state);
         for (std::string& sentence :
              heldTables(entity, state, set.poses[i], set.poses[i].toWorld(inModel[i]),
@@ -107,7 +104,7 @@ void addSetUp(const SceneDescription& scene, AnalysisKind kind, const std::strin
               const CaseSetUp& set, CaseWarnings& warnings) {
     warnings.beginCase(place);
     // An image shows what it cuts off; a plot does not.
-    if (kind != AnalysisKind::image) {
+    if (kind->form != AnalysisForm::image) {
         warnings.addObjectsBeyondFrame(scene, set.poses, set.viewpoint);
     }
     for (const std::string& sentence : set.sentences) {
@@ -177,9 +174,9 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         std::optional<CaseSetUp> begun;
         const auto finish = [&](const CaseSetUp& set) {
             addSetUp(scene, data.kind, cases.place(*set.one), set, warnings);
-            if (data.kind == AnalysisKind::image) {
+            if (data.kind->form == AnalysisForm::image) {
                 drawImage(data, scene, source_, *set.one, table, warnings);
-            } else if (data.kind == AnalysisKind::spectrum) {
+            } else if (data.kind->form == AnalysisForm::spectrum) {
                 measureSpectrum(data, source_, cases, table, warnings);
             } else {
                 addReports(data, set.reports(), *set.one, table, warnings);
@@ -202,13 +199,12 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             }
             logDebug(caseName(cases, one));
             CaseSetUp set = setUp(source_, scene, one, standing, inModel);
-            if (!isSweep(data.kind)) {
+            if (data.kind->form != AnalysisForm::sweep) {
                 finish(set);
                 continue;
             }
             try {
-                set.reports =
-                    source_.beginMeasure(scene.allBands(), data.kind == AnalysisKind::range);
+                set.reports = source_.beginMeasure(scene.allBands(), data.kind->isAlongRange);
             } catch (...) {
                 finishBegun();
                 throw;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "irsg/radiometry/Quantity.h"
 #include "irsg/scene/view/Pose.h"
+#include "irsg/signature/EntityState.h"
 #include "smatcore/project/Project.h"
 
 namespace smat {
@@ -19,6 +21,8 @@ struct AnalysisCase {
 
     double coordinate = 0.0; ///< angle, range or time in the plan's unit: the first column
     double time_s = 0.0;
+    std::optional<double> power, mach; ///< of every entity; as the scene has them where not set
+    std::optional<double> altitude_m;  ///< of the target's origin; the same
     irsg::Attitude attitude;
     CameraPath path = CameraPath::about;
     double cameraYaw_rad = 0.0; ///< yaw of the horizontal frame the camera's azimuth is counted in
@@ -33,15 +37,24 @@ struct AnalysisCase {
     double shownElevation_deg = 0.0;
     double shownYaw_deg = 0.0;
 
+    /// What a column of the table says of this case: an angle it shows, its range, or else its
+    /// coordinate.
+    double value(irsg::Quantity quantity) const;
     irsg::Viewpoint viewpoint(const irsg::Vec3& referencePoint) const;
-    /// The target turned about its reference point, so that the camera keeps its range.
+    /// Where the target stands in this case before it turns, by its pose in the scene.
+    irsg::Pose standing(const irsg::Pose& inScene) const;
+    /// The target of standing() turned about its reference point, so that the camera keeps its
+    /// range.
     irsg::Pose pose(const irsg::Pose& standing, const irsg::Vec3& referencePointInModel) const;
+    /// What an entity does in this case, by what it does in the scene.
+    irsg::EntityState state(irsg::EntityState inScene) const;
 };
 
 /// A sweep, expanded to its cases before anything is drawn.
 struct AnalysisPlan {
     AnalysisKind kind = AnalysisKind::image;
     irsg::Quantity coordinate = irsg::Quantity::dimensionless;
+    std::vector<irsg::Quantity> columns; ///< that say where a case is, the coordinate among them
     std::vector<AnalysisCase> cases;
     std::vector<double> wavenumbers_per_cm; ///< of a spectrum, ascending
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/data/ColumnName.h"
 
 namespace smat {
@@ -62,16 +64,17 @@ void addImageNumbers(AnalysisData& data) {
 
 void summarise(AnalysisData& data) {
     data.summary.clear();
-    if (data.kind == AnalysisKind::image && !data.image.empty()) {
+    if (data.kind->form == AnalysisForm::image && !data.image.empty()) {
         addImageNumbers(data);
-    } else if (data.kind == AnalysisKind::spectrum) {
+    } else if (data.kind->form == AnalysisForm::spectrum) {
         addColumnExtremes(data, Quantity::spectralContrastIntensity, Quantity::wavelength);
     } else if (!data.table.empty()) {
-        const Quantity abscissa = data.kind == AnalysisKind::polar   ? Quantity::angle
-                                  : data.kind == AnalysisKind::range ? Quantity::range
-                                                                     : Quantity::time;
-        addColumnExtremes(data, Quantity::contrastIntensity, abscissa);
-        addColumnExtremes(data, Quantity::irradiance, abscissa);
+        const std::optional<Quantity> abscissa =
+            irsg::quantityOfKey(data.table.columns().front().key);
+        if (abscissa) {
+            addColumnExtremes(data, Quantity::contrastIntensity, *abscissa);
+            addColumnExtremes(data, Quantity::irradiance, *abscissa);
+        }
     }
 }
 

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "irsg/image/CsvImage.h"
-#include "irsg/image/ExrFile.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/image/ImageStatistics.h"
-#include "irsg/image/PngView.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/ImageQuantity.h"
 
@@ -36,11 +34,6 @@ irsg::DisplayLimits limitsOf(const irsg::RadianceImage& image, const Settings& s
 
 } // namespace
 
-const std::vector<std::string>& imageExtensions() {
-    static const std::vector<std::string> extensions = {".exr", ".csv", ".png"};
-    return extensions;
-}
-
 std::string showQuantity(irsg::RadianceImage& image, const irsg::Sensor& sensor,
                          const Settings& settings) {
     const std::string& quantity = settings.text("image.quantity");
@@ -58,18 +51,14 @@ std::string showQuantity(irsg::RadianceImage& image, const irsg::Sensor& sensor,
 
 void saveImage(const irsg::RadianceImage& image, const Settings& settings, const std::string& title,
                const std::string& whose, const std::filesystem::path& file) {
-    const std::string extension = file.extension().string();
-    if (extension == ".exr") {
-        irsg::writeExr(image, file);
-    } else if (extension == ".png") {
-        irsg::PngViewOptions options;
-        options.colorMap = settings.text("display.colorMap");
-        options.limits = limitsOf(image, settings, whose);
-        options.title = title;
-        irsg::writePngView(image, file, options);
-    } else {
-        irsg::writeCsvImage(image, file);
+    irsg::ImageWriting how;
+    const irsg::ImageFormat& format = irsg::requiredImageFormat(file);
+    if (format.keeps == irsg::ImageFormat::Keeps::picture) {
+        how.view.colorMap = settings.text("display.colorMap");
+        how.view.limits = limitsOf(image, settings, whose);
+        how.view.title = title;
     }
+    format.write(image, file, how);
 }
 
 } // namespace smat

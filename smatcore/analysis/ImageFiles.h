@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "irsg/image/RadianceImage.h"
 #include "irsg/scene/view/Sensor.h"
@@ -10,18 +9,15 @@
 
 namespace smat {
 
-/// The extensions an image can be saved with: ".exr", ".csv" and ".png" (false colour with a colour
-/// bar).
-const std::vector<std::string>& imageExtensions();
-
 /// Puts what `image.quantity` asks for in front of an image of radiance. Returns a sentence about
 /// pixels that have no such value, or "".
 std::string showQuantity(irsg::RadianceImage& image, const irsg::Sensor& sensor,
                          const Settings& settings);
 
-/// Writes an image in the form of its extension, a picture with the colours of `display` and this
-/// title. `whose` is the file that errors about the settings name. Throws InputError where the file
-/// cannot be written and for limits of the colours that are not ascending.
+/// Writes an image in the format of its extension (irsg::ImageFormat), a picture with the colours
+/// of `display` and this title. `whose` is the file that errors about the settings name. Throws
+/// InputError where the file cannot be written, for another extension and for limits of the colours
+/// that are not ascending.
 void saveImage(const irsg::RadianceImage& image, const Settings& settings, const std::string& title,
                const std::string& whose, const std::filesystem::path& file);
 

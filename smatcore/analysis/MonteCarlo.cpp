@@ -11,6 +11,7 @@
 #include "irsg/radiometry/ParallelFor.h"
 #include "smatcore/analysis/MonteCarloReport.h"
 #include "smatcore/analysis/MonteCarloViews.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {
@@ -37,7 +38,7 @@ class Run {
     void load(const SceneFactory& scenes) {
         data_.options.check();
         AnalysisData& analysis = data_.analysis;
-        if (analysis.kind == AnalysisKind::image) {
+        if (analysis.kind->form == AnalysisForm::image) {
             throw refusal("analysis", analysis.name + ", an image",
                           "a spectrum, polar, time or range analysis");
         }
@@ -54,7 +55,7 @@ class Run {
                 "a scaling file beside the model with min below max for an index that the "
                 "model has");
         }
-        const std::size_t places = plan_.kind == AnalysisKind::spectrum
+        const std::size_t places = plan_.kind->form == AnalysisForm::spectrum
                                        ? plan_.wavenumbers_per_cm.size()
                                        : plan_.cases.size() * scene_.allBands().size();
         if (data_.options.samples > mostValues / std::max<std::size_t>(places, 1)) {

@@ -6,6 +6,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/data/ColumnName.h"
 
 namespace smat {
@@ -41,7 +42,7 @@ std::string describe(const SceneScaling& scaling) {
 }
 
 void writeTable(MonteCarloData& data, const AnalysisPlan& plan) {
-    const bool isSpectrum = plan.kind == AnalysisKind::spectrum;
+    const bool isSpectrum = plan.kind->form == AnalysisForm::spectrum;
     ResultTable& table = data.analysis.table;
     const irsg::QuantityInfo& quantity = irsg::info(quantityOf(data.options.quantity, isSpectrum));
     const irsg::QuantityInfo& axis =
@@ -121,7 +122,7 @@ void writeDraws(MonteCarloData& data, const AnalysisPlan& plan) {
                                               name(data.options.sequence),
                                               data.analysis.settings.integer("scaling.seed")));
     const Quantity quantity =
-        quantityOf(data.options.quantity, plan.kind == AnalysisKind::spectrum);
+        quantityOf(data.options.quantity, plan.kind->form == AnalysisForm::spectrum);
     provenance.add("quantity", std::string(irsg::info(quantity).key));
     provenance.add("standard error of", name(data.options.statistic));
     provenance.add("phases", std::to_string(data.options.phases));

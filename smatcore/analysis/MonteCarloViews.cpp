@@ -7,6 +7,7 @@
 #include "irsg/radiometry/NewLines.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/SceneRestorer.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat {
@@ -53,8 +54,8 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
         inModel.push_back(source_.referencePointInModel(i));
     analysis.renderer = source_.rendererDescription();
     source_.resetStageTimes();
-    const irsg::Pose standing = scene_.entities.front().pose;
-    const irsg::Vec3 referencePoint = standing.toWorld(inModel.front());
+    const irsg::Pose inScene = scene_.entities.front().pose;
+    const irsg::Vec3 referencePoint = inScene.toWorld(inModel.front());
     const SceneRestorer restore(source_, scene_,
                                 standingCase(analysis.settings).viewpoint(referencePoint));
 
@@ -69,13 +70,13 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
         std::vector<irsg::Pose> poses;
         for (const irsg::Entity& entity : scene_.entities)
             poses.push_back(entity.pose);
+        const irsg::Pose standing = one.standing(inScene);
         poses.front() = one.pose(standing, inModel.front());
-        const irsg::Viewpoint viewpoint = one.viewpoint(referencePoint);
+        const irsg::Viewpoint viewpoint = one.viewpoint(standing.toWorld(inModel.front()));
         source_.setPose(0, poses.front());
         warnings.addObjectsBeyondFrame(scene_, poses, viewpoint);
         for (std::size_t i = 0; i < scene_.entities.size(); ++i) {
-            irsg::EntityState state = scene_.entities[i].state;
-            state.time_s = one.time_s;
+            const irsg::EntityState state = one.state(scene_.entities[i].state);
             source_.setState(i, state);
             for (const std::string& sentence :
                  heldTables(scene_.entities[i], state, poses[i], poses[i].toWorld(inModel[i]),
@@ -99,7 +100,7 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
 
 MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, CaseWarnings* warnings) {
     const Asked asked = data_.options.quantity;
-    if (plan_.kind == AnalysisKind::spectrum) {
+    if (plan_.kind->form == AnalysisForm::spectrum) {
         const irsg::IntensitySpectrum spectrum = source_.measureSpectrum(plan_.wavenumbers_per_cm);
         if (warnings != nullptr)
             for (const std::string& sentence : spectrum.warnings)
@@ -137,7 +138,7 @@ void MonteCarloViews::drawPhases(const AnalysisCase& one, const irsg::Viewpoint&
             std::vector<irsg::ScalingInput> inputs;
             for (const SceneScaling& scaling : data_.scalings)
                 inputs.push_back(scaling.input);
-            if (plan_.kind == AnalysisKind::spectrum)
+            if (plan_.kind->form == AnalysisForm::spectrum)
                 views_.emplace_back().push_back(
                     source_.scaledView(inputs, plan_.wavenumbers_per_cm));
             else

@@ -46,19 +46,20 @@ std::vector<AnalysisData> analysesOf(const Project& project) {
 /// The states of one model in one analysis, each once.
 void addStates(const AnalysisData& analysis, std::size_t model, irsg::LintScope& scope) {
     const irsg::Environment environment = environmentOf(analysis.project, analysis.settings);
-    irsg::EntityState state;
-    state.power = analysis.settings.real("state.power");
-    state.mach = analysis.settings.real("state.mach");
-    state.altitude_m = model == 0 ? targetPoseOf(analysis.settings).position_m.z
-                                  : analysis.project.models[model].pose.position_m.z;
-    state.ambient_K = environment.ambientTemperature_K(state.altitude_m).value;
+    irsg::EntityState standing;
+    standing.power = analysis.settings.real("state.power");
+    standing.mach = analysis.settings.real("state.mach");
+    const irsg::Pose pose =
+        model == 0 ? targetPoseOf(analysis.settings) : analysis.project.models[model].pose;
 
     const std::string name = analysis.name.empty() ? smat::name(analysis.kind) : analysis.name;
     const std::size_t first = scope.states.size();
     // The states do not depend on the band, and an image has one at a time.
     for (const AnalysisCase& one :
          planAnalysis(analysis.kind, analysis.project, eachBand(analysis.settings).front()).cases) {
-        state.time_s = one.time_s;
+        irsg::EntityState state = one.state(standing);
+        state.altitude_m = (model == 0 ? one.standing(pose) : pose).position_m.z;
+        state.ambient_K = environment.ambientTemperature_K(state.altitude_m).value;
         state.aspectAngle_rad = model == 0 ? aspectAngle_rad(one) : 0.0;
         // Neighbours alone are compared: a range analysis has one state, a polar one many.
         if (scope.states.size() == first || scope.states.back().state != state) {

@@ -1,8 +1,11 @@
 #include "smatcore/analysis/ResultFile.h"
 
-#include "irsg/image/ExrFile.h"
+#include <algorithm>
+
 #include "irsg/image/ImageFile.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Wording.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 
 namespace smat {
@@ -12,9 +15,9 @@ namespace {
 void takeProvenance(AnalysisData& data) {
     const Provenance& provenance = data.table.provenance;
     const std::string analysis = provenance.value("analysis");
-    const auto kind =
-        analysisKindFromName(analysis == "difference" ? provenance.value("a.analysis") : analysis);
-    data.kind = !data.image.empty() ? AnalysisKind::image : kind.value_or(AnalysisKind::range);
+    data.kind = !data.image.empty()        ? AnalysisKind::image
+                : analysis == "difference" ? resultKindFromName(provenance.value("a.analysis"))
+                                           : resultKindFromName(analysis);
     data.name = provenance.value("name");
     data.commandLine = provenance.value("command");
     data.renderer = provenance.value("renderer");
@@ -34,10 +37,12 @@ void takeProvenance(AnalysisData& data) {
 AnalysisData loadResult(const std::filesystem::path& file) {
     AnalysisData data;
     const std::string extension = file.extension().string();
-    const bool isImage = extension == ".exr" || extension == ".txt" || extension == ".dat" ||
-                         (extension == ".csv" && irsg::holdsImage(file));
+    // A .csv is a table or an image; all else that images are read from holds nothing else.
+    const std::vector<std::string> images = irsg::readableImageExtensions();
+    const bool isImage =
+        extension == ".csv" ? irsg::holdsImage(file) : std::ranges::count(images, extension) > 0;
     if (isImage) {
-        data.image = extension == ".exr" ? irsg::readExr(file) : irsg::readImageFile(file);
+        data.image = irsg::readImageFile(file);
         for (const auto& [key, value] : data.image.attributes) {
             data.table.provenance.add(key, value);
         }
@@ -50,10 +55,12 @@ AnalysisData loadResult(const std::filesystem::path& file) {
                                                     .expected = "at least one row"});
         }
     } else {
+        std::vector<std::string> known = images;
+        known.emplace_back(".json");
         throw irsg::InputError(irsg::Diagnostic{.file = file.string(),
                                                 .position = "",
                                                 .value = "extension \"" + extension + "\"",
-                                                .expected = ".csv, .json, .exr, .txt or .dat"});
+                                                .expected = irsg::alternatives(known)});
     }
     takeProvenance(data);
     summarise(data);

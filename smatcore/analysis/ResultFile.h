@@ -9,11 +9,12 @@ namespace smat {
 /// Reads back what saveResult wrote, or any result table, OpenEXR image or matrix of numbers (.csv,
 /// .txt, .dat; an image by what the file holds): the table or the image with its provenance, and
 /// with what that says of kind, name, state, renderer, answers and warnings; the summary is made
-/// anew. A table of no analysis (a radiative output) takes the kind `range`: curves over an axis.
+/// anew. A table of another program is of AnalysisKind::table: curves over an axis.
 /// What was asked is not in a file: project and settings stay empty.
 ///
-/// Throws InputError for a file that is missing, damaged, or of another extension than .csv, .json,
-/// .exr, .txt and .dat, for a .txt or .dat that is no matrix, and for a table without rows.
+/// Throws InputError for a file that is missing, damaged, or of another extension than .json and
+/// irsg::readableImageExtensions(), for a .txt or .dat that is no matrix, and for a table without
+/// rows.
 AnalysisData loadResult(const std::filesystem::path& file);
 
 } // namespace smat

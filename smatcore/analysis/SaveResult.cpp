@@ -1,15 +1,32 @@
 #include <algorithm>
 
+#include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Wording.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/ImageFiles.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat {
 
+std::vector<std::string> usualResultExtensions(AnalysisKind kind) {
+    if (kind->form != AnalysisForm::image) {
+        return resultExtensions(kind);
+    }
+    std::vector<std::string> extensions;
+    for (const irsg::ImageFormat* format : irsg::imageFormats()) {
+        if (format->isUsual) {
+            extensions.push_back(format->extensionList().front());
+        }
+    }
+    extensions.emplace_back(".json");
+    return extensions;
+}
+
 std::vector<std::string> resultExtensions(AnalysisKind kind) {
     std::vector<std::string> extensions = {".csv"};
-    if (kind == AnalysisKind::image) {
-        extensions = imageExtensions();
+    if (kind->form == AnalysisForm::image) {
+        extensions = irsg::imageExtensions();
     }
     extensions.emplace_back(".json");
     return extensions;
@@ -20,21 +37,17 @@ void checkResultFile(AnalysisKind kind, const std::filesystem::path& file) {
     if (std::find(known.begin(), known.end(), file.extension().string()) != known.end()) {
         return;
     }
-    std::string list;
-    for (const std::string& extension : known) {
-        list += (list.empty() ? "" : ", ") + extension;
-    }
     throw irsg::InputError(
         irsg::Diagnostic{.file = file.string(),
                          .position = "",
                          .value = file.has_extension() ? file.extension().string() : "no extension",
-                         .expected = "a file of one of " + list});
+                         .expected = "a file that ends in " + irsg::alternatives(known)});
 }
 
 void saveResult(const AnalysisData& data, const std::filesystem::path& file) {
     checkResultFile(data.kind, file);
     const std::string extension = file.extension().string();
-    if (data.kind != AnalysisKind::image || extension == ".json") {
+    if (data.kind->form != AnalysisForm::image || extension == ".json") {
         data.table.save(file);
     } else if (data.image.empty()) {
         throw irsg::InputError(irsg::Diagnostic{.file = file.string(),

@@ -9,7 +9,7 @@ namespace smat {
 using irsg::Quantity;
 
 SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table)
-    : kind_(plan.kind), bands_({""}), table_(table) {
+    : form_(plan.kind->form), coordinates_(plan.columns), bands_({""}), table_(table) {
     if (scene.entities.size() > 1) {
         for (const irsg::Entity& entity : scene.entities) {
             objects_.push_back(entity.name);
@@ -19,28 +19,12 @@ SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, 
     if (const std::vector<irsg::Band> bands = scene.allBands(); bands.size() > 1) {
         bands_ = bandLabels(bands);
     }
-    switch (kind_) {
-    case AnalysisKind::spectrum:
-        table_.add(Quantity::wavenumber);
-        table_.add(Quantity::wavelength);
-        break;
-    case AnalysisKind::polar:
-        for (const Quantity quantity :
-             {Quantity::angle, Quantity::azimuth, Quantity::elevation, Quantity::yaw}) {
-            table_.add(quantity);
-        }
-        break;
-    case AnalysisKind::image:
-        table_.add(Quantity::range);
-        break;
-    case AnalysisKind::range:
-    case AnalysisKind::time:
-        table_.add(plan.coordinate);
-        break;
+    for (const Quantity quantity : plan.columns) {
+        table_.add(quantity);
     }
     addColumns("");
     for (const std::string& object : objects_) {
-        if (kind_ != AnalysisKind::spectrum) {
+        if (form_ != AnalysisForm::spectrum) {
             addColumn(Quantity::range, object, "");
         }
         addColumns(object);
@@ -48,7 +32,7 @@ SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, 
 }
 
 void SweepTable::addColumns(const std::string& object) {
-    if (kind_ == AnalysisKind::spectrum) {
+    if (form_ == AnalysisForm::spectrum) {
         for (const Quantity quantity :
              {Quantity::spectralIntensity, Quantity::spectralContrastIntensity,
               Quantity::spectralIrradiance}) {
@@ -61,7 +45,7 @@ void SweepTable::addColumns(const std::string& object) {
              {Quantity::intensity, Quantity::contrastIntensity, Quantity::irradiance}) {
             addColumn(quantity, object, band);
         }
-        if (kind_ == AnalysisKind::image && object.empty()) {
+        if (form_ == AnalysisForm::image && object.empty()) {
             addColumn(Quantity::totalIrradiance, object, band);
         }
         addColumn(Quantity::pixels, object, band);
@@ -82,19 +66,12 @@ void SweepTable::addCase(const AnalysisCase& one, const std::vector<irsg::Render
         throw irsg::LogicError("a row of a sweep needs one report for each band");
     }
     std::vector<double> row;
-    switch (kind_) {
-    case AnalysisKind::polar:
-        row = {one.coordinate, one.shownAzimuth_deg, one.shownElevation_deg, one.shownYaw_deg};
-        break;
-    case AnalysisKind::image:
-        row = {one.range_m};
-        break;
-    default:
-        row = {one.coordinate};
+    for (const Quantity quantity : coordinates_) {
+        row.push_back(one.value(quantity));
     }
     for (const irsg::RenderReport& report : reports) {
         append(row, report.all);
-        if (kind_ == AnalysisKind::image) {
+        if (form_ == AnalysisForm::image) {
             row.push_back(report.totalIrradiance_W_m2);
         }
         row.push_back(report.all.coveredPixels);

@@ -5,6 +5,7 @@
 
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/ImageSource.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/data/ResultTable.h"
 
 namespace smat {
@@ -17,7 +18,7 @@ class SweepTable {
   public:
     SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table);
 
-    /// One case of an image, polar, range or time analysis, with a report for each band.
+    /// One case of an image or a sweep, with a report for each band.
     void addCase(const AnalysisCase& one, const std::vector<irsg::RenderReport>& reports);
     void addSpectrum(const irsg::IntensitySpectrum& spectrum);
 
@@ -26,7 +27,8 @@ class SweepTable {
     void addColumn(irsg::Quantity quantity, const std::string& object, const std::string& band);
     static void append(std::vector<double>& row, const irsg::ObjectRadiometry& sums);
 
-    AnalysisKind kind_;
+    AnalysisForm form_;
+    std::vector<irsg::Quantity> coordinates_;
     std::vector<std::string> objects_; ///< empty where there is one
     std::vector<std::string> bands_;   ///< one "" where there is one
     ResultTable& table_;

@@ -15,16 +15,6 @@ namespace smat {
 
 namespace {
 
-const irsg::QuantityInfo* quantityOf(std::string_view key) {
-    for (int i = 0; i <= static_cast<int>(irsg::Quantity::dimensionless); ++i) {
-        const irsg::QuantityInfo& candidate = irsg::info(static_cast<irsg::Quantity>(i));
-        if (candidate.key == key) {
-            return &candidate;
-        }
-    }
-    return nullptr;
-}
-
 /// "range [m]" -> {"range", "m"}.
 std::pair<std::string, std::string> splitHeader(const std::string& header) {
     const std::size_t open = header.rfind(" [");
@@ -53,7 +43,8 @@ std::string ResultColumn::axisTitle() const {
             label = words;
         }
     }
-    const irsg::QuantityInfo* quantity = quantityOf(parts.quantity);
+    const std::optional<irsg::Quantity> known = irsg::quantityOfKey(parts.quantity);
+    const irsg::QuantityInfo* quantity = known ? &irsg::info(*known) : nullptr;
     std::string name(quantity != nullptr ? quantity->label : std::string_view(parts.quantity));
     if (quantity == nullptr && !name.empty()) {
         // A key of somebody else's file is read as words: "time_per_frame" is "Time per frame".

@@ -6,35 +6,6 @@
 
 namespace smat {
 
-std::string name(AnalysisKind kind) {
-    switch (kind) {
-    case AnalysisKind::image:
-        return "image";
-    case AnalysisKind::spectrum:
-        return "spectrum";
-    case AnalysisKind::polar:
-        return "polar";
-    case AnalysisKind::time:
-        return "time";
-    case AnalysisKind::range:
-        return "range";
-    }
-    throw irsg::LogicError("unknown kind of analysis");
-}
-
-std::string title(AnalysisKind kind) {
-    return sectionTitle(name(kind));
-}
-
-std::optional<AnalysisKind> analysisKindFromName(std::string_view text) {
-    for (const AnalysisKind kind : allAnalysisKinds) {
-        if (name(kind) == text) {
-            return kind;
-        }
-    }
-    return std::nullopt;
-}
-
 std::filesystem::path Project::resolve(const std::filesystem::path& path) const {
     if (path.empty() || path.is_absolute() || file.empty()) {
         return path;

@@ -7,20 +7,10 @@
 
 #include "irsg/scene/model/Model.h"
 #include "irsg/scene/view/Pose.h"
+#include "smatcore/project/AnalysisKind.h"
 #include "smatcore/settings/Settings.h"
 
 namespace smat {
-
-/// The five things a project can ask for.
-enum class AnalysisKind { image, spectrum, polar, time, range };
-inline constexpr AnalysisKind allAnalysisKinds[] = {AnalysisKind::image, AnalysisKind::spectrum,
-                                                    AnalysisKind::polar, AnalysisKind::time,
-                                                    AnalysisKind::range};
-/// "polar": the word of files and commands, and the section of the settings of this kind alone.
-std::string name(AnalysisKind kind);
-/// "Polar plot".
-std::string title(AnalysisKind kind);
-std::optional<AnalysisKind> analysisKindFromName(std::string_view name);
 
 /// One model of a project. The first is the target: it stands at the origin at `target.altitude`
 /// with the attitude of `target.yaw`, `.pitch` and `.roll`, and the camera looks at its reference

@@ -123,7 +123,7 @@ NamedAnalysis ProjectReader::readAnalysis(const std::string& name, const Json& g
     if (!kind && (!given.contains("kind") || given["kind"].is_string())) {
         refuse(joinedKeyPath(path, "kind"),
                given.contains("kind") ? shownJson(given["kind"]) : "nothing",
-               "image, spectrum, polar, time or range");
+               analysisKindNames());
     }
     analysis.kind = kind.value_or(AnalysisKind::image);
     analysis.notes = takeText(json, "notes", path);

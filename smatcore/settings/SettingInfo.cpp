@@ -9,6 +9,8 @@
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Wording.h"
+#include "smatcore/settings/AnalysisSections.h"
 
 namespace smat {
 
@@ -17,14 +19,6 @@ namespace {
 /// 100000 where irsg::numberText, the shortest text, gives 1e+05: settings are read by people.
 std::string plainNumber(double value) {
     return fmt::format("{}", value);
-}
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
-    }
-    return text;
 }
 
 std::optional<std::string> canonicalNumber(const SettingInfo& setting, std::string_view text) {
@@ -80,6 +74,14 @@ std::optional<std::string> canonicalPathList(std::string_view text) {
     return list.empty() ? "none" : list;
 }
 
+const AnalysisSection* findAnalysisSection(std::string_view section) {
+    const auto& sections = analysisSections();
+    const auto found =
+        std::find_if(sections.begin(), sections.end(),
+                     [&](const AnalysisSection& one) { return one.name == section; });
+    return found == sections.end() ? nullptr : &*found;
+}
+
 } // namespace
 
 std::string SettingInfo::section() const {
@@ -99,9 +101,9 @@ std::string SettingInfo::expected() const {
         return "true or false";
     case SettingKind::choice:
         return choices.size() == 1 ? choices.front() + ", the only choice of this version"
-                                   : joined(choices);
+                                   : irsg::alternatives(choices);
     case SettingKind::choiceOrReal:
-        return joined(choices) + ", or a number" + range;
+        return irsg::alternatives(choices) + ", or a number" + range;
     case SettingKind::band:
         return "a band MIN-MAX with 0 < MIN < MAX in um, or several, each once, separated by "
                "commas";
@@ -135,12 +137,8 @@ std::string sectionTitle(std::string_view section) {
     if (section == "scaling") {
         return "Scalings";
     }
-    if (isAnalysisSection(section)) {
-        return section == "image"      ? "Image"
-               : section == "spectrum" ? "Intensity spectrum"
-               : section == "polar"    ? "Polar plot"
-               : section == "range"    ? "Range plot"
-                                       : "Time plot";
+    if (const AnalysisSection* own = findAnalysisSection(section)) {
+        return std::string(own->title);
     }
     std::string title(section);
     title.front() = static_cast<char>(title.front() - 'a' + 'A');
@@ -148,8 +146,7 @@ std::string sectionTitle(std::string_view section) {
 }
 
 bool isAnalysisSection(std::string_view section) {
-    return section == "image" || section == "spectrum" || section == "polar" ||
-           section == "range" || section == "time";
+    return findAnalysisSection(section) != nullptr;
 }
 
 std::optional<std::string> canonicalText(const SettingInfo& setting, std::string_view given) {

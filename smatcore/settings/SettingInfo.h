@@ -48,8 +48,7 @@ struct SettingInfo {
 };
 
 /// All settings, in the order of forms and manual. Sections: sensor, camera, target, state,
-/// scaling, environment, render, display, and those that belong to one kind of analysis: image,
-/// spectrum, polar, range, time.
+/// scaling, environment, render, display, and one for each kind of analysis (AnalysisSections.h).
 const std::vector<SettingInfo>& settingTable();
 /// Null for an unknown key.
 const SettingInfo* findSetting(std::string_view key);

@@ -1,76 +1,12 @@
 #include "irsg/image/ColorMap.h"
-#include "smatcore/settings/SettingInfo.h"
+#include "smatcore/settings/AnalysisSections.h"
+#include "smatcore/settings/SettingRows.h"
 
 namespace smat {
 
 namespace {
 
-SettingInfo number(std::string key, std::string option, std::string label, std::string unit,
-                   double minimum, double maximum, std::string defaultText, std::string help,
-                   SettingAudience audience = SettingAudience::basic) {
-    return {.key = std::move(key),
-            .label = std::move(label),
-            .unit = std::move(unit),
-            .kind = SettingKind::real,
-            .minimum = minimum,
-            .maximum = maximum,
-            .defaultText = std::move(defaultText),
-            .option = std::move(option),
-            .help = std::move(help),
-            .audience = audience};
-}
-
-SettingInfo integer(std::string key, std::string option, std::string label, std::string unit,
-                    double minimum, double maximum, std::string defaultText, std::string help,
-                    SettingAudience audience = SettingAudience::basic) {
-    SettingInfo info = number(std::move(key), std::move(option), std::move(label), std::move(unit),
-                              minimum, maximum, std::move(defaultText), std::move(help), audience);
-    info.kind = SettingKind::integer;
-    return info;
-}
-
-SettingInfo choice(std::string key, std::string option, std::string label,
-                   std::vector<std::string> choices, std::string defaultText, std::string help,
-                   SettingAudience audience = SettingAudience::basic) {
-    return {.key = std::move(key),
-            .label = std::move(label),
-            .kind = SettingKind::choice,
-            .choices = std::move(choices),
-            .defaultText = std::move(defaultText),
-            .option = std::move(option),
-            .help = std::move(help),
-            .audience = audience};
-}
-
-/// The same with words for forms, one of each choice.
-SettingInfo named(SettingInfo info, std::vector<std::string> names) {
-    info.names = std::move(names);
-    return info;
-}
-
-SettingInfo choiceOrNumber(std::string key, std::string option, std::string label, std::string unit,
-                           std::vector<std::string> choices, double minimum, double maximum,
-                           std::string defaultText, std::string help,
-                           SettingAudience audience = SettingAudience::basic) {
-    SettingInfo info = number(std::move(key), std::move(option), std::move(label), std::move(unit),
-                              minimum, maximum, std::move(defaultText), std::move(help), audience);
-    info.kind = SettingKind::choiceOrReal;
-    info.choices = std::move(choices);
-    return info;
-}
-
-SettingInfo text(std::string key, std::string option, std::string label, std::string unit,
-                 SettingKind kind, std::string defaultText, std::string help,
-                 SettingAudience audience = SettingAudience::basic) {
-    return {.key = std::move(key),
-            .label = std::move(label),
-            .unit = std::move(unit),
-            .kind = kind,
-            .defaultText = std::move(defaultText),
-            .option = std::move(option),
-            .help = std::move(help),
-            .audience = audience};
-}
+using namespace rows;
 
 void addSensor(std::vector<SettingInfo>& table) {
     table.push_back(integer("sensor.width", "--width", "Width", "px", 1, 16384, "640",
@@ -324,44 +260,6 @@ void addDisplay(std::vector<SettingInfo>& table) {
                                    "auto leaves out the few hottest pixels."));
 }
 
-void addAnalyses(std::vector<SettingInfo>& table) {
-    table.push_back(
-        named(choice("image.quantity", "--quantity", "Quantity",
-                     {"radiance", "irradiance", "apparent-temperature"}, "radiance",
-                     "What a pixel holds: in-band radiance, its irradiance on the detector "
-                     "(radiance times solid angle times the cosine off the axis), or the "
-                     "temperature of a black body of that radiance."),
-              {"radiance", "irradiance", "apparent temperature"}));
-    table.push_back(text("image.truthLayers", "--truth-layers", "Truth layers", "",
-                         SettingKind::boolean, "false",
-                         "Adds planes of indices, range and the terms of the radiance to an EXR "
-                         "file."));
-    table.push_back(number("spectrum.resolution", "--resolution", "Resolution", "cm-1", 0.01, 1000,
-                           "5", "Distance between two wavenumbers."));
-    table.push_back(
-        named(choice("polar.type", "--type", "Type",
-                     {"camera-azimuth", "camera-elevation", "model-yaw"}, "camera-azimuth",
-                     "What turns: the camera about the target in a horizontal plane (clockwise "
-                     "seen from above, from the nose), the camera in the target's vertical "
-                     "plane (front, belly, tail, top), or the target itself "
-                     "(counter-clockwise, level, the camera stays)."),
-              {"camera azimuth", "camera elevation", "model yaw"}));
-    table.push_back(number("polar.step", "--step", "Step", "deg", 0.001, 180, "10",
-                           "Angle between two cases. The sweep covers one turn from 0."));
-    table.push_back(number("polar.offset", "--offset", "View offset", "deg", -90, 90, "0",
-                           "Elevation of the camera in a camera-azimuth plot."));
-    table.push_back(number("range.from", "--from", "From", "m", 0, 1e8, "500", "First range."));
-    table.push_back(number("range.to", "--to", "To", "m", 0, 1e8, "10000", "Last range."));
-    table.push_back(integer("range.points", "--points", "Points", "", 2, 100000, "20",
-                            "Number of ranges, both ends included."));
-    table.push_back(text("range.log", "--log", "Logarithmic", "", SettingKind::boolean, "false",
-                         "Spaces the ranges by equal ratios."));
-    table.push_back(number("time.from", "--from", "From", "s", -1e9, 1e9, "0", "First time."));
-    table.push_back(number("time.to", "--to", "To", "s", -1e9, 1e9, "10", "Last time, included."));
-    table.push_back(
-        number("time.step", "--step", "Step", "s", 1e-6, 1e9, "0.5", "Time between two cases."));
-}
-
 } // namespace
 
 const std::vector<SettingInfo>& settingTable() {
@@ -375,7 +273,9 @@ const std::vector<SettingInfo>& settingTable() {
         addSurroundings(made);
         addRendering(made);
         addDisplay(made);
-        addAnalyses(made);
+        for (const AnalysisSection& section : analysisSections()) {
+            made.insert(made.end(), section.settings->begin(), section.settings->end());
+        }
         return made;
     }();
     return table;

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/radiometry/Wording.h"
 #include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
@@ -39,14 +41,18 @@ FrameFiles::FrameFiles(const LoadedScenario& scenario, std::filesystem::path fol
 
 void FrameFiles::checkExtensions() const {
     std::vector<irsg::Diagnostic> diagnostics;
+    const std::vector<std::string> known = irsg::imageExtensions();
+    std::vector<std::string> words;
+    for (const std::string& extension : known) {
+        words.push_back(extension.substr(1));
+    }
     for (const std::string& extension : extensions_) {
-        const std::vector<std::string>& known = imageExtensions();
         if (std::find(known.begin(), known.end(), extension) == known.end()) {
             diagnostics.push_back(
                 {.file = "--format",
                  .position = "",
                  .value = extension.substr(std::min<std::size_t>(1, extension.size())),
-                 .expected = "exr, csv or png"});
+                 .expected = irsg::alternatives(words)});
         }
     }
     if (!diagnostics.empty()) {

@@ -13,7 +13,7 @@ namespace smat {
 /// they came to be and hold no clock: equal inputs give equal bytes.
 class FrameFiles {
   public:
-    /// `extensions` as in imageExtensions. `commandLine` goes into the provenance where it is not
+    /// `extensions` as in irsg::imageExtensions. `commandLine` goes into the provenance where it is not
     /// empty.
     FrameFiles(const LoadedScenario& scenario, std::filesystem::path folder,
                std::vector<std::string> extensions, std::string commandLine);

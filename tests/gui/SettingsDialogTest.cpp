@@ -175,7 +175,7 @@ TEST_F(SettingsDialogTest, ScatteringShowsItsDatabaseOrWhyItCannotBeHad) {
 TEST_F(SettingsDialogTest, EveryFieldOfEveryAnalysisReachesItsInputAndItsCommand) {
     openSample();
     std::set<std::string> inForms;
-    for (const AnalysisKind kind : allAnalysisKinds) {
+    for (const AnalysisKind kind : allAnalysisKinds()) {
         AnalysisGeneratorDialog dialog(workbench.project(), workbench.settings(), kind,
                                        [](const QString&, const QString&) { return QString(); });
         dialog.show();

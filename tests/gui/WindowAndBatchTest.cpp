@@ -72,7 +72,7 @@ TEST_F(WindowAndBatchTest, EveryAnalysisEqualsItsCommandLineByteForByte) {
     workbench.set("camera.azimuth", "33.25");
     workbench.set("sensor.band", "8-12");
     workbench.set("render.background", "1.5");
-    for (const AnalysisKind kind : allAnalysisKinds) {
+    for (const AnalysisKind kind : allAnalysisKinds()) {
         const auto [ofWindow, ofBatch] = byWindowAndByBatch(kind);
         EXPECT_GT(ofBatch.size(), 200U) << name(kind);
         EXPECT_TRUE(ofWindow == ofBatch) << name(kind) << ": " << command;
@@ -176,7 +176,7 @@ TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
     workbench.set(tiny);
     workbench.save(); // else a recovery copy is made on the way, with a lock of its own
     const auto runOne = [&](int number) {
-        const AnalysisKind kind = allAnalysisKinds[number % 5];
+        const AnalysisKind kind = allAnalysisKinds()[number % allAnalysisKinds().size()];
         // Forty images of which one plane each were kept would be more than is allowed below.
         Settings settings = tiny;
         if (kind == AnalysisKind::image) {

@@ -98,7 +98,7 @@ TEST_P(BadFiles, AreRefusedWithTheirNameAndWhatIsWrong) {
 
 INSTANTIATE_TEST_SUITE_P(
     OfImages, BadFiles,
-    testing::Values(Bad{"png", "\x89PNG\r\n\x1a\n0000", {"PNG", "OpenEXR or CSV"}},
+    testing::Values(Bad{"png", "\x89PNG\r\n\x1a\n0000", {"PNG", "OpenEXR image"}},
                     Bad{"jpeg", "\xFF\xD8\xFF\xE0 JFIF", {"JPEG"}}, Bad{"empty", "", {"no number"}},
                     Bad{"word", "1,2\n3,hot\n", {"line 2", "hot"}},
                     Bad{"ragged", "1,2\n3\n", {"line 2"}},

@@ -1,0 +1,74 @@
+#include "irsg/image/ImageFormat.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Wording.h"
+
+namespace irsg {
+
+namespace {
+
+std::vector<std::string> wordsOf(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;)
+        words.push_back(word);
+    return words;
+}
+
+} // namespace
+
+std::vector<std::string> ImageFormat::extensionList() const {
+    return wordsOf(extensions);
+}
+
+const ImageFormat* imageFormatOf(const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    for (const ImageFormat* format : imageFormats())
+        if (std::ranges::count(format->extensionList(), extension) > 0)
+            return format;
+    return nullptr;
+}
+
+const ImageFormat& requiredImageFormat(const std::filesystem::path& file) {
+    if (const ImageFormat* format = imageFormatOf(file))
+        return *format;
+    throw InputError(
+        {file.string(), "",
+         file.has_extension() ? "the ending '" + file.extension().string() + "'" : "no ending",
+         imageExtensionNames()});
+}
+
+std::vector<std::string> imageExtensions() {
+    std::vector<std::string> all;
+    for (const ImageFormat* format : imageFormats())
+        for (std::string& extension : format->extensionList())
+            all.push_back(std::move(extension));
+    return all;
+}
+
+std::vector<std::string> readableImageExtensions() {
+    std::vector<std::string> all;
+    for (const ImageFormat* format : imageFormats()) {
+        if (format->read == nullptr)
+            continue;
+        for (const std::string& words :
+             {std::string(format->extensions), std::string(format->alsoRead)})
+            for (std::string& extension : wordsOf(words))
+                all.push_back(std::move(extension));
+    }
+    return all;
+}
+
+std::string imageExtensionNames() {
+    return alternatives(imageExtensions());
+}
+
+void writeImageFile(const RadianceImage& image, const std::filesystem::path& file,
+                    const ImageWriting& how) {
+    requiredImageFormat(file).write(image, file, how);
+}
+
+} // namespace irsg

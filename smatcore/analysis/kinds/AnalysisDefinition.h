@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Quantity.h"
+#include "smatcore/project/AnalysisKind.h"
+#include "smatcore/settings/SettingInfo.h"
+#include "smatcore/settings/Settings.h"
+
+namespace smat {
+
+struct AnalysisPlan;
+struct Project;
+
+/// What an analysis comes to.
+enum class AnalysisForm {
+    image,    ///< one picture, with a row of sums
+    spectrum, ///< one view, a row for each wavenumber
+    sweep,    ///< a row for each case
+    table     ///< of a tool: neither planned nor drawn here
+};
+
+/// All that the program knows of one kind of analysis: command, project file, menu, dialog, manual,
+/// planning, columns and summary come from here. A new kind is a file with its definition, its name
+/// in the list ANALYSES of smatcore/CMakeLists.txt, and an icon.
+struct AnalysisDefinition {
+    const char* name;  ///< "polar"
+    const char* title; ///< "Polar plot"
+    const char* help;  ///< one line, for the command
+    AnalysisForm form = AnalysisForm::sweep;
+    /// Of this kind alone; their keys begin with `name` and a dot. Null where there are none.
+    std::vector<SettingInfo> (*settings)() = nullptr;
+    /// Cases differ in nothing but the range, so that few drawings serve them all.
+    bool isAlongRange = false;
+    /// Fills coordinate, columns and cases. What does not fit goes into `diagnostics`, by the key
+    /// of the setting. Null of a tool.
+    void (*plan)(AnalysisPlan& plan, const Project& project, const Settings& settings,
+                 std::vector<irsg::Diagnostic>& diagnostics) = nullptr;
+};
+
+/// Of sweeps: at most so many cases.
+inline constexpr double mostCases = 1e6;
+
+/// `first + i step` without the digits that binary fractions leave behind: 0.3, not
+/// 0.30000000000000004.
+double stepped(double first, std::size_t i, double step);
+
+} // namespace smat

@@ -1,0 +1,74 @@
+#include <algorithm>
+
+#include "irsg/radiometry/Wording.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/settings/AnalysisSections.h"
+
+namespace smat {
+
+extern const AnalysisDefinition imageAnalysis, spectrumAnalysis, polarAnalysis, timeAnalysis,
+    rangeAnalysis, radiativeTool, temperatureProfileTool, otherTable;
+
+constinit const AnalysisKind AnalysisKind::image(imageAnalysis);
+constinit const AnalysisKind AnalysisKind::spectrum(spectrumAnalysis);
+constinit const AnalysisKind AnalysisKind::polar(polarAnalysis);
+constinit const AnalysisKind AnalysisKind::time(timeAnalysis);
+constinit const AnalysisKind AnalysisKind::range(rangeAnalysis);
+constinit const AnalysisKind AnalysisKind::radiative(radiativeTool);
+constinit const AnalysisKind AnalysisKind::temperatureProfile(temperatureProfileTool);
+constinit const AnalysisKind AnalysisKind::table(otherTable);
+
+std::string name(AnalysisKind kind) {
+    return kind->name;
+}
+
+std::string title(AnalysisKind kind) {
+    return kind->title;
+}
+
+std::optional<AnalysisKind> analysisKindFromName(std::string_view text) {
+    const auto& kinds = allAnalysisKinds();
+    const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                    [&](AnalysisKind kind) { return kind->name == text; });
+    return found == kinds.end() ? std::nullopt : std::optional(*found);
+}
+
+AnalysisKind resultKindFromName(std::string_view text) {
+    for (const AnalysisKind tool : {AnalysisKind::radiative, AnalysisKind::temperatureProfile}) {
+        if (tool->name == text) {
+            return tool;
+        }
+    }
+    return analysisKindFromName(text).value_or(AnalysisKind::table);
+}
+
+std::string analysisKindNames() {
+    std::vector<std::string> names;
+    for (const AnalysisKind kind : allAnalysisKinds()) {
+        names.push_back(name(kind));
+    }
+    return irsg::alternatives(names);
+}
+
+const std::vector<AnalysisSection>& analysisSections() {
+    // The rows live as long as the program: sections point at them.
+    static const std::vector<std::vector<SettingInfo>> rows = [] {
+        std::vector<std::vector<SettingInfo>> made;
+        for (const AnalysisKind kind : allAnalysisKinds()) {
+            made.push_back(kind->settings != nullptr ? kind->settings()
+                                                     : std::vector<SettingInfo>{});
+        }
+        return made;
+    }();
+    static const std::vector<AnalysisSection> sections = [] {
+        std::vector<AnalysisSection> made;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const AnalysisKind kind = allAnalysisKinds()[i];
+            made.push_back({kind->name, kind->title, &rows[i]});
+        }
+        return made;
+    }();
+    return sections;
+}
+
+} // namespace smat

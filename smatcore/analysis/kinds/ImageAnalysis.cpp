@@ -1,0 +1,41 @@
+#include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/settings/SettingRows.h"
+
+namespace smat {
+
+namespace {
+
+std::vector<SettingInfo> settings() {
+    using namespace rows;
+    return {
+        named(choice("image.quantity", "--quantity", "Quantity",
+                     {"radiance", "irradiance", "apparent-temperature"}, "radiance",
+                     "What a pixel holds: in-band radiance, its irradiance on the detector "
+                     "(radiance times solid angle times the cosine off the axis), or the "
+                     "temperature of a black body of that radiance."),
+              {"radiance", "irradiance", "apparent temperature"}),
+        text("image.truthLayers", "--truth-layers", "Truth layers", "", SettingKind::boolean,
+             "false",
+             "Adds planes of indices, range and the terms of the radiance to an EXR "
+             "file."),
+    };
+}
+
+void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
+          std::vector<irsg::Diagnostic>&) {
+    plan.columns = {irsg::Quantity::range};
+    plan.cases.push_back(standingCase(settings));
+}
+
+} // namespace
+
+extern constinit const AnalysisDefinition imageAnalysis{
+    .name = "image",
+    .title = "Image",
+    .help = "One image: radiance, irradiance or apparent temperature",
+    .form = AnalysisForm::image,
+    .settings = settings,
+    .plan = plan};
+
+} // namespace smat

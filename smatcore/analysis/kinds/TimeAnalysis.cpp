@@ -1,0 +1,61 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/settings/SettingRows.h"
+
+namespace smat {
+
+namespace {
+
+std::vector<SettingInfo> settings() {
+    using namespace rows;
+    return {
+        number("time.from", "--from", "From", "s", -1e9, 1e9, "0", "First time."),
+        number("time.to", "--to", "To", "s", -1e9, 1e9, "10", "Last time, included."),
+        number("time.step", "--step", "Step", "s", 1e-6, 1e9, "0.5", "Time between two cases."),
+    };
+}
+
+void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
+          std::vector<irsg::Diagnostic>& diagnostics) {
+    const double from_s = settings.real("time.from");
+    const double to_s = settings.real("time.to");
+    const double step_s = settings.real("time.step");
+    plan.coordinate = irsg::Quantity::time;
+    if (to_s <= from_s) {
+        diagnostics.push_back({.file = "",
+                               .position = "time.to",
+                               .value = settings.text("time.to"),
+                               .expected = "a number above time.from, which is " +
+                                           settings.text("time.from") + " s"});
+        return;
+    }
+    const double count = std::floor((to_s - from_s) / step_s + 1e-9) + 1.0;
+    if (count > mostCases) {
+        diagnostics.push_back(
+            {.file = "",
+             .position = "time.step",
+             .value = settings.text("time.step"),
+             .expected = fmt::format("at most {:.0f} cases, not {:.0f}", mostCases, count)});
+        return;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        AnalysisCase one = standingCase(settings);
+        one.time_s = stepped(from_s, i, step_s);
+        one.coordinate = one.time_s;
+        plan.cases.push_back(one);
+    }
+}
+
+} // namespace
+
+extern constinit const AnalysisDefinition timeAnalysis{.name = "time",
+                                                       .title = "Time plot",
+                                                       .help = "Intensity over time",
+                                                       .settings = settings,
+                                                       .plan = plan};
+
+} // namespace smat
