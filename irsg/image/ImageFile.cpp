@@ -18,9 +18,7 @@ namespace {
 struct Signature {
     std::string_view bytes, format;
 };
-constexpr std::array<Signature, 7> otherFormats = {{{"\x89PNG", "a PNG picture"},
-                                                    {"II*", "a TIFF file"},
-                                                    {"MM", "a TIFF file"},
+constexpr std::array<Signature, 5> otherFormats = {{{"\x89PNG", "a PNG picture"},
                                                     {"\xFF\xD8\xFF", "a JPEG picture"},
                                                     {"GIF8", "a GIF picture"},
                                                     {"SIMPLE  =", "a FITS file"},

@@ -117,10 +117,10 @@ TEST_F(FullDiskTest, LeavesOlderPicturesOfTheModelWhole) {
             return picture != nullptr && !picture->coarse && page->view()->isUpToDate();
         },
         20.0));
-    ASSERT_EQ(page->exportFilters().size(), 3);
+    ASSERT_EQ(page->exportFilters().size(), 4);
     // The values may be more than the whole disk holds.
     tryOne("infrared.png", [&](const auto& file) { page->exportTo(file); });
-    for (const char* name : {"infrared.exr", "infrared.csv"}) {
+    for (const char* name : {"infrared.exr", "infrared.csv", "infrared.tif"}) {
         writeTextFile(disk / name, older);
         disk.fill();
         const auto before = contentsOf(disk);
@@ -136,7 +136,7 @@ TEST_F(FullDiskTest, LeavesOlderResultsWholeAndSaysSo) {
     workbench.set("sensor.height", "20");
     workbench.set("polar.step", "45");
     auto* list = window->findChild<QListWidget*>("resultList");
-    for (const AnalysisKind kind : allAnalysisKinds) {
+    for (const AnalysisKind kind : allAnalysisKinds()) {
         runAnalysis(name(kind).c_str());
         const AnalysisData data = *workbench.results().back().data;
         for (const std::string& extension : resultExtensions(kind))

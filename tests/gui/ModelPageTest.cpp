@@ -5,6 +5,7 @@
 #include "gui/image/ColorBar.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
+#include "irsg/image/TiffFile.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/gui/WindowFixture.h"
 
@@ -43,7 +44,8 @@ TEST_F(ModelPageTest, TheInfraredViewIsWrittenWithItsColourBarAndItsValues) {
     openSample();
     ASSERT_TRUE(showInfrared());
     EXPECT_EQ(page().exportFilters(),
-              (QStringList{"OpenEXR image (*.exr)", "Values as text (*.csv)", "Picture (*.png)"}));
+              (QStringList{"OpenEXR image (*.exr)", "Values as text (*.csv)", "Picture (*.png)",
+                           "TIFF image of 32-bit floats (*.tif *.tiff)"}));
     const InfraredPicture& shown = *page().view()->shownPicture();
     page().exportTo(folder / "view.exr");
     EXPECT_EQ(irsg::readExr(folder / "view.exr").primary().values, shown.plane().values);
@@ -51,6 +53,8 @@ TEST_F(ModelPageTest, TheInfraredViewIsWrittenWithItsColourBarAndItsValues) {
     const irsg::RadianceImage text = irsg::readCsvImage(folder / "view.csv");
     EXPECT_EQ(text.primary().values, shown.plane().values);
     EXPECT_EQ(text.primary().unit, "W m-2 sr-1");
+    page().exportTo(folder / "view.tif");
+    EXPECT_EQ(irsg::readTiff(folder / "view.tif").primary().values, shown.plane().values);
 
     // Right of the view all colours of the bar, from the last one down to the first.
     const QImage picture = exported("view.png");
