@@ -23,6 +23,8 @@ constexpr std::array entries = {
     Entry{Quantity::elevation, {"elevation", "Elevation", "deg", "°"}},
     Entry{Quantity::yaw, {"yaw", "Yaw", "deg", "°"}},
     Entry{Quantity::altitude, {"altitude", "Altitude", "m", "m"}},
+    Entry{Quantity::power, {"power", "Engine power", "", ""}},
+    Entry{Quantity::mach, {"mach", "Mach number", "", ""}},
     Entry{Quantity::temperature, {"temperature", "Temperature", "K", "K"}},
     Entry{Quantity::apparentTemperature,
           {"apparent_temperature", "Apparent temperature", "K", "K"}},

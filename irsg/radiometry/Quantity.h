@@ -18,6 +18,8 @@ enum class Quantity {
     elevation,
     yaw,
     altitude,
+    power,
+    mach,
     temperature,
     apparentTemperature,
     radiance,

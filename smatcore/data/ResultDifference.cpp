@@ -145,9 +145,9 @@ std::string abscissaKey(const ResultTable& table) {
 
 bool isAbscissa(const ResultTable& table, const ResultColumn& column) {
     static constexpr std::array known = {
-        Quantity::angle, Quantity::azimuth,    Quantity::elevation,
-        Quantity::yaw,   Quantity::wavenumber, Quantity::wavelength,
-        Quantity::time,  Quantity::range,      Quantity::altitude};
+        Quantity::angle,      Quantity::azimuth,    Quantity::elevation, Quantity::yaw,
+        Quantity::wavenumber, Quantity::wavelength, Quantity::time,      Quantity::range,
+        Quantity::altitude,   Quantity::power,      Quantity::mach};
     return &column == &table.columns().front() ||
            std::any_of(known.begin(), known.end(),
                        [&](Quantity quantity) { return column.key == irsg::info(quantity).key; });

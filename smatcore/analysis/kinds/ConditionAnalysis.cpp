@@ -1,0 +1,86 @@
+#include <optional>
+
+#include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/settings/SettingRows.h"
+
+namespace smat {
+
+namespace {
+
+std::vector<SettingInfo> settings() {
+    using namespace rows;
+    return {
+        choice("condition.over", "--over", "Over", {"power", "mach", "altitude"}, "mach",
+               "What changes from case to case: engine power, Mach number, or the altitude of the "
+               "target in m. The camera keeps its range, azimuth and elevation about the target, "
+               "and all else stays as the settings say."),
+        number("condition.from", "--from", "From", "", 0, 1e6, "0",
+               "First value, in the unit of what changes."),
+        number("condition.to", "--to", "To", "", 0, 1e6, "1", "Last value."),
+        integer("condition.points", "--points", "Points", "", 2, 100000, "11",
+                "Number of values, both ends included."),
+    };
+}
+
+/// What a condition changes: the setting that it stands in for, and its place in a case.
+struct Condition {
+    irsg::Quantity quantity;
+    const char* setting;
+    std::optional<double> AnalysisCase::*value;
+};
+Condition conditionNamed(const std::string& name) {
+    if (name == "power") {
+        return {irsg::Quantity::power, "state.power", &AnalysisCase::power};
+    }
+    if (name == "mach") {
+        return {irsg::Quantity::mach, "state.mach", &AnalysisCase::mach};
+    }
+    return {irsg::Quantity::altitude, "target.altitude", &AnalysisCase::altitude_m};
+}
+
+void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
+          std::vector<irsg::Diagnostic>& diagnostics) {
+    const Condition condition = conditionNamed(settings.text("condition.over"));
+    const double from = settings.real("condition.from"), to = settings.real("condition.to");
+    const int points = settings.integer("condition.points");
+    plan.coordinate = condition.quantity;
+    const SettingInfo& limits = settingInfo(condition.setting);
+    for (const char* key : {"condition.from", "condition.to"}) {
+        if (!canonicalText(limits, settings.text(key))) {
+            diagnostics.push_back(
+                {.file = "",
+                 .position = key,
+                 .value = settings.text(key),
+                 .expected = limits.expected() + ", as " + limits.key + " wants it"});
+        }
+    }
+    if (to <= from) {
+        diagnostics.push_back({.file = "",
+                               .position = "condition.to",
+                               .value = settings.text("condition.to"),
+                               .expected = "a number above condition.from, which is " +
+                                           settings.text("condition.from")});
+    }
+    if (!diagnostics.empty()) {
+        return;
+    }
+    const double step = (to - from) / (points - 1);
+    for (int i = 0; i < points; ++i) {
+        AnalysisCase one = standingCase(settings);
+        one.coordinate = i == points - 1 ? to : stepped(from, static_cast<std::size_t>(i), step);
+        one.*condition.value = one.coordinate;
+        plan.cases.push_back(one);
+    }
+}
+
+} // namespace
+
+extern constinit const AnalysisDefinition conditionAnalysis{
+    .name = "condition",
+    .title = "Flight condition",
+    .help = "Intensity over engine power, Mach number or altitude",
+    .settings = settings,
+    .plan = plan};
+
+} // namespace smat
