@@ -18,7 +18,7 @@ struct ScatteringLayer {
 /// where a number is out of range or nothing scatters.
 std::vector<ScatteringLayer> normalised(const std::vector<ScatteringLayer>& layers);
 
-/// Small-angle radiative transfer through layers (physics.md, Scattering; R. F. Lutomirski 1978,
+/// Small-angle radiative transfer through layers (docs/scattering.md; R. F. Lutomirski 1978,
 /// Appl. Opt. 17, 3915 has the uniform case): light scattered by an angle t at a part s of the way
 /// from target to sensor is displaced by s t in the image, so that
 ///   MTF(k) = exp(tau_s Int_0^1 w(s) P(k s) ds)

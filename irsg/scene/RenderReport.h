@@ -38,7 +38,7 @@ struct RenderReport {
 };
 
 struct RenderedImage {
-    RadianceImage image; ///< "L"; with truth layers the other planes of formats.md
+    RadianceImage image; ///< "L"; with truth layers the other planes (TruthLayers.h)
     RenderReport report;
 };
 

@@ -63,7 +63,7 @@ struct Wanted {
 };
 
 struct Rendered {
-    RadianceImage image;               ///< "L"; with truth layers the other planes of formats.md
+    RadianceImage image;               ///< "L"; with truth layers the other planes (TruthLayers.h)
     std::vector<RenderReport> reports; ///< by band
     IntensitySpectrum spectrum;
     std::vector<std::unique_ptr<const ScaledView>> scaled; ///< by band, or one of the spectrum

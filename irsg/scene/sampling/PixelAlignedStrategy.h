@@ -5,7 +5,7 @@
 
 namespace irsg {
 
-/// Zoom antialiasing on the sensor's own pixel grid (docs/architecture.md, decision 2): the samples
+/// Zoom antialiasing on the sensor's own pixel grid (docs/architecture.md): the samples
 /// of a window of given size are spent on the object alone, however small it is, and add to pixels
 /// one to one.
 ///
