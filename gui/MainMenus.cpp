@@ -15,6 +15,7 @@
 #include "gui/tools/MonteCarloPage.h"
 #include "gui/view/ModelPage.h"
 #include "gui/view/SceneView.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat::gui {
 
@@ -135,7 +136,7 @@ void MainWindow::makeAnalysisMenu(QMenu* menu) {
     int number = 0;
     for (const AnalysisKind kind : allAnalysisKinds()) {
         const QString word = QString::fromStdString(name(kind));
-        auto* action = menu->addAction(icon(word), tr("New &%1 analysis…").arg(word), this,
+        auto* action = menu->addAction(icon(kind->icon), tr("New &%1 analysis…").arg(word), this,
                                        [this, kind] { newAnalysis(kind, workbench_.settings()); });
         action->setObjectName("new-" + word);
         action->setIconText(QString(word).replace(0, 1, word.left(1).toUpper()));

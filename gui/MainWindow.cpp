@@ -34,6 +34,7 @@
 #include "gui/view/SceneLoader.h"
 #include "gui/view/SceneView.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
@@ -270,7 +271,7 @@ void MainWindow::fillProjectAnalyses() {
     for (const auto& analysis : workbench_.project().analyses) {
         const QString title = QString::fromStdString(analysis.name);
         auto* action = ofProject_->addAction(
-            icon(QString::fromStdString(name(analysis.kind))), title + "…", this,
+            icon(analysis.kind->icon), title + "…", this,
             [this, analysis, title] {
                 newAnalysis(analysis.kind, workbench_.settings().with(analysis.settings), title);
             });

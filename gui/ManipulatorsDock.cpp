@@ -19,6 +19,7 @@
 #include "gui/Workbench.h"
 #include "gui/settings/SettingForm.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
@@ -55,17 +56,17 @@ ManipulatorsDock::ManipulatorsDock(Workbench& workbench, QWidget* parent)
     grid->setVerticalSpacing(6);
     grid->setColumnStretch(1, 1);
     grid->addWidget(heading(tr("Camera"), body), grid->rowCount(), 0, 1, 4);
-    addRow(grid, "camera.azimuth", tr("A&zimuth"), {-180, 180});
-    addRow(grid, "camera.elevation", tr("E&levation"), {-90, 90});
-    addRow(grid, "camera.range", tr("Ra&nge"), {1, 1e6, true});
+    addRow(grid, key::cameraAzimuth, tr("A&zimuth"), {-180, 180});
+    addRow(grid, key::cameraElevation, tr("E&levation"), {-90, 90});
+    addRow(grid, key::cameraRange, tr("Ra&nge"), {1, 1e6, true});
     addViews(grid);
     grid->addWidget(heading(tr("Model"), body), grid->rowCount(), 0, 1, 4);
-    addRow(grid, "target.yaw", tr("&Yaw"), {-180, 180});
-    addRow(grid, "target.pitch", tr("&Pitch"), {-90, 90});
-    addRow(grid, "target.roll", tr("&Roll"), {-180, 180});
+    addRow(grid, key::targetYaw, tr("&Yaw"), {-180, 180});
+    addRow(grid, key::targetPitch, tr("&Pitch"), {-90, 90});
+    addRow(grid, key::targetRoll, tr("&Roll"), {-180, 180});
 
-    form_ =
-        new SettingForm({"target.altitude", "state.time", "state.power", "state.mach"}, {}, body);
+    form_ = new SettingForm({key::targetAltitude, key::stateTime, key::statePower, key::stateMach},
+                            {}, body);
     form_->layout()->setContentsMargins(0, 6, 0, 0);
     static_cast<QFormLayout*>(form_->layout())->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     connect(form_, &SettingForm::edited, this,
@@ -153,8 +154,8 @@ void ManipulatorsDock::addViews(QGridLayout* grid) {
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         connect(button, &QToolButton::clicked, this, [this, view] {
             Settings settings = workbench_.settings();
-            settings.set("camera.azimuth", view.azimuth);
-            settings.set("camera.elevation", view.elevation);
+            settings.set(key::cameraAzimuth, view.azimuth);
+            settings.set(key::cameraElevation, view.elevation);
             workbench_.set(settings, tr("Look: %1").arg(view.tip.toLower()));
         });
         buttons->addWidget(button, 0, static_cast<int>(i));
@@ -203,7 +204,7 @@ void ManipulatorsDock::refresh() {
     refreshing_ = true;
     const Settings& settings = workbench_.settings();
     for (const auto& [key, row] : rows_) {
-        row.slider->setValue(positionOf(row.reach, settings.real(key)));
+        row.slider->setValue(positionOf(row.reach, settings[RealKey{key.c_str()}]));
         // A field that is being typed into holds the same value already and keeps its text.
         const std::string& text = settings.text(key);
         if (canonicalText(settingInfo(key), row.field->text().trimmed().toStdString()) != text) {

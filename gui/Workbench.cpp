@@ -9,6 +9,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/ProjectFile.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
@@ -158,10 +159,10 @@ bool Workbench::isModified() const {
 }
 
 void Workbench::useColorMap(const std::string& name) {
-    if (settings_.text("display.colorMap") == name)
+    if (settings_.text(key::displayColorMap) == name)
         return;
-    settings_.set("display.colorMap", name);
-    saved_.settings.set("display.colorMap", name);
+    settings_.set(key::displayColorMap, name);
+    saved_.settings.set(key::displayColorMap, name);
     project_->settings = saved_.settings;
     emit settingsChanged();
 }
@@ -313,10 +314,9 @@ void Workbench::followDatabase(bool anew) {
     } catch (const irsg::InputError& error) {
         databaseProblem_ << sentencesOf(error);
         try {
-            changedOutside_ =
-                !irsg::loadSignatureFile(file, irsg::OutsideChanges::accept,
-                                         irsg::LintErrors::accept)
-                     .changedOutside.empty();
+            changedOutside_ = !irsg::loadSignatureFile(file, irsg::OutsideChanges::accept,
+                                                       irsg::LintErrors::accept)
+                                   .changedOutside.empty();
         } catch (const irsg::InputError&) {
             changedOutside_ = false;
         }
@@ -368,16 +368,16 @@ SceneBuilder::DatabaseOverrides Workbench::editedDatabases() const {
 
 OrbitCamera Workbench::camera() const {
     const Settings& now = settings_;
-    return {now.real("camera.azimuth"), now.real("camera.elevation"), now.real("camera.range")};
+    return {now[key::cameraAzimuth], now[key::cameraElevation], now[key::cameraRange]};
 }
 
 void Workbench::setCamera(const OrbitCamera& camera) {
     Settings changed = settings();
     // Rounded to what a form shows, so that view, form and file say the same.
     const auto rounded = [](double value) { return QString::number(value, 'f', 3).toStdString(); };
-    changed.set("camera.azimuth", rounded(camera.azimuth_deg));
-    changed.set("camera.elevation", rounded(camera.elevation_deg));
-    changed.set("camera.range", rounded(camera.range_m));
+    changed.set(key::cameraAzimuth, rounded(camera.azimuth_deg));
+    changed.set(key::cameraElevation, rounded(camera.elevation_deg));
+    changed.set(key::cameraRange, rounded(camera.range_m));
     set(changed);
 }
 

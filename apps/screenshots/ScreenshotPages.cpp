@@ -21,6 +21,7 @@
 #include "gui/plot/PolarPlot.h"
 #include "gui/tools/AirToolPage.h"
 #include "gui/tools/MonteCarloPage.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
@@ -96,7 +97,7 @@ void ScreenshotTaker::keepProjectAnalyses() {
         // Another run than the one there is, for overlays and differences.
         const bool again = current_ == "analysis-polar";
         if (again)
-            workbench_.set("state.power", "0.2");
+            workbench_.set(key::statePower, "0.2");
         action->trigger();
         settle();
         keep(window_, current_ + "-page");

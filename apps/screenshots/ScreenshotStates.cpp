@@ -11,6 +11,7 @@
 #include "gui/image/ComparisonWindow.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotPanel.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 
@@ -64,7 +65,7 @@ void ScreenshotTaker::keepRefusals() {
 
     // An infrared picture that cannot be made.
     window_.findChild<QTabWidget*>("tabs")->setCurrentIndex(0);
-    workbench_.set("environment.atmospheres", "haze of yesterday.csv");
+    workbench_.set(key::environmentAtmospheres, "haze of yesterday.csv");
     auto* infrared = window_.findChild<QAction*>("infraredDisplay");
     infrared->trigger();
     settle();

@@ -13,8 +13,9 @@
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/MonteCarlo.h"
-#include "smatcore/project/SceneBuilder.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::batch {
 
@@ -35,7 +36,7 @@ class MonteCarloCommand {
           settings_(command,
                     [](const SettingInfo& setting) {
                         return !isAnalysisSection(setting.section()) &&
-                               setting.key != "scaling.use";
+                               setting.key != key::scalingUse;
                     }),
           numbers_(command) {
         command

@@ -5,6 +5,7 @@
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::batch {
 
@@ -66,7 +67,7 @@ SettingOptions::SettingOptions(CLI::App& command,
         given->option->group(sectionTitle(setting.section()));
         given_.push_back(std::move(given));
     }
-    if (takes(settingInfo("environment.sunElevation")))
+    if (takes(settingInfo(key::environmentSunElevation)))
         sun_.emplace(command);
     command.add_option("--set", assignments_, "Any setting: key=value, as often as needed")
         ->type_name("KEY=VALUE")
@@ -122,7 +123,7 @@ void SettingOptions::placeSun(Settings& settings) const {
         return;
     }
     std::vector<irsg::Diagnostic> diagnostics;
-    const auto put = [&](const char* key, double value) {
+    const auto put = [&](std::string_view key, double value) {
         if (settings.isSet(key)) {
             diagnostics.push_back({settingInfo(key).option, "", settings.text(key),
                                    "nothing beside --date and --utc, which give it"});
@@ -130,9 +131,9 @@ void SettingOptions::placeSun(Settings& settings) const {
             settings.set(key, value);
         }
     };
-    put("environment.sunAzimuth", irsg::degrees(sun->position.azimuth_rad));
-    put("environment.sunElevation", irsg::degrees(sun->position.elevation_rad));
-    put("environment.dayOfYear", sun->dayOfYear);
+    put(key::environmentSunAzimuth, irsg::degrees(sun->position.azimuth_rad));
+    put(key::environmentSunElevation, irsg::degrees(sun->position.elevation_rad));
+    put(key::environmentDayOfYear, sun->dayOfYear);
     if (!diagnostics.empty()) {
         throw irsg::InputError(std::move(diagnostics));
     }

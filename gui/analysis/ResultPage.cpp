@@ -16,6 +16,7 @@
 #include "irsg/image/PngView.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
@@ -66,8 +67,8 @@ void ResultPage::showImage(Dialogs dialogs) {
     const ResultEntry& entry = results_.front();
     image_ = new ImageView(this, std::move(dialogs));
     image_->setImage(entry.image(), bandOf(entry));
-    image_->setColorMap(entry.data->settings.text("display.colorMap"));
-    image_->setColorScale(irsg::colorScaleNamed(entry.data->settings.text("display.scale")));
+    image_->setColorMap(entry.data->settings.text(key::displayColorMap));
+    image_->setColorScale(irsg::colorScaleNamed(entry.data->settings.text(key::displayScale)));
     layout()->addWidget(image_);
     setBackgroundRole(QPalette::Window); // so that fields stand out in the dark, too
 }

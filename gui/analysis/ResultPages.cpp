@@ -8,6 +8,7 @@
 #include "gui/analysis/FloatingPages.h"
 #include "gui/analysis/ResultPage.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat::gui {
 
@@ -48,10 +49,9 @@ void ResultPages::show(const QList<int>& ids) {
         return;
     try {
         auto* page = new ResultPage(entries, dialogs_);
-        const QString word = QString::fromStdString(name(entries.front().data->kind));
         const QString title =
             entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
-        tabs_->setCurrentIndex(tabs_->addTab(page, icon(word), title));
+        tabs_->setCurrentIndex(tabs_->addTab(page, icon(entries.front().data->kind->icon), title));
         say(entries.back().id);
     } catch (const irsg::InputError& error) {
         dialogs_.tell(tabs_, tr("These results cannot be shown"), sentencesOf(error));

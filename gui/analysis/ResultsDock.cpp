@@ -208,7 +208,7 @@ void ResultsDock::refreshItem(int id) {
         return;
     const QSignalBlocker quiet(list_);
     item->setText(entry->title);
-    item->setIcon(icon(QString::fromStdString(name(entry->data->kind))));
+    item->setIcon(icon(entry->data->kind->icon));
     QStringList words{entry->madeAt.toString("HH:mm")};
     if (entry->canRunAgain())
         words << durationText(entry->data->elapsed_s);

@@ -4,6 +4,7 @@
 #include "irsg/scene/model/Model.h"
 #include "irsg/scene/model/ModelUse.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 
@@ -74,11 +75,11 @@ void EditorContext::readSettings() {
     const Project& project = workbench_.project();
     const Settings& settings = workbench_.settings();
     std::string key, air;
-    for (const auto* name :
-         {"sensor.band", "sensor.response", "state.time", "state.power", "state.mach"})
+    for (const std::string_view name : std::initializer_list<std::string_view>{
+             key::sensorBand, key::sensorResponse, key::stateTime, key::statePower, key::stateMach})
         key += settings.text(name) + "|";
-    for (const auto* name :
-         {"environment.atmospheres", "environment.ambientTemperature", "target.altitude"})
+    for (const std::string_view name : std::initializer_list<std::string_view>{
+             key::environmentAtmospheres, key::environmentAmbientTemperature, key::targetAltitude})
         air += settings.text(name) + "|";
     if (key == settingsKey_ && air == airKey_)
         return;
@@ -88,10 +89,10 @@ void EditorContext::readSettings() {
     } catch (const irsg::InputError&) {
         // A response that cannot be read is told where it is used; the last band stays.
     }
-    state_.time_s = settings.real("state.time");
-    state_.power = settings.real("state.power");
-    state_.mach = settings.real("state.mach");
-    state_.altitude_m = settings.real("target.altitude");
+    state_.time_s = settings[key::stateTime];
+    state_.power = settings[key::statePower];
+    state_.mach = settings[key::stateMach];
+    state_.altitude_m = settings[key::targetAltitude];
     if (air != airKey_) {
         airKey_ = air;
         try {

@@ -12,6 +12,7 @@
 #include "gui/settings/Preferences.h"
 #include "irsg/scene/model/OpenableFiles.h"
 #include "smatcore/project/ProjectFile.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
@@ -94,7 +95,7 @@ bool ProjectFiles::newProject() {
     if (!dialogs_.run(dialog))
         return false;
     Project project = dialog.project();
-    project.settings.set("display.colorMap", preferences_.colorMap);
+    project.settings.set(key::displayColorMap, preferences_.colorMap);
     workbench_.adopt(project);
     remember();
     return true;

@@ -14,6 +14,7 @@
 #include "gui/Workbench.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/EnvironmentInput.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
@@ -301,17 +302,17 @@ void SceneTreeDock::refreshSettings() {
     const Settings& settings = workbench_.settings();
     const auto unit = [](const std::string& key) { return readableUnit(settingInfo(key).unit); };
     QStringList responses;
-    for (const auto& file : settings.paths("sensor.response"))
+    for (const auto& file : settings[key::sensorResponse])
         responses << textOf(file.filename().string());
-    const QString bands = textOf(settings.text("sensor.band")).replace(",", ", ");
+    const QString bands = textOf(settings.text(key::sensorBand)).replace(",", ", ");
     sensor_->setText(
         0,
         tr("Sensor %1 × %2 px, %3%4, %5")
-            .arg(textOf(settings.text("sensor.width")), textOf(settings.text("sensor.height")),
-                 textOf(settings.text("sensor.fov")), unit("sensor.fov"),
-                 responses.isEmpty() ? bands + " " + unit("sensor.band") : responses.join(", ")));
+            .arg(textOf(settings.text(key::sensorWidth)), textOf(settings.text(key::sensorHeight)),
+                 textOf(settings.text(key::sensorFov)), unit(key::sensorFov),
+                 responses.isEmpty() ? bands + " " + unit(key::sensorBand) : responses.join(", ")));
     QStringList airs;
-    for (const auto& file : settings.paths("environment.atmospheres"))
+    for (const auto& file : settings[key::environmentAtmospheres])
         airs << textOf(file.filename().string());
     atmosphere_->setText(0, airs.isEmpty() ? tr("No atmosphere")
                                            : tr("Atmosphere %1").arg(airs.join(", ")));

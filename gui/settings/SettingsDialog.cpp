@@ -15,43 +15,45 @@
 #include "gui/VerticalScrollArea.h"
 #include "gui/Workbench.h"
 #include "gui/settings/MtfNote.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 
 std::vector<SettingsPage> SettingsDialog::optionPages() {
-    return {
-        {tr("Antialiasing"),
-         "image",
-         {"render.antialiasing", "render.supersampling", "render.zoom", "render.pointSource",
-          "render.hotParts", "render.layers"}},
-        {tr("Background"),
-         "range",
-         {"render.backgroundRows", "render.backgroundColumns", "render.sunDisc"}},
-        {tr("Skybox"),
-         "model",
-         {"environment.skybox", "environment.skyboxSlope", "environment.skyboxOffset"}},
-        {tr("Terrain"),
-         "axes",
-         {"environment.terrain", "environment.terrainSlope", "environment.terrainOffset",
-          "environment.terrainEast", "environment.terrainNorth", "environment.terrainAltitude",
-          "render.terrainHides"}},
-        {tr("Atmosphere"), "air", {"environment.atmospheres", "environment.ambientTemperature"}},
-        {tr("Scattering"),
-         "air",
-         {"render.scattering", "environment.mtf", "environment.scatteringCoefficient"}},
-        {tr("Scalings"), "montecarlo", {"scaling.use", "scaling.seed"}}};
+    return {{tr("Antialiasing"),
+             "image",
+             {key::renderAntialiasing, key::renderSupersampling, key::renderZoom,
+              key::renderPointSource, key::renderHotParts, key::renderLayers}},
+            {tr("Background"),
+             "range",
+             {key::renderBackgroundRows, key::renderBackgroundColumns, key::renderSunDisc}},
+            {tr("Skybox"),
+             "model",
+             {key::environmentSkybox, key::environmentSkyboxSlope, key::environmentSkyboxOffset}},
+            {tr("Terrain"),
+             "axes",
+             {key::environmentTerrain, key::environmentTerrainSlope, key::environmentTerrainOffset,
+              key::environmentTerrainEast, key::environmentTerrainNorth,
+              key::environmentTerrainAltitude, key::renderTerrainHides}},
+            {tr("Atmosphere"),
+             "air",
+             {key::environmentAtmospheres, key::environmentAmbientTemperature}},
+            {tr("Scattering"),
+             "air",
+             {key::renderScattering, key::environmentMtf, key::environmentScatteringCoefficient}},
+            {tr("Scalings"), "montecarlo", {key::scalingUse, key::scalingSeed}}};
 }
 
 std::vector<SettingsPage> SettingsDialog::analysisPages() {
     return {{tr("Sun and fluxes"),
              "sun",
-             {"environment.sunAzimuth", "environment.sunElevation", "environment.dayOfYear",
-              "render.sun", "render.fluxes", "render.fluxWeights"}},
-            {tr("Background source"), "range", {"render.background"}},
+             {key::environmentSunAzimuth, key::environmentSunElevation, key::environmentDayOfYear,
+              key::renderSun, key::renderFluxes, key::renderFluxWeights}},
+            {tr("Background source"), "range", {key::renderBackground}},
             {tr("Band and mode"),
              "sensor",
-             {"sensor.band", "sensor.response", "sensor.mode"},
-             {"sensor.mode"}}};
+             {key::sensorBand, key::sensorResponse, key::sensorMode},
+             {key::sensorMode}}};
 }
 
 SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const QString& step,
@@ -114,7 +116,7 @@ SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const
 }
 
 void SettingsDialog::addNotes(SettingForm* form) {
-    const std::string key = "environment.mtf";
+    const std::string key = key::environmentMtf;
     if (std::ranges::find(form->keys(), key) == form->keys().end())
         return;
     auto* note = new MtfNote(form);

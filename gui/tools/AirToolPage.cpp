@@ -15,6 +15,7 @@
 #include "gui/Workbench.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultStore.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 
@@ -127,7 +128,7 @@ QPushButton* AirToolPage::addButton(const QString& name, const QString& text, co
 
 QString AirToolPage::airWords() const {
     QStringList names;
-    for (const auto& file : workbench_.settings().paths("environment.atmospheres"))
+    for (const auto& file : workbench_.settings()[key::environmentAtmospheres])
         names << QString::fromStdString(file.filename().string());
     return names.isEmpty() ? tr("none: the project names no atmosphere") : names.join(", ");
 }

@@ -29,6 +29,7 @@
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 
@@ -202,7 +203,7 @@ MonteCarloData MonteCarloPage::asked() const {
         throw irsg::InputError({"", tr("Analysis").toStdString(), "nothing", "an analysis"});
     // Its command tells what differs from the file.
     data.analysis.project = workbench_.project();
-    data.analysis.settings.set("scaling.seed", seed_->value());
+    data.analysis.settings.set(key::scalingSeed, seed_->value());
 
     MonteCarloOptions& options = data.options;
     options.samples = static_cast<std::size_t>(samples_->value());

@@ -16,22 +16,23 @@
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/tools/RadiativeOutput.h"
 #include "smatcore/tools/ViewerGeometry.h"
 
 namespace smat::gui {
 namespace {
 
-const std::vector<std::string> formKeys = {"target.altitude",
-                                           "camera.range",
-                                           "camera.azimuth",
-                                           "camera.elevation",
-                                           "target.yaw",
-                                           "sensor.band",
-                                           "environment.sunAzimuth",
-                                           "environment.sunElevation",
-                                           "environment.dayOfYear",
-                                           "environment.atmospheres"};
+const std::vector<std::string> formKeys = {key::targetAltitude,
+                                           key::cameraRange,
+                                           key::cameraAzimuth,
+                                           key::cameraElevation,
+                                           key::targetYaw,
+                                           key::sensorBand,
+                                           key::environmentSunAzimuth,
+                                           key::environmentSunElevation,
+                                           key::environmentDayOfYear,
+                                           key::environmentAtmospheres};
 
 QString figuresOf(const RadiativeOutput& output) {
     QStringList lines;
@@ -51,13 +52,13 @@ QString figuresOf(const RadiativeOutput& output) {
 
 /// The air is asked in one band at a time, of several in the first.
 irsg::SpectralRange firstBand(const Settings& asked) {
-    return irsg::Band::fromText(eachBand(asked).front().text("sensor.band")).range();
+    return irsg::Band::fromText(eachBand(asked).front().text(key::sensorBand)).range();
 }
 
 std::string commandFor(const Project& project, const Settings& asked,
                        const std::vector<std::string>& words, const PathGeometryInput& geometry) {
     return radiativeCommand(resolvedAir(project, asked), words, geometry, firstBand(asked),
-                            sunOf(project, asked), asked.optionalReal("environment.dayOfYear"),
+                            sunOf(project, asked), asked[key::environmentDayOfYear],
                             "radiative.csv");
 }
 
@@ -206,9 +207,9 @@ void RadiativePage::useInProject() {
         if (!file.endsWith(".csv", Qt::CaseInsensitive))
             throw irsg::InputError({file.toStdString(), "", "another extension", ".csv"});
         table().save(file.toStdString());
-        const std::string before = workbench().settings().text("environment.atmospheres");
+        const std::string before = workbench().settings().text(key::environmentAtmospheres);
         Settings changed = workbench().settings();
-        changed.set("environment.atmospheres",
+        changed.set(key::environmentAtmospheres,
                     file.toStdString() + (before == "none" || before.empty() ? "" : ";" + before));
         workbench().set(changed, tr("Use radiative output"));
     } catch (const irsg::InputError& error) {

@@ -7,6 +7,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/draw/Stopwatch.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
@@ -15,10 +16,12 @@ namespace {
 std::string environmentKeyOf(const InfraredRequest& request) {
     const Settings& settings = request.settings;
     std::string key = request.project->file.string();
-    for (const auto* name :
-         {"environment.atmospheres", "environment.ambientTemperature", "environment.dayOfYear"})
+    for (const std::string_view name : std::initializer_list<std::string_view>{
+             key::environmentAtmospheres, key::environmentAmbientTemperature,
+             key::environmentDayOfYear})
         key += "|" + settings.text(name);
-    for (const auto* name : {"environment.sunAzimuth", "environment.sunElevation"})
+    for (const std::string_view name : std::initializer_list<std::string_view>{
+             key::environmentSunAzimuth, key::environmentSunElevation})
         key += settings.isSet(name) ? "|set" : "|file";
     return key;
 }
@@ -89,10 +92,10 @@ const irsg::Environment& InfraredScene::environment(const InfraredRequest& reque
         environmentKey_ = key;
     }
     // The sun moves without the air being read again.
-    if (settings.isSet("environment.sunAzimuth"))
-        environment_.sun.azimuth_rad = irsg::radians(settings.real("environment.sunAzimuth"));
-    if (settings.isSet("environment.sunElevation"))
-        environment_.sun.elevation_rad = irsg::radians(settings.real("environment.sunElevation"));
+    if (settings.isSet(key::environmentSunAzimuth))
+        environment_.sun.azimuth_rad = irsg::radians(settings[key::environmentSunAzimuth]);
+    if (settings.isSet(key::environmentSunElevation))
+        environment_.sun.elevation_rad = irsg::radians(settings[key::environmentSunElevation]);
     return environment_;
 }
 

@@ -19,6 +19,7 @@
 #include "gui/view/ViewHud.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/EnvironmentInput.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 
@@ -233,21 +234,21 @@ void SceneView::setProject(const Project& project, const Settings& settings) {
     else if (settings_ == settings)
         return;
     // The project's colours count until another map is chosen in the view.
-    if (const std::string& map = settings.text("display.colorMap");
-        settings_.text("display.colorMap") != map || !projectMap_) {
+    if (const std::string& map = settings.text(key::displayColorMap);
+        settings_.text(key::displayColorMap) != map || !projectMap_) {
         projectMap_ = true;
         setColorMap(map);
     }
-    if (const std::string& scale = settings.text("display.scale");
-        settings_.text("display.scale") != scale)
+    if (const std::string& scale = settings.text(key::displayScale);
+        settings_.text(key::displayScale) != scale)
         setColorScale(irsg::colorScaleNamed(scale));
     settings_ = settings;
     impl_->scene.placeTarget(targetPoseOf(settings));
-    frame_ = {irsg::radians(settings.real("sensor.fov")), settings.integer("sensor.width"),
-              settings.integer("sensor.height")};
-    camera_ = {settings.real("camera.azimuth"), settings.real("camera.elevation"),
-               settings.real("camera.range")};
-    targetYaw_rad_ = irsg::radians(settings.real("target.yaw"));
+    frame_ = {irsg::radians(settings[key::sensorFov]), settings[key::sensorWidth],
+              settings[key::sensorHeight]};
+    camera_ = {settings[key::cameraAzimuth], settings[key::cameraElevation],
+               settings[key::cameraRange]};
+    targetYaw_rad_ = irsg::radians(settings[key::targetYaw]);
     const irsg::SunPosition sun = sunOf(project, settings);
     towardsSun_ = irsg::direction(sun.azimuth_rad, sun.elevation_rad);
     sceneChanged();

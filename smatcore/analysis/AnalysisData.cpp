@@ -15,7 +15,7 @@ std::string commandValue(const Project& project, const Settings& settings,
         return settings.text(setting.key);
     }
     std::string text;
-    for (const std::filesystem::path& path : settings.paths(setting.key)) {
+    for (const std::filesystem::path& path : settings[PathsKey{setting.key.c_str()}]) {
         const std::string word = path == "vacuum" ? path.string() : project.resolve(path).string();
         text += (text.empty() ? "" : ";") + word;
     }

@@ -15,6 +15,7 @@
 #include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/analysis/SweepTable.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {
@@ -25,7 +26,7 @@ void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& s
                const AnalysisCase& one, SweepTable& table, CaseWarnings& warnings) {
     irsg::RenderedImage rendered = source.render();
     irsg::addNew(data.answeredBy, rendered.report.answeredBy);
-    warnings.addReport(rendered.report, data.settings.integer("render.layers"));
+    warnings.addReport(rendered.report, data.settings[key::renderLayers]);
     table.addCase(one, {rendered.report});
     data.image = std::move(rendered.image);
     const std::string sentence = showQuantity(data.image, scene.sensor, data.settings);
@@ -39,7 +40,7 @@ void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan
     // The sums of the same view say who answered for the air.
     const irsg::RenderReport report = source.measure();
     irsg::addNew(data.answeredBy, report.answeredBy);
-    warnings.addReport(report, data.settings.integer("render.layers"));
+    warnings.addReport(report, data.settings[key::renderLayers]);
     const irsg::IntensitySpectrum spectrum = source.measureSpectrum(plan.wavenumbers_per_cm);
     for (const std::string& sentence : spectrum.warnings) {
         warnings.add(sentence);
@@ -52,7 +53,7 @@ void addReports(AnalysisData& data, const ImageSource::Reports& reports, const A
                 SweepTable& table, CaseWarnings& warnings) {
     for (const irsg::RenderReport& report : reports) {
         irsg::addNew(data.answeredBy, report.answeredBy);
-        warnings.addReport(report, data.settings.integer("render.layers"));
+        warnings.addReport(report, data.settings[key::renderLayers]);
     }
     table.addCase(one, reports);
 }

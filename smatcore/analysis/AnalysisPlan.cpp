@@ -9,6 +9,7 @@
 #include "irsg/radiometry/Units.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
 
@@ -16,8 +17,8 @@ namespace {
 
 std::string describe(const AnalysisPlan& plan, const Settings& settings) {
     const irsg::QuantityInfo& axis = irsg::info(plan.coordinate);
-    const std::string raster =
-        fmt::format("{} x {} px", settings.text("sensor.width"), settings.text("sensor.height"));
+    const std::string raster = fmt::format("{} x {} px", settings.text(key::sensorWidth),
+                                           settings.text(key::sensorHeight));
     if (plan.kind->form == AnalysisForm::image) {
         return fmt::format("{}: 1 case, {}", name(plan.kind), raster);
     }
@@ -37,8 +38,9 @@ void checkAbilities(AnalysisKind kind, const Settings& settings,
     const bool isImage = kind->form == AnalysisForm::image;
     const bool isOneBand = isImage || kind->form == AnalysisForm::spectrum;
     if (isOneBand && eachBand(settings).size() > 1) {
-        const bool hasResponse = !settings.paths("sensor.response").empty();
-        const char* key = hasResponse ? "sensor.response" : "sensor.band";
+        const bool hasResponse = !settings[key::sensorResponse].empty();
+        const std::string key =
+            hasResponse ? std::string(key::sensorResponse) : std::string(key::sensorBand);
         diagnostics.push_back(
             {.file = "",
              .position = key,
@@ -49,11 +51,11 @@ void checkAbilities(AnalysisKind kind, const Settings& settings,
                                    "other"});
     }
     // Modes 0 to 2 have no zoom.
-    if (!isImage && settings.text("render.zoom") == "sills" &&
-        settings.integer("render.antialiasing") > 2) {
+    if (!isImage && settings.text(key::renderZoom) == "sills" &&
+        settings[key::renderAntialiasing] > 2) {
         diagnostics.push_back(
             {.file = "",
-             .position = "render.zoom",
+             .position = key::renderZoom,
              .value = "sills",
              .expected = "aligned: the samples of the published zoom do not add to "
                          "pixels, so that the sums of a " +
@@ -67,15 +69,15 @@ void checkAbilities(AnalysisKind kind, const Settings& settings,
 
 AnalysisCase standingCase(const Settings& settings) {
     AnalysisCase one;
-    one.time_s = settings.real("state.time");
+    one.time_s = settings[key::stateTime];
     one.attitude = targetPoseOf(settings).attitude;
     one.cameraYaw_rad = one.attitude.yaw_rad;
-    one.azimuth_rad = irsg::radians(settings.real("camera.azimuth"));
-    one.elevation_rad = irsg::radians(settings.real("camera.elevation"));
-    one.range_m = settings.real("camera.range");
-    one.shownAzimuth_deg = settings.real("camera.azimuth");
-    one.shownElevation_deg = settings.real("camera.elevation");
-    one.shownYaw_deg = settings.real("target.yaw");
+    one.azimuth_rad = irsg::radians(settings[key::cameraAzimuth]);
+    one.elevation_rad = irsg::radians(settings[key::cameraElevation]);
+    one.range_m = settings[key::cameraRange];
+    one.shownAzimuth_deg = settings[key::cameraAzimuth];
+    one.shownElevation_deg = settings[key::cameraElevation];
+    one.shownYaw_deg = settings[key::targetYaw];
     return one;
 }
 

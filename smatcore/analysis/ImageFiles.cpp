@@ -6,6 +6,7 @@
 #include "irsg/image/ImageStatistics.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/ImageQuantity.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
 
@@ -15,14 +16,14 @@ namespace {
 irsg::DisplayLimits limitsOf(const irsg::RadianceImage& image, const Settings& settings,
                              const std::string& whose) {
     const std::vector<float>& values = image.primary().values;
-    const irsg::ColorScale scale = irsg::colorScaleNamed(settings.text("display.scale"));
+    const irsg::ColorScale scale = irsg::colorScaleNamed(settings.text(key::displayScale));
     irsg::DisplayLimits limits = irsg::limitsFor(scale, values);
-    const auto minimum = settings.optionalReal("display.minimum");
-    const auto maximum = settings.optionalReal("display.maximum");
+    const auto minimum = settings[key::displayMinimum];
+    const auto maximum = settings[key::displayMaximum];
     limits.low = minimum.value_or(limits.low);
     limits.high = maximum.value_or(limits.high);
     if (limits.low >= limits.high) {
-        const char* key = maximum ? "display.maximum" : "display.minimum";
+        const OptionalRealKey key = maximum ? key::displayMaximum : key::displayMinimum;
         throw irsg::InputError(
             irsg::Diagnostic{.file = whose,
                              .position = key,
@@ -36,7 +37,7 @@ irsg::DisplayLimits limitsOf(const irsg::RadianceImage& image, const Settings& s
 
 std::string showQuantity(irsg::RadianceImage& image, const irsg::Sensor& sensor,
                          const Settings& settings) {
-    const std::string& quantity = settings.text("image.quantity");
+    const std::string& quantity = settings.text(key::imageQuantity);
     if (quantity == "irradiance") {
         showIrradiance(image, sensor);
     } else if (quantity == "apparent-temperature") {
@@ -54,7 +55,7 @@ void saveImage(const irsg::RadianceImage& image, const Settings& settings, const
     irsg::ImageWriting how;
     const irsg::ImageFormat& format = irsg::requiredImageFormat(file);
     if (format.keeps == irsg::ImageFormat::Keeps::picture) {
-        how.view.colorMap = settings.text("display.colorMap");
+        how.view.colorMap = settings.text(key::displayColorMap);
         how.view.limits = limitsOf(image, settings, whose);
         how.view.title = title;
     }

@@ -12,6 +12,7 @@
 #include "smatcore/analysis/MonteCarloReport.h"
 #include "smatcore/analysis/MonteCarloViews.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {
@@ -42,7 +43,7 @@ class Run {
             throw refusal("analysis", analysis.name + ", an image",
                           "a spectrum, polar, time or range analysis");
         }
-        analysis.settings.set("scaling.use", "false");
+        analysis.settings.set(key::scalingUse, "false");
         plan_ = planAnalysis(analysis.kind, analysis.project, analysis.settings);
         scene_ = scenes(analysis.project, analysis.settings);
         irsg::addNew(analysis.warnings, scene_.remarks);
@@ -64,7 +65,7 @@ class Run {
                           fmt::format("at most {} values in all: fewer samples or a coarser sweep",
                                       mostValues));
         }
-        const auto seed = static_cast<std::uint64_t>(analysis.settings.integer("scaling.seed"));
+        const auto seed = static_cast<std::uint64_t>(analysis.settings[key::scalingSeed]);
         draws_.emplace(data_.scalings, data_.options.sequence, seed);
         if (data_.options.ranking) {
             companions_.emplace(data_.scalings, data_.options.sequence, seed, true);

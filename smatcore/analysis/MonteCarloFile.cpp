@@ -9,6 +9,7 @@
 #include "smatcore/analysis/CommandSettings.h"
 #include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/data/ColumnName.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/ShellText.h"
 #include "smatcore/support/TextFile.h"
 
@@ -174,7 +175,7 @@ std::string MonteCarloData::equivalentCommand(const std::string& outputFile) con
         shellQuoted(project.file.empty() ? "PROJECT.smat" : project.file.string()),
         isNamed ? "--analysis " + shellQuoted(analysis.name) : "--kind " + name(analysis.kind));
     command += fmt::format(" --samples {} --seed {} --sequence {} --quantity {} --statistic {}",
-                           options.samples, analysis.settings.integer("scaling.seed"),
+                           options.samples, analysis.settings[key::scalingSeed],
                            name(options.sequence), name(options.quantity), name(options.statistic));
     if (options.standardError) {
         command += " --standard-error " + irsg::numberText(*options.standardError);
@@ -191,7 +192,8 @@ std::string MonteCarloData::equivalentCommand(const std::string& outputFile) con
         command += " --ranking-at " + irsg::numberText(*options.rankingAt);
     }
     Settings seeded = known;
-    for (const char* ownOption : {"scaling.seed", "scaling.use"}) {
+    for (const std::string_view ownOption :
+         {std::string_view(key::scalingSeed), std::string_view(key::scalingUse)}) {
         seeded.set(ownOption, analysis.settings.text(ownOption));
     }
     return command + settingOptions(project, analysis.settings, seeded, analysis.kind, true) +
@@ -215,7 +217,7 @@ std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
         throw irsg::InputError({.file = file.string(),
                                 .position = "",
                                 .value = file.has_extension() ? extension : "no extension",
-                                .expected = "a file of one of .csv, .json"});
+                                .expected = "a file that ends in .csv or .json"});
     }
     Json json = Json::parse(data.analysis.table.toJson());
     Json scales = Json::array();

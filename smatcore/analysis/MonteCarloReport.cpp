@@ -8,6 +8,7 @@
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/data/ColumnName.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
 
@@ -120,7 +121,7 @@ void writeDraws(MonteCarloData& data, const AnalysisPlan& plan) {
     Provenance& provenance = data.analysis.table.provenance;
     provenance.add("monte carlo", fmt::format("{} draws of the {} sequence, seed {}", data.draws(),
                                               name(data.options.sequence),
-                                              data.analysis.settings.integer("scaling.seed")));
+                                              data.analysis.settings[key::scalingSeed]));
     const Quantity quantity =
         quantityOf(data.options.quantity, plan.kind->form == AnalysisForm::spectrum);
     provenance.add("quantity", std::string(irsg::info(quantity).key));

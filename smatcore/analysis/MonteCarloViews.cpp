@@ -9,6 +9,7 @@
 #include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
 
@@ -112,7 +113,7 @@ MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, CaseW
         drawing.values.push_back({number(report.all, asked)});
         irsg::addNew(drawing.answeredBy, report.answeredBy);
         if (warnings != nullptr)
-            warnings->addReport(report, data_.analysis.settings.integer("render.layers"));
+            warnings->addReport(report, data_.analysis.settings[key::renderLayers]);
     }
     return drawing;
 }

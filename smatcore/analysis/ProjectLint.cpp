@@ -8,6 +8,7 @@
 #include "irsg/scene/model/ModelUse.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
 
@@ -47,8 +48,8 @@ std::vector<AnalysisData> analysesOf(const Project& project) {
 void addStates(const AnalysisData& analysis, std::size_t model, irsg::LintScope& scope) {
     const irsg::Environment environment = environmentOf(analysis.project, analysis.settings);
     irsg::EntityState standing;
-    standing.power = analysis.settings.real("state.power");
-    standing.mach = analysis.settings.real("state.mach");
+    standing.power = analysis.settings[key::statePower];
+    standing.mach = analysis.settings[key::stateMach];
     const irsg::Pose pose =
         model == 0 ? targetPoseOf(analysis.settings) : analysis.project.models[model].pose;
 

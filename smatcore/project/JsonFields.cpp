@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/Units.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/JsonText.h"
 
 namespace smat {
@@ -126,7 +127,7 @@ void JsonFields::takeSetting(Settings& settings, const std::string& key, const J
             }
             *text += (text->empty() ? "" : ",") + item.get<std::string>();
         }
-    } else if (key == "sensor.response" && value.is_string()) {
+    } else if (key == key::sensorResponse && value.is_string()) {
         text = value.get<std::string>(); // one file, as a word of its own
     } else if (setting.kind == SettingKind::pathList && value.is_array()) {
         text = "";

@@ -15,24 +15,24 @@ Json settingJson(const JsonPaths& paths, const SettingInfo& setting, const Setti
     const std::string& text = settings.text(setting.key);
     switch (setting.kind) {
     case SettingKind::integer:
-        return settings.integer(setting.key);
+        return settings[IntegerKey{setting.key.c_str()}];
     case SettingKind::real:
-        return settings.real(setting.key);
+        return settings[RealKey{setting.key.c_str()}];
     case SettingKind::boolean:
-        return settings.boolean(setting.key);
+        return settings[BooleanKey{setting.key.c_str()}];
     case SettingKind::choiceOrReal: {
-        const std::optional<double> number = settings.optionalReal(setting.key);
+        const std::optional<double> number = settings[OptionalRealKey{setting.key.c_str()}];
         return number ? Json(*number) : Json(text);
     }
     case SettingKind::path:
         return paths.text(text);
     case SettingKind::pathList: {
         Json list = Json::array();
-        for (const std::filesystem::path& path : settings.paths(setting.key)) {
+        for (const std::filesystem::path& path : settings[PathsKey{setting.key.c_str()}]) {
             list.push_back(paths.text(path));
         }
         // One response is a word, as programs read it that know no lists of them.
-        return setting.key == "sensor.response" && list.size() < 2
+        return setting.key == key::sensorResponse && list.size() < 2
                    ? Json(list.empty() ? "" : list.front().get<std::string>())
                    : list;
     }

@@ -9,6 +9,7 @@
 #include "irsg/scene/background/Terrain.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/SceneScalings.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {
@@ -98,9 +99,9 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
             }
         }
         entity.pose = i == 0 ? targetPoseOf(settings) : given.pose;
-        entity.state.time_s = settings.real("state.time");
-        entity.state.power = settings.real("state.power");
-        entity.state.mach = settings.real("state.mach");
+        entity.state.time_s = settings[key::stateTime];
+        entity.state.power = settings[key::statePower];
+        entity.state.mach = settings[key::stateMach];
         entity.referencePoint_m = given.referencePoint_m;
         entity.fallbackTemperature = given.fallbackTemperature;
         entity.fallbackMaterial = given.fallbackMaterial;
@@ -109,8 +110,8 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
     if (!diagnostics.empty()) {
         throw irsg::InputError(diagnostics);
     }
-    if (settings.boolean("scaling.use")) {
-        applyScalings(project, static_cast<std::uint64_t>(settings.integer("scaling.seed")), scene);
+    if (settings[key::scalingUse]) {
+        applyScalings(project, static_cast<std::uint64_t>(settings[key::scalingSeed]), scene);
     }
     return scene;
 }
@@ -167,10 +168,10 @@ SceneBuilder::Stamp SceneBuilder::stampOf(const std::filesystem::path& file, con
 }
 
 irsg::Pose targetPoseOf(const Settings& settings) {
-    return {.position_m = {0.0, 0.0, settings.real("target.altitude")},
-            .attitude = {irsg::radians(settings.real("target.yaw")),
-                         irsg::radians(settings.real("target.pitch")),
-                         irsg::radians(settings.real("target.roll"))}};
+    return {.position_m = {0.0, 0.0, settings[key::targetAltitude]},
+            .attitude = {irsg::radians(settings[key::targetYaw]),
+                         irsg::radians(settings[key::targetPitch]),
+                         irsg::radians(settings[key::targetRoll])}};
 }
 
 } // namespace smat

@@ -10,6 +10,7 @@
 #include "smatcore/project/AtmosphereInput.h"
 #include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
 
@@ -17,16 +18,15 @@ namespace {
 
 /// What the project sets itself goes before the sun of an Environment file.
 irsg::SunPosition sunFrom(const Settings& settings, const std::optional<irsg::SunPosition>& file) {
-    irsg::SunPosition sun{.azimuth_rad = irsg::radians(settings.real("environment.sunAzimuth")),
-                          .elevation_rad =
-                              irsg::radians(settings.real("environment.sunElevation"))};
-    if (const auto day = settings.optionalReal("environment.dayOfYear")) {
+    irsg::SunPosition sun{.azimuth_rad = irsg::radians(settings[key::environmentSunAzimuth]),
+                          .elevation_rad = irsg::radians(settings[key::environmentSunElevation])};
+    if (const auto day = settings[key::environmentDayOfYear]) {
         sun.distance_au = irsg::sunDistance_au(static_cast<int>(*day));
     }
-    if (file && !settings.isSet("environment.sunAzimuth")) {
+    if (file && !settings.isSet(key::environmentSunAzimuth)) {
         sun.azimuth_rad = file->azimuth_rad;
     }
-    if (file && !settings.isSet("environment.sunElevation")) {
+    if (file && !settings.isSet(key::environmentSunElevation)) {
         sun.elevation_rad = file->elevation_rad;
     }
     return sun;
@@ -34,8 +34,8 @@ irsg::SunPosition sunFrom(const Settings& settings, const std::optional<irsg::Su
 
 /// The one band of settings that have one.
 irsg::Band bandOf(const Project& project, const Settings& settings) {
-    const auto response = settings.paths("sensor.response");
-    return response.empty() ? irsg::Band::fromText(settings.text("sensor.band"))
+    const auto response = settings[key::sensorResponse];
+    return response.empty() ? irsg::Band::fromText(settings.text(key::sensorBand))
                             : irsg::Band::fromCsv(project.resolve(response.front()));
 }
 
@@ -43,7 +43,7 @@ irsg::Band bandOf(const Project& project, const Settings& settings) {
 
 irsg::SunPosition sunOf(const Project& project, const Settings& settings) {
     std::optional<irsg::SunPosition> ofFile;
-    for (const std::filesystem::path& listed : settings.paths("environment.atmospheres")) {
+    for (const std::filesystem::path& listed : settings[key::environmentAtmospheres]) {
         const auto file = project.resolve(listed);
         if (ofFile || isNoAir(listed) || !irsg::isEnvironmentXml(file)) {
             continue;
@@ -58,7 +58,7 @@ irsg::SunPosition sunOf(const Project& project, const Settings& settings) {
 }
 
 std::vector<std::filesystem::path> resolvedAir(const Project& project, const Settings& settings) {
-    auto files = settings.paths("environment.atmospheres");
+    auto files = settings[key::environmentAtmospheres];
     for (auto& listed : files) {
         listed = isNoAir(listed) ? listed : project.resolve(listed);
     }
@@ -67,14 +67,13 @@ std::vector<std::filesystem::path> resolvedAir(const Project& project, const Set
 
 irsg::Environment environmentOf(const Project& project, const Settings& settings) {
     irsg::Environment environment;
-    environment.defaultAmbient_K = settings.real("environment.ambientTemperature");
+    environment.defaultAmbient_K = settings[key::environmentAmbientTemperature];
 
     // What the project names itself goes before an AtmosphereScatteringLUT of a file.
-    const auto mtf = settings.paths("environment.mtf");
+    const auto mtf = settings[key::environmentMtf];
     if (!mtf.empty()) {
         environment.add(std::make_shared<irsg::AtmosphereScatteringLut>(
-            project.resolve(mtf.front()),
-            1e-3 * settings.real("environment.scatteringCoefficient")));
+            project.resolve(mtf.front()), 1e-3 * settings[key::environmentScatteringCoefficient]));
     }
     environment.sun = sunFrom(settings, addAir(environment, resolvedAir(project, settings)));
     if (environment.atmospheres().size() == mtf.size()) {
@@ -87,15 +86,15 @@ irsg::Environment environmentOf(const Project& project, const Settings& settings
 
 std::vector<Settings> eachBand(const Settings& settings) {
     std::vector<Settings> each;
-    for (const std::filesystem::path& response : settings.paths("sensor.response")) {
+    for (const std::filesystem::path& response : settings[key::sensorResponse]) {
         each.push_back(settings);
-        each.back().set("sensor.response", response.string());
+        each.back().set(key::sensorResponse, response.string());
     }
-    const std::string& bands = settings.text("sensor.band");
+    const std::string& bands = settings.text(key::sensorBand);
     for (std::size_t begin = 0; each.empty() || (begin > 0 && begin <= bands.size());) {
         const std::size_t end = std::min(bands.find(',', begin), bands.size());
         each.push_back(settings);
-        each.back().set("sensor.band", bands.substr(begin, end - begin));
+        each.back().set(key::sensorBand, bands.substr(begin, end - begin));
         begin = end + 1;
     }
     return each.size() > 1 ? each : std::vector<Settings>{settings};
@@ -107,8 +106,8 @@ std::vector<irsg::Band> bandsOf(const Project& project, const Settings& settings
         bands.push_back(bandOf(project, one));
         if (std::find(bands.begin(), bands.end() - 1, bands.back()) != bands.end() - 1) {
             throw irsg::InputError({.file = project.displayName(),
-                                    .position = "sensor.response",
-                                    .value = settings.text("sensor.response"),
+                                    .position = key::sensorResponse,
+                                    .value = settings.text(key::sensorResponse),
                                     .expected = "each response once"});
         }
     }
@@ -127,9 +126,9 @@ std::vector<std::string> bandLabels(const std::vector<irsg::Band>& bands) {
 }
 
 irsg::Sensor sensorOf(const Project& project, const Settings& settings) {
-    irsg::Sensor sensor{.width_px = settings.integer("sensor.width"),
-                        .height_px = settings.integer("sensor.height"),
-                        .horizontalFieldOfView_rad = irsg::radians(settings.real("sensor.fov")),
+    irsg::Sensor sensor{.width_px = settings[key::sensorWidth],
+                        .height_px = settings[key::sensorHeight],
+                        .horizontalFieldOfView_rad = irsg::radians(settings[key::sensorFov]),
                         .band = bandOf(project, eachBand(settings).front())};
     sensor.check();
     return sensor;
@@ -143,38 +142,37 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
                                   : irsg::ReflectionMode::smart;
     };
     irsg::RenderSettings render;
-    const int antialiasing = settings.integer("render.antialiasing");
+    const int antialiasing = settings[key::renderAntialiasing];
     render.zoomWindow = antialiasing > 2 ? 128 << (antialiasing - 3) : 0;
-    render.zoomStrategy = settings.text("render.zoom") == "sills" ? irsg::ZoomStrategy::sills
-                                                                  : irsg::ZoomStrategy::aligned;
+    render.zoomStrategy = settings.text(key::renderZoom) == "sills" ? irsg::ZoomStrategy::sills
+                                                                    : irsg::ZoomStrategy::aligned;
     render.samplesPerAxis = antialiasing > 2 ? 1 : 1 << antialiasing;
-    render.pointSourceBelow_px = settings.real("render.pointSource");
-    render.hotParts = settings.boolean("render.hotParts");
-    render.samplesInAll = settings.text("render.supersampling") == "inAll";
-    render.sun = reflection("render.sun");
-    render.fluxes = reflection("render.fluxes");
-    render.mode = settings.text("sensor.mode") == "ck" ? irsg::CalculationMode::wideband
-                                                       : irsg::CalculationMode::spectral;
-    render.fluxWeights = settings.text("render.fluxWeights") == "report"
+    render.pointSourceBelow_px = settings[key::renderPointSource];
+    render.hotParts = settings[key::renderHotParts];
+    render.samplesInAll = settings.text(key::renderSupersampling) == "inAll";
+    render.sun = reflection(key::renderSun);
+    render.fluxes = reflection(key::renderFluxes);
+    render.mode = settings.text(key::sensorMode) == "ck" ? irsg::CalculationMode::wideband
+                                                         : irsg::CalculationMode::spectral;
+    render.fluxWeights = settings.text(key::renderFluxWeights) == "report"
                              ? irsg::FluxWeights::report
                              : irsg::FluxWeights::viewFactor;
-    const std::optional<double> radiance = settings.optionalReal("render.background");
+    const std::optional<double> radiance = settings[key::renderBackground];
     render.background = radiance ? irsg::BackgroundMode::constant
-                        : settings.text("render.background") == "none"
+                        : settings.text(key::renderBackground) == "none"
                             ? irsg::BackgroundMode::none
                             : irsg::BackgroundMode::environment;
     render.background_W_m2_sr = radiance.value_or(0.0);
-    render.backgroundRows = settings.integer("render.backgroundRows");
-    render.backgroundColumns = settings.integer("render.backgroundColumns");
-    render.sunDisc = settings.boolean("render.sunDisc");
-    render.scattering = settings.boolean("render.scattering");
-    render.skybox = {settings.real("environment.skyboxSlope"),
-                     settings.real("environment.skyboxOffset")};
-    render.terrain = {settings.real("environment.terrainSlope"),
-                      settings.real("environment.terrainOffset")};
-    render.terrainHides = settings.boolean("render.terrainHides");
-    render.maximumLayers = settings.integer("render.layers");
-    render.truthLayers = settings.boolean("image.truthLayers");
+    render.backgroundRows = settings[key::renderBackgroundRows];
+    render.backgroundColumns = settings[key::renderBackgroundColumns];
+    render.sunDisc = settings[key::renderSunDisc];
+    render.scattering = settings[key::renderScattering];
+    render.skybox = {settings[key::environmentSkyboxSlope], settings[key::environmentSkyboxOffset]};
+    render.terrain = {settings[key::environmentTerrainSlope],
+                      settings[key::environmentTerrainOffset]};
+    render.terrainHides = settings[key::renderTerrainHides];
+    render.maximumLayers = settings[key::renderLayers];
+    render.truthLayers = settings[key::imageTruthLayers];
     return render;
 }
 

@@ -6,6 +6,7 @@
 #include "irsg/scene/background/Skybox.h"
 #include "irsg/scene/background/Terrain.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {
@@ -39,12 +40,11 @@ auto naming(const std::string& key, const Load& load) {
 
 std::shared_ptr<const irsg::Skybox> SceneBuilder::skybox(const Project& project,
                                                          const Settings& settings) {
-    const std::string key = "environment.skybox";
-    const std::vector<std::filesystem::path> listed = settings.paths(key);
+    const std::vector<std::filesystem::path> listed = settings[key::environmentSkybox];
     if (listed.empty()) {
         return nullptr;
     }
-    return naming(key, [&] {
+    return naming(key::environmentSkybox, [&] {
         std::array<std::filesystem::path, 6> files;
         if (listed.size() == 1) {
             files = irsg::Skybox::filesIn(project.resolve(listed.front()));
@@ -73,15 +73,14 @@ std::shared_ptr<const irsg::Skybox> SceneBuilder::skybox(const Project& project,
 
 std::shared_ptr<const irsg::Terrain> SceneBuilder::terrain(const Project& project,
                                                            const Settings& settings) {
-    const std::string key = "environment.terrain";
-    const std::vector<std::filesystem::path> listed = settings.paths(key);
+    const std::vector<std::filesystem::path> listed = settings[key::environmentTerrain];
     if (listed.empty()) {
         return nullptr;
     }
-    const irsg::Vec3 position_m{settings.real("environment.terrainEast"),
-                                settings.real("environment.terrainNorth"),
-                                settings.real("environment.terrainAltitude")};
-    return naming(key, [&] {
+    const irsg::Vec3 position_m{settings[key::environmentTerrainEast],
+                                settings[key::environmentTerrainNorth],
+                                settings[key::environmentTerrainAltitude]};
+    return naming(key::environmentTerrain, [&] {
         const std::filesystem::path file = project.resolve(listed.front());
         const std::string stamp = stampText(file) + irsg::numberText(position_m.x) + "|" +
                                   irsg::numberText(position_m.y) + "|" +

@@ -1,27 +1,31 @@
 #pragma once
 
 #include "smatcore/settings/SettingInfo.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::rows {
 
-/// Rows of the settings table, by what a setting holds. `key` is "section.name", `option` the
-/// option of the command line, `help` one or more sentences.
-SettingInfo number(std::string key, std::string option, std::string label, std::string unit,
+/// Rows of the settings table, one for each type of key. `option` is the option of the command
+/// line, `help` one or more sentences.
+SettingInfo number(RealKey key, std::string option, std::string label, std::string unit,
                    double minimum, double maximum, std::string defaultText, std::string help,
                    SettingAudience audience = SettingAudience::basic);
-SettingInfo integer(std::string key, std::string option, std::string label, std::string unit,
+SettingInfo integer(IntegerKey key, std::string option, std::string label, std::string unit,
                     double minimum, double maximum, std::string defaultText, std::string help,
                     SettingAudience audience = SettingAudience::basic);
-SettingInfo choice(std::string key, std::string option, std::string label,
+SettingInfo flag(BooleanKey key, std::string option, std::string label, bool byDefault,
+                 std::string help, SettingAudience audience = SettingAudience::basic);
+SettingInfo choice(TextKey key, std::string option, std::string label,
                    std::vector<std::string> choices, std::string defaultText, std::string help,
                    SettingAudience audience = SettingAudience::basic);
-SettingInfo choiceOrNumber(std::string key, std::string option, std::string label, std::string unit,
-                           std::vector<std::string> choices, double minimum, double maximum,
-                           std::string defaultText, std::string help,
+SettingInfo choiceOrNumber(OptionalRealKey key, std::string option, std::string label,
+                           std::string unit, std::vector<std::string> choices, double minimum,
+                           double maximum, std::string defaultText, std::string help,
                            SettingAudience audience = SettingAudience::basic);
-SettingInfo text(std::string key, std::string option, std::string label, std::string unit,
-                 SettingKind kind, std::string defaultText, std::string help,
-                 SettingAudience audience = SettingAudience::basic);
+SettingInfo bands(TextKey key, std::string option, std::string label, std::string defaultText,
+                  std::string help);
+SettingInfo file(PathsKey key, std::string option, std::string label, std::string help);
+SettingInfo files(PathsKey key, std::string option, std::string label, std::string help);
 /// A row with words for forms, one of each choice.
 SettingInfo named(SettingInfo info, std::vector<std::string> names);
 

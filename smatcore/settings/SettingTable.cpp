@@ -9,23 +9,23 @@ namespace {
 using namespace rows;
 
 void addSensor(std::vector<SettingInfo>& table) {
-    table.push_back(integer("sensor.width", "--width", "Width", "px", 1, 16384, "640",
+    table.push_back(integer(key::sensorWidth, "--width", "Width", "px", 1, 16384, "640",
                             "Columns of the detector."));
-    table.push_back(integer("sensor.height", "--height", "Height", "px", 1, 16384, "512",
+    table.push_back(integer(key::sensorHeight, "--height", "Height", "px", 1, 16384, "512",
                             "Rows of the detector."));
-    table.push_back(number("sensor.fov", "--fov", "Field of view", "deg", 1e-6, 179.0, "2",
+    table.push_back(number(key::sensorFov, "--fov", "Field of view", "deg", 1e-6, 179.0, "2",
                            "Horizontal field of view. Pixels are square, so the vertical one "
                            "follows from width and height."));
-    table.push_back(text("sensor.band", "--band", "Band", "um", SettingKind::band, "3-5",
-                         "Spectral band MIN-MAX with a response of 1 between its ends. Several, "
-                         "separated by commas, give sweeps a curve each from the same drawings and "
-                         "images a file each; they may overlap."));
-    table.push_back(text("sensor.response", "--response", "Response files", "",
-                         SettingKind::pathList, "none",
-                         "CSV of wavelength and response, one for each band, separated by "
-                         "semicolons; where they are given they stand in for all of the bands."));
+    table.push_back(
+        bands(key::sensorBand, "--band", "Band", "3-5",
+              "Spectral band MIN-MAX with a response of 1 between its ends. Several, "
+              "separated by commas, give sweeps a curve each from the same drawings and "
+              "images a file each; they may overlap."));
+    table.push_back(files(key::sensorResponse, "--response", "Response files",
+                          "CSV of wavelength and response, one for each band, separated by "
+                          "semicolons; where they are given they stand in for all of the bands."));
     table.push_back(named(
-        choice("sensor.mode", "--mode", "Calculation mode", {"spectral", "ck"}, "spectral",
+        choice(key::sensorMode, "--mode", "Calculation mode", {"spectral", "ck"}, "spectral",
                "How the band is integrated. Spectral multiplies at every wavelength and "
                "integrates last; ck does so at a few terms that an AtmosphereSmart is asked for, "
                "trained to a few thousandths. Spectra are always computed spectrally.",
@@ -34,79 +34,78 @@ void addSensor(std::vector<SettingInfo>& table) {
 }
 
 void addViewAndTarget(std::vector<SettingInfo>& table) {
-    table.push_back(number("camera.range", "--range", "Range", "m", 0, 1e8, "1000",
+    table.push_back(number(key::cameraRange, "--range", "Range", "m", 0, 1e8, "1000",
                            "Distance from the camera to the reference point of the target."));
     table.push_back(
-        number("camera.azimuth", "--azimuth", "Azimuth", "deg", -360, 360, "0",
+        number(key::cameraAzimuth, "--azimuth", "Azimuth", "deg", -360, 360, "0",
                "Azimuth of the camera about the target: 0 looks at the nose, 90 sees the "
                "starboard side. It turns with the target's yaw."));
-    table.push_back(number("camera.elevation", "--elevation", "Elevation", "deg", -90, 90, "0",
+    table.push_back(number(key::cameraElevation, "--elevation", "Elevation", "deg", -90, 90, "0",
                            "Elevation of the camera about the target; 0 is the horizontal plane, "
                            "positive looks down on it."));
     table.push_back(
-        number("target.yaw", "--yaw", "Yaw", "deg", -360, 360, "0",
+        number(key::targetYaw, "--yaw", "Yaw", "deg", -360, 360, "0",
                "Turns the target counter-clockwise seen from above; its heading is minus "
                "the yaw."));
     table.push_back(
-        number("target.pitch", "--pitch", "Pitch", "deg", -90, 90, "0", "Nose up is positive."));
-    table.push_back(number("target.roll", "--roll", "Roll", "deg", -180, 180, "0",
+        number(key::targetPitch, "--pitch", "Pitch", "deg", -90, 90, "0", "Nose up is positive."));
+    table.push_back(number(key::targetRoll, "--roll", "Roll", "deg", -180, 180, "0",
                            "Starboard down is positive."));
-    table.push_back(number("target.altitude", "--altitude", "Altitude", "m", 0, 1e6, "1000",
+    table.push_back(number(key::targetAltitude, "--altitude", "Altitude", "m", 0, 1e6, "1000",
                            "Altitude of the target's origin above the ground. Neither camera nor "
                            "target may be below the ground."));
-    table.push_back(number("state.time", "--time", "Time", "s", -1e9, 1e9, "0",
+    table.push_back(number(key::stateTime, "--time", "Time", "s", -1e9, 1e9, "0",
                            "Time since the scene began: the axis of the time tables of a signature "
                            "database."));
-    table.push_back(number("state.power", "--power", "Engine power", "", 0, 1e6, "0",
+    table.push_back(number(key::statePower, "--power", "Engine power", "", 0, 1e6, "0",
                            "Power setting: the axis of the power tables of a signature database, 0 "
                            "to 1 by custom."));
-    table.push_back(number("state.mach", "--mach", "Mach number", "", 0, 30, "0",
+    table.push_back(number(key::stateMach, "--mach", "Mach number", "", 0, 30, "0",
                            "Speed of the target for aerodynamic heating."));
 }
 
 void addScalings(std::vector<SettingInfo>& table) {
-    table.push_back(text("scaling.use", "--scalings", "Use scalings", "", SettingKind::boolean,
-                         "false",
+    table.push_back(flag(key::scalingUse, "--scalings", "Use scalings", false,
                          "Multiplies temperatures and emissivities with the scales of the two "
                          "scaling files beside the model, drawn when the database is loaded."));
-    table.push_back(integer("scaling.seed", "--seed", "Seed", "", 0, 2147483647, "1",
+    table.push_back(integer(key::scalingSeed, "--seed", "Seed", "", 0, 2147483647, "1",
                             "Names the random numbers of the scales: the same seed gives the same "
                             "draw on every machine, another seed another one."));
 }
 
 void addEnvironment(std::vector<SettingInfo>& table) {
-    table.push_back(text(
-        "environment.atmospheres", "--atmosphere", "Atmospheres", "", SettingKind::pathList, "none",
+    table.push_back(files(
+        key::environmentAtmospheres, "--atmosphere", "Atmospheres",
         "Atmosphere files in order, separated by semicolons; the first that has the "
         "asked quantity in the band answers: .xml of AtmosphereSmart or of an Environment, .csv of "
         "homogeneous air or of a radiative output, .smatatm and results of MODTRAN. With none "
         "there "
         "is no air."));
-    table.push_back(number("environment.sunAzimuth", "--sun-azimuth", "Sun azimuth", "deg", 0, 360,
-                           "180",
+    table.push_back(number(key::environmentSunAzimuth, "--sun-azimuth", "Sun azimuth", "deg", 0,
+                           360, "180",
                            "Azimuth of the sun, east of north; where it is not set, that of an "
                            "Environment file among the atmospheres."));
     table.push_back(number(
-        "environment.sunElevation", "--sun-elevation", "Sun elevation", "deg", -90, 90, "45",
+        key::environmentSunElevation, "--sun-elevation", "Sun elevation", "deg", -90, 90, "45",
         "True elevation of the middle of the sun above the horizontal; it sets at the horizon of "
         "the altitude, with its disc. Where it is not set, that of an Environment file among the "
         "atmospheres."));
     table.push_back(choiceOrNumber(
-        "environment.dayOfYear", "--day-of-year", "Day of the year", "", {"mean"}, 1, 366, "mean",
+        key::environmentDayOfYear, "--day-of-year", "Day of the year", "", {"mean"}, 1, 366, "mean",
         "For the distance of the sun, which changes the light of a computed atmosphere and of "
         "vacuum by -3.3 to +3.4 %; mean: one astronomical unit. Results of other programs and "
         "spectra of CSV files are of their own day."));
-    table.push_back(number("environment.ambientTemperature", "--ambient-temperature",
+    table.push_back(number(key::environmentAmbientTemperature, "--ambient-temperature",
                            "Ambient temperature", "K", 1, 5000, "288.15",
                            "Air temperature that surfaces take part of, where no atmosphere gives "
                            "one."));
 }
 
 void addScattering(std::vector<SettingInfo>& table) {
-    table.push_back(text("environment.mtf", "--mtf", "MTF database", "", SettingKind::path, "",
+    table.push_back(file(key::environmentMtf, "--mtf", "MTF database",
                          "How droplets spread light (.mtf, see smat-batch mtf): what scattering "
                          "uses in place of an AtmosphereScatteringLUT among the atmospheres."));
-    table.push_back(number("environment.scatteringCoefficient", "--scattering-coefficient",
+    table.push_back(number(key::environmentScatteringCoefficient, "--scattering-coefficient",
                            "Scattering coefficient", "km-1", 0, 1e5, "0",
                            "Scattering by droplets of one concentration along the path, for the "
                            "haze of that database; 0 leaves it to the atmospheres. The "
@@ -115,39 +114,40 @@ void addScattering(std::vector<SettingInfo>& table) {
 
 void addSurroundings(std::vector<SettingInfo>& table) {
     const std::string scaleUnit = "W m-2 sr-1";
-    table.push_back(text("environment.skybox", "--skybox", "Skybox", "", SettingKind::pathList,
-                         "none",
-                         "Six square pictures around the eye: a folder that holds north, south, "
-                         "east, west, up and down (.png, .jpg, .tif, .exr, .hdr), or six files "
-                         "in that order. Their red channel is read as linear numbers."));
-    table.push_back(number("environment.skyboxSlope", "--skybox-slope", "Skybox slope", scaleUnit,
+    table.push_back(files(key::environmentSkybox, "--skybox", "Skybox",
+                          "Six square pictures around the eye: a folder that holds north, south, "
+                          "east, west, up and down (.png, .jpg, .tif, .exr, .hdr), or six files "
+                          "in that order. Their red channel is read as linear numbers."));
+    table.push_back(number(key::environmentSkyboxSlope, "--skybox-slope", "Skybox slope", scaleUnit,
                            -1e9, 1e9, "1",
                            "In-band radiance from black (0) to white (1) of the skybox."));
-    table.push_back(number("environment.skyboxOffset", "--skybox-offset", "Skybox offset", "", -1e9,
-                           1e9, "0", "Value of the skybox that adds nothing to the background."));
-    table.push_back(text("environment.terrain", "--terrain", "Terrain", "", SettingKind::path, "",
+    table.push_back(number(key::environmentSkyboxOffset, "--skybox-offset", "Skybox offset", "",
+                           -1e9, 1e9, "0",
+                           "Value of the skybox that adds nothing to the background."));
+    table.push_back(file(key::environmentTerrain, "--terrain", "Terrain",
                          "Textured model that stands fixed in the world, x east, y north, z up, in "
                          "any format of OpenSceneGraph."));
-    table.push_back(number("environment.terrainSlope", "--terrain-slope", "Terrain slope",
+    table.push_back(number(key::environmentTerrainSlope, "--terrain-slope", "Terrain slope",
                            scaleUnit, -1e9, 1e9, "1",
                            "In-band radiance from black (0) to white (1) of the terrain's "
                            "textures."));
-    table.push_back(number("environment.terrainOffset", "--terrain-offset", "Terrain offset", "",
+    table.push_back(number(key::environmentTerrainOffset, "--terrain-offset", "Terrain offset", "",
                            -1e9, 1e9, "0",
                            "Value of the terrain's textures that adds nothing to the background."));
-    table.push_back(number("environment.terrainEast", "--terrain-east", "Terrain east", "m", -1e7,
+    table.push_back(number(key::environmentTerrainEast, "--terrain-east", "Terrain east", "m", -1e7,
                            1e7, "0",
                            "Where the origin of the terrain's file stands, east of the target's "
                            "origin."));
-    table.push_back(number("environment.terrainNorth", "--terrain-north", "Terrain north", "m",
+    table.push_back(number(key::environmentTerrainNorth, "--terrain-north", "Terrain north", "m",
                            -1e7, 1e7, "0", "The same, north of the target's origin."));
-    table.push_back(number("environment.terrainAltitude", "--terrain-altitude", "Terrain altitude",
-                           "m", -1e5, 1e5, "0", "Altitude of the origin of the terrain's file."));
+    table.push_back(number(key::environmentTerrainAltitude, "--terrain-altitude",
+                           "Terrain altitude", "m", -1e5, 1e5, "0",
+                           "Altitude of the origin of the terrain's file."));
 }
 
 void addRendering(std::vector<SettingInfo>& table) {
     SettingInfo antialiasing = integer(
-        "render.antialiasing", "--antialiasing", "Antialiasing", "", 0, 5, "4",
+        key::renderAntialiasing, "--antialiasing", "Antialiasing", "", 0, 5, "4",
         "Mode 0: one sample a pixel. Modes 1 and 2: 2 and 4 samples per axis in every pixel. Modes "
         "3, 4 and 5: every object is drawn into a window of 128, 256 or 512 samples a side, "
         "however small it is.");
@@ -159,81 +159,78 @@ void addRendering(std::vector<SettingInfo>& table) {
                           "5   zoom, 512 samples a side"};
     table.push_back(std::move(antialiasing));
     table.push_back(
-        named(choice("render.zoom", "--zoom", "Zoom strategy", {"aligned", "sills"}, "aligned",
+        named(choice(key::renderZoom, "--zoom", "Zoom strategy", {"aligned", "sills"}, "aligned",
                      "How modes 3 to 5 sample: aligned on the sensor's pixel grid, or sills, "
                      "as published, to compare with: it loses and gains energy with the place "
                      "of an object among the pixels.",
                      SettingAudience::expert),
               {"aligned on the pixels", "sills, as published"}));
     table.push_back(number(
-        "render.pointSource", "--point-source", "Point sources below", "px", 0, 1, "0.015625",
+        key::renderPointSource, "--point-source", "Point sources below", "px", 0, 1, "0.015625",
         "Objects narrower than this part of a pixel are drawn once per aspect "
         "and then stand for any range as points (modes 3 to 5, aligned); 0 draws "
         "them always.",
         SettingAudience::expert));
-    table.push_back(text("render.hotParts", "--hot-parts", "Windows for hot parts", "",
-                         SettingKind::boolean, "true",
+    table.push_back(flag(key::renderHotParts, "--hot-parts", "Windows for hot parts", true,
                          "Small parts that shine out of their object, such as exhaust pipes, are "
                          "drawn into windows of their own (modes 3 to 5, aligned); without them "
                          "frames take a third of the time and such parts are some percent off.",
                          SettingAudience::expert));
     table.push_back(
-        named(choice("render.supersampling", "--supersampling", "Supersampling counts",
+        named(choice(key::renderSupersampling, "--supersampling", "Supersampling counts",
                      {"perAxis", "inAll"}, "perAxis",
                      "Whether the 2 and 4 samples of modes 1 and 2 are meant per axis of a "
                      "pixel or in all.",
                      SettingAudience::expert),
               {"per axis of a pixel", "in all of a pixel"}));
     const std::vector<std::string> reflections = {"off", "approx", "smart"};
-    table.push_back(named(choice("render.sun", "--sun", "Sun reflection", reflections, "smart",
+    table.push_back(named(choice(key::renderSun, "--sun", "Sun reflection", reflections, "smart",
                                  "Reflected sun: off, approx (independent of geometry: a quarter "
                                  "everywhere) or smart (per pixel)."),
                           {"off", "approx, a quarter everywhere", "smart, per pixel"}));
     table.push_back(
-        named(choice("render.fluxes", "--fluxes", "Flux reflection", reflections, "smart",
+        named(choice(key::renderFluxes, "--fluxes", "Flux reflection", reflections, "smart",
                      "Reflected sky and ground: off, approx (independent of geometry: a half "
                      "of each) or smart (per pixel)."),
               {"off", "approx, a half of each", "smart, per pixel"}));
     table.push_back(
-        named(choice("render.fluxWeights", "--flux-weights", "Flux weights",
+        named(choice(key::renderFluxWeights, "--flux-weights", "Flux weights",
                      {"viewFactor", "report"}, "viewFactor",
                      "Share of sky and ground a tilted facet sees: its exact view factor, or "
                      "the angle over 180 degrees as published.",
                      SettingAudience::expert),
               {"exact view factor", "angle, as published"}));
     table.push_back(
-        choiceOrNumber("render.background", "--background", "Background", "W m-2 sr-1",
+        choiceOrNumber(key::renderBackground, "--background", "Background", "W m-2 sr-1",
                        {"smart", "none"}, 0, 1e9, "smart",
                        "What lies behind the models: smart asks the environment along "
                        "the line of sight at the field's centre, or along rows and columns of "
                        "them; none is 0, a number is an in-band radiance. Skybox, sun and terrain "
                        "come on top."));
-    table.push_back(integer("render.backgroundRows", "--background-rows", "Background rows", "", 0,
-                            1024, "1",
+    table.push_back(integer(key::renderBackgroundRows, "--background-rows", "Background rows", "",
+                            0, 1024, "1",
                             "Rows of lines of sight over the field that a smart background is "
                             "asked along, on both sides of the horizon where it is in the field. "
                             "One row and one column is a uniform background; 0 is as many rows as "
                             "half a percent of the radiance needs."));
-    table.push_back(integer("render.backgroundColumns", "--background-columns",
+    table.push_back(integer(key::renderBackgroundColumns, "--background-columns",
                             "Background columns", "", 1, 1024, "1",
                             "Columns of the same: one does unless the sun makes the sky change "
                             "with azimuth."));
-    table.push_back(text("render.sunDisc", "--sun-disc", "Sun disc", "", SettingKind::boolean,
-                         "false",
+    table.push_back(flag(key::renderSunDisc, "--sun-disc", "Sun disc", false,
                          "Draws the sun as a disc of 0.53 degrees where nothing hides it; a "
                          "skybox should have no sun of its own then."));
     table.push_back(
-        text("render.scattering", "--scattering", "Scattering", "", SettingKind::boolean, "false",
+        flag(key::renderScattering, "--scattering", "Scattering", false,
              "Images show the haze that droplets scatter around objects. Needs an MTF "
              "database, or an AtmosphereScatteringLUT among the atmospheres; works with "
              "every antialiasing. Sums over objects stay those of direct light."));
-    table.push_back(text("render.terrainHides", "--terrain-hides", "Terrain hides", "",
-                         SettingKind::boolean, "true",
+    table.push_back(flag(key::renderTerrainHides, "--terrain-hides", "Terrain hides", true,
                          "Terrain hides what is behind it; else it is a picture behind all "
                          "objects.",
                          SettingAudience::expert));
     table.push_back(
-        integer("render.layers", "--layers", "Transparent layers", "", 1, 1000, "64",
+        integer(key::renderLayers, "--layers", "Transparent layers", "", 1, 1000, "64",
                 "Transparent surfaces kept per sample, nearest first; samples with more "
                 "of them are counted and reported.",
                 SettingAudience::expert));
@@ -241,20 +238,20 @@ void addRendering(std::vector<SettingInfo>& table) {
 
 void addDisplay(std::vector<SettingInfo>& table) {
     table.push_back(
-        choice("display.colorMap", "--color-map", "Colour map", irsg::ColorMap::names(),
+        choice(key::displayColorMap, "--color-map", "Colour map", irsg::ColorMap::names(),
                irsg::ColorMap::defaultName,
                "Colours of PNG files and of the image window; data are never coloured."));
     table.push_back(
-        choice("display.scale", "--color-scale", "Colour scale", irsg::colorScaleNames(),
+        choice(key::displayScale, "--color-scale", "Colour scale", irsg::colorScaleNames(),
                irsg::nameOf(irsg::ColorScale::linear),
                "How colours follow values between darkest and brightest: linear, by the square "
                "root, by the logarithm over four decades, or equalized, every colour for as many "
                "of the values; with all but the first auto shows the hottest pixels, too."));
-    table.push_back(choiceOrNumber("display.minimum", "--display-minimum", "Darkest value", "",
+    table.push_back(choiceOrNumber(key::displayMinimum, "--display-minimum", "Darkest value", "",
                                    {"auto"}, -1e30, 1e30, "auto",
                                    "Value that has the first colour, in the unit of the picture; "
                                    "auto shows the object and its background."));
-    table.push_back(choiceOrNumber("display.maximum", "--display-maximum", "Brightest value", "",
+    table.push_back(choiceOrNumber(key::displayMaximum, "--display-maximum", "Brightest value", "",
                                    {"auto"}, -1e30, 1e30, "auto",
                                    "Value that has the last colour, in the unit of the picture; "
                                    "auto leaves out the few hottest pixels."));

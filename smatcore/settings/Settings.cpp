@@ -75,27 +75,27 @@ const std::string& Settings::text(std::string_view key) const {
     return found != values_.end() ? found->second : settingInfo(key).defaultText;
 }
 
-double Settings::real(std::string_view key) const {
+double Settings::operator[](RealKey key) const {
     requireKind(key, {SettingKind::real, SettingKind::integer});
     return parsed(text(key));
 }
 
-int Settings::integer(std::string_view key) const {
+int Settings::operator[](IntegerKey key) const {
     requireKind(key, {SettingKind::integer});
     return static_cast<int>(parsed(text(key)));
 }
 
-bool Settings::boolean(std::string_view key) const {
+bool Settings::operator[](BooleanKey key) const {
     requireKind(key, {SettingKind::boolean});
     return text(key) == "true";
 }
 
-std::optional<double> Settings::optionalReal(std::string_view key) const {
+std::optional<double> Settings::operator[](OptionalRealKey key) const {
     requireKind(key, {SettingKind::choiceOrReal});
     return irsg::parseNumber(text(key));
 }
 
-std::vector<std::filesystem::path> Settings::paths(std::string_view key) const {
+std::vector<std::filesystem::path> Settings::operator[](PathsKey key) const {
     const SettingInfo& setting = requireKind(key, {SettingKind::path, SettingKind::pathList});
     const std::string& list = text(key);
     if (list.empty() || (setting.kind == SettingKind::pathList && list == "none")) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "smatcore/settings/SettingInfo.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
 
@@ -25,16 +26,18 @@ class Settings {
     void setFromArgument(std::string_view argument);
     void reset(std::string_view key);
 
-    /// Canonical text of the value in effect. Unknown keys are a LogicError here and below, and so
-    /// is asking for another kind than the setting has.
+    /// Canonical text of the value in effect. LogicError for an unknown key.
     const std::string& text(std::string_view key) const;
-    double real(std::string_view key) const;
-    int integer(std::string_view key) const;
-    bool boolean(std::string_view key) const;
-    /// The number of a choiceOrReal setting; no value where it is one of the choices.
-    std::optional<double> optionalReal(std::string_view key) const;
-    /// The files of a path or pathList setting as written; empty where there are none.
-    std::vector<std::filesystem::path> paths(std::string_view key) const;
+    /// The value in effect. A key that is no row of the table, or one of another type, is a
+    /// LogicError.
+    double operator[](RealKey key) const;
+    int operator[](IntegerKey key) const;
+    bool operator[](BooleanKey key) const;
+    const std::string& operator[](TextKey key) const { return text(key); }
+    /// The number; no value where it is one of the choices.
+    std::optional<double> operator[](OptionalRealKey key) const;
+    /// The files as written; empty where there are none.
+    std::vector<std::filesystem::path> operator[](PathsKey key) const;
 
     bool isSet(std::string_view key) const { return values_.find(key) != values_.end(); }
     /// True where the value in effect is the default, set or not.

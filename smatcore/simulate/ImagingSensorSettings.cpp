@@ -1,3 +1,4 @@
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 
 namespace smat {
@@ -19,23 +20,24 @@ constexpr double rowsInPlaceOfAsNeeded = 32.0;
 
 ImagingSensorSettings settingsOf(const ImagingSensorParameters& parameters) {
     ImagingSensorSettings result;
-    const auto set = [&](const char* key, const std::optional<double>& value) {
+    const auto set = [&](std::string_view key, const std::optional<double>& value) {
         if (value) {
             result.settings.set(key, *value);
         }
     };
     if (parameters.calculationMode) {
-        result.settings.set("sensor.mode", *parameters.calculationMode == 2.0 ? "ck" : "spectral");
+        result.settings.set(key::sensorMode,
+                            *parameters.calculationMode == 2.0 ? "ck" : "spectral");
     }
-    set("render.antialiasing", parameters.antialiasingMode);
+    set(key::renderAntialiasing, parameters.antialiasingMode);
 
     // A uniform background is a grid of one line of sight, whatever its numbers say.
     const bool isUniform = isOn(parameters.isUniformBackground);
-    set("render.backgroundRows", isUniform ? 1.0 : parameters.numberOfBackgroundRows);
-    set("render.backgroundColumns", isUniform ? 1.0 : parameters.numberOfBackgroundColumns);
+    set(key::renderBackgroundRows, isUniform ? 1.0 : parameters.numberOfBackgroundRows);
+    set(key::renderBackgroundColumns, isUniform ? 1.0 : parameters.numberOfBackgroundColumns);
 
     // The file turns pictures on and off; which ones they are stands in the settings.
-    const auto turn = [&](const char* parameter, const std::optional<double>& use, const char* key,
+    const auto turn = [&](const char* parameter, const std::optional<double>& use, PathsKey key,
                           const char* none) {
         if (isOn(use)) {
             result.needed.push_back({key, parameter});
@@ -43,36 +45,36 @@ ImagingSensorSettings settingsOf(const ImagingSensorParameters& parameters) {
             result.settings.set(key, none);
         }
     };
-    turn("UseSkyboxBackground", parameters.useSkyboxBackground, "environment.skybox", "none");
-    turn("UseTerrainBackground", parameters.useTerrainBackground, "environment.terrain", "");
-    set("environment.skyboxSlope", parameters.skyboxTextureRadianceSlope);
-    set("environment.skyboxOffset", parameters.skyboxTextureColorOffset);
-    set("environment.terrainSlope", parameters.terrainTextureRadianceSlope);
-    set("environment.terrainOffset", parameters.terrainTextureColorOffset);
+    turn("UseSkyboxBackground", parameters.useSkyboxBackground, key::environmentSkybox, "none");
+    turn("UseTerrainBackground", parameters.useTerrainBackground, key::environmentTerrain, "");
+    set(key::environmentSkyboxSlope, parameters.skyboxTextureRadianceSlope);
+    set(key::environmentSkyboxOffset, parameters.skyboxTextureColorOffset);
+    set(key::environmentTerrainSlope, parameters.terrainTextureRadianceSlope);
+    set(key::environmentTerrainOffset, parameters.terrainTextureColorOffset);
 
     if (parameters.useAtmosphereScattering) {
-        result.settings.set("render.scattering",
+        result.settings.set(key::renderScattering,
                             isOn(parameters.useAtmosphereScattering) ? "true" : "false");
     }
     return result;
 }
 
 ImagingSensorParameters imagingSensorParametersOf(const Settings& settings) {
-    const int rows = settings.integer("render.backgroundRows");
-    const int columns = settings.integer("render.backgroundColumns");
+    const int rows = settings[key::renderBackgroundRows];
+    const int columns = settings[key::renderBackgroundColumns];
     ImagingSensorParameters parameters;
-    parameters.calculationMode = settings.text("sensor.mode") == "ck" ? 2.0 : 1.0;
-    parameters.antialiasingMode = settings.integer("render.antialiasing");
+    parameters.calculationMode = settings.text(key::sensorMode) == "ck" ? 2.0 : 1.0;
+    parameters.antialiasingMode = settings[key::renderAntialiasing];
     parameters.isUniformBackground = switchOf(rows == 1 && columns == 1);
     parameters.numberOfBackgroundColumns = columns;
     parameters.numberOfBackgroundRows = rows > 0 ? rows : rowsInPlaceOfAsNeeded;
-    parameters.useSkyboxBackground = switchOf(!settings.paths("environment.skybox").empty());
-    parameters.useTerrainBackground = switchOf(!settings.paths("environment.terrain").empty());
-    parameters.skyboxTextureRadianceSlope = settings.real("environment.skyboxSlope");
-    parameters.skyboxTextureColorOffset = settings.real("environment.skyboxOffset");
-    parameters.terrainTextureRadianceSlope = settings.real("environment.terrainSlope");
-    parameters.terrainTextureColorOffset = settings.real("environment.terrainOffset");
-    parameters.useAtmosphereScattering = switchOf(settings.boolean("render.scattering"));
+    parameters.useSkyboxBackground = switchOf(!settings[key::environmentSkybox].empty());
+    parameters.useTerrainBackground = switchOf(!settings[key::environmentTerrain].empty());
+    parameters.skyboxTextureRadianceSlope = settings[key::environmentSkyboxSlope];
+    parameters.skyboxTextureColorOffset = settings[key::environmentSkyboxOffset];
+    parameters.terrainTextureRadianceSlope = settings[key::environmentTerrainSlope];
+    parameters.terrainTextureColorOffset = settings[key::environmentTerrainOffset];
+    parameters.useAtmosphereScattering = switchOf(settings[key::renderScattering]);
     return parameters;
 }
 

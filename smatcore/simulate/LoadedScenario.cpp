@@ -123,7 +123,7 @@ class Loader {
     /// What the ImagingSensor file turns on must be named somewhere.
     void refuseMissing(const ScenarioSensor& sensor, const LoadedSensor& loaded) {
         for (const ImagingSensorSettings::Needed& needed : needed_) {
-            if (loaded.settings.paths(needed.setting).empty()) {
+            if (loaded.settings[PathsKey{needed.setting.c_str()}].empty()) {
                 diagnostics_.push_back({.file = scenario_.resolve(sensor.imagingSensor).string(),
                                         .position = needed.parameter,
                                         .value = "1",

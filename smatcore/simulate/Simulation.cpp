@@ -10,6 +10,7 @@
 #include "irsg/radiometry/NewLines.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {
@@ -71,9 +72,8 @@ struct Shortcomings {
         }
         if (layersLeftOver > 0) {
             result.warnings.push_back(fmt::format(
-                "up to {} samples of a frame have more transparent layers than are kept, see "
-                "render.layers",
-                layersLeftOver));
+                "up to {} samples of a frame have more transparent layers than are kept, see {}",
+                layersLeftOver, key::renderLayers.name));
         }
     }
 };

@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadRow{"OutputOfUnknownForm",
                nothing,
                {"radiative", "none", "--quantity", "sun", "--out", "o.exr"},
-               {"o.exr", ".csv, .json"}}),
+               {"o.exr", ".csv or .json"}}),
     nameOf);
 
 BadRow profileRow(const char* name, const Words& more, const Words& named) {

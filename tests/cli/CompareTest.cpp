@@ -167,7 +167,8 @@ TEST_F(CompareCommand, RefusesWhatCannotBeCompared) {
         {{"a.exr", "b.exr", "--allow-failures", "1.5"}, {"--allow-failures", "whole number"}},
         {{"a.exr", "b.exr", "--rectangle", "1,2,3"}, {"--rectangle", "1,2,3", "x,y,width,height"}},
         {{"a.exr", "b.exr", "--rectangle", "7,0,2,1"}, {"2 x 1 at (7, 0)", "8 x 4"}},
-        {{"a.exr", "b.exr", "--out", "d.tiff"}, {"--out", "d.tiff", ".exr, .csv or .png"}},
+        {{"a.exr", "b.exr", "--out", "d.jpeg"},
+         {"--out", "d.jpeg", ".exr, .csv, .png, .tif or .tiff"}},
         {{"a.exr"}, {"B is required"}},
     };
     for (const Row& row : rows) {

@@ -163,7 +163,7 @@ TEST_F(SmatBatchMonteCarlo, refusesWhatItCannotDo) {
         const char* says;
     } rows[] = {
         {"no file", {}, "--out"},
-        {"another extension", {"--out", "mc.png"}, "one of .csv, .json"},
+        {"another extension", {"--out", "mc.png"}, ".csv or .json"},
         {"an image", {"--analysis", "picture", "--out", "a.csv"}, "an image"},
         {"an analysis that is not there",
          {"--analysis", "x", "--out", "a.csv"},

@@ -173,7 +173,7 @@ inline SceneDescription sceneWithoutFiles(const Project& project, const Settings
     irsg::Entity target;
     target.name = "target";
     target.pose = targetPoseOf(settings);
-    target.state.time_s = settings.real("state.time");
+    target.state.time_s = settings[key::stateTime];
     scene.entities.push_back(target);
     return scene;
 }

@@ -143,16 +143,16 @@ TEST(ImagingSensorSettings, everyParameterSetsItsSetting) {
                                                   .terrainTextureColorOffset = 0.125,
                                                   .useAtmosphereScattering = 0});
     EXPECT_EQ(set.settings.text("sensor.mode"), "ck");
-    EXPECT_EQ(set.settings.integer("render.antialiasing"), 5);
-    EXPECT_EQ(set.settings.integer("render.backgroundColumns"), 3);
-    EXPECT_EQ(set.settings.integer("render.backgroundRows"), 16);
-    EXPECT_EQ(set.settings.real("environment.skyboxSlope"), 0.25);
-    EXPECT_EQ(set.settings.real("environment.skyboxOffset"), 0.5);
-    EXPECT_EQ(set.settings.real("environment.terrainSlope"), 0.75);
-    EXPECT_EQ(set.settings.real("environment.terrainOffset"), 0.125);
+    EXPECT_EQ(set.settings[key::renderAntialiasing], 5);
+    EXPECT_EQ(set.settings[key::renderBackgroundColumns], 3);
+    EXPECT_EQ(set.settings[key::renderBackgroundRows], 16);
+    EXPECT_EQ(set.settings[key::environmentSkyboxSlope], 0.25);
+    EXPECT_EQ(set.settings[key::environmentSkyboxOffset], 0.5);
+    EXPECT_EQ(set.settings[key::environmentTerrainSlope], 0.75);
+    EXPECT_EQ(set.settings[key::environmentTerrainOffset], 0.125);
     EXPECT_FALSE(set.settings.isSet("environment.skybox")) << "the scenario names it";
     EXPECT_TRUE(set.settings.isSet("environment.terrain")) << "off, whatever the scenario names";
-    EXPECT_TRUE(set.settings.paths("environment.terrain").empty());
+    EXPECT_TRUE(set.settings[key::environmentTerrain].empty());
     ASSERT_EQ(set.needed.size(), 1u);
     EXPECT_EQ(set.needed[0].setting, "environment.skybox");
     EXPECT_TRUE(settingsOf({}).settings.values().empty());
@@ -161,8 +161,8 @@ TEST(ImagingSensorSettings, everyParameterSetsItsSetting) {
 TEST(ImagingSensorSettings, aUniformBackgroundIsOneLineOfSightWhateverItsNumbersSay) {
     const ImagingSensorSettings set = settingsOf(
         {.isUniformBackground = 1, .numberOfBackgroundColumns = 4, .numberOfBackgroundRows = 16});
-    EXPECT_EQ(set.settings.integer("render.backgroundColumns"), 1);
-    EXPECT_EQ(set.settings.integer("render.backgroundRows"), 1);
+    EXPECT_EQ(set.settings[key::renderBackgroundColumns], 1);
+    EXPECT_EQ(set.settings[key::renderBackgroundRows], 1);
 }
 
 TEST(ImagingSensorSettings, asManyRowsAsAreNeededBecomeANumberOfTheFile) {
@@ -174,10 +174,10 @@ TEST(ImagingSensorSettings, asManyRowsAsAreNeededBecomeANumberOfTheFile) {
 }
 
 TEST(ImagingSensorSettings, turnScatteringOnAndOff) {
-    EXPECT_TRUE(settingsOf({.useAtmosphereScattering = 1}).settings.boolean("render.scattering"));
+    EXPECT_TRUE(settingsOf({.useAtmosphereScattering = 1}).settings[key::renderScattering]);
     const ImagingSensorSettings off = settingsOf({.useAtmosphereScattering = 0});
     EXPECT_TRUE(off.settings.isSet("render.scattering"));
-    EXPECT_FALSE(off.settings.boolean("render.scattering"));
+    EXPECT_FALSE(off.settings[key::renderScattering]);
     Settings settings;
     settings.set("render.scattering", "true");
     EXPECT_EQ(imagingSensorParametersOf(settings).useAtmosphereScattering, 1.0);

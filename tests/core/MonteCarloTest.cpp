@@ -325,7 +325,7 @@ TEST_F(MonteCarloTest, savesWhatReadsBack) {
     saveMonteCarlo(data, folder / "mc.json");
     EXPECT_EQ(ResultTable::load(folder / "mc.json"), data.analysis.table);
     EXPECT_THAT(refusalOf([&] { saveMonteCarlo(data, folder / "mc.txt"); }),
-                HasSubstr("one of .csv, .json"));
+                HasSubstr(".csv or .json"));
 }
 
 TEST_F(MonteCarloTest, saysTheCommandThatDoesTheSame) {

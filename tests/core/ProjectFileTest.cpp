@@ -109,7 +109,7 @@ TEST(ProjectFile, AnAnalysisMaySetADefaultAgainstItsProject) {
     image.settings.set("sensor.width", 640);
     project.analyses = {image};
     const Project back = readText(projectToJson(project, here));
-    EXPECT_EQ(back.settings.with(back.analyses[0].settings).integer("sensor.width"), 640);
+    EXPECT_EQ(back.settings.with(back.analyses[0].settings)[key::sensorWidth], 640);
 }
 
 TEST(ProjectFile, KeepsUnknownKeysAndNamesThem) {

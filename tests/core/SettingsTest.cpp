@@ -174,7 +174,7 @@ TEST(Settings, NumbersReadBackExactly) {
     Settings settings;
     const double value = 0.1 + 0.2;
     settings.set("camera.range", value);
-    EXPECT_EQ(settings.real("camera.range"), value);
+    EXPECT_EQ(settings[key::cameraRange], value);
 }
 
 TEST(Settings, AnOverrideOfTheDefaultValueStillOverrides) {
@@ -182,9 +182,9 @@ TEST(Settings, AnOverrideOfTheDefaultValueStillOverrides) {
     project.set("sensor.width", 320);
     Settings analysis;
     analysis.set("sensor.width", "640");
-    EXPECT_EQ(project.with(analysis).integer("sensor.width"), 640);
+    EXPECT_EQ(project.with(analysis)[key::sensorWidth], 640);
     analysis.reset("sensor.width");
-    EXPECT_EQ(project.with(analysis).integer("sensor.width"), 320);
+    EXPECT_EQ(project.with(analysis)[key::sensorWidth], 320);
 }
 
 TEST(Settings, ArgumentsOfSetNeedAnEqualsSign) {
@@ -196,8 +196,8 @@ TEST(Settings, ArgumentsOfSetNeedAnEqualsSign) {
 
 TEST(Settings, AskingForAnotherKindIsOurOwnFault) {
     const Settings settings;
-    EXPECT_THROW((void)settings.real("render.sun"), irsg::LogicError);
-    EXPECT_THROW((void)settings.integer("sensor.fov"), irsg::LogicError);
+    EXPECT_THROW((void)settings[RealKey{"render.sun"}], irsg::LogicError);
+    EXPECT_THROW((void)settings[IntegerKey{"sensor.fov"}], irsg::LogicError);
     EXPECT_THROW((void)settings.text("sensor.widht"), irsg::LogicError);
 }
 

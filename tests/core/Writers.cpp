@@ -5,6 +5,7 @@
 #include "irsg/image/Canvas.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
+#include "irsg/image/TiffFile.h"
 #include "irsg/karma/KarmaXml.h"
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/FileReplacement.h"
@@ -107,6 +108,8 @@ const std::vector<Writer>& waysOfWriting() {
          bytesOf},
         {"ExrImage", "a.exr",
          [](const fs::path& file, bool second) { irsg::writeExr(image(second), file); }, bytesOf},
+        {"TiffImage", "a.tif",
+         [](const fs::path& file, bool second) { irsg::writeTiff(image(second), file); }, bytesOf},
         {"CsvImage", "a.csv",
          [](const fs::path& file, bool second) { irsg::writeCsvImage(image(second), file); },
          bytesOf},

@@ -17,7 +17,9 @@
 #include "irsg/atmosphere/import/TextLines.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/image/PngPlane.h"
+#include "irsg/image/TiffFile.h"
 #include "irsg/karma/KarmaXml.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/CsvTable.h"
@@ -48,10 +50,7 @@ std::string imageBytes(const char* extension) {
     image.attributes["band"] = "3-5 um";
     const fs::path file =
         fs::temp_directory_path() / ("smat-fuzz-seed-" + std::to_string(getpid()) + extension);
-    if (std::string_view(extension) == ".exr")
-        irsg::writeExr(image, file);
-    else
-        irsg::writeCsvImage(image, file);
+    irsg::writeImageFile(image, file);
     const std::string bytes = irsg::readFile(file);
     fs::remove(file);
     return bytes;
@@ -106,6 +105,7 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          {},
          {imageBytes(".csv"), "1 2 3\n4 5 6\n"}},
         {"exr", ".exr", [](File f) { irsg::readExr(f); }, {}, {imageBytes(".exr")}},
+        {"tiff", ".tif", [](File f) { irsg::readTiff(f); }, {}, {imageBytes(".tif")}},
         {"png", ".png", [](File f) { irsg::readPngPlane(f); }, {"samples/valley/ground.png"}, {}},
         {"signature-json",
          ".json",

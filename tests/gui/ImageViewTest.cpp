@@ -24,6 +24,7 @@
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/ImageIntensity.h"
 #include "irsg/image/SampledWindows.h"
+#include "irsg/image/TiffFile.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "tests/gui/GuiEnvironment.h"
@@ -394,7 +395,8 @@ TEST_F(ImageViewTest, ExportsDataAndPicturesWithAndWithoutBar) {
     menuEntry(view, "exportImage", "All planes as OpenEXR…")->trigger();
     ASSERT_EQ(told.size(), 1);
     EXPECT_TRUE(told[0].contains("/nowhere/at/all.exr"));
-    EXPECT_THROW(view.exportTo("image.tiff"), irsg::InputError);
+    EXPECT_EQ(irsg::readTiff(write("All planes as TIFF…", "a.tif")).channels.size(), 3U);
+    EXPECT_THROW(view.exportTo("image.jpeg"), irsg::InputError);
 }
 
 TEST_F(ImageViewTest, CopiesValuesOfTheRectangleAndThePicture) {

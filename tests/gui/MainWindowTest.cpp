@@ -122,7 +122,7 @@ TEST_F(MainWindowTest, DialogRefusesAValueOutOfRangeAndShowsTheCommand) {
         EXPECT_TRUE(command->text().contains("--step=45")) << command->text().toStdString();
         EXPECT_TRUE(command->text().contains("--azimuth=33")) << command->text().toStdString();
         EXPECT_TRUE(form.isAcceptable());
-        EXPECT_EQ(form.data().settings.real("polar.step"), 45.0);
+        EXPECT_EQ(form.data().settings[RealKey{"polar.step"}], 45.0);
         seen = true;
     };
     window->findChild<QAction*>("new-polar")->trigger();

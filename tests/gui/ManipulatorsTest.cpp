@@ -65,17 +65,17 @@ TEST_F(ManipulatorsTest, ADragMovesTheViewAllTheWayAndIsOneStep) {
 TEST_F(ManipulatorsTest, ValuesBeyondASliderStayExact) {
     openSample();
     type("camera.range", "25000000");
-    EXPECT_EQ(workbench.settings().real("camera.range"), 2.5e7);
+    EXPECT_EQ(workbench.settings()[key::cameraRange], 2.5e7);
     EXPECT_EQ(slider("camera.range")->value(), slider("camera.range")->maximum());
     type("target.yaw", "-270.125");
-    EXPECT_EQ(workbench.settings().real("target.yaw"), -270.125);
+    EXPECT_EQ(workbench.settings()[key::targetYaw], -270.125);
     EXPECT_EQ(slider("target.yaw")->value(), 0);
 }
 
 TEST_F(ManipulatorsTest, ATextThatIsNoNumberChangesNothingAndGoesAway) {
     openSample();
     type("camera.elevation", "abc");
-    EXPECT_EQ(workbench.settings().real("camera.elevation"), 15.0);
+    EXPECT_EQ(workbench.settings()[key::cameraElevation], 15.0);
     EXPECT_NE(field("camera.elevation")->palette().color(QPalette::Base),
               window->palette().color(QPalette::Base));
     QTest::keyClick(field("camera.elevation"), Qt::Key_Return);

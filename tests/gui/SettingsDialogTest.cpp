@@ -76,16 +76,16 @@ TEST_F(SettingsDialogTest, OptionsAreChangedAppliedUndoneAndReopenedFromTheFile)
     trigger("options");
     EXPECT_EQ(workbench.undoStack().count(), 1);
     EXPECT_EQ(workbench.undoStack().undoText(), "Change options");
-    EXPECT_EQ(workbench.settings().integer("render.backgroundRows"), 32);
+    EXPECT_EQ(workbench.settings()[key::renderBackgroundRows], 32);
     trigger("undo");
-    EXPECT_EQ(workbench.settings().integer("render.backgroundRows"), 1);
-    EXPECT_FALSE(workbench.settings().boolean("render.sunDisc"));
+    EXPECT_EQ(workbench.settings()[key::renderBackgroundRows], 1);
+    EXPECT_FALSE(workbench.settings()[key::renderSunDisc]);
     trigger("redo");
     trigger("saveProject");
     Workbench again;
     again.open(folder / "ship.smat");
-    EXPECT_EQ(again.settings().real("environment.skyboxSlope"), 2.5);
-    EXPECT_TRUE(again.settings().boolean("render.sunDisc"));
+    EXPECT_EQ(again.settings()[key::environmentSkyboxSlope], 2.5);
+    EXPECT_TRUE(again.settings()[key::renderSunDisc]);
 }
 
 TEST_F(SettingsDialogTest, EverySettingOfBothDialogsIsChangedAppliedUndoneAndReopened) {
@@ -237,7 +237,7 @@ TEST_F(SettingsDialogTest, CancelChangesNothing) {
     };
     trigger("analysisSettings");
     EXPECT_EQ(workbench.undoStack().count(), 0);
-    EXPECT_EQ(workbench.settings().real("environment.sunElevation"), 45.0);
+    EXPECT_EQ(workbench.settings()[key::environmentSunElevation], 45.0);
 }
 
 TEST_F(SettingsDialogTest, AnalysisSettingsHoldWhatTheDesignNames) {

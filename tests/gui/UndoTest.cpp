@@ -26,12 +26,12 @@ TEST_F(UndoTest, StepsAreNamedAfterSettingValueAndUnit) {
     workbench.undoStack().undo();
     workbench.undoStack().undo();
     EXPECT_EQ(next(), "Set range to 1200 m");
-    EXPECT_FALSE(workbench.settings().boolean("render.sunDisc"));
+    EXPECT_FALSE(workbench.settings()[key::renderSunDisc]);
     workbench.undoStack().undo();
-    EXPECT_EQ(workbench.settings().real("camera.range"), 1000.0);
+    EXPECT_EQ(workbench.settings()[key::cameraRange], 1000.0);
     EXPECT_FALSE(workbench.undoStack().canUndo());
     workbench.undoStack().redo();
-    EXPECT_EQ(workbench.settings().real("camera.range"), 1200.0);
+    EXPECT_EQ(workbench.settings()[key::cameraRange], 1200.0);
 }
 
 TEST_F(UndoTest, TypingOneNumberIsOneStep) {
@@ -89,7 +89,7 @@ TEST_F(UndoTest, StepsFromBeforeASaveElsewhereKeepTheirFiles) {
     workbench.saveAs(folder / "copy.smat");
     EXPECT_FALSE(workbench.isModified());
     workbench.undoStack().undo();
-    EXPECT_EQ(workbench.settings().real("camera.azimuth"), 60.0);
+    EXPECT_EQ(workbench.settings()[key::cameraAzimuth], 60.0);
     EXPECT_TRUE(workbench.isModified());
     EXPECT_EQ(workbench.project().displayName(), "copy.smat");
     EXPECT_TRUE(std::filesystem::equivalent(

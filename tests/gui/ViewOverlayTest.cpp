@@ -34,7 +34,7 @@ class ViewOverlayTest : public test::ViewFixture {
         const Axes axes = axesAt(view.camera().azimuth_deg, view.camera().elevation_deg);
         const double depth_m = view.camera().range_m + irsg::dot(arrow_m, axes.f);
         const double focal_px =
-            0.5 * view.width() / std::tan(0.5 * irsg::radians(project.settings.real("sensor.fov")));
+            0.5 * view.width() / std::tan(0.5 * irsg::radians(project.settings[key::sensorFov]));
         return {0.5 * view.width() + focal_px * irsg::dot(arrow_m, axes.r) / depth_m,
                 0.5 * view.height() - focal_px * irsg::dot(arrow_m, axes.u) / depth_m};
     }
@@ -71,8 +71,7 @@ class ViewOverlayTest : public test::ViewFixture {
     double axis_m() const {
         const double metresPerPixel =
             view.camera().range_m /
-            (0.5 * view.width() /
-             std::tan(0.5 * irsg::radians(project.settings.real("sensor.fov"))));
+            (0.5 * view.width() / std::tan(0.5 * irsg::radians(project.settings[key::sensorFov])));
         return 0.4 * view.height() * metresPerPixel;
     }
     QPointF centre() const { return {0.5 * view.width(), 0.5 * view.height()}; }

@@ -29,6 +29,7 @@ struct AnalysisDefinition {
     const char* name;  ///< "polar"
     const char* title; ///< "Polar plot"
     const char* help;  ///< one line, for the command
+    const char* icon;  ///< of resources/icons
     AnalysisForm form = AnalysisForm::sweep;
     /// Of this kind alone; their keys begin with `name` and a dot. Null where there are none.
     std::vector<SettingInfo> (*settings)() = nullptr;

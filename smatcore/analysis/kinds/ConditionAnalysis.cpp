@@ -2,23 +2,31 @@
 
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/settings/SettingRows.h"
 
 namespace smat {
+
+namespace key {
+constexpr TextKey conditionOver{"condition.over"};
+constexpr RealKey conditionFrom{"condition.from"};
+constexpr RealKey conditionTo{"condition.to"};
+constexpr IntegerKey conditionPoints{"condition.points"};
+} // namespace key
 
 namespace {
 
 std::vector<SettingInfo> settings() {
     using namespace rows;
     return {
-        choice("condition.over", "--over", "Over", {"power", "mach", "altitude"}, "mach",
+        choice(key::conditionOver, "--over", "Over", {"power", "mach", "altitude"}, "mach",
                "What changes from case to case: engine power, Mach number, or the altitude of the "
                "target in m. The camera keeps its range, azimuth and elevation about the target, "
                "and all else stays as the settings say."),
-        number("condition.from", "--from", "From", "", 0, 1e6, "0",
+        number(key::conditionFrom, "--from", "From", "", 0, 1e6, "0",
                "First value, in the unit of what changes."),
-        number("condition.to", "--to", "To", "", 0, 1e6, "1", "Last value."),
-        integer("condition.points", "--points", "Points", "", 2, 100000, "11",
+        number(key::conditionTo, "--to", "To", "", 0, 1e6, "1", "Last value."),
+        integer(key::conditionPoints, "--points", "Points", "", 2, 100000, "11",
                 "Number of values, both ends included."),
     };
 }
@@ -26,24 +34,24 @@ std::vector<SettingInfo> settings() {
 /// What a condition changes: the setting that it stands in for, and its place in a case.
 struct Condition {
     irsg::Quantity quantity;
-    const char* setting;
+    RealKey setting;
     std::optional<double> AnalysisCase::*value;
 };
 Condition conditionNamed(const std::string& name) {
     if (name == "power") {
-        return {irsg::Quantity::power, "state.power", &AnalysisCase::power};
+        return {irsg::Quantity::power, key::statePower, &AnalysisCase::power};
     }
     if (name == "mach") {
-        return {irsg::Quantity::mach, "state.mach", &AnalysisCase::mach};
+        return {irsg::Quantity::mach, key::stateMach, &AnalysisCase::mach};
     }
-    return {irsg::Quantity::altitude, "target.altitude", &AnalysisCase::altitude_m};
+    return {irsg::Quantity::altitude, key::targetAltitude, &AnalysisCase::altitude_m};
 }
 
 void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
           std::vector<irsg::Diagnostic>& diagnostics) {
-    const Condition condition = conditionNamed(settings.text("condition.over"));
-    const double from = settings.real("condition.from"), to = settings.real("condition.to");
-    const int points = settings.integer("condition.points");
+    const Condition condition = conditionNamed(settings.text(key::conditionOver));
+    const double from = settings[key::conditionFrom], to = settings[key::conditionTo];
+    const int points = settings[key::conditionPoints];
     plan.coordinate = condition.quantity;
     const SettingInfo& limits = settingInfo(condition.setting);
     for (const char* key : {"condition.from", "condition.to"}) {
@@ -57,10 +65,10 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
     }
     if (to <= from) {
         diagnostics.push_back({.file = "",
-                               .position = "condition.to",
-                               .value = settings.text("condition.to"),
+                               .position = key::conditionTo,
+                               .value = settings.text(key::conditionTo),
                                .expected = "a number above condition.from, which is " +
-                                           settings.text("condition.from")});
+                                           settings.text(key::conditionFrom)});
     }
     if (!diagnostics.empty()) {
         return;
@@ -80,6 +88,7 @@ extern constinit const AnalysisDefinition conditionAnalysis{
     .name = "condition",
     .title = "Flight condition",
     .help = "Intensity over engine power, Mach number or altitude",
+    .icon = "condition",
     .settings = settings,
     .plan = plan};
 

@@ -9,14 +9,13 @@ namespace {
 std::vector<SettingInfo> settings() {
     using namespace rows;
     return {
-        named(choice("image.quantity", "--quantity", "Quantity",
+        named(choice(key::imageQuantity, "--quantity", "Quantity",
                      {"radiance", "irradiance", "apparent-temperature"}, "radiance",
                      "What a pixel holds: in-band radiance, its irradiance on the detector "
                      "(radiance times solid angle times the cosine off the axis), or the "
                      "temperature of a black body of that radiance."),
               {"radiance", "irradiance", "apparent temperature"}),
-        text("image.truthLayers", "--truth-layers", "Truth layers", "", SettingKind::boolean,
-             "false",
+        flag(key::imageTruthLayers, "--truth-layers", "Truth layers", false,
              "Adds planes of indices, range and the terms of the radiance to an EXR "
              "file."),
     };
@@ -34,6 +33,7 @@ extern constinit const AnalysisDefinition imageAnalysis{
     .name = "image",
     .title = "Image",
     .help = "One image: radiance, irradiance or apparent temperature",
+    .icon = "image",
     .form = AnalysisForm::image,
     .settings = settings,
     .plan = plan};

@@ -3,25 +3,32 @@
 #include "irsg/radiometry/Units.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/settings/SettingRows.h"
 
 namespace smat {
+
+namespace key {
+constexpr TextKey polarType{"polar.type"};
+constexpr RealKey polarStep{"polar.step"};
+constexpr RealKey polarOffset{"polar.offset"};
+} // namespace key
 
 namespace {
 
 std::vector<SettingInfo> settings() {
     using namespace rows;
     return {
-        named(choice("polar.type", "--type", "Type",
+        named(choice(key::polarType, "--type", "Type",
                      {"camera-azimuth", "camera-elevation", "model-yaw"}, "camera-azimuth",
                      "What turns: the camera about the target in a horizontal plane (clockwise "
                      "seen from above, from the nose), the camera in the target's vertical "
                      "plane (front, belly, tail, top), or the target itself "
                      "(counter-clockwise, level, the camera stays)."),
               {"camera azimuth", "camera elevation", "model yaw"}),
-        number("polar.step", "--step", "Step", "deg", 0.001, 180, "10",
+        number(key::polarStep, "--step", "Step", "deg", 0.001, 180, "10",
                "Angle between two cases. The sweep covers one turn from 0."),
-        number("polar.offset", "--offset", "View offset", "deg", -90, 90, "0",
+        number(key::polarOffset, "--offset", "View offset", "deg", -90, 90, "0",
                "Elevation of the camera in a camera-azimuth plot."),
     };
 }
@@ -58,24 +65,24 @@ void placeCameraElevation(AnalysisCase& one, double angle_deg) {
 /// Model-Yaw: level target that turns counter-clockwise; at angle 0 its nose points at the camera,
 /// which stays where the viewer is.
 void placeModelYaw(AnalysisCase& one, double angle_deg, const Settings& settings) {
-    const double facing_deg = settings.real("target.yaw") - settings.real("camera.azimuth");
+    const double facing_deg = settings[key::targetYaw] - settings[key::cameraAzimuth];
     one.attitude = {irsg::radians(facing_deg + angle_deg), 0.0, 0.0};
     one.cameraYaw_rad = irsg::radians(facing_deg);
     one.azimuth_rad = 0.0;
     one.shownAzimuth_deg = angle_deg;
-    one.shownElevation_deg = settings.real("camera.elevation");
+    one.shownElevation_deg = settings[key::cameraElevation];
     one.shownYaw_deg = wholeTurn_deg(facing_deg + angle_deg);
 }
 
 void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
           std::vector<irsg::Diagnostic>& diagnostics) {
-    const std::string& type = settings.text("polar.type");
-    const double step_deg = settings.real("polar.step");
-    const double offset_deg = settings.real("polar.offset");
+    const std::string& type = settings.text(key::polarType);
+    const double step_deg = settings[key::polarStep];
+    const double offset_deg = settings[key::polarOffset];
     if (type != "camera-azimuth" && offset_deg != 0.0) {
         diagnostics.push_back({.file = "",
-                               .position = "polar.offset",
-                               .value = settings.text("polar.offset"),
+                               .position = key::polarOffset,
+                               .value = settings.text(key::polarOffset),
                                .expected = "0: only a camera-azimuth plot has a view offset"});
     }
     plan.coordinate = irsg::Quantity::angle;
@@ -103,6 +110,7 @@ extern constinit const AnalysisDefinition polarAnalysis{
     .name = "polar",
     .title = "Polar plot",
     .help = "Intensity over one turn of camera or target",
+    .icon = "polar",
     .settings = settings,
     .plan = plan};
 

@@ -2,42 +2,49 @@
 
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/settings/SettingRows.h"
 
 namespace smat {
+
+namespace key {
+constexpr RealKey rangeFrom{"range.from"};
+constexpr RealKey rangeTo{"range.to"};
+constexpr IntegerKey rangePoints{"range.points"};
+constexpr BooleanKey rangeLog{"range.log"};
+} // namespace key
 
 namespace {
 
 std::vector<SettingInfo> settings() {
     using namespace rows;
     return {
-        number("range.from", "--from", "From", "m", 0, 1e8, "500", "First range."),
-        number("range.to", "--to", "To", "m", 0, 1e8, "10000", "Last range."),
-        integer("range.points", "--points", "Points", "", 2, 100000, "20",
+        number(key::rangeFrom, "--from", "From", "m", 0, 1e8, "500", "First range."),
+        number(key::rangeTo, "--to", "To", "m", 0, 1e8, "10000", "Last range."),
+        integer(key::rangePoints, "--points", "Points", "", 2, 100000, "20",
                 "Number of ranges, both ends included."),
-        text("range.log", "--log", "Logarithmic", "", SettingKind::boolean, "false",
-             "Spaces the ranges by equal ratios."),
+        flag(key::rangeLog, "--log", "Logarithmic", false, "Spaces the ranges by equal ratios."),
     };
 }
 
 void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
           std::vector<irsg::Diagnostic>& diagnostics) {
-    const double from_m = settings.real("range.from");
-    const double to_m = settings.real("range.to");
-    const int points = settings.integer("range.points");
-    const bool logarithmic = settings.boolean("range.log");
+    const double from_m = settings[key::rangeFrom];
+    const double to_m = settings[key::rangeTo];
+    const int points = settings[key::rangePoints];
+    const bool logarithmic = settings[key::rangeLog];
     plan.coordinate = irsg::Quantity::range;
     if (to_m <= from_m) {
         diagnostics.push_back({.file = "",
-                               .position = "range.to",
-                               .value = settings.text("range.to"),
+                               .position = key::rangeTo,
+                               .value = settings.text(key::rangeTo),
                                .expected = "a number above range.from, which is " +
-                                           settings.text("range.from") + " m"});
+                                           settings.text(key::rangeFrom) + " m"});
     }
     if (logarithmic && from_m <= 0.0) {
         diagnostics.push_back({.file = "",
-                               .position = "range.from",
-                               .value = settings.text("range.from"),
+                               .position = key::rangeFrom,
+                               .value = settings.text(key::rangeFrom),
                                .expected = "a number above 0 m, because range.log is true"});
     }
     if (!diagnostics.empty()) {
@@ -62,6 +69,7 @@ extern constinit const AnalysisDefinition rangeAnalysis{
     .name = "range",
     .title = "Range plot",
     .help = "Contrast intensity and irradiance over range",
+    .icon = "range",
     .settings = settings,
     .isAlongRange = true,
     .plan = plan};

@@ -7,14 +7,19 @@
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/settings/SettingRows.h"
 
 namespace smat {
 
+namespace key {
+constexpr RealKey spectrumResolution{"spectrum.resolution"};
+} // namespace key
+
 namespace {
 
 std::vector<SettingInfo> settings() {
-    return {rows::number("spectrum.resolution", "--resolution", "Resolution", "cm-1", 0.01, 1000,
+    return {rows::number(key::spectrumResolution, "--resolution", "Resolution", "cm-1", 0.01, 1000,
                          "5", "Distance between two wavenumbers.")};
 }
 
@@ -23,7 +28,7 @@ void plan(AnalysisPlan& plan, const Project& project, const Settings& settings,
     const irsg::SpectralRange range = sensorOf(project, settings).band.range();
     const double lowest_per_cm = irsg::wavenumberFromWavelength_per_cm(range.max_um);
     const double highest_per_cm = irsg::wavenumberFromWavelength_per_cm(range.min_um);
-    const double step_per_cm = settings.real("spectrum.resolution");
+    const double step_per_cm = settings[key::spectrumResolution];
     plan.coordinate = irsg::Quantity::wavenumber;
     plan.columns = {irsg::Quantity::wavenumber, irsg::Quantity::wavelength};
     plan.cases.push_back(standingCase(settings));
@@ -31,8 +36,8 @@ void plan(AnalysisPlan& plan, const Project& project, const Settings& settings,
     if (count > mostCases) {
         diagnostics.push_back(
             {.file = "",
-             .position = "spectrum.resolution",
-             .value = settings.text("spectrum.resolution"),
+             .position = key::spectrumResolution,
+             .value = settings.text(key::spectrumResolution),
              .expected = fmt::format("at most {:.0f} wavenumbers, not {:.0f}", mostCases, count)});
         return;
     }
@@ -52,6 +57,7 @@ extern constinit const AnalysisDefinition spectrumAnalysis{
     .name = "spectrum",
     .title = "Intensity spectrum",
     .help = "Intensity of the target over wavenumber and wavelength",
+    .icon = "spectrum",
     .form = AnalysisForm::spectrum,
     .settings = settings,
     .plan = plan};

@@ -4,41 +4,48 @@
 
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/settings/SettingRows.h"
 
 namespace smat {
+
+namespace key {
+constexpr RealKey timeFrom{"time.from"};
+constexpr RealKey timeTo{"time.to"};
+constexpr RealKey timeStep{"time.step"};
+} // namespace key
 
 namespace {
 
 std::vector<SettingInfo> settings() {
     using namespace rows;
     return {
-        number("time.from", "--from", "From", "s", -1e9, 1e9, "0", "First time."),
-        number("time.to", "--to", "To", "s", -1e9, 1e9, "10", "Last time, included."),
-        number("time.step", "--step", "Step", "s", 1e-6, 1e9, "0.5", "Time between two cases."),
+        number(key::timeFrom, "--from", "From", "s", -1e9, 1e9, "0", "First time."),
+        number(key::timeTo, "--to", "To", "s", -1e9, 1e9, "10", "Last time, included."),
+        number(key::timeStep, "--step", "Step", "s", 1e-6, 1e9, "0.5", "Time between two cases."),
     };
 }
 
 void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
           std::vector<irsg::Diagnostic>& diagnostics) {
-    const double from_s = settings.real("time.from");
-    const double to_s = settings.real("time.to");
-    const double step_s = settings.real("time.step");
+    const double from_s = settings[key::timeFrom];
+    const double to_s = settings[key::timeTo];
+    const double step_s = settings[key::timeStep];
     plan.coordinate = irsg::Quantity::time;
     if (to_s <= from_s) {
         diagnostics.push_back({.file = "",
-                               .position = "time.to",
-                               .value = settings.text("time.to"),
+                               .position = key::timeTo,
+                               .value = settings.text(key::timeTo),
                                .expected = "a number above time.from, which is " +
-                                           settings.text("time.from") + " s"});
+                                           settings.text(key::timeFrom) + " s"});
         return;
     }
     const double count = std::floor((to_s - from_s) / step_s + 1e-9) + 1.0;
     if (count > mostCases) {
         diagnostics.push_back(
             {.file = "",
-             .position = "time.step",
-             .value = settings.text("time.step"),
+             .position = key::timeStep,
+             .value = settings.text(key::timeStep),
              .expected = fmt::format("at most {:.0f} cases, not {:.0f}", mostCases, count)});
         return;
     }
@@ -55,6 +62,7 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
 extern constinit const AnalysisDefinition timeAnalysis{.name = "time",
                                                        .title = "Time plot",
                                                        .help = "Intensity over time",
+                                                       .icon = "time",
                                                        .settings = settings,
                                                        .plan = plan};
 

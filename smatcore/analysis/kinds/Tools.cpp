@@ -9,18 +9,21 @@ extern constinit const AnalysisDefinition radiativeTool{.name = "radiative",
                                                         .title = "Radiative output",
                                                         .help =
                                                             "What the air gives over the spectrum",
+                                                        .icon = "radiative",
                                                         .form = AnalysisForm::table};
 
 extern constinit const AnalysisDefinition temperatureProfileTool{
     .name = "temperature-profile",
     .title = "Temperature profile",
     .help = "Temperature of the air over altitude",
+    .icon = "thermometer",
     .form = AnalysisForm::table};
 
 extern constinit const AnalysisDefinition otherTable{.name = "table",
                                                      .title = "Table",
                                                      .help =
                                                          "A table of no analysis of this program",
+                                                     .icon = "range",
                                                      .form = AnalysisForm::table};
 
 } // namespace smat
