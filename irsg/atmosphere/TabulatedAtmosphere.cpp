@@ -235,7 +235,8 @@ bool TabulatedAtmosphere::supports(AtmosphereProperty property) const {
     }
 }
 
-std::pair<std::size_t, std::size_t> TabulatedAtmosphere::nodesOf(const SpectralRange& range) const {
+std::pair<std::size_t, std::size_t>
+TabulatedAtmosphere::nodesAround(const SpectralRange& range) const {
     const auto& axis = wavelengths_um_;
     const auto above = std::ranges::upper_bound(axis, range.min_um);
     const auto below = std::ranges::lower_bound(axis, range.max_um);
@@ -289,7 +290,7 @@ std::vector<double> TabulatedAtmosphere::sunlight(const AtmosphericQuery& questi
 
 Spectrum TabulatedAtmosphere::nativeSpectrum(const AtmosphericQuery& question,
                                              const SpectralRange& range) const {
-    const auto [first, last] = nodesOf(range);
+    const auto [first, last] = nodesAround(range);
     const auto begin = wavelengths_um_.begin();
     const std::vector<double> nodes(begin + static_cast<std::ptrdiff_t>(first),
                                     begin + static_cast<std::ptrdiff_t>(last));

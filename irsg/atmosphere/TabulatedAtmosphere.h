@@ -92,7 +92,7 @@ class TabulatedAtmosphere : public Atmosphere {
     void fillSights();
     void checkSun(const SunPosition& sun) const;
     /// First node and one past the last that surround a range.
-    std::pair<std::size_t, std::size_t> nodesOf(const SpectralRange& range) const;
+    std::pair<std::size_t, std::size_t> nodesAround(const SpectralRange& range) const;
     /// Optical depths of a path, of the path the other way round where the runs have only that.
     std::vector<double> depths(const AtmosphericPath& path, std::size_t first,
                                std::size_t last) const;

@@ -9,12 +9,14 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/NameTaking.h"
 
 namespace irsg {
 
@@ -36,7 +38,8 @@ constexpr std::string_view partEnding = ".part";
     case EDQUOT:
         refuse(file, "a full disk", "room to write it; what was there is as it was");
     case EFBIG:
-        refuse(file, "a file larger than is allowed here", "leave to write a larger file");
+        refuse(file, "a file larger than is allowed here",
+               "leave to write a larger file; what was there is as it was");
     case EACCES:
     case EPERM:
     case EROFS:
@@ -120,6 +123,10 @@ void sweep(const fs::path& folder) {
     }
 }
 
+bool meansNoFilesWithoutNames(int error) {
+    return error == EOPNOTSUPP || error == EISDIR || error == EINVAL;
+}
+
 /// How a file without a name is called.
 std::string callingOf(int descriptor) {
     return "/proc/self/fd/" + std::to_string(descriptor);
@@ -145,32 +152,26 @@ FileReplacement::FileReplacement(const fs::path& target) : named_(target), targe
     if (descriptor_ >= 0 && access(callingOf(descriptor_).c_str(), F_OK) != 0) {
         close(descriptor_); // without /proc it would never get a name
         descriptor_ = -1;
+    } else if (descriptor_ < 0 && !meansNoFilesWithoutNames(errno)) {
+        refuse(named_, errno);
     }
-    if (descriptor_ < 0) {
-        const fs::path part = neighbourOf(target_);
-        descriptor_ = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, ordinary);
-        if (descriptor_ < 0)
-            refuse(named_, errno);
-        part_ = part;
-    }
+    isOnDiskOfTarget_ = descriptor_ >= 0;
+    if (!isOnDiskOfTarget_)
+        descriptor_ = memfd_create("smat", MFD_CLOEXEC);
+    if (descriptor_ < 0)
+        refuse(named_, errno);
     // Whoever sweeps leaves alone what is locked.
     static_cast<void>(flock(descriptor_, LOCK_EX | LOCK_NB));
     try {
         takePermissions();
     } catch (...) {
-        if (!part_.empty())
-            fs::remove(part_, failure);
         close(descriptor_);
         throw;
     }
 }
 
 FileReplacement::~FileReplacement() {
-    std::error_code ignored;
-    if (!part_.empty())
-        fs::remove(part_, ignored);
-    if (descriptor_ >= 0)
-        close(descriptor_);
+    close(descriptor_);
 }
 
 void FileReplacement::takePermissions() {
@@ -188,39 +189,21 @@ void FileReplacement::write(std::string_view bytes) {
     writeAll(descriptor_, bytes, named_);
 }
 
-void FileReplacement::giveName() {
-    if (!part_.empty())
-        return;
-    const fs::path part = neighbourOf(target_);
-    if (linkat(AT_FDCWD, callingOf(descriptor_).c_str(), AT_FDCWD, part.c_str(),
-               AT_SYMLINK_FOLLOW) != 0)
-        refuse(named_, errno);
-    part_ = part;
+/// Its only name at once, where nothing has it; 0 or the system's error.
+int FileReplacement::linkToTarget() const {
+    return linkat(AT_FDCWD, callingOf(descriptor_).c_str(), AT_FDCWD, target_.c_str(),
+                  AT_SYMLINK_FOLLOW) == 0
+               ? 0
+               : errno;
 }
 
-/// In one step; false where something is, in one way or another.
-bool FileReplacement::putWhereNothingIs() {
-    if (part_.empty()) {
-        if (linkat(AT_FDCWD, callingOf(descriptor_).c_str(), AT_FDCWD, target_.c_str(),
-                   AT_SYMLINK_FOLLOW) == 0)
-            return true;
-    } else if (renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) ==
-               0) {
-        part_.clear();
-        return true;
-    }
-    const int error = errno;
-    std::error_code failure;
-    // Some file systems cannot tell in one step.
-    if (error != EEXIST && error != EINVAL)
-        refuse(named_, error);
-    if (error == EEXIST || fs::exists(fs::symlink_status(target_, failure)))
-        return false;
-    giveName();
-    if (rename(part_.c_str(), target_.c_str()) != 0)
-        refuse(named_, errno);
-    part_.clear();
-    return true;
+/// 0 or the system's error.
+int FileReplacement::takeNameOfTarget(Existing existing) const {
+    struct stat old {};
+    const bool stands = stat(target_.c_str(), &old) == 0;
+    const std::string calling = callingOf(descriptor_), part = neighbourOf(target_).string();
+    return takeName({descriptor_, isOnDiskOfTarget_, calling.c_str(), part.c_str(), target_.c_str(),
+                     stands ? &old : nullptr, existing == Existing::replace});
 }
 
 void FileReplacement::commit(Existing existing) {
@@ -228,15 +211,15 @@ void FileReplacement::commit(Existing existing) {
         refuse(named_, errno);
     std::error_code failure;
     const bool stands = fs::exists(fs::symlink_status(target_, failure));
-    bool done = (existing == Existing::refuse || !stands) && putWhereNothingIs();
-    if (!done && existing == Existing::refuse)
+    int error = EEXIST;
+    if (isOnDiskOfTarget_ && (existing == Existing::refuse || !stands))
+        error = linkToTarget();
+    if (error == EEXIST && (existing == Existing::replace || !isOnDiskOfTarget_))
+        error = takeNameOfTarget(existing);
+    if (error == EEXIST)
         refuse(named_, "a file that exists already", "the name of a new file");
-    if (!done) {
-        giveName();
-        if (rename(part_.c_str(), target_.c_str()) != 0)
-            refuse(named_, errno);
-        part_.clear();
-    }
+    if (error != 0)
+        refuse(named_, error);
     bringFolderToDisk(folderOf(target_));
 }
 

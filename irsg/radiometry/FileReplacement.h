@@ -6,11 +6,11 @@
 
 namespace irsg {
 
-/// A file that is written without a name, or with one that nobody guesses where the file system
-/// knows no files without names, and takes its place in one step: whoever is killed at any moment
-/// leaves the old file or the new one. A killed writer leaves a hidden neighbour (".NAME.XXX.part")
-/// at most between two calls of the system; the next program that writes into the folder removes
-/// it. Writers of one file do not meet: the last one wins.
+/// A file that is written without a name (in memory where the file system knows no files without
+/// names) and takes its place in one step: whoever is killed at any moment leaves the old file or
+/// the new one and nothing else (takeName). After a loss of power in the middle of that step a
+/// hidden neighbour (".NAME.XXX.part") may be left; the next program that writes into the folder
+/// removes it. Writers of one file do not meet: the last one wins.
 class FileReplacement {
   public:
     /// A link is followed. The new file gets owner and permissions of the one that stands. Throws
@@ -32,12 +32,12 @@ class FileReplacement {
 
   private:
     void takePermissions();
-    void giveName();
-    bool putWhereNothingIs();
+    int linkToTarget() const;
+    int takeNameOfTarget(Existing existing) const;
 
     std::filesystem::path named_;  ///< as messages call it
     std::filesystem::path target_; ///< behind a link
-    std::filesystem::path part_;   ///< empty while it has no name
+    bool isOnDiskOfTarget_ = true; ///< else in memory
     int descriptor_ = -1;
 };
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <string_view>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <sqlite3.h>
@@ -172,43 +173,94 @@ LoadedSignature load(const fs::path& file, OutsideChanges outside, LintErrors er
     return loaded;
 }
 
+/// The bytes of a database as it stands in a connection.
+class Serialized {
+  public:
+    explicit Serialized(SQLite::Database& sqlite)
+        : bytes_(sqlite3_serialize(sqlite.getHandle(), "main", &size_, 0), sqlite3_free) {
+        if (!bytes_)
+            throw SQLite::Exception("no memory for the file", SQLITE_NOMEM);
+    }
+    std::string_view view() const {
+        return {reinterpret_cast<const char*>(bytes_.get()), static_cast<std::size_t>(size_)};
+    }
+    /// Hands them to an empty connection.
+    void openIn(SQLite::Database& sqlite) && {
+        constexpr unsigned keeps = SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_RESIZEABLE;
+        const int failure =
+            sqlite3_deserialize(sqlite.getHandle(), "main", bytes_.release(), size_, size_, keeps);
+        if (failure != SQLITE_OK)
+            throw SQLite::Exception(sqlite.getHandle(), failure);
+    }
+
+  private:
+    sqlite3_int64 size_ = 0;
+    std::unique_ptr<unsigned char, void (*)(void*)> bytes_;
+};
+
 void write(const SignatureDatabase& database, SQLite::Database& sqlite) {
+    sqlite.exec("PRAGMA foreign_keys = ON");
+    SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
     sqlite.exec("PRAGMA application_id = " + std::to_string(applicationId));
     sqlite.exec("PRAGMA user_version = " + std::to_string(signatureFileVersion));
     resetSchema(sqlite);
     writeRows(database, sqlite);
+    transaction.commit();
 }
 
-/// A file that is there keeps its place and its journal: one transaction.
-void saveInPlace(const SignatureDatabase& database, const fs::path& file,
-                 const SignatureDatabase* opened) {
+/// Whether the file that was opened still has its name.
+bool hasMoved(SQLite::Database& sqlite) {
+    int moved = 0;
+    sqlite3_file_control(sqlite.getHandle(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+    return moved != 0;
+}
+
+/// Puts the new state in the place of a file that is there, while other writers are locked out.
+/// What others keep in it besides (tables of their own) stays. False where the file was replaced
+/// while its lock was waited for.
+bool replaceLocked(const SignatureDatabase& database, const fs::path& file,
+                   const SignatureDatabase* opened) {
     SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE, busyTimeout_ms);
-    sqlite.exec(
-        "PRAGMA trusted_schema = OFF; PRAGMA foreign_keys = ON; PRAGMA synchronous = EXTRA");
-    SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
+    // What lies in a log beside the file comes into it.
+    sqlite.exec("PRAGMA trusted_schema = OFF; PRAGMA journal_mode = DELETE");
+    const SQLite::Transaction locked(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
+    if (sqlite3_db_readonly(sqlite.getHandle(), "main") == 1)
+        throw SQLite::Exception("a file that is not this user's to write", SQLITE_READONLY);
+    if (hasMoved(sqlite))
+        return false;
     checkOurs(sqlite, file);
     if (opened != nullptr && readContent(sqlite, file) != *opened) {
         throw refusal(file, "another content than was opened here",
                       "the content that was opened: another program or window saved the file in "
                       "the meantime; save under another name, or open it again");
     }
-    write(database, sqlite);
-    transaction.commit();
+    SQLite::Database changed(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    Serialized(sqlite).openIn(changed);
+    write(database, changed);
+    FileReplacement replacement(file);
+    replacement.write(Serialized(changed).view());
+    replacement.commit();
+    // The lock was ours, so that no save is under way that it could belong to.
+    std::error_code absent;
+    fs::remove(file.string() + "-journal", absent);
+    return true;
+}
+
+void saveOver(const SignatureDatabase& database, const fs::path& file,
+              const SignatureDatabase* opened) {
+    constexpr int mostTries = 20;
+    for (int i = 0; i < mostTries; ++i)
+        if (replaceLocked(database, file, opened))
+            return;
+    throw SQLite::Exception("others save it all the time", SQLITE_BUSY);
 }
 
 /// The bytes of a new file. Small pages keep small databases small.
 std::string bytesOf(const SignatureDatabase& database) {
     SQLite::Database sqlite(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    sqlite.exec("PRAGMA page_size = 1024; PRAGMA foreign_keys = ON");
-    SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
+    sqlite.exec("PRAGMA page_size = 1024");
     write(database, sqlite);
-    transaction.commit();
-    sqlite3_int64 size = 0;
-    const std::unique_ptr<unsigned char, void (*)(void*)> bytes(
-        sqlite3_serialize(sqlite.getHandle(), "main", &size, 0), sqlite3_free);
-    if (!bytes)
-        throw SQLite::Exception("no memory for the file", SQLITE_NOMEM);
-    return {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)};
+    return std::string(Serialized(sqlite).view());
 }
 
 /// A new file comes whole: made beside its place and then put there.
@@ -241,7 +293,7 @@ void save(const SignatureDatabase& database, const fs::path& file,
             saveNew(database, file, FileReplacement::Existing::replace);
             break;
         case Existing::sqlite:
-            saveInPlace(database, file, opened);
+            saveOver(database, file, opened);
             break;
         }
     } catch (const SQLite::Exception& error) {

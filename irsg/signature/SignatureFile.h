@@ -9,8 +9,8 @@
 namespace irsg {
 
 /// The `.sigdb` file: SQLite with an application id, a schema version in user_version, foreign keys
-/// on and one transaction a save; any SQLite tool opens it. A hash of the canonical content of each
-/// entry tells what was changed outside this program.
+/// on, put in place whole at each save; any SQLite tool opens it. A hash of the canonical content
+/// of each entry tells what was changed outside this program.
 inline constexpr int signatureFileVersion = 1;
 
 struct LoadedSignature {
@@ -30,11 +30,11 @@ LoadedSignature loadSignatureFile(const std::filesystem::path& file,
                                   OutsideChanges outside = OutsideChanges::refuse,
                                   LintErrors errors = LintErrors::refuse);
 
-/// Replaces the content of the file in one transaction, or makes the file in one step: `kill -9` at
-/// any moment leaves the old or the new state. Throws InputError for a database that could not be
-/// loaded again (lint errors), for a full disk, a file or folder that cannot be written, one that
-/// another program has locked, that is write-protected, not ours or of a newer version; the file is
-/// then as it was.
+/// Puts the new state in place of the old in one step, with what others keep in the file, while
+/// other writers are locked out: `kill -9` at any moment leaves the old or the new state and no
+/// other file. Throws InputError for a database that could not be loaded again (lint errors), for a
+/// full disk, a file or folder that cannot be written, one that another program has locked, that is
+/// write-protected, not ours or of a newer version; the file is then as it was.
 void saveSignatureFile(const SignatureDatabase& database, const std::filesystem::path& file);
 
 /// The same for a file that was opened or saved before: only while it still holds `opened` (or is

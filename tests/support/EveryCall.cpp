@@ -1,8 +1,10 @@
 #include "tests/support/EveryCall.h"
 
+#include <cerrno>
 #include <csignal>
 #include <exception>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include <fcntl.h>
@@ -72,6 +74,117 @@ bool opensForWriting(const user_regs_struct& registers) {
     }
 }
 
+/// The processes of one piece of work, from its beginning to the end of the last.
+class Watch {
+  public:
+    Watch(pid_t worker, const Mishap& mishap)
+        : worker_(worker), mishap_(mishap), counting_(!mishap.onlyWriting), states_{{worker, {}}} {}
+
+    Ended toTheEnd();
+
+  private:
+    struct State {
+        bool entering = true;
+        int failing = 0; ///< with which error the call in progress fails
+    };
+
+    /// To the next call, or to the end where no call matters any more.
+    void goOn(pid_t process, int signal = 0) {
+        ptrace(hasMet_ ? PTRACE_CONT : PTRACE_SYSCALL, process, nullptr, signal);
+    }
+    void meetsStop(pid_t process, int status);
+    void meetsCall(pid_t process);
+    void entersCall(pid_t process, user_regs_struct& registers);
+    void letFail(pid_t process, user_regs_struct& registers, int error) {
+        registers.orig_rax = static_cast<unsigned long long>(-1);
+        ptrace(PTRACE_SETREGS, process, nullptr, &registers);
+        states_.at(process).failing = error;
+    }
+
+    pid_t worker_;
+    const Mishap& mishap_;
+    bool counting_;
+    bool hasMet_ = false; ///< the mishap, whole
+    std::map<pid_t, State> states_;
+    Ended ended_;
+};
+
+void Watch::entersCall(pid_t process, user_regs_struct& registers) {
+    const auto number = static_cast<long>(registers.orig_rax);
+    counting_ = counting_ || (process == worker_ && opensForWriting(registers));
+    if (mishap_.everyFileHasAName && number == SYS_openat &&
+        (registers.rdx & O_TMPFILE) == O_TMPFILE) {
+        letFail(process, registers, EOPNOTSUPP);
+        return;
+    }
+    if (!counting_)
+        return;
+    ended_.callsOfOthers += process != worker_;
+    if (++ended_.calls != mishap_.call)
+        return;
+    ended_.name = std::to_string(number);
+    ended_.wasOther = process != worker_;
+    if (mishap_.kind == Mishap::killed)
+        kill(worker_, SIGKILL);
+    else if (mishap_.kind == Mishap::callerKilled)
+        kill(process, SIGKILL);
+    hasMet_ = mishap_.kind != Mishap::fails || never.contains(number);
+    if (!hasMet_)
+        letFail(process, registers, mishap_.error);
+}
+
+void Watch::meetsCall(pid_t process) {
+    State& state = states_.at(process);
+    user_regs_struct registers{};
+    if (state.entering || state.failing != 0)
+        ptrace(PTRACE_GETREGS, process, nullptr, &registers);
+    if (state.entering) {
+        entersCall(process, registers);
+    } else if (state.failing != 0) {
+        registers.rax = static_cast<unsigned long long>(-state.failing);
+        ptrace(PTRACE_SETREGS, process, nullptr, &registers);
+        state.failing = 0;
+        hasMet_ = mishap_.call > 0 && ended_.calls == mishap_.call;
+    }
+    state.entering = !state.entering;
+}
+
+void Watch::meetsStop(pid_t process, int status) {
+    const bool isNew = states_.try_emplace(process).second;
+    const int signal = WSTOPSIG(status);
+    if (signal == (SIGTRAP | 0x80)) {
+        meetsCall(process);
+        goOn(process);
+    } else if (status >> 16 == PTRACE_EVENT_EXEC) {
+        // Another program goes its own way.
+        ptrace(PTRACE_DETACH, process, nullptr, 0);
+        states_.erase(process);
+    } else {
+        const bool isEvent = status >> 16 != 0 || isNew;
+        goOn(process, isEvent ? 0 : signal);
+    }
+}
+
+Ended Watch::toTheEnd() {
+    ptrace(PTRACE_SETOPTIONS, worker_, nullptr,
+           PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL | PTRACE_O_TRACEVFORK | PTRACE_O_TRACEEXEC);
+    goOn(worker_);
+    while (!states_.empty()) {
+        int status = 0;
+        const pid_t process = waitpid(-1, &status, __WALL);
+        if (process < 0)
+            break;
+        if (WIFSTOPPED(status)) {
+            meetsStop(process, status);
+            continue;
+        }
+        states_.erase(process);
+        if (process == worker_)
+            ended_.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    return ended_;
+}
+
 } // namespace
 
 Ended doWatched(const std::function<void()>& what, const Mishap& mishap) {
@@ -82,47 +195,9 @@ Ended doWatched(const std::function<void()>& what, const Mishap& mishap) {
         raise(SIGSTOP);
         workAndEnd(what);
     }
-    Ended ended;
     int status = 0;
     waitpid(child, &status, 0);
-    if (!WIFSTOPPED(status))
-        return ended;
-    ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
-    bool entering = true, failing = false, counting = !mishap.onlyWriting;
-    for (int signal = 0;;) {
-        ptrace(PTRACE_SYSCALL, child, nullptr, signal);
-        signal = 0;
-        if (waitpid(child, &status, 0) != child || WIFEXITED(status) || WIFSIGNALED(status))
-            break;
-        if (WSTOPSIG(status) != (SIGTRAP | 0x80)) {
-            signal = WSTOPSIG(status);
-            continue;
-        }
-        user_regs_struct registers{};
-        ptrace(PTRACE_GETREGS, child, nullptr, &registers);
-        counting = counting || (entering && opensForWriting(registers));
-        if (entering && counting && ++ended.calls == mishap.call) {
-            const auto number = static_cast<long>(registers.orig_rax);
-            ended.name = std::to_string(number);
-            if (mishap.kind == Mishap::killed) {
-                kill(child, SIGKILL);
-                waitpid(child, &status, 0);
-                break;
-            }
-            if (mishap.kind == Mishap::fails && !never.contains(number)) {
-                registers.orig_rax = static_cast<unsigned long long>(-1);
-                ptrace(PTRACE_SETREGS, child, nullptr, &registers);
-                failing = true;
-            }
-        } else if (!entering && failing) {
-            registers.rax = static_cast<unsigned long long>(-mishap.error);
-            ptrace(PTRACE_SETREGS, child, nullptr, &registers);
-            failing = false;
-        }
-        entering = !entering;
-    }
-    ended.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return ended;
+    return WIFSTOPPED(status) ? Watch(child, mishap).toTheEnd() : Ended();
 }
 
 bool callsCanBeWatched() {
