@@ -286,6 +286,17 @@ TEST(ReadingApart, RefusesGraphsThatGrowOutOfAllProportion) {
     EXPECT_THAT(refusalOf([&] { handedOver(*deep, remarks); }), HasSubstr("1000 levels"));
 }
 
+TEST(ReadingApart, HasNothingToSayOfNodesThatItKnows) {
+    const TemporaryFolder folder;
+    const osg::ref_ptr<osgSim::DOFTransform> joint = new osgSim::DOFTransform;
+    joint->addChild(geode({1, 2}));
+    for (const char* kind : {"osg", "osgt", "osgb", "osgx", "ive"}) {
+        const auto file = folder / ("a." + std::string(kind));
+        ASSERT_TRUE(osgDB::writeNodeFile(*joint, file.string()));
+        EXPECT_THAT(loadGraph(file, LoadPurpose::visible).remarks, testing::IsEmpty()) << kind;
+    }
+}
+
 TEST(ReadingApart, RefusesCutFilesWhereTheFormatCanTell) {
     const TemporaryFolder folder;
     osg::ref_ptr<osg::Group> root = new osg::Group;

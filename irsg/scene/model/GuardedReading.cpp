@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include <osg/ImageStream>
@@ -188,8 +189,9 @@ class LibraryGuard : public osgDB::FindFileCallback {
         // folder: a place where no library can be is the only answer it takes for a no.
         static const std::string nowhere = "/dev/null/none";
         if (reading && !mayLoadLibrary(name)) {
-            noteRefusal("asks for the plug-in " + name +
-                        ", which is not loaded: it reads none of the formats that are opened");
+            if (!isAnotherNameOfNodeKit(name, options))
+                noteRefusal("asks for the plug-in " + name +
+                            ", which is not loaded: it reads none of the formats that are opened");
             return nowhere;
         }
         const std::string found =
@@ -199,6 +201,19 @@ class LibraryGuard : public osgDB::FindFileCallback {
     }
 
   private:
+    /// The classes of a node kit are looked for in several libraries, last in one that is named
+    /// like a plug-in and that there need not be: who reads a joint of osgSim asks for none.
+    bool isAnotherNameOfNodeKit(const std::string& name, const osgDB::Options* options) {
+        constexpr std::string_view plugin = "osgdb_osg";
+        const auto begin = name.find(plugin);
+        if (begin == name.npos)
+            return false;
+        std::string serializers = name;
+        serializers.insert(begin + std::string_view("osgdb_").size(), "serializers_");
+        return !FindFileCallback::findLibraryFile(serializers, options, osgDB::CASE_SENSITIVE)
+                    .empty();
+    }
+
     osg::ref_ptr<osgDB::FindFileCallback> next_;
 };
 
