@@ -77,7 +77,7 @@ class Irsg {
                                                      const std::vector<double>& wavenumbers_per_cm);
 
     Renderer& renderer() { return *renderer_; }
-    std::string rendererDescription() { return renderer_->rendererDescription(); }
+    std::string rendererDescription() { return renderer_->rendererDescription(scene_); }
     std::size_t graphicsMemory_bytes() const { return renderer_->graphicsMemory_bytes(); }
     StageTimes stageTimes() const { return renderer_->stageTimes(); }
     void resetStageTimes() { renderer_->resetStageTimes(); }

@@ -7,6 +7,24 @@
 
 namespace irsg {
 
+const std::shared_ptr<const RayMesh>& PreparedModel::forRays() {
+    if (!rayMesh) {
+        std::vector<RayMesh::Piece> pieces;
+        for (const DrawItem& item : items)
+            pieces.push_back({item.geometry.get(), item.modelFromLocal});
+        rayMesh = RayMesh::of(pieces);
+    }
+    return rayMesh;
+}
+
+std::size_t PreparedModel::facets() const {
+    std::size_t corners = 0;
+    for (const DrawItem& item : items)
+        for (const auto& primitives : item.geometry->getPrimitiveSetList())
+            corners += primitives->getNumIndices();
+    return corners / 3;
+}
+
 void PreparedEntities::keep(const std::vector<Entity>& entities) {
     std::erase_if(models_, [&](const PreparedModel& known) {
         return std::ranges::find(entities, known.model, &Entity::model) == entities.end();

@@ -9,6 +9,7 @@
 #include "irsg/scene/model/DrawList.h"
 #include "irsg/scene/model/LongEdges.h"
 #include "irsg/scene/sampling/HotParts.h"
+#include "irsg/scene/trace/RayMesh.h"
 
 namespace irsg {
 
@@ -19,6 +20,10 @@ struct PreparedModel {
     BoundingSphere ball;
     std::vector<ModelEdge> longEdges;
     HotParts hotParts;
+    std::shared_ptr<const RayMesh> rayMesh{}; ///< of the items, made when rays are asked for
+
+    const std::shared_ptr<const RayMesh>& forRays();
+    std::size_t facets() const;
 };
 
 /// Prepared models by their identity, and reference points by what they follow from. Those of the

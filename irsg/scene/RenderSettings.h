@@ -32,7 +32,22 @@ enum class ZoomStrategy {
     sills    ///< as published, see SillsBasedStrategy
 };
 
+/// Who answers samples: surfaces, factors, distances. The answers are the same.
+enum class EngineChoice {
+    opengl,   ///< drawn off-screen
+    rays,     ///< with Embree, without OpenGL
+    automatic ///< whichever is the quicker for the scene
+};
+
+/// Whether what stands between a surface and the sun takes its light away (`sun` smart).
+enum class SunShadowMode {
+    off,
+    point, ///< the sun is a point
+    disc   ///< a disc of 0.53 degrees, equally bright: shadows have a penumbra
+};
+
 struct RenderSettings {
+    EngineChoice engine = EngineChoice::opengl;
     CalculationMode mode = CalculationMode::spectral;
     /// Zoom antialiasing: side of the windows that objects are drawn into, samples; 128, 256 or 512
     /// for modes 3 to 5 of the report, any from 8 to 2048. 0: every pixel is sampled alike.
@@ -50,6 +65,7 @@ struct RenderSettings {
     /// `samplesPerAxis` is meant in all, not per axis: 4 is 2 x 2, and 2 is two side by side.
     bool samplesInAll = false;
     ReflectionMode sun = ReflectionMode::smart;
+    SunShadowMode sunShadows = SunShadowMode::off;
     ReflectionMode fluxes = ReflectionMode::smart;
     FluxWeights fluxWeights = FluxWeights::viewFactor;
     BackgroundMode background = BackgroundMode::environment;

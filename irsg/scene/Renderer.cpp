@@ -6,8 +6,6 @@
 #include <iterator>
 #include <sstream>
 
-#include <osg/RenderInfo>
-
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/Units.h"
@@ -78,7 +76,6 @@ Renderer::Renderer(const RadianceTerms& terms) : impl_(std::make_unique<Impl>(te
 }
 Renderer::~Renderer() {
     impl_->view.reset();
-    impl_->context.run([&](osg::RenderInfo&) { impl_->pass.reset(); });
 }
 
 Rendered Renderer::render(const Scene& scene, const SensorView& view, const Wanted& wanted) {
@@ -310,7 +307,7 @@ void Renderer::Impl::fillReport(const Frame& frame, std::size_t band, RenderRepo
                 "the air changes over the extent of '" + frame.scene.entities[e].name +
                 "': its radiance may be wrong by up to " +
                 text(std::round(1000.0 * frame.geometry[e].airError) / 10.0) + " %");
-    report.renderer = context.rendererDescription();
+    report.renderer = frame.renderer;
 }
 
 void Renderer::Impl::describe(const Frame& frame, RadianceImage& image) const {
@@ -327,7 +324,7 @@ void Renderer::Impl::describe(const Frame& frame, RadianceImage& image) const {
     else
         image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
     image.attributes["background_W_m2_sr"] = text(frame.backgrounds.front().centre_W_m2_sr());
-    image.attributes["renderer"] = context.rendererDescription();
+    image.attributes["renderer"] = frame.renderer;
     if (!frame.geometry.empty())
         image.attributes["range_m"] = text(frame.geometry.front().path.range_m);
 }
@@ -341,11 +338,12 @@ void Renderer::check(const Scene& scene, const SensorView& view, const Wanted& w
 Vec3 Renderer::referencePoint(const Entity& entity) {
     return impl_->prepared.referencePoint(entity);
 }
-std::string Renderer::rendererDescription() {
-    return impl_->context.rendererDescription();
+std::string Renderer::rendererDescription(const Scene& scene) {
+    impl_->prepared.keep(scene.entities);
+    return impl_->descriptionOf(impl_->chosenEngine(scene));
 }
 std::size_t Renderer::graphicsMemory_bytes() const {
-    return impl_->pass ? impl_->pass->bytes() : 0;
+    return impl_->opengl ? impl_->opengl->bytes() : 0;
 }
 StageTimes Renderer::stageTimes() const {
     return {impl_->stages};

@@ -17,8 +17,9 @@ class RadianceTerms;
 /// models, drawings, the air along a path, wideband terms, in-band radiances) are caches keyed by
 /// values, and nobody sees whether one was hit but by the time.
 ///
-/// Draws on the process's off-screen OpenGL context (EGL, no display needed) and may be used from
-/// any one thread at a time; the caller's current context is left as it was.
+/// Draws on the process's off-screen OpenGL context (EGL, no display needed), or with rays, which
+/// ask for neither (RenderSettings::engine), and may be used from any one thread at a time; the
+/// caller's current context is left as it was.
 class Renderer {
   public:
     Renderer();
@@ -47,9 +48,10 @@ class Renderer {
     /// Of an entity, in model axes; see Entity::referencePoint_m.
     Vec3 referencePoint(const Entity& entity);
 
-    /// GL renderer string: "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile)
-    /// Mesa 22.3.6".
-    std::string rendererDescription();
+    /// Who answers the samples of a scene: "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5
+    /// (Compatibility Profile) Mesa 22.3.6", or "rays, Embree 3.13.5", and why where it was chosen.
+    /// Throws InputError where this machine or this build has not got it.
+    std::string rendererDescription(const Scene& scene);
     /// Memory that drawing keeps on the graphics card apart from models and textures, bytes.
     std::size_t graphicsMemory_bytes() const;
     StageTimes stageTimes() const;

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <osg/RenderInfo>
-
 #include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/sampling/PixelAlignedStrategy.h"
@@ -39,11 +37,19 @@ PointAspect Renderer::Impl::aspectOf(const Frame& frame, int entity, const Vec3&
     const RenderSettings& settings = frame.scene.settings;
     const SurfaceRows& rows = frame.surfaceRows();
     const Rotation toModel = frame.entity(entity).pose.attitude.rotation().transposed();
-    PointAspect aspect{
-        frame.entity(entity).model,
-        {static_cast<double>(settings.zoomWindow), static_cast<double>(settings.maximumLayers)},
-        terms.glsl(settings)};
+    PointAspect aspect{frame.entity(entity).model,
+                       {static_cast<double>(settings.zoomWindow),
+                        static_cast<double>(settings.maximumLayers), usesRays(frame) ? 1.0 : 0.0},
+                       terms.glsl(settings)};
     append(aspect.numbers, from);
+    aspect.numbers.push_back(frame.shadows ? static_cast<double>(settings.sunShadows) : 0.0);
+    // Others may stand between it and the sun.
+    for (const Entity& other : frame.scene.entities)
+        if (frame.shadows && (frame.scene.entities.size() > 1 || frame.scene.terrain)) {
+            append(aspect.numbers, other.pose.position_m);
+            const Attitude& a = other.pose.attitude;
+            append(aspect.numbers, {a.yaw_rad, a.pitch_rad, a.roll_rad});
+        }
     for (const FrameDirection& direction : terms.directions)
         append(aspect.numbers, toModel * direction.world(frame.scene.environment.sun));
     for (std::size_t row = 0; row < rows.keys().size(); ++row) {
@@ -69,15 +75,19 @@ ViewFactors Renderer::Impl::drawAlone(const Frame& frame, int entity, const Came
         return view;
     seen->details = detailsOf(frame, camera, entity);
     seen->edges = edgesOf(frame, camera, entity);
-    onContext([&](osg::RenderInfo& info) {
+    onEngine(frame, [&] {
         FactorSamples samples;
         const PixelAlignedStrategy strategy(zoomWindow);
-        for (const SampleWindow& window : piecesOf(strategy.windows({*seen}), largestDrawing())) {
+        for (const SampleWindow& window :
+             piecesOf(strategy.windows({*seen}), frame.engine->largestSide())) {
             SurfaceScene alone = sceneOf(frame, camera, window);
             alone.occluders.clear();
-            pass->drawFactors(info, {SampleSheet::of(window), {alone}}, rows.isSliced(), samples);
-            timed("layer sorting",
-                  [&] { sortLayers(samples, frame.scene.settings.maximumLayers); });
+            alone.terrain = {};
+            frame.engine->drawFactors({SampleSheet::of(window), {alone}},
+                                      rows.isSliced() || frame.shadows, samples);
+            timed("layer sorting", [&] {
+                sortAndShade(frame, {SampleSheet::of(window), {alone}}, samples);
+            });
             timed("factor sums", [&] { sums.addToView(window, samples, view); });
         }
     });

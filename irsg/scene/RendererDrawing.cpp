@@ -2,10 +2,6 @@
 #include <optional>
 #include <utility>
 
-#include <osg/GLObjects>
-#include <osg/RenderInfo>
-#include <osg/State>
-
 #include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/radiance/TruthLayers.h"
@@ -14,45 +10,31 @@
 
 namespace irsg {
 
-namespace {
-
-/// Largest side of one drawing, samples: bounds the memory of the targets.
-constexpr int largestSide = 2048;
-
-} // namespace
-
-void Renderer::Impl::onContext(const std::function<void(osg::RenderInfo&)>& work) {
+void Renderer::Impl::onEngine(const Frame& frame, const std::function<void()>& work) {
     double waited_s = 0.0, drawing_s = 0.0, reading_s = 0.0;
     {
         auto waiting = std::make_unique<Stopwatch>(waited_s);
-        context.run([&](osg::RenderInfo& info) {
+        frame.engine->run([&] {
             waiting.reset(); // for drawings that were begun before
-            readyPass(info);
-            work(info);
-            drawing_s = pass->takeDrawSeconds();
-            reading_s = pass->takeReadSeconds();
+            work();
+            drawing_s = frame.engine->takeDrawSeconds();
+            reading_s = frame.engine->takeReadSeconds();
         });
     }
     addTime("drawing", waited_s + drawing_s);
     addTime("read back", reading_s);
 }
 
-void Renderer::Impl::readyPass(osg::RenderInfo& info) {
-    osg::flushAllDeletedGLObjects(info.getContextID());
-    if (!pass)
-        pass = std::make_unique<SurfacePass>();
-}
-
-int Renderer::Impl::largestDrawing() const {
-    return std::min(largestSide, context.maximumTargetSize());
-}
-
-FactorShader Renderer::Impl::factorShader(const Frame& frame, const CameraFrame& camera) const {
-    FactorShader shader{terms.factorCount(), terms.glsl(frame.scene.settings), {}};
+FactorMaking Renderer::Impl::factorMaking(const Frame& frame, const CameraFrame& camera) const {
+    FactorMaking making{terms.factorCount(), terms.glsl(frame.scene.settings), {}, {}, {}};
+    if (usesRays(frame))
+        making.functions = terms.functions(frame.scene.settings);
+    if (frame.shadows)
+        making.shadowedFrom = terms.shadowedFrom(frame.scene.settings);
     for (const FrameDirection& direction : terms.directions)
-        shader.directionsEye.emplace_back(
+        making.directionsEye.emplace_back(
             direction.name, camera.toEye(direction.world(frame.scene.environment.sun)));
-    return shader;
+    return making;
 }
 
 SurfaceScene Renderer::Impl::sceneOf(const Frame& frame, const CameraFrame& camera,
@@ -62,16 +44,25 @@ SurfaceScene Renderer::Impl::sceneOf(const Frame& frame, const CameraFrame& came
     };
     SurfaceScene scene;
     scene.camera = &camera;
-    scene.factors = factorShader(frame, camera);
+    scene.factors = factorMaking(frame, camera);
     scene.rows = frame.rows;
-    if (frame.scene.terrain && frame.scene.settings.terrainHides)
+    if (frame.scene.terrain && frame.scene.settings.terrainHides) {
         scene.occluders = frame.scene.terrain->occluders(camera);
+        if (frame.terrainMesh)
+            scene.terrain = {-1, frame.terrainMesh,
+                             camera.eyeFromModel(frame.scene.terrain->pose())};
+    }
     std::optional<osg::Matrixd> eyeFromModel;
     int last = -1; // items of an entity follow one another
     for (const SurfaceItem& item : frame.items)
         if (stands(item.entity)) {
-            if (std::exchange(last, item.entity) != item.entity || !eyeFromModel)
+            if (std::exchange(last, item.entity) != item.entity || !eyeFromModel) {
                 eyeFromModel = camera.eyeFromModel(frame.entity(item.entity).pose);
+                if (!frame.meshes.empty())
+                    scene.bodies.push_back({item.entity,
+                                            frame.meshes[static_cast<std::size_t>(item.entity)],
+                                            *eyeFromModel});
+            }
             scene.items.push_back(item);
             scene.items.back().eyeFromLocal = item.eyeFromLocal * *eyeFromModel;
         }
@@ -118,12 +109,11 @@ FrameReduction Renderer::Impl::drawObjects(const Frame& frame, std::vector<Sampl
     /// all there is to know of a surface, else from factors.
     class SurfaceRttPass : public RttPass {
       public:
-        SurfaceRttPass(Impl& parts, const Frame& frame, osg::RenderInfo& info)
+        SurfaceRttPass(Impl& parts, const Frame& frame)
             : impl_(parts),
               frame_(frame),
-              info_(info),
               radiances_(frame.surfaceRows(), parts.fronts, frame.evaluated->radiances) {}
-        int largestSide() const override { return impl_.largestDrawing(); }
+        int largestSide() const override { return frame_.engine->largestSide(); }
         void draw(const CameraFrame& camera, const SampleSheet& sheet,
                   RadianceSamples& samples) override {
             Stopwatch watch(seconds);
@@ -134,12 +124,13 @@ FrameReduction Renderer::Impl::drawObjects(const Frame& frame, std::vector<Sampl
                 });
             };
             const bool isSliced = std::ranges::any_of(sheet.windows, isSlicedIn);
-            if (!isSliced && std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
-                return impl_.pass->drawRadiance(info_, scene, samples);
-            impl_.pass->drawFactors(info_, scene, isSliced, factors_);
+            if (!isSliced && !frame_.shadows &&
+                std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
+                return frame_.engine->drawRadiance(scene, samples);
+            frame_.engine->drawFactors(scene, isSliced || frame_.shadows, factors_);
             {
                 Stopwatch sorting(sortSeconds);
-                sortLayers(factors_, frame_.scene.settings.maximumLayers);
+                impl_.sortAndShade(frame_, scene, factors_);
             }
             Stopwatch evaluating(evaluateSeconds);
             radiances_.evaluate(factors_, samples);
@@ -151,16 +142,15 @@ FrameReduction Renderer::Impl::drawObjects(const Frame& frame, std::vector<Sampl
       private:
         Impl& impl_;
         const Frame& frame_;
-        osg::RenderInfo& info_;
         SampleRadiances radiances_;
         FactorSamples factors_;
     };
 
     double all_s = 0.0, drawing_s = 0.0, sorting_s = 0.0, evaluating_s = 0.0;
     std::optional<FrameReduction> reduction;
-    onContext([&](osg::RenderInfo& info) {
+    onEngine(frame, [&] {
         Stopwatch watch(all_s);
-        SurfaceRttPass rtt(*this, frame, info);
+        SurfaceRttPass rtt(*this, frame);
         reduction = strategy.draw(frame.camera, frame.drawn, rtt);
         drawing_s = rtt.seconds;
         sorting_s = rtt.sortSeconds;
@@ -204,7 +194,7 @@ FrameReduction Renderer::Impl::followedPixels(const Frame& frame,
                               sums.addToPixels(window, samples, *pixels.factors);
                           });
     }
-    FrameReduction reduction(frame.view.sensor, piecesOf(planned, largestDrawing()));
+    FrameReduction reduction(frame.view.sensor, piecesOf(planned, frame.engine->largestSide()));
     timed("sums of pixels", [&] {
         addPixels(*pixels.factors, frame.view.sensor.width_px, frame.evaluated->radiances,
                   reduction);
@@ -232,26 +222,30 @@ Renderer::Impl::sampledWindows(const Frame& frame, const std::vector<DrawnWindow
 std::future<WindowStream::Seconds>
 Renderer::Impl::beginWindows(const Frame& frame, const std::vector<SampleWindow>& windows,
                              bool withDistance, TakeWindow take) {
+    const int side = frame.engine->largestSide();
     auto planned = std::make_shared<const std::vector<SampleSheet>>(
-        windows.empty() ? std::vector<SampleSheet>{}
-                        : sheetsOf(piecesOf(windows, largestDrawing()), largestDrawing()));
+        windows.empty() ? std::vector<SampleSheet>{} : sheetsOf(piecesOf(windows, side), side));
     WindowStream::Work work;
     work.drawings = planned->size();
     work.maximumLayers = frame.scene.settings.maximumLayers;
-    work.draw = [this, &frame, planned, withDistance](osg::RenderInfo& info, std::size_t i,
-                                                      FactorSamples& samples,
+    work.draw = [this, &frame, planned, withDistance](std::size_t i, FactorSamples& samples,
                                                       WindowStream::Seconds& seconds) {
-        const SampleSheet& sheet = (*planned)[i];
-        readyPass(info);
-        pass->drawFactors(info, scenesOf(frame, frame.camera, sheet), withDistance, samples);
-        seconds.drawing += pass->takeDrawSeconds();
-        seconds.reading += pass->takeReadSeconds();
+        SampleEngine& engine = *frame.engine;
+        engine.drawFactors(scenesOf(frame, frame.camera, (*planned)[i]),
+                           withDistance || frame.shadows, samples);
+        seconds.drawing += engine.takeDrawSeconds();
+        seconds.reading += engine.takeReadSeconds();
     };
+    if (frame.shadows)
+        work.shade = [this, &frame, planned](std::size_t i, FactorSamples& samples) {
+            frame.shadows->apply(scenesOf(frame, frame.camera, (*planned)[i]),
+                                 frame.scene.settings.truthLayers, samples);
+        };
     work.take = [planned, take = std::move(take)](std::size_t i, const FactorSamples& samples) {
         for (const SampleWindow& window : (*planned)[i].windows)
             take(window, samples);
     };
-    return stream.start(std::move(work));
+    return stream.start(*frame.engine, std::move(work));
 }
 
 void Renderer::Impl::waitFor(std::future<WindowStream::Seconds>& drawn, const char* stage) {
@@ -261,13 +255,16 @@ void Renderer::Impl::waitFor(std::future<WindowStream::Seconds>& drawn, const ch
         Stopwatch watch(waited_s);
         seconds = drawn.get();
     }
-    const double all_s = seconds.drawing + seconds.reading + seconds.sorting + seconds.taking;
+    const double all_s =
+        seconds.drawing + seconds.reading + seconds.sorting + seconds.shading + seconds.taking;
     if (!(all_s > 0.0))
         return; // nothing was drawn
     const double part = waited_s / all_s;
     addTime("drawing", part * seconds.drawing);
     addTime("read back", part * seconds.reading);
     addTime("layer sorting", part * seconds.sorting);
+    if (seconds.shading > 0.0)
+        addTime("sun shadows", part * seconds.shading);
     addTime(stage, part * seconds.taking);
 }
 

@@ -29,7 +29,9 @@ Renderer::Impl::ViewKey Renderer::Impl::viewKey(const Frame& frame) const {
                    settings.samplesInAll ? 1.0 : 0.0,
                    settings.pointSourceBelow_px,
                    static_cast<double>(settings.maximumLayers),
-                   settings.terrainHides ? 1.0 : 0.0};
+                   settings.terrainHides ? 1.0 : 0.0,
+                   usesRays(frame) ? 1.0 : 0.0,
+                   frame.shadows ? static_cast<double>(settings.sunShadows) : 0.0};
     const Viewpoint& viewpoint = frame.view.viewpoint;
     for (const Vec3& v : {viewpoint.position_m, viewpoint.right, viewpoint.up})
         append(key.numbers, v);

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <osg/RenderInfo>
-
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/scene/RendererImpl.h"
@@ -69,7 +67,9 @@ Renderer::Impl::Frame Renderer::Impl::frame(const Scene& scene, const SensorView
     result.geometry = geometry(scene, view);
     checkScene(scene.entities, result.geometry, scene.environment, view.sensor, bands,
                scene.settings);
+    takeEngine(result);
     evaluate(result);
+    takeShadows(result);
     if (wanted.alongRange && !wanted.image)
         planAlongRange(result);
     findDetails(result);
@@ -142,8 +142,8 @@ void Renderer::Impl::drawBackgrounds(Frame& frame, const std::vector<SampledBand
         wanted.skybox = settings.skybox;
         wanted.terrain = settings.terrain;
         BackgroundReport report;
-        frame.backgrounds.push_back(
-            background.draw(frame.view.sensor, frame.view.viewpoint, sky, wanted, report));
+        frame.backgrounds.push_back(background.draw(frame.view.sensor, frame.view.viewpoint, sky,
+                                                    wanted, terrainPainter(frame), report));
         frame.backgroundReport.flooredPixels += report.flooredPixels;
         addNew(frame.backgroundReport.answeredBy, report.answeredBy);
         addNew(frame.backgroundReport.warnings, report.warnings);
@@ -186,12 +186,13 @@ void Renderer::Impl::fillItems(Frame& frame) {
         frame.seen.push_back(*seen);
         frame.seen.back().edges = edgesOf(frame, frame.camera, e);
 
+        int piece = 0;
         for (const DrawItem& item : model.items) {
             const auto key = std::ranges::lower_bound(rows.keys(), SurfaceKey{e, item.codes});
             if (key == rows.keys().end() || *key != SurfaceKey{e, item.codes})
                 throw LogicError("a surface was drawn that the model did not announce");
             const auto drawn = static_cast<int>(key - rows.keys().begin());
-            frame.items.push_back({item.geometry.get(), item.modelFromLocal, e, drawn,
+            frame.items.push_back({item.geometry.get(), item.modelFromLocal, e, piece++, drawn,
                                    rows.isTransparent(drawn), item.cullsBackFaces, item.layer});
         }
     }
@@ -253,13 +254,14 @@ std::vector<ImageRectangle> Renderer::Impl::detailsOf(const Frame& frame, const 
     std::vector<ImageRectangle> details;
     if (parts.empty())
         return details;
-    onContext([&](osg::RenderInfo& info) {
+    onEngine(frame, [&] {
         FactorSamples samples;
         const SampleWindow probe = probeOf(parts, entity);
         SurfaceScene scene = sceneOf(frame, camera, probe);
         std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
         scene.occluders.clear();
-        pass->drawFactors(info, {SampleSheet::of(probe), {scene}}, true, samples);
+        scene.terrain = {};
+        frame.engine->drawFactors({SampleSheet::of(probe), {scene}}, true, samples);
         for (const HotPart& part : parts)
             if (!isHidden(part, probe, samples))
                 details.push_back(part.extent);

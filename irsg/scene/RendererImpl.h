@@ -15,9 +15,8 @@
 #include "irsg/scene/Renderer.h"
 #include "irsg/scene/SceneCheck.h"
 #include "irsg/scene/background/SceneBackground.h"
-#include "irsg/scene/draw/OffscreenContext.h"
+#include "irsg/scene/background/TerrainRays.h"
 #include "irsg/scene/draw/Stopwatch.h"
-#include "irsg/scene/draw/SurfacePass.h"
 #include "irsg/scene/draw/WindowStream.h"
 #include "irsg/scene/radiance/AtmosphericQueryCache.h"
 #include "irsg/scene/radiance/PointSources.h"
@@ -29,8 +28,10 @@
 #include "irsg/scene/radiance/ViewFactors.h"
 #include "irsg/scene/radiance/WidebandPoints.h"
 #include "irsg/scene/sampling/FrameReduction.h"
+#include "irsg/scene/sampling/SampleEngine.h"
 #include "irsg/scene/sampling/ZoomAntialiasingManager.h"
 #include "irsg/scene/scattering/SceneScattering.h"
+#include "irsg/scene/trace/SunShadows.h"
 
 namespace irsg {
 
@@ -42,11 +43,13 @@ inline void append(std::vector<double>& numbers, const Vec3& v) {
 struct Renderer::Impl {
     explicit Impl(const RadianceTerms& list) : terms(list) {}
 
-    OffscreenContext& context = OffscreenContext::shared();
-    std::unique_ptr<SurfacePass> pass; // made and destroyed on the context's thread
     const RadianceTerms& terms;
     std::vector<StageTimes::Stage> stages;
-    WindowStream stream{context};
+    /// Each is made when it is first needed.
+    std::unique_ptr<SampleEngine> opengl, rays;
+    std::unique_ptr<TerrainPainter> glTerrain;
+    TerrainRays rayTerrain;
+    WindowStream stream;
 
     PreparedEntities prepared;
     ZoomAntialiasingManager antialiasing;
@@ -59,6 +62,7 @@ struct Renderer::Impl {
     Fronts fronts;
     PointSources pointSources;
     RangeFactors rangeFactors;
+    std::shared_ptr<const Terrain> shadowingTerrain; ///< of what is kept of aspects
     SceneScattering scattering;
 
     /// All that the factors of a view depend on.
@@ -102,6 +106,8 @@ struct Renderer::Impl {
         const Scene& scene;
         const SensorView& view;
         CameraFrame camera;
+        SampleEngine* engine = nullptr;
+        std::string renderer; ///< who that is
         std::vector<Band> bands;
         std::vector<ObjectGeometry> geometry;
         LineOfSight centre; ///< through the middle of the field, unbounded
@@ -110,8 +116,11 @@ struct Renderer::Impl {
         SharedValues background;                  ///< uniform, as evaluated radiances have it
         std::vector<FrameBackground> backgrounds; // by band
         BackgroundReport backgroundReport;
-        std::vector<SurfaceItem> items;     // of all objects, in their model axes until sceneOf
-        std::vector<SurfaceRow> rows;       // by drawn row, of the first band
+        std::vector<SurfaceItem> items; // of all objects, in their model axes until sceneOf
+        std::vector<std::shared_ptr<const RayMesh>> meshes; // by entity, for rays
+        std::shared_ptr<const RayMesh> terrainMesh;         // likewise
+        std::shared_ptr<const SunShadows> shadows;          // null for none
+        std::vector<SurfaceRow> rows;                       // by drawn row, of the first band
         std::vector<bool> hot;              // by drawn row: worth samples of its own
         std::vector<ZoomEntityInfo> seen;   // all that the frame can see
         std::vector<ZoomEntityInfo> drawn;  // into windows
@@ -168,11 +177,26 @@ struct Renderer::Impl {
     /// Where it sees the long edges of an entity; those that reach behind it are left out.
     std::vector<ImageEdge> edgesOf(const Frame& frame, const CameraFrame& camera, int entity);
 
+    // RendererEngines.cpp: who answers samples.
+    struct ChosenEngine {
+        EngineChoice engine = EngineChoice::opengl;
+        std::string why; ///< of an automatic choice
+    };
+    SampleEngine& engineOf(EngineChoice engine);
+    ChosenEngine chosenEngine(const Scene& scene);
+    std::string descriptionOf(const ChosenEngine& chosen);
+    bool usesRays(const Frame& frame) const { return frame.engine == rays.get(); }
+    TerrainPainter& terrainPainter(const Frame& frame);
+    /// Gives a frame its engine, and what that needs.
+    void takeEngine(Frame& frame);
+    /// Gives it what stands before the sun, where shadows are asked for.
+    void takeShadows(Frame& frame);
+    /// Sorts the layers of a drawing, and takes the light of the sun away from what is in shadow.
+    void sortAndShade(const Frame& frame, const SheetScene& sheet, FactorSamples& samples);
+
     // RendererDrawing.cpp
-    void onContext(const std::function<void(osg::RenderInfo&)>& work);
-    void readyPass(osg::RenderInfo& info);
-    int largestDrawing() const;
-    FactorShader factorShader(const Frame& frame, const CameraFrame& camera) const;
+    void onEngine(const Frame& frame, const std::function<void()>& work);
+    FactorMaking factorMaking(const Frame& frame, const CameraFrame& camera) const;
     /// What of the scene stands in a window as a camera sees it, between the depths it spans.
     SurfaceScene sceneOf(const Frame& frame, const CameraFrame& camera, const SampleWindow& window);
     SheetScene scenesOf(const Frame& frame, const CameraFrame& camera, const SampleSheet& sheet);

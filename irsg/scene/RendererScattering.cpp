@@ -1,8 +1,6 @@
 #include <cmath>
 #include <sstream>
 
-#include <osg/RenderInfo>
-
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/scene/RendererImpl.h"

@@ -9,6 +9,7 @@
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/scattering/SceneScattering.h"
+#include "irsg/scene/trace/RaysBuilt.h"
 
 namespace irsg {
 
@@ -180,6 +181,9 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
         diagnostics.push_back({"settings", "background", text(settings.background_W_m2_sr),
                                "a finite radiance of at least 0 W m-2 sr-1"});
 
+    if (settings.engine == EngineChoice::rays && !areRaysBuilt())
+        diagnostics.push_back(
+            {"settings", "render.engine", whyNoRays(), "opengl, or a build with Embree 3"});
     if (settings.scattering) {
         if (!isScatteringBuilt())
             diagnostics.push_back({"settings", "scattering", whyNoScattering(),

@@ -142,6 +142,10 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
                                   : irsg::ReflectionMode::smart;
     };
     irsg::RenderSettings render;
+    const std::string& engine = settings[key::renderEngine];
+    render.engine = engine == "rays"   ? irsg::EngineChoice::rays
+                    : engine == "auto" ? irsg::EngineChoice::automatic
+                                       : irsg::EngineChoice::opengl;
     const int antialiasing = settings[key::renderAntialiasing];
     render.zoomWindow = antialiasing > 2 ? 128 << (antialiasing - 3) : 0;
     render.zoomStrategy = settings.text(key::renderZoom) == "sills" ? irsg::ZoomStrategy::sills
@@ -151,6 +155,10 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
     render.hotParts = settings[key::renderHotParts];
     render.samplesInAll = settings.text(key::renderSupersampling) == "inAll";
     render.sun = reflection(key::renderSun);
+    const std::string& shadows = settings[key::renderShadows];
+    render.sunShadows = shadows == "disc"    ? irsg::SunShadowMode::disc
+                        : shadows == "point" ? irsg::SunShadowMode::point
+                                             : irsg::SunShadowMode::off;
     render.fluxes = reflection(key::renderFluxes);
     render.mode = settings.text(key::sensorMode) == "ck" ? irsg::CalculationMode::wideband
                                                          : irsg::CalculationMode::spectral;

@@ -82,6 +82,8 @@ inline constexpr BooleanKey renderSunDisc{"render.sunDisc"};
 inline constexpr BooleanKey renderScattering{"render.scattering"};
 inline constexpr BooleanKey renderTerrainHides{"render.terrainHides"};
 inline constexpr IntegerKey renderLayers{"render.layers"};
+inline constexpr TextKey renderEngine{"render.engine"};
+inline constexpr TextKey renderShadows{"render.shadows"};
 
 inline constexpr TextKey displayColorMap{"display.colorMap"};
 inline constexpr TextKey displayScale{"display.scale"};

@@ -146,6 +146,13 @@ void addSurroundings(std::vector<SettingInfo>& table) {
 }
 
 void addRendering(std::vector<SettingInfo>& table) {
+    table.push_back(
+        named(choice(key::renderEngine, "--engine", "Engine", {"opengl", "rays", "auto"}, "opengl",
+                     "Who answers samples: opengl draws them off-screen; rays (Embree) give the "
+                     "same answers and need neither OpenGL nor a driver or display; auto takes "
+                     "whichever is the quicker for the scene, and results say which it was.",
+                     SettingAudience::expert),
+              {"OpenGL", "rays, without OpenGL", "whichever is quicker"}));
     SettingInfo antialiasing = integer(
         key::renderAntialiasing, "--antialiasing", "Antialiasing", "", 0, 5, "4",
         "Mode 0: one sample a pixel. Modes 1 and 2: 2 and 4 samples per axis in every pixel. Modes "
@@ -188,6 +195,14 @@ void addRendering(std::vector<SettingInfo>& table) {
                                  "Reflected sun: off, approx (independent of geometry: a quarter "
                                  "everywhere) or smart (per pixel)."),
                           {"off", "approx, a quarter everywhere", "smart, per pixel"}));
+    table.push_back(
+        named(choice(key::renderShadows, "--shadows", "Shadows of the sun",
+                     {"off", "point", "disc"}, "point",
+                     "What stands between a surface and the sun takes its light away (sun smart): "
+                     "other parts, other objects, terrain; what is transparent weakens it by its "
+                     "transmissivity. The sun is a point, or a disc of 0.53 degrees, whose shadows "
+                     "have a penumbra."),
+              {"off", "of a point", "of a disc, with penumbra"}));
     table.push_back(
         named(choice(key::renderFluxes, "--fluxes", "Flux reflection", reflections, "smart",
                      "Reflected sky and ground: off, approx (independent of geometry: a half "

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 #include <ostream>
 
 #include <gmock/gmock.h>
@@ -9,6 +10,7 @@
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/trace/RaysBuilt.h"
 #include "smatcore/data/ResultTable.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
@@ -38,6 +40,38 @@ TEST(SmatBatchRun, WritesEveryAnalysisOfTheProject) {
                              "range.json", "spectrum.csv"}) {
         EXPECT_TRUE(std::filesystem::exists(folder / "out" / name)) << name;
     }
+}
+
+/// While it lives EGL finds no driver, as on a machine without any.
+class WithoutOpenGl {
+  public:
+    WithoutOpenGl() { setenv(name, "/dev/null", 1); }
+    ~WithoutOpenGl() { unsetenv(name); }
+
+  private:
+    static constexpr const char* name = "__EGL_VENDOR_LIBRARY_FILENAMES";
+};
+
+TEST(SmatBatchRun, NeedsNoOpenGlWithRays) {
+    if (!irsg::areRaysBuilt()) {
+        GTEST_SKIP() << irsg::whyNoRays();
+    }
+    const TemporaryFolder folder;
+    const WithoutOpenGl without;
+    const Ran refused = smatBatch({"image", sphere, "--out", folder / "a.exr"});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_THAT(refused.err, HasSubstr("OpenGL"));
+    const Ran ran = smatBatch({"run", sphere, "--engine", "rays", "--out", folder / "out",
+                               "--width", "64", "--height", "64", "--json"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    for (const auto& analysis : nlohmann::json::parse(ran.out)["analyses"]) {
+        EXPECT_EQ(analysis["state"], "complete");
+        EXPECT_THAT(analysis["renderer"].get<std::string>(), HasSubstr("Embree"));
+    }
+    const Ran chosen = smatBatch({"image", sphere, "--engine", "auto", "--out", folder / "b.exr"});
+    ASSERT_EQ(chosen.exitCode, 0) << chosen.err;
+    EXPECT_THAT(irsg::readExr(folder / "b.exr").attributes.at("renderer"),
+                HasSubstr("auto: this machine has no OpenGL"));
 }
 
 TEST(SmatBatchRun, GivesTheSameBytesTwice) {

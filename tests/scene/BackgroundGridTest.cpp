@@ -14,6 +14,7 @@
 #include "irsg/scene/background/FastAngle.h"
 #include "irsg/scene/background/FieldExtent.h"
 #include "irsg/scene/background/SceneBackground.h"
+#include "irsg/scene/background/TerrainPass.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -286,7 +287,8 @@ TEST(SceneBackground, AsksARealAtmosphereForItsRowsWithTheWeightsOfTheBand) {
     settings.rows = 6;
     BackgroundReport report;
     SceneBackground background;
-    const FrameBackground frame = background.draw(sensor, view, sky, settings, report);
+    GlTerrain painter;
+    const FrameBackground frame = background.draw(sensor, view, sky, settings, painter, report);
     ASSERT_FALSE(frame.isUniform());
     ASSERT_EQ(report.answeredBy.size(), 1u);
     const FieldRays rays(sensor, view);

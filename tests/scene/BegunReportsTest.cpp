@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/scene/Irsg.h"
-#include "irsg/scene/draw/OffscreenContext.h"
+#include "irsg/scene/draw/GlEngine.h"
 #include "irsg/scene/draw/WindowStream.h"
 #include "tests/support/SceneFixtures.h"
 
@@ -135,14 +135,14 @@ TEST(BegunReports, OfAPictureAreThoseOfASweepHoweverLarge) {
 }
 
 TEST(WindowStream, TakesWindowsInOrderAndStreamsOneAfterTheOther) {
-    WindowStream stream(OffscreenContext::shared());
+    GlEngine engine;
+    WindowStream stream;
     std::vector<std::pair<int, std::size_t>> taken;
     std::vector<std::future<WindowStream::Seconds>> all;
     for (int number = 0; number < 3; ++number) {
         WindowStream::Work work;
         work.drawings = 5;
-        work.draw = [](osg::RenderInfo&, std::size_t window, FactorSamples& samples,
-                       WindowStream::Seconds&) {
+        work.draw = [](std::size_t window, FactorSamples& samples, WindowStream::Seconds&) {
             samples.words.clear();
             samples.width = static_cast<int>(window);
         };
@@ -150,7 +150,7 @@ TEST(WindowStream, TakesWindowsInOrderAndStreamsOneAfterTheOther) {
             EXPECT_EQ(samples.width, static_cast<int>(window));
             taken.emplace_back(number, window);
         };
-        all.push_back(stream.start(std::move(work)));
+        all.push_back(stream.start(engine, std::move(work)));
     }
     for (auto& one : all)
         one.get();
@@ -162,12 +162,12 @@ TEST(WindowStream, TakesWindowsInOrderAndStreamsOneAfterTheOther) {
 }
 
 TEST(WindowStream, TellsWhatFailedAndGoesOn) {
-    WindowStream stream(OffscreenContext::shared());
+    GlEngine engine;
+    WindowStream stream;
     const auto streamThat = [&](bool failsInDrawing, bool failsInTaking) {
         WindowStream::Work work;
         work.drawings = 4;
-        work.draw = [=](osg::RenderInfo&, std::size_t window, FactorSamples&,
-                        WindowStream::Seconds&) {
+        work.draw = [=](std::size_t window, FactorSamples&, WindowStream::Seconds&) {
             if (failsInDrawing && window == 2)
                 throw std::runtime_error("drawing");
         };
@@ -175,7 +175,7 @@ TEST(WindowStream, TellsWhatFailedAndGoesOn) {
             if (failsInTaking && window == 1)
                 throw std::runtime_error("taking");
         };
-        return stream.start(std::move(work));
+        return stream.start(engine, std::move(work));
     };
     const auto failureOf = [](std::future<WindowStream::Seconds> done) -> std::string {
         try {

@@ -13,6 +13,7 @@
 #include "irsg/scene/Irsg.h"
 #include "irsg/scene/Renderer.h"
 #include "irsg/scene/radiance/RadianceTerms.h"
+#include "irsg/scene/trace/RaysBuilt.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -243,9 +244,15 @@ TEST(RadianceTerms, TakeAnotherTermFromOneRecord) {
     const Vec3 second = direction(radians(30.0), radians(20.0));
     RadianceTerms list = RadianceTerms::standard();
     list.directions.push_back({"secondSunEye", [=](const SunPosition&) { return second; }});
-    list.factors.push_back({"second sun", [](const RenderSettings&) {
-                                return std::string("max(dot(normal, secondSunEye), 0.0)");
-                            }});
+    const std::size_t place = list.directions.size() - 1;
+    list.factors.push_back(
+        {"second sun",
+         [](const RenderSettings&) { return std::string("max(dot(normal, secondSunEye), 0.0)"); },
+         [=](const RenderSettings&) -> FactorFunction {
+             return [=](const SampleGeometry& sample) {
+                 return std::max(dot(sample.normal, sample.directionsEye[place].second), 0.0);
+             };
+         }});
     RadianceTerm term;
     term.name = "second_sun";
     term.factor.drawn = static_cast<int>(list.factors.size()) - 1;
@@ -266,7 +273,12 @@ TEST(RadianceTerms, TakeAnotherTermFromOneRecord) {
     // A plate that lies flat, seen from above; a pane of half transmissivity beside it makes the
     // evaluator add it up, too.
     const IrCodes codes{1, 1};
-    for (const bool fromFactors : {false, true}) {
+    const std::vector<EngineChoice> engines =
+        areRaysBuilt() ? std::vector{EngineChoice::opengl, EngineChoice::rays}
+                       : std::vector{EngineChoice::opengl};
+    for (std::size_t i = 0; i < 2 * engines.size(); ++i) {
+        const bool fromFactors = i % 2 == 1;
+        scene.settings.engine = engines[i / 2];
         SignatureDatabase database = greyDatabase(0.25, 300.0);
         database.temperatures[2] = fixedTemperature(300.0);
         database.materials[2] = greyMaterial(0.1, 0.5);

@@ -4,6 +4,7 @@
 
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/trace/RaysBuilt.h"
 #include "tests/support/RayCaster.h"
 
 using namespace irsg;
@@ -98,12 +99,8 @@ void PrintTo(const Case& c, std::ostream* out) {
     *out << c.name;
 }
 
-class ShaderAgainstRays : public testing::TestWithParam<Case> {};
-
-} // namespace
-
-TEST_P(ShaderAgainstRays, AgreeWhereNeighboursHitTheSameFacets) {
-    const Case& c = GetParam();
+/// Holds what an engine draws against the ray caster in double.
+void expectTheCaster(const Case& c, EngineChoice engine) {
     ConstantAir air;
     air.transmittanceValue = 0.7;
     air.pathRadianceValue = 0.05;
@@ -133,6 +130,7 @@ TEST_P(ShaderAgainstRays, AgreeWhereNeighboursHitTheSameFacets) {
 
     Irsg irsg;
     RenderSettings settings;
+    settings.engine = engine;
     settings.zoomWindow = 0;
     settings.samplesPerAxis = 1;
     irsg.setSettings(settings);
@@ -190,5 +188,22 @@ TEST_P(ShaderAgainstRays, AgreeWhereNeighboursHitTheSameFacets) {
                 1e-5 * rendered.report.all.coveredPixels);
 }
 
+class ShaderAgainstRays : public testing::TestWithParam<Case> {};
+class RayEngineAgainstRays : public testing::TestWithParam<Case> {};
+
+} // namespace
+
+TEST_P(ShaderAgainstRays, AgreeWhereNeighboursHitTheSameFacets) {
+    expectTheCaster(GetParam(), EngineChoice::opengl);
+}
+
+TEST_P(RayEngineAgainstRays, AgreeWhereNeighboursHitTheSameFacets) {
+    if (!areRaysBuilt())
+        GTEST_SKIP() << whyNoRays();
+    expectTheCaster(GetParam(), EngineChoice::rays);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, ShaderAgainstRays, testing::ValuesIn(cases()),
+                         [](const auto& row) { return std::string(row.param.name); });
+INSTANTIATE_TEST_SUITE_P(Scenes, RayEngineAgainstRays, testing::ValuesIn(cases()),
                          [](const auto& row) { return std::string(row.param.name); });

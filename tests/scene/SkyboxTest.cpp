@@ -7,6 +7,7 @@
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/background/SceneBackground.h"
 #include "irsg/scene/background/Skybox.h"
+#include "irsg/scene/background/TerrainPass.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -65,7 +66,8 @@ FrameBackground drawn(SceneBackground& background, const Sensor& sensor, const V
     const Environment environment = environmentOf(air, {0.0, 0.1});
     const SpectralPoints ends({3.0, 5.0}, {1.0, 1.0}, {3.0, 5.0});
     const BandSky sky(environment, ends);
-    return background.draw(sensor, view, sky, settings, report);
+    GlTerrain painter;
+    return background.draw(sensor, view, sky, settings, painter, report);
 }
 
 } // namespace

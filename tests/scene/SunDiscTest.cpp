@@ -8,6 +8,7 @@
 #include "irsg/scene/background/CircleArea.h"
 #include "irsg/scene/background/SceneBackground.h"
 #include "irsg/scene/background/SunDisc.h"
+#include "irsg/scene/background/TerrainPass.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -125,13 +126,14 @@ TEST(SunDisc, IsInThePictureOnlyWhereItIsAskedFor) {
     Viewpoint view = looking(0.3, 0.2);
 
     SceneBackground background;
+    GlTerrain painter;
     BackgroundSettings settings;
     settings.uniform_W_m2_sr = 6.0;
     BackgroundReport report;
-    EXPECT_TRUE(background.draw(sensor, view, sky, settings, report).isUniform());
+    EXPECT_TRUE(background.draw(sensor, view, sky, settings, painter, report).isUniform());
 
     settings.sunDisc = true;
-    const FrameBackground frame = background.draw(sensor, view, sky, settings, report);
+    const FrameBackground frame = background.draw(sensor, view, sky, settings, painter, report);
     ASSERT_FALSE(frame.isUniform());
     double sum = 0.0;
     for (int y = 0; y < sensor.height_px; ++y)
@@ -143,8 +145,9 @@ TEST(SunDisc, IsInThePictureOnlyWhereItIsAskedFor) {
 
     // It follows the eye, and turns with the view.
     view.position_m = {1e5, -3e4, 0.0};
-    const FrameBackground moved = background.draw(sensor, view, sky, settings, report);
+    const FrameBackground moved = background.draw(sensor, view, sky, settings, painter, report);
     for (int i = 0; i < sensor.width_px; ++i)
         EXPECT_EQ(moved.at(i, i), frame.at(i, i));
-    EXPECT_TRUE(background.draw(sensor, looking(0.3 + pi, 0.2), sky, settings, report).isUniform());
+    EXPECT_TRUE(background.draw(sensor, looking(0.3 + pi, 0.2), sky, settings, painter, report)
+                    .isUniform());
 }

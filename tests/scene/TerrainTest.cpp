@@ -15,6 +15,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/background/SceneBackground.h"
+#include "irsg/scene/background/TerrainPass.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/SceneFixtures.h"
 #include "tests/support/TemporaryFolder.h"
@@ -78,7 +79,8 @@ FrameBackground drawn(SceneBackground& background, const Sensor& sensor, const V
     const Environment environment = environmentOf(air, sun);
     const SpectralPoints ends({3.0, 5.0}, {1.0, 1.0}, {3.0, 5.0});
     const BandSky sky(environment, ends);
-    return background.draw(sensor, view, sky, settings, report);
+    GlTerrain painter;
+    return background.draw(sensor, view, sky, settings, painter, report);
 }
 
 BackgroundSettings onBackground(double uniform_W_m2_sr, TextureScale terrain) {

@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <osg/GLObjects>
-#include <osg/RenderInfo>
-
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/background/BackgroundGrid.h"
 #include "irsg/scene/background/Horizon.h"
 #include "irsg/scene/background/SunDisc.h"
-#include "irsg/scene/draw/OffscreenContext.h"
 #include "irsg/scene/view/CameraFrame.h"
 
 namespace irsg {
@@ -30,16 +26,9 @@ double middleOf(const std::vector<double>& pixels, const Sensor& sensor) {
 
 } // namespace
 
-SceneBackground::SceneBackground() = default;
-
-SceneBackground::~SceneBackground() {
-    if (pass_)
-        OffscreenContext::shared().run([&](osg::RenderInfo&) { pass_.reset(); });
-}
-
 FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& viewpoint,
                                       const BandSky& sky, const BackgroundSettings& settings,
-                                      BackgroundReport& report) {
+                                      TerrainPainter& painter, BackgroundReport& report) {
     layers_ = {};
     const FieldRays rays(sensor, viewpoint);
     const double altitude_m = std::max(viewpoint.position_m.z, 0.0);
@@ -65,7 +54,7 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
     }
     report.answeredBy = sky.answeredBy();
     if (terrain_)
-        drawTerrain(sensor, viewpoint, settings.terrain);
+        drawTerrain(sensor, viewpoint, settings.terrain, painter);
     if (layers_.sky.empty() && layers_.terrain.empty() && !grid)
         return FrameBackground(settings.uniform_W_m2_sr);
 
@@ -89,14 +78,8 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
 }
 
 void SceneBackground::drawTerrain(const Sensor& sensor, const Viewpoint& viewpoint,
-                                  const TextureScale& scale) {
-    TerrainImage image;
-    OffscreenContext::shared().run([&](osg::RenderInfo& info) {
-        osg::flushAllDeletedGLObjects(info.getContextID());
-        if (!pass_)
-            pass_ = std::make_unique<TerrainPass>();
-        image = pass_->draw(info, terrain_, CameraFrame(sensor, viewpoint), scale.offset);
-    });
+                                  const TextureScale& scale, TerrainPainter& painter) {
+    TerrainImage image = painter.paint(terrain_, CameraFrame(sensor, viewpoint), scale.offset);
     layers_.coverage = std::move(image.coverage);
     layers_.terrain = std::move(image.texel);
     for (double& value : layers_.terrain)

@@ -9,7 +9,7 @@
 #include "irsg/scene/background/Horizon.h"
 #include "irsg/scene/background/Skybox.h"
 #include "irsg/scene/background/Terrain.h"
-#include "irsg/scene/background/TerrainPass.h"
+#include "irsg/scene/background/TerrainPainter.h"
 #include "irsg/scene/view/FrameBackground.h"
 #include "irsg/scene/view/Pose.h"
 #include "irsg/scene/view/Sensor.h"
@@ -44,17 +44,16 @@ struct BackgroundReport {
 /// the terrain. All but the terrain follows the eye.
 class SceneBackground {
   public:
-    SceneBackground();
-    ~SceneBackground();
-
     /// Null for none.
     void setSkybox(std::shared_ptr<const Skybox> skybox) { skybox_ = std::move(skybox); }
     void setTerrain(std::shared_ptr<const Terrain> terrain) { terrain_ = std::move(terrain); }
     const std::shared_ptr<const Terrain>& terrain() const { return terrain_; }
 
-    /// Throws InputError where no atmosphere answers, and where there is a terrain and no OpenGL.
+    /// Throws InputError where no atmosphere answers, and what the painter throws where there is a
+    /// terrain.
     FrameBackground draw(const Sensor& sensor, const Viewpoint& viewpoint, const BandSky& sky,
-                         const BackgroundSettings& settings, BackgroundReport& report);
+                         const BackgroundSettings& settings, TerrainPainter& painter,
+                         BackgroundReport& report);
     /// Of the last drawing.
     const BackgroundLayers& layers() const { return layers_; }
 
@@ -62,11 +61,11 @@ class SceneBackground {
     void drawSun(const FieldRays& rays, const Horizon& horizon, const BandSky& sky,
                  double altitude_m);
 
-    void drawTerrain(const Sensor& sensor, const Viewpoint& viewpoint, const TextureScale& scale);
+    void drawTerrain(const Sensor& sensor, const Viewpoint& viewpoint, const TextureScale& scale,
+                     TerrainPainter& painter);
 
     std::shared_ptr<const Skybox> skybox_;
     std::shared_ptr<const Terrain> terrain_;
-    std::unique_ptr<TerrainPass> pass_; ///< made and destroyed on the context's thread
     BackgroundLayers layers_;
 };
 

@@ -4,8 +4,8 @@
 
 #include "irsg/scene/background/TerrainCollector.h"
 #include "irsg/scene/background/TerrainImpl.h"
-#include "irsg/scene/draw/SurfacePass.h"
 #include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/sampling/SurfaceScene.h"
 #include "irsg/scene/view/CameraFrame.h"
 
 namespace irsg {

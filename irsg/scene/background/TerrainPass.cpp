@@ -4,12 +4,14 @@
 
 #include <algorithm>
 
+#include <osg/GLObjects>
 #include <osg/RenderInfo>
 #include <osg/State>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/background/TerrainImpl.h"
 #include "irsg/scene/draw/FloatTarget.h"
+#include "irsg/scene/draw/OffscreenContext.h"
 #include "irsg/scene/draw/ReversedDepth.h"
 #include "irsg/scene/draw/ShaderProgram.h"
 
@@ -159,6 +161,23 @@ TerrainImage TerrainPass::draw(osg::RenderInfo& info, const std::shared_ptr<cons
             p.drawPiece(info, camera, piece, *depth, offset);
             p.reduce(piece, sensor.width_px, image);
         }
+    return image;
+}
+
+GlTerrain::~GlTerrain() {
+    if (pass_)
+        OffscreenContext::shared().run([&](osg::RenderInfo&) { pass_.reset(); });
+}
+
+TerrainImage GlTerrain::paint(const std::shared_ptr<const Terrain>& terrain,
+                              const CameraFrame& camera, double offset) {
+    TerrainImage image;
+    OffscreenContext::shared().run([&](osg::RenderInfo& info) {
+        osg::flushAllDeletedGLObjects(info.getContextID());
+        if (!pass_)
+            pass_ = std::make_unique<TerrainPass>();
+        image = pass_->draw(info, terrain, camera, offset);
+    });
     return image;
 }
 

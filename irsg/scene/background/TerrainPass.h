@@ -1,10 +1,8 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
-#include "irsg/scene/background/Terrain.h"
-#include "irsg/scene/view/CameraFrame.h"
+#include "irsg/scene/background/TerrainPainter.h"
 
 namespace osg {
 class RenderInfo;
@@ -12,17 +10,10 @@ class RenderInfo;
 
 namespace irsg {
 
-/// A terrain as a frame sees it, one value per pixel, top row first.
-struct TerrainImage {
-    std::vector<double> texel; ///< mean of (texel - offset) where there is terrain, times coverage
-    std::vector<double> coverage; ///< part of the pixel that is terrain, 0 to 1
-};
-
-/// Draws terrains: the texels of the nearest faces at several samples a pixel, textures averaged
-/// where their texels are smaller than samples. Lives on the context's thread.
+/// Draws terrains with OpenGL. Lives on the context's thread.
 class TerrainPass {
   public:
-    static constexpr int samplesPerAxis = 3;
+    static constexpr int samplesPerAxis = TerrainPainter::samplesPerAxis;
 
     TerrainPass();
     ~TerrainPass();
@@ -33,6 +24,17 @@ class TerrainPass {
   private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
+};
+
+/// The same from any thread.
+class GlTerrain : public TerrainPainter {
+  public:
+    ~GlTerrain() override;
+    TerrainImage paint(const std::shared_ptr<const Terrain>& terrain, const CameraFrame& camera,
+                       double offset) override;
+
+  private:
+    std::unique_ptr<TerrainPass> pass_; ///< made and destroyed on the context's thread
 };
 
 } // namespace irsg

@@ -1,7 +1,5 @@
 #include "irsg/scene/draw/OffscreenContext.h"
 
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <osg/GraphicsContext>
 #include <osg/RenderInfo>
 #include <osg/State>
@@ -15,6 +13,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/TaskThread.h"
+#include "irsg/scene/draw/EglFunctions.h"
 
 namespace irsg {
 
@@ -44,7 +43,7 @@ class EglContext : public osg::GraphicsContext {
     bool realizeImplementation() override {
         for (EGLDisplay display : candidates()) {
             display_ = display;
-            if (eglInitialize(display_, nullptr, nullptr) && create())
+            if (egl_.initialize(display_, nullptr, nullptr) && create())
                 return true;
         }
         return false;
@@ -53,19 +52,20 @@ class EglContext : public osg::GraphicsContext {
     void closeImplementation() override {
         if (context_ == EGL_NO_CONTEXT)
             return;
-        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        eglDestroyContext(display_, context_);
+        egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        egl_.destroyContext(display_, context_);
         context_ = EGL_NO_CONTEXT;
     }
 
     bool makeCurrentImplementation() override {
-        return eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+        return egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
     }
     bool makeContextCurrentImplementation(osg::GraphicsContext*) override {
         return makeCurrentImplementation();
     }
     bool releaseContextImplementation() override {
-        return eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT) == EGL_TRUE;
+        return egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT) ==
+               EGL_TRUE;
     }
     void bindPBufferToTextureImplementation(GLenum) override {}
     void swapBuffersImplementation() override {}
@@ -74,10 +74,10 @@ class EglContext : public osg::GraphicsContext {
     /// Displays to try: real devices first, then Mesa without a surface, then whatever is the
     /// default. IRSG_EGL=software goes straight to Mesa, so that both can be compared on one
     /// machine.
-    static std::vector<EGLDisplay> candidates() {
+    std::vector<EGLDisplay> candidates() const {
         std::vector<EGLDisplay> displays;
         auto getDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
-            eglGetProcAddress("eglGetPlatformDisplayEXT"));
+            egl_.getProcAddress("eglGetPlatformDisplayEXT"));
         const char* wish = std::getenv("IRSG_EGL");
         const bool software = wish && std::strcmp(wish, "software") == 0;
         if (getDisplay && !software)
@@ -86,17 +86,17 @@ class EglContext : public osg::GraphicsContext {
         if (getDisplay)
             displays.push_back(
                 getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
-        displays.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
+        displays.push_back(egl_.getDisplay(EGL_DEFAULT_DISPLAY));
         std::erase(displays, EGL_NO_DISPLAY);
         return displays;
     }
 
     /// EGL devices that are not Mesa's software rasterizer, which surfaceless Mesa gives anyway.
-    static std::vector<EGLDeviceEXT> hardwareDevices() {
+    std::vector<EGLDeviceEXT> hardwareDevices() const {
         auto query =
-            reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+            reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(egl_.getProcAddress("eglQueryDevicesEXT"));
         auto text = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(
-            eglGetProcAddress("eglQueryDeviceStringEXT"));
+            egl_.getProcAddress("eglQueryDeviceStringEXT"));
         EGLint count = 0;
         if (!query || !text || !query(0, nullptr, &count) || count < 1)
             return {};
@@ -110,14 +110,14 @@ class EglContext : public osg::GraphicsContext {
     }
 
     bool create() {
-        if (!eglBindAPI(EGL_OPENGL_API))
+        if (!egl_.bindApi(EGL_OPENGL_API))
             return false;
 
         const EGLint configWish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
                                      EGL_NONE};
         EGLConfig config = nullptr;
         EGLint found = 0;
-        if (!eglChooseConfig(display_, configWish, &config, 1, &found) || found < 1)
+        if (!egl_.chooseConfig(display_, configWish, &config, 1, &found) || found < 1)
             return false;
 
         const EGLint contextWish[] = {EGL_CONTEXT_MAJOR_VERSION,
@@ -127,10 +127,11 @@ class EglContext : public osg::GraphicsContext {
                                       EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                       EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
                                       EGL_NONE};
-        context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, contextWish);
+        context_ = egl_.createContext(display_, config, EGL_NO_CONTEXT, contextWish);
         return context_ != EGL_NO_CONTEXT;
     }
 
+    const EglFunctions& egl_ = EglFunctions::loaded();
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
 };

@@ -30,7 +30,7 @@ namespace {
 enum Product { radianceProduct = 0, factorProduct = 1, factorProductWithDistance = 2 };
 
 /// Vectors of four words that a listed fragment takes.
-int vectorsOf(const FactorShader& shader) {
+int vectorsOf(const FactorMaking& shader) {
     return 1 + static_cast<int>((shader.factorCount + 3) / 4);
 }
 
@@ -127,7 +127,7 @@ struct SurfacePass::Impl {
     double drawSeconds = 0.0, readSeconds = 0.0;
 
     const ShaderProgram& program(Product product, int angle, bool transparent,
-                                 const FactorShader& factorShader) {
+                                 const FactorMaking& factorShader) {
         const Variant variant{product, angle, transparent ? 1 : 0, factorShader.glsl};
         const auto found = programs.find(variant);
         if (found != programs.end())
@@ -310,7 +310,7 @@ void SurfacePass::drawFactors(osg::RenderInfo& info, const SheetScene& sheet, bo
                               FactorSamples& samples) {
     Impl& p = *impl_;
     const int width = sheet.sheet.width, height = sheet.sheet.height;
-    const FactorShader& factors = sheet.scenes.front().factors;
+    const FactorMaking& factors = sheet.scenes.front().factors;
     const bool manyFactors = factors.factorCount > 3;
     FloatTarget& target = p.factors[manyFactors ? 1 : 0][withDistance ? 1 : 0];
     std::uint32_t listed = 0;
@@ -323,6 +323,8 @@ void SurfacePass::drawFactors(osg::RenderInfo& info, const SheetScene& sheet, bo
     samples.height = height;
     samples.factorCount = factors.factorCount;
     samples.wordsPerFragment = static_cast<std::size_t>(4 * vectorsOf(factors));
+    samples.through.clear();
+    samples.sunVisibility.clear();
     Stopwatch watch(p.readSeconds);
     const auto read = [&](int plane, bool isThere, std::vector<float>& into) {
         if (isThere)

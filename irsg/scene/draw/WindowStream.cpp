@@ -6,8 +6,8 @@
 
 #include "irsg/radiometry/ParallelFor.h"
 #include "irsg/scene/draw/LayerSort.h"
-#include "irsg/scene/draw/OffscreenContext.h"
 #include "irsg/scene/draw/Stopwatch.h"
+#include "irsg/scene/sampling/SampleEngine.h"
 
 namespace irsg {
 
@@ -18,23 +18,23 @@ struct WindowStream::Stream {
     std::exception_ptr failure; // of taking in
 };
 
-std::future<WindowStream::Seconds> WindowStream::start(Work work) {
+std::future<WindowStream::Seconds> WindowStream::start(SampleEngine& engine, Work work) {
     auto stream = std::make_shared<Stream>();
     stream->work = std::move(work);
     std::future<Seconds> done = stream->done.get_future();
     ahead_ += stream->work.drawings;
-    context_.post([this, stream](osg::RenderInfo& info) { drawAll(info, stream); });
+    engine.post([this, stream] { drawAll(stream); });
     return done;
 }
 
-void WindowStream::drawAll(osg::RenderInfo& info, const std::shared_ptr<Stream>& stream) {
+void WindowStream::drawAll(const std::shared_ptr<Stream>& stream) {
     std::exception_ptr failure;
     for (std::size_t drawing = 0; drawing < stream->work.drawings; ++drawing) {
         FactorSamples* samples = nullptr;
         if (!failure) {
             samples = &free();
             try {
-                stream->work.draw(info, drawing, *samples, stream->seconds);
+                stream->work.draw(drawing, *samples, stream->seconds);
             } catch (...) {
                 failure = std::current_exception();
                 giveBack(*samples);
@@ -63,6 +63,10 @@ void WindowStream::takeIn(Stream& stream, std::size_t drawing, FactorSamples& sa
             {
                 Stopwatch watch(stream.seconds.sorting);
                 sortLayers(samples, stream.work.maximumLayers);
+            }
+            if (stream.work.shade) {
+                Stopwatch watch(stream.seconds.shading);
+                stream.work.shade(drawing, samples);
             }
             Stopwatch watch(stream.seconds.taking);
             stream.work.take(drawing, samples);

@@ -51,12 +51,29 @@ class ViewKindSums {
                   std::make_index_sequence<Factors>());
     }
 
+    /// Factors of what is covered already.
+    void addLight(int front, const SurfaceRows::Between& between, const float* factors) {
+        const std::size_t place =
+            static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(between.row);
+        if (place >= places_)
+            grow(front);
+        const auto addTo = [&](Sums& sums, double weight) {
+            for (std::size_t f = 0; f < Factors; ++f) {
+                sums.plain[1 + f] += weight * omega_sr_ * static_cast<double>(factors[f]);
+                sums.cosine[1 + f] += weight * projected_sr_ * static_cast<double>(factors[f]);
+            }
+        };
+        addTo(sums_[place], 1.0 - static_cast<double>(between.next));
+        if (between.next > 0.0f)
+            addTo(sums_[place + 1], static_cast<double>(between.next));
+    }
+
     /// What was seen, of one cell.
     FactorField<double> field(const ViewLayout& layout) const {
         FactorField<double> field(1, layout.width());
         for (std::size_t place = 0; place < sums_.size(); ++place) {
             const Sums& sums = sums_[place];
-            if (sums.plain[0] == 0.0)
+            if (std::ranges::all_of(sums.plain, [](double sum) { return sum == 0.0; }))
                 continue;
             double* numbers = field.at(0, field.kindOf({static_cast<int>(place / rows_),
                                                         static_cast<int>(place % rows_)}));
@@ -141,11 +158,18 @@ class PixelKindSums {
             addTo({front, between.row + 1}, next, factors);
     }
 
+    void addLight(int front, const SurfaceRows::Between& between, const float* factors) {
+        const auto next = static_cast<double>(between.next);
+        addTo({front, between.row}, 1.0 - next, factors, 0.0);
+        if (next > 0.0)
+            addTo({front, between.row + 1}, next, factors, 0.0);
+    }
+
     const FactorField<double>& field() const { return field_; }
     const PixelWindow& pixels() const { return pixels_; }
 
   private:
-    void addTo(const FactorKind& kind, double weight, const float* factors) {
+    void addTo(const FactorKind& kind, double weight, const float* factors, double coverage = 1.0) {
         const std::size_t place =
             static_cast<std::size_t>(kind.front) * rows_ + static_cast<std::size_t>(kind.row);
         if (place >= numbers_.size())
@@ -155,7 +179,7 @@ class PixelKindSums {
             number = field_.kindOf(kind);
         double* sums = field_.at(cell_, number);
         const double own = weight * part_;
-        sums[0] += own;
+        sums[0] += coverage * own;
         for (std::size_t f = 0; f < factorCount_; ++f)
             sums[1 + f] += own * static_cast<double>(factors[f]);
     }

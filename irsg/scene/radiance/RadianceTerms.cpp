@@ -1,5 +1,10 @@
 #include "irsg/scene/radiance/RadianceTerms.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
 #include "irsg/scene/view/Pose.h"
 
 namespace irsg {
@@ -8,34 +13,72 @@ namespace {
 
 /// The drawn factors of the standard list, by their place in it.
 enum StandardFactor { view, sky, sun };
+/// The frame's directions, likewise.
+enum StandardDirection { zenithEye, sunEye };
 
-std::string viewFactor(const RenderSettings&) {
-    return "viewPower(normal, eyePosition, nAngleFactor)";
+/// A factor in both languages; the shader's functions are those of surface.frag.glsl.
+struct Expression {
+    std::string glsl;
+    FactorFunction function;
+};
+
+Expression constant(const char* glsl, double value) {
+    return {glsl, [value](const SampleGeometry&) { return value; }};
 }
 
-std::string skyFactor(const RenderSettings& settings) {
+double cosineTo(StandardDirection to, const SampleGeometry& sample) {
+    return std::clamp(dot(sample.normal, sample.directionsEye[to].second), -1.0, 1.0);
+}
+
+Expression viewFactor(const RenderSettings&) {
+    return {"viewPower(normal, eyePosition, nAngleFactor)", [](const SampleGeometry& sample) {
+                if (sample.nAngleFactor == 0.0)
+                    return 1.0;
+                const double cosView =
+                    -dot(sample.normal, sample.eyePosition_m) / length(sample.eyePosition_m);
+                return std::pow(std::clamp(cosView, 0.0, 1.0), sample.nAngleFactor);
+            }};
+}
+
+Expression skyFactor(const RenderSettings& settings) {
     switch (settings.fluxes) {
     case ReflectionMode::off:
-        return "0.0";
+        return constant("0.0", 0.0);
     case ReflectionMode::approx:
-        return "0.5";
+        return constant("0.5", 0.5);
     case ReflectionMode::smart:
         break;
     }
-    return settings.fluxWeights == FluxWeights::report ? "angleWeight(dot(normal, zenithEye))"
-                                                       : "viewWeight(dot(normal, zenithEye))";
+    if (settings.fluxWeights == FluxWeights::report)
+        return {"angleWeight(dot(normal, zenithEye))", [](const SampleGeometry& sample) {
+                    return 1.0 - std::acos(cosineTo(zenithEye, sample)) / pi;
+                }};
+    return {"viewWeight(dot(normal, zenithEye))",
+            [](const SampleGeometry& sample) { return 0.5 * (1.0 + cosineTo(zenithEye, sample)); }};
 }
 
-std::string sunFactor(const RenderSettings& settings) {
+Expression sunFactor(const RenderSettings& settings) {
     switch (settings.sun) {
     case ReflectionMode::off:
-        return "0.0";
+        return constant("0.0", 0.0);
     case ReflectionMode::approx:
-        return "0.25";
+        return constant("0.25", 0.25);
     case ReflectionMode::smart:
         break;
     }
-    return "max(dot(normal, sunEye), 0.0)";
+    return {"max(dot(normal, sunEye), 0.0)",
+            [](const SampleGeometry& sample) { return std::max(cosineTo(sunEye, sample), 0.0); }};
+}
+
+DrawnFactor drawn(const char* name, Expression (*expression)(const RenderSettings&)) {
+    return {name, [=](const RenderSettings& settings) { return expression(settings).glsl; },
+            [=](const RenderSettings& settings) { return expression(settings).function; }};
+}
+
+int sunShadow(const RenderSettings& settings) {
+    const bool isShadowed =
+        settings.sun == ReflectionMode::smart && settings.sunShadows != SunShadowMode::off;
+    return isShadowed ? sunEye : -1;
 }
 
 bool always(const RenderSettings&) {
@@ -57,7 +100,8 @@ RadianceTerms makeStandard() {
                        {"sunEye", [](const SunPosition& position) {
                             return direction(position.azimuth_rad, position.elevation_rad);
                         }}};
-    list.factors = {{"view", viewFactor}, {"sky", skyFactor}, {"sun", sunFactor}};
+    list.factors = {drawn("view", viewFactor), drawn("sky", skyFactor), drawn("sun", sunFactor)};
+    list.factors[sun].shadowedFrom = sunShadow;
     using enum SurfaceQuantity;
     using enum AtmosphereProperty;
     constexpr bool complement = true, passesAir = true;
@@ -86,6 +130,23 @@ std::string RadianceTerms::glsl(const RenderSettings& settings) const {
     for (std::size_t i = 0; i < factors.size(); ++i)
         lines += " f[" + std::to_string(i) + "] = " + factors[i].glsl(settings) + ";";
     return lines + "\n";
+}
+
+std::vector<int> RadianceTerms::shadowedFrom(const RenderSettings& settings) const {
+    std::vector<int> all;
+    for (const DrawnFactor& factor : factors)
+        all.push_back(factor.shadowedFrom ? factor.shadowedFrom(settings) : -1);
+    return all;
+}
+
+std::vector<FactorFunction> RadianceTerms::functions(const RenderSettings& settings) const {
+    std::vector<FactorFunction> all;
+    for (const DrawnFactor& factor : factors) {
+        if (!factor.function)
+            throw LogicError("the factor '" + factor.name + "' is known to OpenGL alone");
+        all.push_back(factor.function(settings));
+    }
+    return all;
 }
 
 } // namespace irsg

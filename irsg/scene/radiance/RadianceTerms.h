@@ -7,6 +7,7 @@
 
 #include "irsg/atmosphere/Atmosphere.h"
 #include "irsg/scene/RenderSettings.h"
+#include "irsg/scene/sampling/SampleGeometry.h"
 #include "irsg/scene/view/Vec3.h"
 
 namespace irsg {
@@ -30,6 +31,11 @@ struct DrawnFactor {
     /// GLSL expression of it under given settings, of `normal` (unit, to the side that is seen),
     /// `eyePosition` (m, from the eye to the sample), `nAngleFactor` and the frame's directions.
     std::function<std::string(const RenderSettings&)> glsl;
+    /// The same on the CPU, for rays; a list without it is for OpenGL alone. (A test samples both.)
+    std::function<FactorFunction(const RenderSettings&)> function = {};
+    /// Number of the frame's direction that its light comes from, where what stands there takes it
+    /// away; none.
+    std::function<int(const RenderSettings&)> shadowedFrom = {};
 };
 
 /// Which factor a term is multiplied with: number `drawn` of the drawn ones, 1 minus it, or 1.
@@ -68,6 +74,10 @@ class RadianceTerms {
     std::size_t factorCount() const { return factors.size(); }
     /// Lines of GLSL that declare the directions and FILL_FACTORS(f), which sets f[0], f[1], ...
     std::string glsl(const RenderSettings& settings) const;
+    /// By factor, the number of the direction from which its light is taken away; -1: none.
+    std::vector<int> shadowedFrom(const RenderSettings& settings) const;
+    /// The factors on the CPU; LogicError names one that has no function.
+    std::vector<FactorFunction> functions(const RenderSettings& settings) const;
 };
 
 } // namespace irsg

@@ -135,11 +135,12 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
                 [&](const FactorKind& kind, float weight, const FactorSamples::Layer& layer) {
                     const KindRadiance& radiance =
                         part.radiances[static_cast<std::size_t>(part.kinds.kindOf(kind))];
-                    double own = radiance.constant;
+                    const auto coverage = static_cast<double>(layer.coverage);
+                    double own = coverage * radiance.constant;
                     for (std::size_t f = 0; f < layer.factors.size(); ++f)
                         own += radiance.perFactor[f] * static_cast<double>(layer.factors[f]);
                     sent += static_cast<double>(weight) * own;
-                    opacity += static_cast<double>(weight) * radiance.opacity;
+                    opacity += static_cast<double>(weight) * coverage * radiance.opacity;
                 });
             result.planes[2 * i] = static_cast<float>(sent);
             result.planes[2 * i + 1] = static_cast<float>(opacity);

@@ -10,6 +10,7 @@ namespace irsg {
 namespace {
 
 const char* const backgroundChannel = "background";
+const char* const sunVisibilityChannel = "sun_visibility";
 const char* const radianceUnit = "W m-2 sr-1";
 
 } // namespace
@@ -60,6 +61,10 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
         planes.push_back(&image_.channel(term.name).values);
     planes.push_back(&image_.channel(backgroundChannel).values);
 
+    std::vector<float>* sunVisibility = nullptr;
+    if (!samples.sunVisibility.empty())
+        sunVisibility = &image_.channel(sunVisibilityChannel).values;
+
     std::vector<double> sums(planes.size());
     window.forEachRun([&](std::size_t first, int count, int x, int y, double weight) {
         const std::size_t pixel = image_.offset(x, y);
@@ -77,15 +82,17 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
                     const KindTerms& known = termsOf(kind);
                     for (std::size_t k = 0; k < list.size(); ++k) {
                         const TermFactor& factor = list[k].factor;
-                        double drawn = 1.0;
+                        const auto coverage = static_cast<double>(layer.coverage);
+                        double drawn = coverage;
                         if (factor.drawn >= 0)
                             drawn = static_cast<double>(
                                 layer.factors[static_cast<std::size_t>(factor.drawn)]);
                         if (factor.complement)
-                            drawn = 1.0 - drawn;
+                            drawn = coverage - drawn;
                         sums[k] += static_cast<double>(part) * drawn * known.terms[k];
                     }
-                    sums.back() -= static_cast<double>(part) * known.opacity * background_.at(x, y);
+                    sums.back() -= static_cast<double>(part * layer.coverage) * known.opacity *
+                                   background_.at(x, y);
                 });
 
             // GL's rows run from the bottom up.
@@ -105,6 +112,9 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
                 range[pixel] = nearest->distance_m;
             }
         }
+        for (std::size_t i = first; sunVisibility && i < last; ++i)
+            (*sunVisibility)[pixel] +=
+                static_cast<float>(weight * share) * samples.sunVisibility[i];
         for (std::size_t term = 0; term < planes.size(); ++term)
             (*planes[term])[pixel] += static_cast<float>(sums[term] * weight * share);
     });

@@ -30,11 +30,15 @@ void addRows(const SampleWindow& window, const FactorSamples& samples, std::size
                               return;
                           sums.goTo(x, y, weight);
                           for (std::size_t i = first; i < last; ++i)
-                              walk.forEachPlace(samples, i,
-                                                [&](int front, const SurfaceRows::Between& between,
-                                                    const FactorSamples::Layer& layer) {
-                                                    sums.add(front, between, layer.factors.data());
-                                                });
+                              walk.forEachPlace(
+                                  samples, i,
+                                  [&](int front, const SurfaceRows::Between& between,
+                                      const FactorSamples::Layer& layer) {
+                                      if (layer.coverage > 0.0f)
+                                          sums.add(front, between, layer.factors.data());
+                                      else
+                                          sums.addLight(front, between, layer.factors.data());
+                                  });
                       });
 }
 

@@ -35,6 +35,14 @@ PixelWindow SampleWindow::pixels() const {
     return {x, y, first(tileX + tilesWide - 1) - x + 1, first(tileY + tilesHigh - 1) - y + 1};
 }
 
+std::pair<double, double> SampleWindow::placeOf(int column, int row) const {
+    // Rows are moved after they are tilted.
+    const double down = row + drop(column);
+    const double right = column - (shearRows ? down / shearRows : 0.0);
+    const ImageRectangle all = rectangle();
+    return {all.left + (right + 0.5) * cellWidth_px(), all.top + (down + 0.5) * cellHeight_px()};
+}
+
 double SampleWindow::share() const {
     return std::ldexp(1.0 / (static_cast<double>(samplesAcross) * samplesDown), -2 * level);
 }

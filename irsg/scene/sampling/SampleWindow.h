@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "irsg/scene/view/ImageRectangle.h"
@@ -74,6 +75,9 @@ struct SampleWindow {
     double shift(int row) const { return shearRows ? static_cast<double>(row) / shearRows : 0.0; }
     /// How far the sample in a column of the drawing is moved down, samples: -1/2 to 1/2.
     double drop(double column) const { return fall * ((column + 0.5) / width() - 0.5); }
+    /// Where the sample in a column and a row, counted from the top, of the drawing stands in the
+    /// frame, pixels to the right of and below its corner.
+    std::pair<double, double> placeOf(int column, int row) const;
     /// What one sample is of a pixel's area.
     double share() const;
     /// Samples per pixel and axis, the coarser of the two axes.

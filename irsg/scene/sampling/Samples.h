@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace irsg {
@@ -42,6 +43,22 @@ struct FactorSamples {
     std::uint32_t maximumLayers = 0;
     int layersLeftOver = 0; ///< samples that have more
 
+    /// Light that a layer gets through transparent surfaces between it and the sun: what it adds to
+    /// one of the layer's factors, times what those materials let through.
+    struct Through {
+        std::uint32_t sample = 0;
+        std::uint32_t layer = 0; ///< number among those of the sample, front to back
+        std::uint32_t set = 0;   ///< of `throughSets`
+        std::uint32_t factor = 0;
+        float value = 0.0f;
+    };
+    std::vector<Through> through; ///< by sample and layer, ascending
+    /// Sorted sets of transparent materials: (entity, material index), each as often as it occurs.
+    std::vector<std::vector<std::pair<int, int>>> throughSets;
+    /// Part of the sun that the nearest layer of each sample sees, or empty where that was not
+    /// asked for; what is transparent hides nothing of it.
+    std::vector<float> sunVisibility;
+
     std::size_t size() const { return opaque.size() / 4; }
     bool isOpaque(std::size_t sample) const { return opaque[4 * sample] > 0.0f; }
     bool isListed(std::size_t sample) const {
@@ -60,6 +77,8 @@ struct FactorSamples {
         /// 0 for an opaque surface where distances were not asked for.
         float distance_m = 0.0f;
         std::span<const float> factors;
+        /// 0 for light alone, which a layer that was visited already gets through something.
+        float coverage = 1.0f;
     };
     /// Calls visit(layer) for the layers of a sample, front to back and the opaque one last.
     template <typename Visit>
@@ -75,7 +94,8 @@ struct FactorSamples {
         const float* first = &opaque[4 * sample];
         Layer layer{static_cast<int>(first[0]) - 1,
                     distances_m.empty() ? 0.0f : distances_m[sample],
-                    {first + 1, factorCount}};
+                    {first + 1, factorCount},
+                    1.0f};
         if (factorCount <= 3)
             return visit(layer);
         std::array<float, mostFactors> all{first[1], first[2], first[3]};
@@ -87,7 +107,7 @@ struct FactorSamples {
   private:
     Layer fragment(std::uint32_t number) const {
         const float* w = &words[number * wordsPerFragment];
-        return {static_cast<int>(w[2]) - 1, w[3], {w + 4, factorCount}};
+        return {static_cast<int>(w[2]) - 1, w[3], {w + 4, factorCount}, 1.0f};
     }
 };
 

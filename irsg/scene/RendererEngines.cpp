@@ -1,0 +1,138 @@
+#include <algorithm>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/RendererImpl.h"
+#include "irsg/scene/background/TerrainPass.h"
+#include "irsg/scene/draw/GlEngine.h"
+#include "irsg/scene/draw/LayerSort.h"
+#include "irsg/scene/trace/RayEngine.h"
+
+namespace irsg {
+
+namespace {
+
+/// Facets from which rays are quicker than OpenGL drawn by the processor (docs/accuracy.md).
+constexpr std::size_t manyFacets = 200'000;
+
+/// Mesa's renderers that have no graphics card.
+bool isSoftware(const std::string& renderer) {
+    return std::ranges::any_of(
+        std::initializer_list<const char*>{"llvmpipe", "softpipe", "SWR"},
+        [&](const char* name) { return renderer.find(name) != std::string::npos; });
+}
+
+} // namespace
+
+SampleEngine& Renderer::Impl::engineOf(EngineChoice engine) {
+    if (engine == EngineChoice::rays) {
+        if (!areRaysBuilt())
+            throw InputError(
+                {"settings", "render.engine", whyNoRays(), "opengl, or a build with Embree 3"});
+        if (!rays)
+            rays = std::make_unique<RayEngine>();
+        return *rays;
+    }
+    if (!opengl)
+        opengl = std::make_unique<GlEngine>();
+    return *opengl;
+}
+
+Renderer::Impl::ChosenEngine Renderer::Impl::chosenEngine(const Scene& scene) {
+    if (scene.settings.engine != EngineChoice::automatic)
+        return {scene.settings.engine, ""};
+    if (!areRaysBuilt())
+        return {EngineChoice::opengl, "this build has no rays"};
+    try {
+        if (!isSoftware(engineOf(EngineChoice::opengl).description()))
+            return {EngineChoice::opengl, "there is a graphics card"};
+    } catch (const InputError&) {
+        return {EngineChoice::rays, "this machine has no OpenGL"};
+    }
+    std::size_t facets = 0;
+    for (const Entity& entity : scene.entities)
+        facets += prepared.of(entity).facets();
+    return {facets < manyFacets ? EngineChoice::opengl : EngineChoice::rays,
+            std::to_string(facets) + " facets and no graphics card"};
+}
+
+std::string Renderer::Impl::descriptionOf(const ChosenEngine& chosen) {
+    const std::string who = engineOf(chosen.engine).description();
+    return chosen.why.empty() ? who : who + " (auto: " + chosen.why + ")";
+}
+
+TerrainPainter& Renderer::Impl::terrainPainter(const Frame& frame) {
+    if (usesRays(frame))
+        return rayTerrain;
+    if (!glTerrain)
+        glTerrain = std::make_unique<GlTerrain>();
+    return *glTerrain;
+}
+
+void Renderer::Impl::takeEngine(Frame& frame) {
+    const ChosenEngine chosen = chosenEngine(frame.scene);
+    frame.engine = &engineOf(chosen.engine);
+    frame.renderer = descriptionOf(chosen);
+    if (!usesRays(frame))
+        return;
+    timed("ray trees", [&] {
+        for (const Entity& entity : frame.scene.entities)
+            frame.meshes.push_back(prepared.of(entity).forRays());
+        if (frame.scene.terrain && frame.scene.settings.terrainHides)
+            frame.terrainMesh = rayTerrain.meshOf(frame.scene.terrain);
+    });
+}
+
+void Renderer::Impl::takeShadows(Frame& frame) {
+    const std::vector<int> shadowed = terms.shadowedFrom(frame.scene.settings);
+    if (std::ranges::all_of(shadowed, [](int from) { return from < 0; }))
+        return;
+    if (!areRaysBuilt()) {
+        frame.warnings.push_back("shadows of the sun are left out: " + whyNoRays());
+        return;
+    }
+    timed("ray trees", [&] {
+        const SurfaceRows& rows = frame.surfaceRows();
+        std::vector<SunShadows::Caster> casters;
+        for (int e = 0; e < static_cast<int>(frame.scene.entities.size()); ++e) {
+            PreparedModel& model = prepared.of(frame.entity(e));
+            SunShadows::Caster& caster = casters.emplace_back();
+            caster.entity = e;
+            caster.mesh = model.forRays();
+            caster.pose = frame.entity(e).pose;
+            caster.uses = PieceUses(model.items.size());
+            for (std::size_t i = 0; i < model.items.size(); ++i) {
+                const DrawItem& item = model.items[i];
+                const auto key = std::ranges::lower_bound(rows.keys(), SurfaceKey{e, item.codes});
+                const auto row = static_cast<int>(key - rows.keys().begin());
+                caster.rows.push_back(row);
+                caster.materials.push_back(rows.material(row).second);
+                caster.uses.set(i,
+                                {true, rows.isTransparent(row), item.cullsBackFaces, item.layer});
+            }
+        }
+        if (frame.scene.terrain && frame.scene.settings.terrainHides) {
+            SunShadows::Caster& caster = casters.emplace_back();
+            caster.mesh = rayTerrain.meshOf(frame.scene.terrain);
+            caster.pose = frame.scene.terrain->pose();
+            caster.uses = PieceUses(caster.mesh->pieces());
+            for (std::size_t i = 0; i < caster.mesh->pieces(); ++i)
+                caster.uses.set(i, {.isThere = true});
+        }
+        frame.shadows = std::make_shared<const SunShadows>(
+            std::move(casters), frame.scene.settings.sunShadows == SunShadowMode::disc);
+    });
+    if (shadowingTerrain != frame.scene.terrain) {
+        shadowingTerrain = frame.scene.terrain;
+        pointSources = {};
+        rangeFactors = {};
+    }
+}
+
+void Renderer::Impl::sortAndShade(const Frame& frame, const SheetScene& sheet,
+                                  FactorSamples& samples) {
+    sortLayers(samples, frame.scene.settings.maximumLayers);
+    if (frame.shadows)
+        frame.shadows->apply(sheet, frame.scene.settings.truthLayers, samples);
+}
+
+} // namespace irsg

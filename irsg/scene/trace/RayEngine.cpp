@@ -1,0 +1,106 @@
+#include "irsg/scene/trace/RayEngine.h"
+
+#include <utility>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/scene/draw/LayerSort.h"
+#include "irsg/scene/draw/Stopwatch.h"
+#include "irsg/scene/trace/RayMesh.h"
+#include "irsg/scene/trace/WindowRays.h"
+
+namespace irsg {
+
+namespace {
+
+/// Rows of samples that one thread takes at a time, whatever the number of threads.
+constexpr int rowsAtOnce = 8;
+
+/// Some rows of a window.
+struct Strip {
+    std::size_t window = 0;
+    int firstRow = 0, lastRow = 0;
+};
+
+std::vector<Strip> stripsOf(const SampleSheet& sheet) {
+    std::vector<Strip> strips;
+    for (std::size_t w = 0; w < sheet.windows.size(); ++w)
+        for (int row = 0; row < sheet.windows[w].height(); row += rowsAtOnce)
+            strips.push_back({w, row, std::min(row + rowsAtOnce, sheet.windows[w].height())});
+    return strips;
+}
+
+} // namespace
+
+std::future<void> RayEngine::post(std::function<void()> work) {
+    return thread_.post(std::move(work));
+}
+
+std::string RayEngine::description() const {
+    return "rays, " + raysDescription();
+}
+
+int RayEngine::largestSide() const {
+    return 2048; // as OpenGL's: bounds the memory of samples
+}
+
+double RayEngine::takeDrawSeconds() {
+    return std::exchange(drawSeconds_, 0.0);
+}
+
+void RayEngine::drawFactors(const SheetScene& sheet, bool withDistance, FactorSamples& samples) {
+    const Stopwatch watch(drawSeconds_);
+    const std::size_t factorCount = sheet.scenes.front().factors.factorCount;
+    samples.width = sheet.sheet.width;
+    samples.height = sheet.sheet.height;
+    samples.factorCount = factorCount;
+    samples.wordsPerFragment = 4 * (1 + (factorCount + 3) / 4);
+    const std::size_t count =
+        static_cast<std::size_t>(samples.width) * static_cast<std::size_t>(samples.height);
+    samples.through.clear();
+    samples.sunVisibility.clear();
+    samples.opaque.assign(4 * count, 0.0f);
+    samples.moreFactors.assign(factorCount > 3 ? 4 * count : 0, 0.0f);
+    samples.distances_m.assign(withDistance ? count : 0, 0.0f);
+
+    std::vector<WindowRays> windows;
+    for (std::size_t w = 0; w < sheet.scenes.size(); ++w)
+        windows.emplace_back(sheet.scenes[w], sheet.sheet.windows[w]);
+    const std::vector<Strip> strips = stripsOf(sheet.sheet);
+    std::vector<std::vector<float>> lists(strips.size()); // of fragments
+    parallelFor(strips.size(), [&](std::size_t i) {
+        const Strip& strip = strips[i];
+        for (int row = strip.firstRow; row < strip.lastRow; ++row)
+            windows[strip.window].traceRow(row, samples, lists[i]);
+    });
+    std::size_t words = 0;
+    for (const std::vector<float>& list : lists)
+        words += list.size();
+    std::vector<float> all;
+    all.reserve(words);
+    for (const std::vector<float>& list : lists)
+        all.insert(all.end(), list.begin(), list.end());
+    gatherFragments(all, samples);
+}
+
+void RayEngine::drawRadiance(const SheetScene& sheet, RadianceSamples& samples) {
+    if (std::ranges::any_of(sheet.scenes, &SurfaceScene::hasTransparent))
+        throw LogicError("radiance alone was drawn of what lies behind a transparent surface");
+    drawFactors(sheet, false, factors_);
+    samples.width = factors_.width;
+    samples.height = factors_.height;
+    samples.layersLeftOver = 0;
+    samples.planes.assign(2 * factors_.size(), 0.0f);
+    const std::vector<SurfaceRow>& rows = sheet.scenes.front().rows;
+    for (std::size_t i = 0; i < factors_.size(); ++i)
+        factors_.forEachLayer(i, [&](const FactorSamples::Layer& layer) {
+            const SurfaceRow& row = rows[static_cast<std::size_t>(layer.row)];
+            float apparent = row.constant;
+            for (std::size_t f = 0; f < layer.factors.size(); ++f)
+                apparent += layer.factors[f] * row.radiance[f];
+            samples.planes[2 * i] = apparent;
+            samples.planes[2 * i + 1] = row.opacity;
+        });
+}
+
+} // namespace irsg

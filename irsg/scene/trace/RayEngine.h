@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+
+#include "irsg/radiometry/TaskThread.h"
+#include "irsg/scene/sampling/SampleEngine.h"
+
+namespace irsg {
+
+/// Samples answered by rays, on all cores, without OpenGL: each sample of a window is a ray from
+/// the eye through its place in the frame. Surfaces are met in double (RayMesh); the bytes of what
+/// comes out do not depend on the number of threads.
+class RayEngine : public SampleEngine {
+  public:
+    std::future<void> post(std::function<void()> work) override;
+    std::string description() const override;
+    int largestSide() const override;
+    void drawRadiance(const SheetScene& sheet, RadianceSamples& samples) override;
+    void drawFactors(const SheetScene& sheet, bool withDistance, FactorSamples& samples) override;
+    double takeDrawSeconds() override;
+
+  private:
+    FactorSamples factors_; // of radiances
+    double drawSeconds_ = 0.0;
+    TaskThread thread_; // last: what it does uses all others
+};
+
+} // namespace irsg

@@ -1,0 +1,245 @@
+#include "irsg/scene/trace/RayMeshParts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <osg/TriangleIndexFunctor>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+/// One device a process. Trees are built by one thread: what a ray meets first where facets touch
+/// follows from their order.
+RTCDevice device() {
+    static const RTCDevice one = rtcNewDevice("threads=1,set_affinity=0");
+    if (!one)
+        throw InputError({"rays", "Embree", "no device", "a processor with SSE 2"});
+    return one;
+}
+
+struct Triangles {
+    std::vector<unsigned> corners;
+    void operator()(unsigned a, unsigned b, unsigned c) {
+        corners.insert(corners.end(), {a, b, c});
+    }
+};
+
+void append(std::vector<float>& numbers, const osg::Vec3d& v) {
+    for (int i = 0; i < 3; ++i)
+        numbers.push_back(static_cast<float>(v[i]));
+}
+
+Corners cornersOf(const osg::Vec3Array& vertices, const osg::Vec3Array* normals,
+                  const osg::Matrixd& meshFromLocal) {
+    Corners corners;
+    const osg::Matrixd localFromMesh = osg::Matrixd::inverse(meshFromLocal);
+    for (const osg::Vec3& v : vertices)
+        append(corners.vertices, osg::Vec3d(v) * meshFromLocal);
+    corners.vertices.resize(corners.vertices.size() + 1);
+    for (std::size_t i = 0; normals && i < vertices.size(); ++i) {
+        const osg::Vec3& normal = (*normals)[std::min(i, normals->size() - 1)];
+        append(corners.normals, osg::Matrixd::transform3x3(localFromMesh, osg::Vec3d(normal)));
+    }
+    return corners;
+}
+
+} // namespace
+
+bool areRaysBuilt() {
+    return true;
+}
+std::string raysDescription() {
+    return "Embree " RTC_VERSION_STRING;
+}
+std::string whyNoRays() {
+    return "";
+}
+
+RayMesh::Parts::~Parts() {
+    if (scene)
+        rtcReleaseScene(scene);
+}
+
+void RayMesh::Parts::add(const Piece& piece) {
+    TracedPiece& traced = pieces.emplace_back();
+    const auto* vertices = dynamic_cast<const osg::Vec3Array*>(piece.geometry->getVertexArray());
+    if (!vertices || vertices->empty())
+        return;
+    const auto [known, isNew] = corners.try_emplace({vertices, piece.meshFromLocal});
+    if (isNew)
+        known->second = cornersOf(
+            *vertices, dynamic_cast<const osg::Vec3Array*>(piece.geometry->getNormalArray()),
+            piece.meshFromLocal);
+    traced.corners = &known->second;
+    osg::TriangleIndexFunctor<Triangles> found;
+    piece.geometry->accept(found);
+    traced.triangles = std::move(found.corners);
+    facets += traced.triangles.size() / 3;
+}
+
+void RayMesh::Parts::attach(std::size_t number) {
+    const TracedPiece& piece = pieces[number];
+    if (piece.triangles.empty())
+        return;
+    RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                               piece.corners->vertices.data(), 0, 3 * sizeof(float),
+                               piece.corners->vertices.size() / 3);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               piece.triangles.data(), 0, 3 * sizeof(unsigned),
+                               piece.triangles.size() / 3);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(number));
+    rtcReleaseGeometry(geometry);
+}
+
+void RayMesh::Parts::commit() {
+    scene = rtcNewScene(device());
+    // Robust: no ray slips through an edge between two facets.
+    rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
+                                                       RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        attach(i);
+    rtcCommitScene(scene);
+    if (const RTCError error = rtcGetDeviceError(device()); error != RTC_ERROR_NONE)
+        throw InputError({"rays", "Embree", "error " + std::to_string(error),
+                          "memory for a tree of " + std::to_string(facets) + " facets"});
+    if (facets == 0)
+        return;
+    RTCBounds box;
+    rtcGetSceneBounds(scene, &box);
+    low.set(box.lower_x, box.lower_y, box.lower_z);
+    high.set(box.upper_x, box.upper_y, box.upper_z);
+    constexpr double digits = 4e-7;
+    rounding_m = digits * std::max({low.length(), high.length(), (high - low).length()});
+    const osg::Vec3d margin(rounding_m, rounding_m, rounding_m);
+    low -= margin;
+    high += margin;
+}
+
+bool RayMesh::Parts::clip(const Ray& ray, double& from_m, double& to_m) const {
+    const std::array<double, 3> origin{ray.origin_m.x, ray.origin_m.y, ray.origin_m.z};
+    const std::array<double, 3> along{ray.direction.x, ray.direction.y, ray.direction.z};
+    from_m = ray.from_m;
+    to_m = ray.to_m;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const double per = 1.0 / along[i];
+        double enter = (low[axis] - origin[i]) * per, leave = (high[axis] - origin[i]) * per;
+        if (enter > leave)
+            std::swap(enter, leave);
+        if (along[i] == 0.0) {
+            if (origin[i] < low[axis] || origin[i] > high[axis])
+                return false;
+            continue;
+        }
+        from_m = std::max(from_m, enter);
+        to_m = std::min(to_m, leave);
+    }
+    return from_m <= to_m;
+}
+
+RayHit RayMesh::Parts::refined(const Ray& ray, const Candidate& candidate) const {
+    const TracedPiece& piece = pieces[candidate.piece];
+    const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(candidate.facet)];
+    const Vec3 a = piece.corners->vertex(corner[0]);
+    const Vec3 ab = piece.corners->vertex(corner[1]) - a;
+    const Vec3 ac = piece.corners->vertex(corner[2]) - a;
+    const Vec3 p = cross(ray.direction, ac);
+    const double determinant = dot(ab, p);
+    RayHit hit;
+    hit.piece = static_cast<int>(candidate.piece);
+    hit.facet = candidate.facet;
+    hit.isFront = determinant > 0.0;
+    const Vec3 s = ray.origin_m - a;
+    const double per = determinant != 0.0 ? 1.0 / determinant : 0.0;
+    const Vec3 q = cross(s, ab);
+    const double u = dot(s, p) * per, v = dot(ray.direction, q) * per;
+    hit.distance_m = hit.order_m = dot(ac, q) * per;
+    hit.weights = {1.0 - u - v, u, v};
+    return hit;
+}
+
+RTCRay RayMesh::Parts::rayFrom(const Ray& ray, double from_m, double to_m) const {
+    const double skipped_m = std::max(0.0, from_m - rounding_m);
+    const Vec3 origin = ray.origin_m + ray.direction * skipped_m;
+    RTCRay along;
+    along.org_x = static_cast<float>(origin.x);
+    along.org_y = static_cast<float>(origin.y);
+    along.org_z = static_cast<float>(origin.z);
+    along.dir_x = static_cast<float>(ray.direction.x);
+    along.dir_y = static_cast<float>(ray.direction.y);
+    along.dir_z = static_cast<float>(ray.direction.z);
+    along.tnear = static_cast<float>(std::max(0.0, from_m - skipped_m));
+    along.tfar = static_cast<float>(to_m - skipped_m);
+    along.time = 0.0f;
+    along.mask = ~0u;
+    along.id = 0;
+    along.flags = 0;
+    return along;
+}
+
+RayMesh::RayMesh(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+RayMesh::~RayMesh() = default;
+
+std::shared_ptr<const RayMesh> RayMesh::of(const std::vector<Piece>& pieces) {
+    auto parts = std::make_unique<Parts>();
+    for (const Piece& piece : pieces)
+        parts->add(piece);
+    parts->commit();
+    return std::shared_ptr<const RayMesh>(new RayMesh(std::move(parts)));
+}
+
+std::size_t RayMesh::facets() const {
+    return parts_->facets;
+}
+
+std::size_t RayMesh::pieces() const {
+    return parts_->pieces.size();
+}
+
+RayHit RayMesh::onPlaneOf(const RayHit& hit, const Ray& ray) const {
+    return parts_->refined(ray, {static_cast<unsigned>(hit.piece), hit.facet});
+}
+
+Vec3 RayMesh::lifted(const RayHit& hit, const Ray& ray) const {
+    const TracedPiece& piece = parts_->pieces[static_cast<std::size_t>(hit.piece)];
+    const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(hit.facet)];
+    const double side = hit.isFront ? 1.0 : -1.0;
+    const Vec3 place = ray.origin_m + ray.direction * hit.distance_m;
+    Vec3 start = place + planeNormal(hit) * (side * 2.0 * parts_->rounding_m);
+    for (std::size_t i = 0; i < 3 && !piece.corners->normals.empty(); ++i) {
+        const Vec3 normal = piece.corners->normal(corner[i]) * side;
+        const double below_m = std::min(dot(place - piece.corners->vertex(corner[i]), normal), 0.0);
+        start = start - normal * (std::clamp(hit.weights[i], 0.0, 1.0) * below_m);
+    }
+    return start;
+}
+
+Vec3 RayMesh::normal(const RayHit& hit) const {
+    const TracedPiece& piece = parts_->pieces[static_cast<std::size_t>(hit.piece)];
+    if (piece.corners->normals.empty())
+        return planeNormal(hit);
+    const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(hit.facet)];
+    Vec3 sum;
+    for (std::size_t i = 0; i < 3; ++i)
+        sum = sum + piece.corners->normal(corner[i]) * hit.weights[i];
+    return sum == Vec3{} ? planeNormal(hit) : normalized(sum);
+}
+
+Vec3 RayMesh::planeNormal(const RayHit& hit) const {
+    const TracedPiece& piece = parts_->pieces[static_cast<std::size_t>(hit.piece)];
+    const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(hit.facet)];
+    const Vec3 a = piece.corners->vertex(corner[0]);
+    const Vec3 across =
+        cross(piece.corners->vertex(corner[1]) - a, piece.corners->vertex(corner[2]) - a);
+    return across == Vec3{} ? Vec3{0, 0, 1} : normalized(across);
+}
+
+} // namespace irsg

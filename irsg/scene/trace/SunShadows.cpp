@@ -1,0 +1,280 @@
+#include "irsg/scene/trace/SunShadows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr std::size_t raysOfDisc = 64;
+/// Rows that one thread takes at a time, whatever the number of threads.
+constexpr int rowsAtOnce = 8;
+
+using MaterialSet = std::vector<std::pair<int, int>>;
+
+/// Places on the unit disc, evenly spread (Vogel's spiral) and turned by part of a circle that
+/// differs from sample to sample.
+std::array<double, 2> onDisc(std::size_t i, std::size_t turn) {
+    const double golden = pi * (3.0 - std::sqrt(5.0));
+    const double turned = static_cast<double>(turn % 4096) * 0.6180339887498949;
+    const double angle = golden * static_cast<double>(i) + 2.0 * pi * (turned - std::floor(turned));
+    const double radius = std::sqrt((static_cast<double>(i) + 0.5) / raysOfDisc);
+    return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+/// Two unit vectors across a direction.
+std::pair<Vec3, Vec3> across(const Vec3& direction) {
+    const Vec3 other = std::abs(direction.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+    const Vec3 right = normalized(cross(direction, other));
+    return {right, cross(right, direction)};
+}
+
+/// Where light from the sun passes, in the order of a strip.
+struct Strip {
+    std::size_t window = 0;
+    int firstRow = 0, lastRow = 0;
+    std::vector<FactorSamples::Through> through;
+    std::vector<MaterialSet> sets;
+    std::map<MaterialSet, std::uint32_t> numbers;
+
+    std::uint32_t numberOf(const MaterialSet& set) {
+        const auto [place, isNew] =
+            numbers.try_emplace(set, static_cast<std::uint32_t>(sets.size()));
+        if (isNew)
+            sets.push_back(set);
+        return place->second;
+    }
+};
+
+/// The factors of a layer where they lie.
+float* factorOf(FactorSamples& samples, std::size_t sample, std::optional<std::size_t> fragment,
+                std::size_t f) {
+    if (fragment)
+        return &samples.words[*fragment * samples.wordsPerFragment + 4 + f];
+    return f < 3 ? &samples.opaque[4 * sample + 1 + f] : &samples.moreFactors[4 * sample + f - 3];
+}
+
+} // namespace
+
+/// Who looks, and at what.
+struct SunShadows::Source {
+    const SurfaceScene* scene = nullptr;
+    const SampleWindow* window = nullptr;
+    Viewpoint eye;
+    double pitch = 0.0, sampleWidth = 0.0;
+    std::vector<std::size_t> casters;  ///< by row of the drawing
+    std::vector<Vec3> towards;         ///< world, by factor
+    std::vector<std::size_t> shadowed; ///< factors
+
+    Vec3 worldOf(const Vec3& eyeDirection) const {
+        return eye.right * eyeDirection.x + eye.up * eyeDirection.y + eye.backward * eyeDirection.z;
+    }
+};
+
+struct SunShadows::Shaded {
+    double free = 0.0; ///< part of the light that nothing weakens
+    std::map<MaterialSet, double> through;
+
+    double visible() const {
+        double sum = free;
+        for (const auto& [set, part] : through)
+            sum += part;
+        return sum;
+    }
+};
+
+SunShadows::SunShadows(std::vector<Caster> casters, bool isDisc)
+    : casters_(std::move(casters)), isDisc_(isDisc) {
+    for (const Caster& caster : casters_)
+        toMesh_.push_back(caster.pose.attitude.rotation().transposed());
+}
+
+SunShadows::Source SunShadows::sourceOf(const SurfaceScene& scene,
+                                        const SampleWindow& window) const {
+    Source source;
+    source.scene = &scene;
+    source.window = &window;
+    source.eye = scene.camera->viewpoint();
+    source.pitch = scene.camera->sensor().pixelPitch();
+    source.sampleWidth = source.pitch * std::max(window.cellWidth_px(), window.cellHeight_px());
+    source.casters.resize(scene.rows.size());
+    for (std::size_t c = 0; c < casters_.size(); ++c)
+        for (const int row : casters_[c].rows)
+            source.casters[static_cast<std::size_t>(row)] = c;
+    for (std::size_t f = 0; f < scene.factors.shadowedFrom.size(); ++f) {
+        const int from = scene.factors.shadowedFrom[f];
+        source.towards.push_back(
+            from < 0 ? Vec3{}
+                     : source.worldOf(
+                           scene.factors.directionsEye[static_cast<std::size_t>(from)].second));
+        if (from >= 0)
+            source.shadowed.push_back(f);
+    }
+    return source;
+}
+
+SunShadows::Place SunShadows::placeOf(const Source& source, const Vec3& eyeDirection, int row,
+                                      double distance_m) const {
+    const std::size_t number = source.casters[static_cast<std::size_t>(row)];
+    const Caster& caster = casters_[number];
+    const Vec3 along = source.worldOf(eyeDirection);
+    Place place;
+    place.caster = number;
+    place.world_m = source.eye.position_m + along * distance_m;
+    const Rotation& toMesh = toMesh_[number];
+    const Ray ray{toMesh * (source.eye.position_m - caster.pose.position_m), toMesh * along};
+    // Distances come in float, and OpenGL snaps corners to a part of a sample.
+    const double off_m = distance_m * (4e-6 + 2.0 * source.sampleWidth);
+    const auto isOfRow = [&](int piece) {
+        return caster.rows[static_cast<std::size_t>(piece)] == row;
+    };
+    if (const auto hit = caster.mesh->nearestTo(ray, distance_m, off_m, isOfRow)) {
+        place.hit = *hit;
+        place.isFound = true;
+        const Vec3 start = caster.mesh->lifted(*hit, ray);
+        place.world_m = caster.pose.toWorld(start);
+    }
+    return place;
+}
+
+bool SunShadows::reaches(const Place& place, const Vec3& towards,
+                         std::vector<std::pair<int, int>>& through) const {
+    thread_local std::vector<int> pieces;
+    for (std::size_t c = 0; c < casters_.size(); ++c) {
+        const Caster& caster = casters_[c];
+        const Rotation& toMesh = toMesh_[c];
+        const Ray ray{toMesh * (place.world_m - caster.pose.position_m), toMesh * towards};
+        const bool isOwn = place.isFound && c == place.caster;
+        pieces.clear();
+        if (!caster.mesh->letsPass(ray, caster.uses, isOwn ? &place.hit : nullptr, pieces))
+            return false;
+        for (const int piece : pieces)
+            through.emplace_back(caster.entity, caster.materials[static_cast<std::size_t>(piece)]);
+    }
+    std::ranges::sort(through);
+    return true;
+}
+
+SunShadows::Shaded SunShadows::lightAt(const Place& place, const Vec3& towardsSun,
+                                       std::size_t turn) const {
+    Shaded light;
+    const std::size_t rays = isDisc_ ? raysOfDisc : 1;
+    const double part = 1.0 / static_cast<double>(rays);
+    const auto [right, up] = across(towardsSun);
+    const double radius = std::tan(discRadius_rad);
+    MaterialSet through;
+    for (std::size_t i = 0; i < rays; ++i) {
+        Vec3 towards = towardsSun;
+        if (isDisc_) {
+            const auto [x, y] = onDisc(i, turn);
+            towards = normalized(towardsSun + right * (x * radius) + up * (y * radius));
+        }
+        through.clear();
+        if (!reaches(place, towards, through))
+            continue;
+        if (through.empty())
+            light.free += part;
+        else
+            light.through[through] += part;
+    }
+    return light;
+}
+
+void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSamples& samples) const {
+    samples.through.clear();
+    samples.throughSets.clear();
+    samples.sunVisibility.assign(withVisibility ? samples.size() : 0, 0.0f);
+    std::vector<Source> sources;
+    std::vector<Strip> strips;
+    for (std::size_t w = 0; w < sheet.scenes.size(); ++w) {
+        const SampleWindow& window = sheet.sheet.windows[w];
+        sources.push_back(sourceOf(sheet.scenes[w], window));
+        for (int row = 0; row < window.height(); row += rowsAtOnce) {
+            Strip& strip = strips.emplace_back();
+            strip.window = w;
+            strip.firstRow = row;
+            strip.lastRow = std::min(row + rowsAtOnce, window.height());
+        }
+    }
+
+    const auto shade = [&](const Source& source, Strip& strip, int row, int column) {
+        const SampleWindow& window = *source.window;
+        const std::size_t sample =
+            window.firstSample +
+            static_cast<std::size_t>(window.height() - 1 - row) * window.stride() +
+            static_cast<std::size_t>(column);
+        if (samples.isEmpty(sample))
+            return;
+        const Sensor& sensor = source.scene->camera->sensor();
+        const auto [right_px, below_px] = window.placeOf(column, row);
+        const Vec3 eyeDirection =
+            normalized({(right_px - 0.5 * sensor.width_px) * source.pitch,
+                        (0.5 * sensor.height_px - below_px) * source.pitch, -1.0});
+        std::uint32_t number = 0;
+        const std::size_t firstFragment =
+            samples.isListed(sample) ? samples.ends[sample - samples.lowest] : 0;
+        const std::size_t fragments =
+            samples.isListed(sample)
+                ? std::min<std::size_t>(samples.ends[sample - samples.lowest + 1] - firstFragment,
+                                        samples.maximumLayers)
+                : 0;
+        samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
+            const std::uint32_t own = number++;
+            std::optional<std::size_t> fragment;
+            if (own < fragments)
+                fragment = firstFragment + own;
+            std::optional<Place> place;
+            for (const std::size_t f : source.shadowed) {
+                float* factor = factorOf(samples, sample, fragment, f);
+                if (!(*factor > 0.0f))
+                    continue;
+                if (!place)
+                    place = placeOf(source, eyeDirection, layer.row,
+                                    static_cast<double>(layer.distance_m));
+                const Shaded light = lightAt(*place, source.towards[f], sample);
+                const auto whole = static_cast<double>(*factor);
+                *factor = static_cast<float>(whole * light.free);
+                for (const auto& [set, part] : light.through)
+                    strip.through.push_back({static_cast<std::uint32_t>(sample), own,
+                                             strip.numberOf(set), static_cast<std::uint32_t>(f),
+                                             static_cast<float>(whole * part)});
+                if (withVisibility && own == 0)
+                    samples.sunVisibility[sample] = static_cast<float>(light.visible());
+            }
+        });
+    };
+    parallelFor(strips.size(), [&](std::size_t i) {
+        Strip& strip = strips[i];
+        const Source& source = sources[strip.window];
+        for (int row = strip.firstRow; row < strip.lastRow; ++row)
+            for (int column = 0; column < source.window->width(); ++column)
+                shade(source, strip, row, column);
+    });
+
+    std::map<MaterialSet, std::uint32_t> numbers;
+    for (Strip& strip : strips)
+        for (FactorSamples::Through& one : strip.through) {
+            const MaterialSet& set = strip.sets[one.set];
+            const auto [known, isNew] =
+                numbers.try_emplace(set, static_cast<std::uint32_t>(samples.throughSets.size()));
+            if (isNew)
+                samples.throughSets.push_back(set);
+            one.set = known->second;
+            samples.through.push_back(one);
+        }
+    std::ranges::sort(samples.through, [](const auto& a, const auto& b) {
+        return std::tie(a.sample, a.layer, a.factor, a.set) <
+               std::tie(b.sample, b.layer, b.factor, b.set);
+    });
+}
+
+} // namespace irsg

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "irsg/scene/sampling/SurfaceScene.h"
+#include "irsg/scene/trace/RayMesh.h"
+#include "irsg/scene/view/Pose.h"
+
+namespace irsg {
+
+/// What stands between surfaces and the sun, whoever drew them. Each sample's place is found again
+/// on the facet that it shows, in double, and a ray goes from there to the sun, or 64 to places
+/// spread evenly over its disc. What is opaque takes their light away; what is transparent is
+/// noted, so that its transmissivity is multiplied node by node. Facets cast the shadows that a
+/// sensor at the sun would see them cast.
+class SunShadows {
+  public:
+    /// What light may meet: an entity, or the terrain.
+    struct Caster {
+        int entity = -1; ///< -1: the terrain
+        std::shared_ptr<const RayMesh> mesh;
+        Pose pose;
+        PieceUses uses{0};
+        std::vector<int> rows;      ///< of the drawing, by piece; of the terrain none
+        std::vector<int> materials; ///< indices, by piece
+    };
+    /// Half the angle of the sun's disc, rad.
+    static constexpr double discRadius_rad = 0.265 * 3.14159265358979323846 / 180.0;
+
+    SunShadows(std::vector<Caster> casters, bool isDisc);
+
+    /// Takes the light away from the sorted layers of a drawing that has distances. Fills in the
+    /// visibility of the sun where it is wanted. The result does not depend on the number of
+    /// threads.
+    void apply(const SheetScene& sheet, bool withVisibility, FactorSamples& samples) const;
+
+  private:
+    struct Source;
+    struct Shaded;
+    /// A place on a surface in the world, and where it lies.
+    struct Place {
+        Vec3 world_m;
+        std::size_t caster = 0;
+        RayHit hit;
+        bool isFound = false;
+    };
+    Source sourceOf(const SurfaceScene& scene, const SampleWindow& window) const;
+    Place placeOf(const Source& source, const Vec3& eyeDirection, int row, double distance_m) const;
+    /// Parts of the light that arrive: through nothing, and through sets of materials.
+    Shaded lightAt(const Place& place, const Vec3& towardsSun, std::size_t turn) const;
+    bool reaches(const Place& place, const Vec3& towards,
+                 std::vector<std::pair<int, int>>& through) const;
+
+    std::vector<Caster> casters_;
+    std::vector<Rotation> toMesh_; // by caster
+    bool isDisc_;
+};
+
+} // namespace irsg

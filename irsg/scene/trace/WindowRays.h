@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "irsg/scene/sampling/SurfaceScene.h"
+#include "irsg/scene/trace/RayMesh.h"
+
+namespace irsg {
+
+/// The rays of one window of a drawing and what they meet there.
+class WindowRays {
+  public:
+    /// Both must live as long.
+    WindowRays(const SurfaceScene& scene, const SampleWindow& window);
+
+    /// Fills in the samples of a row, counted from the top, and appends fragments of transparent
+    /// surfaces, as FactorSamples has them. Rows may be traced at the same time.
+    void traceRow(int row, FactorSamples& samples, std::vector<float>& fragments) const;
+
+  private:
+    /// One entity as it stands in the window.
+    struct Body {
+        const RayMesh* mesh = nullptr;
+        /// Rotation of the axes of eye space to the mesh's, row by row, and the eye there.
+        Vec3 x, y, z, eye_m;
+        PieceUses uses;
+        std::vector<int> rows; ///< by piece
+
+        Vec3 toMesh(const Vec3& eyeDirection) const;
+        Vec3 toEye(const Vec3& meshDirection) const;
+    };
+    struct Met {
+        const Body* body = nullptr;
+        RayHit hit;
+    };
+    static Body bodyOf(const SurfaceBody& body, PieceUses uses, std::vector<int> rows);
+    static Ray rayTo(const Body& body, const Vec3& eyeDirection, double from_m);
+    /// Fills in the factors of a layer as the shader does.
+    void fillFactors(const Met& met, const Vec3& eyeDirection, float* factors) const;
+    float depthOf(double distance_m, const Vec3& eyeDirection) const;
+    double sampleWidth() const;
+
+    const SurfaceScene& scene_;
+    const SampleWindow& window_;
+    std::vector<Body> bodies_;
+    std::vector<Body> occluders_; // none or the terrain
+};
+
+} // namespace irsg
