@@ -43,6 +43,9 @@ PointAspect Renderer::Impl::aspectOf(const Frame& frame, int entity, const Vec3&
                        terms.glsl(settings)};
     append(aspect.numbers, from);
     aspect.numbers.push_back(frame.shadows ? static_cast<double>(settings.sunShadows) : 0.0);
+    if (frame.shadows)
+        aspect.numbers.insert(aspect.numbers.end(), frame.shadows->reflects().begin(),
+                              frame.shadows->reflects().end());
     // Others may stand between it and the sun.
     for (const Entity& other : frame.scene.entities)
         if (frame.shadows && (frame.scene.entities.size() > 1 || frame.scene.terrain)) {

@@ -82,7 +82,7 @@ void Renderer::Impl::takeEngine(Frame& frame) {
     });
 }
 
-void Renderer::Impl::takeShadows(Frame& frame) {
+void Renderer::Impl::takeShadows(Frame& frame, const Wanted& wanted) {
     const std::vector<int> shadowed = terms.shadowedFrom(frame.scene.settings);
     if (std::ranges::all_of(shadowed, [](int from) { return from < 0; }))
         return;
@@ -118,8 +118,16 @@ void Renderer::Impl::takeShadows(Frame& frame) {
             for (std::size_t i = 0; i < caster.mesh->pieces(); ++i)
                 caster.uses.set(i, {.isThere = true});
         }
-        frame.shadows = std::make_shared<const SunShadows>(
-            std::move(casters), frame.scene.settings.sunShadows == SunShadowMode::disc);
+        // What reflects nothing, such as gas, may where its emissivity is scaled.
+        constexpr double rounding_per_sr = 1e-9;
+        std::vector<bool> reflects;
+        if (wanted.scalings.empty())
+            for (const SurfaceSpectra& surface : frame.evaluated->radiometry.surfaces())
+                reflects.push_back(std::ranges::any_of(
+                    surface.reflectance, [](double value) { return value > rounding_per_sr; }));
+        frame.shadows = std::make_shared<const SunShadows>(std::move(casters), std::move(reflects),
+                                                           frame.scene.settings.sunShadows ==
+                                                               SunShadowMode::disc);
     });
     if (shadowingTerrain != frame.scene.terrain) {
         shadowingTerrain = frame.scene.terrain;

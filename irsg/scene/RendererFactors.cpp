@@ -46,6 +46,9 @@ Renderer::Impl::ViewKey Renderer::Impl::viewKey(const Frame& frame) const {
     for (const SurfaceRow& row : frame.rows)
         key.numbers.push_back(static_cast<double>(row.nAngleFactor));
     key.numbers.insert(key.numbers.end(), frame.hot.begin(), frame.hot.end());
+    if (frame.shadows)
+        key.numbers.insert(key.numbers.end(), frame.shadows->reflects().begin(),
+                           frame.shadows->reflects().end());
     for (const ZoomEntityInfo& object : frame.alongRange)
         key.numbers.push_back(static_cast<double>(object.entity));
     key.terrain = frame.scene.terrain;

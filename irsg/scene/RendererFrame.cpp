@@ -69,7 +69,7 @@ Renderer::Impl::Frame Renderer::Impl::frame(const Scene& scene, const SensorView
                scene.settings);
     takeEngine(result);
     evaluate(result);
-    takeShadows(result);
+    takeShadows(result, wanted);
     if (wanted.alongRange && !wanted.image)
         planAlongRange(result);
     findDetails(result);

@@ -190,7 +190,7 @@ struct Renderer::Impl {
     /// Gives a frame its engine, and what that needs.
     void takeEngine(Frame& frame);
     /// Gives it what stands before the sun, where shadows are asked for.
-    void takeShadows(Frame& frame);
+    void takeShadows(Frame& frame, const Wanted& wanted);
     /// Sorts the layers of a drawing, and takes the light of the sun away from what is in shadow.
     void sortAndShade(const Frame& frame, const SheetScene& sheet, FactorSamples& samples);
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "irsg/radiometry/ParallelFor.h"
@@ -92,10 +93,12 @@ struct SunShadows::Shaded {
     }
 };
 
-SunShadows::SunShadows(std::vector<Caster> casters, bool isDisc)
-    : casters_(std::move(casters)), isDisc_(isDisc) {
-    for (const Caster& caster : casters_)
-        toMesh_.push_back(caster.pose.attitude.rotation().transposed());
+SunShadows::SunShadows(std::vector<Caster> casters, std::vector<bool> reflects, bool isDisc)
+    : casters_(std::move(casters)), reflects_(std::move(reflects)), isDisc_(isDisc) {
+    for (const Caster& caster : casters_) {
+        toWorld_.push_back(caster.pose.attitude.rotation());
+        toMesh_.push_back(toWorld_.back().transposed());
+    }
 }
 
 SunShadows::Source SunShadows::sourceOf(const SurfaceScene& scene,
@@ -141,7 +144,7 @@ SunShadows::Place SunShadows::placeOf(const Source& source, const Vec3& eyeDirec
         place.hit = *hit;
         place.isFound = true;
         const Vec3 start = caster.mesh->lifted(*hit, ray);
-        place.world_m = caster.pose.toWorld(start);
+        place.world_m = caster.pose.position_m + toWorld_[number] * start;
     }
     return place;
 }
@@ -169,8 +172,12 @@ SunShadows::Shaded SunShadows::lightAt(const Place& place, const Vec3& towardsSu
     Shaded light;
     const std::size_t rays = isDisc_ ? raysOfDisc : 1;
     const double part = 1.0 / static_cast<double>(rays);
-    const auto [right, up] = across(towardsSun);
-    const double radius = std::tan(discRadius_rad);
+    Vec3 right, up;
+    double radius = 0.0;
+    if (isDisc_) {
+        std::tie(right, up) = across(towardsSun);
+        radius = std::tan(discRadius_rad);
+    }
     MaterialSet through;
     for (std::size_t i = 0; i < rays; ++i) {
         Vec3 towards = towardsSun;
@@ -229,6 +236,10 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
                 : 0;
         samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
             const std::uint32_t own = number++;
+            const bool isOfMatter = withVisibility || reflects_.empty() ||
+                                    reflects_[static_cast<std::size_t>(layer.row)];
+            if (!isOfMatter)
+                return;
             std::optional<std::size_t> fragment;
             if (own < fragments)
                 fragment = firstFragment + own;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "irsg/radiometry/Units.h"
 #include "irsg/scene/sampling/SurfaceScene.h"
 #include "irsg/scene/trace/RayMesh.h"
 #include "irsg/scene/view/Pose.h"
@@ -28,9 +29,12 @@ class SunShadows {
         std::vector<int> materials; ///< indices, by piece
     };
     /// Half the angle of the sun's disc, rad.
-    static constexpr double discRadius_rad = 0.265 * 3.14159265358979323846 / 180.0;
+    static constexpr double discRadius_rad = 0.265 * pi / 180.0;
 
-    SunShadows(std::vector<Caster> casters, bool isDisc);
+    /// `reflects`: by row of the drawing; light on others is left as it is. None: all do.
+    SunShadows(std::vector<Caster> casters, std::vector<bool> reflects, bool isDisc);
+
+    const std::vector<bool>& reflects() const { return reflects_; }
 
     /// Takes the light away from the sorted layers of a drawing that has distances. Fills in the
     /// visibility of the sun where it is wanted. The result does not depend on the number of
@@ -55,7 +59,8 @@ class SunShadows {
                  std::vector<std::pair<int, int>>& through) const;
 
     std::vector<Caster> casters_;
-    std::vector<Rotation> toMesh_; // by caster
+    std::vector<Rotation> toMesh_, toWorld_; // by caster
+    std::vector<bool> reflects_;
     bool isDisc_;
 };
 
