@@ -24,6 +24,8 @@ void makeContinuum(const Folders& folders);
 void makeGases(const Folders& folders);
 /// What tests hold the spectral mode to (tests/data/atmosphere): takes a quarter of an hour.
 void makeTruth(const Folders& folders);
+/// The spectra of the samples' plumes; `out` is the folder of the samples.
+void makePlumes(const Folders& folders);
 /// Prints speed and error of a band model, of k-distributions and of spectral nodes; writes
 /// nothing.
 void makeStudy(const Folders& folders);

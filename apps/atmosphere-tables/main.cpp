@@ -16,18 +16,20 @@ int main(int argc, char** argv) {
     const std::vector<std::pair<std::string, void (*)(const Folders&)>> kinds = {
         {"profiles", makeProfiles},   {"particles", makeParticles}, {"solar", makeSolarSpectrum},
         {"continuum", makeContinuum}, {"gases", makeGases},         {"truth", makeTruth},
-        {"study", makeStudy}};
+        {"study", makeStudy},         {"plumes", makePlumes}};
+    const std::vector<std::string> onlyIfNamed = {"truth", "study", "plumes"};
 
     CLI::App app{"Computes the atmosphere's tables from public data."};
     Folders folders;
     std::vector<std::string> wanted;
-    app.add_option(
-        "kinds", wanted,
-        "profiles, particles, solar, continuum, gases, truth, study; none: all but the last two");
+    app.add_option("kinds", wanted,
+                   "profiles, particles, solar, continuum, gases, truth, study, plumes; none: all "
+                   "but the last three");
     app.add_option("--data", folders.data,
                    "folder with lines/, lowtran/, continuum/, profiles/, solar/")
         ->required();
-    app.add_option("--out", folders.out, "where the tables go")->required();
+    app.add_option("--out", folders.out, "where the tables go; of plumes, the folder samples")
+        ->required();
     app.add_option(
         "--renew", folders.renew_per_cm,
         "of gases, FROM TO in cm-1, as often as needed: compute the pieces of 60 cm-1 that "
@@ -39,9 +41,9 @@ int main(int argc, char** argv) {
             if (std::ranges::none_of(kinds, [&](const auto& kind) { return kind.first == name; }))
                 throw irsg::InputError(irsg::Diagnostic{
                     "command line", "", name,
-                    "profiles, particles, solar, continuum, gases, truth or study"});
+                    "profiles, particles, solar, continuum, gases, truth, study or plumes"});
         for (const auto& [name, make] : kinds)
-            if ((wanted.empty() && name != "truth" && name != "study") ||
+            if ((wanted.empty() && std::ranges::find(onlyIfNamed, name) == onlyIfNamed.end()) ||
                 std::ranges::find(wanted, name) != wanted.end())
                 make(folders);
     } catch (const irsg::InputError& error) {

@@ -60,5 +60,17 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SmatBatchWideband,
                                          WidebandCase{"BoxInLongWave", "box/box.smat", "8-12"}),
                          [](const auto& info) { return std::string(info.param.name); });
 
+TEST(SmatBatchComputedAir, IsSeenStraightDownAndStraightUp) {
+    const std::string air =
+        sample("../resources/atmospheres/midlatitude-summer-rural-23km.xml").string();
+    const TemporaryFolder folder;
+    for (const std::string elevation : {"90", "-90"}) {
+        const Ran ran = smatBatch({"polar", sample("sphere/sphere.smat").string(), "--elevation",
+                                   elevation, "--step", "180", "--altitude", "2000", "--atmosphere",
+                                   air, "--out", (folder.path() / (elevation + ".csv")).string()});
+        EXPECT_EQ(ran.exitCode, 0) << elevation << ": " << ran.err;
+    }
+}
+
 } // namespace
 } // namespace smat::test

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
@@ -62,8 +63,11 @@ AtmosphericPath steadied(const AtmosphericPath& path) {
 }
 
 LineOfSight steadied(const LineOfSight& sight) {
+    // No step of the rounding ends at the zenith.
+    constexpr double zenith_rad = 0.5 * std::numbers::pi;
     return {rounded(sight.sensorAltitude_m, std::max(1e-8, 1e-12 * sight.sensorAltitude_m)),
-            rounded(sight.elevation_rad, angleStep_rad), rounded(sight.azimuth_rad, angleStep_rad)};
+            std::clamp(rounded(sight.elevation_rad, angleStep_rad), -zenith_rad, zenith_rad),
+            rounded(sight.azimuth_rad, angleStep_rad)};
 }
 
 AtmosphericPath atRange(const AtmosphericPath& path, double range_m) {
