@@ -1,11 +1,15 @@
 #include "irsg/atmosphere/AtmosphereSmart.h"
 
+#include <set>
 #include <utility>
 
 #include "irsg/atmosphere/AirNodes.h"
 #include "irsg/atmosphere/SmartAdapter.h"
 #include "irsg/atmosphere/SunDiscGeometry.h"
+#include "irsg/atmosphere/ck/CkStore.h"
+#include "irsg/atmosphere/ck/KeptCk.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
+#include "irsg/atmosphere/engine/ResourceFile.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 
@@ -16,6 +20,40 @@ namespace {
 bool isFlux(AtmosphereProperty property) {
     return property == AtmosphereProperty::upwardFlux ||
            property == AtmosphereProperty::downwardFlux;
+}
+
+/// Where terms of an air are kept: the key names the files of the shipped tables.
+std::optional<CkStore> storeOf(const AtmosphereSmart& air) {
+    return &air.transfer().gases() == GasTable::shipped().get() ? CkStore::ofUser() : std::nullopt;
+}
+
+/// All that terms depend on: the program's own way to train, the tables, the air, the request.
+CkKey keyOf(const AtmosphereSmart& air, const CkRequest& request) {
+    constexpr double training = 3; // counts up with every change of what is trained
+    CkKey key;
+    key.add(training);
+    // A table that was made anew has another time.
+    const std::filesystem::path folder = atmosphereResource("gases.gastable").parent_path();
+    std::set<std::filesystem::path> tables;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        tables.insert(entry.path());
+    for (const std::filesystem::path& table : tables) {
+        const auto changed = std::filesystem::last_write_time(table).time_since_epoch();
+        key.add(table.filename().string())
+            .add(static_cast<double>(std::filesystem::file_size(table)))
+            .add(static_cast<double>(changed.count()));
+    }
+    for (const auto& some : {smartParameters(), ownSmartParameters()})
+        for (const SmartParameter& parameter : some)
+            key.add(std::string(parameter.name)).add(valueText(parameter, air.parameters()));
+    for (const AtmosphericState& level :
+         air.air().profile.levels()) { // of an ascent the file alone says little
+        key.add(level.altitude_m).add(level.pressure_hPa).add(level.temperature_K);
+        for (const double fraction : level.moleFraction)
+            key.add(fraction);
+    }
+    addTo(key, request);
+    return key;
 }
 
 } // namespace
@@ -164,7 +202,21 @@ double AtmosphereSmart::ambientTemperature_K(double altitude_m) const {
 
 std::shared_ptr<const SensorCkData> AtmosphereSmart::prepareCk(const CkRequest& request) const {
     checkRange(request.band.range());
-    return std::make_shared<const SensorCkData>(SensorCkData::prepare(transfer(), request));
+    const std::optional<CkStore> store = storeOf(*this);
+    if (!store)
+        return std::make_shared<const SensorCkData>(SensorCkData::prepare(transfer(), request));
+    const CkKey key = keyOf(*this, request);
+    if (const auto text = store->find(key.text()))
+        if (auto kept = SensorCkData::fromKept(transfer(), request.band, *text))
+            return std::make_shared<const SensorCkData>(std::move(*kept));
+    auto made = std::make_shared<const SensorCkData>(SensorCkData::prepare(transfer(), request));
+    store->keep(key.text(), made->kept());
+    return made;
+}
+
+bool isCkKept(const AtmosphereSmart& air, const CkRequest& request) {
+    const std::optional<CkStore> store = storeOf(air);
+    return store && store->find(keyOf(air, request).text());
 }
 
 } // namespace irsg

@@ -9,6 +9,7 @@
 
 #include "irsg/radiometry/NewLines.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
+#include "smatcore/analysis/CalculationChoice.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/ImageFiles.h"
@@ -145,6 +146,13 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
     std::vector<irsg::Vec3> inModel;
     {
         const StageTimer::Scope scope(timer, "set up");
+        if (data.kind->form == AnalysisForm::sweep && data.settings[key::sensorMode] == "auto") {
+            CalculationChoice choice = chooseCalculation(scene, cases.cases.size());
+            scene.render.mode = choice.mode;
+            if (!choice.reason.empty()) {
+                data.answeredBy.push_back(std::move(choice.reason));
+            }
+        }
         source_.configure(scene);
         for (std::size_t i = 0; i < scene.entities.size(); ++i) {
             inModel.push_back(source_.referencePointInModel(i));

@@ -25,12 +25,14 @@ void addSensor(std::vector<SettingInfo>& table) {
                           "CSV of wavelength and response, one for each band, separated by "
                           "semicolons; where they are given they stand in for all of the bands."));
     table.push_back(named(
-        choice(key::sensorMode, "--mode", "Calculation mode", {"spectral", "ck"}, "spectral",
+        choice(key::sensorMode, "--mode", "Calculation mode", {"auto", "spectral", "ck"}, "auto",
                "How the band is integrated. Spectral multiplies at every wavelength and "
                "integrates last; ck does so at a few terms that an AtmosphereSmart is asked for, "
-               "trained to a few thousandths. Spectra are always computed spectrally.",
+               "trained to a few thousandths. Auto takes ck for sweeps of 4 cases and more whose "
+               "terms were trained before and for those of 400, which pay for training; results "
+               "say what it took and why. Images and frames are then spectral; spectra always are.",
                SettingAudience::expert),
-        {"spectral", "wideband-ck"}));
+        {"auto", "spectral", "wideband-ck"}));
 }
 
 void addViewAndTarget(std::vector<SettingInfo>& table) {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <sstream>
 
+#include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SparseWeights.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/GaussLegendre.h"
@@ -26,14 +28,32 @@ std::vector<AtmosphericPath> spreadOfPaths(double top_m) {
          {Ends{5, 5}, Ends{5, 500}, Ends{5, 3000}, Ends{1500, 0}, Ends{1500, 1500},
           Ends{3000, 3000}, Ends{6000, 1000}, Ends{3000, 10000}, Ends{6000, 6000},
           Ends{10000, 10000}, Ends{12000, 0}, Ends{15000, 8000}, Ends{20000, 12000}})
-        for (const double range_m :
-             {30.0, 150.0, 600.0, 2e3, 3.5e3, 6e3, 9e3, 13e3, 20e3, 30e3, 45e3, 70e3, 150e3}) {
+        for (const double range_m : {10.0, 30.0, 150.0, 600.0, 2e3, 3.5e3, 6e3, 9e3, 13e3, 20e3,
+                                     30e3, 45e3, 70e3, 150e3}) {
             const double climb_m = std::abs(ends.sensor_m - ends.target_m);
             const bool low = ends.sensor_m < 1000.0 && ends.target_m < 1000.0;
             if (range_m < 1.05 * climb_m || (low && range_m > 30e3) ||
                 std::max(ends.sensor_m, ends.target_m) > top_m)
                 continue;
             paths.push_back({ends.sensor_m, ends.target_m, range_m});
+        }
+    return paths;
+}
+
+/// Paths between those of the training in range and altitude.
+std::vector<AtmosphericPath> pathsHeldOut(double top_m) {
+    struct Ends {
+        double sensor_m, target_m;
+    };
+    std::vector<AtmosphericPath> paths;
+    for (const Ends& ends : {Ends{20, 20}, Ends{10, 1200}, Ends{2200, 2200}, Ends{5000, 2000},
+                             Ends{8000, 7700}, Ends{11000, 300}, Ends{15000, 9000}})
+        for (const double range_m : {11.0, 70.0, 800.0, 2.7e3, 7.5e3, 16e3, 36e3, 100e3}) {
+            const double climb_m = std::abs(ends.sensor_m - ends.target_m);
+            const bool low = ends.sensor_m < 1000.0 && ends.target_m < 1000.0;
+            if (range_m >= 1.05 * climb_m && (!low || range_m < 30e3) &&
+                std::max(ends.sensor_m, ends.target_m) <= top_m)
+                paths.push_back({ends.sensor_m, ends.target_m, range_m});
         }
     return paths;
 }
@@ -161,6 +181,23 @@ class Training {
         return problem;
     }
 
+    /// How far the terms are off, row by row.
+    struct Errors {
+        double largest = 0.0, rms = 0.0;
+    };
+    Errors errorsOf(const SparseWeights& chosen) const {
+        Errors errors;
+        for (std::size_t r = 0; r < rows_.size(); ++r) {
+            double error = -target_[r];
+            for (std::size_t c = 0; c < chosen.columns.size(); ++c)
+                error += chosen.weights[c] * static_cast<double>(rows_[r][chosen.columns[c]]);
+            errors.largest = std::max(errors.largest, std::abs(error));
+            errors.rms += error * error / static_cast<double>(rows_.size());
+        }
+        errors.rms = std::sqrt(errors.rms);
+        return errors;
+    }
+
   private:
     void add(const std::vector<double>& integrated, const std::vector<double>& sampled,
              const std::vector<double>& values, double least) {
@@ -242,29 +279,34 @@ std::vector<Source> ownSources(const BandNodes& nodes, const CkRequest& request)
     return all;
 }
 
-Training trainingCases(const RadiativeTransfer& transfer, const BandNodes& nodes,
-                       const CkRequest& request) {
+/// A black body as warm as the air at the ground.
+double ambientInBand_W_m2_sr(const RadiativeTransfer& transfer, const BandNodes& nodes) {
+    return Source(nodes,
+                  [&](double wavelength_um) {
+                      return planckRadiance_W_m2_sr_um(
+                          wavelength_um, transfer.air().profile.at(0.0).temperature_K);
+                  })
+        .inBand();
+}
+
+/// What is asked of the terms along paths; of the first `asked` with all spectra of the scene.
+Training casesAlong(const RadiativeTransfer& transfer, const BandNodes& nodes,
+                    const CkRequest& request, const std::vector<AtmosphericPath>& paths,
+                    std::size_t asked) {
     Training training(nodes);
     const std::vector<Source> surfaces = sources(nodes, request);
     const std::vector<Source> own = ownSources(nodes, request);
     const NodeSet& set = nodes.set;
     const bool diffuse = transfer.air().scattering == ScatteringMode::twoStream;
-    const double ambient_W_m2_sr =
-        Source(nodes, [&](double wavelength_um) {
-            return planckRadiance_W_m2_sr_um(wavelength_um,
-                                             transfer.air().profile.at(0.0).temperature_K);
-        }).inBand();
+    const double ambient_W_m2_sr = ambientInBand_W_m2_sr(transfer, nodes);
 
-    std::vector<AtmosphericPath> paths = request.paths;
-    const std::vector<AtmosphericPath> spread = spreadOfPaths(transfer.air().profile.top_m());
-    paths.insert(paths.end(), spread.begin(), spread.end());
     for (const AtmosphericPath& path : paths) {
         const std::vector<double> transmittance = transfer.transmittance(set, path);
         for (const Source& surface : surfaces)
             training.add(surface, transmittance, opaque * surface.inBand());
         // Where there are many spectra, their rows on every fourth path of the spread are enough.
         const std::size_t number = static_cast<std::size_t>(&path - paths.data());
-        if (own.size() <= 8 || number < request.paths.size() || number % 4 == 0)
+        if (own.size() <= 8 || number < asked || number % 4 == 0)
             for (const Source& surface : own)
                 training.add(surface, transmittance, opaque * surface.inBand());
         // Across the sun, where its light is scattered as much as on the average over azimuths.
@@ -286,11 +328,21 @@ Training trainingCases(const RadiativeTransfer& transfer, const BandNodes& nodes
             reflected(transfer.upwardFlux(set, path.targetAltitude_m, request.sun));
         }
     }
+    return training;
+}
+
+Training trainingCases(const RadiativeTransfer& transfer, const BandNodes& nodes,
+                       const CkRequest& request) {
+    std::vector<AtmosphericPath> paths = request.paths;
+    const std::vector<AtmosphericPath> spread = spreadOfPaths(transfer.air().profile.top_m());
+    paths.insert(paths.end(), spread.begin(), spread.end());
+    Training training = casesAlong(transfer, nodes, request, paths, request.paths.size());
+    const double least = opaque * opaque * ambientInBand_W_m2_sr(transfer, nodes);
     for (const double altitude_m : {2.0, 3000.0, 10000.0})
         for (const double elevation_rad : {-0.5, -0.1, 0.02, 0.1, 0.5, 1.5})
-            training.add(
-                transfer.backgroundRadiance(set, {altitude_m, elevation_rad, 0.0}, request.sun),
-                opaque * opaque * ambient_W_m2_sr);
+            training.add(transfer.backgroundRadiance(nodes.set, {altitude_m, elevation_rad, 0.0},
+                                                     request.sun),
+                         least);
     return training;
 }
 
@@ -304,9 +356,13 @@ SensorCkData SensorCkData::prepare(const RadiativeTransfer& transfer, const CkRe
     const SparseProblem problem = trainingCases(transfer, nodes, request).problem();
     const SparseWeights chosen = sparseWeights(problem, request.largestError, request.mostTerms);
 
-    // Nodes ascend in wavenumber; terms ascend in wavelength.
+    const Training::Errors heldOut =
+        casesAlong(transfer, nodes, request, pathsHeldOut(transfer.air().profile.top_m()), 0)
+            .errorsOf(chosen);
+
     SensorCkData data(request.band);
     std::vector<double> wavelengths_um, weights_um;
+    // Nodes ascend in wavenumber; terms ascend in wavelength.
     for (std::size_t i = chosen.columns.size(); i-- > 0;) {
         const std::size_t node = chosen.columns[i];
         data.nodes_.nodes.push_back(nodes.set.nodes[node]);
@@ -318,6 +374,93 @@ SensorCkData SensorCkData::prepare(const RadiativeTransfer& transfer, const CkRe
     data.setNodes(std::move(wavelengths_um), std::move(weights_um), request.band.range());
     data.largestError_ = chosen.largestError;
     data.rmsError_ = chosen.rmsError;
+    data.heldOutError_ = heldOut.largest;
+    data.heldOutRms_ = heldOut.rms;
+    return data;
+}
+
+void addTo(CkKey& key, const CkRequest& request) {
+    auto add = [&](const Spectrum& spectrum) { // a constant has a value and no wavelength
+        for (const auto* numbers : {&spectrum.wavelengths_um(), &spectrum.values()}) {
+            key.add(static_cast<double>(numbers->size()));
+            for (const double number : *numbers)
+                key.add(number);
+        }
+    };
+    key.add(request.band.range().min_um).add(request.band.range().max_um);
+    add(request.band.response());
+    key.add(request.sun.azimuth_rad).add(request.sun.elevation_rad).add(request.sun.distance_au);
+    key.add(static_cast<double>(request.paths.size()));
+    for (const AtmosphericPath& path : request.paths)
+        key.add(path.sensorAltitude_m)
+            .add(path.targetAltitude_m)
+            .add(path.range_m)
+            .add(path.azimuth_rad);
+    for (const auto* kind : {&request.materials, &request.radiances}) {
+        key.add(static_cast<double>(kind->size()));
+        for (const Spectrum* spectrum : *kind)
+            add(*spectrum);
+    }
+    key.add(request.largestError).add(static_cast<double>(request.mostTerms));
+}
+
+std::string SensorCkData::kept() const {
+    CkKey text;
+    text.add(static_cast<double>(size()));
+    for (const double error : {largestError_, rmsError_, heldOutError_, heldOutRms_})
+        text.add(error);
+    for (std::size_t i = 0; i < size(); ++i)
+        text.add(static_cast<double>(nodes_.nodes[i]))
+            .add(nodes_.wavenumbers_per_cm[i])
+            .add(weights_um()[i]);
+    return text.text() + "end";
+}
+
+std::optional<SensorCkData> SensorCkData::fromKept(const RadiativeTransfer& transfer,
+                                                   const Band& band, const std::string& text) {
+    std::istringstream words(text);
+    auto number = [&] {
+        std::string word;
+        words >> word;
+        char* end = nullptr;
+        const double value = std::strtod(word.c_str(), &end);
+        if (word.empty() || *end != '\0' || !std::isfinite(value))
+            words.setstate(std::ios::failbit);
+        return value;
+    };
+    SensorCkData data(band);
+    const double count = number();
+    for (double* error :
+         {&data.largestError_, &data.rmsError_, &data.heldOutError_, &data.heldOutRms_})
+        *error = number();
+    const BandNodes nodes(transfer, band);
+    if (!words || !(count >= 1.0) || count > static_cast<double>(nodes.size()))
+        return std::nullopt;
+
+    std::vector<double> wavelengths_um, weights_um;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        const double node = number(), wavenumber_per_cm = number(), weight_um = number();
+        const auto found =
+            std::ranges::lower_bound(nodes.set.wavenumbers_per_cm, wavenumber_per_cm);
+        auto at = static_cast<std::size_t>(found - nodes.set.wavenumbers_per_cm.begin());
+        while (at < nodes.size() && nodes.set.wavenumbers_per_cm[at] == wavenumber_per_cm &&
+               static_cast<double>(nodes.set.nodes[at]) != node)
+            ++at;
+        if (!words || at == nodes.size() || nodes.set.wavenumbers_per_cm[at] != wavenumber_per_cm ||
+            !(weight_um > 0.0) ||
+            (!wavelengths_um.empty() && nodes.wavelength_um(at) < wavelengths_um.back()))
+            return std::nullopt;
+        data.nodes_.nodes.push_back(nodes.set.nodes[at]);
+        data.nodes_.wavenumbers_per_cm.push_back(wavenumber_per_cm);
+        wavelengths_um.push_back(nodes.wavelength_um(at));
+        weights_um.push_back(weight_um);
+        data.hats_.push_back(nodes.hat(at));
+    }
+    std::string end;
+    words >> end;
+    if (end != "end")
+        return std::nullopt;
+    data.setNodes(std::move(wavelengths_um), std::move(weights_um), band.range());
     return data;
 }
 

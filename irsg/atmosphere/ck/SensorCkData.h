@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct CkRequest {
     double largestError = 0.003; ///< of in-band quantities on the training cases, relative
     std::size_t mostTerms = 250;
 };
+class CkKey;
+/// Adds all of a request to what its terms are found by, and what training itself is.
+void addTo(CkKey& key, const CkRequest& request);
 
 /// Wideband correlated-k (F17): a few monochromatic terms that stand for a sensor's whole band.
 ///
@@ -40,6 +44,12 @@ class SensorCkData : public SpectralSampling {
     /// Trains the terms. Throws InputError where the band has no node in the atmosphere's table.
     static SensorCkData prepare(const RadiativeTransfer& transfer, const CkRequest& request);
 
+    /// The terms as text, and from it: nothing where it is damaged or of other tables. The band is
+    /// that of the training.
+    std::string kept() const;
+    static std::optional<SensorCkData> fromKept(const RadiativeTransfer& transfer, const Band& band,
+                                                const std::string& text);
+
     /// A sampling as terms; null where it is of another kind.
     static const SensorCkData* of(const SpectralSampling& sampling) {
         return dynamic_cast<const SensorCkData*>(&sampling);
@@ -50,6 +60,9 @@ class SensorCkData : public SpectralSampling {
     /// On the training cases, relative to each in-band quantity.
     double largestError() const { return largestError_; }
     double rmsError() const { return rmsError_; }
+    /// On paths between the training's, which it never saw: what a user may expect.
+    double heldOutError() const { return heldOutError_; }
+    double heldOutRms() const { return heldOutRms_; }
 
     /// A spectrum's mean over the bin of every term.
     std::vector<double> sampled(const Spectrum& spectrum) const override;
@@ -60,7 +73,7 @@ class SensorCkData : public SpectralSampling {
     Band band_;
     NodeSet nodes_;
     std::vector<Spectrum> hats_; ///< over the bin of every term
-    double largestError_ = 0.0, rmsError_ = 0.0;
+    double largestError_ = 0.0, rmsError_ = 0.0, heldOutError_ = 0.0, heldOutRms_ = 0.0;
 };
 
 } // namespace irsg

@@ -39,17 +39,22 @@ WidebandSpectra widebandSpectraOf(const std::vector<Entity>& entities) {
     return spectra;
 }
 
+CkRequest requestOf(const Environment& environment, const Band& band,
+                    const WidebandSpectra& spectra) {
+    CkRequest request;
+    request.band = band;
+    request.sun = environment.sun;
+    for (const Spectrum& material : spectra.materials)
+        request.materials.push_back(&material);
+    for (const Spectrum& radiance : spectra.radiances)
+        request.radiances.push_back(&radiance);
+    return request;
+}
+
 WidebandPoints::WidebandPoints(const Environment& environment, const Band& band,
                                WidebandSpectra spectra)
     : atmospheres_(environment.atmospheres()), sun_(environment.sun), spectra_(std::move(spectra)) {
-    CkRequest request;
-    request.band = band;
-    request.sun = sun_;
-    for (const Spectrum& material : spectra_.materials)
-        request.materials.push_back(&material);
-    for (const Spectrum& radiance : spectra_.radiances)
-        request.radiances.push_back(&radiance);
-    auto answer = environment.prepareCk(request);
+    auto answer = environment.prepareCk(requestOf(environment, band, spectra_));
     data_ = std::move(answer.value);
     answeredBy_ = std::move(answer.answeredBy);
     for (const Spectrum& material : spectra_.materials)
@@ -79,10 +84,11 @@ std::vector<double> WidebandPoints::sampled(const Spectrum& spectrum) const {
 }
 
 std::string WidebandPoints::description() const {
-    char percent[32];
-    std::snprintf(percent, sizeof percent, "%.2g", 100.0 * data_->largestError());
-    return "wideband-ck: " + std::to_string(data_->size()) + " terms, trained to " + percent +
-           " %, of " + answeredBy_;
+    char errors[96];
+    std::snprintf(errors, sizeof errors,
+                  " terms, %.2g %% rms and at most %.2g %% off on paths that were not trained, of ",
+                  100.0 * data_->heldOutRms(), 100.0 * data_->heldOutError());
+    return "wideband-ck: " + std::to_string(data_->size()) + errors + answeredBy_;
 }
 
 } // namespace irsg

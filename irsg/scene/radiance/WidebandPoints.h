@@ -10,6 +10,7 @@
 namespace irsg {
 
 class SensorCkData;
+struct CkRequest;
 
 /// The spectra of a scene's surfaces that are not constant over wavelength. Entity by entity, codes
 /// ascending, each curve once, however many entries hold it.
@@ -19,6 +20,9 @@ struct WidebandSpectra {
     bool operator==(const WidebandSpectra&) const = default;
 };
 WidebandSpectra widebandSpectraOf(const std::vector<Entity>& entities);
+/// What terms are prepared for; `spectra` need to live as long.
+CkRequest requestOf(const Environment& environment, const Band& band,
+                    const WidebandSpectra& spectra);
 
 /// The wideband-ck terms of one environment, band and set of spectra, with the spectra sampled on
 /// them: what takes a second to make and does not depend on geometry, temperatures or time.
@@ -35,7 +39,8 @@ class WidebandPoints {
     std::shared_ptr<const SpectralSampling> sampling() const;
     /// Means over the bins of the terms.
     std::vector<double> sampled(const Spectrum& spectrum) const;
-    /// "wideband-ck: 107 terms, trained to 0.3 %, of AtmosphereSmart (clear.xml)"
+    /// "wideband-ck: 107 terms, 0.08 % rms and at most 0.4 % off on paths that were not trained, of
+    /// AtmosphereSmart (clear.xml)"
     std::string description() const;
 
   private:
