@@ -36,6 +36,7 @@
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/simulate/ScenarioFile.h"
 #include "smatcore/simulate/Trajectory.h"
+#include "tests/fuzz/SeedTexts.h"
 
 namespace smat::test {
 
@@ -77,12 +78,15 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          ".csv",
          [](File f) { irsg::readSpectrumCsv(f); },
          {"samples/ship/gas.csv"},
-         {"um,a,b\n3,1,2\n4,2,3\n"}},
+         {"# unit: W m-2 sr-1 um-1\num,a,b\n3,1,2\n4,2,3\n"}},
         {"factor-csv",
          ".csv",
          [](File f) {
              irsg::ComponentFactors into;
-             irsg::readFactorCsv(f, irsg::FactorAxis::time_s, false, irsg::UserSpectrum(), into);
+             irsg::UserSpectrum spectrum;
+             spectrum.components = {{"a", {{3.0, 5.0}, {1.0, 1.0}}},
+                                    {"b", {{3.0, 5.0}, {1.0, 1.0}}}};
+             irsg::readFactorCsv(f, irsg::FactorAxis::time_s, false, spectrum, into);
          },
          {},
          {",a,b\n0,1,1\n10,0.5,2\n"}},
@@ -93,7 +97,7 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
              irsg::readMaterialCsv(f, into);
          },
          {},
-         {"wavelength [um],emissivity\n3,0.9\n5,0.8\n"}},
+         {"um,emissivity\n3,0.9\n5,0.8\n"}},
         {"band-csv",
          ".csv",
          [](File f) { irsg::Band::fromCsv(f); },
@@ -131,7 +135,7 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          ".xml",
          [](File f) { irsg::environmentFromKarma(irsg::KarmaXml::read(f)); },
          {air + "tropical-maritime.xml"},
-         {}},
+         {environmentText()}},
         {"sensor-xml",
          ".xml",
          [](File f) { imagingSensorFromKarma(irsg::KarmaXml::read(f)); },
@@ -146,28 +150,19 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          ".csv",
          [](File f) { irsg::SpectraAtmosphere::fromCsv(f); },
          {air + "haze-23km.csv"},
-         {"# analysis: radiative\nwavenumber [cm-1],transmittance\n2000,0.5\n2100,0.6\n"}},
-        {"tape7",
-         ".dat",
-         [](File f) { irsg::readTape7(f); },
-         {},
-         {"    FREQ  TOT TRANS\n  2000.0  0.5000\n  2005.0  0.6000\n -9999.\n"}},
-        {"modtran-csv",
-         ".csv",
-         [](File f) { irsg::readModtranCsv(f); },
-         {},
-         {"freq,total_rad,combin_trans\n2000,1e-7,0.5\n2001,1e-7,0.6\n"}},
+         {radiativeText()}},
+        {"tape7", ".dat", [](File f) { irsg::readTape7(f); }, {}, {tape7Text()}},
+        {"modtran-csv", ".csv", [](File f) { irsg::readModtranCsv(f); }, {}, {modtranCsvText()}},
         {"modtran-json",
          ".json",
          [](File f) { irsg::parseModtranJson(irsg::readTextFile(f), "a"); },
          {},
-         {R"({"MODTRAN":[{"MODTRANINPUT":{"NAME":"a","SPECTRAL":{"V1":2000,"V2":2100}}}]})"}},
+         {modtranJsonText()}},
         {"atmosphere-table",
          ".smatatm",
          [](File f) { irsg::TabulatedAtmosphere::read(f); },
          {},
-         {R"({"format":"smat tabulated atmosphere","version":1,"name":"a",)"
-          R"("wavenumbers [cm-1]":[2000,2001],"runs":[]})"}},
+         {tabulatedAtmosphereText()}},
         {"project", ".smat", [](File f) { loadProject(f); }, {"samples/box/box.smat"}, {}},
         {"scenario", ".json", [](File f) { loadScenario(f); }, {"samples/flyby/flyby.json"}, {}},
         {"trajectory",
@@ -180,11 +175,7 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          [](File f) { ResultTable::load(f); },
          {},
          {"# program: smat 1\nrange [m],intensity [W sr-1]\n100,1\n200,2\n"}},
-        {"result-json",
-         ".json",
-         [](File f) { ResultTable::load(f); },
-         {},
-         {R"({"provenance":[["program","smat 1"]],"columns":[]})"}},
+        {"result-json", ".json", [](File f) { ResultTable::load(f); }, {}, {resultJsonText()}},
         {"flight", ".flt", [](File f) { irsg::scanFlight(f); }, {"samples/box/box.flt"}, {}},
         {"obj", ".obj", [](File f) { irsg::Model::load(f); }, {}, {square}},
         {"stl", ".stl", [](File f) { irsg::Model::load(f); }, {}, {facet}},
@@ -198,7 +189,7 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
     return list;
 }
 
-void readBytes(const FuzzedReader& reader, std::string_view bytes) {
+bool readBytes(const FuzzedReader& reader, std::string_view bytes) {
     static const fs::path folder = [] {
         fs::path made = fs::temp_directory_path() / ("smat-fuzz-" + std::to_string(getpid()));
         fs::create_directories(made);
@@ -209,10 +200,12 @@ void readBytes(const FuzzedReader& reader, std::string_view bytes) {
         .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     try {
         reader.read(file);
+        return true;
     } catch (const irsg::InputError& error) {
         for (const irsg::Diagnostic& diagnostic : error.diagnostics())
             if (diagnostic.message().empty())
                 throw std::logic_error("a refusal without a sentence");
+        return false;
     }
 }
 

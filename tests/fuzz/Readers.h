@@ -22,8 +22,8 @@ const std::vector<FuzzedReader>& fuzzedReaders();
 /// Those of them that read binary files and messages, and what other files name.
 std::vector<FuzzedReader> packedReaders();
 
-/// Gives some bytes to a reader, as a file in memory.
-void readBytes(const FuzzedReader& reader, std::string_view bytes);
+/// Gives some bytes to a reader, as a file in memory; whether it read them, or refused them.
+bool readBytes(const FuzzedReader& reader, std::string_view bytes);
 
 /// The seeds themselves.
 std::vector<std::string> seedsOf(const FuzzedReader& reader);

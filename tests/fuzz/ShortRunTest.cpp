@@ -52,10 +52,12 @@ TEST_P(ShortRun, GivesAnAnswerOrASentence) {
     const std::vector<std::string> seeds = seedsOf(reader);
     ASSERT_FALSE(seeds.empty());
     std::mt19937 random(1);
+    bool anyIsRead = false;
     for (const std::string& seed : seeds) {
         ASSERT_FALSE(seed.empty());
-        ASSERT_NO_THROW(readBytes(reader, seed));
+        ASSERT_NO_THROW(anyIsRead = readBytes(reader, seed) || anyIsRead);
     }
+    EXPECT_TRUE(anyIsRead) << "what is made of refused files stays at the door";
     for (int i = 0; i < 300; ++i) {
         const std::string bytes = mutant(random, seeds[random() % seeds.size()]);
         try {

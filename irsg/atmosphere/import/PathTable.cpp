@@ -108,7 +108,9 @@ void PathTable::place(std::size_t index) {
         found = pairs_.end() - 1;
     }
     const auto after = std::ranges::upper_bound(found->ranges_m, node.path.range_m);
-    found->nodes.insert(found->nodes.begin() + (after - found->ranges_m.begin()) - 1, index);
+    // A range of 0 has no node.
+    const auto place = after - found->ranges_m.begin() - 1;
+    found->nodes.insert(found->nodes.begin() + place, index);
     found->ranges_m.insert(after, node.path.range_m);
 
     // What is opaque continues the node before it; radiance becomes a source.
