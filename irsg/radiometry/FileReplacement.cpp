@@ -134,7 +134,8 @@ std::string callingOf(int descriptor) {
 
 } // namespace
 
-FileReplacement::FileReplacement(const fs::path& target) : named_(target), target_(target) {
+FileReplacement::FileReplacement(const fs::path& target, Input input)
+    : named_(target), target_(target) {
     std::error_code failure;
     if (fs::is_symlink(target, failure))
         target_ = fs::weakly_canonical(target, failure);
@@ -145,7 +146,8 @@ FileReplacement::FileReplacement(const fs::path& target) : named_(target), targe
     const fs::path folder = folderOf(target_);
     if (!fs::is_directory(folder, failure))
         refuse(named_, ENOENT);
-    refuseInputAsOutput(named_);
+    if (input == Input::refuse)
+        refuseInputAsOutput(named_);
     sweep(folder);
 
     descriptor_ = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, ordinary);

@@ -13,10 +13,12 @@ namespace irsg {
 /// removes it. Writers of one file do not meet: the last one wins.
 class FileReplacement {
   public:
+    enum class Input { refuse, allow };
     /// A link is followed. The new file gets owner and permissions of the one that stands. Throws
     /// InputError naming `target` where its folder is missing or cannot be written, and where it is
-    /// a folder, no regular file, write-protected, or an input (protectInputs).
-    explicit FileReplacement(const std::filesystem::path& target);
+    /// a folder, no regular file, write-protected, or an input (protectInputs), unless what was
+    /// read is what is saved.
+    explicit FileReplacement(const std::filesystem::path& target, Input input = Input::refuse);
     /// Leaves nothing behind, unless it was committed.
     ~FileReplacement();
     FileReplacement(const FileReplacement&) = delete;

@@ -237,7 +237,7 @@ bool replaceLocked(const SignatureDatabase& database, const fs::path& file,
     SQLite::Database changed(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     Serialized(sqlite).openIn(changed);
     write(database, changed);
-    FileReplacement replacement(file);
+    FileReplacement replacement(file, FileReplacement::Input::allow);
     replacement.write(Serialized(changed).view());
     replacement.commit();
     // The lock was ours, so that no save is under way that it could belong to.
