@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "apps/smat-batch/AtmosphereEditing.h"
 #include "apps/smat-batch/AtmosphereInfo.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
@@ -51,11 +52,47 @@ int import(const std::vector<std::string>& names, const std::string& out, Contex
     return done;
 }
 
+/// `atmosphere new` and `atmosphere set`.
+void addEditing(CLI::App& command, Context& context) {
+    struct Wanted {
+        std::string file, out;
+        std::vector<std::string> assignments;
+    };
+    auto wanted = std::make_shared<Wanted>();
+    CLI::App* make = command.add_subcommand(
+        "new", "A file of AtmosphereSmart: the report's defaults but for what is given");
+    CLI::App* change = command.add_subcommand(
+        "set", "Other values in a file of AtmosphereSmart; what else stands in it is kept");
+    change->add_option("FILE", wanted->file, "File of AtmosphereSmart")->required()->type_name("");
+    for (CLI::App* one : {make, change}) {
+        one->add_option("NAME=VALUE", wanted->assignments,
+                        "Parameters with their values, lists of numbers in quotes")
+            ->required(one == change)
+            ->type_name("");
+        one->add_option("--out", wanted->out,
+                        one == make ? "File to write" : "File to write instead")
+            ->required(one == make)
+            ->type_name("FILE");
+    }
+    make->callback([&context, wanted] {
+        context.work = [wanted] {
+            writeNewAtmosphere(wanted->assignments, wanted->out);
+            return done;
+        };
+    });
+    change->callback([&context, wanted] {
+        context.work = [wanted] {
+            changeAtmosphere(wanted->file, wanted->assignments, wanted->out);
+            return done;
+        };
+    });
+}
+
 } // namespace
 
 void addAtmosphereCommand(CLI::App& app, Context& context) {
-    CLI::App* command =
-        app.add_subcommand("atmosphere", "Looks into atmospheres and imports those of others");
+    CLI::App* command = app.add_subcommand(
+        "atmosphere", "Makes, changes and looks into atmospheres and imports those of others");
     command->require_subcommand(1);
 
     CLI::App* infoCommand = command->add_subcommand(
@@ -79,6 +116,7 @@ void addAtmosphereCommand(CLI::App& app, Context& context) {
     importCommand->callback([&context, files, out] {
         context.work = [&context, files, out] { return import(*files, *out, context); };
     });
+    addEditing(*command, context);
 }
 
 } // namespace smat::batch

@@ -126,6 +126,98 @@ TEST(SmatBatchAtmosphere, InfoOfAnAtmosphereSmartMarksWhatDiffersFromTheDefault)
     EXPECT_EQ(json["smart"]["ground_air"]["temperature_K"], 294.2);
 }
 
+/// A parameter of a file of AtmosphereSmart as `atmosphere info` tells it.
+std::string valueIn(const std::string& file, const std::string& name) {
+    const auto json = nlohmann::json::parse(smatBatch({"atmosphere", "info", file, "--json"}).out);
+    for (const auto& parameter : json["smart"]["parameters"])
+        if (parameter["name"] == name)
+            return parameter["value"].is_string() ? parameter["value"].get<std::string>()
+                                                  : parameter["value"].dump();
+    return "none";
+}
+
+TEST(SmatBatchAtmosphere, NewAndSetWriteEveryParameterThatInfoTells) {
+    const TemporaryFolder folder;
+    const std::string file = (folder.path() / "air.xml").string();
+    ASSERT_EQ(smatBatch({"atmosphere", "new", "AerosolModel=2", "--out", file}).exitCode, 0);
+    const auto json = nlohmann::json::parse(smatBatch({"atmosphere", "info", file, "--json"}).out);
+    ASSERT_EQ(json["smart"]["parameters"].size(), 34u);
+    // Every one is given its own value anew.
+    std::vector<std::string> all = {"atmosphere", "set", file};
+    for (const auto& parameter : json["smart"]["parameters"]) {
+        if (parameter["name"] == "Radiosonde")
+            continue;
+        std::string value;
+        for (const auto& number : parameter["value"].is_array()
+                                      ? parameter["value"]
+                                      : nlohmann::json::array({parameter["value"]}))
+            value += (value.empty() ? "" : " ") +
+                     (number.is_string() ? number.get<std::string>() : number.dump());
+        all.push_back(parameter["name"].get<std::string>() + "=" + value);
+    }
+    const std::string before = contentOf(file);
+    const Ran ran = smatBatch(all);
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_EQ(contentOf(file), before);
+    const std::string other = (folder.path() / "other.xml").string();
+    const std::string unchanged = contentOf(file);
+    ASSERT_EQ(smatBatch({"atmosphere", "set", file, "visibility=7000", "AlbedoValues=0.1, 0.2",
+                         "AlbedoWavelengths=3 12", "OzoneScale=1.5", "--out", other})
+                  .exitCode,
+              0);
+    EXPECT_EQ(contentOf(file), unchanged);
+    EXPECT_EQ(std::stod(valueIn(other, "Visibility")), 7000.0);
+    EXPECT_EQ(std::stod(valueIn(other, "OzoneScale")), 1.5);
+    EXPECT_EQ(std::stod(valueIn(other, "AerosolModel")), 2.0);
+}
+
+TEST(SmatBatchAtmosphere, SetKeepsWhatItDoesNotKnow) {
+    const TemporaryFolder folder;
+    write(folder.path() / "air.xml",
+          irsg::smartXml("<!-- mine -->" + irsg::numberXml("Visibility", "23000.0") +
+                         irsg::numberXml("MyOwn", "1.50")));
+    const std::string file = (folder.path() / "air.xml").string();
+    ASSERT_EQ(smatBatch({"atmosphere", "set", file, "GroundTemperature=5"}).exitCode, 0);
+    for (const char* kept : {"<!-- mine -->", "23000.0", "1.50", "MyOwn"})
+        EXPECT_THAT(contentOf(file), HasSubstr(kept));
+    EXPECT_EQ(std::stod(valueIn(file, "GroundTemperature")), 5.0);
+}
+
+TEST(SmatBatchAtmosphere, NewAndSetRefuseEveryWrongValueByName) {
+    const TemporaryFolder folder;
+    const std::string file = (folder.path() / "air.xml").string();
+    ASSERT_EQ(smatBatch({"atmosphere", "new", "--out", file}).exitCode, 0);
+    const std::string before = contentOf(file);
+    struct Wrong {
+        const char *assignment, *name, *value;
+    };
+    for (const Wrong& wrong :
+         {Wrong{"Visibility", "NAME=VALUE", "'Visibility'"}, Wrong{"=5", "NAME=VALUE", "'=5'"},
+          Wrong{"Visbility=5000", "Visbility", "no such parameter"},
+          Wrong{"Visibility=far", "Visibility", "'far'"},
+          Wrong{"Visibility=-1", "Visibility", "-1"}, Wrong{"Visibility=nan", "Visibility", "nan"},
+          Wrong{"Visibility=1e999", "Visibility", "1e999"},
+          Wrong{"Visibility=", "Visibility", "''"}, Wrong{"Visibility=5,5", "Visibility", "'5,5'"},
+          Wrong{"AerosolModel=1.5", "AerosolModel", "'1.5'"},
+          Wrong{"AerosolModel=8", "AerosolModel", "8"},
+          Wrong{"AerosolModel=1e12", "AerosolModel", "1e12"},
+          Wrong{"CloudModel=11", "CloudModel", "11"}, Wrong{"Resolution=2", "Resolution", "2"},
+          Wrong{"AlbedoValues=0.1 x", "AlbedoValues", "'0.1 x'"},
+          Wrong{"AlbedoValues=", "AlbedoValues", "''"},
+          Wrong{"AlbedoValues=0.1 0.2", "Albedo", "2"},
+          Wrong{"BaseWavelengthMin=6", "BaseWavelengthMin", "6"},
+          Wrong{"ModelType=OTHER", "ModelType", "OTHER"}}) {
+        const Ran ran = smatBatch({"atmosphere", "set", file, wrong.assignment});
+        EXPECT_EQ(ran.exitCode, 2) << wrong.assignment << ran.err;
+        EXPECT_THAT(ran.err, HasSubstr(wrong.name)) << wrong.assignment;
+        EXPECT_THAT(ran.err, HasSubstr(wrong.value)) << wrong.assignment;
+        EXPECT_EQ(contentOf(file), before) << wrong.assignment;
+    }
+    const Ran two = smatBatch({"atmosphere", "set", file, "Visibility=far", "AirMass=x"});
+    EXPECT_THAT(two.err, HasSubstr("Visibility"));
+    EXPECT_THAT(two.err, HasSubstr("AirMass"));
+}
+
 TEST(SmatBatchAtmosphere, InfoOfAnEnvironmentListsItsAtmospheresInTheOrderTheyAreAsked) {
     const TemporaryFolder folder;
     write(folder.path() / "air.xml", irsg::smartXml(""));
