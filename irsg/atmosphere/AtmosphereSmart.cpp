@@ -7,7 +7,6 @@
 #include "irsg/atmosphere/SmartAdapter.h"
 #include "irsg/atmosphere/SunDiscGeometry.h"
 #include "irsg/atmosphere/ck/CkStore.h"
-#include "irsg/atmosphere/ck/KeptCk.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
 #include "irsg/radiometry/Errors.h"
@@ -212,11 +211,6 @@ std::shared_ptr<const SensorCkData> AtmosphereSmart::prepareCk(const CkRequest& 
     auto made = std::make_shared<const SensorCkData>(SensorCkData::prepare(transfer(), request));
     store->keep(key.text(), made->kept());
     return made;
-}
-
-bool isCkKept(const AtmosphereSmart& air, const CkRequest& request) {
-    const std::optional<CkStore> store = storeOf(air);
-    return store && store->find(keyOf(air, request).text());
 }
 
 } // namespace irsg

@@ -147,7 +147,7 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
     {
         const StageTimer::Scope scope(timer, "set up");
         if (data.kind->form == AnalysisForm::sweep && data.settings[key::sensorMode] == "auto") {
-            CalculationChoice choice = chooseCalculation(scene, cases.cases.size());
+            CalculationChoice choice = chooseCalculation(scene, cases);
             scene.render.mode = choice.mode;
             if (!choice.reason.empty()) {
                 data.answeredBy.push_back(std::move(choice.reason));

@@ -1,46 +1,48 @@
 #include "smatcore/analysis/CalculationChoice.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 #include <fmt/format.h>
 
-#include "irsg/scene/radiance/TermsAtHand.h"
+#include "irsg/scene/radiance/WidebandAir.h"
 
 namespace smat {
 
 namespace {
 
-constexpr std::size_t fewestWithTerms = 4; ///< cases that pay for reading them
-constexpr std::size_t fewestToTrain = 400; ///< cases that pay for training them
+constexpr std::size_t fewestToTrain = 400; ///< lines of sight that pay for training
+
+std::size_t linesOfSight(const AnalysisPlan& plan) {
+    std::set<std::array<double, 3>> lines;
+    for (const AnalysisCase& one : plan.cases) {
+        lines.insert({one.range_m, one.shownElevation_deg, one.altitude_m.value_or(0.0)});
+    }
+    return lines.size();
+}
 
 } // namespace
 
-CalculationChoice chooseCalculation(const SceneDescription& scene, std::size_t cases) {
+CalculationChoice chooseCalculation(const SceneDescription& scene, const AnalysisPlan& plan) {
     using irsg::CalculationMode;
-    using irsg::TermsAtHand;
-    // What the dearest band costs decides for all: a sweep's bands have one mode.
-    TermsAtHand all = TermsAtHand::kept;
-    for (const irsg::Band& band : scene.allBands()) {
-        all = std::min(all, irsg::termsAtHand(scene.environment, band, scene.entities));
-        if (all == TermsAtHand::unavailable) {
-            return {};
-        }
+    const std::vector<irsg::Band> bands = scene.allBands();
+    if (!std::all_of(bands.begin(), bands.end(), [&](const irsg::Band& band) {
+            return irsg::hasWidebandAir(scene.environment, band);
+        })) {
+        return {};
     }
-    if (cases >= fewestToTrain && all == TermsAtHand::untrained) {
-        return {CalculationMode::wideband,
-                fmt::format("mode auto: wideband-ck, as {} cases pay for training its terms "
-                            "(from {} on)",
-                            cases, fewestToTrain)};
+    const std::size_t lines = linesOfSight(plan);
+    if (lines < fewestToTrain) {
+        return {CalculationMode::spectral,
+                fmt::format("mode auto: spectral, as {} different lines of sight are fewer than "
+                            "the {} that training wideband-ck pays for",
+                            lines, fewestToTrain)};
     }
-    if (cases >= fewestWithTerms && all == TermsAtHand::kept) {
-        return {CalculationMode::wideband,
-                "mode auto: wideband-ck, as its terms are kept from before"};
-    }
-    const std::size_t needed = all == TermsAtHand::kept ? fewestWithTerms : fewestToTrain;
-    return {CalculationMode::spectral,
-            fmt::format("mode auto: spectral, as {} cases are fewer than the {} that {} "
-                        "wideband terms pays for",
-                        cases, needed, all == TermsAtHand::kept ? "reading" : "training")};
+    return {CalculationMode::wideband,
+            fmt::format("mode auto: wideband-ck, as {} different lines of sight pay for training "
+                        "it (from {} on)",
+                        lines, fewestToTrain)};
 }
 
 } // namespace smat

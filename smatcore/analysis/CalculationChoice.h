@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 
+#include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/ImageSource.h"
 
 namespace smat {
@@ -13,9 +13,10 @@ struct CalculationChoice {
     std::string reason; ///< "mode auto: spectral, as ...", empty where there is no choice
 };
 
-/// Terms that are kept on disk serve sweeps of some cases; where they are not, training is paid
-/// back by a few hundred. Measured with the sample aircraft in 3-5 um: training takes 2.3 s of
-/// processor time, a case 8 ms in the spectral mode and 2 to 3 ms at terms.
-CalculationChoice chooseCalculation(const SceneDescription& scene, std::size_t cases);
+/// Cases that share their line of sight share what the air answers, so that it is lines of sight
+/// that pay for training wideband-ck: 2.3 s of processor time with the sample aircraft in 3-5 um,
+/// where a line of sight takes 8 ms in the spectral mode and 2 to 3 ms in this one. The choice does
+/// not ask whether terms were kept on disk before: equal inputs have equal results.
+CalculationChoice chooseCalculation(const SceneDescription& scene, const AnalysisPlan& plan);
 
 } // namespace smat

@@ -28,9 +28,9 @@ void addSensor(std::vector<SettingInfo>& table) {
         choice(key::sensorMode, "--mode", "Calculation mode", {"auto", "spectral", "ck"}, "auto",
                "How the band is integrated. Spectral multiplies at every wavelength and "
                "integrates last; ck does so at a few terms that an AtmosphereSmart is asked for, "
-               "trained to a few thousandths. Auto takes ck for sweeps of 4 cases and more whose "
-               "terms were trained before and for those of 400, which pay for training; results "
-               "say what it took and why. Images and frames are then spectral; spectra always are.",
+               "trained to a few thousandths. Auto takes ck for sweeps over 400 different lines of "
+               "sight and more, which pay for training; results say what it took and why. Images "
+               "and frames are then spectral; spectra always are.",
                SettingAudience::expert),
         {"auto", "spectral", "wideband-ck"}));
 }

@@ -14,96 +14,77 @@ namespace {
 using irsg::CalculationMode;
 using testing::HasSubstr;
 
-/// A folder of kept terms for one test; ctest has none.
-class CalculationChoices : public testing::Test {
-  protected:
-    CalculationChoices() { setenv("SMAT_CACHE", folder_.path().c_str(), 1); }
-    ~CalculationChoices() override { setenv("SMAT_CACHE", "", 1); }
+SceneDescription computedAir(const irsg::AtmosphereSmartParameters& more = {}) {
+    irsg::AtmosphereSmartParameters parameters = more;
+    parameters.baseWavelengthMin_um = 8.0;
+    parameters.baseWavelengthMax_um = 12.0;
+    SceneDescription scene;
+    scene.environment.add(std::make_shared<irsg::AtmosphereSmart>(parameters));
+    scene.sensor.band = irsg::Band::topHat(9.9, 10.1);
+    return scene;
+}
 
-    static SceneDescription computedAir() {
-        irsg::AtmosphereSmartParameters parameters;
-        parameters.baseWavelengthMin_um = 8.0;
-        parameters.baseWavelengthMax_um = 12.0;
-        SceneDescription scene;
-        scene.environment.add(std::make_shared<irsg::AtmosphereSmart>(parameters));
-        scene.sensor.band = irsg::Band::topHat(9.9, 10.1);
-        return scene;
+AnalysisPlan ranges(std::size_t count) {
+    AnalysisPlan plan;
+    for (std::size_t i = 0; i < count; ++i) {
+        plan.cases.emplace_back().range_m = 100.0 * static_cast<double>(i + 1);
     }
-    /// What a program before would have left behind.
-    static void train(const SceneDescription& scene) {
-        for (const irsg::Band& band : scene.allBands()) {
-            irsg::CkRequest request;
-            request.band = band;
-            request.sun = scene.environment.sun;
-            (void)scene.environment.prepareCk(request);
-        }
-    }
+    return plan;
+}
 
-  private:
-    test::TemporaryFolder folder_;
-};
-
-TEST_F(CalculationChoices, AreSpectralUntilCasesPayForTraining) {
-    const SceneDescription scene = computedAir();
-    const CalculationChoice few = chooseCalculation(scene, 399);
+TEST(CalculationChoices, AreSpectralUntilLinesOfSightPayForTraining) {
+    const CalculationChoice few = chooseCalculation(computedAir(), ranges(399));
     EXPECT_EQ(few.mode, CalculationMode::spectral);
-    EXPECT_EQ(few.reason, "mode auto: spectral, as 399 cases are fewer than the 400 that training "
-                          "wideband terms pays for");
-    const CalculationChoice many = chooseCalculation(scene, 400);
+    EXPECT_EQ(few.reason, "mode auto: spectral, as 399 different lines of sight are fewer than the "
+                          "400 that training wideband-ck pays for");
+    const CalculationChoice many = chooseCalculation(computedAir(), ranges(400));
     EXPECT_EQ(many.mode, CalculationMode::wideband);
-    EXPECT_THAT(many.reason, HasSubstr("400 cases pay for training"));
+    EXPECT_THAT(many.reason, HasSubstr("400 different lines of sight pay"));
 }
 
-TEST_F(CalculationChoices, TakeTermsThatAreKeptForAFewCases) {
+TEST(CalculationChoices, CountALineOfSightOnceHoweverManyAspectsShareIt) {
+    AnalysisPlan turn;
+    for (int i = 0; i < 1000; ++i) {
+        AnalysisCase& one = turn.cases.emplace_back();
+        one.range_m = 500.0;
+        one.shownAzimuth_deg = 0.36 * i;
+    }
+    const CalculationChoice choice = chooseCalculation(computedAir(), turn);
+    EXPECT_EQ(choice.mode, CalculationMode::spectral);
+    EXPECT_THAT(choice.reason, HasSubstr("as 1 different"));
+}
+
+TEST(CalculationChoices, DoNotDependOnWhatWasTrainedBefore) {
+    const test::TemporaryFolder folder;
+    setenv("SMAT_CACHE", folder.path().c_str(), 1);
     const SceneDescription scene = computedAir();
-    train(scene);
-    EXPECT_EQ(chooseCalculation(scene, 3).mode, CalculationMode::spectral);
-    const CalculationChoice kept = chooseCalculation(scene, 4);
-    EXPECT_EQ(kept.mode, CalculationMode::wideband);
-    EXPECT_EQ(kept.reason, "mode auto: wideband-ck, as its terms are kept from before");
+    irsg::CkRequest request;
+    request.band = scene.sensor.band;
+    request.sun = scene.environment.sun;
+    (void)scene.environment.prepareCk(request);
+    EXPECT_EQ(chooseCalculation(scene, ranges(20)).mode, CalculationMode::spectral);
     setenv("SMAT_CACHE", "", 1);
-    EXPECT_EQ(chooseCalculation(scene, 4).mode, CalculationMode::spectral) << "nothing is kept";
 }
 
-TEST_F(CalculationChoices, AreOfTheDearestBand) {
-    SceneDescription scene = computedAir();
-    train(scene);
-    scene.bands = {scene.sensor.band, irsg::Band::topHat(10.4, 10.6)};
-    EXPECT_EQ(chooseCalculation(scene, 4).mode, CalculationMode::spectral);
-    train(scene);
-    EXPECT_EQ(chooseCalculation(scene, 4).mode, CalculationMode::wideband);
-}
-
-TEST_F(CalculationChoices, AreOfTheTermsSun) {
-    SceneDescription scene = computedAir();
-    train(scene);
-    scene.environment.sun.elevation_rad = 0.1;
-    EXPECT_EQ(chooseCalculation(scene, 4).mode, CalculationMode::spectral);
-}
-
-TEST_F(CalculationChoices, AreNoneWhereOtherAirAnswersInEitherMode) {
-    EXPECT_EQ(chooseCalculation(SceneDescription(), 1000).reason, "") << "no air";
+TEST(CalculationChoices, AreNoneWhereOtherAirAnswersInEitherMode) {
+    const AnalysisPlan many = ranges(1000);
+    EXPECT_EQ(chooseCalculation(SceneDescription(), many).reason, "") << "no air";
 
     SceneDescription scene;
     scene.sensor.band = irsg::Band::topHat(9.9, 10.1);
     scene.environment.add(std::make_shared<irsg::BeerLambert>(
         irsg::BeerLambert::fromCsv(SMAT_SOURCE_DIR "/resources/atmospheres/haze-23km.csv")));
-    EXPECT_EQ(chooseCalculation(scene, 1000).reason, "") << "air without terms";
+    EXPECT_EQ(chooseCalculation(scene, many).reason, "") << "air without wideband-ck";
     scene.environment.add(computedAir().environment.atmospheres().front());
-    const CalculationChoice mixed = chooseCalculation(scene, 1000);
+    const CalculationChoice mixed = chooseCalculation(scene, many);
     EXPECT_EQ(mixed.mode, CalculationMode::spectral) << "the haze answers in the spectral mode";
     EXPECT_EQ(mixed.reason, "");
 }
 
-TEST_F(CalculationChoices, AreNoneForAirThatLacksWhatTheWidebandModeWouldRefuse) {
+TEST(CalculationChoices, AreNoneForAirThatLacksWhatTheWidebandModeWouldRefuse) {
     irsg::AtmosphereSmartParameters parameters;
-    parameters.baseWavelengthMin_um = 8.0;
-    parameters.baseWavelengthMax_um = 12.0;
     parameters.scatteringMode = 1; // without fluxes
-    SceneDescription scene;
-    scene.sensor.band = irsg::Band::topHat(9.9, 10.1);
-    scene.environment.add(std::make_shared<irsg::AtmosphereSmart>(parameters));
-    EXPECT_EQ(chooseCalculation(scene, 1000).reason, "");
+    EXPECT_EQ(chooseCalculation(computedAir(parameters), ranges(1000)).reason, "");
 }
 
 } // namespace

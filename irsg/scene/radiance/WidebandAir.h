@@ -1,0 +1,12 @@
+#pragma once
+
+#include "irsg/atmosphere/Environment.h"
+#include "irsg/radiometry/Band.h"
+
+namespace irsg {
+
+/// Whether one air has wideband points for a band and is the one that answers everything there in
+/// the spectral mode too, so that both modes ask the same air.
+bool hasWidebandAir(const Environment& environment, const Band& band);
+
+} // namespace irsg
