@@ -34,9 +34,11 @@ SignatureDatabase plainDatabase(const Model& model, double transmissivity) {
         database.temperatures[codes.temperature].terms.base_K = 10.0;
         database.materials[codes.material].emissivity = Spectrum::constant(0.8);
     }
-    Material& gas = database.materials[5];
-    gas.emissivity = Spectrum::constant(1.0 - transmissivity);
-    gas.transmissivity = Spectrum::constant(transmissivity);
+    for (const int zone : {5, 6, 7}) {
+        Material& gas = database.materials[zone];
+        gas.emissivity = Spectrum::constant(1.0 - transmissivity);
+        gas.transmissivity = Spectrum::constant(transmissivity);
+    }
     return database;
 }
 

@@ -72,7 +72,7 @@ int main() {
     for (const auto& [codes, use] : aircraft.model->codes()) {
         database.temperatures[codes.temperature] = test::fixedTemperature(300.0);
         database.materials[codes.material] =
-            test::greyMaterial(0.4, codes.material == 5 ? 0.6 : 0.0);
+            test::greyMaterial(0.4, codes.material >= 5 && codes.material <= 7 ? 0.6 : 0.0);
     }
     aircraft.database = std::make_shared<const SignatureDatabase>(database);
     aircraft.pose.position_m.z = test::standingAltitude_m;

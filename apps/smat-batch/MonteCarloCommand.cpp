@@ -152,7 +152,7 @@ class MonteCarloCommand {
         for (const std::string& file : files_) {
             const std::string extension = std::filesystem::path(file).extension().string();
             if (extension != ".csv" && extension != ".json") {
-                throw refusal("--out", file, "a file of one of .csv, .json");
+                throw refusal("--out", file, "a file that ends in .csv or .json");
             }
         }
     }

@@ -162,7 +162,7 @@ class MtfBuildCommand {
             throw refusal("--out", out_.empty() ? "nothing" : out_, "a file that ends in .mtf");
         if (const std::string kind = std::filesystem::path(table_).extension().string();
             !table_.empty() && kind != ".csv" && kind != ".json")
-            throw refusal("--table", table_, "a file of one of .csv, .json");
+            throw refusal("--table", table_, "a file that ends in .csv or .json");
         irsg::MtfRecipe recipe;
         if (method_ == "monte-carlo")
             recipe.method = irsg::MtfRecipe::Method::monteCarlo;

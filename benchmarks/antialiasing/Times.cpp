@@ -143,7 +143,8 @@ Entity aircraft() {
     }
     database.temperatures.try_emplace(1, test::fixedTemperature(320.0));
     database.materials.try_emplace(1, test::greyMaterial(0.8));
-    database.materials[5] = test::greyMaterial(0.4, 0.6);
+    for (const int zone : {5, 6, 7})
+        database.materials[zone] = test::greyMaterial(0.4, 0.6);
     return test::entityOf(model, std::move(database));
 }
 

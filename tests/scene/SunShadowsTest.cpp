@@ -292,7 +292,8 @@ TEST_P(SunShadowsTest, AreTheSameInSweepsAsInPicturesAndWithBothEngines) {
     SignatureDatabase database;
     for (const auto& [codes, use] : model->codes()) {
         database.temperatures[codes.temperature] = fixedTemperature(280.0);
-        database.materials[codes.material] = greyMaterial(0.4, codes.material == 5 ? 0.5 : 0.0);
+        database.materials[codes.material] =
+            greyMaterial(0.4, codes.material >= 5 && codes.material <= 7 ? 0.5 : 0.0);
     }
     Entity entity = entityOf(model, database);
     entity.pose.position_m.z = standingAltitude_m;
