@@ -271,8 +271,7 @@ void MainWindow::fillProjectAnalyses() {
     for (const auto& analysis : workbench_.project().analyses) {
         const QString title = QString::fromStdString(analysis.name);
         auto* action = ofProject_->addAction(
-            icon(analysis.kind->icon), title + "…", this,
-            [this, analysis, title] {
+            icon(analysis.kind->icon), title + "…", this, [this, analysis, title] {
                 newAnalysis(analysis.kind, workbench_.settings().with(analysis.settings), title);
             });
         action->setToolTip(QString::fromStdString(analysis.notes));

@@ -122,8 +122,7 @@ NamedAnalysis ProjectReader::readAnalysis(const std::string& name, const Json& g
     const std::optional<AnalysisKind> kind = analysisKindFromName(word);
     if (!kind && (!given.contains("kind") || given["kind"].is_string())) {
         refuse(joinedKeyPath(path, "kind"),
-               given.contains("kind") ? shownJson(given["kind"]) : "nothing",
-               analysisKindNames());
+               given.contains("kind") ? shownJson(given["kind"]) : "nothing", analysisKindNames());
     }
     analysis.kind = kind.value_or(AnalysisKind::image);
     analysis.notes = takeText(json, "notes", path);

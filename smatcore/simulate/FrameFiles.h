@@ -13,8 +13,8 @@ namespace smat {
 /// they came to be and hold no clock: equal inputs give equal bytes.
 class FrameFiles {
   public:
-    /// `extensions` as in irsg::imageExtensions. `commandLine` goes into the provenance where it is not
-    /// empty.
+    /// `extensions` as in irsg::imageExtensions. `commandLine` goes into the provenance where it is
+    /// not empty.
     FrameFiles(const LoadedScenario& scenario, std::filesystem::path folder,
                std::vector<std::string> extensions, std::string commandLine);
 

@@ -59,7 +59,8 @@ struct FactorMaking {
     std::string glsl;                      ///< directions and FILL_FACTORS, see surface.frag.glsl
     std::vector<FactorFunction> functions; ///< the same
     std::vector<std::pair<std::string, Vec3>> directionsEye; ///< unit, eye space
-    /// Of each factor, the number of the direction from which its light can be taken away; -1: none.
+    /// Of each factor, the number of the direction from which its light can be taken away; -1:
+    /// none.
     std::vector<int> shadowedFrom;
 };
 
