@@ -98,7 +98,9 @@ QString titleOf(const std::vector<NamedResult>& results, const ResultColumn& col
 
 QString plainLabel(const ResultColumn& column) {
     const QString title = QString::fromStdString(column.axisTitle());
-    return title.left(title.indexOf(" (")).toLower();
+    const QString words = title.left(title.indexOf(" ("));
+    // Ernst Mach keeps his capital.
+    return words.startsWith("Mach") ? words : words.toLower();
 }
 
 /// The elevation of a camera-azimuth sweep, the same in all its rows.

@@ -35,9 +35,9 @@ CalculationChoice chooseCalculation(const SceneDescription& scene, const Analysi
     const std::size_t lines = linesOfSight(plan);
     if (lines < fewestToTrain) {
         return {CalculationMode::spectral,
-                fmt::format("mode auto: spectral, as {} different lines of sight are fewer than "
-                            "the {} that training wideband-ck pays for",
-                            lines, fewestToTrain)};
+                fmt::format("mode auto: spectral, as training wideband-ck pays from {} different "
+                            "lines of sight on, not for {}",
+                            fewestToTrain, lines)};
     }
     return {CalculationMode::wideband,
             fmt::format("mode auto: wideband-ck, as {} different lines of sight pay for training "

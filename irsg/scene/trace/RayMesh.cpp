@@ -1,4 +1,4 @@
-#include "irsg/scene/trace/RayMeshParts.h"
+#include "irsg/scene/trace/RayMeshImpl.h"
 
 #include <algorithm>
 #include <array>
@@ -61,12 +61,12 @@ std::string whyNoRays() {
     return "";
 }
 
-RayMesh::Parts::~Parts() {
+RayMesh::Impl::~Impl() {
     if (scene)
         rtcReleaseScene(scene);
 }
 
-void RayMesh::Parts::add(const Piece& piece) {
+void RayMesh::Impl::add(const Piece& piece) {
     TracedPiece& traced = pieces.emplace_back();
     const auto* vertices = dynamic_cast<const osg::Vec3Array*>(piece.geometry->getVertexArray());
     if (!vertices || vertices->empty())
@@ -83,7 +83,7 @@ void RayMesh::Parts::add(const Piece& piece) {
     facets += traced.triangles.size() / 3;
 }
 
-void RayMesh::Parts::attach(std::size_t number) {
+void RayMesh::Impl::attach(std::size_t number) {
     const TracedPiece& piece = pieces[number];
     if (piece.triangles.empty())
         return;
@@ -99,7 +99,7 @@ void RayMesh::Parts::attach(std::size_t number) {
     rtcReleaseGeometry(geometry);
 }
 
-void RayMesh::Parts::commit() {
+void RayMesh::Impl::commit() {
     scene = rtcNewScene(device());
     // Robust: no ray slips through an edge between two facets.
     rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
@@ -123,7 +123,7 @@ void RayMesh::Parts::commit() {
     high += margin;
 }
 
-bool RayMesh::Parts::clip(const Ray& ray, double& from_m, double& to_m) const {
+bool RayMesh::Impl::clip(const Ray& ray, double& from_m, double& to_m) const {
     const std::array<double, 3> origin{ray.origin_m.x, ray.origin_m.y, ray.origin_m.z};
     const std::array<double, 3> along{ray.direction.x, ray.direction.y, ray.direction.z};
     from_m = ray.from_m;
@@ -145,7 +145,7 @@ bool RayMesh::Parts::clip(const Ray& ray, double& from_m, double& to_m) const {
     return from_m <= to_m;
 }
 
-RayHit RayMesh::Parts::refined(const Ray& ray, const Candidate& candidate) const {
+RayHit RayMesh::Impl::refined(const Ray& ray, const Candidate& candidate) const {
     const TracedPiece& piece = pieces[candidate.piece];
     const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(candidate.facet)];
     const Vec3 a = piece.corners->vertex(corner[0]);
@@ -166,7 +166,7 @@ RayHit RayMesh::Parts::refined(const Ray& ray, const Candidate& candidate) const
     return hit;
 }
 
-RTCRay RayMesh::Parts::rayFrom(const Ray& ray, double from_m, double to_m) const {
+RTCRay RayMesh::Impl::rayFrom(const Ray& ray, double from_m, double to_m) const {
     const double skipped_m = std::max(0.0, from_m - rounding_m);
     const Vec3 origin = ray.origin_m + ray.direction * skipped_m;
     RTCRay along;
@@ -185,35 +185,35 @@ RTCRay RayMesh::Parts::rayFrom(const Ray& ray, double from_m, double to_m) const
     return along;
 }
 
-RayMesh::RayMesh(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+RayMesh::RayMesh(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 RayMesh::~RayMesh() = default;
 
 std::shared_ptr<const RayMesh> RayMesh::of(const std::vector<Piece>& pieces) {
-    auto parts = std::make_unique<Parts>();
+    auto impl = std::make_unique<Impl>();
     for (const Piece& piece : pieces)
-        parts->add(piece);
-    parts->commit();
-    return std::shared_ptr<const RayMesh>(new RayMesh(std::move(parts)));
+        impl->add(piece);
+    impl->commit();
+    return std::shared_ptr<const RayMesh>(new RayMesh(std::move(impl)));
 }
 
 std::size_t RayMesh::facets() const {
-    return parts_->facets;
+    return impl_->facets;
 }
 
 std::size_t RayMesh::pieces() const {
-    return parts_->pieces.size();
+    return impl_->pieces.size();
 }
 
 RayHit RayMesh::onPlaneOf(const RayHit& hit, const Ray& ray) const {
-    return parts_->refined(ray, {static_cast<unsigned>(hit.piece), hit.facet});
+    return impl_->refined(ray, {static_cast<unsigned>(hit.piece), hit.facet});
 }
 
 Vec3 RayMesh::lifted(const RayHit& hit, const Ray& ray) const {
-    const TracedPiece& piece = parts_->pieces[static_cast<std::size_t>(hit.piece)];
+    const TracedPiece& piece = impl_->pieces[static_cast<std::size_t>(hit.piece)];
     const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(hit.facet)];
     const double side = hit.isFront ? 1.0 : -1.0;
     const Vec3 place = ray.origin_m + ray.direction * hit.distance_m;
-    Vec3 start = place + planeNormal(hit) * (side * 2.0 * parts_->rounding_m);
+    Vec3 start = place + planeNormal(hit) * (side * 2.0 * impl_->rounding_m);
     for (std::size_t i = 0; i < 3 && !piece.corners->normals.empty(); ++i) {
         const Vec3 normal = piece.corners->normal(corner[i]) * side;
         const double below_m = std::min(dot(place - piece.corners->vertex(corner[i]), normal), 0.0);
@@ -223,7 +223,7 @@ Vec3 RayMesh::lifted(const RayHit& hit, const Ray& ray) const {
 }
 
 Vec3 RayMesh::normal(const RayHit& hit) const {
-    const TracedPiece& piece = parts_->pieces[static_cast<std::size_t>(hit.piece)];
+    const TracedPiece& piece = impl_->pieces[static_cast<std::size_t>(hit.piece)];
     if (piece.corners->normals.empty())
         return planeNormal(hit);
     const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(hit.facet)];
@@ -234,7 +234,7 @@ Vec3 RayMesh::normal(const RayHit& hit) const {
 }
 
 Vec3 RayMesh::planeNormal(const RayHit& hit) const {
-    const TracedPiece& piece = parts_->pieces[static_cast<std::size_t>(hit.piece)];
+    const TracedPiece& piece = impl_->pieces[static_cast<std::size_t>(hit.piece)];
     const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(hit.facet)];
     const Vec3 a = piece.corners->vertex(corner[0]);
     const Vec3 across =

@@ -108,11 +108,11 @@ class RayMesh {
     Vec3 normal(const RayHit& hit) const;
     Vec3 planeNormal(const RayHit& hit) const;
 
-    struct Parts;
+    struct Impl;
 
   private:
-    explicit RayMesh(std::unique_ptr<Parts> parts);
-    std::unique_ptr<Parts> parts_;
+    explicit RayMesh(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
 };
 
 } // namespace irsg

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include "irsg/scene/trace/RayMeshParts.h"
+#include "irsg/scene/trace/RayMeshImpl.h"
 
 // What rays meet: the searches that Embree does for a mesh, and their filters.
 
@@ -76,13 +76,13 @@ void filterLight(const RTCFilterFunctionNArguments* arguments) {
 }
 
 /// The candidate is the nearest facet that ends a search.
-std::optional<Candidate> searchIn(const RayMesh::Parts& parts, const Ray& ray, double from_m,
+std::optional<Candidate> searchIn(const RayMesh::Impl& impl, const Ray& ray, double from_m,
                                   double to_m, Search& search) {
     RTCRayHit found;
-    found.ray = parts.rayFrom(ray, from_m, to_m);
+    found.ray = impl.rayFrom(ray, from_m, to_m);
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(parts.scene, &search.context, &found);
+    rtcIntersect1(impl.scene, &search.context, &found);
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return std::nullopt;
     return Candidate{found.hit.geomID, found.hit.primID};
@@ -112,7 +112,7 @@ bool RayMesh::meet(const Ray& ray, const PieceUses& uses, double sampleWidth, Ra
                    std::vector<RayHit>& through) const {
     through.clear();
     double from_m = 0.0, to_m = 0.0;
-    if (parts_->facets == 0 || !parts_->clip(ray, from_m, to_m))
+    if (impl_->facets == 0 || !impl_->clip(ray, from_m, to_m))
         return false;
     thread_local std::vector<Candidate> passed;
     passed.clear();
@@ -123,12 +123,12 @@ bool RayMesh::meet(const Ray& ray, const PieceUses& uses, double sampleWidth, Ra
     search.passed = &passed;
     if (!uses.arePlain())
         search.context.filter = filterHits;
-    const std::optional<Candidate> nearest = searchIn(*parts_, ray, from_m, to_m, search);
+    const std::optional<Candidate> nearest = searchIn(*impl_, ray, from_m, to_m, search);
     if (nearest)
-        opaque = parts_->refined(ray, *nearest);
+        opaque = impl_->refined(ray, *nearest);
     if (uses.layers() == 0) {
         for (const Candidate& candidate : passed) {
-            const RayHit hit = parts_->refined(ray, candidate);
+            const RayHit hit = impl_->refined(ray, candidate);
             if (!nearest || hit.distance_m < opaque.distance_m)
                 through.push_back(hit);
         }
@@ -138,16 +138,16 @@ bool RayMesh::meet(const Ray& ray, const PieceUses& uses, double sampleWidth, Ra
     // What lies in the plane of the nearest, or almost, may stand on it.
     if (nearest)
         to_m = std::min(to_m, opaque.distance_m + mostLift_m(opaque, uses.layers(), sampleWidth,
-                                                             parts_->rounding_m));
+                                                             impl_->rounding_m));
     passed.clear();
     search.takesAll = true;
     search.context.filter = filterHits;
-    searchIn(*parts_, ray, from_m, to_m, search);
+    searchIn(*impl_, ray, from_m, to_m, search);
     std::vector<RayHit> hits;
     for (const Candidate& candidate : passed) {
-        RayHit& hit = hits.emplace_back(parts_->refined(ray, candidate));
+        RayHit& hit = hits.emplace_back(impl_->refined(ray, candidate));
         hit.order_m -= lift_m(ray, hit, uses[candidate.piece].layer, planeNormal(hit), sampleWidth,
-                              parts_->rounding_m);
+                              impl_->rounding_m);
     }
     const auto isTransparent = [&](const RayHit& hit) {
         return uses[static_cast<std::size_t>(hit.piece)].transparent;
@@ -167,28 +167,28 @@ bool RayMesh::meet(const Ray& ray, const PieceUses& uses, double sampleWidth, Ra
 std::optional<RayHit> RayMesh::nearestTo(const Ray& ray, double distance_m, double off_m,
                                          const std::function<bool(int)>& isWanted) const {
     Ray part = ray;
-    part.from_m = std::max(distance_m - off_m - parts_->rounding_m, 0.0);
-    part.to_m = distance_m + off_m + parts_->rounding_m;
+    part.from_m = std::max(distance_m - off_m - impl_->rounding_m, 0.0);
+    part.to_m = distance_m + off_m + impl_->rounding_m;
     double from_m = 0.0, to_m = 0.0;
-    if (parts_->facets == 0 || !parts_->clip(part, from_m, to_m))
+    if (impl_->facets == 0 || !impl_->clip(part, from_m, to_m))
         return std::nullopt;
     thread_local std::vector<Candidate> passed;
     passed.clear();
     thread_local std::vector<PieceUse> any;
-    if (any.size() < parts_->pieces.size())
-        any.resize(parts_->pieces.size(), {.isThere = true});
+    if (any.size() < impl_->pieces.size())
+        any.resize(impl_->pieces.size(), {.isThere = true});
     Search search;
     rtcInitIntersectContext(&search.context);
     search.context.filter = filterHits;
     search.uses = any.data();
     search.passed = &passed;
     search.takesAll = true;
-    searchIn(*parts_, part, from_m, to_m, search);
+    searchIn(*impl_, part, from_m, to_m, search);
     std::optional<RayHit> nearest;
     for (const Candidate& candidate : passed) {
         if (!isWanted(static_cast<int>(candidate.piece)))
             continue;
-        const RayHit hit = parts_->refined(ray, candidate);
+        const RayHit hit = impl_->refined(ray, candidate);
         if (!nearest ||
             std::abs(hit.distance_m - distance_m) < std::abs(nearest->distance_m - distance_m))
             nearest = hit;
@@ -199,20 +199,20 @@ std::optional<RayHit> RayMesh::nearestTo(const Ray& ray, double distance_m, doub
 bool RayMesh::letsPass(const Ray& ray, const PieceUses& uses, const RayHit* own,
                        std::vector<int>& through) const {
     double from_m = 0.0, to_m = 0.0;
-    if (parts_->facets == 0 || !parts_->clip(ray, from_m, to_m))
+    if (impl_->facets == 0 || !impl_->clip(ray, from_m, to_m))
         return true;
     LightSearch search;
     rtcInitIntersectContext(&search.context);
     search.context.filter = filterLight;
     search.uses = uses.data();
-    search.pieces = parts_->pieces.data();
+    search.pieces = impl_->pieces.data();
     search.through = &through;
     if (own) {
-        search.own = &parts_->pieces[static_cast<std::size_t>(own->piece)];
+        search.own = &impl_->pieces[static_cast<std::size_t>(own->piece)];
         search.corners = &search.own->triangles[3 * static_cast<std::size_t>(own->facet)];
     }
-    RTCRay along = parts_->rayFrom(ray, from_m, to_m);
-    rtcOccluded1(parts_->scene, &search.context, &along);
+    RTCRay along = impl_->rayFrom(ray, from_m, to_m);
+    rtcOccluded1(impl_->scene, &search.context, &along);
     return along.tfar >= 0.0f; // Embree sets it below where something is met
 }
 

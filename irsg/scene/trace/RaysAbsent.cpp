@@ -5,7 +5,7 @@
 
 namespace irsg {
 
-struct RayMesh::Parts {};
+struct RayMesh::Impl {};
 
 bool areRaysBuilt() {
     return false;
@@ -18,7 +18,7 @@ std::string whyNoRays() {
            "3)";
 }
 
-RayMesh::RayMesh(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+RayMesh::RayMesh(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 RayMesh::~RayMesh() = default;
 
 std::shared_ptr<const RayMesh> RayMesh::of(const std::vector<Piece>&) {

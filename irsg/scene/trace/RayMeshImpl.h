@@ -36,7 +36,7 @@ struct Candidate {
 };
 
 /// What a mesh is made of.
-struct RayMesh::Parts {
+struct RayMesh::Impl {
     std::map<std::pair<const osg::Array*, osg::Matrixd>, Corners> corners;
     std::vector<TracedPiece> pieces;
     RTCScene scene = nullptr;
@@ -44,7 +44,7 @@ struct RayMesh::Parts {
     double rounding_m = 0.0;                   ///< of places on the mesh in float
     std::size_t facets = 0;
 
-    ~Parts();
+    ~Impl();
     void add(const Piece& piece);
     void attach(std::size_t number);
     void commit();
