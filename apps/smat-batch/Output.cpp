@@ -1,4 +1,5 @@
 #include "apps/smat-batch/Output.h"
+#include "smatcore/settings/AnalysisSections.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -103,7 +104,7 @@ std::string summaryJson(const std::vector<Outcome>& outcomes) {
         const AnalysisData& data = *outcome.data;
         Json settings = Json::object();
         for (const SettingInfo& setting : settingTable()) {
-            if (!isAnalysisSection(setting.section()) || setting.section() == name(data.kind)) {
+            if (concerns(setting, name(data.kind))) {
                 settings[setting.key] = data.settings.text(setting.key);
             }
         }

@@ -5,6 +5,7 @@
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/settings/AnalysisSections.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::batch {
@@ -37,8 +38,7 @@ std::string placed(const SettingInfo& setting, const std::string& text) {
 
 SettingOptions::SettingOptions(CLI::App& command, std::optional<AnalysisKind> kind)
     : SettingOptions(command, [kind](const SettingInfo& setting) {
-          return !isAnalysisSection(setting.section()) ||
-                 (kind && setting.section() == name(*kind));
+          return concerns(setting, kind ? name(*kind) : "");
       }) {}
 
 SettingOptions::SettingOptions(CLI::App& command,

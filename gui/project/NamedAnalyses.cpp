@@ -1,4 +1,5 @@
 #include "gui/project/NamedAnalyses.h"
+#include "smatcore/settings/AnalysisSections.h"
 
 #include <algorithm>
 
@@ -12,9 +13,8 @@ Project withAnalysis(const Project& project, const Settings& inEffect, const Ana
 
     // Settings of other kinds of analyses say nothing about this one.
     for (const SettingInfo& info : settingTable()) {
-        const bool isForeign =
-            isAnalysisSection(info.section()) && info.section() != name(data.kind);
-        if (!isForeign && data.settings.text(info.key) != inEffect.text(info.key))
+        if (concerns(info, name(data.kind)) &&
+            data.settings.text(info.key) != inEffect.text(info.key))
             kept.settings.set(info.key, data.settings.text(info.key));
     }
     Project changed = project;

@@ -54,10 +54,9 @@ std::vector<std::string> readableImageExtensions() {
     for (const ImageFormat* format : imageFormats()) {
         if (format->read == nullptr)
             continue;
-        for (const std::string& words :
-             {std::string(format->extensions), std::string(format->alsoRead)})
-            for (std::string& extension : wordsOf(words))
-                all.push_back(std::move(extension));
+        for (std::string& extension :
+             wordsOf(std::string(format->extensions) + " " + format->alsoRead))
+            all.push_back(std::move(extension));
     }
     return all;
 }

@@ -2,6 +2,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/CommandSettings.h"
+#include "smatcore/settings/AnalysisSections.h"
 #include "smatcore/support/ShellText.h"
 
 namespace smat {
@@ -80,9 +81,7 @@ std::string settingOptions(const Project& project, const Settings& now, const Se
     std::string options;
     for (const SettingInfo& setting : settingTable()) {
         const std::string& text = now.text(setting.key);
-        const bool concerns =
-            !isAnalysisSection(setting.section()) || setting.section() == name(kind);
-        if (!concerns || text == known.text(setting.key)) {
+        if (!concerns(setting, name(kind)) || text == known.text(setting.key)) {
             continue;
         }
         if (setting.kind == SettingKind::boolean && text == "true" && !assigned) {

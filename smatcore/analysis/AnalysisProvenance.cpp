@@ -8,6 +8,7 @@
 
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/data/ColumnName.h"
+#include "smatcore/settings/AnalysisSections.h"
 
 namespace smat {
 
@@ -101,9 +102,7 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
                        fmt::format("{} ({} to {} um)", band.name(), range.min_um, range.max_um));
     }
     for (const SettingInfo& setting : settingTable()) {
-        const bool concerns =
-            !isAnalysisSection(setting.section()) || setting.section() == name(data.kind);
-        if (concerns && !data.settings.isDefault(setting.key)) {
+        if (concerns(setting, name(data.kind)) && !data.settings.isDefault(setting.key)) {
             const std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
             provenance.add(setting.key, data.settings.text(setting.key) + unit);
         }

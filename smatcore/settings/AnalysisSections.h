@@ -18,4 +18,8 @@ struct AnalysisSection {
 /// In the order of forms and manual; defined by the registry of analyses.
 const std::vector<AnalysisSection>& analysisSections();
 
+/// Whether a setting takes part in an analysis of this name: all do but those of other kinds. For
+/// an empty name those of every kind are left out.
+bool concerns(const SettingInfo& setting, std::string_view analysis);
+
 } // namespace smat

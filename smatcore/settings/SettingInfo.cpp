@@ -149,6 +149,11 @@ bool isAnalysisSection(std::string_view section) {
     return findAnalysisSection(section) != nullptr;
 }
 
+bool concerns(const SettingInfo& setting, std::string_view analysis) {
+    const std::string section = setting.section();
+    return section == analysis || !isAnalysisSection(section);
+}
+
 std::optional<std::string> canonicalText(const SettingInfo& setting, std::string_view given) {
     const std::string_view text = irsg::trimmed(given);
     const bool isChoice =

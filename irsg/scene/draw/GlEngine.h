@@ -26,8 +26,8 @@ class GlEngine : public SampleEngine {
     std::size_t bytes() const override;
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 } // namespace irsg

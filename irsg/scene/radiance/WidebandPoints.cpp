@@ -17,6 +17,19 @@ const std::vector<double>* samplesOf(const Spectrum& spectrum, const std::vector
     return found == some.end() ? nullptr : &samples[static_cast<std::size_t>(found - some.begin())];
 }
 
+/// What terms are prepared for; `spectra` need to live as long.
+CkRequest requestOf(const Environment& environment, const Band& band,
+                    const WidebandSpectra& spectra) {
+    CkRequest request;
+    request.band = band;
+    request.sun = environment.sun;
+    for (const Spectrum& material : spectra.materials)
+        request.materials.push_back(&material);
+    for (const Spectrum& radiance : spectra.radiances)
+        request.radiances.push_back(&radiance);
+    return request;
+}
+
 } // namespace
 
 WidebandSpectra widebandSpectraOf(const std::vector<Entity>& entities) {
@@ -37,18 +50,6 @@ WidebandSpectra widebandSpectraOf(const std::vector<Entity>& entities) {
                         add(spectra.radiances, component.radiance);
         }
     return spectra;
-}
-
-CkRequest requestOf(const Environment& environment, const Band& band,
-                    const WidebandSpectra& spectra) {
-    CkRequest request;
-    request.band = band;
-    request.sun = environment.sun;
-    for (const Spectrum& material : spectra.materials)
-        request.materials.push_back(&material);
-    for (const Spectrum& radiance : spectra.radiances)
-        request.radiances.push_back(&radiance);
-    return request;
 }
 
 WidebandPoints::WidebandPoints(const Environment& environment, const Band& band,

@@ -10,7 +10,6 @@
 namespace irsg {
 
 class SensorCkData;
-struct CkRequest;
 
 /// The spectra of a scene's surfaces that are not constant over wavelength. Entity by entity, codes
 /// ascending, each curve once, however many entries hold it.
@@ -20,9 +19,6 @@ struct WidebandSpectra {
     bool operator==(const WidebandSpectra&) const = default;
 };
 WidebandSpectra widebandSpectraOf(const std::vector<Entity>& entities);
-/// What terms are prepared for; `spectra` need to live as long.
-CkRequest requestOf(const Environment& environment, const Band& band,
-                    const WidebandSpectra& spectra);
 
 /// The wideband-ck terms of one environment, band and set of spectra, with the spectra sampled on
 /// them: what takes a second to make and does not depend on geometry, temperatures or time.

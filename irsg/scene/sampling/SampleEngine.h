@@ -10,6 +10,9 @@
 
 namespace irsg {
 
+/// Largest side of one drawing, samples: bounds the memory of what is drawn at once.
+inline constexpr int largestDrawing = 2048;
+
 /// Who answers the samples of windows: which surfaces each one meets, from front to back, and what
 /// factors geometry makes of them. OpenGL (draw/GlEngine) and rays (trace/RayEngine) give the same
 /// answers to the same windows, so that nothing behind knows who gave them.
@@ -24,7 +27,7 @@ class SampleEngine {
 
     /// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Compatibility Profile) Mesa 22.3.6".
     virtual std::string description() const = 0;
-    /// Largest side of a drawing, samples.
+    /// Largest side of a drawing, samples: at most largestDrawing.
     virtual int largestSide() const = 0;
 
     /// On the engine's thread: radiances of rows; LogicError where an item is transparent.

@@ -8,29 +8,9 @@
 #include "irsg/scene/draw/Stopwatch.h"
 #include "irsg/scene/trace/RayMesh.h"
 #include "irsg/scene/trace/WindowRays.h"
+#include "irsg/scene/trace/WindowSamples.h"
 
 namespace irsg {
-
-namespace {
-
-/// Rows of samples that one thread takes at a time, whatever the number of threads.
-constexpr int rowsAtOnce = 8;
-
-/// Some rows of a window.
-struct Strip {
-    std::size_t window = 0;
-    int firstRow = 0, lastRow = 0;
-};
-
-std::vector<Strip> stripsOf(const SampleSheet& sheet) {
-    std::vector<Strip> strips;
-    for (std::size_t w = 0; w < sheet.windows.size(); ++w)
-        for (int row = 0; row < sheet.windows[w].height(); row += rowsAtOnce)
-            strips.push_back({w, row, std::min(row + rowsAtOnce, sheet.windows[w].height())});
-    return strips;
-}
-
-} // namespace
 
 std::future<void> RayEngine::post(std::function<void()> work) {
     return thread_.post(std::move(work));
@@ -41,7 +21,7 @@ std::string RayEngine::description() const {
 }
 
 int RayEngine::largestSide() const {
-    return 2048; // as OpenGL's: bounds the memory of samples
+    return largestDrawing;
 }
 
 double RayEngine::takeDrawSeconds() {
@@ -66,12 +46,11 @@ void RayEngine::drawFactors(const SheetScene& sheet, bool withDistance, FactorSa
     std::vector<WindowRays> windows;
     for (std::size_t w = 0; w < sheet.scenes.size(); ++w)
         windows.emplace_back(sheet.scenes[w], sheet.sheet.windows[w]);
-    const std::vector<Strip> strips = stripsOf(sheet.sheet);
-    std::vector<std::vector<float>> lists(strips.size()); // of fragments
-    parallelFor(strips.size(), [&](std::size_t i) {
-        const Strip& strip = strips[i];
-        for (int row = strip.firstRow; row < strip.lastRow; ++row)
-            windows[strip.window].traceRow(row, samples, lists[i]);
+    const std::vector<WindowRows> pieces = rowsOf(sheet.sheet);
+    std::vector<std::vector<float>> lists(pieces.size()); // of fragments
+    parallelFor(pieces.size(), [&](std::size_t i) {
+        for (int row = pieces[i].first; row < pieces[i].last; ++row)
+            windows[pieces[i].window].traceRow(row, samples, lists[i]);
     });
     std::size_t words = 0;
     for (const std::vector<float>& list : lists)

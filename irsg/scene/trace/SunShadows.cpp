@@ -11,14 +11,13 @@
 
 #include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/trace/WindowSamples.h"
 
 namespace irsg {
 
 namespace {
 
 constexpr std::size_t raysOfDisc = 64;
-/// Rows that one thread takes at a time, whatever the number of threads.
-constexpr int rowsAtOnce = 8;
 
 using MaterialSet = std::vector<std::pair<int, int>>;
 
@@ -39,10 +38,8 @@ std::pair<Vec3, Vec3> across(const Vec3& direction) {
     return {right, cross(right, direction)};
 }
 
-/// Where light from the sun passes, in the order of a strip.
-struct Strip {
-    std::size_t window = 0;
-    int firstRow = 0, lastRow = 0;
+/// Where light from the sun passes, in the order of some rows.
+struct Passages {
     std::vector<FactorSamples::Through> through;
     std::vector<MaterialSet> sets;
     std::map<MaterialSet, std::uint32_t> numbers;
@@ -71,7 +68,7 @@ struct SunShadows::Source {
     const SurfaceScene* scene = nullptr;
     const SampleWindow* window = nullptr;
     Viewpoint eye;
-    double pitch = 0.0, sampleWidth = 0.0;
+    double sampleWidth = 0.0;
     std::vector<std::size_t> casters;  ///< by row of the drawing
     std::vector<Vec3> towards;         ///< world, by factor
     std::vector<std::size_t> shadowed; ///< factors
@@ -107,8 +104,7 @@ SunShadows::Source SunShadows::sourceOf(const SurfaceScene& scene,
     source.scene = &scene;
     source.window = &window;
     source.eye = scene.camera->viewpoint();
-    source.pitch = scene.camera->sensor().pixelPitch();
-    source.sampleWidth = source.pitch * std::max(window.cellWidth_px(), window.cellHeight_px());
+    source.sampleWidth = sampleWidthOf(scene.camera->sensor(), window);
     source.casters.resize(scene.rows.size());
     for (std::size_t c = 0; c < casters_.size(); ++c)
         for (const int row : casters_[c].rows)
@@ -201,31 +197,15 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
     samples.throughSets.clear();
     samples.sunVisibility.assign(withVisibility ? samples.size() : 0, 0.0f);
     std::vector<Source> sources;
-    std::vector<Strip> strips;
-    for (std::size_t w = 0; w < sheet.scenes.size(); ++w) {
-        const SampleWindow& window = sheet.sheet.windows[w];
-        sources.push_back(sourceOf(sheet.scenes[w], window));
-        for (int row = 0; row < window.height(); row += rowsAtOnce) {
-            Strip& strip = strips.emplace_back();
-            strip.window = w;
-            strip.firstRow = row;
-            strip.lastRow = std::min(row + rowsAtOnce, window.height());
-        }
-    }
+    for (std::size_t w = 0; w < sheet.scenes.size(); ++w)
+        sources.push_back(sourceOf(sheet.scenes[w], sheet.sheet.windows[w]));
 
-    const auto shade = [&](const Source& source, Strip& strip, int row, int column) {
-        const SampleWindow& window = *source.window;
-        const std::size_t sample =
-            window.firstSample +
-            static_cast<std::size_t>(window.height() - 1 - row) * window.stride() +
-            static_cast<std::size_t>(column);
+    const auto shade = [&](const Source& source, Passages& passages, int row, int column) {
+        const std::size_t sample = indexOf(*source.window, column, row);
         if (samples.isEmpty(sample))
             return;
-        const Sensor& sensor = source.scene->camera->sensor();
-        const auto [right_px, below_px] = window.placeOf(column, row);
         const Vec3 eyeDirection =
-            normalized({(right_px - 0.5 * sensor.width_px) * source.pitch,
-                        (0.5 * sensor.height_px - below_px) * source.pitch, -1.0});
+            eyeDirectionOf(source.scene->camera->sensor(), *source.window, column, row);
         std::uint32_t number = 0;
         const std::size_t firstFragment =
             samples.isListed(sample) ? samples.ends[sample - samples.lowest] : 0;
@@ -255,26 +235,27 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
                 const auto whole = static_cast<double>(*factor);
                 *factor = static_cast<float>(whole * light.free);
                 for (const auto& [set, part] : light.through)
-                    strip.through.push_back({static_cast<std::uint32_t>(sample), own,
-                                             strip.numberOf(set), static_cast<std::uint32_t>(f),
-                                             static_cast<float>(whole * part)});
+                    passages.through.push_back(
+                        {static_cast<std::uint32_t>(sample), own, passages.numberOf(set),
+                         static_cast<std::uint32_t>(f), static_cast<float>(whole * part)});
                 if (withVisibility && own == 0)
                     samples.sunVisibility[sample] = static_cast<float>(light.visible());
             }
         });
     };
-    parallelFor(strips.size(), [&](std::size_t i) {
-        Strip& strip = strips[i];
-        const Source& source = sources[strip.window];
-        for (int row = strip.firstRow; row < strip.lastRow; ++row)
+    const std::vector<WindowRows> pieces = rowsOf(sheet.sheet);
+    std::vector<Passages> found(pieces.size());
+    parallelFor(pieces.size(), [&](std::size_t i) {
+        const Source& source = sources[pieces[i].window];
+        for (int row = pieces[i].first; row < pieces[i].last; ++row)
             for (int column = 0; column < source.window->width(); ++column)
-                shade(source, strip, row, column);
+                shade(source, found[i], row, column);
     });
 
     std::map<MaterialSet, std::uint32_t> numbers;
-    for (Strip& strip : strips)
-        for (FactorSamples::Through& one : strip.through) {
-            const MaterialSet& set = strip.sets[one.set];
+    for (Passages& passages : found)
+        for (FactorSamples::Through& one : passages.through) {
+            const MaterialSet& set = passages.sets[one.set];
             const auto [known, isNew] =
                 numbers.try_emplace(set, static_cast<std::uint32_t>(samples.throughSets.size()));
             if (isNew)

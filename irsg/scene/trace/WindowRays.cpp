@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "irsg/scene/trace/WindowSamples.h"
+
 namespace irsg {
 
 namespace {
@@ -65,11 +67,6 @@ Ray WindowRays::rayTo(const Body& body, const Vec3& eyeDirection, double from_m)
     return {body.eye_m, body.toMesh(eyeDirection), from_m};
 }
 
-double WindowRays::sampleWidth() const {
-    return scene_.camera->sensor().pixelPitch() *
-           std::max(window_.cellWidth_px(), window_.cellHeight_px());
-}
-
 float WindowRays::depthOf(double distance_m, const Vec3& eyeDirection) const {
     const DepthRange& range = scene_.depth;
     const double depth_m = -eyeDirection.z * distance_m;
@@ -89,17 +86,12 @@ void WindowRays::fillFactors(const Met& met, const Vec3& eyeDirection, float* fa
 
 void WindowRays::traceRow(int row, FactorSamples& samples, std::vector<float>& fragments) const {
     const Sensor& sensor = scene_.camera->sensor();
-    const double pitch = sensor.pixelPitch(), width = sampleWidth();
-    const std::size_t first =
-        window_.firstSample +
-        static_cast<std::size_t>(window_.height() - 1 - row) * window_.stride();
+    const double width = sampleWidthOf(sensor, window_);
     thread_local std::vector<RayHit> through;
     thread_local std::vector<Met> layers;
     std::array<float, mostFactors + 1> factors{};
     for (int column = 0; column < window_.width(); ++column) {
-        const auto [right_px, below_px] = window_.placeOf(column, row);
-        const Vec3 eyeDirection = normalized({(right_px - 0.5 * sensor.width_px) * pitch,
-                                              (0.5 * sensor.height_px - below_px) * pitch, -1.0});
+        const Vec3 eyeDirection = eyeDirectionOf(sensor, window_, column, row);
         const double from_m = scene_.depth.near_m / -eyeDirection.z;
         Met opaque;
         layers.clear();
@@ -125,7 +117,7 @@ void WindowRays::traceRow(int row, FactorSamples& samples, std::vector<float>& f
             }
         }
 
-        const std::size_t sample = first + static_cast<std::size_t>(column);
+        const std::size_t sample = indexOf(window_, column, row);
         const auto rowOf = [](const Met& met) {
             return static_cast<float>(met.body->rows[static_cast<std::size_t>(met.hit.piece)] + 1);
         };

@@ -38,7 +38,6 @@ class WindowRays {
     /// Fills in the factors of a layer as the shader does.
     void fillFactors(const Met& met, const Vec3& eyeDirection, float* factors) const;
     float depthOf(double distance_m, const Vec3& eyeDirection) const;
-    double sampleWidth() const;
 
     const SurfaceScene& scene_;
     const SampleWindow& window_;
