@@ -168,6 +168,7 @@ int main(int argc, char** argv) {
     PlotData data{
         .title = "Intensity", .xTitle = "Range (m)", .yTitle = "Intensity (W/sr)", .curves = {}};
     PolarData around{.title = "Intensity",
+                     .conditions = {},
                      .radiusTitle = "Intensity (W/sr)",
                      .directionNote = "clockwise",
                      .curves = {}};

@@ -1,19 +1,35 @@
 // Frames of rays beside those of OpenGL: one sample in each pixel of 640 x 512, of spheres with
-// more and more facets and of the four-engined aircraft, without and with shadows of the sun.
+// more and more facets and of the four-engined aircraft, without and with shadows of the sun and
+// light between surfaces; a polar of 360 aspects of the latter; and what the view factors between
+// the surfaces of models cost.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/Irsg.h"
+#include "irsg/scene/model/DrawList.h"
+#include "irsg/scene/model/DrawPieces.h"
+#include "irsg/scene/trace/BodyLight.h"
 #include "irsg/scene/trace/RaysBuilt.h"
+#include "irsg/signature/SignatureFile.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
 
 namespace {
+
+Entity sampleOf(const std::string& name) {
+    const std::string folder = SMAT_SOURCE_DIR "/samples/" + name + "/";
+    Entity entity = test::entityOf(Model::load(folder + name + ".flt"),
+                                   loadSignatureFile(folder + name + ".sigdb").database);
+    entity.pose.position_m.z = test::standingAltitude_m;
+    return entity;
+}
 
 /// Median of some frames after the first, ms.
 double frame_ms(Irsg& irsg) {
@@ -28,6 +44,88 @@ double frame_ms(Irsg& irsg) {
     times_ms.erase(times_ms.begin());
     std::ranges::nth_element(times_ms, times_ms.begin() + 4);
     return times_ms[4];
+}
+
+double now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+/// Frames and a polar of sums with so many reflections, the first of them by itself.
+void measureLight(const Entity& entity, EngineChoice engine) {
+    std::printf("%-24s %9s %9s %9s %9s\n", engine == EngineChoice::rays ? "rays" : "OpenGL",
+                "first, ms", "frame, ms", "polar, s", "W/sr");
+    const double size_m = entity.model->bounds().diagonal_m();
+    struct Case {
+        const char* name;
+        SunShadowMode shadows;
+        int bounces;
+    };
+    for (const auto& [name, shadows, bounces] :
+         {Case{"primary", SunShadowMode::off, 0}, Case{"shadows", SunShadowMode::point, 0},
+          Case{"shadows, 1 bounce", SunShadowMode::point, 1},
+          Case{"shadows, converged", SunShadowMode::point, convergedBounces}}) {
+        Irsg irsg;
+        RenderSettings settings;
+        settings.engine = engine;
+        settings.sunShadows = shadows;
+        settings.bounces = bounces;
+        settings.zoomWindow = 0;
+        settings.samplesPerAxis = 1;
+        irsg.setSettings(settings);
+        irsg.setEnvironment(test::brightAir());
+        irsg.setEntities({entity});
+        test::View view{.range_m = 20.0 * size_m,
+                        .azimuth_rad = radians(60.0),
+                        .elevation_rad = radians(15.0),
+                        .width_px = 640,
+                        .height_px = 512,
+                        .fieldOfView_rad = 0.05};
+        test::look(irsg, view);
+        const double before_s = now_s();
+        irsg.render();
+        const double first_ms = 1e3 * (now_s() - before_s);
+        const double each_ms = frame_ms(irsg);
+        settings.zoomWindow = 256;
+        irsg.setSettings(settings);
+        irsg.measure();
+        const double start_s = now_s();
+        double sum_W_sr = 0.0;
+        for (int aspect = 0; aspect < 360; ++aspect) {
+            view.azimuth_rad = radians(static_cast<double>(aspect));
+            test::look(irsg, view);
+            sum_W_sr += irsg.measure().all.intensity_W_sr;
+        }
+        std::printf("%-24s %9.0f %9.1f %9.2f %9.4g\n", name, first_ms, each_ms, now_s() - start_s,
+                    sum_W_sr / 360);
+        std::fflush(stdout);
+    }
+}
+
+/// What the view factors of a model cost that is seen for the first time.
+void measureFactors(const char* name, const Entity& entity) {
+    const std::vector<DrawItem> items = inDrawPieces(collectDrawItems(*entity.model));
+    std::vector<RayMesh::Piece> pieces;
+    PieceUses uses(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        pieces.push_back({items[i].geometry.get(), items[i].modelFromLocal});
+        const Material& material = entity.database->materials.at(items[i].codes.material);
+        uses.set(i, {true, !material.isOpaque(), items[i].cullsBackFaces, items[i].layer});
+    }
+    for (const double error : {0.02, 0.01, 0.005, 0.002}) {
+        const double start_s = now_s();
+        const std::shared_ptr<const RayMesh> mesh = RayMesh::of(pieces);
+        const LightResolution resolution;
+        const BodyLight light(
+            std::make_shared<const LightNodes>(
+                std::make_shared<const LightMesh>(mesh, uses, resolution), resolution),
+            uses, error);
+        std::printf("%-12s %8.3f %9.2f %9.4f %9zu %9zu %9.1f %9zu\n", name, error,
+                    now_s() - start_s, light.error(), mesh->facets(), light.nodes().nodes(),
+                    static_cast<double>(light.raysSent()) / static_cast<double>(mesh->facets()),
+                    light.pairs().size());
+        std::fflush(stdout);
+    }
 }
 
 void measure(const char* name, const Entity& entity) {
@@ -64,10 +162,12 @@ int main() {
         std::printf("%s\n", whyNoRays().c_str());
         return 1;
     }
-    std::printf("%-24s %9s %9s %9s %9s %9s %9s\n", "ms a frame", "OpenGL", "rays", "+ shadows", "",
-                "+ disc", "");
-    Entity aircraft =
-        test::entityOf(Model::load(SMAT_SOURCE_DIR "/samples/turboprop4/turboprop4.flt"), {});
+    Entity aircraft = sampleOf("turboprop4");
+    std::printf("%-12s %8s %9s %9s %9s %9s %9s %9s\n", "factors", "asked", "cold, s", "error",
+                "facets", "nodes", "rays/fac.", "pairs");
+    for (const char* name : {"turboprop4", "ship", "corvette", "heron"})
+        measureFactors(name, sampleOf(name));
+    // Grey surfaces, but for the shells of plumes: times are those of geometry.
     SignatureDatabase database;
     for (const auto& [codes, use] : aircraft.model->codes()) {
         database.temperatures[codes.temperature] = test::fixedTemperature(300.0);
@@ -75,7 +175,10 @@ int main() {
             test::greyMaterial(0.4, codes.material >= 5 && codes.material <= 7 ? 0.6 : 0.0);
     }
     aircraft.database = std::make_shared<const SignatureDatabase>(database);
-    aircraft.pose.position_m.z = test::standingAltitude_m;
+    for (const EngineChoice engine : {EngineChoice::rays, EngineChoice::opengl})
+        measureLight(aircraft, engine);
+    std::printf("%-24s %9s %9s %9s %9s %9s %9s\n", "ms a frame", "OpenGL", "rays", "+ shadows", "",
+                "+ disc", "");
     measure("turboprop4", aircraft);
     for (const double facets : {1e3, 1e5, 2e6}) {
         const int latitudes = static_cast<int>(std::sqrt(facets / 4.0));

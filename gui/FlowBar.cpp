@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QEvent>
 #include <QHBoxLayout>
 
 namespace smat::gui {
@@ -26,8 +27,19 @@ QSize FlowBar::minimumSizeHint() const {
             both_->minimumSize().height()};
 }
 
+bool FlowBar::event(QEvent* event) {
+    // A field that comes or goes may need the second row, or no longer.
+    if (event->type() == QEvent::LayoutRequest)
+        arrange();
+    return QWidget::event(event);
+}
+
 void FlowBar::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    arrange();
+}
+
+void FlowBar::arrange() {
     const QMargins around = both_->contentsMargins();
     const int needed = first_->sizeHint().width() + second_->sizeHint().width() +
                        2 * both_->spacing() + around.left() + around.right();

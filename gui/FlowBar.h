@@ -19,9 +19,11 @@ class FlowBar : public QWidget {
     QSize minimumSizeHint() const override;
 
   protected:
+    bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    void arrange();
     QBoxLayout* both_ = nullptr;
     QHBoxLayout* first_ = nullptr;
     QHBoxLayout* second_ = nullptr;

@@ -42,7 +42,7 @@ QString heading(const QString& text) {
 }
 
 /// "Save project as" from "Save project &as…".
-QString plain(QString text) {
+QString withoutMarks(QString text) {
     return text.remove('&').remove(QStringLiteral("…"));
 }
 
@@ -55,7 +55,7 @@ QString keyRows(const QList<QAction*>& actions) {
         // Undo and redo say what they would undo now.
         const QString text = action->property("listedAs").isValid()
                                  ? action->property("listedAs").toString()
-                                 : plain(action->text());
+                                 : withoutMarks(action->text());
         if (action->menu() != nullptr)
             rows += keyRows(action->menu()->actions());
         else if (!keys.isEmpty())
@@ -101,15 +101,17 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, const QList<QAction*>& o
     for (const auto* menu : menus.actions()) {
         const QString rows = keyRows(menu->menu()->actions());
         if (!rows.isEmpty())
-            keys += heading(plain(menu->text())) + rows;
+            keys += heading(withoutMarks(menu->text())) + rows;
     }
     keys += heading(tr("Results")) + keyRows(ofResults);
     const QString mouse =
         heading(tr("Running analysis")) + row("Esc", tr("Cancel it, keeping what is done")) +
         heading(tr("3-D view")) +
-        row(tr("Drag, arrow keys"), tr("Turn the model; with Shift in steps of 1°")) +
-        row(tr("Wheel, Page up, Page down"), tr("Range of the camera")) +
-        row(tr("Double click, Home"), tr("Show the whole model")) +
+        row(tr("Drag, arrow keys"), tr("Look around; arrows with Shift in steps of 1°")) +
+        row(tr("Right drag, Shift and drag"), tr("Shift the picture")) +
+        row(tr("Wheel, Page up, Page down"), tr("Come nearer, go away")) +
+        row(tr("Double click, Home"), tr("Fit the whole model")) +
+        row(tr("The same with Ctrl"), tr("Move the sensor of the project")) +
         row(tr("Click, again"), tr("Pick a face; the one behind it")) +
         heading(tr("Plots and images")) + row(tr("Wheel"), tr("Zoom at the cursor")) +
         row(tr("Drag"), tr("Zoom into a rectangle; statistics of it in an image")) +

@@ -52,22 +52,10 @@ void MainWindow::showPreferences() {
     }
 }
 
-void MainWindow::showOptions(int page) {
-    showSettings("optionsDialog", tr("Options"), tr("Change options"),
-                 SettingsDialog::optionPages(), page);
-}
-
-void MainWindow::showAnalysisSettings(int page) {
-    showSettings("analysisSettingsDialog", tr("Analysis settings"), tr("Change analysis settings"),
-                 SettingsDialog::analysisPages(), page);
-}
-
-void MainWindow::showSettings(const QString& name, const QString& title, const QString& step,
-                              const std::vector<SettingsPage>& pages, int page) {
+void MainWindow::showSettings(const QString& page) {
     if (!workbench_.hasProject())
         return;
-    SettingsDialog dialog(workbench_, title, step, pages, fileChooser(), this);
-    dialog.setObjectName(name);
+    SettingsDialog dialog(workbench_, fileChooser(), this);
     dialog.showPage(page);
     dialogs_.run(dialog);
 }

@@ -14,6 +14,7 @@
 #include "gui/project/ProjectFiles.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/Conditions.h"
 
 namespace smat::gui {
 namespace {
@@ -156,6 +157,7 @@ void MainWindow::openImages(const QStringList& files) {
             view->setBackgroundRole(QPalette::Window);
             view->setTitle(QFileInfo(file).completeBaseName());
             view->setImage(image, bandOf(*image));
+            view->setConditions(QString::fromStdString(lineOf(conditionsOf(*image))));
             addPage(view, icon("image"), QFileInfo(file).fileName());
         },
         [this](const std::exception_ptr& thrown) {

@@ -8,9 +8,12 @@
 #include "gui/HelpDialogs.h"
 #include "gui/MainWindow.h"
 #include "gui/Theme.h"
+#include "gui/WindowLayout.h"
 #include "gui/analysis/ResultsDock.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/project/ProjectFiles.h"
+#include "gui/settings/SettingsDialog.h"
+#include "gui/start/DataFolder.h"
 #include "gui/tools/AirTools.h"
 #include "gui/tools/MonteCarloPage.h"
 #include "gui/view/ModelPage.h"
@@ -57,6 +60,14 @@ void MainWindow::makeFileMenu(QMenu* menu) {
     auto* recent = menu->addMenu(icon("recent"), tr("Open &recent"));
     recent->setObjectName("recentFiles");
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
+    auto* samplesMenu = menu->addMenu(icon("model"), tr("Sam&ples"));
+    samplesMenu->setObjectName("samples");
+    for (const Sample& sample : samples()) {
+        auto* action = samplesMenu->addAction(sample.title, this,
+                                              [this, file = sample.project] { this->open(file); });
+        action->setToolTip(sample.words);
+    }
+    samplesMenu->setEnabled(!samplesMenu->isEmpty());
     menu->addSeparator();
     auto* save = addAction(menu, "saveProject", "save", tr("&Save project"), QKeySequence::Save,
                            [this] { files_->save(); });
@@ -126,13 +137,17 @@ void MainWindow::makeViewMenu(QMenu* menu) {
         });
         whole->setObjectName("showWholeModel");
         ofProjectFile_.append(whole);
+        ofProjectFile_.append(page_->modelActions());
         menu->addSeparator();
     }
     for (auto* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
         menu->addAction(dock->toggleViewAction());
+    addAction(menu, "collapseDocks", {}, tr("All docks away, or &back"), QKeySequence(Qt::Key_F6),
+              [this] { layout_->toggleDocks(); });
 }
 
 void MainWindow::makeAnalysisMenu(QMenu* menu) {
+    menu->setToolTipsVisible(true);
     int number = 0;
     for (const AnalysisKind kind : allAnalysisKinds()) {
         const QString word = QString::fromStdString(name(kind));
@@ -141,7 +156,7 @@ void MainWindow::makeAnalysisMenu(QMenu* menu) {
         action->setObjectName("new-" + word);
         action->setIconText(QString(word).replace(0, 1, word.left(1).toUpper()));
         action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + number++)));
-        action->setToolTip(tr("New %1 analysis (Ctrl+%2)").arg(word).arg(number));
+        action->setData(tr("New %1 analysis (Ctrl+%2)").arg(word).arg(number));
         analyses_[kind] = action;
         bar_->addAction(action);
     }
@@ -154,7 +169,8 @@ void MainWindow::makeAnalysisMenu(QMenu* menu) {
                   QKeySequence(Qt::CTRL | Qt::Key_K), [this] { keepShownAnalysis(); });
     menu->addSeparator();
     ofProjectFile_.append(addAction(menu, "analysisSettings", "sun", tr("Analysis s&ettings…"),
-                                    QKeySequence(Qt::Key_F8), [this] { showAnalysisSettings(0); }));
+                                    QKeySequence(Qt::Key_F8),
+                                    [this] { showSettings(SettingsDialog::tr("Band and mode")); }));
 }
 
 void MainWindow::makeToolsMenu(QMenu* menu) {
@@ -165,14 +181,18 @@ void MainWindow::makeToolsMenu(QMenu* menu) {
                     addPage(page, picture, title);
                 });
     addAction(menu, "monteCarlo", "montecarlo", tr("&Monte Carlo"), QKeySequence(), [this] {
-        addPage(new MonteCarloPage(workbench_, dialogs_), icon("montecarlo"), tr("Monte Carlo"));
+        const AnalysisKind kind = AnalysisKind::monteCarlo;
+        addPage(new MonteCarloPage(workbench_, dialogs_), icon(kind->icon), tr(kind->title));
     });
     menu->addSeparator();
     ofProjectFile_.append(addAction(menu, "options", "options", tr("&Options…"),
-                                    QKeySequence(Qt::Key_F9), [this] { showOptions(0); }));
+                                    QKeySequence(Qt::Key_F9),
+                                    [this] { showSettings(SettingsDialog::tr("Antialiasing")); }));
 }
 
 void MainWindow::makeHelpMenu(QMenu* menu) {
+    addAction(menu, "openGuide", "info", tr("User &guide"), QKeySequence(Qt::SHIFT | Qt::Key_F1),
+              [this] { openGuide(); });
     auto* keys = addAction(menu, "showShortcuts", "keyboard", tr("&Keys and mouse"), {}, [this] {
         ShortcutsDialog dialog(*menuBar(), results_->commands(), this);
         dialogs_.run(dialog);

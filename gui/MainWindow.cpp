@@ -9,9 +9,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
-#include <QProgressBar>
 #include <QScrollArea>
-#include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
 
@@ -21,7 +19,10 @@
 #include "gui/Theme.h"
 #include "gui/UnsavedNote.h"
 #include "gui/Widgets.h"
+#include "gui/WindowLayout.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
+#include "gui/analysis/JobBar.h"
+#include "gui/analysis/MissingForAnalyses.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultPages.h"
 #include "gui/analysis/ResultsDock.h"
@@ -30,6 +31,11 @@
 #include "gui/project/NamedAnalyses.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/SceneTreeDock.h"
+#include "gui/settings/SettingsDialog.h"
+#include "gui/start/GuidePage.h"
+#include "gui/start/StartPage.h"
+#include "gui/view/BandBox.h"
+#include "gui/view/LoadingBar.h"
 #include "gui/view/ModelPage.h"
 #include "gui/view/SceneLoader.h"
 #include "gui/view/SceneView.h"
@@ -38,24 +44,12 @@
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
-namespace {
-
-/// Of the docks there are: a layout that knows others is not taken.
-constexpr int layoutVersion = 2;
-
-QSettings layoutMemory() {
-    return QSettings(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench");
-}
-
-} // namespace
-
 MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     : QMainWindow(parent), workbench_(workbench), dialogs_(std::move(dialogs)) {
     setObjectName("mainWindow");
     setWindowTitle("SMAT");
     setWindowIcon(icon("smat"));
     setAcceptDrops(true);
-    resize(1360, 840);
     QStringList problems;
     preferences_ = Preferences::load(&problems);
     files_ = new ProjectFiles(workbench_, dialogs_, preferences_, this);
@@ -65,7 +59,9 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     statusBar()->showMessage(problems.isEmpty() ? tr("Open a project (Ctrl+O), or drop one here")
                                                 : problems.join("   "));
     connectWorkbench();
-    restoreLayout();
+    makeStartPage();
+    layout_ = new WindowLayout(*this);
+    layout_->restore();
     refreshActions();
 }
 
@@ -82,6 +78,9 @@ void MainWindow::makeDocks() {
     addDockWidget(Qt::RightDockWidgetArea, databaseDock_);
     tabifyDockWidget(results_, databaseDock_);
     results_->raise();
+    for (QDockWidget* dock :
+         {static_cast<QDockWidget*>(results_), static_cast<QDockWidget*>(databaseDock_)})
+        keepKeysFromHiddenTab(*dock);
     files_->addSettler([this] { return databaseDock_->mayClose(); });
     resizeDocks({tree_, manipulators}, {310, 410}, Qt::Vertical);
 
@@ -113,9 +112,12 @@ void MainWindow::makeDocks() {
         joinTreeAndView();
         new DatabasePreview(workbench_, *databaseDock_, *view_, this);
     }
-    connect(tree_, &SceneTreeDock::sensorActivated, this, [this] { showAnalysisSettings(2); });
-    connect(tree_, &SceneTreeDock::sunActivated, this, [this] { showAnalysisSettings(0); });
-    connect(tree_, &SceneTreeDock::atmosphereActivated, this, [this] { showOptions(4); });
+    connect(tree_, &SceneTreeDock::sensorActivated, this,
+            [this] { showSettings(SettingsDialog::tr("Sensor")); });
+    connect(tree_, &SceneTreeDock::sunActivated, this,
+            [this] { showSettings(SettingsDialog::tr("Sun and fluxes")); });
+    connect(tree_, &SceneTreeDock::atmosphereActivated, this,
+            [this] { showSettings(SettingsDialog::tr("Atmosphere")); });
     connect(tree_, &SceneTreeDock::removeAnalysisWanted, this, [this](const QString& name) {
         workbench_.edit(withoutAnalysis(workbench_.project(), name.toStdString()),
                         tr("Remove analysis %1").arg(name));
@@ -132,8 +134,11 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::projectChanged, this, &MainWindow::onProjectChanged);
     connect(&workbench_, &Workbench::modifiedChanged, this, &MainWindow::refreshTitle);
     connect(&workbench_, &Workbench::settingsChanged, this, &MainWindow::onSettingsChanged);
-    connect(&workbench_, &Workbench::jobStarted, this, &MainWindow::refreshActions);
-    connect(&workbench_, &Workbench::jobEnded, this, &MainWindow::refreshActions);
+    connect(&workbench_.resultStore(), &ResultStore::problems, this,
+            [this](const QStringList& sentences) {
+                dialogs_.tell(this, tr("Results of the project"), sentences);
+            });
+    statusBar()->addPermanentWidget(new JobBar(workbench_, this));
     connect(&workbench_.database(), &DatabaseSession::stateChanged, this,
             &MainWindow::refreshActions);
     connect(&workbench_.database(), &DatabaseSession::opened, this, &MainWindow::refreshActions);
@@ -168,6 +173,11 @@ void MainWindow::makeCentre() {
         view_ = page_->view();
         tabs_->addTab(page_, icon("axes"), tr("Model"));
         view_->installEventFilter(this);
+        auto* band = new BandBox(workbench_, page_);
+        page_->addField(band);
+        connect(band, &BandBox::refused, this, [this](const QStringList& sentences) {
+            dialogs_.tell(this, tr("This is no band"), sentences);
+        });
         connect(view_, &SceneView::cameraMoved, this, [this](const OrbitCamera& camera) {
             if (workbench_.hasProject())
                 workbench_.setCamera(camera);
@@ -281,7 +291,8 @@ void MainWindow::fillProjectAnalyses() {
 void MainWindow::refreshTitle() {
     if (workbench_.hasProject())
         setWindowTitle(QString::fromStdString(workbench_.project().displayName()) + "[*] – SMAT");
-    setWindowModified(workbench_.isModified());
+    setWindowModified(workbench_.hasProject() &&
+                      (workbench_.isModified() || workbench_.resultStore().unsavedCount() > 0));
 }
 
 void MainWindow::showModel() {
@@ -296,21 +307,10 @@ bool MainWindow::isLoadingModel() const {
 
 void MainWindow::makeLoader() {
     loader_ = new SceneLoader(workbench_.models(), this);
-    auto* words = new QLabel(this);
-    words->setObjectName("loadingWords");
-    auto* busy = new QProgressBar(this);
-    busy->setObjectName("loadingBusy");
-    busy->setRange(0, 0);
-    busy->setTextVisible(false);
-    busy->setFixedSize(110, 12);
-    for (QWidget* widget : {static_cast<QWidget*>(words), static_cast<QWidget*>(busy)}) {
-        statusBar()->addPermanentWidget(widget);
-        widget->hide();
-    }
-    connect(loader_, &SceneLoader::waiting, this, [words, busy](const QString& sentence) {
-        words->setText(sentence);
-        words->setVisible(!sentence.isEmpty());
-        busy->setVisible(!sentence.isEmpty());
+    statusBar()->addPermanentWidget(new LoadingBar(*loader_, this));
+    connect(loader_, &SceneLoader::cancelled, this, [this](const QString& names) {
+        statusBar()->showMessage(
+            tr("%1 was not read; open the project again to see it").arg(names));
     });
     connect(loader_, &SceneLoader::loaded, this,
             [this](const std::shared_ptr<DisplayScene>& scene) {
@@ -332,7 +332,7 @@ void MainWindow::onSettingsChanged() {
 }
 
 void MainWindow::newAnalysis(AnalysisKind kind, const Settings& settings, const QString& name) {
-    if (!workbench_.hasProject() || workbench_.isRunning())
+    if (!workbench_.hasProject())
         return;
     AnalysisGeneratorDialog dialog(workbench_.project(), settings, kind, fileChooser(), this);
     dialog.setName(name);
@@ -374,17 +374,38 @@ void MainWindow::refreshActions() {
         ->setEnabled(database.isOpen() && database.isDirty() &&
                      database.access() == DatabaseSession::Access::edit);
     findChild<QAction*>("saveDatabaseAs")->setEnabled(database.isOpen());
-    const bool ready = workbench_.hasProject() && !workbench_.isRunning();
-    for (const auto& [kind, action] : analyses_)
-        action->setEnabled(ready);
+    const bool ready = workbench_.hasProject();
+    const QString missing = missingForAnalyses(workbench_);
+    for (const auto& [kind, action] : analyses_) {
+        action->setEnabled(missing.isEmpty());
+        const QString tip = action->data().toString();
+        action->setToolTip(missing.isEmpty() ? tip : tip + "\n" + missing);
+        action->setStatusTip(missing);
+    }
     ofProject_->menuAction()->setVisible(workbench_.hasProject() && !ofProject_->isEmpty());
     ofProject_->setEnabled(ready);
 }
 
-void MainWindow::restoreLayout() {
-    auto memory = layoutMemory();
-    restoreGeometry(memory.value("geometry").toByteArray());
-    restoreState(memory.value("layout").toByteArray(), layoutVersion);
+void MainWindow::makeStartPage() {
+    start_ = new StartPage(tabs_->widget(0));
+    start_->setRecentFiles(workbench_.recentFiles());
+    connect(start_, &StartPage::fileChosen, this,
+            [this](const QString& file) { open(file.toStdString()); });
+    connect(start_, &StartPage::modelWanted, files_, &ProjectFiles::chooseModel);
+    connect(start_, &StartPage::projectWanted, files_, &ProjectFiles::newProject);
+    connect(start_, &StartPage::openWanted, this, &MainWindow::chooseFile);
+    connect(start_, &StartPage::guideWanted, this, &MainWindow::openGuide);
+    connect(&workbench_, &Workbench::projectOpened, start_, &QWidget::hide);
+}
+
+void MainWindow::openGuide() {
+    if (!GuidePage::isThere()) {
+        dialogs_.tell(this, tr("The guide"),
+                      {tr("It is not beside this program; SMAT_DATA names the folder that has "
+                          "docs/user-guide.")});
+        return;
+    }
+    addPage(new GuidePage("first-signature.md"), icon("info"), tr("Guide"));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -392,11 +413,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    auto memory = layoutMemory();
-    memory.setValue("geometry", saveGeometry());
-    memory.setValue("layout", saveState(layoutVersion));
+    layout_->save();
     // The job stops by itself when the workbench goes; nothing of it needs an answer.
-    workbench_.cancel();
+    workbench_.jobs().cancelAll();
     event->accept();
 }
 

@@ -28,10 +28,11 @@ class ModelPage;
 class ProjectFiles;
 class ResultPage;
 class ResultsDock;
+class StartPage;
+class WindowLayout;
 class SceneLoader;
 class SceneTreeDock;
 class SceneView;
-struct SettingsPage;
 
 /// The window of the workbench: the 3-D view and the results as tabs, docks beside them. Everything
 /// it does goes through a Workbench.
@@ -112,10 +113,8 @@ class MainWindow : public QMainWindow {
     void showProjectProperties();
     void keepShownAnalysis();
     void showPreferences();
-    void showOptions(int page);
-    void showAnalysisSettings(int page);
-    void showSettings(const QString& name, const QString& title, const QString& step,
-                      const std::vector<SettingsPage>& pages, int page);
+    /// The settings of the project, at the page of this title.
+    void showSettings(const QString& page);
     void showAbout();
 
     // MainImages.cpp
@@ -133,7 +132,8 @@ class MainWindow : public QMainWindow {
     void showModel();
     void onSettingsChanged();
     void refreshActions();
-    void restoreLayout();
+    void makeStartPage();
+    void openGuide();
     FileChooser fileChooser();
 
     Workbench& workbench_;
@@ -146,6 +146,8 @@ class MainWindow : public QMainWindow {
     ModelPage* page_ = nullptr;
     SceneView* view_ = nullptr; ///< of the page
     SceneLoader* loader_ = nullptr;
+    StartPage* start_ = nullptr;
+    WindowLayout* layout_ = nullptr;
     ResultsDock* results_ = nullptr;
     DatabaseDock* databaseDock_ = nullptr;
     QAction* export_ = nullptr;

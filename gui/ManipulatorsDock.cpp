@@ -192,9 +192,9 @@ void ManipulatorsDock::onSlider(const std::string& key, int position) {
 void ManipulatorsDock::onText(const std::string& key) {
     Row& row = rows_.at(key);
     const auto text = canonicalText(settingInfo(key), row.field->text().trimmed().toStdString());
-    QPalette colours = palette();
+    QPalette colours; // of the theme, but for a mark
     if (!text)
-        colours.setColor(QPalette::Base, isDark(colours) ? QColor("#5a2a2e") : QColor("#ffe3e3"));
+        colours.setColor(QPalette::Base, isDark(palette()) ? QColor("#5a2a2e") : QColor("#ffe3e3"));
     row.field->setPalette(colours);
     if (text)
         workbench_.set(key, *text);
@@ -209,13 +209,12 @@ void ManipulatorsDock::refresh() {
         const std::string& text = settings.text(key);
         if (canonicalText(settingInfo(key), row.field->text().trimmed().toStdString()) != text) {
             row.field->setText(QString::fromStdString(text));
-            row.field->setPalette(palette());
+            row.field->setPalette(QPalette());
         }
     }
-    for (const auto& key : form_->keys()) {
+    for (const auto& key : form_->keys())
         if (form_->value(key) != settings.text(key))
             form_->setValue(key, settings.text(key));
-    }
     refreshing_ = false;
 }
 

@@ -18,17 +18,8 @@ ModelStore::ModelStore(Reader read) : read_(std::move(read)) {
         };
 }
 
-std::optional<ModelStore::Stamp> ModelStore::stampOf(const std::filesystem::path& file) {
-    std::error_code failure;
-    Stamp stamp{std::filesystem::last_write_time(file, failure), 0};
-    if (failure)
-        return {};
-    stamp.size = std::filesystem::file_size(file, failure);
-    return failure ? std::nullopt : std::optional(stamp);
-}
-
 std::shared_ptr<const irsg::Model> ModelStore::model(const ModelKey& key) {
-    const auto stamp = stampOf(key.file);
+    const auto stamp = irsg::stampOf(key.file);
     std::promise<std::shared_ptr<const irsg::Model>> promise;
     Answer answer;
     long mine = 0;
@@ -57,7 +48,7 @@ std::shared_ptr<const irsg::Model> ModelStore::model(const ModelKey& key) {
 }
 
 bool ModelStore::isThere(const ModelKey& key) const {
-    const auto stamp = stampOf(key.file);
+    const auto stamp = irsg::stampOf(key.file);
     const std::scoped_lock lock(mutex_);
     const auto kept = kept_.find(key);
     return kept != kept_.end() && kept->second.stamp == stamp &&

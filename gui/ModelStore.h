@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "irsg/radiometry/FileStamp.h"
 #include "irsg/scene/model/Model.h"
 #include "smatcore/project/SceneBuilder.h"
 
@@ -49,17 +50,11 @@ class ModelStore {
 
   private:
     using Answer = std::shared_future<std::shared_ptr<const irsg::Model>>;
-    struct Stamp {
-        std::filesystem::file_time_type written;
-        std::uintmax_t size = 0;
-        bool operator==(const Stamp&) const = default;
-    };
     struct Kept {
-        std::optional<Stamp> stamp;
+        std::optional<irsg::FileStamp> stamp;
         long reading = 0; ///< the number of
         Answer answer;
     };
-    static std::optional<Stamp> stampOf(const std::filesystem::path& file);
 
     Reader read_;
     mutable std::mutex mutex_;

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include <QString>
 
 namespace smat::gui {
 
+inline QString textOf(const std::string& text) {
+    return QString::fromStdString(text);
+}
+inline QString textOf(const std::filesystem::path& file) {
+    return QString::fromStdString(file.string());
+}
 /// "1.2346e+05": six significant digits for read-outs, "no value" where it is not finite.
 QString readableNumber(double value);
 /// A number that reads back as it is; nothing where it is not finite.

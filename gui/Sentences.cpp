@@ -1,13 +1,66 @@
 #include "gui/Sentences.h"
 
+#include <algorithm>
+
+#include <QCoreApplication>
+
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/settings/SettingInfo.h"
 
 namespace smat::gui {
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("smat::gui::Sentences", text);
+}
+
+/// "Sensor, Width" of a key of a setting; other places are as they are.
+QString placeOf(const std::string& position) {
+    const SettingInfo* setting = findSetting(position);
+    if (setting == nullptr)
+        return QString::fromStdString(position);
+    return QString::fromStdString(sectionTitle(setting->section()) + ", " + setting->label);
+}
+
+/// What is expected, and what follows it behind a colon or a semicolon: why.
+std::pair<QString, QString> neededAndWhy(const QString& expected) {
+    qsizetype end = expected.size();
+    for (const QString& mark : {QStringLiteral(": "), QStringLiteral("; ")})
+        if (const qsizetype at = expected.indexOf(mark); at > 0)
+            end = std::min(end, at);
+    return {expected.left(end), expected.mid(end)};
+}
+
+QString findingOf(const irsg::Diagnostic& diagnostic) {
+    const QString value = QString::fromStdString(diagnostic.value);
+    const auto [needed, why] = neededAndWhy(QString::fromStdString(diagnostic.expected));
+    if (needed.isEmpty())
+        return value;
+    if (value.isEmpty())
+        return tr("%1 is needed%2").arg(needed, why);
+    if (value == "nothing")
+        return tr("%1 is missing%2").arg(needed, why);
+    return tr("%1, where %2 is needed%3").arg(value, needed, why);
+}
+
+} // namespace
+
+QString sentenceOf(const irsg::Diagnostic& diagnostic) {
+    QStringList parts;
+    for (const QString& part :
+         {QString::fromStdString(diagnostic.file), placeOf(diagnostic.position)})
+        if (!part.isEmpty())
+            parts << part;
+    const QString where = parts.join(", "), finding = findingOf(diagnostic);
+    if (where.isEmpty() || finding.isEmpty())
+        return where + finding;
+    return where + ": " + finding;
+}
 
 QStringList sentencesOf(const irsg::InputError& error) {
     QStringList sentences;
     for (const irsg::Diagnostic& diagnostic : error.diagnostics())
-        sentences << QString::fromStdString(diagnostic.message());
+        sentences << sentenceOf(diagnostic);
     return sentences;
 }
 

@@ -6,11 +6,15 @@
 
 namespace irsg {
 class InputError;
-}
+struct Diagnostic;
+} // namespace irsg
 
 namespace smat::gui {
 
-/// What is wrong, for a person: "x.smat: line 3: found ..., expected ..." for each diagnostic.
+/// What is wrong, for a person: "x.smat, line 3: 1.2, where a number from 0 to 1 is needed", and
+/// the setting by its name. The terminal has irsg::Diagnostic::message.
+QString sentenceOf(const irsg::Diagnostic& diagnostic);
+/// One for each diagnostic.
 QStringList sentencesOf(const irsg::InputError& error);
 /// The same of what work in another thread has thrown; of another fault than that of an input its
 /// own words.

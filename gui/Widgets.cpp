@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
 #include <QTabWidget>
@@ -50,6 +51,15 @@ void letShownPageAloneAskForRoom(QTabWidget& tabs) {
     };
     ask(tabs.currentIndex());
     QObject::connect(&tabs, &QTabWidget::currentChanged, &tabs, ask);
+}
+
+void keepKeysFromHiddenTab(QDockWidget& dock) {
+    QWidget* content = dock.widget();
+    // The tab keeps its size, whichever dock is in front.
+    QSizePolicy policy = content->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    content->setSizePolicy(policy);
+    QObject::connect(&dock, &QDockWidget::visibilityChanged, content, &QWidget::setVisible);
 }
 
 std::optional<double> numberIn(const QLineEdit* field) {

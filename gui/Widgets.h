@@ -4,6 +4,7 @@
 
 #include <QString>
 
+class QDockWidget;
 class QLineEdit;
 class QTabWidget;
 class QToolButton;
@@ -17,6 +18,10 @@ QToolButton* menuButton(const QString& text, const QString& objectName, const QS
 
 /// Makes the minimum size of tabs that of the page that is shown, not of the largest one.
 void letShownPageAloneAskForRoom(QTabWidget& tabs);
+
+/// Takes the fields of a dock that lies behind another one out of reach of the keys: Qt leaves them
+/// shown beyond the edge of the window, with the focus that they had.
+void keepKeysFromHiddenTab(QDockWidget& dock);
 
 /// The finite number that a field holds, as files have them; none for anything else.
 std::optional<double> numberIn(const QLineEdit* field);

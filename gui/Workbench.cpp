@@ -2,21 +2,19 @@
 
 #include <algorithm>
 
-#include <QSettings>
-
+#include "gui/Memory.h"
 #include "gui/Readable.h"
 #include "gui/Sentences.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/scene/model/OpenableFiles.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/ProjectFile.h"
+#include "smatcore/results/ResultFolder.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
 
-QSettings memory() {
-    return QSettings(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench");
-}
 constexpr int keptFiles = 10;
 constexpr int stepPause_ms = 1500; ///< after which the same setting begins a new step
 constexpr int editCommandId = 0x100;
@@ -38,10 +36,9 @@ QString stepOf(const std::string& key, const std::string& value) {
 
 std::vector<std::string> keysThatDiffer(const Settings& one, const Settings& other) {
     std::vector<std::string> keys;
-    for (const auto& info : settingTable()) {
+    for (const auto& info : settingTable())
         if (one.text(info.key) != other.text(info.key))
             keys.push_back(info.key);
-    }
     return keys;
 }
 
@@ -75,28 +72,43 @@ Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent,
     : QObject(parent),
       database_(std::make_unique<DatabaseSession>(undoStack_)),
       models_(std::move(models)),
-      engine_(std::make_shared<AnalysisEngine>()) {
-    engine_->makeSource = std::move(makeSource);
+      jobs_(std::move(makeSource)) {
+    connect(&jobs_, &JobQueue::started, this,
+            [this](int, const QString& title) { emit jobStarted(title); });
+    connect(&jobs_, &JobQueue::progressed, this,
+            [this](int, const Progress& progress) { emit jobProgressed(progress); });
+    connect(&jobs_, &JobQueue::ended, this, &Workbench::jobEnded);
+    connect(&jobs_, &JobQueue::failed, this,
+            [this](int, const QStringList& sentences, bool ourFault) {
+                emit jobFailed(sentences, ourFault);
+            });
+    connect(&jobs_, &JobQueue::finished, this, [this](int number, const JobResult& result) {
+        const auto asker = askers_.find(number);
+        if (result.monteCarlo)
+            results_.add(result.monteCarlo, asker != askers_.end() && !asker->second.isNull());
+        else
+            results_.add(result.data);
+    });
     connect(&results_, &ResultStore::added, this, &Workbench::resultAdded);
+    connect(&results_, &ResultStore::addedQuietly, this, &Workbench::resultAdded);
     connect(&results_, &ResultStore::removed, this, &Workbench::resultRemoved);
+    connect(&results_, &ResultStore::unsavedChanged, this, &Workbench::modifiedChanged);
     stepEnd_.setSingleShot(true);
     stepEnd_.setInterval(stepPause_ms);
     connect(&stepEnd_, &QTimer::timeout, this, [this] { ++step_; });
 }
 
-Workbench::~Workbench() {
-    // All are asked to stop before the first is waited for.
-    if (job_) {
-        job_->disconnect(this);
-        job_->cancel();
-    }
-    for (const auto& job : leaving_)
-        job->disconnect(this);
-}
+Workbench::~Workbench() = default;
 
 void Workbench::open(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file))
         throw irsg::InputError({file.string(), "", "no such file", "a .smat project or a model"});
+    // A model by its name alone: what is in it is read beside the window.
+    if (const auto refusal = irsg::refusalOf(file.string(), irsg::FileKind::model);
+        refusal && file.extension() != ".smat")
+        throw irsg::InputError(
+            {file.string(), "", *refusal,
+             "a .smat project or " + irsg::expectationOf(irsg::FileKind::model)});
     const auto absolute = std::filesystem::absolute(file).lexically_normal();
     Project opened = file.extension() == ".smat" ? loadProject(absolute) : projectOfModel(absolute);
     take(opened, opened);
@@ -116,6 +128,9 @@ void Workbench::adopt(const Project& project) {
 }
 
 void Workbench::take(const Project& project, const Project& saved) {
+    // What was opened before there was any project stays open beside it.
+    if (project_)
+        results_.clear();
     undoStack_.clear();
     saved_ = saved;
     project_ = project;
@@ -123,6 +138,7 @@ void Workbench::take(const Project& project, const Project& saved) {
     project_->settings = saved_.settings;
     followDatabase(true);
     keepModels();
+    results_.openProject(project.file, project.results);
     emit projectOpened();
     emit settingsChanged();
     emit modifiedChanged();
@@ -175,7 +191,12 @@ void Workbench::saveAs(const std::filesystem::path& file) {
     if (file.empty())
         throw irsg::LogicError("a project without a file is to be saved");
     const auto absolute = std::filesystem::absolute(file).lexically_normal();
-    const Project moved = movedTo(editedProject(), absolute);
+    Project moved = movedTo(editedProject(), absolute);
+    const bool named = !moved.results.empty() && absolute == project_->file;
+    if (!named)
+        moved.results = ResultFolder::usualName(absolute);
+    if (!results_.holdsAny(absolute, moved.results))
+        moved.results.clear();
     saveProject(moved, absolute);
     project_ = saved_ = moved;
     settings_ = moved.settings;
@@ -231,6 +252,7 @@ void Workbench::apply(const Project& edited) {
     const bool settingsDiffer = now.settings != settings_;
     settings_ = now.settings;
     now.settings = project_->settings;
+    now.results = project_->results; // no step
     const bool projectDiffers = now != *project_;
     project_ = std::move(now);
     followDatabase(false);
@@ -381,62 +403,21 @@ void Workbench::setCamera(const OrbitCamera& camera) {
     set(changed);
 }
 
-void Workbench::start(AnalysisData data) {
-    if (job_)
-        throw irsg::LogicError("an analysis is running");
-    // A drawing that was left still has its renderer.
-    const auto working = [this](const auto& job) {
-        return job->isWorking() && job->engine() == engine_;
-    };
-    if (std::any_of(leaving_.begin(), leaving_.end(), working)) {
-        auto fresh = std::make_shared<AnalysisEngine>();
-        fresh->makeSource = engine_->makeSource;
-        engine_ = std::move(fresh);
-    }
-    // No job works with this builder: nobody else uses it.
-    engine_->scenes.setDatabaseOverrides(editedDatabases());
-    job_ = std::make_unique<AnalysisJob>(std::move(data), engine_);
-    auto* job = job_.get();
-    connect(job, &AnalysisJob::progressed, this, [this, job](const Progress& progress) {
-        if (job == job_.get())
-            emit jobProgressed(progress);
-    });
-    connect(job, &AnalysisJob::finished, this,
-            [this](const std::shared_ptr<const AnalysisData>& result) {
-                endJob();
-                results_.add(result);
-            });
-    connect(job, &AnalysisJob::failed, this,
-            [this, job](const QStringList& sentences, bool ourFault) {
-                const bool cancelled = job->isCancelled() && !ourFault;
-                endJob();
-                if (!cancelled)
-                    emit jobFailed(sentences, ourFault);
-            });
-    connect(job, &AnalysisJob::ended, this, [this, job] { forgetJob(job); });
-    emit jobStarted(QString::fromStdString(title(job->asked().kind)));
-    job->start();
+int Workbench::start(AnalysisData data) {
+    return jobs_.add({std::move(data)}, editedDatabases());
 }
 
-void Workbench::cancel() {
-    if (job_)
-        job_->cancel();
+int Workbench::start(const MonteCarloData& asked, QObject* asker) {
+    const int number = jobs_.add({asked.analysis, asked.options}, editedDatabases());
+    if (asker != nullptr)
+        askers_[number] = asker;
+    return number;
 }
 
-void Workbench::endJob() {
-    leaving_.push_back(std::move(job_));
-    emit jobEnded();
-}
-
-void Workbench::forgetJob(AnalysisJob* job) {
-    // The renderer with its loaded models is better than one that nobody has used yet.
-    if (!job_ && !engine_->source && job->engine() != engine_)
-        engine_ = job->engine();
-    // Not while the job is still in its signal.
-    QMetaObject::invokeMethod(
-        this,
-        [this, job] { std::erase_if(leaving_, [job](const auto& it) { return it.get() == job; }); },
-        Qt::QueuedConnection);
+void Workbench::saveResults() {
+    if (project().file.empty())
+        throw irsg::LogicError("results are to be kept beside a project without a file");
+    results_.saveWith(project().file, project().results);
 }
 
 QStringList Workbench::recentFiles() const {

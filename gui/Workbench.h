@@ -1,25 +1,27 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include <QObject>
+#include <QPointer>
 #include <QStringList>
 #include <QTimer>
 #include <QUndoStack>
 
 #include "gui/ModelStore.h"
-#include "gui/analysis/AnalysisJob.h"
+#include "gui/analysis/JobQueue.h"
 #include "gui/analysis/ResultStore.h"
 #include "gui/database/DatabaseSession.h"
 #include "gui/view/OrbitCamera.h"
 
 namespace smat::gui {
 
-/// What the window and its tests talk to: the project that is open, the job that runs and the
-/// results there are. Knows no widget.
+/// What the window and its tests talk to: the project that is open, the jobs that run and
+/// wait, and the results there are. Knows no widget.
 class Workbench : public QObject {
     Q_OBJECT
 
@@ -92,18 +94,26 @@ class Workbench : public QObject {
     OrbitCamera camera() const;
     void setCamera(const OrbitCamera& camera);
 
-    /// Starts an analysis in the background. LogicError while another one runs.
-    void start(AnalysisData data);
-    bool isRunning() const { return job_ != nullptr; }
-    const AnalysisJob* job() const { return job_.get(); }
-    /// Answered within a moment; a drawing under way ends by itself, and meanwhile the next
-    /// analysis has a renderer of its own.
-    void cancel();
+    /// Starts an analysis, or a Monte Carlo run, in the background; it waits in line where another
+    /// one runs. Returns its number. An `asker` that is still there then shows the result itself.
+    int start(AnalysisData data);
+    int start(const MonteCarloData& asked, QObject* asker = nullptr);
+    /// Whether a job runs or waits.
+    bool isRunning() const { return jobs_.isBusy(); }
+    JobQueue& jobs() { return jobs_; }
+    /// The one that runs, or null.
+    const AnalysisJob* job() const { return jobs_.running(); }
+    /// The one that runs, answered within a moment; the next in line begins.
+    void cancel() { jobs_.cancel(jobs_.runningNumber()); }
 
     ResultStore& resultStore() { return results_; }
+    const ResultStore& resultStore() const { return results_; }
     const std::vector<ResultEntry>& results() const { return results_.entries(); }
     const ResultEntry* result(int id) const { return results_.find(id); }
     void removeResult(int id) { results_.remove(id); }
+    /// Keeps the results with the project, beside its file. Throws irsg::InputError. LogicError
+    /// where there is no file.
+    void saveResults();
 
     /// Files opened before, the last one first, at most ten.
     QStringList recentFiles() const;
@@ -134,8 +144,6 @@ class Workbench : public QObject {
     std::filesystem::path databaseFile() const;
     void followDatabase(bool anew);
     void nameDatabase(const std::filesystem::path& file);
-    void endJob();
-    void forgetJob(AnalysisJob* job);
     void rememberFile(const std::filesystem::path& file);
 
     std::optional<Project> project_;
@@ -149,10 +157,9 @@ class Workbench : public QObject {
     bool stepHeld_ = false;
     int step_ = 0;
     std::shared_ptr<ModelStore> models_;
-    std::shared_ptr<AnalysisEngine> engine_;
     ResultStore results_;
-    std::unique_ptr<AnalysisJob> job_;
-    std::vector<std::unique_ptr<AnalysisJob>> leaving_; ///< answered, their drawing not yet ended
+    std::map<int, QPointer<QObject>> askers_; ///< of jobs, by number
+    JobQueue jobs_;                           ///< last: its threads stop before the rest goes
 };
 
 } // namespace smat::gui

@@ -43,9 +43,11 @@ is_available() {
     return 1
 }
 
-# cmake --preset NAME with what scripts/setup found out, then the build; noise only where it fails.
+# configure_and_build PRESET [TARGET...]: cmake with what scripts/setup found out, then the build, of all
+# where no target is named; noise only where it fails.
 configure_and_build() {
     local preset="$1" log="$root_dir/build/$1-configure.log" options=()
+    local targets=("${@:2}")
     if [ "${SMAT_BUILD_GUI:-ON}" = OFF ]; then
         options+=(-DSMAT_BUILD_GUI=OFF)
     fi
@@ -55,5 +57,5 @@ configure_and_build() {
         fail "the build could not be configured (all of it in $log)."
     fi
     say "Building (the first time takes a few minutes)"
-    cmake --build --preset "$preset" || fail "the build failed; the first error is above."
+    cmake --build --preset "$preset" ${targets[@]:+--target "${targets[@]}"} || fail "the build failed; the first error is above."
 }

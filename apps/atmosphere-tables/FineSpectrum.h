@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "irsg/atmosphere/lbl/NodeTraining.h"
-#include "irsg/atmosphere/lbl/PartitionSums.h"
+#include "apps/atmosphere-tables/lines/NodeTraining.h"
+#include "apps/atmosphere-tables/lines/PartitionSums.h"
 
 namespace smat::tables {
 

@@ -10,10 +10,10 @@
 
 #include "apps/atmosphere-tables/Command.h"
 #include "apps/atmosphere-tables/FineSpectrum.h"
+#include "apps/atmosphere-tables/lines/CompleteLines.h"
+#include "apps/atmosphere-tables/lines/NodeTraining.h"
+#include "apps/atmosphere-tables/lines/PartitionSums.h"
 #include "irsg/atmosphere/engine/GasTable.h"
-#include "irsg/atmosphere/lbl/CompleteLines.h"
-#include "irsg/atmosphere/lbl/NodeTraining.h"
-#include "irsg/atmosphere/lbl/PartitionSums.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::tables {

@@ -6,7 +6,7 @@
 
 #include "apps/atmosphere-tables/ContinuumTables.h"
 #include "apps/atmosphere-tables/DataTable.h"
-#include "irsg/atmosphere/lbl/LineListFile.h"
+#include "apps/atmosphere-tables/lines/LineListFile.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 

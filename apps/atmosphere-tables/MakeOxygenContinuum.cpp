@@ -4,9 +4,9 @@
 
 #include "apps/atmosphere-tables/ContinuumTables.h"
 #include "apps/atmosphere-tables/DataTable.h"
-#include "irsg/atmosphere/lbl/LineAbsorption.h"
-#include "irsg/atmosphere/lbl/LineListFile.h"
-#include "irsg/atmosphere/lbl/PublishedRun.h"
+#include "apps/atmosphere-tables/lines/LineAbsorption.h"
+#include "apps/atmosphere-tables/lines/LineListFile.h"
+#include "apps/atmosphere-tables/lines/PublishedRun.h"
 
 namespace smat::tables {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "apps/atmosphere-tables/lines/CompleteLines.h"
+#include "apps/atmosphere-tables/lines/LineAbsorption.h"
 #include "irsg/atmosphere/engine/Continuum.h"
-#include "irsg/atmosphere/lbl/CompleteLines.h"
-#include "irsg/atmosphere/lbl/LineAbsorption.h"
 #include "irsg/radiometry/FileReplacement.h"
 #include "irsg/radiometry/Planck.h"
 

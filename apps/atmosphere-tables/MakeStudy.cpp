@@ -8,7 +8,7 @@
 #include <iostream>
 
 #include "apps/atmosphere-tables/FineSpectrum.h"
-#include "irsg/atmosphere/lbl/CompleteLines.h"
+#include "apps/atmosphere-tables/lines/CompleteLines.h"
 #include "irsg/radiometry/GaussLegendre.h"
 
 // How well and how fast three methods give the transmittance of 5 cm-1 over the training paths: a

@@ -9,9 +9,9 @@
 
 #include <zlib.h>
 
-#include "irsg/atmosphere/lbl/CompleteLines.h"
-#include "irsg/atmosphere/lbl/LineByLineColumn.h"
-#include "irsg/atmosphere/lbl/TruthPaths.h"
+#include "apps/atmosphere-tables/lines/CompleteLines.h"
+#include "apps/atmosphere-tables/lines/LineByLineColumn.h"
+#include "apps/atmosphere-tables/lines/TruthPaths.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::tables {

@@ -6,7 +6,7 @@
 #include "apps/atmosphere-tables/ContinuumTables.h"
 #include "apps/atmosphere-tables/DataTable.h"
 #include "apps/atmosphere-tables/NodeCurve.h"
-#include "irsg/atmosphere/lbl/PublishedRun.h"
+#include "apps/atmosphere-tables/lines/PublishedRun.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 

@@ -64,8 +64,8 @@ std::string continued(std::uint16_t opcode, const std::string& payload) {
 /// Face and mesh share a layout; the mesh has four more bytes behind its name.
 std::string surfacePayload(const FlightSurface& surface, bool mesh) {
     constexpr std::int16_t none = -1;
-    const auto colour = 0xFF000000u | static_cast<std::uint32_t>(surface.blue) << 16 |
-                        static_cast<std::uint32_t>(surface.green) << 8 | surface.red;
+    const auto colour = 0xFF000000u | static_cast<std::uint32_t>(surface.look.blue) << 16 |
+                        static_cast<std::uint32_t>(surface.look.green) << 8 | surface.look.red;
     Payload p;
     p.text(surface.name, 8).zeros(mesh ? 4 : 0);
     p.put(surface.codes.temperature).zeros(2); // relative priority

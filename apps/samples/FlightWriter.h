@@ -17,12 +17,17 @@ struct FlightVertex {
     irsg::Vec3 normal;
 };
 
+/// A colour for the eye.
+struct Look {
+    std::uint8_t red = 200, green = 200, blue = 200;
+};
+
 /// How the faces and meshes that follow look to the eye and to the sensor.
 struct FlightSurface {
     std::string name; ///< at most 7 characters
     irsg::IrCodes codes;
     bool twoSided = false;
-    std::uint8_t red = 200, green = 200, blue = 200;
+    Look look = {};
 };
 
 /// A run of triangles over the vertices of a mesh.

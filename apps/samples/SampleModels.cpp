@@ -73,7 +73,7 @@ FlightWriter boxModel() {
         for (std::size_t i = 0; i < 4; ++i)
             corners[i] = {side.corners[i], side.normal};
         FlightSurface surface{.name = side.name, .codes = {++temperature, 1}};
-        surface.red = static_cast<std::uint8_t>(40 * temperature);
+        surface.look.red = static_cast<std::uint8_t>(40 * temperature);
         writer.addFace(surface, corners);
     }
     return writer;

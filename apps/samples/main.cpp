@@ -1,9 +1,11 @@
-// smat-samples [FOLDER] writes what this project makes of formulas: the models of sphere and box
-// and the sky and the terrain of the valley into FOLDER/samples, the plate of the tests into
-// FOLDER/tests/data/models. FOLDER is the present one.
+// smat-samples [FOLDER] writes what this project makes of formulas: the models of sphere, box,
+// heron and corvette and the sky and the terrain of the valley into FOLDER/samples, the plate of
+// the tests into FOLDER/tests/data/models. FOLDER is the present one.
 
 #include <iostream>
 
+#include "apps/samples/SampleCorvette.h"
+#include "apps/samples/SampleHeron.h"
 #include "apps/samples/SampleModels.h"
 #include "apps/samples/SampleValley.h"
 #include "irsg/radiometry/Errors.h"
@@ -28,6 +30,8 @@ int main(int argc, char** argv) {
     try {
         write(smat::sphereModel(rings, segments), folder / "samples/sphere/sphere.flt");
         write(smat::boxModel(), folder / "samples/box/box.flt");
+        write(smat::heronModel(), folder / "samples/heron/heron.flt");
+        write(smat::corvetteModel(), folder / "samples/corvette/corvette.flt");
         const std::filesystem::path valley = folder / "samples/valley";
         std::cout << "writes " << valley.string() << std::endl;
         smat::writeCloudSkybox(valley / "sky");

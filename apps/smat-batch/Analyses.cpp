@@ -23,18 +23,16 @@ std::vector<AnalysisPlan> planned(const std::vector<Job>& jobs) {
     std::vector<irsg::Diagnostic> diagnostics;
     for (const Job& job : jobs) {
         try {
-            for (const std::filesystem::path& file : job.files) {
+            for (const std::filesystem::path& file : job.files)
                 checkResultFile(job.data.kind, file);
-            }
             plans.push_back(planAnalysis(job.data.kind, job.data.project, job.data.settings));
         } catch (const irsg::InputError& error) {
             diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
                                error.diagnostics().end());
         }
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
-    }
     return plans;
 }
 
@@ -77,9 +75,8 @@ int runJobs(std::vector<Job> jobs, Context& context) {
             const StageTimer::Scope scope(&context.timer, "load");
             builder.build(job.data.project, job.data.settings);
         }
-        for (const std::filesystem::path& file : job.files) {
+        for (const std::filesystem::path& file : job.files)
             irsg::refuseInputAsOutput(file);
-        }
         if (!source) {
             const StageTimer::Scope scope(&context.timer, "start renderer");
             source = makeIrsgImageSource();
@@ -95,15 +92,13 @@ int runJobs(std::vector<Job> jobs, Context& context) {
                     job.data,
                     [&](const Progress& progress) {
                         line.show(progress);
-                        if (stopWasAsked()) {
+                        if (stopWasAsked())
                             stop.request_stop();
-                        }
                     },
                     stop.get_token(), &context.timer);
         }
-        for (const std::string& warning : job.data.warnings) {
+        for (const std::string& warning : job.data.warnings)
             warn(job.data.name + ": " + warning);
-        }
         const StageTimer::Scope scope(&context.timer, "save");
         const bool hasResult = job.data.kind->form == AnalysisForm::image ? !job.data.image.empty()
                                                                           : !job.data.table.empty();
@@ -140,9 +135,8 @@ int describeJobs(const std::vector<Job>& given, const Context& context) {
             fmt::print("{}: {}\n", jobs[i].data.name, plans[i].description);
         }
     }
-    if (context.json) {
+    if (context.json)
         fmt::print("{}\n", jsonText(nlohmann::ordered_json{{"plans", list}}));
-    }
     return done;
 }
 

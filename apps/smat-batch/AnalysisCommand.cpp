@@ -60,9 +60,8 @@ class AnalysisCommand {
 
   private:
     AnalysisData started(const Project& project) const {
-        if (analysis_.empty()) {
+        if (analysis_.empty())
             return AnalysisData::of(project, kind_);
-        }
         AnalysisData data = AnalysisData::of(project, analysis_);
         if (data.kind != kind_) {
             throw irsg::InputError(
@@ -85,13 +84,8 @@ class AnalysisCommand {
 } // namespace
 
 void addAnalysisCommands(CLI::App& app, Context& context) {
-    for (const AnalysisKind kind : allAnalysisKinds()) {
-        CLI::App* command = app.add_subcommand(name(kind), kind->help);
-        auto shared = std::make_shared<AnalysisCommand>(*command, kind);
-        command->callback([&context, shared] {
-            context.work = [&context, shared] { return shared->run(context); };
-        });
-    }
+    for (const AnalysisKind kind : allAnalysisKinds())
+        addCommand<AnalysisCommand>(app, context, kind, kind);
 }
 
 } // namespace smat::batch

@@ -20,11 +20,10 @@ using nlohmann::ordered_json;
 
 int info(const std::string& file, Context& context) {
     const StageTimer::Scope scope(&context.timer, "load");
-    if (context.json) {
+    if (context.json)
         fmt::print("{}\n", jsonText(atmosphereInfo(file)));
-    } else {
+    else
         printAtmosphereInfo(file);
-    }
     return done;
 }
 
@@ -41,14 +40,12 @@ int import(const std::vector<std::string>& names, const std::string& out, Contex
         fmt::print("{}\n", jsonText(result));
         return done;
     }
-    for (const std::string& warning : table.warnings()) {
+    for (const std::string& warning : table.warnings())
         warn(warning);
-    }
     fmt::print("{}: {} run{}, {} wavenumbers\n", out, table.runs().size(),
                table.runs().size() == 1 ? "" : "s", table.runs().front().wavenumbers_per_cm.size());
-    for (const std::string& span : table.spans()) {
+    for (const std::string& span : table.spans())
         fmt::print("  {}\n", span);
-    }
     return done;
 }
 

@@ -24,15 +24,12 @@ void assign(irsg::AtmosphereSmartParameters& parameters,
         setFromText(parameters, assignment.substr(0, equals), assignment.substr(equals + 1),
                     diagnostics);
     }
-    if (diagnostics.empty()) {
+    if (diagnostics.empty())
         diagnostics = diagnosticsOf(parameters);
-    }
-    for (irsg::Diagnostic& diagnostic : diagnostics) {
+    for (irsg::Diagnostic& diagnostic : diagnostics)
         diagnostic.file = "command line";
-    }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(std::move(diagnostics));
-    }
 }
 
 } // namespace
@@ -49,9 +46,8 @@ void changeAtmosphere(const std::string& file, const std::vector<std::string>& a
     irsg::AtmosphereSmartParameters parameters = irsg::fromKarma(document).parameters;
     assign(parameters, assignments);
     toKarma(parameters, document);
-    if (out.empty()) {
+    if (out.empty())
         irsg::allowChange(file);
-    }
     document.write(out.empty() ? file : out);
 }
 

@@ -20,11 +20,9 @@ using nlohmann::ordered_json;
 
 std::vector<std::string> quantities(const irsg::Atmosphere& atmosphere) {
     std::vector<std::string> names;
-    for (const irsg::AtmosphereProperty property : irsg::allAtmosphereProperties) {
-        if (atmosphere.supports(property)) {
+    for (const irsg::AtmosphereProperty property : irsg::allAtmosphereProperties)
+        if (atmosphere.supports(property))
             names.emplace_back(irsg::name(property));
-        }
-    }
     return names;
 }
 
@@ -38,9 +36,8 @@ ordered_json jsonOf(const irsg::AtmosphereFactValue& fact) {
                 return jsonOf(value);
             } else if constexpr (std::is_same_v<Value, irsg::AtmosphereFactList>) {
                 ordered_json list = ordered_json::array();
-                for (const irsg::AtmosphereFactValue& entry : value) {
+                for (const irsg::AtmosphereFactValue& entry : value)
                     list.push_back(jsonOf(entry));
-                }
                 return list;
             } else {
                 return value;
@@ -51,9 +48,8 @@ ordered_json jsonOf(const irsg::AtmosphereFactValue& fact) {
 
 ordered_json jsonOf(const irsg::AtmosphereFacts& facts) {
     ordered_json result = ordered_json::object();
-    for (const irsg::AtmosphereFact& fact : facts) {
+    for (const irsg::AtmosphereFact& fact : facts)
         result[fact.name] = jsonOf(fact.value);
-    }
     return result;
 }
 
@@ -74,16 +70,14 @@ void printCommon(const irsg::Atmosphere& atmosphere, const std::string& indent) 
     fmt::print("{}base {:.6g} to {:.6g} um\n", indent, base.min_um, base.max_um);
     fmt::print("{}supports {}{}\n", indent, fmt::join(quantities(atmosphere), ", "),
                atmosphere.isWidebandModeAvailable() ? "; spectral and wideband-ck" : "");
-    for (const std::string& remark : atmosphere.remarks()) {
+    for (const std::string& remark : atmosphere.remarks())
         fmt::print("{}remark: {}\n", indent, remark);
-    }
 }
 
 void print(const irsg::Atmosphere& atmosphere) {
     printCommon(atmosphere, "  ");
-    for (const std::string& line : atmosphere.describe().lines) {
+    for (const std::string& line : atmosphere.describe().lines)
         fmt::print("  {}\n", line);
-    }
 }
 
 /// An Environment file: what it says, and the atmospheres it names, in the same order.
@@ -130,9 +124,8 @@ void print(const EnvironmentFile& file) {
     } else {
         fmt::print("  no default background\n");
     }
-    for (const std::string& remark : file.loaded.remarks) {
+    for (const std::string& remark : file.loaded.remarks)
         fmt::print("  remark: {}\n", remark);
-    }
     fmt::print("  {}; the first that has a quantity over the whole band answers\n",
                irsg::counted(environment.atmospheres().size(), "atmosphere"));
     for (std::size_t i = 0; i < environment.atmospheres().size(); ++i) {

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/project/AnalysisKind.h"
 #include "smatcore/support/StageTimer.h"
 
 namespace smat::batch {
@@ -20,6 +24,32 @@ struct Context {
     std::string commandLine;   ///< as it was given, for the provenance
     std::function<int()> work; ///< what the chosen command does; gives the exit code
 };
+
+/// What is wrong with an option.
+inline irsg::InputError refusal(const char* option, std::string value, std::string expected) {
+    return irsg::InputError({.file = option,
+                             .position = "",
+                             .value = std::move(value),
+                             .expected = std::move(expected)});
+}
+
+/// Adds the command `name` of `parent`, whose options and work are those of a Work(command,
+/// arguments...): it lives as long as the parser.
+template <typename Work, typename... Arguments>
+void addCommand(CLI::App& parent, Context& context, const std::string& name,
+                const std::string& help, const Arguments&... arguments) {
+    CLI::App* command = parent.add_subcommand(name, help);
+    auto work = std::make_shared<Work>(*command, arguments...);
+    command->callback(
+        [&context, work] { context.work = [&context, work] { return work->run(context); }; });
+}
+
+/// The same of a kind of analysis or tool, which has name and help.
+template <typename Work, typename... Arguments>
+void addCommand(CLI::App& parent, Context& context, AnalysisKind kind,
+                const Arguments&... arguments) {
+    addCommand<Work>(parent, context, kind->name, kind->help, arguments...);
+}
 
 /// Each adds one command with its options; `context` outlives the parser.
 void addRunCommand(CLI::App& app, Context& context);

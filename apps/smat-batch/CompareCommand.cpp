@@ -42,9 +42,8 @@ void addNumbers(NumberOptions& numbers) {
 
 std::size_t countOf(const NumberOptions& numbers, const std::string& option) {
     const double value = numbers.value(option).value_or(0.0);
-    if (value < 0.0 || value > 1e15 || value != std::floor(value)) {
+    if (value < 0.0 || value > 1e15 || value != std::floor(value))
         throw irsg::InputError({"", option, irsg::numberText(value), "a whole number from 0"});
-    }
     return static_cast<std::size_t>(value);
 }
 
@@ -70,9 +69,8 @@ irsg::PixelRectangle rectangleFrom(const std::string& text) {
         good = read.ec == std::errc() && (i == 3 ? next == end : next != end && *next == ',');
         next += i < 3 && good ? 1 : 0;
     }
-    if (!good) {
+    if (!good)
         throw irsg::InputError({"", "--rectangle", text, "x,y,width,height in whole pixels"});
-    }
     return r;
 }
 
@@ -97,20 +95,17 @@ std::string rectangleText(const irsg::PixelRectangle& r) {
 }
 
 void print(const irsg::Comparison& comparison, const irsg::ComparisonOptions& options) {
-    if (options.rectangle) {
+    if (options.rectangle)
         fmt::print("rectangle {}\n", rectangleText(*options.rectangle));
-    }
     const auto figures = irsg::comparisonFigures(comparison, options);
     for (std::size_t i = 0; i < figures.size(); ++i) {
         const auto& figure = figures[i];
-        if (figure.label.empty()) {
+        if (figure.label.empty())
             continue; // the percent beside a number of pixels, on its line
-        }
         std::string text = irsg::shortNumber(figure.value);
         text += figure.unit.empty() ? "" : " " + figure.unit;
-        if (i + 1 < figures.size() && figures[i + 1].label.empty()) {
+        if (i + 1 < figures.size() && figures[i + 1].label.empty())
             text += fmt::format(" ({} %)", irsg::shortNumber(figures[i + 1].value));
-        }
         fmt::print("  {:<31} {}{}\n", figure.label, text,
                    figure.detail.empty() ? "" : ", " + figure.detail);
     }
@@ -123,9 +118,8 @@ ordered_json numberJson(double value) {
 }
 
 ordered_json pairJson(const irsg::PixelPair& pair) {
-    if (pair.x < 0) {
+    if (pair.x < 0)
         return nullptr;
-    }
     return {{"x", pair.x}, {"y", pair.y}, {"a", numberJson(pair.a)}, {"b", numberJson(pair.b)}};
 }
 
@@ -138,9 +132,8 @@ ordered_json comparisonJson(const irsg::Comparison& comparison,
         {"channel_a", comparison.channelA},
         {"channel_b", comparison.channelB},
         {"unit", comparison.unit}};
-    for (const auto& figure : irsg::comparisonFigures(comparison, options)) {
+    for (const auto& figure : irsg::comparisonFigures(comparison, options))
         json[figure.key] = numberJson(figure.value);
-    }
     json["total_unit"] = comparison.totalUnit;
     json["peak"] = numberJson(comparison.peak);
     json["epsilon"] = numberJson(comparison.epsilon);
@@ -166,12 +159,10 @@ int compare(const CompareOptions& options, Context& context) {
     compared.nameB = options.fileB;
     compared.check();
     std::vector<std::optional<irsg::PixelRectangle>> parts;
-    for (const std::string& text : options.rectangles) {
+    for (const std::string& text : options.rectangles)
         parts.push_back(rectangleFrom(text));
-    }
-    if (parts.empty()) {
+    if (parts.empty())
         parts.push_back(std::nullopt);
-    }
 
     const auto read = [&context](const std::string& file) {
         const StageTimer::Scope scope(&context.timer, "read");
@@ -186,16 +177,13 @@ int compare(const CompareOptions& options, Context& context) {
         compared.rectangle = part;
         const irsg::Comparison comparison = irsg::compareImages(a, b, compared);
         worst = std::max(worst, comparison.verdict);
-        if (part == parts.front()) {
-            for (const std::string& sentence : comparison.warnings) {
+        if (part == parts.front())
+            for (const std::string& sentence : comparison.warnings)
                 warn(sentence);
-            }
-        }
-        if (context.json) {
+        if (context.json)
             results.push_back(comparisonJson(comparison, compared));
-        } else {
+        else
             print(comparison, compared);
-        }
     }
 
     if (!options.out.empty()) {
@@ -204,9 +192,8 @@ int compare(const CompareOptions& options, Context& context) {
         compared.rectangle.reset();
         const auto image =
             irsg::differenceImage(a, b, irsg::compareImages(a, b, compared), compared);
-        for (const std::string& file : options.out) {
+        for (const std::string& file : options.out)
             writeDifference(image, file);
-        }
     }
     if (context.json) {
         fmt::print("{}\n", jsonText(ordered_json{{"a", options.fileA},

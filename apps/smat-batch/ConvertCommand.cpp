@@ -15,9 +15,8 @@ struct ConvertOptions {
 
 long total(const std::map<irsg::IrCodes, long>& polygons) {
     long sum = 0;
-    for (const auto& [codes, count] : polygons) {
+    for (const auto& [codes, count] : polygons)
         sum += count;
-    }
     return sum;
 }
 
@@ -51,9 +50,8 @@ int convert(const ConvertOptions& options, Context& context) {
                options.in, options.out, report.polygonsWritten.size(),
                total(report.polygonsWritten), report.drawablesWritten, total(report.polygonsRead),
                report.drawablesRead);
-    for (const std::string& remark : report.remarks) {
+    for (const std::string& remark : report.remarks)
         fmt::print("  note: {}\n", remark);
-    }
     return done;
 }
 

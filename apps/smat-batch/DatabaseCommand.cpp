@@ -69,15 +69,13 @@ int exportText(const ExportOptions& options, Context& context) {
     }
     if (!options.spectrum.empty()) {
         const auto spectrum = database.spectra.find(options.spectrum);
-        if (spectrum == database.spectra.end()) {
+        if (spectrum == database.spectra.end())
             throw absent(options, "spectra." + options.spectrum);
-        }
         irsg::writeSpectrumCsv(spectrum->second, options.out);
     } else if (options.material) {
         const auto material = database.materials.find(*options.material);
-        if (material == database.materials.end()) {
+        if (material == database.materials.end())
             throw absent(options, fmt::format("materials.{}", *options.material));
-        }
         irsg::writeMaterialCsv(material->second, options.out);
     } else if (options.out.empty()) {
         fmt::print("{}", irsg::signatureToJson(database));
@@ -133,9 +131,8 @@ irsg::SignatureDatabase loadedDatabase(const std::string& file, bool acceptChang
     const StageTimer::Scope scope(&context.timer, "load");
     const irsg::LoadedSignature signature = irsg::loadSignatureFile(
         file, acceptChanges ? irsg::OutsideChanges::accept : irsg::OutsideChanges::refuse);
-    for (const std::string& entry : signature.changedOutside) {
+    for (const std::string& entry : signature.changedOutside)
         warn(file + ": " + entry + " was changed outside this program");
-    }
     return signature.database;
 }
 

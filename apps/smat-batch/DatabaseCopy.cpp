@@ -60,26 +60,23 @@ irsg::CopyRequest requestOf(const CopyOptions& options) {
                                .value = "nothing to copy",
                                .expected = "--temperatures, --materials or --spectra"});
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(std::move(diagnostics));
-    }
     return request;
 }
 
 template <typename Key>
 nlohmann::ordered_json jsonOf(const std::map<Key, Key>& moves) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const auto& [from, to] : moves) {
+    for (const auto& [from, to] : moves)
         list.push_back({{"from", from}, {"to", to}});
-    }
     return list;
 }
 
 template <typename Key>
 void print(const char* kind, const std::map<Key, Key>& moves) {
-    for (const auto& [from, to] : moves) {
+    for (const auto& [from, to] : moves)
         fmt::print("  {} {} as {}\n", kind, from, to);
-    }
 }
 
 int copy(const CopyOptions& options, Context& context) {

@@ -26,14 +26,12 @@ struct ImportOptions {
 /// distance is the one that is given, else that of the file.
 void importSpectrum(const ImportOptions& options, irsg::SignatureDatabase& database) {
     std::optional<irsg::SpectralRadianceUnit> unit;
-    if (!options.unit.empty()) {
+    if (!options.unit.empty())
         unit = irsg::SpectralRadianceUnit::parse(options.unit);
-    }
     irsg::UserSpectrum spectrum =
         irsg::readSpectrumCsv(options.in, unit, options.referenceDistance_m);
-    if (!options.name.empty()) {
+    if (!options.name.empty())
         spectrum.name = options.name;
-    }
     const std::string spectrumName = spectrum.name;
     database.spectra[spectrumName] = std::move(spectrum);
 }
@@ -55,13 +53,11 @@ void importMaterial(const ImportOptions& options, irsg::SignatureDatabase& datab
     const int index = needed("--material", options.material, options);
     irsg::Material material;
     material.name = std::filesystem::path(options.in).stem().string();
-    if (const auto there = database.materials.find(index); there != database.materials.end()) {
+    if (const auto there = database.materials.find(index); there != database.materials.end())
         material = there->second;
-    }
     irsg::readMaterialCsv(options.in, material);
-    if (!options.name.empty()) {
+    if (!options.name.empty())
         material.name = options.name;
-    }
     database.materials[index] = std::move(material);
 }
 
@@ -129,24 +125,22 @@ int import(const ImportOptions& options, Context& context) {
     if (std::filesystem::path(options.in).extension() == ".json") {
         const irsg::SignatureDatabase database =
             irsg::signatureFromJson(readTextFile(options.in), options.in);
-        if (options.replace) {
+        if (options.replace)
             irsg::saveSignatureFile(database, options.file);
-        } else {
+        else
             createNew(database, options.file);
-        }
         createScalings(database, options);
         warnOfNew({}, database, options.file);
         return done;
     }
     const irsg::SignatureDatabase opened = loadedDatabase(options.file, false, context);
     irsg::SignatureDatabase database = opened;
-    if (options.kind == "spectrum") {
+    if (options.kind == "spectrum")
         importSpectrum(options, database);
-    } else if (options.kind == "material") {
+    else if (options.kind == "material")
         importMaterial(options, database);
-    } else {
+    else
         importFactors(options, database);
-    }
     irsg::saveSignatureFile(database, options.file, opened);
     createScalings(database, options);
     warnOfNew(irsg::lint(opened), database, options.file);

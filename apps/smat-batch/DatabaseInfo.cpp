@@ -4,6 +4,7 @@
 #include "apps/smat-batch/DatabaseCommand.h"
 #include "apps/smat-batch/Output.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/signature/EntryFields.h"
 
 namespace smat::batch {
 
@@ -26,17 +27,16 @@ bool usesSpectrum(const irsg::TemperatureEntry& entry) {
 std::vector<std::string> tablesOf(const irsg::TemperatureEntry& entry) {
     std::vector<std::string> names;
     const auto add = [&](const std::string& name, const LookupTable& table) {
-        if (!table.empty()) {
+        if (!table.empty())
             names.push_back(name + (table.loop() ? " (loop)" : ""));
-        }
     };
-    add("time_s", entry.terms.time);
-    add("power", entry.terms.power);
-    add("altitude_m", entry.terms.altitude);
-    add("mach", entry.terms.mach);
+    irsg::forEachField<LookupTable>(irsg::termFields(), [&](const auto& field, auto member) {
+        add(field.key, entry.terms.*member);
+    });
     for (const irsg::ComponentFactor& factor : entry.factors) {
-        add(factor.component + ".time_s", factor.time);
-        add(factor.component + ".angle_deg", factor.angle);
+        irsg::forEachField<LookupTable>(irsg::factorFields(), [&](const auto& field, auto member) {
+            add(factor.component + "." + field.key, factor.*member);
+        });
     }
     return names;
 }
@@ -50,45 +50,52 @@ ordered_json jsonOf(const Spectrum& spectrum) {
     return json;
 }
 
+/// Adds the texts, numbers and spectra of an entry, by the names of their columns.
+template <typename Entry>
+void addFields(ordered_json& json, const Entry& entry,
+               std::span<const irsg::EntryField<Entry>> fields) {
+    for (const auto& field : fields)
+        if (const auto text = field.template as<std::string>())
+            json[field.column] = entry.*text;
+        else if (const auto number = field.template as<double>())
+            json[field.column] = entry.*number;
+        else if (const auto spectrum = field.template as<Spectrum>())
+            json[field.column] = jsonOf(entry.*spectrum);
+}
+
 ordered_json jsonOf(const irsg::SignatureDatabase& database) {
     ordered_json temperatures = ordered_json::array();
     for (const auto& [index, entry] : database.temperatures) {
         ordered_json one{{"index", index},
                          {"name", entry.name},
                          {"mode", usesSpectrum(entry) ? "user spectrum" : "temperature equation"}};
-        if (usesSpectrum(entry)) {
+        if (usesSpectrum(entry))
             one["spectrum"] = entry.userSpectrum;
-        } else {
+        else
             one["at_rest_K"] = irsg::surfaceTemperature_K(entry.terms, {});
-        }
         one["tables"] = tablesOf(entry);
         one["notes"] = entry.notes;
         temperatures.push_back(std::move(one));
     }
     ordered_json materials = ordered_json::array();
     for (const auto& [index, material] : database.materials) {
-        materials.push_back({{"index", index},
-                             {"name", material.name},
-                             {"opaque", material.isOpaque()},
-                             {"emissivity", jsonOf(material.emissivity)},
-                             {"transmissivity", jsonOf(material.transmissivity)},
-                             {"n_angle_factor", material.nAngleFactor},
-                             {"notes", material.notes}});
+        ordered_json one{
+            {"index", index}, {"name", material.name}, {"opaque", material.isOpaque()}};
+        addFields(one, material, irsg::materialFields());
+        materials.push_back(std::move(one));
     }
     ordered_json spectra = ordered_json::array();
     for (const auto& [name, spectrum] : database.spectra) {
         std::vector<std::string> components;
-        for (const irsg::SpectrumComponent& component : spectrum.components) {
+        for (const irsg::SpectrumComponent& component : spectrum.components)
             components.push_back(component.name);
-        }
         const auto& axis_um = spectrum.components.front().radiance.wavelengths_um();
-        spectra.push_back({{"name", name},
-                           {"components", components},
-                           {"nodes", axis_um.size()},
-                           {"axis_um", {axis_um.front(), axis_um.back()}},
-                           {"reference_distance_m", spectrum.referenceDistance_m},
-                           {"imported_unit", spectrum.importedUnit},
-                           {"notes", spectrum.notes}});
+        ordered_json one{{"name", name},
+                         {"components", components},
+                         {"nodes", axis_um.size()},
+                         {"axis_um", {axis_um.front(), axis_um.back()}}};
+        addFields(one, spectrum, irsg::spectrumFields());
+        spectra.push_back(std::move(one));
     }
     return {{"title", database.title},
             {"notes", database.notes},
@@ -99,9 +106,8 @@ ordered_json jsonOf(const irsg::SignatureDatabase& database) {
 
 /// "0.9", or "0.85 to 0.94 (12 nodes, 2 to 14 um)".
 std::string textOf(const Spectrum& spectrum) {
-    if (spectrum.isConstant()) {
+    if (spectrum.isConstant())
         return irsg::numberText(spectrum.values().front());
-    }
     return fmt::format("{:.4g} to {:.4g} ({} nodes, {:.4g} to {:.4g} um)", spectrum.minimum(),
                        spectrum.maximum(), spectrum.size(), spectrum.wavelengths_um().front(),
                        spectrum.wavelengths_um().back());
@@ -110,25 +116,24 @@ std::string textOf(const Spectrum& spectrum) {
 void print(const irsg::SignatureDatabase& database) {
     for (const auto& [index, entry] : database.temperatures) {
         fmt::print("  temperature {:>6}  {}: ", index, entry.name);
-        if (usesSpectrum(entry)) {
+        if (usesSpectrum(entry))
             fmt::print("spectrum {}", entry.userSpectrum);
-        } else {
+        else
             fmt::print("{:.2f} K at rest", irsg::surfaceTemperature_K(entry.terms, {}));
-        }
-        for (const std::string& table : tablesOf(entry)) {
+        for (const std::string& table : tablesOf(entry))
             fmt::print(", table {}", table);
-        }
         fmt::print("\n");
     }
     for (const auto& [index, material] : database.materials) {
         fmt::print("  material    {:>6}  {}: emissivity {}", index, material.name,
                    textOf(material.emissivity));
-        if (!material.isOpaque()) {
+        if (!material.isOpaque())
             fmt::print(", transmissivity {}", textOf(material.transmissivity));
-        }
-        if (material.nAngleFactor > 0.0) {
-            fmt::print(", N {:.4g}", material.nAngleFactor);
-        }
+        irsg::forEachField<double>(irsg::materialFields(),
+                                   [&of = material](const auto& field, auto member) {
+                                       if (field.saysSomething(of))
+                                           fmt::print(", {} {:.4g}", field.label, of.*member);
+                                   });
         fmt::print("\n");
     }
     for (const auto& [name, spectrum] : database.spectra) {

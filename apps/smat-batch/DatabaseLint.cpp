@@ -40,9 +40,8 @@ irsg::SignatureDatabase read(const LintOptions& options, Context& context) {
         options.file,
         options.acceptChanges ? irsg::OutsideChanges::accept : irsg::OutsideChanges::refuse,
         irsg::LintErrors::accept);
-    for (const std::string& entry : loaded.changedOutside) {
+    for (const std::string& entry : loaded.changedOutside)
         warn(options.file + ": " + entry + " was changed outside this program");
-    }
     return loaded.database;
 }
 
@@ -76,9 +75,8 @@ Surroundings surroundingsOf(const LintOptions& options) {
         around.scope.models.push_back(irsg::useOf(*irsg::Model::load(file)));
         around.scalings.emplace_back(around.scope.models.back(), irsg::scalingUseOf(file));
     }
-    if (!options.band.empty()) {
+    if (!options.band.empty())
         around.scope.bands = {irsg::Band::fromText(options.band).range()};
-    }
     return around;
 }
 
@@ -108,18 +106,16 @@ void print(const std::vector<Finding>& findings, const char* severity = nullptr)
 }
 
 int exitCodeOf(const std::vector<Finding>& findings) {
-    if (std::ranges::any_of(findings, &Finding::isError)) {
+    if (std::ranges::any_of(findings, &Finding::isError))
         return refused;
-    }
     return findings.empty() ? done : warned;
 }
 
 void save(const irsg::SignatureDatabase& database, const std::string& file) {
-    if (isJson(file)) {
+    if (isJson(file))
         writeTextFile(file, irsg::signatureToJson(database));
-    } else {
+    else
         irsg::saveSignatureFile(database, file);
-    }
 }
 
 void checkOptions(const LintOptions& options) {
@@ -143,9 +139,8 @@ int lint(const LintOptions& options, Context& context) {
 
     // What cannot be opened again is not written.
     const bool writes = options.repair && exitCode != refused;
-    if (writes) {
+    if (writes)
         save(database, options.out);
-    }
     if (context.json) {
         nlohmann::ordered_json result{{"file", options.file}, {"findings", jsonOf(left)}};
         if (options.repair) {

@@ -47,9 +47,8 @@ int info(const std::string& file, Context& context) {
         area_m2 += use.area_m2;
     }
     fmt::print("  {:>25} {:>8} {:>14.6g}\n", "all", faces, area_m2);
-    for (const std::string& remark : model->remarks()) {
+    for (const std::string& remark : model->remarks())
         fmt::print("  note: {}\n", remark);
-    }
     return done;
 }
 

@@ -21,13 +21,6 @@ namespace smat::batch {
 
 namespace {
 
-irsg::InputError refusal(const char* option, std::string value, std::string expected) {
-    return irsg::InputError({.file = option,
-                             .position = "",
-                             .value = std::move(value),
-                             .expected = std::move(expected)});
-}
-
 /// `smat-batch montecarlo PROJECT --samples N --seed S --out FILE`.
 class MonteCarloCommand {
   public:
@@ -119,15 +112,13 @@ class MonteCarloCommand {
                     data,
                     [&](const Progress& progress) {
                         line.show(progress);
-                        if (stopWasAsked()) {
+                        if (stopWasAsked())
                             stop.request_stop();
-                        }
                     },
                     stop.get_token(), &context.timer);
         }
-        for (const std::string& warning : data.analysis.warnings) {
+        for (const std::string& warning : data.analysis.warnings)
             warn(data.analysis.name + ": " + warning);
-        }
         std::vector<std::filesystem::path> written;
         {
             const StageTimer::Scope scope(&context.timer, "save");
@@ -138,44 +129,36 @@ class MonteCarloCommand {
         }
         const std::vector<Outcome> outcomes{{&data.analysis, written}};
         fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
-        if (stopWasAsked()) {
+        if (stopWasAsked())
             warn("stopped; what was done so far is kept");
-        }
         return data.analysis.state == AnalysisState::complete ? done : warned;
     }
 
   private:
     void checkFiles() const {
-        if (files_.empty()) {
+        if (files_.empty())
             throw refusal("--out", "nothing", "a result file, such as --out montecarlo.csv");
-        }
         for (const std::string& file : files_) {
             const std::string extension = std::filesystem::path(file).extension().string();
-            if (extension != ".csv" && extension != ".json") {
+            if (extension != ".csv" && extension != ".json")
                 throw refusal("--out", file, "a file that ends in .csv or .json");
-            }
         }
     }
 
     AnalysisData started(const Project& project) const {
         if (!kind_.empty()) {
             const auto kind = analysisKindFromName(kind_);
-            if (!kind || (*kind)->form == AnalysisForm::image) {
+            if (!kind || (*kind)->form == AnalysisForm::image)
                 throw refusal("--kind", kind_, "polar, range, time or spectrum");
-            }
-            if (!analysis_.empty()) {
+            if (!analysis_.empty())
                 throw refusal("--kind", kind_, "nothing beside --analysis");
-            }
             return AnalysisData::of(project, *kind);
         }
-        if (!analysis_.empty()) {
+        if (!analysis_.empty())
             return AnalysisData::of(project, analysis_);
-        }
-        for (const NamedAnalysis& analysis : project.analyses) {
-            if (analysis.kind->form != AnalysisForm::image) {
+        for (const NamedAnalysis& analysis : project.analyses)
+            if (analysis.kind->form != AnalysisForm::image)
                 return AnalysisData::of(project, analysis.name);
-            }
-        }
         return AnalysisData::of(project, AnalysisKind::polar);
     }
 
@@ -183,12 +166,10 @@ class MonteCarloCommand {
     template <typename Number>
     void take(const char* option, Number& number) const {
         const auto given = numbers_.value(option);
-        if (!given) {
+        if (!given)
             return;
-        }
-        if (!(*given >= 0.0 && *given <= 1e9 && *given == std::floor(*given))) {
+        if (!(*given >= 0.0 && *given <= 1e9 && *given == std::floor(*given)))
             throw refusal(option, irsg::numberText(*given), "a whole number");
-        }
         number = static_cast<Number>(*given);
     }
 
@@ -201,14 +182,12 @@ class MonteCarloCommand {
         options.standardError = numbers_.value("--standard-error");
         options.rankingAt = numbers_.value("--ranking-at");
         options.ranking = ranking_ || options.rankingAt || numbers_.value("--ranking-pairs");
-        if (sequence_ != "sobol" && sequence_ != "plain") {
+        if (sequence_ != "sobol" && sequence_ != "plain")
             throw refusal("--sequence", sequence_, "sobol or plain");
-        }
         options.sequence = sequence_ == "plain" ? DrawSequence::plain : DrawSequence::sobol;
         const auto quantity = monteCarloQuantity(quantity_);
-        if (!quantity) {
+        if (!quantity)
             throw refusal("--quantity", quantity_, "contrast_intensity, intensity or irradiance");
-        }
         options.quantity = *quantity;
         const auto statistic = statisticFromName(statistic_);
         if (!statistic) {
@@ -222,9 +201,8 @@ class MonteCarloCommand {
                 const std::size_t comma = std::min(percentiles_.find(',', at), percentiles_.size());
                 const std::string word = percentiles_.substr(at, comma - at);
                 const auto percent = irsg::parseNumber(word);
-                if (!percent) {
+                if (!percent)
                     throw refusal("--percentiles", word, "numbers separated by commas");
-                }
                 options.percentiles.push_back(*percent);
                 at = comma + 1;
             }
@@ -244,11 +222,7 @@ class MonteCarloCommand {
 } // namespace
 
 void addMonteCarloCommand(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand(
-        "montecarlo", "An analysis repeated over the scaling files beside the model");
-    auto shared = std::make_shared<MonteCarloCommand>(*command);
-    command->callback(
-        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+    addCommand<MonteCarloCommand>(app, context, AnalysisKind::monteCarlo);
 }
 
 } // namespace smat::batch

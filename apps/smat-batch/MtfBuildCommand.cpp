@@ -21,10 +21,6 @@ namespace smat::batch {
 
 namespace {
 
-irsg::InputError refusal(const char* option, std::string value, std::string expected) {
-    return irsg::InputError({option, "", std::move(value), std::move(expected)});
-}
-
 /// "1,2,3" or "1:2,3:4" as numbers.
 std::vector<std::vector<double>> lists(const char* option, const std::string& text,
                                        const char* expected) {
@@ -233,11 +229,9 @@ class MtfBuildCommand {
 } // namespace
 
 void addMtfBuildCommand(CLI::App& mtf, Context& context) {
-    CLI::App* command = mtf.add_subcommand(
-        "build", "Makes a database: Mie theory with the small-angle theory or traced photons");
-    auto shared = std::make_shared<MtfBuildCommand>(*command);
-    command->callback(
-        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+    addCommand<MtfBuildCommand>(
+        mtf, context, "build",
+        "Makes a database: Mie theory with the small-angle theory or traced photons");
 }
 
 } // namespace smat::batch

@@ -33,9 +33,8 @@ int info(const std::string& file, const Context& context) {
         return done;
     }
     fmt::print("{}\n", file);
-    for (const std::string& line : irsg::describeMtf(file).lines) {
+    for (const std::string& line : irsg::describeMtf(file).lines)
         fmt::print("  {}\n", line);
-    }
     return done;
 }
 

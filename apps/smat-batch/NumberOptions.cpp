@@ -23,14 +23,11 @@ std::optional<double> NumberOptions::value(const std::string& option) const {
 
 void NumberOptions::check() const {
     std::vector<irsg::Diagnostic> diagnostics;
-    for (const auto& [option, text] : texts_) {
-        if (!text.empty() && !irsg::parseNumber(text)) {
+    for (const auto& [option, text] : texts_)
+        if (!text.empty() && !irsg::parseNumber(text))
             diagnostics.push_back({option, "", text, "a finite number"});
-        }
-    }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(std::move(diagnostics));
-    }
 }
 
 TableFiles::TableFiles(CLI::App& command) {
@@ -48,23 +45,20 @@ void TableFiles::check(const std::string& example) const {
                              .value = "nothing",
                              .expected = "a result file, such as --out " + example});
     }
-    for (const std::string& file : files_) {
+    for (const std::string& file : files_)
         checkResultFile(AnalysisKind::table, file);
-    }
 }
 
 void TableFiles::write(const std::string& kind, const ResultTable& table,
                        const std::vector<SummaryItem>& summary,
                        const std::vector<std::string>& warnings, bool json) const {
-    for (const std::string& file : files_) {
+    for (const std::string& file : files_)
         table.save(file);
-    }
     if (json) {
         using Json = nlohmann::ordered_json;
         Json items = Json::array();
-        for (const SummaryItem& item : summary) {
+        for (const SummaryItem& item : summary)
             items.push_back({{"label", item.label}, {"value", item.value}, {"unit", item.unit}});
-        }
         fmt::print("{}\n", jsonText(Json{{"kind", kind},
                                          {"files", files_},
                                          {"warnings", warnings},
@@ -73,19 +67,15 @@ void TableFiles::write(const std::string& kind, const ResultTable& table,
         return;
     }
     std::size_t widest = 20;
-    for (const SummaryItem& item : summary) {
+    for (const SummaryItem& item : summary)
         widest = std::max(widest, item.label.size() + 2);
-    }
     fmt::print("{}: {} rows\n", kind, table.rowCount());
-    for (const SummaryItem& item : summary) {
+    for (const SummaryItem& item : summary)
         fmt::print("  {:<{}} {:>12.6g} {}\n", item.label, widest, item.value, item.unit);
-    }
-    for (const std::string& warning : warnings) {
+    for (const std::string& warning : warnings)
         fmt::print("  note: {}\n", warning);
-    }
-    for (const std::string& file : files_) {
+    for (const std::string& file : files_)
         fmt::print("  -> {}\n", file);
-    }
 }
 
 } // namespace smat::batch

@@ -38,9 +38,8 @@ void warn(const std::string& sentence) {
 }
 
 void complain(const irsg::InputError& error) {
-    for (const irsg::Diagnostic& diagnostic : error.diagnostics()) {
+    for (const irsg::Diagnostic& diagnostic : error.diagnostics())
         tell("error: " + diagnostic.message() + "\n");
-    }
 }
 
 void checkFolderGiven(const std::string& folder, const std::string& what) {
@@ -53,31 +52,26 @@ void checkFolderGiven(const std::string& folder, const std::string& what) {
 }
 
 ProgressLine::~ProgressLine() {
-    if (width_ > 0) {
+    if (width_ > 0)
         tell(fmt::format("\r{:{}}\r", "", width_));
-    }
 }
 
 void ProgressLine::show(const Progress& progress) {
-    if (isatty(STDERR_FILENO) == 0) {
+    if (isatty(STDERR_FILENO) == 0)
         return;
-    }
     std::string line = fmt::format("{}  {}/{}  {:.0f} %  {:.1f} s", progress.what, progress.done,
                                    progress.total, 100.0 * progress.fraction(), progress.elapsed_s);
-    if (const auto remaining_s = progress.remaining_s()) {
+    if (const auto remaining_s = progress.remaining_s())
         line += fmt::format(", {:.0f} s left", *remaining_s);
-    }
     tell(fmt::format("\r{:<{}}", line, width_));
     width_ = std::max(width_, line.size());
 }
 
 std::string summaryText(const std::vector<Outcome>& outcomes) {
     std::size_t widest = 20;
-    for (const Outcome& outcome : outcomes) {
-        for (const SummaryItem& item : outcome.data->summary) {
+    for (const Outcome& outcome : outcomes)
+        for (const SummaryItem& item : outcome.data->summary)
             widest = std::max(widest, item.label.size() + 2);
-        }
-    }
     std::string text;
     for (const Outcome& outcome : outcomes) {
         const AnalysisData& data = *outcome.data;
@@ -88,12 +82,10 @@ std::string summaryText(const std::vector<Outcome>& outcomes) {
             text +=
                 fmt::format("  {:<{}} {:>12.6g} {}\n", item.label, widest, item.value, item.unit);
         }
-        for (const std::string& warning : data.warnings) {
+        for (const std::string& warning : data.warnings)
             text += "  note: " + warning + "\n";
-        }
-        for (const std::filesystem::path& file : outcome.files) {
+        for (const std::filesystem::path& file : outcome.files)
             text += "  -> " + file.string() + "\n";
-        }
     }
     return text;
 }
@@ -103,19 +95,15 @@ std::string summaryJson(const std::vector<Outcome>& outcomes) {
     for (const Outcome& outcome : outcomes) {
         const AnalysisData& data = *outcome.data;
         Json settings = Json::object();
-        for (const SettingInfo& setting : settingTable()) {
-            if (concerns(setting, name(data.kind))) {
+        for (const SettingInfo& setting : settingTable())
+            if (concerns(setting, name(data.kind)))
                 settings[setting.key] = data.settings.text(setting.key);
-            }
-        }
         Json summary = Json::array();
-        for (const SummaryItem& item : data.summary) {
+        for (const SummaryItem& item : data.summary)
             summary.push_back({{"label", item.label}, {"value", item.value}, {"unit", item.unit}});
-        }
         Json files = Json::array();
-        for (const std::filesystem::path& file : outcome.files) {
+        for (const std::filesystem::path& file : outcome.files)
             files.push_back(file.string());
-        }
         list.push_back({{"name", data.name},
                         {"kind", name(data.kind)},
                         {"state", stateName(data.state)},

@@ -16,9 +16,8 @@ ProjectInput::ProjectInput(CLI::App& command) {
 
 Project ProjectInput::load() const {
     const std::filesystem::path file(file_);
-    if (file.extension() != ".smat") {
+    if (file.extension() != ".smat")
         return projectOfModel(file, database_);
-    }
     if (!database_.empty()) {
         throw irsg::InputError(
             irsg::Diagnostic{.file = "--database",
@@ -27,9 +26,8 @@ Project ProjectInput::load() const {
                              .expected = "no database: a project names its own"});
     }
     Project project = loadProject(file);
-    for (const std::string& key : unknownKeys(project)) {
+    for (const std::string& key : unknownKeys(project))
         warn(file_ + ": the key " + key + " is not known to this version and has no effect");
-    }
     return project;
 }
 

@@ -16,9 +16,8 @@ namespace {
 /// "all, transmittance, path, ...".
 std::string quantityWords() {
     std::string text = "all";
-    for (const RadiativeQuantity& known : radiativeQuantities()) {
+    for (const RadiativeQuantity& known : radiativeQuantities())
         text += ", " + std::string(known.word);
-    }
     return text;
 }
 
@@ -73,7 +72,8 @@ class RadiativeCommand {
             output = radiativeOutput(environment, request);
         }
         const StageTimer::Scope scope(&context.timer, "save");
-        files_.write("radiative", output.table, output.summary, output.warnings, context.json);
+        files_.write(name(AnalysisKind::radiative), output.table, output.summary, output.warnings,
+                     context.json);
         return done;
     }
 
@@ -98,9 +98,8 @@ class RadiativeCommand {
         checkLimits("--sun-elevation", -90.0, 90.0, " deg", diagnostics);
         checkLimits("--day-of-year", 1.0, 366.0, "", diagnostics);
         collect([&] { checkMoment(diagnostics); });
-        if (sun_ != "on" && sun_ != "off" && sun_ != "smart" && sun_ != "approx") {
+        if (sun_ != "on" && sun_ != "off" && sun_ != "smart" && sun_ != "approx")
             diagnostics.push_back({"--sun", "", sun_, "on, off, smart or approx"});
-        }
         const auto resolution = numbers_.value("--resolution");
         if (resolution && *resolution != 1.0 && *resolution != 5.0 && *resolution != 15.0) {
             diagnostics.push_back(
@@ -113,9 +112,8 @@ class RadiativeCommand {
                             .range_m = numbers_.value("--range"),
                             .toSpace = toSpace_};
         collect([&] { solveGeometry(request.geometry); });
-        if (!diagnostics.empty()) {
+        if (!diagnostics.empty())
             throw irsg::InputError(std::move(diagnostics));
-        }
         return request;
     }
 
@@ -132,13 +130,11 @@ class RadiativeCommand {
                 }
                 isKnown = isKnown || word == known.word;
             }
-            if (!isKnown) {
+            if (!isKnown)
                 diagnostics.push_back({"--quantity", "", word, "one of " + quantityWords()});
-            }
         }
-        if (quantities_.empty()) {
+        if (quantities_.empty())
             diagnostics.push_back({"--quantity", "", "nothing", "one of " + quantityWords()});
-        }
     }
 
     void checkLimits(const char* option, double least, double most, const char* unit,
@@ -153,9 +149,8 @@ class RadiativeCommand {
 
     /// A moment gives the whole sun.
     void checkMoment(std::vector<irsg::Diagnostic>& diagnostics) const {
-        if (!moment_.sun()) {
+        if (!moment_.sun())
             return;
-        }
         for (const char* option : {"--sun-azimuth", "--sun-elevation", "--day-of-year"}) {
             if (const auto value = numbers_.value(option)) {
                 diagnostics.push_back({option, "", irsg::numberText(*value),
@@ -178,12 +173,10 @@ class RadiativeCommand {
         environment.sun = {azimuth_deg ? irsg::radians(*azimuth_deg) : sun.azimuth_rad,
                            elevation_deg ? irsg::radians(*elevation_deg) : sun.elevation_rad,
                            day ? irsg::sunDistance_au(static_cast<int>(*day)) : sun.distance_au};
-        if (const auto moment = moment_.sun()) {
+        if (const auto moment = moment_.sun())
             environment.sun = moment->position;
-        }
-        if (sun_ == "off") {
+        if (sun_ == "off")
             environment.sun.elevation_rad = irsg::radians(-90.0);
-        }
         return environment;
     }
 
@@ -200,11 +193,7 @@ class RadiativeCommand {
 } // namespace
 
 void addRadiativeCommand(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand(
-        "radiative", "Spectra of the air: transmittance, radiances, sun and fluxes");
-    auto shared = std::make_shared<RadiativeCommand>(*command);
-    command->callback(
-        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+    addCommand<RadiativeCommand>(app, context, AnalysisKind::radiative);
 }
 
 } // namespace smat::batch

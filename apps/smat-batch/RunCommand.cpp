@@ -25,17 +25,15 @@ class RunCommand {
     }
 
     int run(Context& context) const {
-        if (!dryRun_) {
+        if (!dryRun_)
             checkFolderGiven(folder_, "the results");
-        }
         std::vector<Job> jobs;
         {
             const StageTimer::Scope scope(&context.timer, "load");
             jobs = jobsOf(project_.load(), settings_.values(), context);
         }
-        if (dryRun_) {
+        if (dryRun_)
             return describeJobs(jobs, context);
-        }
         makeFolder(folder_, "the results");
         return runJobs(std::move(jobs), context);
     }
@@ -44,11 +42,9 @@ class RunCommand {
     std::vector<Job> jobsOf(const Project& project, const Settings& given,
                             const Context& context) const {
         std::vector<std::string> names = names_;
-        if (names.empty()) {
-            for (const NamedAnalysis& analysis : project.analyses) {
+        if (names.empty())
+            for (const NamedAnalysis& analysis : project.analyses)
                 names.push_back(analysis.name);
-            }
-        }
         if (names.empty()) {
             throw irsg::InputError(irsg::Diagnostic{.file = project.displayName(),
                                                     .position = "analyses",
@@ -60,9 +56,8 @@ class RunCommand {
             Job job{AnalysisData::of(project, one), {}};
             job.data.settings = job.data.settings.with(given);
             job.data.commandLine = context.commandLine;
-            for (const std::string& extension : usualResultExtensions(job.data.kind)) {
+            for (const std::string& extension : usualResultExtensions(job.data.kind))
                 job.files.push_back(std::filesystem::path(folder_) / (one + extension));
-            }
             jobs.push_back(std::move(job));
         }
         return jobs;
@@ -78,10 +73,7 @@ class RunCommand {
 } // namespace
 
 void addRunCommand(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand("run", "The analyses a project names, or some of them");
-    auto shared = std::make_shared<RunCommand>(*command);
-    command->callback(
-        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+    addCommand<RunCommand>(app, context, "run", "The analyses a project names, or some of them");
 }
 
 } // namespace smat::batch

@@ -18,12 +18,10 @@ std::string absolutePath(const std::string& path) {
 
 /// A value with its paths made absolute; other values as they are.
 std::string placed(const SettingInfo& setting, const std::string& text) {
-    if (setting.kind == SettingKind::path) {
+    if (setting.kind == SettingKind::path)
         return absolutePath(text);
-    }
-    if (setting.kind != SettingKind::pathList || text == "none") {
+    if (setting.kind != SettingKind::pathList || text == "none")
         return text;
-    }
     std::string list;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(';', begin), text.size());
@@ -44,9 +42,8 @@ SettingOptions::SettingOptions(CLI::App& command, std::optional<AnalysisKind> ki
 SettingOptions::SettingOptions(CLI::App& command,
                                const std::function<bool(const SettingInfo&)>& takes) {
     for (const SettingInfo& setting : settingTable()) {
-        if (!takes(setting)) {
+        if (!takes(setting))
             continue;
-        }
         auto given = std::make_unique<Given>();
         given->setting = &setting;
         const std::string help = setting.help + " (" + setting.expected() + "; " +
@@ -58,11 +55,10 @@ SettingOptions::SettingOptions(CLI::App& command,
             given->option = command.add_option(setting.option, given->text, help);
             given->option->type_name(setting.unit.empty() ? "" : setting.unit);
             // A list may also be given word by word.
-            if (setting.kind == SettingKind::pathList) {
+            if (setting.kind == SettingKind::pathList)
                 given->option->join(';');
-            } else if (setting.kind == SettingKind::band) {
+            else if (setting.kind == SettingKind::band)
                 given->option->join(',');
-            }
         }
         given->option->group(sectionTitle(setting.section()));
         given_.push_back(std::move(given));
@@ -108,20 +104,17 @@ Settings SettingOptions::values() const {
             });
         }
     }
-    if (sun_) {
+    if (sun_)
         collect([&] { placeSun(settings); });
-    }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
-    }
     return settings;
 }
 
 void SettingOptions::placeSun(Settings& settings) const {
     const auto sun = sun_->sun();
-    if (!sun) {
+    if (!sun)
         return;
-    }
     std::vector<irsg::Diagnostic> diagnostics;
     const auto put = [&](std::string_view key, double value) {
         if (settings.isSet(key)) {
@@ -134,9 +127,8 @@ void SettingOptions::placeSun(Settings& settings) const {
     put(key::environmentSunAzimuth, irsg::degrees(sun->position.azimuth_rad));
     put(key::environmentSunElevation, irsg::degrees(sun->position.elevation_rad));
     put(key::environmentDayOfYear, sun->dayOfYear);
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(std::move(diagnostics));
-    }
 }
 
 } // namespace smat::batch

@@ -21,9 +21,8 @@ using Json = nlohmann::ordered_json;
 /// "3-5 um, 8-12 um".
 std::string bandsText(const SceneDescription& scene) {
     std::string text;
-    for (const irsg::Band& band : scene.allBands()) {
+    for (const irsg::Band& band : scene.allBands())
         text += (text.empty() ? "" : ", ") + band.name();
-    }
     return text;
 }
 
@@ -56,9 +55,8 @@ class SimulateCommand {
     }
 
     int run(Context& context) const {
-        if (!dryRun_) {
+        if (!dryRun_)
             checkFolderGiven(folder_, "the frames");
-        }
         numbers_.check();
         SceneBuilder builder;
         LoadedScenario loaded;
@@ -73,11 +71,9 @@ class SimulateCommand {
         }
         const FrameFiles files(loaded, folder_, extensions(), context.commandLine);
         files.checkExtensions();
-        for (const std::size_t sensor : plan.sensors) {
-            for (const std::string& warning : loaded.sensors[sensor].warnings) {
+        for (const std::size_t sensor : plan.sensors)
+            for (const std::string& warning : loaded.sensors[sensor].warnings)
                 warn(loaded.scenario.sensors[sensor].name + ": " + warning);
-            }
-        }
         if (dryRun_) {
             describe(loaded, plan, files, context);
             return done;
@@ -99,29 +95,25 @@ class SimulateCommand {
                                            "or image: the scenario says the rest"});
             }
         }
-        if (!diagnostics.empty()) {
+        if (!diagnostics.empty())
             throw irsg::InputError(diagnostics);
-        }
         return given;
     }
 
     std::vector<std::string> extensions() const {
         std::vector<std::string> list;
-        for (const std::string& format : formats_) {
+        for (const std::string& format : formats_)
             list.push_back("." + format);
-        }
         return list.empty() ? std::vector<std::string>{".exr"} : list;
     }
 
     int simulate(const LoadedScenario& loaded, const SimulationPlan& plan, const FrameFiles& files,
                  Context& context) const {
         catchStopSignal();
-        for (const std::string& sentence : files.makeFolders(plan.sensors)) {
+        for (const std::string& sentence : files.makeFolders(plan.sensors))
             warn(sentence);
-        }
-        for (const std::size_t sensor : plan.sensors) {
+        for (const std::size_t sensor : plan.sensors)
             files.writeImagingSensor(sensor);
-        }
         std::unique_ptr<ImageSource> source;
         {
             const StageTimer::Scope scope(&context.timer, "start renderer");
@@ -131,9 +123,8 @@ class SimulateCommand {
         source->resetStageTimes();
         SimulationResult result;
         const auto writeTables = [&] {
-            for (SensorResult& sensor : result.sensors) {
+            for (SensorResult& sensor : result.sensors)
                 files.writeTable(sensor, result.state);
-            }
         };
         std::stop_source stop;
         try {
@@ -143,9 +134,8 @@ class SimulateCommand {
                 [&](SensorFrame& frame, std::size_t number) { files.write(frame, number); }, result,
                 [&](const Progress& progress) {
                     line.show(progress);
-                    if (stopWasAsked()) {
+                    if (stopWasAsked())
                         stop.request_stop();
-                    }
                 },
                 stop.get_token(), &context.timer);
         } catch (const irsg::InputError&) {
@@ -157,17 +147,15 @@ class SimulateCommand {
         splitTimes(*source, context);
         fmt::print("{}",
                    context.json ? jsonOf(result, loaded, files) : textOf(result, loaded, files));
-        if (stopWasAsked()) {
+        if (stopWasAsked())
             warn("stopped; what was done so far is kept");
-        }
         return stopWasAsked() ? warned : done;
     }
 
     static void splitTimes(const ImageSource& source, Context& context) {
         std::vector<StageTimer::Stage> parts;
-        for (const irsg::StageTimes::Stage& stage : source.stageTimes().stages) {
+        for (const irsg::StageTimes::Stage& stage : source.stageTimes().stages)
             parts.push_back({stage.name, stage.seconds, stage.calls});
-        }
         context.timer.split("frames", parts);
     }
 
@@ -196,9 +184,8 @@ class SimulateCommand {
                            files.frameFile(sensor, last.number, "").filename().string());
             }
         }
-        if (context.json) {
+        if (context.json)
             fmt::print("{}\n", jsonText(Json{{"plans", list}}));
-        }
     }
 
     static std::string textOf(const SimulationResult& result, const LoadedScenario& loaded,
@@ -259,11 +246,7 @@ class SimulateCommand {
 } // namespace
 
 void addSimulateCommand(CLI::App& app, Context& context) {
-    CLI::App* command =
-        app.add_subcommand("simulate", "Frames of an engagement: several models, several sensors");
-    auto shared = std::make_shared<SimulateCommand>(*command);
-    command->callback(
-        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+    addCommand<SimulateCommand>(app, context, AnalysisKind::simulation);
 }
 
 } // namespace smat::batch

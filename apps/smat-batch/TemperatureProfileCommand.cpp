@@ -22,14 +22,11 @@ class TemperatureProfileCommand {
         files_.check("profile.csv");
         numbers_.check();
         std::vector<irsg::Diagnostic> diagnostics;
-        for (const char* option : {"--min", "--max", "--step"}) {
-            if (!numbers_.value(option)) {
+        for (const char* option : {"--min", "--max", "--step"})
+            if (!numbers_.value(option))
                 diagnostics.push_back({option, "", "nothing", "a number of metres"});
-            }
-        }
-        if (!diagnostics.empty()) {
+        if (!diagnostics.empty())
             throw irsg::InputError(std::move(diagnostics));
-        }
         irsg::Environment environment;
         {
             const StageTimer::Scope scope(&context.timer, "load");
@@ -41,7 +38,7 @@ class TemperatureProfileCommand {
                                              .step_m = *numbers_.value("--step"),
                                              .commandLine = context.commandLine});
         const StageTimer::Scope scope(&context.timer, "save");
-        files_.write("temperature-profile", table, {}, {}, context.json);
+        files_.write(name(AnalysisKind::temperatureProfile), table, {}, {}, context.json);
         return done;
     }
 
@@ -54,10 +51,7 @@ class TemperatureProfileCommand {
 } // namespace
 
 void addTemperatureProfileCommand(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand("temperature-profile", "Air temperature over altitude");
-    auto shared = std::make_shared<TemperatureProfileCommand>(*command);
-    command->callback(
-        [&context, shared] { context.work = [&context, shared] { return shared->run(context); }; });
+    addCommand<TemperatureProfileCommand>(app, context, AnalysisKind::temperatureProfile);
 }
 
 } // namespace smat::batch

@@ -22,9 +22,8 @@ using namespace smat::batch;
 
 std::string commandLineOf(int argc, char** argv) {
     std::string line = "smat-batch";
-    for (int i = 1; i < argc; ++i) {
+    for (int i = 1; i < argc; ++i)
         line += " " + std::string(argv[i]);
-    }
     return line;
 }
 
@@ -131,8 +130,7 @@ int main(int argc, char** argv) {
              "), expected room for what is printed\n");
         exitCode = refused;
     }
-    if (context.timing) {
+    if (context.timing)
         tell(context.timer.toText());
-    }
     return exitCode;
 }

@@ -4,10 +4,10 @@
 #include <numbers>
 #include <sstream>
 
+#include "apps/atmosphere-tables/lines/LineListFile.h"
+#include "apps/atmosphere-tables/lines/TruthPaths.h"
 #include "benchmarks/atmosphere/Table.h"
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
-#include "irsg/atmosphere/lbl/LineListFile.h"
-#include "irsg/atmosphere/lbl/TruthPaths.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 

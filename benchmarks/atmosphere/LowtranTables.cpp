@@ -4,8 +4,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "apps/atmosphere-tables/lines/LineListFile.h"
 #include "benchmarks/atmosphere/Table.h"
-#include "irsg/atmosphere/lbl/LineListFile.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"

@@ -20,6 +20,7 @@
 #include "gui/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/SettingWords.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 
@@ -73,6 +74,10 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
     plan_->setObjectName("plan");
     plan_->setWordWrap(true);
     plan_->setForegroundRole(QPalette::PlaceholderText);
+    ignored_ = new QLabel(this);
+    ignored_->setObjectName("ignored");
+    ignored_->setWordWrap(true);
+    ignored_->setForegroundRole(QPalette::PlaceholderText);
     command_ = new QLineEdit(this);
     command_->setObjectName("commandLine");
     command_->setReadOnly(true);
@@ -106,6 +111,7 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
     column->addWidget(name_);
     column->addWidget(tabs, 1);
     column->addWidget(plan_);
+    column->addWidget(ignored_);
     column->addWidget(problems_);
     column->addWidget(same);
     column->addLayout(terminal);
@@ -122,10 +128,9 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
 void AnalysisGeneratorDialog::addPage(const QString& title,
                                       const std::vector<std::string>& sections, QTabWidget* tabs) {
     std::vector<std::string> keys;
-    for (const auto& section : sections) {
+    for (const auto& section : sections)
         for (const auto& key : settingKeys(section))
             keys.push_back(key);
-    }
     auto* form = new SettingForm(keys, chooseFile_);
     form->setValues(settings_);
     forms_.push_back(form);
@@ -188,7 +193,22 @@ AnalysisData AnalysisGeneratorDialog::data() const {
     return data;
 }
 
+void AnalysisGeneratorDialog::showIgnored() {
+    const AnalysisData asked = data();
+    std::vector<std::string> keys;
+    if (asked.kind->ignored != nullptr)
+        keys = asked.kind->ignored(asked.settings);
+    for (auto* form : forms_)
+        form->setUnused(keys);
+    QStringList words;
+    for (const std::string& key : keys)
+        words << QString::fromStdString(settingWords(asked.settings, key));
+    ignored_->setText(tr("Of the view this is not used: %1.").arg(words.join(", ")));
+    ignored_->setVisible(!words.isEmpty());
+}
+
 void AnalysisGeneratorDialog::refresh() {
+    showIgnored();
     const QStringList wrong = problems();
     problems_->setText(wrong.join('\n'));
     problems_->setVisible(!wrong.isEmpty());

@@ -38,6 +38,7 @@ class AnalysisGeneratorDialog : public QDialog {
     void addPage(const QString& title, const std::vector<std::string>& sections,
                  class QTabWidget* tabs);
     void refresh();
+    void showIgnored();
 
     Project project_;
     Settings settings_;
@@ -48,6 +49,7 @@ class AnalysisGeneratorDialog : public QDialog {
     QLineEdit* command_ = nullptr;
     QLabel* problems_ = nullptr;
     QLabel* plan_ = nullptr;
+    QLabel* ignored_ = nullptr; ///< what the analysis does not take from the view
     QLabel* unsaved_ = nullptr;
     QDialogButtonBox* buttons_ = nullptr;
 };

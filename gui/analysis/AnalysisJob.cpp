@@ -28,11 +28,18 @@ void takeNewRows(ResultTable& table, const ResultTable& grown) {
 
 } // namespace
 
-AnalysisJob::AnalysisJob(AnalysisData data, std::shared_ptr<AnalysisEngine> engine, QObject* parent)
-    : QObject(parent), asked_(std::move(data)), engine_(std::move(engine)) {
+AnalysisJob::AnalysisJob(JobOrder order, std::shared_ptr<AnalysisEngine> engine, QObject* parent)
+    : QObject(parent), order_(std::move(order)), engine_(std::move(engine)) {
     qRegisterMetaType<smat::Progress>();
-    qRegisterMetaType<smat::AnalysisData>();
-    kept_.data = asked_;
+    qRegisterMetaType<smat::gui::JobResult>();
+    kept_.data = order_.analysis;
+}
+
+QString AnalysisJob::titleOf(const JobOrder& order) {
+    const AnalysisData& data = order.analysis;
+    const bool unnamed = data.name.empty() || data.name == smat::name(data.kind);
+    const QString what = QString::fromStdString(unnamed ? smat::title(data.kind) : data.name);
+    return order.monteCarlo ? tr("Monte Carlo: %1").arg(what) : what;
 }
 
 AnalysisJob::~AnalysisJob() {
@@ -63,54 +70,81 @@ double AnalysisJob::elapsed_s() const {
 }
 
 void AnalysisJob::work(std::stop_token stop) {
-    Outcome outcome{.data = asked_, .sentences = {}};
+    Outcome outcome;
+    // A window cannot show more than some thirty states a second.
+    constexpr double leastPause_s = 0.03;
+    double last_s = -1.0;
+    const auto progress = [&](const Progress& now) {
+        if (now.done == 0 || now.done == now.total || now.elapsed_s - last_s > leastPause_s) {
+            last_s = now.elapsed_s;
+            emit progressed(now);
+        }
+    };
     try {
         if (!engine_->source)
             engine_->source = engine_->makeSource();
-        AnalysisGenerator generator(
-            *engine_->source, [this](const Project& project, const Settings& settings) {
-                SceneDescription scene = engine_->scenes.build(project, settings);
-                const std::lock_guard lock(kept_.mutex);
-                kept_.scene = scene;
-                return scene;
-            });
-        // A window cannot show more than some thirty states a second.
-        constexpr double leastPause_s = 0.03;
-        double last_s = -1.0;
-        StageTimer timer;
-        generator.run(
-            outcome.data,
-            [&](const Progress& now) {
-                keep(outcome.data, now);
-                if (now.done == 0 || now.done == now.total ||
-                    now.elapsed_s - last_s > leastPause_s) {
-                    last_s = now.elapsed_s;
-                    emit progressed(now);
-                }
-            },
-            stop, &timer);
-        outcome.data.stages = timer.stages();
+        outcome.result = order_.monteCarlo ? drawScales(progress, stop) : analyse(progress, stop);
     } catch (const irsg::InputError& error) {
         outcome.sentences << sentencesOf(error);
     } catch (const std::exception& error) {
         outcome.ourFault = true;
         outcome.sentences << QString::fromLocal8Bit(error.what());
     }
-    if (outcome.sentences.isEmpty() && outcome.data.image.empty() && outcome.data.table.empty())
+    if (outcome.sentences.isEmpty() && !outcome.result.data)
         outcome.sentences << (stop.stop_requested()
                                   ? tr("Cancelled before the first case was done.")
                                   : tr("The analysis gave no result."));
-
     // Over to the thread of the window.
     QMetaObject::invokeMethod(
         this,
-        [this, outcome = std::make_shared<Outcome>(std::move(outcome))] {
+        [this, outcome = std::move(outcome)] {
             working_ = false;
             if (!answered_)
-                answer(std::move(*outcome));
+                answer(outcome);
+            else if (outcome.result.monteCarlo)
+                emit finished(outcome.result);
             emit ended();
         },
         Qt::QueuedConnection);
+}
+
+JobResult AnalysisJob::analyse(const ProgressCallback& progress, std::stop_token stop) {
+    AnalysisData data = order_.analysis;
+    AnalysisGenerator generator(
+        *engine_->source, [this](const Project& project, const Settings& settings) {
+            SceneDescription scene = engine_->scenes.build(project, settings);
+            const std::lock_guard lock(kept_.mutex);
+            kept_.scene = scene;
+            return scene;
+        });
+    StageTimer timer;
+    generator.run(
+        data,
+        [&](const Progress& now) {
+            keep(data, now);
+            progress(now);
+        },
+        std::move(stop), &timer);
+    data.stages = timer.stages();
+    if (data.image.empty() && data.table.empty())
+        return {};
+    return {std::make_shared<const AnalysisData>(std::move(data))};
+}
+
+JobResult AnalysisJob::drawScales(const ProgressCallback& progress, std::stop_token stop) {
+    auto run = std::make_shared<MonteCarloData>();
+    run->analysis = order_.analysis;
+    run->options = *order_.monteCarlo;
+    MonteCarlo monteCarlo(*engine_->source,
+                          [this](const Project& project, const Settings& settings) {
+                              return engine_->scenes.build(project, settings);
+                          });
+    StageTimer timer;
+    monteCarlo.run(*run, progress, std::move(stop), &timer);
+    run->analysis.stages = timer.stages();
+    if (run->draws() == 0)
+        return {};
+    return {{run, &run->analysis}, run};
 }
 
 void AnalysisJob::keep(const AnalysisData& data, const Progress& now) {
@@ -124,26 +158,23 @@ void AnalysisJob::keep(const AnalysisData& data, const Progress& now) {
 
 AnalysisJob::Outcome AnalysisJob::keptSoFar() {
     const std::lock_guard lock(kept_.mutex);
-    Outcome outcome{.data = kept_.data, .sentences = {}};
-    if (outcome.data.table.empty() || outcome.data.kind->form == AnalysisForm::image) {
-        outcome.sentences << tr("Cancelled before the first case was done.");
-        return outcome;
-    }
+    AnalysisData data = kept_.data;
+    if (data.table.empty() || data.kind->form == AnalysisForm::image)
+        return {.result = {}, .sentences = {tr("Cancelled before the first case was done.")}};
     // What the run itself says of a stop between two cases.
-    AnalysisData& data = outcome.data;
     data.state = AnalysisState::partial;
     data.elapsed_s = elapsed_s();
     data.warnings.push_back("stopped after " + std::to_string(kept_.progress.done) + " of " +
                             std::to_string(kept_.progress.total) + " cases");
     summarise(data);
     writeProvenance(data, kept_.scene);
-    return outcome;
+    return {.result = {std::make_shared<const AnalysisData>(std::move(data))}, .sentences = {}};
 }
 
-void AnalysisJob::answer(Outcome outcome) {
+void AnalysisJob::answer(const Outcome& outcome) {
     answered_ = true;
     if (outcome.sentences.isEmpty())
-        emit finished(std::make_shared<const AnalysisData>(std::move(outcome.data)));
+        emit finished(outcome.result);
     else
         emit failed(outcome.sentences, outcome.ourFault);
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include <QElapsedTimer>
@@ -11,6 +12,7 @@
 
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
+#include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
@@ -25,10 +27,24 @@ struct AnalysisEngine {
     SceneBuilder scenes;
 };
 
-/// One run of AnalysisGenerator in a thread of its own. Its signals arrive in the thread that made
-/// it. A cancel is answered within a moment: by the run itself where a case ends in that time, else
-/// by the cases done so far, and the drawing under way is left to end by itself; its engine is then
-/// not free before `ended`. Destroying a job asks it to stop and waits for the drawing under way.
+/// What is asked of a job: an analysis, or with options the Monte Carlo run of one.
+struct JobOrder {
+    AnalysisData analysis;
+    std::optional<MonteCarloOptions> monteCarlo = {};
+};
+
+/// What came of one; `data` is never null, `monteCarlo` holds it where it was such a run.
+struct JobResult {
+    std::shared_ptr<const AnalysisData> data = {};
+    std::shared_ptr<const MonteCarloData> monteCarlo = {};
+};
+
+/// One run of AnalysisGenerator or MonteCarlo in a thread of its own. Its signals arrive in the
+/// thread that made it. A cancel is answered within a moment: by the run itself where a case ends
+/// in that time, else by the cases done so far, and the drawing under way is left to end by itself;
+/// its engine is then not free before `ended`. What a Monte Carlo run had drawn until then comes
+/// with another `finished`, after its answer. Destroying a job asks it to stop and waits for the
+/// drawing under way.
 class AnalysisJob : public QObject {
     Q_OBJECT
 
@@ -36,8 +52,7 @@ class AnalysisJob : public QObject {
     /// How long a cancel waits for the drawing under way, ms.
     static constexpr int patience_ms = 100;
 
-    AnalysisJob(AnalysisData data, std::shared_ptr<AnalysisEngine> engine,
-                QObject* parent = nullptr);
+    AnalysisJob(JobOrder order, std::shared_ptr<AnalysisEngine> engine, QObject* parent = nullptr);
     ~AnalysisJob() override;
 
     void start();
@@ -47,14 +62,16 @@ class AnalysisJob : public QObject {
     /// Until the engine is free again.
     bool isWorking() const { return working_; }
     double elapsed_s() const;
-    const AnalysisData& asked() const { return asked_; }
+    /// "Polar plot", or what the analysis is called.
+    QString title() const { return titleOf(order_); }
+    static QString titleOf(const JobOrder& order);
     const std::shared_ptr<AnalysisEngine>& engine() const { return engine_; }
 
   signals:
     void progressed(const smat::Progress& progress);
     /// The answer, one of these two: complete, or partial after a cancel with at least one case
     /// done.
-    void finished(const std::shared_ptr<const smat::AnalysisData>& data);
+    void finished(const smat::gui::JobResult& result);
     /// Nothing came out: refused (a sentence an diagnostic), failed, or cancelled before the first
     /// case.
     void failed(const QStringList& sentences, bool ourFault);
@@ -63,7 +80,7 @@ class AnalysisJob : public QObject {
 
   private:
     struct Outcome {
-        AnalysisData data;
+        JobResult result;
         QStringList sentences;
         bool ourFault = false;
     };
@@ -75,11 +92,13 @@ class AnalysisJob : public QObject {
         Progress progress;
     };
     void work(std::stop_token stop);
+    JobResult analyse(const ProgressCallback& progress, std::stop_token stop);
+    JobResult drawScales(const ProgressCallback& progress, std::stop_token stop);
     void keep(const AnalysisData& data, const Progress& now);
     Outcome keptSoFar();
-    void answer(Outcome outcome);
+    void answer(const Outcome& outcome);
 
-    AnalysisData asked_;
+    JobOrder order_;
     std::shared_ptr<AnalysisEngine> engine_;
     Kept kept_;
     QElapsedTimer clock_;

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QVBoxLayout>
 
+#include "gui/Readable.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageView.h"
@@ -13,8 +14,10 @@
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
+#include "gui/tools/MonteCarloPlots.h"
 #include "irsg/image/PngView.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/Conditions.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -22,9 +25,21 @@ namespace smat::gui {
 namespace {
 
 std::vector<NamedResult> named(const std::vector<ResultEntry>& results) {
-    std::vector<NamedResult> list;
+    std::vector<const AnalysisData*> data;
     for (const auto& entry : results)
-        list.push_back({entry.title, &entry.data->table});
+        data.push_back(entry.data.get());
+    const std::vector<std::string> telling = tellingNames(data);
+    // What somebody called it says more than what differs, and that more than "2  Polar plot".
+    const auto isUsual = [](const ResultEntry& entry) {
+        return entry.title.endsWith("  " + QString::fromStdString(smat::title(entry.data->kind)));
+    };
+    std::vector<NamedResult> list;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const bool tells = !telling[i].empty() && isUsual(results[i]);
+        list.push_back(
+            {tells ? withReadableUnits(QString::fromStdString(telling[i])) : results[i].title,
+             &results[i].data->table, results.size() == 1});
+    }
     return list;
 }
 
@@ -57,7 +72,9 @@ ResultPage::ResultPage(const std::vector<ResultEntry>& results, Dialogs dialogs,
         ids_ << entry.id;
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    if (results_.front().isImage())
+    if (results_.front().monteCarlo && results_.size() == 1)
+        showMonteCarlo();
+    else if (results_.front().isImage())
         showImage(std::move(dialogs));
     else
         showPlot(std::move(dialogs));
@@ -67,10 +84,20 @@ void ResultPage::showImage(Dialogs dialogs) {
     const ResultEntry& entry = results_.front();
     image_ = new ImageView(this, std::move(dialogs));
     image_->setImage(entry.image(), bandOf(entry));
+    image_->setTitle(entry.title);
+    image_->setConditions(QString::fromStdString(lineOf(conditionsOf(entry.data->table))));
     image_->setColorMap(entry.data->settings.text(key::displayColorMap));
-    image_->setColorScale(irsg::colorScaleNamed(entry.data->settings.text(key::displayScale)));
+    const Settings& settings = entry.data->settings;
+    image_->setColorScale(irsg::colorScaleNamed(settings.text(key::displayScale)),
+                          settings[key::displayMarkOutside]);
     layout()->addWidget(image_);
     setBackgroundRole(QPalette::Window); // so that fields stand out in the dark, too
+}
+
+void ResultPage::showMonteCarlo() {
+    draws_ = new MonteCarloPlots(this);
+    draws_->setData(*results_.front().monteCarlo);
+    layout()->addWidget(draws_);
 }
 
 void ResultPage::showPlot(Dialogs dialogs) {
@@ -108,10 +135,9 @@ void ResultPage::drawQuantity() {
 }
 
 void ResultPage::rename(int id, const QString& title) {
-    for (auto& entry : results_) {
+    for (auto& entry : results_)
         if (entry.id == id)
             entry.title = title;
-    }
     if (panel_ != nullptr)
         drawQuantity();
 }
@@ -125,6 +151,8 @@ CartesianPlot* ResultPage::cartesianPlot() const {
 }
 
 QStringList ResultPage::exportFilters() const {
+    if (draws_ != nullptr)
+        return draws_->exportFilters();
     if (image_ != nullptr)
         return imageFilters();
     QStringList filters{tr("Scalable picture (*.svg)"), tr("PDF (*.pdf)"), tr("Picture (*.png)"),
@@ -135,16 +163,15 @@ QStringList ResultPage::exportFilters() const {
 }
 
 void ResultPage::exportTo(const std::filesystem::path& file) const {
+    if (draws_ != nullptr) {
+        draws_->exportTo(file);
+        return;
+    }
     const std::string suffix = file.extension().string();
     const irsg::ImageFormat* format = irsg::imageFormatOf(file);
     if (image_ != nullptr && format != nullptr &&
         format->keeps == irsg::ImageFormat::Keeps::picture) {
-        // The plane, colours and limits that are seen.
-        irsg::PngViewOptions options;
-        options.colorMap = image_->colorMap().name();
-        options.limits = image_->colorBar()->limits();
-        options.title = results_.front().title.toStdString();
-        exportImage(image_->image(), image_->shownChannel(), options, file);
+        image_->exportTo(file); // the plane, colours and limits that are seen
     } else if (image_ != nullptr) {
         saveResult(*results_.front().data, file);
     } else if (results_.size() == 1 && (suffix == ".json" || suffix == ".csv")) {

@@ -16,6 +16,7 @@ namespace smat::gui {
 
 class CartesianPlot;
 class ImageView;
+class MonteCarloPlots;
 class PlotPanel;
 class PolarPlot;
 
@@ -32,6 +33,7 @@ class ResultPage : public QWidget, public Exportable {
     const QList<int>& resultIds() const { return ids_; }
     ImageView* imageView() const { return image_; }
     PlotPanel* panel() const { return panel_; }
+    MonteCarloPlots* monteCarlo() const { return draws_; }
     PolarPlot* polarPlot() const;
     CartesianPlot* cartesianPlot() const;
     /// Another name of one of its results, which its curve takes.
@@ -45,12 +47,14 @@ class ResultPage : public QWidget, public Exportable {
   private:
     void showImage(Dialogs dialogs);
     void showPlot(Dialogs dialogs);
+    void showMonteCarlo();
     void drawQuantity();
 
     std::vector<ResultEntry> results_;
     QList<int> ids_;
     ImageView* image_ = nullptr;
     PlotPanel* panel_ = nullptr;
+    MonteCarloPlots* draws_ = nullptr;
     QComboBox* quantity_ = nullptr;
     bool drawn_ = false;
 };

@@ -26,10 +26,9 @@ ResultPages::ResultPages(Workbench& workbench, Dialogs dialogs, QTabWidget* tabs
 
 std::vector<ResultPage*> ResultPages::pages() const {
     std::vector<ResultPage*> list;
-    for (QWidget* page : floating_->pages()) {
+    for (QWidget* page : floating_->pages())
         if (auto* result = qobject_cast<ResultPage*>(page))
             list.push_back(result);
-    }
     return list;
 }
 
@@ -41,17 +40,16 @@ void ResultPages::show(const QList<int>& ids) {
         }
     }
     std::vector<ResultEntry> entries;
-    for (const int id : ids) {
+    for (const int id : ids)
         if (const auto* entry = workbench_.result(id))
             entries.push_back(*entry);
-    }
     if (entries.empty())
         return;
     try {
         auto* page = new ResultPage(entries, dialogs_);
         const QString title =
             entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
-        tabs_->setCurrentIndex(tabs_->addTab(page, icon(entries.front().data->kind->icon), title));
+        tabs_->setCurrentIndex(tabs_->addTab(page, icon(entries.front().icon()), title));
         say(entries.back().id);
     } catch (const irsg::InputError& error) {
         dialogs_.tell(tabs_, tr("These results cannot be shown"), sentencesOf(error));
@@ -81,10 +79,9 @@ void ResultPages::onRenamed(int id) {
 }
 
 void ResultPages::onRemoved(int id) {
-    for (ResultPage* page : pages()) {
+    for (ResultPage* page : pages())
         if (page->resultIds().contains(id))
             delete page;
-    }
 }
 
 } // namespace smat::gui

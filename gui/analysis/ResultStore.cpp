@@ -4,6 +4,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/ResultFile.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/data/ResultDifference.h"
 
 namespace smat::gui {
@@ -21,13 +22,26 @@ const ResultEntry* ResultStore::find(int id) const {
     return found == entries_.end() ? nullptr : &*found;
 }
 
-int ResultStore::keep(ResultEntry entry) {
+const char* ResultEntry::icon() const {
+    return (monteCarlo ? AnalysisKind::monteCarlo : data->kind)->icon;
+}
+
+ResultEntry* ResultStore::edit(int id) {
+    const auto found = std::ranges::find(entries_, id, &ResultEntry::id);
+    return found == entries_.end() ? nullptr : &*found;
+}
+
+int ResultStore::keep(ResultEntry entry, bool quietly) {
     entry.id = nextId_++;
     entry.title = QStringLiteral("%1  %2").arg(entry.id).arg(entry.title);
     entry.madeAt = QDateTime::currentDateTime();
     entries_.push_back(std::move(entry));
     const int id = entries_.back().id;
-    emit added(id);
+    if (quietly)
+        emit addedQuietly(id);
+    else
+        emit added(id);
+    emit unsavedChanged();
     return id;
 }
 
@@ -37,6 +51,20 @@ int ResultStore::add(std::shared_ptr<const AnalysisData> data) {
     if (data->state == AnalysisState::partial)
         what += tr(" (partial)");
     return keep({.title = what, .data = std::move(data), .origin = ResultEntry::Origin::run});
+}
+
+int ResultStore::add(std::shared_ptr<const MonteCarloData> run, bool quietly) {
+    const AnalysisData& data = run->analysis;
+    const bool unnamed = data.name.empty() || data.name == name(data.kind);
+    QString what =
+        tr("Monte Carlo: %1").arg(QString::fromStdString(unnamed ? title(data.kind) : data.name));
+    if (data.state == AnalysisState::partial)
+        what += tr(" (partial)");
+    return keep({.title = what,
+                 .data = {run, &run->analysis},
+                 .monteCarlo = run,
+                 .origin = ResultEntry::Origin::run},
+                quietly);
 }
 
 int ResultStore::open(const std::filesystem::path& file) {
@@ -79,24 +107,48 @@ int ResultStore::addTable(const QString& title, const ResultTable& table) {
 }
 
 void ResultStore::rename(int id, const QString& title) {
-    const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                    [id](const ResultEntry& entry) { return entry.id == id; });
-    if (found == entries_.end() || title.trimmed().isEmpty())
+    ResultEntry* entry = edit(id);
+    if (entry == nullptr || title.trimmed().isEmpty() || entry->title == title.trimmed())
         return;
-    found->title = title.trimmed();
+    entry->title = title.trimmed();
+    entry->wordsChanged = true;
     emit renamed(id);
+    emit unsavedChanged();
+}
+
+void ResultStore::annotate(int id, const QString& notes) {
+    ResultEntry* entry = edit(id);
+    if (entry == nullptr || entry->notes == notes.trimmed())
+        return;
+    entry->notes = notes.trimmed();
+    entry->wordsChanged = true;
+    emit renamed(id);
+    emit unsavedChanged();
 }
 
 void ResultStore::noteSaved(int id, const std::filesystem::path& file) {
-    const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                    [id](const ResultEntry& entry) { return entry.id == id; });
-    if (found != entries_.end() && found->origin != ResultEntry::Origin::file)
-        found->file = file;
+    ResultEntry* entry = edit(id);
+    if (entry != nullptr && entry->origin != ResultEntry::Origin::file) {
+        entry->file = file;
+        emit unsavedChanged();
+    }
 }
 
 void ResultStore::remove(int id) {
-    if (std::erase_if(entries_, [id](const ResultEntry& entry) { return entry.id == id; }) > 0)
-        emit removed(id);
+    const ResultEntry* entry = find(id);
+    if (entry == nullptr)
+        return;
+    if (!entry->document.empty())
+        removed_.push_back(entry->document);
+    std::erase_if(entries_, [id](const ResultEntry& one) { return one.id == id; });
+    emit removed(id);
+    emit unsavedChanged();
+}
+
+int ResultStore::unsavedCount() const {
+    return static_cast<int>(
+        std::ranges::count_if(entries_, [](const auto& entry) { return entry.isUnsaved(); }) +
+        static_cast<std::ptrdiff_t>(removed_.size()));
 }
 
 QString durationText(double seconds) {
@@ -137,6 +189,8 @@ QStringList describe(const ResultEntry& entry) {
                      .arg(figure.value, 0, 'g', 6)
                      .arg(QString::fromStdString(figure.unit))
                      .trimmed();
+    if (!entry.notes.isEmpty())
+        lines << ResultStore::tr("Notes: %1").arg(QString(entry.notes).replace('\n', ' '));
     for (const auto& [key, value] : entry.data->table.provenance.entries)
         lines << QString::fromStdString(key) + ": " + QString::fromStdString(value);
     return lines;

@@ -7,34 +7,39 @@
 #include <QDateTime>
 #include <QObject>
 
-#include "smatcore/analysis/AnalysisData.h"
+#include "gui/LatestTask.h"
+#include "smatcore/results/ResultDocument.h"
 
 namespace smat::gui {
 
-/// A result of this session.
+/// A result that is open: made since the start of the program, or kept with the project.
 struct ResultEntry {
-    enum class Origin {
-        run,        ///< of an analysis of this session
-        file,       ///< opened again from a file
-        difference, ///< of two others
-        tool        ///< what a tool computed
-    };
+    using Origin = ResultDocument::Origin;
 
     int id = 0;
     QString title = {}; ///< "1  Polar plot", or what the user called it
+    QString notes = {};
     /// Copies of the entry share it: an image is large.
     std::shared_ptr<const AnalysisData> data = std::make_shared<const AnalysisData>();
+    /// Of a Monte Carlo run, whose analysis `data` is; else null.
+    std::shared_ptr<const MonteCarloData> monteCarlo = {};
     Origin origin = Origin::run;
     QDateTime madeAt = {};
     std::filesystem::path file = {}; ///< it was opened from, or that holds all of it
+    std::string document = {};       ///< its stem in the folder of the project; empty: not kept yet
+    bool wordsChanged = false;       ///< title or notes, since it was kept
 
     /// What it was asked is known in full.
     bool canRunAgain() const { return origin == Origin::run; }
     bool isImage() const { return !data->image.empty(); }
     std::shared_ptr<const irsg::RadianceImage> image() const { return {data, &data->image}; }
+    const char* icon() const;
+    /// Something of it would be lost.
+    bool isUnsaved() const { return document.empty() ? file.empty() : wordsChanged; }
 };
 
-/// The results of a session in the order they came.
+/// The results that are open, in the order they came. Those of a project are kept in the folder
+/// beside it (ResultFolder): read when it is opened, written when it is saved.
 class ResultStore : public QObject {
     Q_OBJECT
 
@@ -46,6 +51,8 @@ class ResultStore : public QObject {
     const ResultEntry* find(int id) const;
 
     int add(std::shared_ptr<const AnalysisData> data);
+    /// `quietly` where its page shows it already.
+    int add(std::shared_ptr<const MonteCarloData> run, bool quietly = false);
     /// Reads a result file (see loadResult) and adds it with its provenance. Throws
     /// irsg::InputError.
     int open(const std::filesystem::path& file);
@@ -56,20 +63,51 @@ class ResultStore : public QObject {
     int addTable(const QString& title, const ResultTable& table);
     /// An empty title is no title: nothing happens.
     void rename(int id, const QString& title);
+    void annotate(int id, const QString& notes);
     /// It was written to this file, with all that it has.
     void noteSaved(int id, const std::filesystem::path& file);
+    /// Takes it off the list; one that is kept with the project goes from there when that is saved.
     void remove(int id);
+
+    /// Lets go of all that is open.
+    void clear();
+    /// Reads, off this thread, those kept beside a project; an empty path is a project without a
+    /// file. `folder` is the name of the folder where the project names one, whose absence is then
+    /// told.
+    void openProject(const std::filesystem::path& projectFile, const std::string& folder);
+    /// While those of a project are being read.
+    bool isReading() const { return reading_.isBusy(); }
+    /// How many are not kept, with those that were taken off the list and still lie there.
+    int unsavedCount() const;
+    /// Whether a folder of that name beside a project has, or will have, any result.
+    bool holdsAny(const std::filesystem::path& projectFile, const std::string& folder) const;
+    /// Writes what is not kept yet beside the project, into a folder of that name. Throws
+    /// irsg::InputError for what cannot be written; the others are kept.
+    void saveWith(const std::filesystem::path& projectFile, const std::string& folder);
 
   signals:
     void added(int id);
+    /// The same of one that nobody needs to be shown now: read again with its project, or on the
+    /// page that asked for it.
+    void addedQuietly(int id);
     void renamed(int id);
     void removed(int id);
+    /// unsavedCount() may have another answer.
+    void unsavedChanged();
+    /// Results of the project that cannot be read or are gone, a sentence each.
+    void problems(const QStringList& sentences);
 
   private:
-    int keep(ResultEntry entry);
+    struct Read;
+    int keep(ResultEntry entry, bool quietly = false);
+    ResultEntry* edit(int id);
+    void restore(const std::filesystem::path& folder, const Read& read);
 
     std::vector<ResultEntry> entries_;
     int nextId_ = 1;
+    std::filesystem::path folder_;     ///< where the documents lie
+    std::vector<std::string> removed_; ///< documents that go when the project is saved
+    LatestTask reading_;
 };
 
 /// Everything there is to say about a result, as lines "key: value": how it was made, its figures

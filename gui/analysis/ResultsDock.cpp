@@ -16,9 +16,9 @@
 #include "gui/UnsavedNote.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
-#include "gui/analysis/JobPanel.h"
 #include "gui/analysis/ResultDetailsDialog.h"
 #include "gui/analysis/ResultItemDelegate.h"
+#include "gui/analysis/ResultNotesDialog.h"
 #include "gui/image/ImageExport.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
@@ -88,17 +88,19 @@ ResultsDock::ResultsDock(Workbench& workbench, Dialogs dialogs, QWidget* parent)
 
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(10, 8, 10, 8);
-    column->addWidget(new JobPanel(workbench_, body));
     column->addWidget(list_, 1);
     column->addWidget(makeButtons());
     setWidget(body);
 
     const ResultStore& store = workbench_.resultStore();
     connect(&store, &ResultStore::added, this, &ResultsDock::addResult);
+    connect(&store, &ResultStore::addedQuietly, this, &ResultsDock::addResult);
+    connect(&store, &ResultStore::unsavedChanged, this, [this] {
+        const int count = workbench_.resultStore().unsavedCount();
+        setWindowTitle(count > 0 ? tr("Results (%1 not saved)").arg(count) : tr("Results"));
+    });
     connect(&store, &ResultStore::renamed, this, &ResultsDock::refreshItem);
     connect(&store, &ResultStore::removed, this, &ResultsDock::removeItem);
-    connect(&workbench_, &Workbench::jobStarted, this, &ResultsDock::refreshActions);
-    connect(&workbench_, &Workbench::jobEnded, this, &ResultsDock::refreshActions);
     connect(list_, &QListWidget::itemSelectionChanged, this, &ResultsDock::refreshActions);
     connect(list_, &QListWidget::itemActivated, this, &ResultsDock::showSelected);
     connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
@@ -149,6 +151,8 @@ void ResultsDock::makeActions() {
     line();
     add("renameResult", "", tr("Rename"), tr("Give the result another name"),
         QKeySequence(Qt::Key_F2), &ResultsDock::rename);
+    add("annotateResult", "", tr("Notes…"), tr("Write down what is to be known of the result"),
+        QKeySequence(Qt::SHIFT | Qt::Key_F2), &ResultsDock::annotate);
     add("showCommandLine", "terminal", tr("Show command line…"),
         tr("The command line that makes this result, and all that is known of it"),
         QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_I), &ResultsDock::showDetails);
@@ -208,13 +212,16 @@ void ResultsDock::refreshItem(int id) {
         return;
     const QSignalBlocker quiet(list_);
     item->setText(entry->title);
-    item->setIcon(icon(entry->data->kind->icon));
-    QStringList words{entry->madeAt.toString("HH:mm")};
+    item->setIcon(icon(entry->icon()));
+    const bool isOfToday = entry->madeAt.date() == QDate::currentDate();
+    QStringList words{entry->madeAt.toString(isOfToday ? "HH:mm" : "d MMM HH:mm")};
     if (entry->canRunAgain())
         words << durationText(entry->data->elapsed_s);
     if (entry->canRunAgain() && entry->data->state == AnalysisState::partial)
         words << stateOf(*entry);
     words << sweptWords(*entry);
+    if (!entry->notes.isEmpty())
+        words << entry->notes.section('\n', 0, 0);
     item->setData(ResultItemDelegate::detailRole, withReadableUnits(words.join(" · ")));
 
     // The first lines are the figures; the whole provenance has a dialog.
@@ -233,19 +240,17 @@ void ResultsDock::removeItem(int id) {
 }
 
 QListWidgetItem* ResultsDock::itemOf(int id) const {
-    for (int row = 0; row < list_->count(); ++row) {
+    for (int row = 0; row < list_->count(); ++row)
         if (list_->item(row)->data(ResultItemDelegate::idRole).toInt() == id)
             return list_->item(row);
-    }
     return nullptr;
 }
 
 QList<int> ResultsDock::selectedResults() const {
     QList<int> ids;
-    for (int row = 0; row < list_->count(); ++row) {
+    for (int row = 0; row < list_->count(); ++row)
         if (list_->item(row)->isSelected())
             ids << list_->item(row)->data(ResultItemDelegate::idRole).toInt();
-    }
     return ids;
 }
 
@@ -261,14 +266,17 @@ void ResultsDock::refreshActions() {
         const auto* entry = workbench_.result(id);
         return entry != nullptr && entry->isImage();
     });
-    const bool plots = images == 0;
-    const bool again = one != nullptr && one->canRunAgain() && !workbench_.isRunning();
+    const bool plots = images == 0 && std::ranges::none_of(ids, [this](int id) {
+                           const auto* entry = workbench_.result(id);
+                           return entry != nullptr && entry->monteCarlo;
+                       });
+    const bool again = one != nullptr && one->canRunAgain();
     actions_.at("showResult")->setEnabled(!ids.isEmpty());
     actions_.at("overlayResults")->setEnabled(plots && ids.size() > 1);
     actions_.at("subtractResults")->setEnabled(ids.size() == 2 && (plots || images == 2));
     actions_.at("rerunResult")->setEnabled(again);
-    actions_.at("editResult")->setEnabled(again);
-    for (const char* name : {"renameResult", "showCommandLine", "saveResult"})
+    actions_.at("editResult")->setEnabled(again && !one->monteCarlo);
+    for (const char* name : {"renameResult", "annotateResult", "showCommandLine", "saveResult"})
         actions_.at(name)->setEnabled(one != nullptr);
     actions_.at("removeResult")->setEnabled(!ids.isEmpty());
 }
@@ -297,13 +305,22 @@ void ResultsDock::subtract() {
 }
 
 void ResultsDock::runAgain() {
-    if (const ResultEntry* entry = onlySelected(); entry != nullptr && !workbench_.isRunning())
+    const ResultEntry* entry = onlySelected();
+    if (entry == nullptr)
+        return;
+    if (!entry->monteCarlo) {
         workbench_.start(askedOf(*entry));
+        return;
+    }
+    MonteCarloData again;
+    again.analysis = askedOf(*entry);
+    again.options = entry->monteCarlo->options;
+    workbench_.start(again);
 }
 
 void ResultsDock::editAndRun() {
     const ResultEntry* entry = onlySelected();
-    if (entry == nullptr || workbench_.isRunning())
+    if (entry == nullptr)
         return;
     const FileChooser chooser = [this](const QString& title, const QString& filter) {
         return dialogs_.openFile(this, title, {filter});
@@ -320,6 +337,15 @@ void ResultsDock::editAndRun() {
 void ResultsDock::rename() {
     if (const ResultEntry* entry = onlySelected())
         list_->editItem(itemOf(entry->id));
+}
+
+void ResultsDock::annotate() {
+    const ResultEntry* entry = onlySelected();
+    if (entry == nullptr)
+        return;
+    ResultNotesDialog dialog(*entry, this);
+    if (dialogs_.run(dialog))
+        workbench_.resultStore().annotate(dialog.id(), dialog.notes());
 }
 
 void ResultsDock::showDetails() {
@@ -344,8 +370,12 @@ void ResultsDock::save() {
         // A table is one whatever it was measured for, also the sums of an image.
         if (!entry->isImage())
             checkResultFile(AnalysisKind::table, file.toStdString());
-        entry->isImage() ? saveResult(*entry->data, file.toStdString())
-                         : entry->data->table.save(file.toStdString());
+        if (entry->monteCarlo)
+            saveMonteCarlo(*entry->monteCarlo, file.toStdString());
+        else if (entry->isImage())
+            saveResult(*entry->data, file.toStdString());
+        else
+            entry->data->table.save(file.toStdString());
         const irsg::ImageFormat* format = irsg::imageFormatOf(file.toStdString());
         if (entry->isImage() && format != nullptr &&
             format->keeps == irsg::ImageFormat::Keeps::allPlanes)

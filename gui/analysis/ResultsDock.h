@@ -16,7 +16,7 @@ namespace smat::gui {
 class Workbench;
 struct ResultEntry;
 
-/// What runs, and below it the results of this session with when, how long and what was asked:
+/// The results that are open with when, how long and what was asked:
 /// shown, overlaid, subtracted, run again, edited and run again, renamed, saved and opened again.
 /// Its commands are on buttons, in the menu of the right button and on keys.
 class ResultsDock : public QDockWidget {
@@ -56,6 +56,7 @@ class ResultsDock : public QDockWidget {
     void runAgain();
     void editAndRun();
     void rename();
+    void annotate();
     void showDetails();
     void save();
     void openFile();

@@ -146,10 +146,9 @@ EntryKey CopyEntriesDialog::keyOf(const QTreeWidgetItem* item) const {
 
 std::vector<QTreeWidgetItem*> CopyEntriesDialog::entries() const {
     std::vector<QTreeWidgetItem*> items;
-    for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+    for (int i = 0; i < list_->topLevelItemCount(); ++i)
         for (int k = 0; k < list_->topLevelItem(i)->childCount(); ++k)
             items.push_back(list_->topLevelItem(i)->child(k));
-    }
     return items;
 }
 

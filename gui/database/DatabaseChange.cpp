@@ -22,10 +22,9 @@ DatabaseChange::Differences<Key, Value> DatabaseChange::compare(const std::map<K
         else if (!(kept->second == value))
             differences[key] = {value, kept->second};
     }
-    for (const auto& [key, value] : after) {
+    for (const auto& [key, value] : after)
         if (!before.contains(key))
             differences[key] = {std::nullopt, value};
-    }
     return differences;
 }
 

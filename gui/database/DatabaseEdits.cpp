@@ -122,19 +122,17 @@ bool renumberEntry(SignatureDatabase& database, const EntryKey& from, const Entr
     if (!duplicateEntry(database, from, to))
         return false;
     removeEntry(database, from);
-    if (from.kind == EntryKind::spectrum) {
+    if (from.kind == EntryKind::spectrum)
         for (const int index : usersOfSpectrum(database, from.name))
             database.temperatures[index].userSpectrum = to.name;
-    }
     return true;
 }
 
 std::vector<int> usersOfSpectrum(const SignatureDatabase& database, const std::string& name) {
     std::vector<int> users;
-    for (const auto& [index, entry] : database.temperatures) {
+    for (const auto& [index, entry] : database.temperatures)
         if (entry.userSpectrum == name)
             users.push_back(index);
-    }
     return users;
 }
 

@@ -127,7 +127,7 @@ void DatabaseSession::take(const fs::path& file, irsg::SignatureDatabase value,
     isNew_ = !saved;
     acceptedOutside_ = false;
     saved_ = isNew_ ? std::make_shared<const irsg::SignatureDatabase>() : value_;
-    stamp_ = stampOf(file_);
+    stamp_ = irsg::stampOf(file_);
     access_ = isWriteProtected(file_) ? Access::readOnly : Access::edit;
     dirty_ = false;
     ++gesture_;
@@ -269,20 +269,12 @@ void DatabaseSession::writeTo(const fs::path& file) {
         irsg::saveSignatureFile(*value_, file);
     saved_ = value_;
     isNew_ = acceptedOutside_ = false;
-    stamp_ = stampOf(file);
+    stamp_ = irsg::stampOf(file);
     ++gesture_;
 }
 
-std::optional<DatabaseSession::Stamp> DatabaseSession::stampOf(const fs::path& file) {
-    std::error_code failure;
-    const auto written = fs::last_write_time(file, failure);
-    if (failure)
-        return std::nullopt;
-    return Stamp{written, fs::file_size(file, failure)};
-}
-
 bool DatabaseSession::isChangedOnDisk() const {
-    const auto now = stampOf(file_);
+    const auto now = irsg::stampOf(file_);
     // A file that is gone is made again by the next save.
     if (!isOpen() || !now || now == stamp_)
         return false;
@@ -347,11 +339,10 @@ void DatabaseSession::findRecoveries() {
         return;
     const std::string beginning = file_.filename().string() + ".recovery";
     std::error_code failure;
-    for (const auto& entry : fs::directory_iterator(file_.parent_path(), failure)) {
+    for (const auto& entry : fs::directory_iterator(file_.parent_path(), failure))
         if (entry.is_regular_file(failure) &&
             entry.path().filename().string().starts_with(beginning))
             left_.push_back(entry.path());
-    }
     std::ranges::sort(left_, {}, [](const fs::path& file) {
         std::error_code ignored;
         return fs::last_write_time(file, ignored);

@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include "gui/database/DatabaseChange.h"
+#include "irsg/radiometry/FileStamp.h"
 #include "irsg/signature/SignatureFile.h"
 
 class QUndoStack;
@@ -109,11 +110,6 @@ class DatabaseSession : public QObject {
 
   private:
     class Step;
-    struct Stamp {
-        std::filesystem::file_time_type written;
-        std::uintmax_t size = 0;
-        bool operator==(const Stamp&) const = default;
-    };
     void take(const std::filesystem::path& file, irsg::SignatureDatabase value,
               std::optional<irsg::SignatureDatabase> saved);
     void apply(const DatabaseChange& change, bool forward);
@@ -125,7 +121,6 @@ class DatabaseSession : public QObject {
     void setRecoveryProblem(const QString& problem);
     void leave();
     void watch();
-    static std::optional<Stamp> stampOf(const std::filesystem::path& file);
 
     QUndoStack& undoStack_;
     std::filesystem::path file_;
@@ -135,7 +130,7 @@ class DatabaseSession : public QObject {
     QString otherWindow_;
     int gesture_ = 0;
     int taken_ = 0; ///< counts what was opened: steps of another do nothing
-    std::optional<Stamp> stamp_;
+    std::optional<irsg::FileStamp> stamp_;
     std::unique_ptr<QLockFile> lock_;
     QFileSystemWatcher watcher_;
     std::filesystem::path recovery_;

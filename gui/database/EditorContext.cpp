@@ -118,14 +118,12 @@ std::vector<EntryKey> EditorContext::missing() const {
     std::vector<EntryKey> keys;
     if (!session_.isOpen())
         return keys;
-    for (const auto& [index, faces] : use_.materialFaces) {
+    for (const auto& [index, faces] : use_.materialFaces)
         if (!session_.value().materials.contains(index))
             keys.push_back({EntryKind::material, index});
-    }
-    for (const auto& [index, faces] : use_.temperatureFaces) {
+    for (const auto& [index, faces] : use_.temperatureFaces)
         if (!session_.value().temperatures.contains(index))
             keys.push_back({EntryKind::temperature, index});
-    }
     return keys;
 }
 

@@ -79,10 +79,9 @@ std::vector<EntryListModel::Row> EntryListModel::rowsNow() const {
                             style.curve(number++)});
         }
     }
-    if (kind_ != EntryKind::spectrum) {
+    if (kind_ != EntryKind::spectrum)
         for (auto& row : rows)
             row.faces = context_.facesOf(row.key);
-    }
     return rows;
 }
 

@@ -1,7 +1,7 @@
 #include "gui/database/FactorsPanel.h"
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -16,17 +16,10 @@
 #include "gui/Theme.h"
 #include "gui/database/NodeEditor.h"
 #include "gui/database/NodePlot.h"
-#include "gui/database/NumberField.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SpectrumCsv.h"
 
 namespace smat::gui {
-namespace {
-
-constexpr int overTime = 0;
-constexpr int overAngle = 1;
-
-} // namespace
 
 FactorsPanel::FactorsPanel(EditorContext& context, QWidget* parent)
     : QWidget(parent), context_(context) {
@@ -45,15 +38,18 @@ FactorsPanel::FactorsPanel(EditorContext& context, QWidget* parent)
     axis_->setObjectName("factorAxis");
     axis_->setDrawBase(false);
     axis_->setExpanding(false);
-    axis_->addTab(tr("over time"));
-    axis_->addTab(tr("over angle"));
-    constant_ = new NumberField({}, this);
-    constant_->setObjectName("factorConstant");
-    constant_->setRange(0.0, 1e12);
-    constant_->setStep(0.1);
-    constant_->setToolTip(tr("Factor of this component; a table over time stands in its place"));
+    irsg::forEachField<irsg::LookupTable>(irsg::factorFields(),
+                                          [&](const Row& row, auto /*member*/) {
+                                              rows_.push_back(&row);
+                                              axis_->addTab(tr(row.label));
+                                          });
+    irsg::forEachField<double>(irsg::factorFields(), [&](const Row& row, auto /*member*/) {
+        constantRow_ = &row;
+        constant_ = makeNumberField(row.key, row.unit, row.help, row.number, this);
+        constant_->setObjectName("factorConstant");
+    });
     auto* row = new QHBoxLayout;
-    row->addWidget(new QLabel(tr("Constant"), this));
+    row->addWidget(makeFieldLabel(constantRow_->label, this));
     row->addWidget(constant_);
     row->addSpacing(12);
     row->addWidget(axis_);
@@ -82,32 +78,35 @@ FactorsPanel::FactorsPanel(EditorContext& context, QWidget* parent)
         if (item == nullptr)
             return;
         component_ = item->text(0);
-        shownAxis_ = -1;
+        shownRow_ = nullptr;
         showTable();
     });
     connect(axis_, &QTabBar::currentChanged, this, &FactorsPanel::showTable);
     connect(constant_, &NumberField::edited, this, [this](double value) {
-        factor().constant = value;
-        push("constant", tr("constant factor of %1").arg(component_));
+        factor().*constantRow_->as<double>() = value;
+        push(constantRow_->key, tr("%1 of %2").arg(tr(constantRow_->word), component_));
     });
     connect(constant_, &NumberField::finished, this, &FactorsPanel::gestureEnded);
     connect(nodes_, &NodeEditor::edited, this, [this](const Nodes& nodes, const QString& what) {
-        const bool time = axis_->currentIndex() == overTime;
-        auto& table = time ? factor().time : factor().angle;
+        const Row& row = shownRow();
+        auto& table = factor().*row.as<irsg::LookupTable>();
         table = tableOf(nodes, table.loop() && nodes.size() > 1);
-        push(time ? "time" : "angle",
-             (time ? tr("time factor of %1 %2") : tr("angle factor of %1 %2"))
-                 .arg(component_, what));
+        push(row.key, tr("%1 of %2 %3").arg(tr(row.word), component_, what));
     });
     connect(nodes_, &NodeEditor::gestureEnded, this, &FactorsPanel::gestureEnded);
     connect(loop_, &QCheckBox::clicked, this, [this](bool on) {
-        auto& table = factor().time;
+        const Row& row = shownRow();
+        auto& table = factor().*row.as<irsg::LookupTable>();
         table = tableOf(nodesOf(table), on);
-        push("loop", (on ? tr("time factor of %1 to a loop") : tr("time factor of %1 to no loop"))
-                         .arg(component_));
+        push("loop", (on ? tr("%1 of %2 to a loop") : tr("%1 of %2 to no loop"))
+                         .arg(tr(row.word), component_));
         emit gestureEnded();
     });
     connect(import, &QToolButton::clicked, this, &FactorsPanel::importTable);
+}
+
+const FactorsPanel::Row& FactorsPanel::shownRow() const {
+    return *rows_[static_cast<std::size_t>(axis_->currentIndex())];
 }
 
 irsg::ComponentFactor FactorsPanel::shownFactor() const {
@@ -143,10 +142,9 @@ void FactorsPanel::showList() {
     std::vector<std::string> names;
     for (const auto& component : spectrum_.components)
         names.push_back(component.name);
-    for (const auto& factor : factors_) {
+    for (const auto& factor : factors_)
         if (std::ranges::find(names, factor.component) == names.end())
             names.push_back(factor.component);
-    }
     const QSignalBlocker quiet(list_);
     list_->clear();
     QTreeWidgetItem* chosen = nullptr;
@@ -176,7 +174,7 @@ void FactorsPanel::showList() {
     if (chosen == nullptr && list_->topLevelItemCount() > 0) {
         chosen = list_->topLevelItem(0);
         component_ = chosen->text(0);
-        shownAxis_ = -1;
+        shownRow_ = nullptr;
     }
     list_->setCurrentItem(chosen);
     if (chosen == nullptr)
@@ -194,36 +192,28 @@ void FactorsPanel::showTable() {
     constant_->setEnabled(any);
     nodes_->setEnabled(any);
     axis_->setEnabled(any);
-    const int axis = axis_->currentIndex();
-    if (shownAxis_ != axis) {
-        shownAxis_ = axis;
-        NodeRules rules;
-        rules.xName = axis == overTime ? tr("time") : tr("angle from the nose");
-        rules.xUnit = axis == overTime ? "s" : "°";
-        rules.yName = tr("factor");
-        rules.yMinimum = 0.0;
-        rules.yStart = 1.0;
-        rules.xStep = axis == overTime ? 1.0 : 30.0;
-        if (axis == overAngle) {
-            rules.xMinimum = 0.0;
-            rules.xMaximum = 180.0;
-        }
+    const Row& row = shownRow();
+    if (shownRow_ != &row) {
+        shownRow_ = &row;
+        const NodeRules rules = rulesOf(row.table, {});
         nodes_->setNodes({});
         nodes_->setRules(rules);
+        const bool bounded = std::isfinite(rules.xMinimum) && std::isfinite(rules.xMaximum);
         nodes_->plot()->setLeastView(
-            axis == overAngle ? std::optional(Interval{0.0, 180.0}) : std::nullopt, std::nullopt);
+            bounded ? std::optional(Interval{rules.xMinimum, rules.xMaximum}) : std::nullopt,
+            std::nullopt);
     }
     const auto shown = shownFactor();
-    const auto& table = axis == overTime ? shown.time : shown.angle;
-    constant_->setValue(shown.constant);
+    const irsg::LookupTable& table = shown.*row.as<irsg::LookupTable>();
+    constant_->setValue(shown.*constantRow_->as<double>());
     nodes_->setNodes(nodesOf(table));
-    loop_->setVisible(axis == overTime);
-    loop_->setChecked(shown.time.loop());
-    loop_->setEnabled(shown.time.x().size() > 1);
+    loop_->setVisible(row.table.mayLoop);
+    loop_->setChecked(table.loop());
+    loop_->setEnabled(table.x().size() > 1);
 }
 
 void FactorsPanel::importTable() {
-    const bool time = axis_->currentIndex() == overTime;
+    const bool time = shownRow().as<irsg::LookupTable>() == &irsg::ComponentFactor::time;
     const QString file = context_.dialogs().openFile(
         context_.window, time ? tr("Import time factors") : tr("Import angle factors"),
         {tr("Tables (*.csv *.txt)"), tr("All files (*)")});

@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "gui/database/EditorContext.h"
+#include "gui/database/EntryNumbers.h"
 
 class QCheckBox;
 class QTabBar;
@@ -12,7 +13,6 @@ class QTreeWidgetItem;
 namespace smat::gui {
 
 class NodeEditor;
-class NumberField;
 
 /// The factors c_j(t, angle) of the components of a user-defined spectrum (eq. 6): a constant, and
 /// tables over time, which may loop, and over the angle from the nose axis.
@@ -32,7 +32,11 @@ class FactorsPanel : public QWidget {
     void gestureEnded();
 
   private:
+    using Row = irsg::EntryField<irsg::ComponentFactor>;
+
     irsg::ComponentFactor shownFactor() const;
+    /// The table of the tab that is in front.
+    const Row& shownRow() const;
     /// The factor of the shown component, made where there is none.
     irsg::ComponentFactor& factor();
     /// Factors that say nothing are left out.
@@ -48,10 +52,12 @@ class FactorsPanel : public QWidget {
     QString component_;
     QTreeWidget* list_ = nullptr;
     QTabBar* axis_ = nullptr;
+    std::vector<const Row*> rows_; ///< of the tabs
+    const Row* shownRow_ = nullptr;
+    const Row* constantRow_ = nullptr;
     NumberField* constant_ = nullptr;
     QCheckBox* loop_ = nullptr;
     NodeEditor* nodes_ = nullptr;
-    int shownAxis_ = -1;
 };
 
 } // namespace smat::gui

@@ -1,13 +1,12 @@
 #include "gui/database/MaterialPanel.h"
 
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "gui/Widgets.h"
 #include "gui/database/AngleCurve.h"
-#include "gui/database/NumberField.h"
 #include "gui/database/SpectralProperty.h"
 
 namespace smat::gui {
@@ -54,12 +53,16 @@ SpectralProperty* MaterialPanel::makeProperty(bool emissivity) {
 
 QWidget* MaterialPanel::makeAngle() {
     auto* holder = new QWidget(this);
-    factor_ = new NumberField({}, holder);
-    factor_->setObjectName("nAngleFactor");
-    factor_->setRange(0.0, 1000.0);
-    factor_->setStep(0.25);
-    factor_->setToolTip(tr("N of cos^N: 0 emits alike in all directions, larger values along the "
-                           "normal. For temperatures and for user-defined spectra"));
+    using Row = irsg::EntryField<irsg::Material>;
+    numbers_.emplace(
+        irsg::materialFields(), holder,
+        [this](const Row& row, double value) {
+            edit(tr("Set %1 of material %2").arg(tr(row.word)).arg(key_ ? key_->index : 0), row.key,
+                 [&](irsg::SignatureDatabase& database) {
+                     database.materials.at(key_->index).*row.as<double>() = value;
+                 });
+        },
+        [this] { endGesture(); });
     auto* words =
         new QLabel(tr("Emission is multiplied by cos<sup>N</sup> of the angle between the normal "
                       "and the sensor. Dotted: N = 0, 0.25, 1 and 3."),
@@ -67,21 +70,14 @@ QWidget* MaterialPanel::makeAngle() {
     words->setWordWrap(true);
     words->setForegroundRole(QPalette::PlaceholderText);
     curve_ = new AngleCurve(holder);
-    auto* form = new QFormLayout;
-    form->addRow(tr("N"), factor_);
+    auto* form = new QGridLayout;
+    numbers_->addTo(*form, 1);
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 10, 0, 0);
     column->setSpacing(10);
     column->addLayout(form);
     column->addWidget(words);
     column->addWidget(curve_, 1);
-    connect(factor_, &NumberField::edited, this, [this](double value) {
-        edit(tr("Set N angle factor of material %1").arg(key_ ? key_->index : 0), "nAngleFactor",
-             [&](irsg::SignatureDatabase& database) {
-                 database.materials.at(key_->index).nAngleFactor = value;
-             });
-    });
-    connect(factor_, &NumberField::finished, this, [this] { endGesture(); });
     return holder;
 }
 
@@ -92,7 +88,7 @@ void MaterialPanel::refresh() {
               context_.knowsModel() ? counted(faces, tr("face"), tr("faces")) : QString());
     emissivity_->setValue(material.emissivity, material.transmissivity, context_.band());
     transmissivity_->setValue(material.transmissivity, material.emissivity, context_.band());
-    factor_->setValue(material.nAngleFactor);
+    numbers_->show(material);
     curve_->setFactor(material.nAngleFactor);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/database/EntryNumbers.h"
 #include "gui/database/EntryPanel.h"
 
 class QTabWidget;
@@ -7,7 +8,6 @@ class QTabWidget;
 namespace smat::gui {
 
 class AngleCurve;
-class NumberField;
 class SpectralProperty;
 
 /// One material: emissivity, transmissivity, N angle factor and notes.
@@ -27,7 +27,7 @@ class MaterialPanel : public EntryPanel {
 
     QTabWidget* tabs_ = nullptr;
     SpectralProperty *emissivity_ = nullptr, *transmissivity_ = nullptr;
-    NumberField* factor_ = nullptr;
+    std::optional<EntryNumbers<irsg::Material>> numbers_;
     AngleCurve* curve_ = nullptr;
 };
 

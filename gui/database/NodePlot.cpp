@@ -73,6 +73,7 @@ void NodePlot::resizeEvent(QResizeEvent* event) {
 }
 
 void NodePlot::dress() {
+    palette_.taken();
     const PlotStyle style = PlotStyle::screen(QApplication::palette());
     setCanvasBackground(style.canvas);
     dressPlot(*this, style);
@@ -411,10 +412,10 @@ void NodePlot::keyReleaseEvent(QKeyEvent* event) {
 
 void NodePlot::changeEvent(QEvent* event) {
     QwtPlot::changeEvent(event);
-    if (event->type() == QEvent::ApplicationPaletteChange) {
+    palette_.follow(*this, *event, [this] {
         dress();
         drawNodes();
-    }
+    });
 }
 
 } // namespace smat::gui

@@ -5,6 +5,7 @@
 #include <QwtPlot>
 #include <QwtScaleMap>
 
+#include "gui/PaletteWatch.h"
 #include "gui/database/Nodes.h"
 #include "gui/plot/PlotData.h"
 
@@ -80,6 +81,7 @@ class NodePlot : public QwtPlot {
                  *chosen_ = nullptr;
     std::vector<QwtPlotCurve*> behind_;
     QwtPlotMarker* label_ = nullptr;
+    PaletteWatch palette_;
 };
 
 } // namespace smat::gui

@@ -243,10 +243,9 @@ void NodeTable::copy() const {
     for (const auto& index : selectionModel()->selectedIndexes())
         rows.insert(index.row());
     Nodes chosen;
-    for (const int row : rows) {
+    for (const int row : rows)
         if (row < static_cast<int>(model_.nodes().size()))
             chosen.push_back(model_.nodes()[static_cast<std::size_t>(row)]);
-    }
     QApplication::clipboard()->setText(
         spreadsheetText(chosen.size() > 1 ? chosen : model_.nodes()));
 }
@@ -288,10 +287,9 @@ void NodeTable::removeRows() {
     if (currentIndex().isValid())
         rows.insert(currentIndex().row());
     Nodes kept;
-    for (std::size_t i = 0; i < model_.nodes().size(); ++i) {
+    for (std::size_t i = 0; i < model_.nodes().size(); ++i)
         if (!rows.contains(static_cast<int>(i)))
             kept.push_back(model_.nodes()[i]);
-    }
     const auto gone = model_.nodes().size() - kept.size();
     if (gone == 0)
         return;

@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include "gui/Readable.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
@@ -42,10 +43,9 @@ Nodes nodesOf(const std::vector<double>& x, const std::vector<double>& y) {
 
 /// The cells of a line, apart by the first of these that it holds.
 QStringList cellsOf(const QString& line) {
-    for (const QChar separator : {QChar('\t'), QChar(';')}) {
+    for (const QChar separator : {QChar('\t'), QChar(';')})
         if (line.contains(separator))
             return line.split(separator);
-    }
     static const QRegularExpression blanks("\\s+");
     // "4,2 0,5" has commas in its numbers, "4.2,0.5" and "4.2, 0.5" between them.
     const QString trimmed = line.trimmed();
@@ -154,6 +154,20 @@ Node NodeRules::bounded(const Nodes& nodes, std::size_t index, Node wanted) cons
     }
     const double x = low <= high ? std::clamp(wanted.x, low, high) : nodes[index].x;
     return {x, std::clamp(wanted.y, std::min(yMinimum, greatestY(x)), greatestY(x))};
+}
+
+NodeRules rulesOf(const irsg::TableRules& rules, const QString& valueUnit) {
+    NodeRules made;
+    made.xName = QCoreApplication::translate("EntryFields", rules.axis);
+    made.xUnit = readableUnit(rules.unit);
+    made.yName = QCoreApplication::translate("EntryFields", rules.value);
+    made.yUnit = valueUnit;
+    made.xMinimum = rules.leastPosition;
+    made.xMaximum = rules.mostPosition;
+    made.yMinimum = rules.leastValue;
+    made.xStep = rules.step;
+    made.yStart = rules.firstValue;
+    return made;
 }
 
 std::optional<double> numberOf(const QString& text) {

@@ -8,6 +8,7 @@
 #include <QString>
 
 #include "irsg/radiometry/Spectrum.h"
+#include "irsg/signature/EntryFields.h"
 #include "irsg/signature/LookupTable.h"
 
 namespace smat::gui {
@@ -52,6 +53,9 @@ struct NodeRules {
     /// The node moved to where the rules and its neighbours allow.
     Node bounded(const Nodes& nodes, std::size_t index, Node wanted) const;
 };
+
+/// Those of a lookup table of a signature database.
+NodeRules rulesOf(const irsg::TableRules& rules, const QString& valueUnit);
 
 /// A number as people and spreadsheets write it: "4.2", "4,2", " 1e-3 ". Not "1,234.5".
 std::optional<double> numberOf(const QString& text);

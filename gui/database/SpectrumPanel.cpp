@@ -4,7 +4,7 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QEvent>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QTabWidget>
 #include <QTableView>
@@ -14,24 +14,25 @@
 #include "gui/Readable.h"
 #include "gui/Theme.h"
 #include "gui/Widgets.h"
-#include "gui/database/NumberField.h"
 #include "gui/database/SpectrumTableModel.h"
 #include "gui/plot/CartesianPlot.h"
 
 namespace smat::gui {
 
 SpectrumPanel::SpectrumPanel(EditorContext& context, QWidget* parent)
-    : EntryPanel(context, EntryKind::spectrum, parent) {
+    : EntryPanel(context, EntryKind::spectrum, parent),
+      numbers_(
+          irsg::spectrumFields(), this,
+          [this](const irsg::EntryField<irsg::UserSpectrum>& row, double value) {
+              edit(tr("Set %1 of %2").arg(tr(row.word), context_.title(*key_)), row.key,
+                   [&](irsg::SignatureDatabase& database) {
+                       database.spectra.at(key_->name).*row.as<double>() = value;
+                   });
+          },
+          [this] { endGesture(); }) {
     setObjectName("spectrumPanel");
-    distance_ = new NumberField("m", this);
-    distance_->setObjectName("referenceDistance");
-    distance_->setRange(0.0, 1e7);
-    distance_->setStep(1.0);
-    distance_->setToolTip(tr("The air between the source and this distance is inside the "
-                             "measurement already: a nearer sensor sees it unchanged, a farther "
-                             "one through the rest of the air"));
-    auto* form = new QFormLayout;
-    form->addRow(tr("Reference distance"), distance_);
+    auto* form = new QGridLayout;
+    numbers_.addTo(*form, 1);
 
     tabs_ = new QTabWidget(this);
     tabs_->setObjectName("spectrumTabs");
@@ -76,13 +77,6 @@ SpectrumPanel::SpectrumPanel(EditorContext& context, QWidget* parent)
     tabs_->addTab(makeNotes(), tr("Notes"));
     letShownPageAloneAskForRoom(*tabs_);
     column->addWidget(tabs_, 1);
-    connect(distance_, &NumberField::edited, this, [this](double value) {
-        edit(tr("Set reference distance of %1").arg(context_.title(*key_)), "referenceDistance",
-             [&](irsg::SignatureDatabase& database) {
-                 database.spectra.at(key_->name).referenceDistance_m = value;
-             });
-    });
-    connect(distance_, &NumberField::finished, this, [this] { endGesture(); });
     connect(logarithmic_, &QCheckBox::toggled, this,
             [this](bool on) { plot_->setLogarithmic(QwtPlot::yLeft, on); });
 }
@@ -96,11 +90,12 @@ void SpectrumPanel::makePlot() {
 
 void SpectrumPanel::changeEvent(QEvent* event) {
     EntryPanel::changeEvent(event);
-    if (event->type() == QEvent::ApplicationPaletteChange && plot_ != nullptr) {
-        makePlot();
-        shown_ = {};
-        show(key());
-    }
+    // The event of the application comes to windows alone.
+    // Later: Qt still gives palettes to the widgets inside.
+    if (event->type() == QEvent::PaletteChange && plot_ != nullptr)
+        QMetaObject::invokeMethod(
+            this, [this] { plot_->setLook(PlotStyle::screen(QApplication::palette())); },
+            Qt::QueuedConnection);
 }
 
 void SpectrumPanel::refresh() {
@@ -117,12 +112,15 @@ void SpectrumPanel::refresh() {
     if (!spectrum.importedUnit.empty())
         caption += tr(", imported as %1").arg(readableUnit(spectrum.importedUnit));
     showTexts({}, spectrum.notes, caption);
-    distance_->setValue(spectrum.referenceDistance_m);
+    numbers_.show(spectrum);
     if (spectrum.components == shown_.components && spectrum.name == shown_.name)
         return;
     shown_ = spectrum;
     model_->setSpectrum(spectrum);
-    PlotData data{{}, tr("wavelength (µm)"), tr("radiance (W·m⁻²·sr⁻¹·µm⁻¹)"), {}};
+    PlotData data{.title = {},
+                  .xTitle = tr("wavelength (µm)"),
+                  .yTitle = tr("radiance (W·m⁻²·sr⁻¹·µm⁻¹)"),
+                  .curves = {}};
     for (const auto& component : spectrum.components)
         data.curves.push_back({QString::fromStdString(component.name),
                                component.radiance.wavelengths_um(), component.radiance.values()});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/database/EntryNumbers.h"
 #include "gui/database/EntryPanel.h"
 
 class QTabWidget;
@@ -9,7 +10,6 @@ class QCheckBox;
 namespace smat::gui {
 
 class CartesianPlot;
-class NumberField;
 class SpectrumTableModel;
 
 /// One user-defined spectrum: its reference distance, its components as curves and as a table, and
@@ -29,7 +29,7 @@ class SpectrumPanel : public EntryPanel {
   private:
     void makePlot();
 
-    NumberField* distance_ = nullptr;
+    EntryNumbers<irsg::UserSpectrum> numbers_;
     QTabWidget* tabs_ = nullptr;
     QWidget* plotPage_ = nullptr;
     CartesianPlot* plot_ = nullptr;

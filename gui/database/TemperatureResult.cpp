@@ -9,6 +9,7 @@
 
 #include "gui/Theme.h"
 #include "gui/database/NumberField.h"
+#include "irsg/signature/EntryFields.h"
 
 namespace smat::gui {
 namespace {
@@ -130,7 +131,7 @@ void TemperatureResult::refresh() {
         QString term, how;
         double value_K;
     };
-    const Row rows[] = {
+    std::vector<Row> rows = {
         {tr("T₀"), tr("constant"), terms_.base_K},
         {tr("a · T_amb"), number(terms_.ambientFactor) + " · " + number(state_.ambient_K, 6) + " K",
          irsg::ambientTerm_K(terms_, state_)},
@@ -138,22 +139,20 @@ void TemperatureResult::refresh() {
          tr("r %1, Mach %2").arg(number(terms_.recoveryFactor), number(state_.mach)),
          irsg::aerodynamicTerm_K(terms_, state_)},
         {tr("a · ΔT"), tr("ΔT %1 K").arg(number(terms_.ambientOffset_K)),
-         irsg::offsetTerm_K(terms_, state_)},
-        {tr("f(t)"), held(terms_.time, state_.time_s, tr("time")),
-         irsg::timeTerm_K(terms_, state_)},
-        {tr("f(power)"), held(terms_.power, state_.power, tr("power")),
-         irsg::powerTerm_K(terms_, state_)},
-        {tr("f(altitude)"), held(terms_.altitude, state_.altitude_m, tr("altitude")),
-         irsg::altitudeTerm_K(terms_, state_)},
-        {tr("f(M)"), held(terms_.mach, state_.mach, tr("Mach")), irsg::machTerm_K(terms_, state_)}};
+         irsg::offsetTerm_K(terms_, state_)}};
+    irsg::forEachField<irsg::LookupTable>(irsg::termFields(), [&](const auto& field, auto member) {
+        const irsg::LookupTable& table = terms_.*member;
+        const double position = field.table.position(state_);
+        rows.push_back({tr(field.label), held(table, position, tr(field.table.axis)),
+                        irsg::tableTerm_K(table, position)});
+    });
     list_->clear();
     for (const auto& row : rows) {
         auto* item = new QTreeWidgetItem({row.term, row.how, QString::number(row.value_K, 'f', 2)});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
-        if (row.value_K == 0.0) {
+        if (row.value_K == 0.0)
             for (int i = 0; i < 3; ++i)
                 item->setForeground(i, palette().color(QPalette::PlaceholderText));
-        }
         list_->addTopLevelItem(item);
     }
     const double sum_K = irsg::surfaceTemperature_K(terms_, state_);

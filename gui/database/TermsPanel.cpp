@@ -1,6 +1,7 @@
 #include "gui/database/TermsPanel.h"
 
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QTabBar>
@@ -8,70 +9,50 @@
 
 #include "gui/database/NodeEditor.h"
 #include "gui/database/NodePlot.h"
-#include "gui/database/NumberField.h"
 
 namespace smat::gui {
 namespace {
 
-struct TableText {
-    const char *tab, *axis, *unit, *what;
-    double step;
-};
-/// In the order of the tabs.
-constexpr TableText tableTexts[] = {
-    {QT_TRANSLATE_NOOP("TermsPanel", "f(t)"), QT_TRANSLATE_NOOP("TermsPanel", "time"), "s",
-     "f(time)", 1.0},
-    {QT_TRANSLATE_NOOP("TermsPanel", "f(power)"), QT_TRANSLATE_NOOP("TermsPanel", "power setting"),
-     "", "f(power)", 0.1},
-    {QT_TRANSLATE_NOOP("TermsPanel", "f(altitude)"), QT_TRANSLATE_NOOP("TermsPanel", "altitude"),
-     "m", "f(altitude)", 1000.0},
-    {QT_TRANSLATE_NOOP("TermsPanel", "f(M)"), QT_TRANSLATE_NOOP("TermsPanel", "Mach number"), "",
-     "f(Mach)", 0.1}};
-constexpr int timeTable = 0;
+/// Beside each other in the form.
+constexpr int numbersPerLine = 2;
+
+QString wordOf(const irsg::EntryField<irsg::TemperatureTerms>& row) {
+    return QCoreApplication::translate("EntryFields", row.word);
+}
 
 } // namespace
 
-TermsPanel::TermsPanel(QWidget* parent) : QWidget(parent) {
-    using Terms = irsg::TemperatureTerms;
+TermsPanel::TermsPanel(QWidget* parent)
+    : QWidget(parent),
+      numbers_(
+          irsg::termFields(), this,
+          [this](const Row& row, double value) {
+              terms_.*row.as<double>() = value;
+              emit edited(terms_, row.key, wordOf(row));
+          },
+          [this] { emit gestureEnded(); }) {
     setObjectName("termsPanel");
-    auto* equation = new QLabel(
-        tr("T = <b>T<sub>0</sub></b> + <b>a</b>·T<sub>amb</sub>·(1 + 0.2·<b>r</b>·M² + "
-           "<b>ΔT</b>/T<sub>amb</sub>) + <b>f</b>(t) + <b>f</b>(power) + <b>f</b>(altitude) + "
-           "<b>f</b>(M)"),
-        this);
+    auto* equation =
+        new QLabel(tr("T = <b>T<sub>0</sub></b> + <b>a</b>·T<sub>amb</sub>·(1 + 0.2·<b>r</b>·M² + "
+                      "<b>ΔT</b>/T<sub>amb</sub>)"),
+                   this);
     equation->setObjectName("equation");
     equation->setWordWrap(true);
-    fields_[0] = makeField("base_K", "K", 1.0, tr("T0: what does not depend on the air"),
-                           &Terms::base_K, tr("T0"));
-    fields_[1] = makeField("ambientFactor", {}, 0.05,
-                           tr("a: the part of the ambient temperature that counts"),
-                           &Terms::ambientFactor, tr("a"));
-    fields_[2] = makeField("recoveryFactor", {}, 0.01,
-                           tr("r: recovery factor of the heating by the air that passes, 0.85 "
-                              "laminar, 0.89 turbulent, 1 on a stagnation line"),
-                           &Terms::recoveryFactor, tr("r"));
-    fields_[3] = makeField("ambientOffset_K", "K", 1.0,
-                           tr("ΔT: above or below the ambient temperature, times a"),
-                           &Terms::ambientOffset_K, tr("delta T"));
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(6);
-    const QString names[] = {tr("T<sub>0</sub>"), tr("a"), tr("r"), tr("ΔT")};
-    for (int i = 0; i < 4; ++i) {
-        auto* name = new QLabel(names[i], this);
-        name->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        const int pair = 2 * (i % 2);
-        grid->addWidget(name, i / 2, pair);
-        grid->addWidget(fields_[static_cast<std::size_t>(i)], i / 2, pair + 1);
-        grid->setColumnStretch(pair + 1, 1);
-    }
+    numbers_.addTo(*grid, numbersPerLine);
 
     tables_ = new QTabBar(this);
     tables_->setObjectName("termTables");
     tables_->setDrawBase(false);
     tables_->setExpanding(false);
-    for (const auto& text : tableTexts)
-        tables_->addTab(tr(text.tab));
+    irsg::forEachField<irsg::LookupTable>(irsg::termFields(), [&](const Row& row, auto /*member*/) {
+        rows_.push_back(&row);
+        tables_->addTab(tr(row.label));
+        equation->setText(equation->text() + " + " +
+                          QString(tr(row.label)).replace(0, 1, "<b>f</b>"));
+    });
     nodes_ = new NodeEditor(this);
     loop_ = new QCheckBox(tr("Loop"), this);
     loop_->setObjectName("loop");
@@ -87,76 +68,53 @@ TermsPanel::TermsPanel(QWidget* parent) : QWidget(parent) {
 
     connect(tables_, &QTabBar::currentChanged, this, &TermsPanel::showTable);
     connect(nodes_, &NodeEditor::edited, this, [this](const Nodes& nodes, const QString& what) {
-        const auto& text = tableTexts[tables_->currentIndex()];
         // A loop needs two nodes: with fewer the table is a plain one.
-        irsg::LookupTable& edited = table(tables_->currentIndex());
+        auto& edited = terms_.*shownRow().as<irsg::LookupTable>();
         edited = tableOf(nodes, edited.loop() && nodes.size() > 1);
-        emit this->edited(terms_, text.what, QStringLiteral("%1 %2").arg(text.what, what));
+        const QString word = wordOf(shownRow());
+        emit this->edited(terms_, shownRow().key, QStringLiteral("%1 %2").arg(word, what));
         loop_->setChecked(edited.loop());
         loop_->setEnabled(nodes.size() > 1);
     });
     connect(nodes_, &NodeEditor::gestureEnded, this, &TermsPanel::gestureEnded);
     connect(loop_, &QCheckBox::clicked, this, [this](bool on) {
-        terms_.time = tableOf(nodesOf(terms_.time), on);
-        emit edited(terms_, "loop", on ? tr("f(time) to a loop") : tr("f(time) to no loop"));
+        auto& edited = terms_.*shownRow().as<irsg::LookupTable>();
+        edited = tableOf(nodesOf(edited), on);
+        const QString word = wordOf(shownRow());
+        emit this->edited(terms_, "loop",
+                          on ? tr("%1 to a loop").arg(word) : tr("%1 to no loop").arg(word));
         emit gestureEnded();
     });
     showTable();
 }
 
-NumberField* TermsPanel::makeField(const QString& name, const QString& unit, double step,
-                                   const QString& help, double irsg::TemperatureTerms::*member,
-                                   const QString& word) {
-    auto* field = new NumberField(unit, this);
-    field->setObjectName(name);
-    field->setStep(step);
-    field->setToolTip(help);
-    connect(field, &NumberField::edited, this, [this, name, member, word](double value) {
-        terms_.*member = value;
-        emit edited(terms_, name, word);
-    });
-    connect(field, &NumberField::finished, this, &TermsPanel::gestureEnded);
-    return field;
-}
-
-irsg::LookupTable& TermsPanel::table(int number) {
-    irsg::LookupTable* const all[] = {&terms_.time, &terms_.power, &terms_.altitude, &terms_.mach};
-    return *all[number];
+const TermsPanel::Row& TermsPanel::shownRow() const {
+    return *rows_[static_cast<std::size_t>(tables_->currentIndex())];
 }
 
 void TermsPanel::showTable() {
-    const int number = tables_->currentIndex();
-    const auto& text = tableTexts[number];
-    if (shownTable_ != number) {
-        shownTable_ = number;
-        NodeRules rules;
-        rules.xName = tr(text.axis);
-        rules.xUnit = text.unit;
-        rules.yName = tr("rise");
-        rules.yUnit = "K";
-        rules.xStep = text.step;
+    const Row& row = shownRow();
+    if (shownRow_ != &row) {
+        shownRow_ = &row;
         nodes_->setNodes({});
-        nodes_->setRules(rules);
+        nodes_->setRules(rulesOf(row.table, row.unit));
     }
-    const irsg::LookupTable& shown = table(number);
+    const irsg::LookupTable& shown = terms_.*row.as<irsg::LookupTable>();
     nodes_->setNodes(nodesOf(shown));
-    loop_->setVisible(number == timeTable);
+    loop_->setVisible(row.table.mayLoop);
     loop_->setChecked(shown.loop());
     loop_->setEnabled(shown.x().size() > 1);
-    for (int i = 0; i < 4; ++i) {
-        const auto count = table(i).x().size();
-        tables_->setTabText(
-            i, count == 0 ? tr(tableTexts[i].tab)
-                          : QStringLiteral("%1 · %2").arg(tr(tableTexts[i].tab)).arg(count));
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const auto count = (terms_.*rows_[i]->as<irsg::LookupTable>()).x().size();
+        const QString name = tr(rows_[i]->label);
+        tables_->setTabText(static_cast<int>(i),
+                            count == 0 ? name : QStringLiteral("%1 · %2").arg(name).arg(count));
     }
 }
 
 void TermsPanel::setTerms(const irsg::TemperatureTerms& terms) {
     terms_ = terms;
-    fields_[0]->setValue(terms.base_K);
-    fields_[1]->setValue(terms.ambientFactor);
-    fields_[2]->setValue(terms.recoveryFactor);
-    fields_[3]->setValue(terms.ambientOffset_K);
+    numbers_.show(terms);
     showTable();
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include <QWidget>
 
+#include "gui/database/EntryNumbers.h"
 #include "irsg/signature/SurfaceTemperature.h"
 
 class QCheckBox;
@@ -12,9 +13,8 @@ class QTabBar;
 namespace smat::gui {
 
 class NodeEditor;
-class NumberField;
 
-/// The terms of eq. 7: four numbers, and four lookup tables of which one is shown at a time.
+/// The terms of eq. 7: its numbers, and its lookup tables of which one is shown at a time.
 class TermsPanel : public QWidget {
     Q_OBJECT
 
@@ -31,18 +31,19 @@ class TermsPanel : public QWidget {
     void gestureEnded();
 
   private:
-    NumberField* makeField(const QString& name, const QString& unit, double step,
-                           const QString& help, double irsg::TemperatureTerms::*member,
-                           const QString& word);
-    irsg::LookupTable& table(int number);
+    using Row = irsg::EntryField<irsg::TemperatureTerms>;
+
+    /// The table of the tab that is in front.
+    const Row& shownRow() const;
     void showTable();
 
     irsg::TemperatureTerms terms_;
-    std::array<NumberField*, 4> fields_{};
+    EntryNumbers<irsg::TemperatureTerms> numbers_;
+    std::vector<const Row*> rows_; ///< of the tabs
+    const Row* shownRow_ = nullptr;
     QTabBar* tables_ = nullptr;
     QCheckBox* loop_ = nullptr;
     NodeEditor* nodes_ = nullptr;
-    int shownTable_ = -1;
 };
 
 } // namespace smat::gui

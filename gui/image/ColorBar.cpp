@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -33,6 +34,8 @@ QString modeWord(LimitMode mode) {
 
 QString scaleWord(irsg::ColorScale scale) {
     switch (scale) {
+    case irsg::ColorScale::automatic:
+        return ColorBar::tr("Automatic");
     case irsg::ColorScale::linear:
         return ColorBar::tr("Linear");
     case irsg::ColorScale::squareRoot:
@@ -51,24 +54,31 @@ ColorBar::ColorBar(QWidget* parent, const QList<LimitMode>& modes) : QWidget(par
     setObjectName("colorBar");
     map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
     setFixedWidth(136);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(8, 0, 0, 0);
-    column->setSpacing(6);
     high_ = new QLineEdit(this);
     high_->setObjectName("limitHigh");
-    high_->setToolTip(tr("Value of the last colour; brighter pixels have a colour of their own"));
+    high_->setToolTip(tr("Value of the last colour, which brighter pixels have, too"));
     scale_ = new Scale(this);
     low_ = new QLineEdit(this);
     low_->setObjectName("limitLow");
-    low_->setToolTip(tr("Value of the first colour; darker pixels have a colour of their own"));
+    low_->setToolTip(tr("Value of the first colour, which darker pixels have, too"));
     mode_ = new QComboBox(this);
     mode_->setObjectName("limitMode");
     for (const LimitMode mode : modes)
         mode_->addItem(modeWord(mode), static_cast<int>(mode));
     mode_->setToolTip(
-        tr("How the limits of the colours are found: Target shows the object on its background and "
-           "leaves out its few hottest pixels, Percentiles leave out what is typed in, Locked "
-           "keeps them whatever is shown"));
+        tr("How the limits of the colours are found: Target shows the object on its background, "
+           "with a linear scale without its few hottest pixels, Percentiles leave out what is "
+           "typed in, Locked keeps them whatever is shown"));
+    makeScaleBox();
+    makeMarks();
+    lowPercent_ = percentBox("percentLow", 1.0, tr("Percentile of the first colour"));
+    highPercent_ = percentBox("percentHigh", 99.0, tr("Percentile of the last colour"));
+    layOut();
+    showPercentiles();
+    connectParts();
+}
+
+void ColorBar::makeScaleBox() {
     colorScale_ = new QComboBox(this);
     colorScale_->setObjectName("colorScale");
     for (const std::string& name : irsg::colorScaleNames()) {
@@ -77,41 +87,60 @@ ColorBar::ColorBar(QWidget* parent, const QList<LimitMode>& modes) : QWidget(par
     }
     colorScale_->setToolTip(
         tr("How colours follow values: Square root and Logarithmic show what is dim beside what "
-           "glows, Equalized gives every colour to as many of the values; Target then holds the "
-           "hottest pixels, too"));
-    const auto percent = [this](const QString& name, double value, const QString& tip) {
-        auto* box = new QDoubleSpinBox(this);
-        box->setObjectName(name);
-        box->setRange(0.0, 100.0);
-        box->setDecimals(1);
-        box->setSingleStep(0.5);
-        box->setSuffix(tr(" %"));
-        box->setValue(value);
-        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setKeyboardTracking(false);
-        box->setToolTip(tip);
-        box->setMinimumWidth(40);
-        connect(box, &QDoubleSpinBox::valueChanged, this, &ColorBar::readPercentiles);
-        return box;
-    };
-    lowPercent_ = percent("percentLow", 1.0, tr("Percentile of the first colour"));
-    highPercent_ = percent("percentHigh", 99.0, tr("Percentile of the last colour"));
+           "glows, Equalized gives every colour to as many of the values; Automatic is linear "
+           "where that shows the object, else square root or logarithmic"));
+}
+
+void ColorBar::makeMarks() {
+    marks_ = new QCheckBox(tr("Mark outside"), this);
+    marks_->setObjectName("markOutside");
+    marks_->setToolTip(
+        tr("Pixels outside of the limits have colours of their own; else those of the ends"));
+}
+
+QDoubleSpinBox* ColorBar::percentBox(const QString& name, double value, const QString& tip) {
+    auto* box = new QDoubleSpinBox(this);
+    box->setObjectName(name);
+    box->setRange(0.0, 100.0);
+    box->setDecimals(1);
+    box->setSingleStep(0.5);
+    box->setSuffix(tr(" %"));
+    box->setValue(value);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    box->setKeyboardTracking(false);
+    box->setToolTip(tip);
+    box->setMinimumWidth(40);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &ColorBar::readPercentiles);
+    return box;
+}
+
+void ColorBar::layOut() {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 0, 0, 0);
+    column->setSpacing(6);
     auto* percents = new QHBoxLayout;
     percents->setSpacing(4);
     percents->addWidget(lowPercent_);
     percents->addWidget(highPercent_);
-    for (QWidget* widget :
-         {static_cast<QWidget*>(high_), static_cast<QWidget*>(scale_), static_cast<QWidget*>(low_),
-          static_cast<QWidget*>(colorScale_), static_cast<QWidget*>(mode_)})
+    for (QWidget* widget : {static_cast<QWidget*>(high_), static_cast<QWidget*>(scale_),
+                            static_cast<QWidget*>(low_), static_cast<QWidget*>(colorScale_),
+                            static_cast<QWidget*>(marks_), static_cast<QWidget*>(mode_)})
         column->addWidget(widget);
     column->addLayout(percents);
     column->setStretchFactor(scale_, 1);
-    showPercentiles();
+}
+
+void ColorBar::connectParts() {
     connect(low_, &QLineEdit::editingFinished, this, &ColorBar::readLimits);
     connect(high_, &QLineEdit::editingFinished, this, &ColorBar::readLimits);
     connect(colorScale_, &QComboBox::activated, this, [this] {
-        limits_ = irsg::DisplayLimits{limits_.low, limits_.high, scale(), {}};
+        limits_ = {limits_.low, limits_.high, shownScale(), {}, marksOutside()};
         emit scaleChosen(scale());
+    });
+    connect(marks_, &QCheckBox::toggled, this, [this](bool marks) {
+        limits_.marksOutside = marks;
+        scale_->update();
+        emit marksChosen(marks);
     });
     connect(mode_, &QComboBox::activated, this, [this] {
         showPercentiles();
@@ -128,7 +157,8 @@ void ColorBar::setTitle(const QString& title) {
 void ColorBar::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits) {
     map_ = &map;
     limits_ = limits;
-    setScale(limits.scale);
+    colorScale_->setItemText(colorScale_->findData(static_cast<int>(irsg::ColorScale::automatic)),
+                             tr("Auto: %1").arg(scaleWord(limits.scale).toLower()));
     low_->setText(readableNumber(limits.low));
     high_->setText(readableNumber(limits.high));
     scale_->update();
@@ -153,6 +183,25 @@ void ColorBar::hideScale() {
 
 QPixmap ColorBar::legend() const {
     return scale_->grab();
+}
+
+ColorRule ColorBar::rule() const {
+    return {mode(), percentiles(), scale(), marksOutside()};
+}
+
+irsg::ColorScale ColorBar::shownScale() const {
+    return scale() == irsg::ColorScale::automatic ? limits_.scale : scale();
+}
+
+bool ColorBar::marksOutside() const {
+    return marks_->isChecked();
+}
+
+void ColorBar::setMarksOutside(bool marks) {
+    const QSignalBlocker quiet(marks_);
+    marks_->setChecked(marks);
+    limits_.marksOutside = marks;
+    scale_->update();
 }
 
 LimitMode ColorBar::mode() const {
@@ -202,7 +251,7 @@ void ColorBar::edit(const irsg::DisplayLimits& limits) {
     if (!(limits.low < limits.high) || !std::isfinite(limits.low) || !std::isfinite(limits.high))
         throw irsg::LogicError("limits of colours are not in order");
     setMode(LimitMode::locked);
-    setColors(*map_, {limits.low, limits.high, scale(), {}});
+    setColors(*map_, {limits.low, limits.high, shownScale(), {}, marksOutside()});
     emit limitsEdited(limits_);
 }
 
@@ -237,54 +286,6 @@ void ColorBar::readLimits() {
         return;
     }
     edit({low, high});
-}
-
-FoundLimits limitsOf(const std::vector<SharedValues>& planes,
-                     const std::optional<irsg::DisplayLimits>& known, LimitMode mode,
-                     std::pair<double, double> percentiles, irsg::ColorScale scale) {
-    std::vector<const std::vector<float>*> values;
-    std::vector<std::span<const float>> shown;
-    for (const SharedValues& plane : planes) {
-        values.push_back(plane.get());
-        shown.emplace_back(*plane);
-    }
-    const irsg::DisplayLimits limits =
-        known ? *known : automaticLimits(values, mode, percentiles, scale);
-    FoundLimits found{limits.with(scale, shown), {}};
-    for (const auto* plane : values) {
-        const OutOfRange one = countOutOfRange(*plane, found.limits);
-        found.outside.below += one.below;
-        found.outside.above += one.above;
-        found.outside.nan += one.nan;
-    }
-    return found;
-}
-
-OutOfRange countOutOfRange(const std::vector<float>& values, const irsg::DisplayLimits& limits) {
-    OutOfRange count;
-    for (const float value : values) {
-        count.below += static_cast<double>(value) < limits.low ? 1 : 0;
-        count.above += static_cast<double>(value) > limits.high ? 1 : 0;
-        count.nan += std::isnan(value) ? 1 : 0;
-    }
-    return count;
-}
-
-irsg::DisplayLimits automaticLimits(const std::vector<const std::vector<float>*>& planes,
-                                    LimitMode mode, std::pair<double, double> percentiles,
-                                    irsg::ColorScale scale) {
-    std::optional<irsg::DisplayLimits> shared;
-    for (const auto* values : planes) {
-        const irsg::DisplayLimits one =
-            mode == LimitMode::target ? irsg::limitsFor(scale, *values)
-            : mode == LimitMode::percentile
-                ? irsg::percentileLimits(*values, percentiles.first, percentiles.second)
-                : irsg::percentileLimits(*values);
-        shared = shared ? irsg::DisplayLimits{std::min(shared->low, one.low),
-                                              std::max(shared->high, one.high)}
-                        : one;
-    }
-    return shared.value_or(irsg::DisplayLimits{});
 }
 
 } // namespace smat::gui

@@ -7,27 +7,15 @@
 #include <QList>
 #include <QWidget>
 
-#include "gui/image/ColoredPlane.h"
+#include "gui/image/ColorRule.h"
 #include "irsg/image/ColorMap.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLineEdit;
 
 namespace smat::gui {
-
-/// How the limits of the colours are found.
-enum class LimitMode {
-    target,     ///< irsg::limitsFor
-    full,       ///< least to largest
-    percentile, ///< the percentiles that are typed in
-    locked      ///< as typed in
-};
-
-/// Values that lie outside of the limits.
-struct OutOfRange {
-    std::size_t below = 0, above = 0, nan = 0;
-};
 
 /// The legend of a false-colour picture: the colours with their values and unit, the colours of
 /// what lies outside of the limits and of what is no number with their counts, the two limits as
@@ -44,9 +32,13 @@ class ColorBar : public QWidget {
     void setTitle(const QString& title);
     const QString& title() const { return title_; }
     void setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits);
-    /// How colours follow values; with the limits it comes from setColors.
+    /// How limits and colours are found, as it is chosen here. The scale of the limits is what
+    /// became of an automatic one.
+    ColorRule rule() const;
     irsg::ColorScale scale() const;
     void setScale(irsg::ColorScale scale);
+    bool marksOutside() const;
+    void setMarksOutside(bool marks);
     /// For differences, whose colours are linear: no scale is offered.
     void hideScale();
     void setOutOfRange(const OutOfRange& counts);
@@ -76,12 +68,19 @@ class ColorBar : public QWidget {
     /// Another rule, or other percentiles.
     void modeChosen(LimitMode mode);
     void scaleChosen(irsg::ColorScale scale);
+    void marksChosen(bool marks);
 
   private:
     class Scale;
     void readLimits();
     void readPercentiles();
     void showPercentiles();
+    void makeScaleBox();
+    void makeMarks();
+    QDoubleSpinBox* percentBox(const QString& name, double value, const QString& tip);
+    void layOut();
+    void connectParts();
+    irsg::ColorScale shownScale() const;
 
     QString title_;
     const irsg::ColorMap* map_ = nullptr;
@@ -92,27 +91,10 @@ class ColorBar : public QWidget {
     QLineEdit* high_ = nullptr;
     QComboBox* mode_ = nullptr;
     QComboBox* colorScale_ = nullptr;
+    QCheckBox* marks_ = nullptr;
     QDoubleSpinBox* lowPercent_ = nullptr;
     QDoubleSpinBox* highPercent_ = nullptr;
     bool upperAlone_ = false;
 };
-
-/// Limits of colours with what lies outside of them.
-struct FoundLimits {
-    irsg::DisplayLimits limits;
-    OutOfRange outside;
-};
-/// Those of planes that share their colours: `known` ones, or as the rule says, see
-/// automaticLimits; in either case with the scale.
-FoundLimits limitsOf(const std::vector<SharedValues>& planes,
-                     const std::optional<irsg::DisplayLimits>& known, LimitMode mode,
-                     std::pair<double, double> percentiles, irsg::ColorScale scale);
-
-/// Counted in one sweep.
-OutOfRange countOutOfRange(const std::vector<float>& values, const irsg::DisplayLimits& limits);
-/// Limits of the rules but `locked`, for one plane or for several that share them.
-irsg::DisplayLimits automaticLimits(const std::vector<const std::vector<float>*>& planes,
-                                    LimitMode mode, std::pair<double, double> percentiles,
-                                    irsg::ColorScale scale);
 
 } // namespace smat::gui

@@ -30,7 +30,7 @@ ColorBar::Scale::Scale(ColorBar* bar) : QWidget(bar), bar_(bar) {
 QList<ColorBar::Scale::Swatch> ColorBar::Scale::swatchesBelow() const {
     QList<Swatch> swatches;
     if (bar_->outOfRange_.below > 0)
-        swatches << Swatch{bar_->map_->below(),
+        swatches << Swatch{bar_->limits_.marksOutside ? bar_->map_->below() : bar_->map_->at(0.0),
                            tr("below %1").arg(pixels(bar_->outOfRange_.below))};
     if (bar_->outOfRange_.nan > 0)
         swatches << Swatch{bar_->map_->notANumber(),
@@ -97,7 +97,8 @@ void ColorBar::Scale::paintEvent(QPaintEvent*) {
     double top = metrics.height() * 1.5, bottom = height() - metrics.height() / 2.0 - 2.0;
     if (bar_->outOfRange_.above > 0) {
         drawSwatch(painter, 2.0,
-                   {bar_->map_->above(), tr("above %1").arg(pixels(bar_->outOfRange_.above))});
+                   {bar_->limits_.marksOutside ? bar_->map_->above() : bar_->map_->at(1.0),
+                    tr("above %1").arg(pixels(bar_->outOfRange_.above))});
         top += swatchPitch * 0.7;
     }
     const QList<Swatch> below = swatchesBelow();

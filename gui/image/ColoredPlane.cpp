@@ -39,7 +39,16 @@ void ColoredPlane::setValues(int width, int height, SharedValues values) {
     width_ = width;
     height_ = height;
     values_ = std::move(values);
+    light_.reset();
     marks_.reset();
+    stale_ = true;
+}
+
+void ColoredPlane::setLight(const LightPlanes& light) {
+    for (const SharedValues& plane : light)
+        if (plane->size() != pixelCount())
+            throw irsg::LogicError("red, green or blue is not as large as its picture");
+    light_ = light;
     stale_ = true;
 }
 
@@ -95,21 +104,49 @@ void ColoredPlane::color() const {
 }
 
 ColoredPlane::Level ColoredPlane::colored() const {
+    const std::array<QRgb, 3> marked = {0, markColor(warned).rgb(), markColor(failed).rgb()};
+    Level first{light_ ? lightColors() : falseColors(),
+                marks_ ? *marks_ : std::vector<std::uint8_t>()};
+    auto* pixels = reinterpret_cast<QRgb*>(first.picture.bits());
+    for (std::size_t i = 0; i < first.marks.size(); ++i)
+        if (first.marks[i] != unmarked)
+            pixels[i] = marked[first.marks[i]];
+    return first;
+}
+
+QImage ColoredPlane::lightColors() const {
+    const auto byte = [this](float value) {
+        const double part =
+            (static_cast<double>(value) - limits_.low) / (limits_.high - limits_.low);
+        return std::isnan(part) ? 0 : irsg::byteOfLight(part);
+    };
+    QImage picture(width_, height_, QImage::Format_RGB32);
+    std::size_t i = 0;
+    for (int y = 0; y < height_; ++y) {
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
+        for (int x = 0; x < width_; ++x, ++i)
+            line[x] =
+                qRgb(byte((*(*light_)[0])[i]), byte((*(*light_)[1])[i]), byte((*(*light_)[2])[i]));
+    }
+    return picture;
+}
+
+QImage ColoredPlane::falseColors() const {
     // The map as it is written into the picture.
     std::array<QRgb, irsg::ColorMap::size> table;
     std::ranges::transform(map_->table(), table.begin(), rgbOf);
-    const QRgb below = rgbOf(map_->below()), above = rgbOf(map_->above()),
+    const bool marks = limits_.marksOutside;
+    const QRgb below = marks ? rgbOf(map_->below()) : table.front(),
+               above = marks ? rgbOf(map_->above()) : table.back(),
                hole = rgbOf(map_->notANumber());
-    const std::array<QRgb, 3> marked = {0, markColor(warned).rgb(), markColor(failed).rgb()};
     const double low = limits_.low, high = limits_.high;
     const double scale = static_cast<double>(table.size() - 1) / (high - low);
     const bool isLinear = limits_.scale == irsg::ColorScale::linear;
 
-    Level first{QImage(width_, height_, QImage::Format_RGB32),
-                marks_ ? *marks_ : std::vector<std::uint8_t>()};
+    QImage picture(width_, height_, QImage::Format_RGB32);
     const float* next = values_->data();
     for (int y = 0; y < height_; ++y) {
-        auto* line = reinterpret_cast<QRgb*>(first.picture.scanLine(y));
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
         for (int x = 0; x < width_; ++x) {
             const auto value = static_cast<double>(*next++);
             if (value >= low && value <= high)
@@ -121,11 +158,7 @@ ColoredPlane::Level ColoredPlane::colored() const {
                 line[x] = std::isnan(value) ? hole : value < low ? below : above;
         }
     }
-    auto* pixels = reinterpret_cast<QRgb*>(first.picture.bits());
-    for (std::size_t i = 0; i < first.marks.size(); ++i)
-        if (first.marks[i] != unmarked)
-            pixels[i] = marked[first.marks[i]];
-    return first;
+    return picture;
 }
 
 ColoredPlane::Level ColoredPlane::halved(const Level& from) {

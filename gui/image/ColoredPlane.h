@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QColor>
@@ -19,6 +21,9 @@ using SharedValues = std::shared_ptr<const std::vector<float>>;
 SharedValues shareValues(std::shared_ptr<const irsg::RadianceImage> image,
                          const irsg::ImageChannel& plane);
 
+/// Red, green and blue of a picture in visible light, linear.
+using LightPlanes = std::array<SharedValues, 3>;
+
 /// Pixels up to which what is derived of an image is worked out at once; above it is done in
 /// another thread, while the window goes on with what it showed.
 inline constexpr std::size_t quickPixels = 512 * 512;
@@ -34,6 +39,9 @@ class ColoredPlane {
     static QColor markColor(Mark mark);
 
     void setValues(int width, int height, SharedValues values);
+    /// The picture is in the colours of these planes, between the same limits, rather than in those
+    /// of a map; until the next setValues. LogicError for planes of another size.
+    void setLight(const LightPlanes& light);
     void setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& limits);
     /// One for each pixel, or none at all. LogicError for another number.
     void setMarks(std::vector<std::uint8_t> marks);
@@ -69,10 +77,13 @@ class ColoredPlane {
         std::vector<std::uint8_t> marks; ///< empty where nothing is marked
     };
     Level colored() const;
+    QImage falseColors() const;
+    QImage lightColors() const;
     static Level halved(const Level& from);
 
     int width_ = 0, height_ = 0;
     SharedValues values_;
+    std::optional<LightPlanes> light_;
     std::shared_ptr<const std::vector<std::uint8_t>> marks_; ///< null for none
     const irsg::ColorMap* map_ = nullptr;
     irsg::DisplayLimits limits_;

@@ -118,6 +118,8 @@ ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
     connect(shared_, &ColorBar::limitsEdited, this, &ComparisonPanes::updateSharedColors);
     connect(shared_, &ColorBar::modeChosen, this, &ComparisonPanes::updateSharedColors);
     connect(shared_, &ColorBar::scaleChosen, this, &ComparisonPanes::updateSharedColors);
+    connect(shared_, &ColorBar::marksChosen, this, &ComparisonPanes::updateSharedColors);
+    connect(difference_, &ColorBar::marksChosen, this, &ComparisonPanes::updateDifferenceColors);
     connect(difference_, &ColorBar::limitsEdited, this, &ComparisonPanes::updateDifferenceColors);
     connect(difference_, &ColorBar::modeChosen, this, &ComparisonPanes::updateDifferenceColors);
 }
@@ -201,12 +203,11 @@ void ComparisonPanes::setPlanes(const ComparedPlane& a, const ComparedPlane& b,
     if (isOther(planes_[1].values, b.values))
         canvases_[1]->forgetPicture();
     planes_ = {a, b};
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < 2; ++i)
         if (planes_[i].values)
             canvases_[i]->setPlane(planes_[i].width, planes_[i].height, planes_[i].values);
         else
             canvases_[i]->clear();
-    }
     const bool same = a.values && b.values && a.width == b.width && a.height == b.height;
     if (same)
         canvases_[0]->setSecond(b.values);
@@ -285,8 +286,7 @@ void ComparisonPanes::updateSharedColors() {
         known = shared_->limits();
     find(
         sharedTask_, waiting, pixels,
-        [planes, known, mode = shared_->mode(), percentiles = shared_->percentiles(),
-         scale = shared_->scale()] { return limitsOf(planes, known, mode, percentiles, scale); },
+        [planes, known, rule = shared_->rule()] { return findLimits(rule, planes, known); },
         [this](const FoundLimits& found) { useShared(found); });
 }
 
@@ -307,9 +307,11 @@ void ComparisonPanes::updateDifferenceColors() {
         difference_->mode() == LimitMode::percentile ? difference_->percentiles().second : 100.0;
     find(
         differenceTask_, {canvases_[2]}, differenceValues_->size(),
-        [values = differenceValues_, mode = mode_, known, percent] {
-            const irsg::DisplayLimits limits =
-                known ? *known : differenceLimits(*values, mode, percent);
+        [values = differenceValues_, mode = mode_, known, percent,
+         marks = difference_->marksOutside()] {
+            irsg::DisplayLimits limits = known ? *known : differenceLimits(*values, mode, percent);
+            limits.scale = irsg::ColorScale::linear;
+            limits.marksOutside = marks;
             return FoundLimits{limits, countOutOfRange(*values, limits)};
         },
         [this](const FoundLimits& found) { useDifference(found); });

@@ -108,14 +108,22 @@ void ComparisonWindow::showVerdict() {
                                     "OpenEXR, CSV, or a matrix of numbers."));
     } else {
         const irsg::Comparison& c = part_ ? *part_ : *whole_;
-        verdict_->setText(QString::fromStdString(irsg::verdictWord(c.verdict)));
-        QString text = tr("%1%2 px (%3 %) over the failure, %4 px (%5 %) over the warning "
-                          "threshold.")
-                           .arg(part_ ? tr("Rectangle: ") : QString())
-                           .arg(c.overFail)
-                           .arg(c.percentOverFail(), 0, 'g', 3)
-                           .arg(c.overWarn)
-                           .arg(c.percentOverWarn(), 0, 'g', 3);
+        const bool isOther = c.verdict == irsg::Verdict::failure && !isJudged();
+        verdict_->setText(isOther ? tr("DIFFERENT")
+                                  : QString::fromStdString(irsg::verdictWord(c.verdict)));
+        const QString where = part_ ? tr("Rectangle: ") : QString();
+        QString text =
+            isOther ? tr("%1%2 px (%3 %) differ. Thresholds say which difference is a failure.")
+                          .arg(where)
+                          .arg(c.overFail)
+                          .arg(c.percentOverFail(), 0, 'g', 3)
+                    : tr("%1%2 px (%3 %) exceed the failure threshold, %4 px (%5 %) the warning "
+                         "threshold.")
+                          .arg(where)
+                          .arg(c.overFail)
+                          .arg(c.percentOverFail(), 0, 'g', 3)
+                          .arg(c.overWarn)
+                          .arg(c.percentOverWarn(), 0, 'g', 3);
         for (const std::string& warning : c.warnings)
             text += " " + tr("Note: %1.").arg(QString::fromStdString(warning));
         sentence_->setText(text);
@@ -125,9 +133,17 @@ void ComparisonWindow::showVerdict() {
     verdict_->setStyleSheet(
         QStringLiteral("QLabel { background: %1; color: white; font-weight: bold; "
                        "border-radius: 4px; padding: 4px 12px; }")
-            .arg(pass      ? "#1f8a4c"
-                 : warning ? "#b36b00"
-                           : "#c2283c"));
+            .arg(pass                                              ? "#1f8a4c"
+                 : warning                                         ? "#b36b00"
+                 : compared && verdict_->text() == tr("DIFFERENT") ? "#56657a"
+                                                                   : "#c2283c"));
+}
+
+bool ComparisonWindow::isJudged() const {
+    const irsg::ComparisonLevel untouched;
+    const bool hasHoles = whole_ && (whole_->nonFiniteA.nan + whole_->nonFiniteA.infinite +
+                                     whole_->nonFiniteB.nan + whole_->nonFiniteB.infinite) > 0;
+    return options_.fail != untouched || options_.warn != untouched || hasHoles;
 }
 
 void ComparisonWindow::showMarks() {

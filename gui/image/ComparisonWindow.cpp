@@ -92,10 +92,9 @@ void ComparisonWindow::openFiles(const QStringList& files, std::optional<int> si
 void ComparisonWindow::take(Reading reading, int first) {
     const bool isEmpty = !sides_[0].image && !sides_[1].image;
     if (reading.wrong.isEmpty() || isEmpty) {
-        for (std::size_t i = 0; i < reading.sides.size(); ++i) {
+        for (std::size_t i = 0; i < reading.sides.size(); ++i)
             if (reading.sides[i].image)
                 sides_[static_cast<std::size_t>(first) + i] = std::move(reading.sides[i]);
-        }
         onSidesChanged();
     }
     showReadout(pixel_);

@@ -141,6 +141,8 @@ class ComparisonWindow : public QWidget, public Exportable {
     void take(Answer answer);
     void use(std::optional<irsg::Comparison> whole, std::optional<irsg::Comparison> part);
     void showVerdict();
+    /// Whether somebody has said what counts as a failure, or values are missing.
+    bool isJudged() const;
     void showCommand();
     void showMarks();
     void showReadout(std::optional<QPoint> pixel);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QApplication>
 #include <QEvent>
 #include <QwtPlotCanvas>
 #include <QwtPlotHistogram>
@@ -76,14 +77,15 @@ void HistogramPlot::draw() {
         setAxisScale(xBottom, histogram_.edges.front(), histogram_.edges.back());
     setAxisMaxMajor(yLeft, 4);
     setAxisMaxMajor(xBottom, 6);
-    const auto style = PlotStyle::screen(palette());
+    const auto style = PlotStyle::screen(QApplication::palette());
     setAxisTitle(xBottom, axisText(title_, style));
     setAxisTitle(yLeft, axisText(tr("pixels"), style));
     replot();
 }
 
 void HistogramPlot::dress() {
-    const auto style = PlotStyle::screen(palette());
+    palette_.taken();
+    const auto style = PlotStyle::screen(QApplication::palette());
     dressPlot(*this, style);
     setCanvasBackground(style.canvas);
     if (auto* frame = qobject_cast<QFrame*>(canvas()))
@@ -99,11 +101,10 @@ void HistogramPlot::dress() {
 
 void HistogramPlot::changeEvent(QEvent* event) {
     QwtPlot::changeEvent(event);
-    if (event->type() == QEvent::ApplicationPaletteChange) {
-        setPalette({});
+    palette_.follow(*this, *event, [this] {
         dress();
         draw();
-    }
+    });
 }
 
 } // namespace smat::gui

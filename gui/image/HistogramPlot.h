@@ -2,6 +2,7 @@
 
 #include <QwtPlot>
 
+#include "gui/PaletteWatch.h"
 #include "irsg/image/Histogram.h"
 
 class QwtPlotHistogram;
@@ -38,6 +39,7 @@ class HistogramPlot : public QwtPlot {
     QString title_;
     bool logarithmicCounts_ = true;
     QwtPlotHistogram* bars_ = nullptr;
+    PaletteWatch palette_;
     QwtPlotMarker* low_ = nullptr;
     QwtPlotMarker* high_ = nullptr;
 };

@@ -34,10 +34,13 @@ ImageCanvas::ImageCanvas(QWidget* parent) : QWidget(parent) {
     map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
 }
 
-void ImageCanvas::setPlane(int width, int height, SharedValues values) {
+void ImageCanvas::setPlane(int width, int height, SharedValues values,
+                           const std::optional<LightPlanes>& light) {
     const bool sameSize = width == plane_.width() && height == plane_.height();
     plane_.setValues(width, height, std::move(values));
     plane_.setColors(*map_, limits_);
+    if (light)
+        plane_.setLight(*light);
     if (!sameSize) {
         colorTask_.cancel();
         second_ = {};

@@ -32,7 +32,9 @@ class ImageCanvas : public QWidget {
   public:
     explicit ImageCanvas(QWidget* parent = nullptr);
 
-    void setPlane(int width, int height, SharedValues values);
+    /// Where there is `light` the picture has its colours; `values` are what is read and printed.
+    void setPlane(int width, int height, SharedValues values,
+                  const std::optional<LightPlanes>& light = {});
     void setPlane(int width, int height, const std::vector<float>& values);
     /// Nothing to show but the hint.
     void clear();

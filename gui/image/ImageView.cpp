@@ -12,10 +12,12 @@
 #include "gui/Readable.h"
 #include "gui/Sentences.h"
 #include "gui/image/ColorBar.h"
+#include "gui/image/ColorPicture.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageInspector.h"
 #include "irsg/image/ApparentTemperature.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
@@ -31,8 +33,11 @@ QRectF rectangleOf(const irsg::SampledWindow& window) {
 } // namespace
 
 const irsg::ImageChannel& ImageView::plane() const {
-    const auto index = static_cast<std::size_t>(std::max(plane_->currentIndex(), 0));
-    return image_->channels.at(index);
+    return image_->channels.at(static_cast<std::size_t>(plane_->currentData().toInt()));
+}
+
+bool ImageView::showsColors() const {
+    return image_ != nullptr && isColorPicture(*image_) && plane_->currentIndex() == 0;
 }
 
 void ImageView::setImage(irsg::RadianceImage image, const std::optional<irsg::Band>& band) {
@@ -64,10 +69,13 @@ void ImageView::setImage(std::shared_ptr<const irsg::RadianceImage> image,
 
 void ImageView::adopt(std::shared_ptr<const irsg::RadianceImage> image) {
     const int shown = plane_->currentIndex();
-    image_ = std::move(image);
+    image_ = isColorPicture(*image) ? withLuminance(*image) : std::move(image);
     plane_->clear();
-    for (const auto& channel : image_->channels)
-        plane_->addItem(planeTitle(channel));
+    const int planes = static_cast<int>(image_->channels.size());
+    if (isColorPicture(*image_))
+        plane_->addItem(tr("Colour"), planes - 1); // read and measured by its luminance
+    for (int i = 0; i < planes; ++i)
+        plane_->addItem(planeTitle(image_->channels[static_cast<std::size_t>(i)]), i);
     plane_->setCurrentIndex(std::clamp(shown, 0, plane_->count() - 1));
     windows_ = irsg::windowsOf(*image_);
     windowsShown_->setEnabled(!windows_.empty());
@@ -105,7 +113,9 @@ void ImageView::setShownPlane(int index) {
 
 void ImageView::showPlane() {
     const auto& shown = plane();
-    canvas_->setPlane(image_->width(), image_->height(), shareValues(image_, shown));
+    canvas_->setPlane(image_->width(), image_->height(), shareValues(image_, shown),
+                      showsColors() ? std::optional(lightOf(image_)) : std::nullopt);
+    colors_->setEnabled(!showsColors());
     colorBar_->setTitle(titleWithUnit(shown));
     inspector_->show(image_, shown, titleWithUnit(shown), readableUnit(shown.unit));
     updateColors();
@@ -127,9 +137,10 @@ void ImageView::recolor() {
 }
 
 void ImageView::findLimits(const std::optional<irsg::DisplayLimits>& known) {
-    const auto work = [values = shareValues(image_, plane()), known, mode = colorBar_->mode(),
-                       percentiles = colorBar_->percentiles(), scale = colorBar_->scale()] {
-        return limitsOf({values}, known, mode, percentiles, scale);
+    const auto work = [values = shareValues(image_, plane()), known, rule = colorBar_->rule(),
+                       inColors = showsColors()] {
+        return inColors ? findLightLimits(rule, values, known)
+                        : smat::gui::findLimits(rule, {values}, known);
     };
     limitsTask_.cancel();
     if (image_->pixelCount() <= quickPixels) {
@@ -162,10 +173,17 @@ void ImageView::setColorMap(const std::string& name) {
     canvas_->setColors(*map_, colorBar_->limits());
 }
 
-void ImageView::setColorScale(irsg::ColorScale scale) {
+void ImageView::setColorScale(irsg::ColorScale scale, bool marksOutside) {
     colorBar_->setScale(scale);
+    colorBar_->setMarksOutside(marksOutside);
     if (image_ != nullptr)
         updateColors();
+}
+
+void ImageView::setConditions(const QString& conditions) {
+    conditions_->setText(conditions);
+    conditions_->setToolTip(conditions);
+    conditions_->setVisible(!conditions.isEmpty());
 }
 
 QString ImageView::readoutAt(int x, int y) const {
@@ -243,11 +261,19 @@ irsg::PngViewOptions ImageView::pictureOptions(bool withColorBar) const {
     options.limits = colorBar_->limits();
     options.colorBar = withColorBar;
     options.title = title_.toStdString();
+    options.conditions = conditions_->text().toStdString();
     return options;
 }
 
 void ImageView::exportTo(const std::filesystem::path& file) const {
-    exportImage(*image_, shownChannel(), pictureOptions(true), file);
+    write(file, true);
+}
+
+void ImageView::write(const std::filesystem::path& file, bool withColorBar) const {
+    if (showsColors() && irsg::requiredImageFormat(file).keeps == irsg::ImageFormat::Keeps::picture)
+        writePicture(canvas_->picture(), file);
+    else
+        exportImage(*image_, shownChannel(), pictureOptions(withColorBar), file);
 }
 
 void ImageView::askAndExport(const QString& filter, bool withColorBar) {
@@ -257,7 +283,7 @@ void ImageView::askAndExport(const QString& filter, bool withColorBar) {
     if (file.isEmpty())
         return;
     try {
-        exportImage(*image_, shownChannel(), pictureOptions(withColorBar), file.toStdString());
+        write(file.toStdString(), withColorBar);
     } catch (const irsg::InputError& error) {
         dialogs_.tell(this, tr("The image cannot be written"), sentencesOf(error));
     }
@@ -265,7 +291,8 @@ void ImageView::askAndExport(const QString& filter, bool withColorBar) {
 
 void ImageView::copyPicture(bool withColorBar) const {
     QGuiApplication::clipboard()->setImage(
-        pictureOf(*image_, plane(), pictureOptions(withColorBar)));
+        showsColors() ? canvas_->picture()
+                      : pictureOf(*image_, plane(), pictureOptions(withColorBar)));
 }
 
 void ImageView::copyValues() const {

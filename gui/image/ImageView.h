@@ -44,14 +44,18 @@ class ImageView : public QWidget, public Exportable {
     const irsg::RadianceImage& image() const { return *image_; }
     /// A line over exported pictures, and the name that is suggested for files.
     void setTitle(const QString& title) { title_ = title; }
+    /// A line over the image: band, range, aspect, ...; none where it is empty.
+    void setConditions(const QString& conditions);
     void setDialogs(Dialogs dialogs) { dialogs_ = std::move(dialogs); }
 
     ImageCanvas* canvas() const { return canvas_; }
     ColorBar* colorBar() const { return colorBar_; }
     ImageInspector* inspector() const { return inspector_; }
     const irsg::ColorMap& colorMap() const { return *map_; }
-    void setColorScale(irsg::ColorScale scale);
-    /// Name of the plane that is shown.
+    void setColorScale(irsg::ColorScale scale, bool marksOutside = false);
+    /// A picture in visible light, in its own colours.
+    bool showsColors() const;
+    /// Name of the plane that is shown; of a picture in its own colours that of its luminance.
     const std::string& shownChannel() const { return plane().name; }
     void setColorMap(const std::string& name);
     void setShownPlane(int index);
@@ -87,6 +91,7 @@ class ImageView : public QWidget, public Exportable {
     /// Of the finest window that touches a pixel; empty where none does.
     QString windowWords(int x, int y) const;
     void adopt(std::shared_ptr<const irsg::RadianceImage> image);
+    void write(const std::filesystem::path& file, bool withColorBar) const;
     void askAndExport(const QString& filter, bool withColorBar);
     QString statisticsText(const std::optional<irsg::PixelRectangle>& selection,
                            const PlaneFigures& figures) const;
@@ -104,6 +109,7 @@ class ImageView : public QWidget, public Exportable {
     QToolButton* histogram_ = nullptr;
     QToolButton* windowsShown_ = nullptr;
     std::vector<irsg::SampledWindow> windows_;
+    QLabel* conditions_ = nullptr;
     QLabel* readout_ = nullptr;
     QLabel* statistics_ = nullptr;
     LatestTask figuresTask_, temperatureTask_, limitsTask_;

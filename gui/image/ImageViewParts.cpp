@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/FlowBar.h"
 #include "gui/Widgets.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageCanvas.h"
@@ -22,6 +23,11 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     colorBar_ = new ColorBar(this);
     inspector_ = new ImageInspector(this);
     inspector_->hide();
+    conditions_ = new QLabel(this);
+    conditions_->setObjectName("conditions");
+    conditions_->setForegroundRole(QPalette::PlaceholderText);
+    conditions_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    conditions_->hide();
     readout_ = new QLabel(this);
     readout_->setObjectName("pixelReadout");
     statistics_ = new QLabel(this);
@@ -50,6 +56,7 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     column->setContentsMargins(10, 10, 10, 8);
     column->setSpacing(8);
     column->addLayout(makeBar());
+    column->addWidget(conditions_);
     column->addWidget(splitter, 1);
     column->addWidget(readout_);
     column->addWidget(statistics_);
@@ -105,12 +112,14 @@ QHBoxLayout* ImageView::makeBar() {
     connect(windowsShown_, &QToolButton::toggled, this, &ImageView::outlineWindows);
     connect(histogram_, &QToolButton::toggled, inspector_, &QWidget::setVisible);
 
-    auto* bar = new QHBoxLayout;
-    bar->addWidget(plane_);
-    bar->addWidget(colors_);
-    bar->addStretch(1);
+    // In two rows where the page is narrow.
+    auto* flow = new FlowBar(this);
+    flow->first()->addWidget(plane_);
+    flow->first()->addWidget(colors_);
     for (QToolButton* button : {histogram_, windowsShown_, copy, write, fit, actual})
-        bar->addWidget(button);
+        flow->second()->addWidget(button);
+    auto* bar = new QHBoxLayout;
+    bar->addWidget(flow);
     return bar;
 }
 
@@ -127,6 +136,7 @@ void ImageView::connectParts() {
     connect(colorBar_, &ColorBar::limitsEdited, this, &ImageView::recolor);
     connect(colorBar_, &ColorBar::modeChosen, this, &ImageView::updateColors);
     connect(colorBar_, &ColorBar::scaleChosen, this, &ImageView::updateColors);
+    connect(colorBar_, &ColorBar::marksChosen, this, &ImageView::updateColors);
 }
 
 } // namespace smat::gui

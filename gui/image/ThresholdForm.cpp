@@ -71,7 +71,7 @@ ThresholdForm::ThresholdForm(QWidget* parent) : QWidget(parent) {
 void ThresholdForm::setUnit(const QString& unit) {
     const QString behind = unit.isEmpty() ? QString() : " (" + unit + ")";
     const QString texts[] = {tr("|A − B| over") + behind, tr("and relative over"),
-                             tr("allowed part (%)"), tr("none over") + behind,
+                             tr("allowed part (%)"), tr("no pixel over") + behind,
                              tr("allowed number (px)")};
     for (std::size_t r = 0; r < rowCount; ++r)
         names_[r]->setText(texts[r]);
@@ -107,13 +107,12 @@ std::optional<irsg::ComparisonLevel> ThresholdForm::levelIn(std::size_t column,
     };
     for (std::size_t r = absolute; r <= hard; ++r) {
         const std::string text = fields_[column][r]->text().trimmed().toStdString();
-        if (r == hard && text.empty()) {
+        if (r == hard && text.empty())
             level.hard = std::numeric_limits<double>::infinity();
-        } else if (const auto number = irsg::parseNumber(text)) {
+        else if (const auto number = irsg::parseNumber(text))
             *numbers[r] = *number;
-        } else {
+        else
             refuse(r, tr("a number"));
-        }
     }
     bool whole = false;
     level.allowed = fields_[column][allowed]->text().trimmed().toULongLong(&whole);

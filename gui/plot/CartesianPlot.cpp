@@ -36,6 +36,18 @@ Interval padded(Interval range, bool logarithmic, double part) {
     return {range.minimum - pad, range.maximum + pad};
 }
 
+/// The part of a logarithmic axis that has something to say: no lower than a tenth of the least
+/// value, however close to 0 its error comes, nor than what rounding leaves of 0.
+std::optional<Interval> logarithmicRange(const std::vector<Curve>& curves) {
+    constexpr double leastOfError = 0.1, leastOfLargest = 1e-9;
+    const auto values = rangeOf(curves, &Curve::y, true);
+    auto range = rangeWithErrors(curves, true);
+    if (values && range)
+        range->minimum = std::max(
+            {range->minimum, leastOfError * values->minimum, leastOfLargest * range->maximum});
+    return range;
+}
+
 /// What an axis can show: its ends are finite and can be told apart.
 bool isUsable(const Interval& range) {
     return std::isfinite(range.minimum) && std::isfinite(range.maximum) &&
@@ -84,7 +96,7 @@ void CartesianPlot::applyLook() {
     grid_->setMajorPen(style_.grid, 1.0);
     grid_->setMinorPen(style_.minorGrid, 1.0);
     dressLegend(*static_cast<QwtLegend*>(legend()), style_);
-    setTitle(plotTitle(data_.title, style_));
+    setTitle(plotTitle(data_.title, data_.conditions, style_));
     setAxisTitle(xBottom, axisText(data_.xTitle, style_));
     setAxisTitle(yLeft, axisText(data_.yTitle, style_));
     dressItems();
@@ -107,7 +119,7 @@ void CartesianPlot::setData(PlotData data) {
     forgetItems();
     data_ = std::move(data);
 
-    setTitle(plotTitle(data_.title, style_));
+    setTitle(plotTitle(data_.title, data_.conditions, style_));
     setAxisTitle(xBottom, axisText(data_.xTitle, style_));
     setAxisTitle(yLeft, axisText(data_.yTitle, style_));
     for (std::size_t i = 0; i < data_.curves.size(); ++i) {
@@ -153,7 +165,8 @@ CartesianPlot::View CartesianPlot::fullView() const {
     View view{{xLog ? 1.0 : 0.0, xLog ? 10.0 : 1.0}, {yLog ? 1.0 : 0.0, yLog ? 10.0 : 1.0}};
     if (const auto range = rangeOf(data_.curves, &Curve::x, xLog))
         view.x = padded(*range, xLog, 0.0);
-    if (const auto range = rangeWithErrors(data_.curves, yLog))
+    if (const auto range =
+            yLog ? logarithmicRange(data_.curves) : rangeWithErrors(data_.curves, false))
         view.y = padded(*range, yLog, 0.06);
     return view;
 }

@@ -27,6 +27,7 @@ struct Curve {
 /// What a Cartesian plot shows. Titles hold their units.
 struct PlotData {
     QString title, xTitle, yTitle;
+    QString conditions = {}; ///< a line below the title: band, range, aspect, ...
     std::vector<Curve> curves;
     bool xLogarithmic = false, yLogarithmic = false;
 };
@@ -34,6 +35,7 @@ struct PlotData {
 /// What a polar plot shows: x of the curves is the angle in degrees, 0 drawn at the top.
 struct PolarData {
     QString title;         ///< with mode and offset
+    QString conditions;    ///< as of PlotData
     QString radiusTitle;   ///< with its unit
     QString directionNote; ///< "angle grows clockwise, seen from above"
     bool clockwise = true;

@@ -125,10 +125,9 @@ auto onPaper(const PolarPlot& plot, QSize size, const Work& work) {
 template <typename Plot>
 std::vector<Curve> curvesOf(const Plot& plot, PlotPart part) {
     std::vector<Curve> curves;
-    for (std::size_t i = 0; i < plot.data().curves.size(); ++i) {
+    for (std::size_t i = 0; i < plot.data().curves.size(); ++i)
         if (part == PlotPart::all || plot.isCurveVisible(static_cast<int>(i)))
             curves.push_back(plot.data().curves[i]);
-    }
     return curves;
 }
 

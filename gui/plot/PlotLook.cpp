@@ -10,6 +10,8 @@
 #include <QwtScaleDraw>
 #include <QwtScaleWidget>
 
+#include "irsg/image/AxisTicks.h"
+
 namespace smat::gui {
 
 QFont plotFont(double scale, bool bold) {
@@ -20,8 +22,19 @@ QFont plotFont(double scale, bool bold) {
     return font;
 }
 
+QString axisNumber(double value) {
+    const double size = std::abs(value);
+    if (value == 0.0 || (size >= 1e-3 && size < 1e6))
+        return QString::number(value, 'g', 7);
+    const int exponent = static_cast<int>(std::floor(std::log10(size) + 1e-9));
+    const QString factor = QString::number(value / std::pow(10.0, exponent), 'g', 4);
+    const QString power =
+        QStringLiteral("10") + QString::fromStdString(irsg::superscript(exponent));
+    return factor == "1" ? power : factor == "-1" ? "-" + power : factor + "·" + power;
+}
+
 QwtText NumberLabels::label(double value) const {
-    return QwtText(QString::number(value, 'g', 7), QwtText::PlainText);
+    return QwtText(axisNumber(value), QwtText::PlainText);
 }
 
 QwtScaleDiv ReadableLogScale::divideScale(double x1, double x2, int maxMajorSteps,
@@ -44,9 +57,18 @@ QwtScaleDiv ReadableLogScale::divideScale(double x1, double x2, int maxMajorStep
     return QwtScaleDiv(x1, x2, minor, {}, major);
 }
 
-QwtText plotTitle(const QString& text, const PlotStyle& style) {
+QwtText plotTitle(const QString& text, const QString& conditions, const PlotStyle& style) {
     QwtText result(text, QwtText::PlainText);
     result.setFont(plotFont(1.1, true));
+    if (!conditions.isEmpty()) {
+        result.setText(QStringLiteral("<div align=\"center\"><b>%1</b><br>"
+                                      "<span style=\"color:%2; font-size:%3px\">%4</span></div>")
+                           .arg(text.toHtmlEscaped(), style.faintText.name())
+                           .arg(plotFont(0.9).pixelSize())
+                           .arg(conditions.toHtmlEscaped()),
+                       QwtText::RichText);
+        result.setFont(plotFont(1.1));
+    }
     result.setColor(style.text);
     result.setRenderFlags(Qt::AlignCenter | Qt::TextWordWrap); // in a narrow window
     return result;

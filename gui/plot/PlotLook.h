@@ -13,14 +13,17 @@ namespace smat::gui {
 
 /// What all plots look alike in: fonts, colours and spacing.
 QFont plotFont(double scale = 1.0, bool bold = false);
-QwtText plotTitle(const QString& text, const PlotStyle& style);
+/// A title with a smaller line of conditions below it, where there are any.
+QwtText plotTitle(const QString& text, const QString& conditions, const PlotStyle& style);
 QwtText axisText(const QString& text, const PlotStyle& style);
-/// Numbers as files have them: no separators of thousands.
+/// A number as files have it, without separators of thousands; beyond what is read easily as a
+/// power of ten: "10⁻⁵", "2·10⁷".
+QString axisNumber(double value);
 class NumberLabels : public QwtScaleDraw {
   public:
     QwtText label(double value) const override;
 };
-/// Ticks at 1, 2 and 5 of each decade where there are few decades.
+/// Ticks at 1, 2 and 5 of each decade where there are few decades, else at powers of ten.
 class ReadableLogScale : public QwtLogScaleEngine {
   public:
     QwtScaleDiv divideScale(double x1, double x2, int maxMajorSteps, int maxMinorSteps,

@@ -25,10 +25,9 @@ GappedPolarCurve::GappedPolarCurve(const QString& title, std::vector<PolarSample
 
     // What Qwt needs to know is how far out the curve reaches.
     QVector<QwtPointPolar> points;
-    for (const auto& sample : samples_) {
+    for (const auto& sample : samples_)
         if (std::isfinite(sample.radius))
             points.push_back({sample.angle_deg, std::max(sample.radius, sample.high)});
-    }
     setData(new QwtArraySeriesData<QwtPointPolar>(points));
 }
 

@@ -107,7 +107,7 @@ void PolarPlot::applyLook() {
 void PolarPlot::setLook(const PlotStyle& style) {
     style_ = style;
     applyLook();
-    setTitle(plotTitle(data_.title, style_));
+    setTitle(plotTitle(data_.title, data_.conditions, style_));
     const View seen{zoomFactor(), zoomPos(), limits_};
     rebuild();
     if (seen.factor < 1.0)
@@ -123,7 +123,7 @@ void PolarPlot::setData(PolarData data) {
     for (const auto& curve : data.curves)
         curve.check();
     data_ = std::move(data);
-    setTitle(plotTitle(data_.title, style_));
+    setTitle(plotTitle(data_.title, data_.conditions, style_));
     // A scale that runs backwards turns clockwise.
     setScale(QwtPolar::Azimuth, data_.clockwise ? turn_deg : 0.0, data_.clockwise ? 0.0 : turn_deg,
              data_.clockwise ? -30.0 : 30.0);

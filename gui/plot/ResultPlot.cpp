@@ -7,8 +7,10 @@
 
 #include "gui/Readable.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/Conditions.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/data/ResultDifference.h"
+#include "smatcore/project/AnalysisKind.h"
 
 namespace smat::gui {
 namespace {
@@ -52,6 +54,37 @@ QString curveName(const NamedResult& result, const ResultColumn& column, bool ha
                                                     : result.name + ": " + which;
 }
 
+/// Rows from one turn of a polar plot to the next: its angle begins anew at another elevation.
+struct Turn {
+    std::size_t first = 0, last = 0; ///< rows first to last - 1
+    QString name;
+};
+std::vector<Turn> turnsOf(const ResultTable& table) {
+    const std::vector<double>& angle = abscissaOf(table).values;
+    std::vector<Turn> turns{{0, angle.size(), {}}};
+    const auto* elevation = table.find(irsg::Quantity::elevation);
+    if (!isPolar(table) || elevation == nullptr)
+        return turns;
+    for (std::size_t i = 1; i < angle.size(); ++i)
+        if (angle[i] <= angle[i - 1]) {
+            turns.back().last = i;
+            turns.push_back({i, angle.size(), {}});
+        }
+    if (turns.size() > 1)
+        for (Turn& turn : turns)
+            turn.name = QStringLiteral("elevation %1°").arg(elevation->values[turn.first]);
+    return turns;
+}
+
+std::vector<double> part(const std::vector<double>& values, const Turn& turn) {
+    return {values.begin() + static_cast<std::ptrdiff_t>(turn.first),
+            values.begin() + static_cast<std::ptrdiff_t>(turn.last)};
+}
+
+QString joined(const QString& a, const QString& b) {
+    return a.isEmpty() || b.isEmpty() ? a + b : a + ", " + b;
+}
+
 void addCurves(std::vector<Curve>& curves, const NamedResult& result, const std::string& quantity) {
     const auto columns = requiredColumns(result, quantity);
     const bool hasObjects =
@@ -59,11 +92,17 @@ void addCurves(std::vector<Curve>& curves, const NamedResult& result, const std:
             return !ColumnName::of(column->key).object.empty();
         });
     for (const ResultColumn* column : columns) {
-        Curve curve{columns.size() > 1 ? curveName(result, *column, hasObjects) : result.name,
-                    abscissaOf(*result.table).values, column->values};
-        if (const auto* error = result.table->find("error_" + column->key))
-            curve.error = error->values;
-        curves.push_back(std::move(curve));
+        const QString name =
+            columns.size() > 1 ? curveName(result, *column, hasObjects) : result.name;
+        const auto* error = result.table->find("error_" + column->key);
+        for (const Turn& turn : turnsOf(*result.table)) {
+            const bool isOnlyName = !turn.name.isEmpty() && columns.size() == 1 && result.isAlone;
+            Curve curve{isOnlyName ? turn.name : joined(name, turn.name),
+                        part(abscissaOf(*result.table).values, turn), part(column->values, turn)};
+            if (error != nullptr)
+                curve.error = part(error->values, turn);
+            curves.push_back(std::move(curve));
+        }
     }
 }
 
@@ -96,6 +135,13 @@ QString titleOf(const std::vector<NamedResult>& results, const ResultColumn& col
     return title;
 }
 
+QString conditionsLine(const std::vector<NamedResult>& results) {
+    std::vector<const ResultTable*> tables;
+    for (const NamedResult& result : results)
+        tables.push_back(result.table);
+    return QString::fromStdString(lineOf(sharedConditions(tables)));
+}
+
 QString plainLabel(const ResultColumn& column) {
     const QString title = QString::fromStdString(column.axisTitle());
     const QString words = title.left(title.indexOf(" ("));
@@ -103,10 +149,19 @@ QString plainLabel(const ResultColumn& column) {
     return words.startsWith("Mach") ? words : words.toLower();
 }
 
-/// The elevation of a camera-azimuth sweep, the same in all its rows.
-double offset_deg(const ResultTable& table) {
+/// A profile of the air: its altitude goes up, as everybody draws it.
+bool isProfile(const ResultTable& table) {
+    return resultKindFromName(table.provenance.value("analysis")) ==
+           AnalysisKind::temperatureProfile;
+}
+
+/// "view offset 12°": the elevation of a camera-azimuth sweep, the same in all rows of a turn.
+QString offsetWords(const ResultTable& table) {
     const auto* elevation = table.find(irsg::Quantity::elevation);
-    return elevation == nullptr || elevation->values.empty() ? 0.0 : elevation->values.front();
+    if (turnsOf(table).size() > 1)
+        return QStringLiteral("several view offsets");
+    return QStringLiteral("view offset %1°")
+        .arg(elevation == nullptr || elevation->values.empty() ? 0.0 : elevation->values.front());
 }
 
 } // namespace
@@ -164,11 +219,19 @@ PlotData cartesianData(const std::vector<NamedResult>& results, const std::strin
     const auto& x = abscissaOf(first);
     const ResultColumn y = titled(first, quantity);
     data.title = titleOf(results, y, plainLabel(x));
+    data.conditions = conditionsLine(results);
     data.xTitle = QString::fromStdString(x.axisTitle());
     data.yTitle = QString::fromStdString(y.axisTitle());
 
     // Ranges that were spaced by equal ratios are read on a logarithmic axis.
     data.xLogarithmic = first.provenance.value("range.log") == "true";
+    if (isProfile(first)) {
+        std::swap(data.xTitle, data.yTitle);
+        for (Curve& curve : data.curves) {
+            std::swap(curve.x, curve.y);
+            curve.error.clear();
+        }
+    }
     return data;
 }
 
@@ -185,16 +248,17 @@ PolarData polarData(const std::vector<NamedResult>& results, const std::string& 
     data.clockwise = type == "camera-azimuth";
     QString mode;
     if (type == "camera-azimuth") {
-        mode = QStringLiteral("camera azimuth, view offset %1°").arg(offset_deg(first));
+        mode = QStringLiteral("camera azimuth, ") + offsetWords(first);
         data.directionNote = QStringLiteral("clockwise from the nose, 90° is starboard");
     } else if (type == "camera-elevation") {
         mode = QStringLiteral("camera elevation");
         data.directionNote = QStringLiteral("from the nose down: 90° belly, 180° tail, 270° top");
     } else {
-        mode = QStringLiteral("model yaw, camera elevation %1°").arg(offset_deg(first));
+        mode = QStringLiteral("model yaw");
         data.directionNote = QStringLiteral("yaw counter-clockwise, camera at the top");
     }
     data.title = titleOf(results, y, mode);
+    data.conditions = conditionsLine(results);
     return data;
 }
 

@@ -12,6 +12,7 @@ namespace smat::gui {
 struct NamedResult {
     QString name;
     const ResultTable* table = nullptr;
+    bool isAlone = true; ///< on its plot: what its curves differ in names them
 };
 
 /// True for a table over an angle: it belongs on a polar plot.
@@ -30,8 +31,9 @@ QString quantityTitle(const ResultTable& table, const std::string& quantity);
 bool goOnOnePlot(const ResultTable& a, const ResultTable& b);
 
 /// Overlays one quantity of several results; a series gives a curve for each object and band, named
-/// by them and its result. All must have it and share the abscissa, and on polar
-/// plots the type of sweep (InputError). At least one result (LogicError).
+/// by them and its result, and several turns of a polar plot one for each elevation. All must have
+/// it and share the abscissa, and on polar plots the type of sweep (InputError). At least one
+/// result (LogicError).
 PlotData cartesianData(const std::vector<NamedResult>& results, const std::string& quantity);
 PolarData polarData(const std::vector<NamedResult>& results, const std::string& quantity);
 

@@ -12,11 +12,10 @@ Project withAnalysis(const Project& project, const Settings& inEffect, const Ana
         kept.name = wanted + " " + std::to_string(number);
 
     // Settings of other kinds of analyses say nothing about this one.
-    for (const SettingInfo& info : settingTable()) {
+    for (const SettingInfo& info : settingTable())
         if (concerns(info, name(data.kind)) &&
             data.settings.text(info.key) != inEffect.text(info.key))
             kept.settings.set(info.key, data.settings.text(info.key));
-    }
     Project changed = project;
     const auto place = std::ranges::upper_bound(changed.analyses, kept.name, {},
                                                 [](const auto& one) { return one.name; });

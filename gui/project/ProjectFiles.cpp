@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QWidget>
 
+#include "gui/Readable.h"
 #include "gui/Sentences.h"
 #include "gui/Workbench.h"
 #include "gui/project/NewProjectDialog.h"
@@ -17,9 +18,8 @@
 namespace smat::gui {
 namespace {
 
-QString textOf(const std::filesystem::path& file) {
-    return QString::fromStdString(file.string());
-}
+/// Models up to this size are read within a moment.
+constexpr std::uintmax_t quickModel_bytes = 4'000'000;
 
 std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::path& file) {
     std::error_code failure;
@@ -69,14 +69,18 @@ void ProjectFiles::addSettler(std::function<bool()> settle) {
 }
 
 bool ProjectFiles::settle() {
-    for (const auto& other : settlers_) {
+    for (const auto& other : settlers_)
         if (!other())
             return false;
-    }
-    if (!workbench_.isModified())
+    const QStringList unsaved = unsavedWords();
+    if (unsaved.isEmpty())
         return true;
-    switch (dialogs_.ask(window_, tr("Unsaved changes"),
-                         tr("%1 has changes that are not saved.").arg(displayName()),
+    if (!workbench_.hasProject())
+        return dialogs_.ask(window_, tr("Unsaved results"),
+                            tr("%1 Without a project they are saved one by one, in the results.")
+                                .arg(unsaved.join(' ')),
+                            {tr("&Discard")}) == 0;
+    switch (dialogs_.ask(window_, tr("Unsaved changes"), unsaved.join(' '),
                          {tr("&Save"), tr("&Discard")})) {
     case 0:
         return save();
@@ -86,6 +90,16 @@ bool ProjectFiles::settle() {
     default:
         return false;
     }
+}
+
+QStringList ProjectFiles::unsavedWords() const {
+    QStringList sentences;
+    if (workbench_.isModified())
+        sentences << tr("%1 has changes that are not saved.").arg(displayName());
+    if (const int results = workbench_.resultStore().unsavedCount(); results > 0)
+        sentences << (results == 1 ? tr("One result is not saved.")
+                                   : tr("%1 results are not saved.").arg(results));
+    return sentences;
 }
 
 bool ProjectFiles::newProject() {
@@ -123,6 +137,7 @@ bool ProjectFiles::open(const std::filesystem::path& file) {
 
 bool ProjectFiles::load(const std::filesystem::path& file) {
     try {
+        requireReadable(file);
         workbench_.open(file);
     } catch (const irsg::InputError& error) {
         dialogs_.tell(window_, tr("This file cannot be opened"), sentencesOf(error));
@@ -137,6 +152,16 @@ bool ProjectFiles::load(const std::filesystem::path& file) {
     if (!unknown.isEmpty())
         emit said(tr("Not known to this version, and kept: %1").arg(unknown.join(", ")));
     return true;
+}
+
+void ProjectFiles::requireReadable(const std::filesystem::path& file) const {
+    std::error_code failure;
+    const auto bytes = std::filesystem::file_size(file, failure);
+    const bool isModel = !irsg::refusalOf(file.string(), irsg::FileKind::model);
+    if (failure || !isModel || file.extension() == ".smat" || bytes > quickModel_bytes)
+        return;
+    const Project opened = projectOfModel(file);
+    workbench_.models()->model(ModelKey::of(opened, opened.models.front()));
 }
 
 ProjectFiles::Recovery ProjectFiles::recover(const std::filesystem::path& file) {
@@ -268,6 +293,13 @@ bool ProjectFiles::saveTo(const std::filesystem::path& file) {
         return false;
     }
     remember();
+    try {
+        workbench_.saveResults();
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(window_, tr("Not all results can be kept with the project"),
+                      sentencesOf(error));
+        return false;
+    }
     emit said(tr("Saved %1").arg(textOf(workbench_.project().file)));
     return true;
 }

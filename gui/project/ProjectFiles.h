@@ -57,6 +57,9 @@ class ProjectFiles : public QObject {
 
   private:
     bool load(const std::filesystem::path& file);
+    /// Throws irsg::InputError for a damaged model, so that what is open stays; one that takes its
+    /// time to read is told of later. What was read serves the view.
+    void requireReadable(const std::filesystem::path& file) const;
     bool saveTo(const std::filesystem::path& file);
     /// What became of the copies of a project that a crash left behind.
     enum class Recovery { none, taken, left };
@@ -65,6 +68,8 @@ class ProjectFiles : public QObject {
     void adopt(const Project& recovered, const std::filesystem::path& copy);
     void remember();
     QString displayName() const;
+    /// What would be lost, a sentence each.
+    QStringList unsavedWords() const;
 
     Workbench& workbench_;
     Dialogs& dialogs_;

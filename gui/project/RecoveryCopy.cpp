@@ -6,6 +6,7 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 
+#include "gui/Readable.h"
 #include "gui/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/ProjectFile.h"
@@ -16,10 +17,6 @@ namespace {
 
 /// More copies of one project than anybody leaves behind.
 constexpr int mostCopies = 999;
-
-QString textOf(const std::filesystem::path& file) {
-    return QString::fromStdString(file.string());
-}
 
 std::unique_ptr<QLockFile> lockOf(const std::filesystem::path& copy) {
     auto lock = std::make_unique<QLockFile>(textOf(copy) + ".lock");
@@ -44,10 +41,9 @@ std::vector<std::filesystem::path> copiesOf(const std::filesystem::path& project
         QRegularExpression::escape(textOf(first.stem())) + R"((\.\d{1,3})?\.recovery)"));
     std::vector<std::filesystem::path> copies;
     std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator(first.parent_path(), none)) {
+    for (const auto& entry : std::filesystem::directory_iterator(first.parent_path(), none))
         if (entry.is_regular_file(none) && isOne.match(textOf(entry.path().filename())).hasMatch())
             copies.push_back(entry.path());
-    }
     std::ranges::sort(copies, std::greater{}, [](const std::filesystem::path& copy) {
         return QFileInfo(textOf(copy)).lastModified();
     });

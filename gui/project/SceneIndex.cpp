@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gui/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SignatureFile.h"
 
@@ -21,7 +22,7 @@ void addEntries(std::map<int, IndexUse>& uses, const Entries& entries,
 }
 
 QString problemOf(const irsg::InputError& error) {
-    return QString::fromStdString(error.diagnostics().front().message());
+    return sentenceOf(error.diagnostics().front());
 }
 
 } // namespace

@@ -56,10 +56,6 @@ QString branchOf(const QTreeWidgetItem* item) {
     return item->parent() == nullptr ? own : branchOf(item->parent()) + ">" + own;
 }
 
-QString textOf(const std::string& text) {
-    return QString::fromStdString(text);
-}
-
 bool saysTheSame(const ModelIndex& a, const ModelIndex& b) {
     const auto equal = [](const auto& x, const auto& y) {
         return std::ranges::equal(x, y, [](const auto& one, const auto& other) {
@@ -138,10 +134,9 @@ void SceneTreeDock::changeEvent(QEvent* event) {
 
 QSet<QString> SceneTreeDock::openBranches() const {
     QSet<QString> open;
-    for (QTreeWidgetItemIterator it(tree_); *it != nullptr; ++it) {
+    for (QTreeWidgetItemIterator it(tree_); *it != nullptr; ++it)
         if ((*it)->isExpanded())
             open.insert(branchOf(*it));
-    }
     return open;
 }
 
@@ -225,10 +220,9 @@ void SceneTreeDock::fill() {
     refreshSettings();
     root->setExpanded(true);
     analyses->setExpanded(true);
-    for (QTreeWidgetItemIterator it(tree_); *it != nullptr; ++it) {
+    for (QTreeWidgetItemIterator it(tree_); *it != nullptr; ++it)
         if (open.contains(branchOf(*it)))
             (*it)->setExpanded(true);
-    }
 }
 
 void SceneTreeDock::fillModel(QTreeWidgetItem* root, std::size_t number) {

@@ -103,10 +103,9 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
     colorMap_ = new QComboBox(this);
     colorMap_->setObjectName("colorMap");
     colorMap_->setIconSize(QSize(48, 14));
-    for (const auto& name : irsg::ColorMap::names()) {
+    for (const auto& name : irsg::ColorMap::names())
         if (!irsg::ColorMap::named(name).isDiverging())
             colorMap_->addItem(swatch(name), QString::fromStdString(name));
-    }
     colorMap_->setCurrentText(QString::fromStdString(preferences.colorMap));
     delay_ = new QSpinBox(this);
     delay_->setObjectName("recoveryDelay");

@@ -20,10 +20,6 @@
 namespace smat::gui {
 namespace {
 
-QString textOf(const std::string& text) {
-    return QString::fromStdString(text);
-}
-
 /// What a field takes, with long powers of ten as 10⁹.
 QString expectedText(const SettingInfo& info) {
     QString text = withReadableUnits(textOf(info.expected()));
@@ -211,10 +207,12 @@ bool SettingForm::mark(const std::string& key) {
     Field& field = fields_.at(key);
     const bool before = field.valid;
     field.valid = canonicalText(settingInfo(key), field.read().trimmed().toStdString()).has_value();
-    QPalette colours = palette();
+    // Only what is marked has colours of its own: all else follows the theme.
+    QPalette colours;
     if (!field.valid) {
-        colours.setColor(QPalette::Base, isDark(colours) ? QColor("#5a2a2e") : QColor("#ffe3e3"));
-        colours.setColor(QPalette::Button, colours.color(QPalette::Base));
+        const QColor wrong = isDark(palette()) ? QColor("#5a2a2e") : QColor("#ffe3e3");
+        colours.setColor(QPalette::Base, wrong);
+        colours.setColor(QPalette::Button, wrong);
     }
     field.widget->setPalette(colours);
     return before != field.valid;
@@ -276,12 +274,40 @@ void SettingForm::setExpertVisible(bool visible, const std::vector<std::string>&
     }
 }
 
+void SettingForm::setUnused(const std::vector<std::string>& keys) {
+    for (auto& [key, field] : fields_) {
+        const SettingInfo& info = settingInfo(key);
+        if (!whyUnavailable(info).empty() || !field.valid)
+            continue;
+        const bool isUsed = std::find(keys.begin(), keys.end(), key) == keys.end();
+        QPalette colours;
+        if (!isUsed)
+            colours.setColor(QPalette::Text, palette().color(QPalette::PlaceholderText));
+        field.widget->setPalette(colours);
+        field.widget->setToolTip(isUsed ? helpText(info) : tr("Not used by this analysis"));
+    }
+}
+
+int SettingForm::showMatching(const QStringList& words) {
+    int shown = 0;
+    for (std::size_t row = 0; row < keys_.size(); ++row) {
+        const SettingInfo& info = settingInfo(keys_[row]);
+        const QString text =
+            textOf(info.label + " " + info.key + " " + info.option + " " + info.help);
+        const bool matches = std::all_of(words.begin(), words.end(), [&](const QString& word) {
+            return text.contains(word, Qt::CaseInsensitive);
+        });
+        layout_->setRowVisible(static_cast<int>(row), matches);
+        shown += matches ? 1 : 0;
+    }
+    return shown;
+}
+
 std::vector<std::string> settingKeys(const std::string& section, bool withExpert) {
     std::vector<std::string> keys;
-    for (const auto& info : settingTable()) {
+    for (const auto& info : settingTable())
         if (info.section() == section && (withExpert || info.audience == SettingAudience::basic))
             keys.push_back(info.key);
-    }
     return keys;
 }
 

@@ -40,6 +40,11 @@ class SettingForm : public QWidget {
     /// Hides the settings for experts, except those that are not at their default and those in
     /// `always`.
     void setExpertVisible(bool visible, const std::vector<std::string>& always = {});
+    /// These take no part in what the form is for: faint, with the reason in their tooltip.
+    void setUnused(const std::vector<std::string>& keys);
+    /// Shows the settings alone whose label, key, option or help has all these words, those for
+    /// experts, too. How many there are.
+    int showMatching(const QStringList& words);
     const std::vector<std::string>& keys() const { return keys_; }
     /// Help, range and key of a setting, for a tooltip or a panel.
     static QString helpText(const SettingInfo& info);

@@ -6,6 +6,7 @@
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -19,14 +20,32 @@
 
 namespace smat::gui {
 
-std::vector<SettingsPage> SettingsDialog::optionPages() {
-    return {{tr("Antialiasing"),
-             "image",
-             {key::renderAntialiasing, key::renderSupersampling, key::renderZoom,
-              key::renderPointSource, key::renderHotParts, key::renderLayers, key::renderEngine}},
+std::vector<SettingsPage> SettingsDialog::pages() {
+    return {{tr("Band and mode"),
+             "sensor",
+             {key::sensorBand, key::sensorResponse, key::sensorMode},
+             {key::sensorMode}},
+            {tr("Sensor"), "image", {key::sensorWidth, key::sensorHeight, key::sensorFov}},
+            {tr("Camera and model"),
+             "axes",
+             {key::cameraRange, key::cameraAzimuth, key::cameraElevation, key::targetYaw,
+              key::targetPitch, key::targetRoll, key::targetAltitude, key::stateTime,
+              key::statePower, key::stateMach}},
+            {tr("Sun and fluxes"),
+             "sun",
+             {key::environmentSunAzimuth, key::environmentSunElevation, key::environmentDayOfYear,
+              key::renderSun, key::renderShadows, key::renderBounces, key::renderLightError,
+              key::renderFluxes, key::renderFluxWeights}},
+            {tr("Atmosphere"),
+             "air",
+             {key::environmentAtmospheres, key::environmentAmbientTemperature}},
+            {tr("Scattering"),
+             "air",
+             {key::renderScattering, key::environmentMtf, key::environmentScatteringCoefficient}},
             {tr("Background"),
              "range",
-             {key::renderBackgroundRows, key::renderBackgroundColumns, key::renderSunDisc}},
+             {key::renderBackground, key::renderBackgroundRows, key::renderBackgroundColumns,
+              key::renderSunDisc}},
             {tr("Skybox"),
              "model",
              {key::environmentSkybox, key::environmentSkyboxSlope, key::environmentSkyboxOffset}},
@@ -35,33 +54,28 @@ std::vector<SettingsPage> SettingsDialog::optionPages() {
              {key::environmentTerrain, key::environmentTerrainSlope, key::environmentTerrainOffset,
               key::environmentTerrainEast, key::environmentTerrainNorth,
               key::environmentTerrainAltitude, key::renderTerrainHides}},
-            {tr("Atmosphere"),
-             "air",
-             {key::environmentAtmospheres, key::environmentAmbientTemperature}},
-            {tr("Scattering"),
-             "air",
-             {key::renderScattering, key::environmentMtf, key::environmentScatteringCoefficient}},
+            {tr("Antialiasing"),
+             "image",
+             {key::renderAntialiasing, key::renderSupersampling, key::renderZoom,
+              key::renderPointSource, key::renderHotParts, key::renderLayers, key::renderEngine}},
+            {tr("Colours"),
+             "infrared",
+             {key::displayColorMap, key::displayScale, key::displayMarkOutside, key::displayMinimum,
+              key::displayMaximum}},
             {tr("Scalings"), "montecarlo", {key::scalingUse, key::scalingSeed}}};
 }
 
-std::vector<SettingsPage> SettingsDialog::analysisPages() {
-    return {{tr("Sun and fluxes"),
-             "sun",
-             {key::environmentSunAzimuth, key::environmentSunElevation, key::environmentDayOfYear,
-              key::renderSun, key::renderShadows, key::renderFluxes, key::renderFluxWeights}},
-            {tr("Background source"), "range", {key::renderBackground}},
-            {tr("Band and mode"),
-             "sensor",
-             {key::sensorBand, key::sensorResponse, key::sensorMode},
-             {key::sensorMode}}};
-}
-
-SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const QString& step,
-                               const std::vector<SettingsPage>& pages, FileChooser chooseFile,
-                               QWidget* parent)
-    : QDialog(parent), workbench_(workbench), step_(step), pages_(pages) {
-    setWindowTitle(title);
-    resize(780, 520);
+SettingsDialog::SettingsDialog(Workbench& workbench, FileChooser chooseFile, QWidget* parent)
+    : QDialog(parent), workbench_(workbench), pages_(pages()) {
+    setObjectName("settingsDialog");
+    setWindowTitle(tr("Settings"));
+    resize(800, 600);
+    search_ = new QLineEdit(this);
+    search_->setObjectName("settingsSearch");
+    search_->setPlaceholderText(tr("Search"));
+    search_->setClearButtonEnabled(true);
+    search_->setFixedWidth(180);
+    connect(search_, &QLineEdit::textChanged, this, &SettingsDialog::search);
     list_ = new QListWidget(this);
     list_->setObjectName("pageList");
     list_->setFixedWidth(180);
@@ -104,12 +118,13 @@ SettingsDialog::SettingsDialog(Workbench& workbench, const QString& title, const
     grid->setHorizontalSpacing(14);
     grid->setVerticalSpacing(10);
     grid->setColumnStretch(1, 1);
-    grid->setRowStretch(0, 1);
-    grid->addWidget(list_, 0, 0);
-    grid->addWidget(stack, 0, 1);
-    grid->addWidget(problems_, 1, 0, 1, 2);
-    grid->addWidget(experts_, 2, 0);
-    grid->addWidget(buttons_, 2, 1);
+    grid->setRowStretch(1, 1);
+    grid->addWidget(search_, 0, 0);
+    grid->addWidget(list_, 1, 0);
+    grid->addWidget(stack, 0, 1, 2, 1);
+    grid->addWidget(problems_, 2, 0, 1, 2);
+    grid->addWidget(experts_, 3, 0);
+    grid->addWidget(buttons_, 3, 1);
     showPage(0);
     showExperts(false);
     refresh();
@@ -131,6 +146,27 @@ void SettingsDialog::addNotes(SettingForm* form) {
 
 void SettingsDialog::showPage(int page) {
     list_->setCurrentRow(page);
+}
+
+void SettingsDialog::showPage(const QString& title) {
+    for (std::size_t i = 0; i < pages_.size(); ++i)
+        if (pages_[i].title == title)
+            showPage(static_cast<int>(i));
+}
+
+void SettingsDialog::search(const QString& words) {
+    const QStringList wanted = words.split(' ', Qt::SkipEmptyParts);
+    int first = -1;
+    for (std::size_t i = 0; i < forms_.size(); ++i) {
+        const int row = static_cast<int>(i);
+        const bool has = wanted.isEmpty() || forms_[i]->showMatching(wanted) > 0;
+        list_->item(row)->setHidden(!has);
+        first = has && first < 0 ? row : first;
+    }
+    if (wanted.isEmpty())
+        showExperts(experts_->isChecked());
+    else if (first >= 0)
+        showPage(first);
 }
 
 void SettingsDialog::showExperts(bool visible) {
@@ -164,7 +200,7 @@ void SettingsDialog::refresh() {
 bool SettingsDialog::apply() {
     if (!isAcceptable())
         return false;
-    workbench_.set(edited(), step_);
+    workbench_.set(edited(), tr("Change settings"));
     refresh();
     return true;
 }

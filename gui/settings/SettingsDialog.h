@@ -10,6 +10,7 @@
 class QCheckBox;
 class QDialogButtonBox;
 class QLabel;
+class QLineEdit;
 class QListWidget;
 
 namespace smat::gui {
@@ -25,21 +26,23 @@ struct SettingsPage {
     std::vector<std::string> always = {};
 };
 
-/// Settings of the project by pages, each field with unit, range and help from its description.
-/// Apply and OK are one step to undo each; Cancel changes nothing.
+/// All settings of the project but those of one kind of analysis, by pages, each field with unit,
+/// range and help from its description, to be found by any of its words. Apply and OK are one step
+/// to undo each; Cancel changes nothing.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 
   public:
-    SettingsDialog(Workbench& workbench, const QString& title, const QString& step,
-                   const std::vector<SettingsPage>& pages, FileChooser chooseFile,
-                   QWidget* parent = nullptr);
-    /// Antialiasing, background, skybox, terrain, atmosphere, scattering, scalings.
-    static std::vector<SettingsPage> optionPages();
-    /// Sun and fluxes, background source, calculation mode, band and response.
-    static std::vector<SettingsPage> analysisPages();
+    SettingsDialog(Workbench& workbench, FileChooser chooseFile, QWidget* parent = nullptr);
+    /// Every setting of the table stands on one of them. The first ones are those of every
+    /// analysis: band and mode, sensor, sun, background.
+    static std::vector<SettingsPage> pages();
 
+    /// By its title; another one than there is changes nothing.
+    void showPage(const QString& title);
     void showPage(int page);
+    /// Pages and fields with these words alone; all of them for none.
+    void search(const QString& words);
     bool isAcceptable() const;
     bool apply();
     void accept() override;
@@ -52,10 +55,10 @@ class SettingsDialog : public QDialog {
     Settings edited() const;
 
     Workbench& workbench_;
-    QString step_;
     std::vector<SettingsPage> pages_;
     std::vector<SettingForm*> forms_;
     QListWidget* list_ = nullptr;
+    QLineEdit* search_ = nullptr;
     QLabel* problems_ = nullptr;
     QCheckBox* experts_ = nullptr;
     QDialogButtonBox* buttons_ = nullptr;

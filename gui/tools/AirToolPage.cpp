@@ -89,7 +89,7 @@ AirToolPage::AirToolPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     auto* right = new QWidget(this);
     answer_ = new QVBoxLayout(right);
     answer_->setContentsMargins(0, 0, 0, 0);
-    empty_ = new QLabel(tr("Compute shows the answer here."), right);
+    empty_ = new QLabel(tr("Press Compute to see the result here."), right);
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setForegroundRole(QPalette::PlaceholderText);
     answer_->addWidget(empty_);

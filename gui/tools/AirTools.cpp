@@ -7,29 +7,29 @@
 #include "gui/Workbench.h"
 #include "gui/tools/RadiativePage.h"
 #include "gui/tools/TemperatureProfilePage.h"
+#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat::gui {
 
 void addAirTools(
     QMenu& menu, Workbench& workbench, const Dialogs& dialogs,
     std::function<void(QWidget* page, const QIcon& icon, const QString& title)> addPage) {
-    const auto add = [&](const QString& name, const QString& iconName, const QString& text,
-                         const QString& title, const QString& tip, const auto& make) {
-        auto* action = menu.addAction(icon(iconName), text);
+    const auto add = [&](const QString& name, AnalysisKind kind, const QString& text,
+                         const auto& make) {
+        const QString title = QObject::tr(kind->title);
+        auto* action = menu.addAction(icon(kind->icon), text);
         action->setObjectName(name);
-        action->setToolTip(tip);
+        action->setToolTip(QObject::tr(kind->help));
         action->setEnabled(workbench.hasProject());
         QObject::connect(&workbench, &Workbench::projectOpened, action,
                          [action] { action->setEnabled(true); });
         QObject::connect(action, &QAction::triggered, action,
-                         [=] { addPage(make(), icon(iconName), title); });
+                         [=] { addPage(make(), icon(kind->icon), title); });
     };
-    add("radiativeOutput", "radiative", QObject::tr("&Radiative output…"),
-        QObject::tr("Radiative output"),
-        QObject::tr("Spectra of the air between viewer and target"),
+    add("radiativeOutput", AnalysisKind::radiative, QObject::tr("&Radiative output…"),
         [&workbench, dialogs] { return new RadiativePage(workbench, dialogs); });
-    add("temperatureProfile", "thermometer", QObject::tr("&Temperature profile…"),
-        QObject::tr("Temperature profile"), QObject::tr("Temperature of the air over altitude"),
+    add("temperatureProfile", AnalysisKind::temperatureProfile,
+        QObject::tr("&Temperature profile…"),
         [&workbench, dialogs] { return new TemperatureProfilePage(workbench, dialogs); });
 }
 

@@ -145,7 +145,7 @@ void MonteCarloPage::addWhat(QFormLayout* form) {
     form->addRow(tr("Analysis"), analysis_);
     form->addRow(tr("Quantity"), quantity_);
     form->addRow(tr("Percentiles (%)"), percentiles_);
-    form->addRow(tr("Drawings of a case"), phases_);
+    form->addRow(tr("Renderings of each case"), phases_);
 }
 
 void MonteCarloPage::addDraws(QFormLayout* form) {

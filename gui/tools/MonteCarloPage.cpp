@@ -1,8 +1,6 @@
 #include "gui/tools/MonteCarloPage.h"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -20,9 +18,6 @@
 #include "gui/Sentences.h"
 #include "gui/UnsavedNote.h"
 #include "gui/Workbench.h"
-#include "gui/image/ImageExport.h"
-#include "gui/plot/CartesianPlot.h"
-#include "gui/plot/PlotExport.h"
 #include "gui/tools/MonteCarloPlots.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
@@ -35,23 +30,24 @@ namespace smat::gui {
 
 namespace {
 
-constexpr int patience_ms = 100; ///< with a drawing, after a cancel
+/// "temperature 5 (exhaust pipes)", as the ranking calls it.
+QString nameOfScale(const irsg::SignatureDatabase* database, irsg::ScalingKind kind, int index) {
+    const bool isTemperature = kind == irsg::ScalingKind::temperature;
+    std::string name;
+    if (database != nullptr && isTemperature && database->temperatures.contains(index))
+        name = database->temperatures.at(index).name;
+    if (database != nullptr && !isTemperature && database->materials.contains(index))
+        name = database->materials.at(index).name;
+    const QString number = isTemperature ? MonteCarloPage::tr("temperature %1").arg(index)
+                                         : MonteCarloPage::tr("emissivity %1").arg(index);
+    return name.empty() ? number
+                        : number + QStringLiteral(" (%1)").arg(QString::fromStdString(name));
+}
 
 } // namespace
 
-struct MonteCarloPage::Worker {
-    std::unique_ptr<ImageSource> source; ///< made by the first run, in its thread
-    SceneBuilder scenes;
-    std::atomic<bool> done = true;
-    std::jthread thread; ///< last: ends before the rest goes
-};
-
-MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, ImageSourceFactory makeSource,
-                               QWidget* parent)
-    : QWidget(parent),
-      workbench_(workbench),
-      dialogs_(std::move(dialogs)),
-      makeSource_(std::move(makeSource)) {
+MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), dialogs_(std::move(dialogs)) {
     setObjectName("monteCarloPage");
     auto* columns = new QSplitter(Qt::Horizontal, this);
     columns->addWidget(makeForm());
@@ -100,12 +96,8 @@ MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, ImageSourc
                                  .arg(doing_)
                                  .arg(static_cast<double>(clock_.elapsed()) / 1000.0, 0, 'f', 1));
     });
+    connectJobs();
     reload();
-}
-
-MonteCarloPage::~MonteCarloPage() {
-    for (auto& worker : workers_)
-        worker->thread.request_stop();
 }
 
 void MonteCarloPage::fillAnalyses() {
@@ -123,6 +115,19 @@ void MonteCarloPage::fillAnalyses() {
             analysis_->addItem(tr("%1 (project)").arg(QString::fromStdString(title(kind))),
                                "kind:" + QString::fromStdString(name(kind)));
     analysis_->setCurrentIndex(std::max(analysis_->findData(kept), 0));
+}
+
+std::shared_ptr<const irsg::SignatureDatabase>
+MonteCarloPage::databaseOf(const ProjectModel& model) const {
+    if (model.database.empty())
+        return nullptr;
+    try {
+        SceneBuilder scenes;
+        scenes.setDatabaseOverrides(workbench_.editedDatabases());
+        return scenes.database(workbench_.project().resolve(model.database));
+    } catch (const irsg::InputError&) {
+        return nullptr; // told where it is opened; the indices have numbers
+    }
 }
 
 void MonteCarloPage::fillScales() {
@@ -144,13 +149,12 @@ void MonteCarloPage::fillScales() {
             anyMissing = anyMissing || !std::filesystem::exists(irsg::scalingFile(model, kind));
         try {
             const irsg::Scalings scalings = irsg::loadScalings(model);
+            const auto database = databaseOf(one);
             for (const irsg::ScalingKind kind :
                  {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity})
                 for (const auto& [index, entry] : scalings.of(kind)) {
                     const irsg::Distribution& d = entry.distribution;
-                    const QString what = kind == irsg::ScalingKind::temperature
-                                             ? tr("temperature %1").arg(index)
-                                             : tr("emissivity %1").arg(index);
+                    const QString what = nameOfScale(database.get(), kind, index);
                     auto* row = new QTreeWidgetItem(scales_);
                     row->setText(0, what);
                     row->setToolTip(0, QString::fromStdString(entry.documentation));
@@ -246,8 +250,8 @@ void MonteCarloPage::refresh() {
     }
     problem_->setText(problems.join('\n'));
     problem_->setVisible(!problems.isEmpty());
-    run_->setEnabled(problems.isEmpty() && !running_);
-    cancel_->setEnabled(running_ && !cancelled_);
+    run_->setEnabled(problems.isEmpty() && !isRunning());
+    cancel_->setEnabled(isRunning() && !cancelled_);
     refreshCommand();
 }
 
@@ -270,7 +274,7 @@ void MonteCarloPage::refreshCommand() {
 }
 
 void MonteCarloPage::run() {
-    if (running_)
+    if (isRunning())
         return;
     MonteCarloData data;
     try {
@@ -279,151 +283,88 @@ void MonteCarloPage::run() {
         dialogs_.tell(this, tr("Monte Carlo"), sentencesOf(error));
         return;
     }
-    std::erase_if(workers_,
-                  [this](const auto& worker) { return worker->done && worker != workers_.back(); });
-    if (workers_.empty() || !workers_.back()->done)
-        workers_.push_back(std::make_unique<Worker>());
-    Worker& worker = *workers_.back();
-    if (worker.thread.joinable())
-        worker.thread.join();
-    worker.done = false;
-    worker.scenes.setDatabaseOverrides(workbench_.editedDatabases());
     data.analysis.commandLine = data.equivalentCommand("montecarlo.csv");
-    running_ = true;
+    doing_ = workbench_.isRunning() ? tr("waiting in line") : tr("starting");
     cancelled_ = false;
-    doing_ = tr("starting");
     progress_->setValue(0);
+    number_ = workbench_.start(data, this);
     clock_.start();
     clockTick_.start();
     refresh();
-    worker.thread = std::jthread(
-        [this, &worker, number = ++number_, data = std::move(data)](std::stop_token stop) {
-            work(worker, number, data, std::move(stop));
-            worker.done = true;
-        });
+}
+
+bool MonteCarloPage::isRunning() const {
+    return number_ != 0 && workbench_.jobs().holds(number_);
 }
 
 void MonteCarloPage::cancel() {
-    if (!running_)
+    if (!isRunning())
         return;
-    workers_.back()->thread.request_stop();
     cancelled_ = true;
     cancel_->setEnabled(false);
-    QTimer::singleShot(patience_ms, this, [this, number = number_] {
-        if (running_ && number == number_)
-            answerCancel();
+    workbench_.jobs().cancel(number_);
+}
+
+void MonteCarloPage::connectJobs() {
+    const JobQueue& jobs = workbench_.jobs();
+    connect(&jobs, &JobQueue::progressed, this, [this](int number, const Progress& progress) {
+        if (number == number_ && !cancelled_) {
+            progress_->setValue(static_cast<int>(1000.0 * progress.fraction()));
+            doing_ = QString::fromStdString(progress.what);
+        }
+    });
+    connect(&jobs, &JobQueue::ended, this, [this](int number) {
+        if (number == number_)
+            rest();
+    });
+    connect(&jobs, &JobQueue::waitingChanged, this, [this] {
+        if (clockTick_.isActive() && !isRunning())
+            rest();
+    });
+    connect(&jobs, &JobQueue::finished, this, [this](int number, const JobResult& result) {
+        if (number == number_ && result.monteCarlo)
+            showRun(*result.monteCarlo);
+    });
+    connect(&jobs, &JobQueue::failed, this, [this](int number) {
+        if (number == number_)
+            progress_->setFormat(QString());
     });
 }
 
-void MonteCarloPage::answerCancel() {
-    rest();
-    progress_->setFormat(tr("cancelled; the drawing under way is being ended"));
-    refresh();
-}
-
 void MonteCarloPage::rest() {
-    running_ = false;
     clockTick_.stop();
-}
-
-void MonteCarloPage::work(Worker& worker, int number, const MonteCarloData& asked,
-                          std::stop_token stop) {
-    auto data = std::make_shared<MonteCarloData>(asked);
-    QStringList sentences;
-    try {
-        if (!worker.source)
-            worker.source = makeSource_();
-        MonteCarlo monteCarlo(*worker.source,
-                              [&worker](const Project& project, const Settings& settings) {
-                                  return worker.scenes.build(project, settings);
-                              });
-        QElapsedTimer sinceSaid;
-        sinceSaid.start();
-        bool first = true;
-        monteCarlo.run(
-            *data,
-            [&](const Progress& now) {
-                // A draw takes microseconds: what is said to the window is what eyes can follow.
-                if (!first && sinceSaid.elapsed() < 50)
-                    return;
-                first = false;
-                sinceSaid.restart();
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, now, number] {
-                        if (number == number_)
-                            onProgress(now);
-                    },
-                    Qt::QueuedConnection);
-            },
-            stop);
-    } catch (const irsg::InputError& error) {
-        sentences = sentencesOf(error);
-    } catch (const std::exception& error) {
-        sentences << tr("This is a fault of the program itself: %1")
-                         .arg(QString::fromLocal8Bit(error.what()));
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, data, sentences, number] {
-            if (number == number_)
-                onEnd(data, sentences);
-        },
-        Qt::QueuedConnection);
-}
-
-void MonteCarloPage::onProgress(const Progress& progress) {
-    if (!running_ || cancelled_)
-        return;
-    progress_->setValue(static_cast<int>(1000.0 * progress.fraction()));
-    doing_ = QString::fromStdString(progress.what);
-}
-
-void MonteCarloPage::onEnd(std::shared_ptr<const MonteCarloData> data,
-                           const QStringList& sentences) {
-    rest();
-    if (sentences.isEmpty()) {
-        progress_->setValue(1000);
-        progress_->setFormat(
-            tr("%1 draws in %2 s").arg(data->draws()).arg(data->analysis.elapsed_s, 0, 'f', 2));
-        plots_->setData(*data);
-        QStringList lines;
-        for (const SummaryItem& item : data->analysis.summary)
-            if (item.label.find("index of") == std::string::npos)
-                lines << QString("%1: %2 %3")
-                             .arg(withReadableUnits(QString::fromStdString(item.label)),
-                                  readableNumber(item.value), readableUnit(item.unit))
-                             .trimmed();
-        for (const std::string& warning : data->analysis.warnings)
-            lines << tr("note: %1").arg(QString::fromStdString(warning));
-        summary_->setText(lines.join(" · "));
-        summary_->show();
-    } else {
-        progress_->setValue(0);
-        progress_->setFormat(QString());
-    }
+    progress_->setValue(0);
+    progress_->setFormat(cancelled_ ? tr("cancelled; what was drawn comes when the drawing ends")
+                                    : QString());
     refresh();
-    if (!sentences.isEmpty())
-        dialogs_.tell(this, tr("Monte Carlo"), sentences);
     emit ended();
 }
 
+void MonteCarloPage::showRun(const MonteCarloData& data) {
+    progress_->setValue(1000);
+    progress_->setFormat(
+        tr("%1 draws in %2 s").arg(data.draws()).arg(data.analysis.elapsed_s, 0, 'f', 2));
+    plots_->setData(data);
+    QStringList lines;
+    for (const SummaryItem& item : data.analysis.summary)
+        if (item.label.find("index of") == std::string::npos)
+            lines << QString("%1: %2 %3")
+                         .arg(withReadableUnits(QString::fromStdString(item.label)),
+                              readableNumber(item.value), readableUnit(item.unit))
+                         .trimmed();
+    for (const std::string& warning : data.analysis.warnings)
+        lines << tr("note: %1").arg(QString::fromStdString(warning));
+    summary_->setText(lines.join(" · "));
+    summary_->show();
+    refresh();
+}
+
 QStringList MonteCarloPage::exportFilters() const {
-    if (plots_->data().values.empty())
-        return {};
-    return {tr("Bands as text, with the ranking beside them (*.csv)"),
-            tr("All inputs and values (*.json)"), tr("Bands as a scalable picture (*.svg)"),
-            tr("Bands as PDF (*.pdf)"), tr("Picture of all plots (*.png)")};
+    return plots_->exportFilters();
 }
 
 void MonteCarloPage::exportTo(const std::filesystem::path& file) const {
-    const std::string suffix = file.extension().string();
-    if (suffix == ".svg" || suffix == ".pdf")
-        exportPlot(*plots_->bands(), file);
-    else if (suffix == ".png")
-        writePicture(plots_->grab().toImage(), file);
-    else
-        saveMonteCarlo(plots_->data(), file);
+    plots_->exportTo(file);
 }
 
 } // namespace smat::gui

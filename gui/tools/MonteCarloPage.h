@@ -1,9 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
-#include <stop_token>
-#include <vector>
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -11,7 +8,6 @@
 
 #include "gui/Dialogs.h"
 #include "gui/Exportable.h"
-#include "gui/analysis/AnalysisJob.h"
 #include "smatcore/analysis/MonteCarlo.h"
 
 class QCheckBox;
@@ -30,17 +26,17 @@ namespace smat::gui {
 class MonteCarloPlots;
 class Workbench;
 
-/// Tools, Monte Carlo: an analysis of the project repeated over its scaling files. Runs in a thread
-/// of its own; a cancel keeps the draws there are. Shows the command that does the same.
+/// Tools, Monte Carlo: an analysis of the project repeated over its scaling files. Runs in
+/// the line of the jobs; a cancel keeps the draws there are. Shows the command that does the same.
+/// The run is a result like any other, and goes on where the page is closed.
 class MonteCarloPage : public QWidget, public Exportable {
     Q_OBJECT
 
   public:
-    MonteCarloPage(Workbench& workbench, Dialogs dialogs,
-                   ImageSourceFactory makeSource = makeIrsgImageSource, QWidget* parent = nullptr);
-    ~MonteCarloPage() override;
+    MonteCarloPage(Workbench& workbench, Dialogs dialogs, QWidget* parent = nullptr);
 
-    bool isRunning() const { return running_; }
+    /// Or waits in line.
+    bool isRunning() const;
     const MonteCarloPlots& plots() const { return *plots_; }
     /// What the fields ask for; throws irsg::InputError for fields that say nothing usable.
     MonteCarloData asked() const;
@@ -65,20 +61,16 @@ class MonteCarloPage : public QWidget, public Exportable {
     void addDraws(QFormLayout* form);
     void fillAnalyses();
     void fillScales();
+    std::shared_ptr<const irsg::SignatureDatabase> databaseOf(const ProjectModel& model) const;
     void writeScalingFiles();
     void refresh();
     void refreshCommand();
-    /// A thread with a renderer and files of its own, which serve run after run.
-    struct Worker;
-    void work(Worker& worker, int number, const MonteCarloData& asked, std::stop_token stop);
-    void onProgress(const Progress& progress);
-    void answerCancel();
-    void onEnd(std::shared_ptr<const MonteCarloData> data, const QStringList& sentences);
+    void connectJobs();
+    void showRun(const MonteCarloData& data);
     void rest();
 
     Workbench& workbench_;
     Dialogs dialogs_;
-    ImageSourceFactory makeSource_;
 
     QComboBox *analysis_ = nullptr, *quantity_ = nullptr, *sequence_ = nullptr,
               *statistic_ = nullptr;
@@ -92,14 +84,11 @@ class MonteCarloPage : public QWidget, public Exportable {
     QProgressBar* progress_ = nullptr;
     MonteCarloPlots* plots_ = nullptr;
 
-    bool running_ = false, cancelled_ = false;
-    int number_ = 0; ///< of the run that is heard of
+    bool cancelled_ = false;
+    int number_ = 0; ///< of the job that is heard of
     QTimer clockTick_;
     QElapsedTimer clock_;
     QString doing_;
-    /// The one in use is the last; those before it were cancelled and end by themselves. Last of
-    /// the members: they stop before the rest goes.
-    std::vector<std::unique_ptr<Worker>> workers_;
 };
 
 } // namespace smat::gui

@@ -20,6 +20,7 @@
 #include "gui/Theme.h"
 #include "gui/image/ImageExport.h"
 #include "gui/plot/CartesianPlot.h"
+#include "gui/plot/PlotExport.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/tools/RankingBars.h"
 #include "irsg/radiometry/Quantity.h"
@@ -224,7 +225,7 @@ void MonteCarloPlots::drawBands() {
 void MonteCarloPlots::drawHistogram() {
     histogram_->detachItems(QwtPlotItem::Rtti_PlotItem, true);
     const PlotStyle style = PlotStyle::screen(palette());
-    histogram_->setTitle(plotTitle(tr("Histogram"), style));
+    histogram_->setTitle(plotTitle(tr("Histogram"), {}, style));
     histogram_->setAxisTitle(QwtPlot::yLeft, axisText(tr("Draws"), style));
     if (data_.values.empty()) {
         placeText_->clear();
@@ -308,6 +309,24 @@ void MonteCarloPlots::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && bands_ != nullptr)
         QMetaObject::invokeMethod(
             this, [this] { makePlots(); }, Qt::QueuedConnection);
+}
+
+QStringList MonteCarloPlots::exportFilters() const {
+    if (data_.values.empty())
+        return {};
+    return {tr("Bands as text, with the ranking beside them (*.csv)"),
+            tr("All inputs and values (*.json)"), tr("Bands as a scalable picture (*.svg)"),
+            tr("Bands as PDF (*.pdf)"), tr("Picture of all plots (*.png)")};
+}
+
+void MonteCarloPlots::exportTo(const std::filesystem::path& file) const {
+    const std::string suffix = file.extension().string();
+    if (suffix == ".svg" || suffix == ".pdf")
+        exportPlot(*bands_, file);
+    else if (suffix == ".png")
+        writePicture(columns_->grab().toImage(), file);
+    else
+        saveMonteCarlo(data_, file);
 }
 
 } // namespace smat::gui

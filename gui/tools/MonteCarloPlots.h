@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "gui/Exportable.h"
 #include "smatcore/analysis/MonteCarlo.h"
 
 class QLabel;
@@ -16,7 +17,7 @@ class RankingBars;
 
 /// What a Monte Carlo analysis found: bands over the abscissa, the histogram at one abscissa, and
 /// the ranking of the scales.
-class MonteCarloPlots : public QWidget {
+class MonteCarloPlots : public QWidget, public Exportable {
     Q_OBJECT
 
   public:
@@ -27,6 +28,8 @@ class MonteCarloPlots : public QWidget {
     /// Chooses the abscissa of the histogram by its number.
     void showHistogramAt(int abscissa);
     const CartesianPlot* bands() const { return bands_; }
+    QStringList exportFilters() const override;
+    void exportTo(const std::filesystem::path& file) const override;
 
   protected:
     void changeEvent(QEvent* event) override;

@@ -143,10 +143,9 @@ Settings RadiativePage::settings() const {
 
 std::vector<std::string> RadiativePage::words() const {
     std::vector<std::string> words;
-    for (const auto* box : quantities_) {
+    for (const auto* box : quantities_)
         if (box->isChecked())
             words.push_back(box->objectName().toStdString());
-    }
     if (words.size() == quantities_.size())
         return {"all"};
     return words;
@@ -181,11 +180,10 @@ Calculation::Work RadiativePage::work() {
         const irsg::Vec3 point_m = targetReferencePoint(project, scenes);
         request.geometry = viewerGeometry(project, asked, point_m);
         request.leaveOutMissing = words.front() == "all";
-        for (const RadiativeQuantity& known : radiativeQuantities()) {
+        for (const RadiativeQuantity& known : radiativeQuantities())
             if (request.leaveOutMissing ||
                 std::find(words.begin(), words.end(), known.word) != words.end())
                 request.quantities.push_back(known.property);
-        }
         request.commandLine = commandFor(project, asked, words, request.geometry);
         const auto output = radiativeOutput(environment, request);
         return [this, output, point_m, models = project.models] {

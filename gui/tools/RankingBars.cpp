@@ -37,6 +37,18 @@ void RankingBars::setHint(const QString& hint) {
     update();
 }
 
+RankingBars::Axis RankingBars::axis() const {
+    double least = 0.0, most = 0.1;
+    for (const RankingBar& bar : bars_) {
+        least = std::min({least, bar.firstOrder.value, bar.firstOrder.low95, bar.total.value});
+        most = std::max({most, bar.firstOrder.high95, bar.total.value});
+    }
+    const double span = most - least;
+    const double step = span > 0.5 ? 0.2 : span > 0.2 ? 0.1 : 0.05;
+    return {std::max(step * std::floor(least / step), -0.6),
+            std::min(step * std::ceil(most / step), 1.2), step};
+}
+
 int RankingBars::rowHeight() const {
     const int room = height() - 2 * margin - titleHeight - axisHeight;
     return std::clamp(room / std::max(static_cast<int>(bars_.size()), 1), fontMetrics().height(),
@@ -60,17 +72,13 @@ void RankingBars::paintEvent(QPaintEvent*) {
         return;
     }
 
-    // Names take what they need, at most half; the axis goes from 0 to a round share.
+    // Names take what they need, at most half.
     const QFontMetrics metrics(painter.font());
     int names = 0;
-    double most = 0.1;
-    for (const RankingBar& bar : bars_) {
+    for (const RankingBar& bar : bars_)
         names = std::max(names, metrics.horizontalAdvance(bar.name));
-        most = std::max({most, bar.firstOrder.high95, bar.total.value});
-    }
     names = std::min(names, width() / 2);
-    const double step = most > 0.5 ? 0.2 : most > 0.2 ? 0.1 : 0.05;
-    most = std::min(step * std::ceil(most / step), 1.2);
+    const auto [least, most, step] = axis();
     const int left = margin + names + 8, right = width() - margin - 44;
     const int top = margin + titleHeight;
     const int row = rowHeight();
@@ -78,15 +86,19 @@ void RankingBars::paintEvent(QPaintEvent*) {
         std::min(static_cast<int>(bars_.size()), (height() - margin - axisHeight - top) / row);
     const int bottom = top + rows * row;
     const auto xOf = [&](double share) {
-        return left + (right - left) * std::clamp(share / most, 0.0, 1.0);
+        return left + (right - left) * std::clamp((share - least) / (most - least), 0.0, 1.0);
     };
 
-    for (double share = 0.0; share <= most + 1e-9; share += step) {
+    for (double share = least; share <= most + 1e-9; share += step) {
         painter.setPen(QPen(style.grid, 1.0));
         painter.drawLine(QPointF(xOf(share), top), QPointF(xOf(share), bottom));
         painter.setPen(style.text);
         painter.drawText(QRectF(xOf(share) - 30, bottom + 2, 60, 16), Qt::AlignCenter,
-                         QString::number(100.0 * share, 'f', 0));
+                         QString::number(std::round(100.0 * share), 'f', 0));
+    }
+    if (least < 0.0) {
+        painter.setPen(QPen(style.text, 1.0));
+        painter.drawLine(QPointF(xOf(0.0), top), QPointF(xOf(0.0), bottom));
     }
     painter.drawText(QRectF(margin, bottom + 18, width() - 2.0 * margin, 18), Qt::AlignCenter,
                      tr("Sobol' index (% of the variance)"));
@@ -98,7 +110,8 @@ void RankingBars::paintEvent(QPaintEvent*) {
         painter.drawText(QRectF(margin, y, names, row), Qt::AlignRight | Qt::AlignVCenter,
                          metrics.elidedText(bar.name, Qt::ElideMiddle, names));
         const auto rectTo = [&](double share) {
-            return QRectF(xOf(0.0), middle - 0.5 * thickness, xOf(share) - xOf(0.0), thickness);
+            return QRectF(xOf(0.0), middle - 0.5 * thickness, xOf(share) - xOf(0.0), thickness)
+                .normalized();
         };
         QColor color = style.curve(0);
         painter.setPen(Qt::NoPen);

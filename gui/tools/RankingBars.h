@@ -30,6 +30,12 @@ class RankingBars : public QWidget {
     QSize sizeHint() const override { return {360, 240}; }
     QSize minimumSizeHint() const override { return {130, 120}; }
 
+    /// Shares that the axis goes over, round ones: an estimate of an index may lie below 0.
+    struct Axis {
+        double least, most, step;
+    };
+    Axis axis() const;
+
   protected:
     void paintEvent(QPaintEvent* event) override;
     bool event(QEvent* event) override;

@@ -42,11 +42,10 @@ class UnlitFaces : public osg::NodeVisitor {
 osg::Matrixd poseMatrix(const irsg::Pose& pose) {
     const auto rotation = pose.attitude.rotation().m;
     osg::Matrixd matrix;
-    for (int row = 0; row < 3; ++row) {
+    for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)
             matrix(column, row) =
                 rotation[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-    }
     matrix.setTrans(pose.position_m.x, pose.position_m.y, pose.position_m.z);
     return matrix;
 }

@@ -11,7 +11,7 @@
 #include <QSize>
 
 #include "gui/ModelStore.h"
-#include "gui/image/ColorBar.h"
+#include "gui/image/ColorRule.h"
 #include "gui/view/OrbitCamera.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/image/RadianceImage.h"
@@ -41,11 +41,8 @@ struct InfraredRequest {
 
     InfraredQuantity quantity = InfraredQuantity::radiance;
     const irsg::ColorMap* map = nullptr;
-    std::optional<irsg::DisplayLimits> limits; ///< found by the rule where there are none
-    LimitMode limitMode = LimitMode::target;
-    irsg::ColorScale scale = irsg::ColorScale::linear;
-    std::pair<double, double> percentiles{2.0, 98.0};
-    bool markOutOfRange = false; ///< in colours of their own
+    std::optional<irsg::DisplayLimits> limits; ///< between these, else those the rule finds
+    ColorRule rule;
 };
 
 /// What came of it.

@@ -71,14 +71,11 @@ InfraredPicture InfraredScene::draw(const InfraredRequest& request) {
         picture.coarse = request.coarse;
         picture.revision = request.revision;
         const auto& values = picture.plane().values;
-        picture.limits = request.limits ? *request.limits
-                                        : automaticLimits({&values}, request.limitMode,
-                                                          request.percentiles, request.scale);
         // Colours hold still while something moves, levels of an equalized scale, too.
-        if (picture.limits.scale != request.scale || !picture.limits.levels)
-            picture.limits = picture.limits.with(request.scale, {values});
-        picture.colors = colorsOf(*image_, picture.plane(), *request.map, picture.limits,
-                                  request.markOutOfRange);
+        picture.limits = request.coarse && request.limits
+                             ? *request.limits
+                             : limitsBy(request.rule, {&values}, request.limits);
+        picture.colors = colorsOf(*image_, picture.plane(), *request.map, picture.limits);
     }
     last_ = picture;
     return picture;
@@ -126,11 +123,8 @@ void InfraredScene::update(const InfraredRequest& request) {
 }
 
 QImage colorsOf(const irsg::RadianceImage& image, const irsg::ImageChannel& plane,
-                const irsg::ColorMap& map, const irsg::DisplayLimits& limits, bool markOutOfRange) {
-    const auto color = [&](double value) {
-        return map.color(markOutOfRange ? value : std::clamp(value, limits.low, limits.high),
-                         limits);
-    };
+                const irsg::ColorMap& map, const irsg::DisplayLimits& limits) {
+    const auto color = [&](double value) { return map.color(value, limits); };
     QImage colors(image.width(), image.height(), QImage::Format_RGBA8888);
     // Many neighbours are equal: a uniform background is one value.
     float before = 0.0F;

@@ -41,6 +41,6 @@ class InfraredScene {
 /// The colours of a plane, one pixel each; values out of the limits in colours of their own, or in
 /// those of the ends.
 QImage colorsOf(const irsg::RadianceImage& image, const irsg::ImageChannel& plane,
-                const irsg::ColorMap& map, const irsg::DisplayLimits& limits, bool markOutOfRange);
+                const irsg::ColorMap& map, const irsg::DisplayLimits& limits);
 
 } // namespace smat::gui

@@ -1,6 +1,7 @@
 #include "gui/view/ModelPage.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include <QAction>
 #include <QActionGroup>
@@ -12,6 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/FlowBar.h"
 #include "gui/Readable.h"
 #include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
@@ -53,6 +55,33 @@ ModelPage::ModelPage(QWidget* parent) : QWidget(parent) {
     bar_ = new ColorBar(this);
     makeActions();
 
+    makeStrip();
+    auto* middle = new QHBoxLayout;
+    middle->setContentsMargins(0, 0, 0, 0);
+    middle->setSpacing(0);
+    middle->addWidget(view_, 1);
+    barHolder_ = new QWidget(this);
+    auto* holder = new QVBoxLayout(barHolder_);
+    holder->setContentsMargins(2, 6, 8, 8);
+    holder->addWidget(bar_);
+    middle->addWidget(barHolder_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(strip_);
+    column->addLayout(middle, 1);
+
+    connect(bar_, &ColorBar::limitsEdited, view_, &SceneView::setLimits);
+    const auto takeRule = [this] { view_->setColorRule(bar_->rule()); };
+    connect(bar_, &ColorBar::scaleChosen, view_, takeRule);
+    connect(bar_, &ColorBar::modeChosen, view_, takeRule);
+    connect(bar_, &ColorBar::marksChosen, view_, takeRule);
+    connect(view_, &SceneView::displayChanged, this, &ModelPage::refresh);
+    connect(view_, &SceneView::pictureShown, this, &ModelPage::refreshBar);
+    refresh();
+}
+
+void ModelPage::makeStrip() {
     visibleButton_ = switchButton(tr("Visible"), "showVisible",
                                   tr("The model in the colours of its file"), this);
     infraredButton_ =
@@ -81,8 +110,23 @@ ModelPage::ModelPage(QWidget* parent) : QWidget(parent) {
     connect(mapBox_, &QComboBox::textActivated, this,
             [this](const QString& name) { view_->setColorMap(name.toStdString()); });
 
-    auto* strip = new QHBoxLayout;
-    strip->setContentsMargins(8, 5, 8, 5);
+    sensorButton_ =
+        switchButton(tr("Sensor"), "showSensor",
+                     tr("What the sensor of the project sees; it is moved with Ctrl"), this);
+    inspectButton_ =
+        switchButton(tr("Inspect"), "showInspection",
+                     tr("A camera for looking around, which changes nothing in the project (%1)")
+                         .arg(inspection_->shortcut().toString(QKeySequence::NativeText)),
+                     this);
+    auto* cameras = new QButtonGroup(this);
+    cameras->addButton(sensorButton_);
+    cameras->addButton(inspectButton_);
+    connect(sensorButton_, &QToolButton::clicked, this, [this] { inspection_->setChecked(false); });
+    connect(inspectButton_, &QToolButton::clicked, this, [this] { inspection_->setChecked(true); });
+
+    strip_ = new FlowBar(this);
+    strip_->layout()->setContentsMargins(8, 5, 8, 5);
+    auto* strip = strip_->first();
     strip->setSpacing(2);
     strip->addWidget(visibleButton_);
     strip->addWidget(infraredButton_);
@@ -90,41 +134,25 @@ ModelPage::ModelPage(QWidget* parent) : QWidget(parent) {
     strip->addWidget(quantityBox_);
     strip->addSpacing(4);
     strip->addWidget(mapBox_);
-    strip->addStretch(1);
-    for (QAction* action : toggles_) {
+    strip_->second()->addWidget(sensorButton_);
+    strip_->second()->addWidget(inspectButton_);
+    for (QAction* action : QList<QAction*>{fit_} + toggles_) {
         auto* button = new QToolButton(this);
         button->setDefaultAction(action);
         button->setAutoRaise(true);
         button->setToolButtonStyle(Qt::ToolButtonIconOnly);
         button->setIconSize(QSize(18, 18));
-        strip->addWidget(button);
+        strip_->second()->addWidget(button);
     }
-    auto* middle = new QHBoxLayout;
-    middle->setContentsMargins(0, 0, 0, 0);
-    middle->setSpacing(0);
-    middle->addWidget(view_, 1);
-    barHolder_ = new QWidget(this);
-    auto* holder = new QVBoxLayout(barHolder_);
-    holder->setContentsMargins(2, 6, 8, 8);
-    holder->addWidget(bar_);
-    middle->addWidget(barHolder_);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(strip);
-    column->addLayout(middle, 1);
+    strip_->second()->setSpacing(2);
+}
 
-    connect(bar_, &ColorBar::limitsEdited, view_, &SceneView::setLimits);
-    connect(bar_, &ColorBar::scaleChosen, view_, &SceneView::setColorScale);
-    connect(bar_, &ColorBar::modeChosen, view_, [this](LimitMode mode) {
-        if (mode == LimitMode::percentile)
-            view_->setPercentiles(bar_->percentiles().first, bar_->percentiles().second);
-        else
-            view_->setLimitMode(mode);
-    });
-    connect(view_, &SceneView::displayChanged, this, &ModelPage::refresh);
-    connect(view_, &SceneView::pictureShown, this, &ModelPage::refreshBar);
-    refresh();
+void ModelPage::addField(QWidget* field) {
+    // Behind the cameras, before the buttons.
+    constexpr int place = 2;
+    strip_->second()->insertSpacing(place, 8);
+    strip_->second()->insertWidget(place + 1, field);
+    strip_->second()->insertSpacing(place + 2, 8);
 }
 
 QAction* ModelPage::toggle(const char* name, const QString& text, const QKeySequence& keys,
@@ -191,7 +219,43 @@ void ModelPage::makeActions() {
                        tr("A yellow line from the model's centre towards the sun"), false,
                        &SceneView::setSunVectorVisible);
     sun->setIcon(icon("sun-vector"));
-    toggles_ = {viewAxes, modelAxes, sun, wireframe};
+    auto* inset =
+        toggle("pictureInPicture", tr("Othe&r camera in a corner"), ctrlShift | Qt::Key_N,
+               tr("What the other camera sees, in a corner"), true, &SceneView::setInsetVisible);
+    inset->setIcon(icon("detach"));
+    toggles_ = {viewAxes, modelAxes, sun, wireframe, inset};
+    makeCameraActions();
+}
+
+void ModelPage::makeCameraActions() {
+    inspection_ = new QAction(icon("find"), tr("Inspectio&n camera"), this);
+    inspection_->setObjectName("inspectionCamera");
+    inspection_->setCheckable(true);
+    inspection_->setShortcut(Qt::Key_F7);
+    inspection_->setToolTip(tr("Looks around without moving the sensor (F7)"));
+    connect(inspection_, &QAction::toggled, view_, [this](bool on) {
+        view_->showCamera(on ? ViewCamera::inspection : ViewCamera::sensor);
+    });
+    fit_ = new QAction(icon("home"), tr("&Fit the model in the view"), this);
+    fit_->setObjectName("fitModel");
+    fit_->setShortcut(QKeySequence(Qt::ALT | Qt::Key_0));
+    fit_->setToolTip(tr("Moves the inspection camera to where the whole model is seen (Alt+0)"));
+    connect(fit_, &QAction::triggered, view_, &SceneView::fit);
+    const std::tuple<const char*, QString, ViewSide> sides[] = {
+        {"lookAtFront", tr("&Front"), ViewSide::front},
+        {"lookAtRear", tr("&Rear"), ViewSide::rear},
+        {"lookAtPort", tr("&Port side"), ViewSide::port},
+        {"lookAtStarboard", tr("&Starboard side"), ViewSide::starboard},
+        {"lookAtTop", tr("&Top"), ViewSide::top},
+        {"lookAtBottom", tr("&Bottom"), ViewSide::bottom}};
+    int key = Qt::Key_1;
+    for (const auto& [name, text, side] : sides) {
+        auto* action = new QAction(text, this);
+        action->setObjectName(name);
+        action->setShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(key++)));
+        connect(action, &QAction::triggered, view_, [this, side = side] { view_->lookAt(side); });
+        sides_ << action;
+    }
 }
 
 void ModelPage::fillMenu(QMenu* menu) {
@@ -203,6 +267,12 @@ void ModelPage::fillMenu(QMenu* menu) {
     maps->addSeparator();
     maps->addAction(nextMap_);
     menu->addSeparator();
+    menu->addAction(inspection_);
+    menu->addAction(fit_);
+    auto* sides = menu->addMenu(tr("&Look at"));
+    sides->setObjectName("viewSides");
+    sides->addActions(sides_);
+    menu->addSeparator();
     menu->addActions(toggles_);
 }
 
@@ -211,6 +281,9 @@ void ModelPage::refresh() {
     const bool apparent = view_->quantity() == InfraredQuantity::apparentTemperature;
     const QString map = QString::fromStdString(view_->colorMap().name());
     infrared_->setChecked(infrared);
+    const bool inspecting = view_->cameras().isInspecting();
+    inspection_->setChecked(inspecting);
+    (inspecting ? inspectButton_ : sensorButton_)->setChecked(true);
     (infrared ? infraredButton_ : visibleButton_)->setChecked(true);
     apparent_->setChecked(apparent);
     quantityBox_->setCurrentIndex(apparent ? 1 : 0);
@@ -220,10 +293,12 @@ void ModelPage::refresh() {
     for (QWidget* box :
          {static_cast<QWidget*>(quantityBox_), static_cast<QWidget*>(mapBox_), barHolder_})
         box->setVisible(infrared);
-    bar_->setMode(view_->limitMode());
+    const ColorRule& rule = view_->colorRule();
+    bar_->setMode(rule.mode);
     // The colours that were chosen, also while there is no picture to take limits from.
     bar_->setColors(view_->colorMap(), bar_->limits());
-    bar_->setScale(view_->colorScale());
+    bar_->setScale(rule.scale);
+    bar_->setMarksOutside(rule.marksOutside);
 }
 
 void ModelPage::refreshBar() {

@@ -15,6 +15,9 @@ class QToolButton;
 
 namespace smat::gui {
 
+class ColorBar;
+class FlowBar;
+
 /// The tab of the model: the 3-D view under a strip that switches between its displays, beside the
 /// colour bar of the infrared one. Owns the actions of the view, for the menu and their shortcuts.
 class ModelPage : public QWidget, public Exportable {
@@ -25,6 +28,10 @@ class ModelPage : public QWidget, public Exportable {
 
     SceneView* view() const { return view_; }
     ColorBar* colorBar() const { return bar_; }
+    /// Puts a field of somebody else beside the displays, above the view.
+    void addField(QWidget* field);
+    /// Those that need a model.
+    QList<QAction*> modelActions() const { return QList<QAction*>{fit_} + sides_; }
     /// Displays, quantity, colour map, wireframe, axes, sun vector.
     void fillMenu(QMenu* menu);
 
@@ -37,8 +44,8 @@ class ModelPage : public QWidget, public Exportable {
     QAction* toggle(const char* name, const QString& text, const QKeySequence& keys,
                     const QString& tip, bool on, void (SceneView::*set)(bool));
     void makeActions();
-    void makeQuantities();
-    void makeColorMaps();
+    void makeCameraActions();
+    void makeStrip();
     void refresh();
     void refreshBar();
     QImage pictureOfPage() const;
@@ -51,6 +58,12 @@ class ModelPage : public QWidget, public Exportable {
     QAction* nextMap_ = nullptr;
     QActionGroup* maps_ = nullptr;
     QList<QAction*> toggles_;
+    QAction* inspection_ = nullptr;
+    QAction* fit_ = nullptr;
+    QList<QAction*> sides_;
+    FlowBar* strip_ = nullptr;
+    QToolButton* sensorButton_ = nullptr;
+    QToolButton* inspectButton_ = nullptr;
     QToolButton* visibleButton_ = nullptr;
     QToolButton* infraredButton_ = nullptr;
     QComboBox* quantityBox_ = nullptr;

@@ -24,8 +24,9 @@ double OrbitCamera::rangeToShow(double radius_m, double fieldOfView_rad) {
 }
 
 irsg::Viewpoint OrbitCamera::viewpoint(const irsg::Vec3& referencePoint, double yaw_rad) const {
-    return irsg::Viewpoint::about(referencePoint, yaw_rad, azimuth_deg * radiansPerDegree,
-                                  elevation_deg * radiansPerDegree, range_m);
+    return irsg::Viewpoint::about(referencePoint + offset_m, yaw_rad,
+                                  azimuth_deg * radiansPerDegree, elevation_deg * radiansPerDegree,
+                                  range_m);
 }
 
 } // namespace smat::gui

@@ -10,6 +10,9 @@ struct OrbitCamera {
     double azimuth_deg = 0.0;   ///< -180 to 180
     double elevation_deg = 0.0; ///< -90 to 90
     double range_m = 1000.0;
+    /// Of the point it looks at, from the target's reference point in world axes; the sensor's is
+    /// 0.
+    irsg::Vec3 offset_m = {};
 
     /// As if the mouse took hold of the model's near side: right turns azimuth up, down raises the
     /// camera. `right` and `down` are in degrees.

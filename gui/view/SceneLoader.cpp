@@ -43,6 +43,15 @@ void SceneLoader::load(const Project& project, const Settings& settings) {
         });
 }
 
+void SceneLoader::cancel() {
+    if (!isBusy())
+        return;
+    task_.cancel();
+    tick_.stop();
+    emit waiting({});
+    emit cancelled(names_);
+}
+
 void SceneLoader::tell() {
     if (clock_.elapsed() < patience_ms)
         return;

@@ -23,6 +23,8 @@ class SceneLoader : public QObject {
     /// Returns at once; one of loaded and failed follows.
     void load(const Project& project, const Settings& settings);
     bool isBusy() const { return task_.isBusy(); }
+    /// Nothing more is heard of what is being read but `cancelled`.
+    void cancel();
 
   signals:
     /// "Reading ship.flt, 2.4 s", again and again; empty when there is nothing to wait for any
@@ -30,6 +32,8 @@ class SceneLoader : public QObject {
     void waiting(const QString& words);
     void loaded(std::shared_ptr<smat::gui::DisplayScene> scene);
     void failed(const QStringList& sentences);
+    /// With the names of the files.
+    void cancelled(const QString& names);
 
   private:
     void tell();

@@ -159,6 +159,7 @@ void SceneView::arrange() {
     for (const DisplayModel& model : impl_->scene.models)
         if (model.marks->getNumChildren() > 0)
             root.addChild(model.marks);
+    impl_->arrangeInset(!insetRect().isNull());
 }
 
 void SceneView::paintGL() {
@@ -171,6 +172,7 @@ void SceneView::paintGL() {
         arrange();
     }
     aim();
+    aimInset();
     impl_->viewer->frame();
     if (impl_->hasGlObjectsToDelete) {
         impl_->hasGlObjectsToDelete = false;
@@ -181,7 +183,7 @@ void SceneView::paintGL() {
 
 irsg::Viewpoint SceneView::eye() const {
     return showsPicture() ? picture_.eye
-                          : camera_.viewpoint(impl_->scene.referencePoint_m, targetYaw_rad_);
+                          : camera().viewpoint(impl_->scene.referencePoint_m, targetYaw_rad_);
 }
 
 double SceneView::fieldOfView_rad() const {
@@ -221,11 +223,14 @@ void SceneView::setScene(DisplayScene scene) {
     for (const auto& [file, database] : edited_)
         impl_->scene.setSignature(file, database);
     projectMap_ = false;
+    if (impl_->scene.models.empty())
+        cameras_.forgetInspection();
     dropPicture();
     arrange();
     if (context() != nullptr)
         doneCurrent();
     sceneChanged();
+    tellCamera();
 }
 
 void SceneView::setProject(const Project& project, const Settings& settings) {
@@ -240,14 +245,19 @@ void SceneView::setProject(const Project& project, const Settings& settings) {
         setColorMap(map);
     }
     if (const std::string& scale = settings.text(key::displayScale);
-        settings_.text(key::displayScale) != scale)
-        setColorScale(irsg::colorScaleNamed(scale));
+        settings_.text(key::displayScale) != scale ||
+        settings_[key::displayMarkOutside] != settings[key::displayMarkOutside]) {
+        ColorRule rule = rule_;
+        rule.scale = irsg::colorScaleNamed(scale);
+        rule.marksOutside = settings[key::displayMarkOutside];
+        setColorRule(rule);
+    }
     settings_ = settings;
     impl_->scene.placeTarget(targetPoseOf(settings));
     frame_ = {irsg::radians(settings[key::sensorFov]), settings[key::sensorWidth],
               settings[key::sensorHeight]};
-    camera_ = {settings[key::cameraAzimuth], settings[key::cameraElevation],
-               settings[key::cameraRange]};
+    cameras_.setSensor(
+        {settings[key::cameraAzimuth], settings[key::cameraElevation], settings[key::cameraRange]});
     targetYaw_rad_ = irsg::radians(settings[key::targetYaw]);
     const irsg::SunPosition sun = sunOf(project, settings);
     towardsSun_ = irsg::direction(sun.azimuth_rad, sun.elevation_rad);
@@ -260,9 +270,9 @@ void SceneView::setTargetPose(const irsg::Pose& pose) {
 }
 
 void SceneView::setCamera(const OrbitCamera& camera, double targetYaw_rad) {
-    if (camera == camera_ && targetYaw_rad == targetYaw_rad_)
+    if (camera == cameras_.sensor() && targetYaw_rad == targetYaw_rad_)
         return;
-    camera_ = camera;
+    cameras_.setSensor(camera);
     targetYaw_rad_ = targetYaw_rad;
     sceneChanged();
 }
@@ -306,20 +316,6 @@ void SceneView::setHighlighted(const FaceSelection& selection) {
     redraw();
 }
 
-void SceneView::showWholeModel() {
-    const double tanHalf = std::tan(frame_.horizontalFieldOfView_rad / 2.0);
-    const double aspect = static_cast<double>(frame_.height_px) / frame_.width_px;
-    const double narrow = 2.0 * std::atan(tanHalf * std::min(1.0, aspect));
-    camera_.range_m = OrbitCamera::rangeToShow(impl_->scene.radius_m, narrow);
-    userMoved();
-}
-
-void SceneView::userMoved() {
-    lastPick_.reset();
-    sceneChanged();
-    emit cameraMoved(camera_);
-}
-
 void SceneView::sceneChanged() {
     redraw();
     if (display_ == ViewDisplay::infrared)
@@ -360,7 +356,9 @@ ViewHud SceneView::hud() const {
     ViewHud hud;
     hud.frame = frame_;
     hud.projection = projection();
-    hud.camera = camera_;
+    hud.camera = camera();
+    hud.inspecting = cameras_.isInspecting();
+    hud.inset = insetRect();
     hud.hasProject = project_ != nullptr;
     hud.hasModel = !impl_->scene.models.empty();
     if (hud.hasModel) {

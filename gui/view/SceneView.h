@@ -9,11 +9,11 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
-#include "gui/image/ColorBar.h"
+#include "gui/image/ColorRule.h"
 #include "gui/view/DisplayScene.h"
 #include "gui/view/InfraredRequest.h"
 #include "gui/view/ModelFaces.h"
-#include "gui/view/OrbitCamera.h"
+#include "gui/view/ViewCameras.h"
 #include "gui/view/ViewProjection.h"
 
 namespace smat::gui {
@@ -23,11 +23,14 @@ struct ViewHud;
 
 enum class ViewDisplay { visible, infrared };
 
-/// OpenSceneGraph in a Qt window: turns a model, in its visible colours or in the infrared, about
-/// its reference point. Draws when asked and not otherwise. The left button turns, the wheel
-/// changes the range, a double click shows the whole model, a click picks a face. The picture is
-/// what the sensor sees, framed. The infrared picture is drawn by the infrared renderer in a thread
-/// of its own, coarser while something moves; what it cannot be made of is told over the view.
+/// OpenSceneGraph in a Qt window: shows a model, in its visible colours or in the infrared. Draws
+/// when asked and not otherwise. It looks through the sensor of the project, whose picture is
+/// framed, or through an inspection camera that changes nothing: whoever takes the mouse looks
+/// around. The left button turns, the right one or Shift shifts, the wheel comes nearer, a double
+/// click shows the whole model, a click picks a face; with Ctrl it is the sensor that moves. The
+/// picture of the other camera is seen in a corner, where a click changes to it. The infrared
+/// picture is drawn by the infrared renderer in a thread of its own, coarser while something moves;
+/// what it cannot be made of is told over the view.
 class SceneView : public QOpenGLWidget {
     Q_OBJECT
 
@@ -43,8 +46,19 @@ class SceneView : public QOpenGLWidget {
     /// that of setScene.
     void setProject(const Project& project, const Settings& settings);
     void setTargetPose(const irsg::Pose& pose);
+    /// That of the sensor.
     void setCamera(const OrbitCamera& camera, double targetYaw_rad);
-    const OrbitCamera& camera() const { return camera_; }
+    /// The one that is looked through.
+    const OrbitCamera& camera() const { return cameras_.camera(); }
+    const ViewCameras& cameras() const { return cameras_; }
+    void showCamera(ViewCamera camera);
+    /// Of the inspection camera: the whole model, or a side of it.
+    void fit();
+    void lookAt(ViewSide side);
+    /// The picture of the other camera in a corner, in visible colours.
+    void setInsetVisible(bool on);
+    /// Where it is, in the widget; null where there is none.
+    QRectF insetRect() const;
     void setFrame(const ViewFrame& frame);
     /// A database that is being edited stands in for a file, by its resolved path; null for the
     /// file again. Drawn at once.
@@ -58,13 +72,10 @@ class SceneView : public QOpenGLWidget {
     /// Throws irsg::InputError for a map that does not exist.
     void setColorMap(const std::string& name);
     const irsg::ColorMap& colorMap() const { return *map_; }
-    void setLimitMode(LimitMode mode);
-    irsg::ColorScale colorScale() const { return scale_; }
-    void setColorScale(irsg::ColorScale scale);
-    LimitMode limitMode() const { return limitMode_; }
-    /// Limits between two percentiles of the picture.
-    void setPercentiles(double low, double high);
-    /// Locks them.
+    /// What comes to be locked stays as it is seen.
+    void setColorRule(const ColorRule& rule);
+    const ColorRule& colorRule() const { return rule_; }
+    /// Locks limits at these.
     void setLimits(const irsg::DisplayLimits& limits);
     /// The infrared picture that is seen; null where there is none.
     const InfraredPicture* shownPicture() const;
@@ -80,7 +91,7 @@ class SceneView : public QOpenGLWidget {
     void setHighlighted(const FaceSelection& selection);
     const FaceSelection& highlighted() const { return look_.selection; }
 
-    /// Moves the camera to where the whole model is seen.
+    /// Moves the sensor to where the whole model is seen.
     void showWholeModel();
     /// Of what is seen: in the infrared the camera of the picture.
     ViewProjection projection() const;
@@ -94,7 +105,7 @@ class SceneView : public QOpenGLWidget {
     long frameCount() const { return frameCount_; }
 
   signals:
-    /// The user moved it.
+    /// The user moved the sensor.
     void cameraMoved(const OrbitCamera& camera);
     /// A click on a face; at the same place again, the face behind it.
     void facePicked(int temperatureIndex, int materialIndex, int model, const irsg::Vec3& point_m);
@@ -123,7 +134,13 @@ class SceneView : public QOpenGLWidget {
   private:
     void releaseGl();
     void aim();
-    void userMoved();
+    void sensorMoved();
+    void inspected();
+    void tellCamera();
+    OrbitCamera& moved(bool sensor);
+    void tellMoved(bool sensor);
+    double narrowFieldOfView_rad() const;
+    void aimInset();
     void redraw();
     /// Paints what is written over the picture where it differs.
     void refreshHud();
@@ -147,11 +164,12 @@ class SceneView : public QOpenGLWidget {
 
     struct Impl;
     std::unique_ptr<Impl> impl_;
-    OrbitCamera camera_;
+    ViewCameras cameras_;
+    ViewCamera toldCamera_ = ViewCamera::sensor; ///< as the last displayChanged had it
     double targetYaw_rad_ = 0.0;
     ViewFrame frame_;
     irsg::Vec3 towardsSun_{0, 0, 1};
-    bool viewAxes_ = true, modelAxes_ = false, sunVector_ = false;
+    bool viewAxes_ = true, modelAxes_ = false, sunVector_ = false, inset_ = true;
     struct Look {
         FaceSelection selection;
         bool wireframe = false;
@@ -161,9 +179,7 @@ class SceneView : public QOpenGLWidget {
     InfraredQuantity quantity_ = InfraredQuantity::radiance;
     const irsg::ColorMap* map_ = nullptr;
     bool projectMap_ = false; ///< that of the project's settings was taken
-    irsg::ColorScale scale_ = irsg::ColorScale::linear;
-    LimitMode limitMode_ = LimitMode::target;
-    std::pair<double, double> percentiles_{2.0, 98.0};
+    ColorRule rule_;
     irsg::DisplayLimits lockedLimits_;
     std::shared_ptr<const Project> project_;
     Settings settings_;
@@ -177,6 +193,7 @@ class SceneView : public QOpenGLWidget {
     QTimer rest_, waiting_;
 
     std::optional<QPointF> pressAt_, dragFrom_, hoverAt_;
+    bool dragsSensor_ = false, dragPans_ = false;
     struct LastPick {
         QPointF at;
         std::size_t number = 0;

@@ -40,8 +40,8 @@ void SceneView::setQuantity(InfraredQuantity quantity) {
         return;
     quantity_ = quantity;
     // Limits in another unit mean nothing.
-    if (limitMode_ == LimitMode::locked)
-        limitMode_ = LimitMode::target;
+    if (rule_.mode == LimitMode::locked)
+        rule_.mode = LimitMode::target;
     emit displayChanged();
     sendRequest(false);
 }
@@ -52,27 +52,16 @@ void SceneView::setColorMap(const std::string& name) {
     sendRequest(false);
 }
 
-void SceneView::setColorScale(irsg::ColorScale scale) {
-    scale_ = scale;
-    emit displayChanged();
-    sendRequest(false);
-}
-
-void SceneView::setLimitMode(LimitMode mode) {
-    limitMode_ = mode;
-    if (mode == LimitMode::locked && picture_.image)
+void SceneView::setColorRule(const ColorRule& rule) {
+    if (rule.mode == LimitMode::locked && rule_.mode != LimitMode::locked && picture_.image)
         lockedLimits_ = picture_.limits;
+    rule_ = rule;
     emit displayChanged();
     sendRequest(false);
-}
-
-void SceneView::setPercentiles(double low, double high) {
-    percentiles_ = {low, high};
-    setLimitMode(LimitMode::percentile);
 }
 
 void SceneView::setLimits(const irsg::DisplayLimits& limits) {
-    limitMode_ = LimitMode::locked;
+    rule_.mode = LimitMode::locked;
     lockedLimits_ = limits;
     emit displayChanged();
     sendRequest(false);
@@ -146,7 +135,7 @@ void SceneView::sendRequest(bool coarse) {
     request.settings = settings_;
     request.edited = edited_;
     request.models = impl_->scene.loaded;
-    request.camera = camera_;
+    request.camera = camera();
     request.targetYaw_rad = targetYaw_rad_;
     request.size_px = size() * devicePixelRatio();
     if (coarse)
@@ -157,15 +146,13 @@ void SceneView::sendRequest(bool coarse) {
     request.revision = revision_;
     request.quantity = quantity_;
     request.map = map_;
-    request.limitMode = limitMode_;
-    request.scale = scale_;
-    request.percentiles = percentiles_;
+    request.rule = rule_;
     // Colours hold still while something moves.
-    request.markOutOfRange = limitMode_ == LimitMode::locked;
-    if (limitMode_ == LimitMode::locked)
-        request.limits = lockedLimits_;
-    else if (coarse && picture_.image && picture_.quantity == quantity_)
+    const bool isOf = picture_.image && picture_.quantity == quantity_;
+    if (coarse && isOf)
         request.limits = picture_.limits;
+    else if (rule_.mode == LimitMode::locked)
+        request.limits = lockedLimits_;
     infrared_->ask(std::move(request));
     waiting_.start();
 }

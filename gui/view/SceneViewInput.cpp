@@ -67,7 +67,7 @@ void SceneView::pick(const QPointF& point) {
     const auto sameFace = [](const FaceHit& a, const FaceHit& b) {
         return a.model == b.model && a.codes == b.codes;
     };
-    if (lastPick_ && QLineF(lastPick_->at, point).length() < 3.0 && lastPick_->camera == camera_ &&
+    if (lastPick_ && QLineF(lastPick_->at, point).length() < 3.0 && lastPick_->camera == camera() &&
         lastPick_->number < hits.size()) {
         number = lastPick_->number;
         while (number < hits.size() && sameFace(hits[number], hits[lastPick_->number]))
@@ -75,7 +75,7 @@ void SceneView::pick(const QPointF& point) {
         if (number == hits.size())
             number = 0;
     }
-    lastPick_ = LastPick{point, number, camera_};
+    lastPick_ = LastPick{point, number, camera()};
     const FaceHit& hit = hits[number];
     setHighlighted({hit.codes.temperature, hit.codes.material, hit.model});
     emit facePicked(hit.codes.temperature, hit.codes.material, hit.model, hit.point_m);
@@ -91,12 +91,18 @@ void SceneView::hover(const std::optional<QPointF>& point) {
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton)
-        pressAt_ = event->position();
+    if (event->button() == Qt::LeftButton && insetRect().contains(event->position())) {
+        showCamera(cameras_.isInspecting() ? ViewCamera::sensor : ViewCamera::inspection);
+        return;
+    }
+    const bool shifts = event->button() != Qt::LeftButton || event->modifiers() & Qt::ShiftModifier;
+    pressAt_ = event->position();
+    dragsSensor_ = event->modifiers() & Qt::ControlModifier && !shifts;
+    dragPans_ = shifts;
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-    if (!(event->buttons() & Qt::LeftButton) || !pressAt_) {
+    if (event->buttons() == Qt::NoButton || !pressAt_) {
         hover(event->position());
         return;
     }
@@ -107,15 +113,18 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = event->position() - dragFrom_.value_or(*pressAt_);
     dragFrom_ = event->position();
     constexpr double degreesPerPixel = 0.4;
-    camera_.turn(moved.x() * degreesPerPixel, moved.y() * degreesPerPixel);
+    if (dragPans_)
+        cameras_.pan(moved.x(), moved.y(), projection());
+    else
+        this->moved(dragsSensor_).turn(moved.x() * degreesPerPixel, moved.y() * degreesPerPixel);
     hover(event->position());
-    userMoved();
+    tellMoved(dragsSensor_);
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton || !pressAt_)
+    if (!pressAt_)
         return;
-    const bool clicked = !dragFrom_;
+    const bool clicked = !dragFrom_ && event->button() == Qt::LeftButton;
     pressAt_.reset();
     dragFrom_.reset();
     if (clicked)
@@ -125,7 +134,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent*) {
     pressAt_.reset();
-    showWholeModel();
+    fit();
 }
 
 void SceneView::leaveEvent(QEvent* event) {
@@ -134,33 +143,35 @@ void SceneView::leaveEvent(QEvent* event) {
 }
 
 void SceneView::wheelEvent(QWheelEvent* event) {
-    camera_.approach(std::pow(0.9, event->angleDelta().y() / 120.0));
-    userMoved();
+    const bool sensor = event->modifiers() & Qt::ControlModifier;
+    moved(sensor).approach(std::pow(0.9, event->angleDelta().y() / 120.0));
+    tellMoved(sensor);
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
     const double step = event->modifiers() & Qt::ShiftModifier ? 1.0 : 10.0;
+    const bool sensor = event->modifiers() & Qt::ControlModifier;
     switch (event->key()) {
     case Qt::Key_Left:
-        camera_.turn(-step, 0.0);
+        moved(sensor).turn(-step, 0.0);
         break;
     case Qt::Key_Right:
-        camera_.turn(step, 0.0);
+        moved(sensor).turn(step, 0.0);
         break;
     case Qt::Key_Up:
-        camera_.turn(0.0, step);
+        moved(sensor).turn(0.0, step);
         break;
     case Qt::Key_Down:
-        camera_.turn(0.0, -step);
+        moved(sensor).turn(0.0, -step);
         break;
     case Qt::Key_PageUp:
-        camera_.approach(0.8);
+        moved(sensor).approach(0.8);
         break;
     case Qt::Key_PageDown:
-        camera_.approach(1.25);
+        moved(sensor).approach(1.25);
         break;
     case Qt::Key_Home:
-        showWholeModel();
+        fit();
         return;
     case Qt::Key_Escape:
         setHighlighted({});
@@ -170,7 +181,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
         QOpenGLWidget::keyPressEvent(event);
         return;
     }
-    userMoved();
+    tellMoved(sensor);
 }
 
 } // namespace smat::gui

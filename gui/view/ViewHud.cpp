@@ -86,7 +86,10 @@ void ViewHud::paint(QPainter& painter) const {
         paintInvitation(painter);
         return;
     }
-    paintFrame(painter);
+    if (!inspecting)
+        paintFrame(painter);
+    if (!inset.isNull())
+        paintInset(painter);
     if (hasModel && modelAxes)
         paintModelAxes(painter);
     if (hasModel && sunVector)
@@ -113,7 +116,9 @@ double ViewHud::axisLength_m() const {
 }
 
 QPointF ViewHud::viewAxesOrigin() const {
-    return frameRectIn(frame, projection.window).bottomLeft() + QPointF(64.0, -64.0);
+    const QRectF inner =
+        inspecting ? QRectF(QPointF(), projection.window) : frameRectIn(frame, projection.window);
+    return inner.bottomLeft() + QPointF(64.0, -64.0);
 }
 
 void ViewHud::paintFrame(QPainter& painter) const {
@@ -184,14 +189,32 @@ void ViewHud::paintSun(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
 }
 
+QRectF ViewHud::wordsArea() const {
+    const QRectF inner =
+        inspecting ? QRectF(QPointF(), projection.window) : frameRectIn(frame, projection.window);
+    return inner.adjusted(inset_px + 8, inset_px + 6, -inset_px - 8, -inset_px - 6);
+}
+
+void ViewHud::paintInset(QPainter& painter) const {
+    painter.setPen(QPen(faded(inkOf(dark), 0.75F), 1.4));
+    painter.drawRect(inset);
+    drawLabel(painter, inset.adjusted(3, 3, -3, -3), Corner::topLeft,
+              inspecting ? tr("sensor") : tr("inspection"), dark);
+}
+
 void ViewHud::paintWords(QPainter& painter) const {
-    const QRectF area = frameRectIn(frame, projection.window)
-                            .adjusted(inset_px + 8, inset_px + 6, -inset_px - 8, -inset_px - 6);
-    const QString words = QStringLiteral("azimuth %1°   elevation %2°   range %3 m")
+    QRectF area = wordsArea();
+    const QString words = tr(inspecting ? "inspection   azimuth %1°   elevation %2°   distance %3 m"
+                                        : "sensor   azimuth %1°   elevation %2°   range %3 m")
                               .arg(camera.azimuth_deg, 0, 'f', 1)
                               .arg(camera.elevation_deg, 0, 'f', 1)
                               .arg(camera.range_m, 0, 'g', 6);
-    drawLabel(painter, area, Corner::topLeft, words, dark);
+    QRectF left = area;
+    if (!inset.isNull())
+        left.setRight(inset.left() - 6.0);
+    drawLabel(painter, left, Corner::topLeft, words, dark);
+    if (!inset.isNull())
+        area.setTop(std::max(area.top(), inset.bottom() + 6.0));
     if (!busy.isEmpty())
         drawLabel(painter, area, Corner::topRight, busy, dark);
     if (!readout.isEmpty())

@@ -15,7 +15,9 @@ namespace smat::gui {
 struct ViewHud {
     ViewFrame frame;
     ViewProjection projection;
-    OrbitCamera camera;
+    OrbitCamera camera;      ///< the one that is looked through
+    bool inspecting = false; ///< which is not the sensor's
+    QRectF inset;            ///< the picture of the other one; null where there is none
     irsg::Vec3 reference_m;  ///< of the target, in the world
     irsg::Attitude attitude; ///< of the target
     double radius_m = 1.0;   ///< of the target
@@ -41,6 +43,8 @@ struct ViewHud {
   private:
     void paintInvitation(QPainter& painter) const;
     void paintFrame(QPainter& painter) const;
+    void paintInset(QPainter& painter) const;
+    QRectF wordsArea() const;
     void paintViewAxes(QPainter& painter) const;
     void paintModelAxes(QPainter& painter) const;
     void paintSun(QPainter& painter) const;

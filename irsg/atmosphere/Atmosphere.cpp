@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "irsg/atmosphere/AirNodes.h"
+#include "irsg/atmosphere/Earth.h"
 #include "irsg/atmosphere/SunDiscGeometry.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
@@ -32,7 +33,6 @@ std::string Atmosphere::refusal(AtmosphereProperty property) const {
 
 double Atmosphere::horizonElevation_rad(double altitude_m) const {
     // cos(dip) = R / (R + h); by the tangent, which keeps its digits near the ground.
-    constexpr double earthRadius_m = 6371.23e3;
     const double h_m = std::max(altitude_m, 0.0);
     return -std::atan(std::sqrt(h_m * (2.0 * earthRadius_m + h_m)) / earthRadius_m);
 }
@@ -49,18 +49,16 @@ double Atmosphere::ambientTemperature_K(double) const {
 std::vector<double> Atmosphere::answer(const AtmosphericQuery& question,
                                        const SpectralSampling& sampling) const {
     if (const SensorCkData* terms = SensorCkData::of(sampling)) {
-        if (!isWidebandModeAvailable()) {
+        if (!isWidebandModeAvailable())
             refuseWideband(*this);
-        }
         checkQuestion(question);
         return valuesAtTerms(question, *terms);
     }
     if (const AirNodes* nodes = AirNodes::of(sampling)) {
         checkRange(sampling.range());
         checkQuestion(question);
-        if (auto values = valuesAtNodes(question, *nodes)) {
+        if (auto values = valuesAtNodes(question, *nodes))
             return std::move(*values);
-        }
     }
     return sampling.sampled(spectrum(question, sampling.range()));
 }
@@ -141,12 +139,10 @@ void Atmosphere::checkQuestion(const AtmosphericQuery& question) const {
         checkAltitude(question.altitude_m);
         break;
     }
-    if (question.quantity == AtmosphereProperty::ambientTemperature) {
+    if (question.quantity == AtmosphereProperty::ambientTemperature)
         throw LogicError("a temperature was asked for as a spectrum");
-    }
-    if (!supports(question.quantity)) {
+    if (!supports(question.quantity))
         refuse(*this, question.quantity);
-    }
 }
 
 void Atmosphere::checkRange(const SpectralRange& range) const {

@@ -7,12 +7,16 @@
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
+#include "irsg/radiometry/Wording.h"
 
 namespace irsg {
 
 namespace {
 
-std::shared_ptr<const Atmosphere> fromKarmaXml(const std::filesystem::path& file) {
+namespace fs = std::filesystem;
+using Opened = std::shared_ptr<const Atmosphere>;
+
+Opened fromKarmaXml(const fs::path& file) {
     const KarmaXml document = KarmaXml::read(file);
     if (document.typeName() == "AtmosphereSmart")
         return AtmosphereSmart::fromXml(file);
@@ -28,28 +32,43 @@ std::shared_ptr<const Atmosphere> fromKarmaXml(const std::filesystem::path& file
 
 } // namespace
 
-std::shared_ptr<const Atmosphere> loadAtmosphere(const std::filesystem::path& file) {
-    if (isXml(file)) {
-        return fromKarmaXml(file);
-    }
-    if (SpectraAtmosphere::isSpectraCsv(file)) {
-        return std::make_shared<SpectraAtmosphere>(SpectraAtmosphere::fromCsv(file));
-    }
-    if (TabulatedAtmosphere::isTableFile(file)) {
-        return std::make_shared<TabulatedAtmosphere>(TabulatedAtmosphere::read(file));
-    }
-    if (TabulatedAtmosphere::canImport(file)) {
-        return std::make_shared<TabulatedAtmosphere>(
-            TabulatedAtmosphere::import(std::span(&file, 1)));
-    }
-    if (file.extension() == ".csv") {
-        return std::make_shared<BeerLambert>(BeerLambert::fromCsv(file));
-    }
-    throw InputError({file.string(), "", "no atmosphere of a kind that is known",
-                      "an .xml of AtmosphereSmart or AtmosphereScatteringLUT, a .csv of a "
-                      "homogeneous atmosphere or of a "
-                      "radiative output, a .smatatm, or "
-                      "MODTRAN's tape7, CSV or JSON"});
+const std::vector<AtmosphereFormat>& atmosphereFormats() {
+    static const std::vector<AtmosphereFormat> all = {
+        {".xml of AtmosphereSmart, .xml of AtmosphereScatteringLUT", isXml, fromKarmaXml},
+        {".csv of a radiative output", SpectraAtmosphere::isSpectraCsv,
+         [](const fs::path& file) -> Opened {
+             return std::make_shared<SpectraAtmosphere>(SpectraAtmosphere::fromCsv(file));
+         }},
+        {".smatatm", TabulatedAtmosphere::isTableFile,
+         [](const fs::path& file) -> Opened {
+             return std::make_shared<TabulatedAtmosphere>(TabulatedAtmosphere::read(file));
+         }},
+        {"tape7, .csv or .json of MODTRAN", TabulatedAtmosphere::canImport,
+         [](const fs::path& file) -> Opened {
+             return std::make_shared<TabulatedAtmosphere>(
+                 TabulatedAtmosphere::import(std::span(&file, 1)));
+         }},
+        {".csv of homogeneous air", [](const fs::path& file) { return file.extension() == ".csv"; },
+         [](const fs::path& file) -> Opened {
+             return std::make_shared<BeerLambert>(BeerLambert::fromCsv(file));
+         }},
+    };
+    return all;
+}
+
+std::string atmosphereFormatWords() {
+    std::vector<std::string> words;
+    for (const AtmosphereFormat& format : atmosphereFormats())
+        words.emplace_back(format.words);
+    return alternatives(words);
+}
+
+std::shared_ptr<const Atmosphere> loadAtmosphere(const fs::path& file) {
+    for (const AtmosphereFormat& format : atmosphereFormats())
+        if (format.recognises(file))
+            return format.open(file);
+    throw InputError(
+        {file.string(), "", "no atmosphere of a kind that is known", atmosphereFormatWords()});
 }
 
 } // namespace irsg

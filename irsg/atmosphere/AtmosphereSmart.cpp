@@ -10,6 +10,7 @@
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileStamp.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -28,7 +29,7 @@ std::optional<CkStore> storeOf(const AtmosphereSmart& air) {
 
 /// All that terms depend on: the program's own way to train, the tables, the air, the request.
 CkKey keyOf(const AtmosphereSmart& air, const CkRequest& request) {
-    constexpr double training = 3; // counts up with every change of what is trained
+    constexpr double training = 4; // counts up with every change of what is trained
     CkKey key;
     key.add(training);
     // A table that was made anew has another time.
@@ -36,12 +37,8 @@ CkKey keyOf(const AtmosphereSmart& air, const CkRequest& request) {
     std::set<std::filesystem::path> tables;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         tables.insert(entry.path());
-    for (const std::filesystem::path& table : tables) {
-        const auto changed = std::filesystem::last_write_time(table).time_since_epoch();
-        key.add(table.filename().string())
-            .add(static_cast<double>(std::filesystem::file_size(table)))
-            .add(static_cast<double>(changed.count()));
-    }
+    for (const std::filesystem::path& table : tables)
+        key.add(table.filename().string() + "|" + stampOf(table).value_or(FileStamp()).text());
     for (const auto& some : {smartParameters(), ownSmartParameters()})
         for (const SmartParameter& parameter : some)
             key.add(std::string(parameter.name)).add(valueText(parameter, air.parameters()));

@@ -50,12 +50,11 @@ class Check {
             [&](auto field) {
                 const auto& value = p_.*field;
                 using Value = std::remove_cvref_t<decltype(value)>;
-                if constexpr (std::is_same_v<Value, std::vector<double>>) {
+                if constexpr (std::is_same_v<Value, std::vector<double>>)
                     for (const double one : value)
                         checkNumber(parameter, one);
-                } else if constexpr (!std::is_same_v<Value, std::string>) {
+                else if constexpr (!std::is_same_v<Value, std::string>)
                     checkNumber(parameter, static_cast<double>(value));
-                }
             },
             parameter.field);
     }
@@ -225,14 +224,13 @@ SmartReading fromKarma(const KarmaXml& document) {
     SmartReading reading;
     std::vector<Diagnostic> diagnostics;
     ValueReader reader(document, diagnostics);
-    for (const SmartParameter& parameter : smartParameters()) {
+    for (const SmartParameter& parameter : smartParameters())
         if (const KarmaParameter* found = document.find(parameter.name))
             reader.read(parameter, *found, reading.parameters);
         else
             reading.remarks.push_back(
                 "no " + std::string(parameter.name) + ": taken as " +
                 withUnit(valueText(parameter, reading.parameters), parameter.unit));
-    }
     for (const SmartParameter& parameter : ownSmartParameters())
         if (const KarmaParameter* found = document.find(parameter.name))
             reader.read(parameter, *found, reading.parameters);
@@ -270,12 +268,11 @@ void toKarma(const AtmosphereSmartParameters& parameters, KarmaXml& document) {
     };
     std::ranges::for_each(smartParameters(), write);
     const AtmosphereSmartParameters defaults;
-    for (const SmartParameter& parameter : ownSmartParameters()) {
+    for (const SmartParameter& parameter : ownSmartParameters())
         if (valueText(parameter, parameters) != valueText(parameter, defaults))
             write(parameter);
         else
             document.remove(parameter.name);
-    }
 }
 
 KarmaXml toKarma(const AtmosphereSmartParameters& parameters, const std::string& documentation) {

@@ -21,9 +21,8 @@ spectraOf(const BeerLambertParameters& parameters) {
         {"solar irradiance", &parameters.solarIrradiance_W_m2_um},
         {"downward flux", &parameters.downwardFlux_W_m2_um},
         {"upward flux", &parameters.upwardFlux_W_m2_um}};
-    if (parameters.skyRadiance_W_m2_sr_um) {
+    if (parameters.skyRadiance_W_m2_sr_um)
         spectra.emplace_back("sky radiance", &*parameters.skyRadiance_W_m2_sr_um);
-    }
     return spectra;
 }
 
@@ -43,18 +42,16 @@ void check(const BeerLambertParameters& parameters) {
                                    "a finite temperature of at least 0 K"});
         }
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
 }
 
 /// What all sampled spectra cover; the base of Vacuum where all are constant.
 SpectralRange commonRange(const BeerLambertParameters& parameters) {
     std::optional<SpectralRange> common;
     for (const auto& [what, spectrum] : spectraOf(parameters)) {
-        if (spectrum->isConstant()) {
+        if (spectrum->isConstant())
             continue;
-        }
         const double first_um = spectrum->wavelengths_um().front();
         const double last_um = spectrum->wavelengths_um().back();
         common = common ? SpectralRange{std::max(common->min_um, first_um),
@@ -107,18 +104,16 @@ Spectrum BeerLambert::nativeSpectrum(const AtmosphericQuery& question,
 
 Spectrum BeerLambert::through(double range_m, const SpectralRange& range) const {
     const Spectrum& extinction = parameters_.extinction_per_m;
-    if (extinction.isConstant() || range_m == 0.0) {
+    if (extinction.isConstant() || range_m == 0.0)
         return Spectrum::constant(std::exp(-extinction.values().front() * range_m));
-    }
     return sampledCurve(
         [&](double wavelength_um) { return std::exp(-extinction.at(wavelength_um) * range_m); },
         kinks(range), airTolerance, airFloor);
 }
 
 Spectrum BeerLambert::emittedAlong(double range_m, const SpectralRange& range) const {
-    if (range_m == 0.0) {
+    if (range_m == 0.0)
         return Spectrum::constant(0.0);
-    }
     // 1 - tau loses its digits in thin air: expm1.
     return sampledCurve(
         [&](double wavelength_um) {
@@ -130,9 +125,8 @@ Spectrum BeerLambert::emittedAlong(double range_m, const SpectralRange& range) c
 }
 
 Spectrum BeerLambert::seenAlong(const LineOfSight& sight, const SpectralRange& range) const {
-    if (sight.elevation_rad >= 0.0) {
+    if (sight.elevation_rad >= 0.0)
         return unboundedRadiance(range);
-    }
 
     // The ground at the end of the way down, seen through the air and the air before it.
     const double way_m = sight.sensorAltitude_m / std::sin(-sight.elevation_rad);
@@ -161,16 +155,14 @@ Spectrum BeerLambert::unboundedRadiance(const SpectralRange& range) const {
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
         const bool isClear = extinction.at(0.5 * (axis[i] + axis[i + 1])) == 0.0;
         const bool wasClear = !windows.empty() && windows.back().max_um == axis[i];
-        if (i > 0 && isClear && !wasClear) {
+        if (i > 0 && isClear && !wasClear)
             nodes.insert(nodes.end() - 1, std::nextafter(axis[i], 0.0));
-        } else if (!isClear && wasClear) {
+        else if (!isClear && wasClear)
             nodes.push_back(std::nextafter(axis[i], HUGE_VAL));
-        }
-        if (isClear && wasClear) {
+        if (isClear && wasClear)
             windows.back().max_um = axis[i + 1];
-        } else if (isClear) {
+        else if (isClear)
             windows.push_back({axis[i], axis[i + 1]});
-        }
         nodes.push_back(axis[i + 1]);
     }
 
@@ -179,9 +171,8 @@ Spectrum BeerLambert::unboundedRadiance(const SpectralRange& range) const {
             const auto holds = [wavelength_um](const SpectralRange& window) {
                 return wavelength_um >= window.min_um && wavelength_um <= window.max_um;
             };
-            if (!std::ranges::any_of(windows, holds)) {
+            if (!std::ranges::any_of(windows, holds))
                 return planckRadiance_W_m2_sr_um(wavelength_um, parameters_.airTemperature_K);
-            }
             return sky ? sky->at(wavelength_um) : 0.0;
         },
         nodes, airTolerance, airFloor);

@@ -39,9 +39,8 @@ constexpr std::array knownKeys = {std::string_view("name"),
 template <std::size_t count>
 std::string listOf(const std::array<std::string_view, count>& words) {
     std::string text;
-    for (const std::string_view word : words) {
+    for (const std::string_view word : words)
         text += (text.empty() ? "'" : ", '") + std::string(word) + "'";
-    }
     return text;
 }
 
@@ -66,9 +65,8 @@ class Reader {
     BeerLambertParameters read() {
         readSettings();
         readColumns();
-        if (!diagnostics_.empty()) {
+        if (!diagnostics_.empty())
             throw InputError(std::move(diagnostics_));
-        }
         return parameters();
     }
 
@@ -97,16 +95,14 @@ class Reader {
                     table_.diagnostic(sun->line, sun->value, "'nominal' or 'none' for the sun"));
             }
         }
-        if (const CsvComment* name = table_.comment("name"); name && name->value.empty()) {
+        if (const CsvComment* name = table_.comment("name"); name && name->value.empty())
             diagnostics_.push_back(table_.diagnostic(name->line, "", "a name"));
-        }
     }
 
     std::optional<double> temperature(std::string_view key) {
         const CsvComment* comment = table_.comment(key);
-        if (!comment) {
+        if (!comment)
             return std::nullopt;
-        }
         const std::string expected = "a temperature of at least 0 K";
         const auto value = table_.number(*comment, diagnostics_, expected);
         if (value && *value < 0.0) {
@@ -124,11 +120,10 @@ class Reader {
         }
         const CsvRow& header = table_.rows().front();
         for (const CsvCell& cell : header.cells) {
-            if (!holds(knownHeaders, cell.text)) {
+            if (!holds(knownHeaders, cell.text))
                 diagnostics_.push_back(table_.diagnostic(cell, "one of " + listOf(knownHeaders)));
-            } else if (columns_.contains(cell.text)) {
+            else if (columns_.contains(cell.text))
                 diagnostics_.push_back(table_.diagnostic(cell, "each column once"));
-            }
             columns_[cell.text];
         }
         for (const std::string_view required : {wavelengthHeader, extinctionHeader}) {
@@ -144,9 +139,8 @@ class Reader {
                                                      "either this key or the column '" +
                                                          std::string(solarHeader) + "', not both"));
         }
-        for (std::size_t i = 1; i < table_.rows().size(); ++i) {
+        for (std::size_t i = 1; i < table_.rows().size(); ++i)
             readRow(table_.rows()[i], header);
-        }
         if (table_.rows().size() < 3) {
             diagnostics_.push_back(
                 table_.diagnostic(std::to_string(table_.rows().size() - 1) + " rows of numbers",
@@ -166,9 +160,8 @@ class Reader {
             const std::string expected =
                 isAxis ? "a wavelength above 0 um" : "a number of at least 0";
             const auto value = table_.number(row.cells[k], diagnostics_, expected);
-            if (!value) {
+            if (!value)
                 continue;
-            }
             std::vector<double>& column = columns_[header.cells[k].text];
             if (*value < 0.0 || (isAxis && *value == 0.0)) {
                 diagnostics_.push_back(table_.diagnostic(row.cells[k], expected));
@@ -184,13 +177,11 @@ class Reader {
     /// The spectrum of a column, or no value where the file has none.
     std::optional<Spectrum> spectrum(std::string_view header, double factor = 1.0) const {
         const auto column = columns_.find(std::string(header));
-        if (column == columns_.end()) {
+        if (column == columns_.end())
             return std::nullopt;
-        }
         std::vector<double> values = column->second;
-        for (double& value : values) {
+        for (double& value : values)
             value *= factor;
-        }
         return Spectrum(columns_.at(std::string(wavelengthHeader)), std::move(values),
                         Spectrum::Outside::hold, table_.file());
     }
@@ -212,15 +203,13 @@ class Reader {
         result.downwardFlux_W_m2_um = down ? *down : sampledPlanck(overhead_K, base, pi);
         result.upwardFlux_W_m2_um = up ? *up : sampledPlanck(result.groundTemperature_K, base, pi);
         result.skyRadiance_W_m2_sr_um = spectrum(skyHeader);
-        if (!result.skyRadiance_W_m2_sr_um && sky_K_) {
+        if (!result.skyRadiance_W_m2_sr_um && sky_K_)
             result.skyRadiance_W_m2_sr_um = sampledPlanck(*sky_K_, base);
-        }
         const CsvComment* sun = table_.comment("sun");
-        if (const auto solar = spectrum(solarHeader)) {
+        if (const auto solar = spectrum(solarHeader))
             result.solarIrradiance_W_m2_um = *solar;
-        } else if (!sun || sun->value == "nominal") {
+        else if (!sun || sun->value == "nominal")
             result.solarIrradiance_W_m2_um = extraterrestrialSolarIrradiance(base);
-        }
         return result;
     }
 

@@ -39,46 +39,39 @@ Environment Environment::vacuum() {
 }
 
 void Environment::add(std::shared_ptr<const Atmosphere> atmosphere) {
-    if (!atmosphere) {
+    if (!atmosphere)
         throw LogicError("no atmosphere was added to an environment");
-    }
     atmospheres_.push_back(std::move(atmosphere));
 }
 
 const Atmosphere* Environment::find(const SpectralRange& range, AtmosphereProperty property) const {
-    for (const auto& atmosphere : atmospheres_) {
-        if (atmosphere->accept(range, property)) {
+    for (const auto& atmosphere : atmospheres_)
+        if (atmosphere->accept(range, property))
             return atmosphere.get();
-        }
-    }
     return nullptr;
 }
 
 const Atmosphere& Environment::require(const SpectralRange& range,
                                        AtmosphereProperty property) const {
-    if (const Atmosphere* atmosphere = find(range, property)) {
+    if (const Atmosphere* atmosphere = find(range, property))
         return *atmosphere;
-    }
     std::string refusals;
-    for (const auto& atmosphere : atmospheres_) {
+    for (const auto& atmosphere : atmospheres_)
         refusals += (refusals.empty() ? "" : ", ") + refusalOf(*atmosphere, property);
-    }
     throw InputError({"environment", std::string(name(property)) + " over " + textOf(range),
                       refusals.empty() ? "no atmosphere" : refusals,
                       "an atmosphere that supports this quantity and holds the whole range"});
 }
 
 double Environment::horizonElevation_rad(double altitude_m, const SpectralRange& range) const {
-    if (const Atmosphere* air = find(range, AtmosphereProperty::backgroundRadiance)) {
+    if (const Atmosphere* air = find(range, AtmosphereProperty::backgroundRadiance))
         return air->horizonElevation_rad(altitude_m);
-    }
     return Vacuum().horizonElevation_rad(altitude_m);
 }
 
 SunView Environment::sunView(double altitude_m, const SpectralRange& range) const {
-    if (const Atmosphere* air = find(range, AtmosphereProperty::solarIrradiance)) {
+    if (const Atmosphere* air = find(range, AtmosphereProperty::solarIrradiance))
         return air->sunView(altitude_m, sun);
-    }
     return Vacuum().sunView(altitude_m, sun);
 }
 
@@ -91,22 +84,19 @@ Answer<std::vector<double>> Environment::answer(const AtmosphericQuery& question
                                                 const SpectralSampling& sampling) const {
     const SpectralRange& range = sampling.range();
     const bool isWideband = SensorCkData::of(sampling) != nullptr;
-    if (!isWideband && isByDefault(range, question.quantity)) {
+    if (!isWideband && isByDefault(range, question.quantity))
         return {sampling.sampled(*defaultBackground), byDefault};
-    }
     const Atmosphere& air =
         isWideband ? requireWideband(range, question.quantity) : require(range, question.quantity);
-    if (isDark(question, air)) {
+    if (isDark(question, air))
         return {std::vector<double>(sampling.size(), 0.0), air.name()};
-    }
     return {air.answer(question, sampling), air.name()};
 }
 
 Answer<Spectrum> Environment::spectrum(const AtmosphericQuery& question,
                                        const SpectralRange& range) const {
-    if (isByDefault(range, question.quantity)) {
+    if (isByDefault(range, question.quantity))
         return {*defaultBackground, byDefault};
-    }
     const Atmosphere& air = require(range, question.quantity);
     return {isDark(question, air) ? Spectrum::constant(0.0) : air.spectrum(question, range),
             air.name()};
@@ -120,9 +110,8 @@ AtmosphericQueryKey Environment::keyOf(const AtmosphericQuery& question,
 
 AtmosphericQueryKey Environment::keyOf(const AtmosphericQuery& question,
                                        const SpectralSampling& sampling) const {
-    if (!SensorCkData::of(sampling)) {
+    if (!SensorCkData::of(sampling))
         return keyOf(question, sampling.range());
-    }
     const Atmosphere* air = findWideband(sampling.range());
     return question.key(air && air->answersByAzimuth(question.quantity));
 }
@@ -143,33 +132,28 @@ Answer<double> Environment::ambientTemperature_K(double altitude_m) const {
     // A temperature has no range: the first that knows one answers.
     std::string refusals;
     for (const auto& atmosphere : atmospheres_) {
-        if (atmosphere->supports(AtmosphereProperty::ambientTemperature)) {
+        if (atmosphere->supports(AtmosphereProperty::ambientTemperature))
             return {atmosphere->ambientTemperature_K(altitude_m), atmosphere->name()};
-        }
         refusals += (refusals.empty() ? "" : ", ") +
                     refusalOf(*atmosphere, AtmosphereProperty::ambientTemperature);
     }
-    if (defaultAmbient_K) {
+    if (defaultAmbient_K)
         return {*defaultAmbient_K, byDefault};
-    }
     throw InputError({"environment", name(AtmosphereProperty::ambientTemperature),
                       refusals.empty() ? "no atmosphere" : refusals,
                       "an atmosphere that has an ambient temperature"});
 }
 
 const Atmosphere* Environment::findWideband(const SpectralRange& range) const {
-    for (const auto& atmosphere : atmospheres_) {
-        if (atmosphere->isWidebandModeAvailable() && atmosphere->holds(range)) {
+    for (const auto& atmosphere : atmospheres_)
+        if (atmosphere->isWidebandModeAvailable() && atmosphere->holds(range))
             return atmosphere.get();
-        }
-    }
     return nullptr;
 }
 
 const Atmosphere& Environment::requireWideband(const SpectralRange& range) const {
-    if (const Atmosphere* atmosphere = findWideband(range)) {
+    if (const Atmosphere* atmosphere = findWideband(range))
         return *atmosphere;
-    }
     std::string refusals;
     for (const auto& atmosphere : atmospheres_) {
         refusals += (refusals.empty() ? "" : ", ") + atmosphere->name() +

@@ -7,14 +7,13 @@
 #include <sstream>
 #include <utility>
 
+#include "irsg/atmosphere/Earth.h"
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 
 namespace {
-
-constexpr double earthRadius_m = 6371.23e3;
 
 /// What a quantity was computed for and cannot do without.
 void checkGeometry(const SpectraAtmosphereParameters& air, AtmosphereProperty property,
@@ -78,17 +77,15 @@ void check(const SpectraAtmosphereParameters& air) {
                                    "the target altitude it is the temperature of"});
         }
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
 }
 
 SpectralRange commonRange(const SpectraAtmosphereParameters& air) {
     SpectralRange common = Vacuum().base();
     for (const auto& [property, spectrum] : air.spectra) {
-        if (spectrum.isConstant()) {
+        if (spectrum.isConstant())
             continue;
-        }
         common = {std::max(common.min_um, spectrum.wavelengths_um().front()),
                   std::min(common.max_um, spectrum.wavelengths_um().back())};
         if (!(common.min_um < common.max_um)) {
@@ -184,9 +181,8 @@ Spectrum SpectraAtmosphere::nativeSpectrum(const AtmosphericQuery& question,
         requireTargetAltitude(question.altitude_m);
         break;
     }
-    if (hasSun(question.quantity)) {
+    if (hasSun(question.quantity))
         requireSunElevation(question.sun);
-    }
     return parameters_.spectra.at(question.quantity);
 }
 
@@ -255,9 +251,8 @@ AtmosphereDescription SpectraAtmosphere::describe() const {
         std::ranges::replace(key, ' ', '_');
         facts.push_back({std::move(key), {number.value}});
     }
-    if (!facts.empty()) {
+    if (!facts.empty())
         told.facts.push_back({"geometry", {std::move(facts)}});
-    }
     return told;
 }
 

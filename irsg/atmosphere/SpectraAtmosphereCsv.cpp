@@ -29,9 +29,8 @@ constexpr std::pair<AtmosphereProperty, Quantity> columnsOfProperties[] = {
 std::string knownHeaders() {
     std::string text =
         "'" + columnHeader(Quantity::wavenumber) + "', '" + columnHeader(Quantity::wavelength);
-    for (const auto& [property, quantity] : columnsOfProperties) {
+    for (const auto& [property, quantity] : columnsOfProperties)
         text += "', '" + columnHeader(quantity);
-    }
     return text + "'";
 }
 
@@ -47,9 +46,8 @@ class Reader {
     SpectraAtmosphereParameters read() {
         readColumns();
         SpectraAtmosphereParameters result = parameters();
-        if (!diagnostics_.empty()) {
+        if (!diagnostics_.empty())
             throw InputError(std::move(diagnostics_));
-        }
         return result;
     }
 
@@ -70,11 +68,10 @@ class Reader {
                                  std::ranges::any_of(columnsOfProperties, [&](const auto& entry) {
                                      return cell.text == columnHeader(entry.second);
                                  });
-            if (!isKnown) {
+            if (!isKnown)
                 diagnostics_.push_back(table_.diagnostic(cell, "one of " + knownHeaders()));
-            } else if (columns_.contains(cell.text)) {
+            else if (columns_.contains(cell.text))
                 diagnostics_.push_back(table_.diagnostic(cell, "each column once"));
-            }
             columns_[cell.text];
         }
         if (!columns_.contains(columnHeader(Quantity::wavelength))) {
@@ -82,12 +79,10 @@ class Reader {
                 table_.diagnostic(header.line, header.cells.front().text,
                                   "a column '" + columnHeader(Quantity::wavelength) + "'"));
         }
-        for (std::size_t i = 1; i < table_.rows().size(); ++i) {
+        for (std::size_t i = 1; i < table_.rows().size(); ++i)
             readRow(table_.rows()[i], header);
-        }
-        if (diagnostics_.empty()) {
+        if (diagnostics_.empty())
             checkAxis();
-        }
     }
 
     void readRow(const CsvRow& row, const CsvRow& header) {
@@ -138,24 +133,21 @@ class Reader {
 
     std::vector<double> ascending(const std::string& header) const {
         std::vector<double> values = columns_.at(header);
-        if (isDescending_) {
+        if (isDescending_)
             std::ranges::reverse(values);
-        }
         return values;
     }
 
     std::optional<double> setting(const char* key, double least, double most) {
         const CsvComment* comment = table_.comment(key);
-        if (!comment) {
+        if (!comment)
             return std::nullopt;
-        }
         const std::string expected =
             std::isfinite(most) ? "a number from " + numberText(least) + " to " + numberText(most)
                                 : "a number of at least " + numberText(least);
         const auto value = table_.number(*comment, diagnostics_, expected);
-        if (value && !(*value >= least && *value <= most)) {
+        if (value && !(*value >= least && *value <= most))
             diagnostics_.push_back(table_.diagnostic(comment->line, comment->value, expected));
-        }
         return value;
     }
 
@@ -170,9 +162,8 @@ class Reader {
         const auto sunElevation_deg = setting("sun_elevation [deg]", -90.0, 90.0);
         result.targetAltitude_m = setting("target_altitude [m]", 0.0, HUGE_VAL);
         result.ambientTemperature_K = setting("ambient_temperature [K]", 0.0, HUGE_VAL);
-        if (sensor_m && range_m && result.targetAltitude_m) {
+        if (sensor_m && range_m && result.targetAltitude_m)
             result.path = AtmosphericPath{*sensor_m, *result.targetAltitude_m, *range_m};
-        }
         if (sensor_m && elevation_deg) {
             result.sight =
                 LineOfSight{*sensor_m, radians(*elevation_deg), radians(azimuth_deg.value_or(0.0))};
@@ -181,9 +172,8 @@ class Reader {
             result.sun =
                 SunPosition{radians(sunAzimuth_deg.value_or(0.0)), radians(*sunElevation_deg)};
         }
-        if (!diagnostics_.empty()) {
+        if (!diagnostics_.empty())
             return result;
-        }
         for (const auto& [property, quantity] : columnsOfProperties) {
             if (columns_.contains(columnHeader(quantity))) {
                 result.spectra.emplace(property,
@@ -210,9 +200,8 @@ SpectraAtmosphere SpectraAtmosphere::fromCsv(const std::filesystem::path& file) 
 
 bool SpectraAtmosphere::isSpectraCsv(const std::filesystem::path& file) {
     std::error_code failure;
-    if (!std::filesystem::is_regular_file(file, failure)) {
+    if (!std::filesystem::is_regular_file(file, failure))
         return false;
-    }
     // What is asked for stands among the first lines.
     std::istringstream in(readFileBeginning(file, std::size_t{1} << 20));
     std::string line;

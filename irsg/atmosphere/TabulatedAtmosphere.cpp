@@ -46,12 +46,10 @@ bool sameGeometry(const SpectralRun& a, const SpectralRun& b) {
     const RunGeometry& f = a.geometry;
     const RunGeometry& g = b.geometry;
     const bool sensors = near(f.sensorAltitude_m, g.sensorAltitude_m, 0.1);
-    if ((f.path == RunPath::toSpace) != (g.path == RunPath::toSpace)) {
+    if ((f.path == RunPath::toSpace) != (g.path == RunPath::toSpace))
         return false;
-    }
-    if (f.path == RunPath::toSpace) {
+    if (f.path == RunPath::toSpace)
         return sensors && near(f.elevation_rad, g.elevation_rad, 1e-6);
-    }
     return sensors && near(f.targetAltitude_m, g.targetAltitude_m, 0.1) &&
            near(f.range_m, g.range_m, 0.01 + 1e-7 * f.range_m);
 }
@@ -90,17 +88,15 @@ void append(std::vector<InterpolationError>& all, std::vector<InterpolationError
 TabulatedAtmosphere::TabulatedAtmosphere(std::vector<SpectralRun> runs, std::string name)
     : runs_(std::move(runs)), name_(std::move(name)) {
     checkFamily();
-    for (const double wavenumber : backwards(runs_.front().wavenumbers_per_cm)) {
+    for (const double wavenumber : backwards(runs_.front().wavenumbers_per_cm))
         wavelengths_um_.push_back(wavelengthFromWavenumber_um(wavenumber));
-    }
     fillPaths();
     fillSights();
 }
 
 void TabulatedAtmosphere::checkFamily() const {
-    if (runs_.empty()) {
+    if (runs_.empty())
         throw InputError({name_, "", "no runs", "at least one run"});
-    }
     std::vector<Diagnostic> diagnostics;
     const auto offend = [&](const SpectralRun& run, std::string value, std::string expected) {
         diagnostics.push_back({name_, run.source, std::move(value), std::move(expected)});
@@ -152,30 +148,26 @@ void TabulatedAtmosphere::checkFamily() const {
             }
         }
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
 }
 
 void TabulatedAtmosphere::fillPaths() {
     // Radiance runs first: their transmittances have more digits.
     for (const bool radiance : {true, false}) {
         for (const SpectralRun& run : runs_) {
-            if (!hasPath(run) || isRadiance(run) != radiance) {
+            if (!hasPath(run) || isRadiance(run) != radiance)
                 continue;
-            }
             const AtmosphericPath path = pathOf(run.geometry);
             PathTable& table = transmittances_.of(path);
-            if (!table.holds(path)) {
+            if (!table.holds(path))
                 table.add(path, depthOf(run.transmittance), {});
-            }
             if (radiance && !radiances_.of(path).holds(path)) {
                 radiances_.of(path).add(path, depthOf(run.transmittance),
                                         backwards(run.pathRadiance_W_m2_sr_um));
             }
-            if (!run.scatteringDepth.empty() && !scatterings_.of(path).holds(path)) {
+            if (!run.scatteringDepth.empty() && !scatterings_.of(path).holds(path))
                 scatterings_.of(path).add(path, backwards(run.scatteringDepth), {});
-            }
         }
     }
 }
@@ -257,9 +249,8 @@ std::vector<double> TabulatedAtmosphere::depths(const AtmosphericPath& path, std
         } catch (const InputError&) {
             depth.clear();
         }
-        if (depth.empty()) {
+        if (depth.empty())
             throw;
-        }
         return depth;
     }
 }
@@ -281,9 +272,8 @@ std::vector<double> TabulatedAtmosphere::sunlight(const AtmosphericQuery& questi
         return suns_.at(question.altitude_m, question.sun.elevation_rad, first, last, name_, "sun");
     } catch (const InputError&) {
         // From high up the sun is seen a little below the horizontal, which runs may contain.
-        if (question.sun.isUp()) {
+        if (question.sun.isUp())
             throw;
-        }
         return std::vector<double>(last - first, 0.0);
     }
 }
@@ -331,11 +321,9 @@ Spectrum TabulatedAtmosphere::nativeSpectrum(const AtmosphericQuery& question,
 
 std::vector<std::string> TabulatedAtmosphere::warnings() const {
     std::vector<std::string> all;
-    for (const SpectralRun& run : runs_) {
-        for (const std::string& warning : run.warnings) {
+    for (const SpectralRun& run : runs_)
+        for (const std::string& warning : run.warnings)
             all.push_back(run.source + ": " + warning);
-        }
-    }
     return all;
 }
 
@@ -362,9 +350,8 @@ std::vector<InterpolationError> TabulatedAtmosphere::interpolationErrors() const
 std::vector<std::string> TabulatedAtmosphere::spans() const {
     std::vector<std::string> all;
     const auto add = [&](AtmosphereProperty property, const std::string& span) {
-        if (supports(property)) {
+        if (supports(property))
             all.push_back(std::string(irsg::name(property)) + ": " + span);
-        }
     };
     add(AtmosphereProperty::transmittance, transmittances_.span());
     add(AtmosphereProperty::pathRadiance, radiances_.span());

@@ -10,6 +10,7 @@
 #include "irsg/atmosphere/import/ModtranJson.h"
 #include "irsg/atmosphere/import/Tape7.h"
 #include "irsg/radiometry/FileReplacement.h"
+#include "irsg/radiometry/JsonText.h"
 
 namespace irsg {
 
@@ -39,30 +40,22 @@ constexpr const char* pathNames[] = {"", "horizontal", "slant", "to space"};
 /// One table file on its way from JSON to runs.
 class TableReader {
   public:
-    TableReader(const std::string& text, const std::string& file) : file_(file) {
-        // The library takes a zero byte for the end of the text and says nothing of what follows.
-        if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
-            throw InputError({file, "byte " + std::to_string(zero + 1), "a zero byte",
-                              "a tabulated atmosphere"});
-        }
-        try {
-            root_ = json::parse(text);
-        } catch (const json::parse_error& error) {
-            throw InputError(
-                {file, "byte " + std::to_string(error.byte), "no JSON", "a tabulated atmosphere"});
-        } catch (const json::out_of_range& error) {
-            throw InputError({file, "", error.what(), "a tabulated atmosphere"});
-        }
+    TableReader(const std::string& text, const std::string& file)
+        : file_(file),
+          root_(parseJson(text, file, {.expected = "a tabulated atmosphere (JSON)"})),
+          places_(text) {
         if (!root_.is_object() || root_.value("format", json()) != formatName) {
             throw InputError({file, "format",
-                              root_.is_object() && root_.contains("format") ? root_["format"].dump()
-                                                                            : "no such key",
+                              root_.is_object() && root_.contains("format")
+                                  ? shownJson(root_["format"])
+                                  : "no such key",
                               "\"" + std::string(formatName) + "\""});
         }
         if (root_.value("version", json()) != formatVersion) {
-            throw InputError({file, "version",
-                              root_.contains("version") ? root_["version"].dump() : "no such key",
-                              std::to_string(formatVersion)});
+            throw InputError(
+                {file, "version",
+                 root_.contains("version") ? shownJson(root_["version"]) : "no such key",
+                 std::to_string(formatVersion)});
         }
     }
 
@@ -81,28 +74,25 @@ class TableReader {
         }
         std::vector<SpectralRun> runs;
         const json& list = root_.contains("runs") ? root_["runs"] : json();
-        if (!list.is_array() || list.empty()) {
+        if (!list.is_array() || list.empty())
             offend("runs", list.is_array() ? "an empty array" : "no array", "at least one run");
-        }
-        for (std::size_t i = 0; list.is_array() && i < list.size(); ++i) {
+        for (std::size_t i = 0; list.is_array() && i < list.size(); ++i)
             runs.push_back(readRun(list[i], "runs[" + std::to_string(i) + "]", wavenumbers));
-        }
-        if (!diagnostics_.empty()) {
+        if (!diagnostics_.empty())
             throw InputError(std::move(diagnostics_));
-        }
         return {std::move(runs), text(root_, "name", "")};
     }
 
   private:
-    void offend(std::string path, std::string value, std::string expected) {
-        diagnostics_.push_back({file_, std::move(path), std::move(value), std::move(expected)});
+    void offend(const std::string& path, std::string value, std::string expected) {
+        diagnostics_.push_back(
+            {file_, places_.position(path), std::move(value), std::move(expected)});
     }
 
     std::string text(const json& object, const char* key, const std::string& path) {
-        if (object.contains(key) && object[key].is_string()) {
+        if (object.contains(key) && object[key].is_string())
             return object[key].get<std::string>();
-        }
-        offend(path + key, object.contains(key) ? object[key].dump() : "no such key", "a text");
+        offend(path + key, object.contains(key) ? shownJson(object[key]) : "no such key", "a text");
         return "";
     }
 
@@ -111,11 +101,10 @@ class TableReader {
         const json value = object.value(key, json());
         if (value.is_number()) {
             const double found = value.get<double>();
-            if (std::isfinite(found) && found >= least && found <= largest) {
+            if (std::isfinite(found) && found >= least && found <= largest)
                 return found;
-            }
         }
-        offend(path + key, object.contains(key) ? value.dump() : "no such key",
+        offend(path + key, object.contains(key) ? shownJson(value) : "no such key",
                "a number of " + numberText(least) + " to " + numberText(largest));
         return 0.0;
     }
@@ -131,7 +120,7 @@ class TableReader {
         for (std::size_t i = 0; i < list.size(); ++i) {
             const double value = list[i].is_number() ? list[i].get<double>() : std::nan("");
             if (!(value >= least && value <= largest && std::isfinite(value))) {
-                offend(path + key + "[" + std::to_string(i) + "]", list[i].dump(),
+                offend(path + key + "[" + std::to_string(i) + "]", shownJson(list[i]),
                        largest == 1.0 ? "0 to 1" : "a finite number of at least 0");
             }
             values.push_back(value);
@@ -144,7 +133,7 @@ class TableReader {
         SpectralRun run;
         run.wavenumbers_per_cm = wavenumbers;
         if (!object.is_object()) {
-            offend(where, object.dump(), "an object");
+            offend(where, shownJson(object), "an object");
             return run;
         }
         const std::string path = where + ".";
@@ -170,28 +159,24 @@ class TableReader {
                 known = true;
             }
         }
-        if (!known) {
+        if (!known)
             offend(path + "path", line, "horizontal, slant or to space");
-        }
         RunGeometry& geometry = run.geometry;
         geometry.sensorAltitude_m = number(object, "sensor_altitude [m]", path, 0.0, 1e8);
         geometry.targetAltitude_m = number(object, "target_altitude [m]", path, -1e8, 1e8);
         geometry.range_m = number(object, "range [m]", path, 0.0, 1e9);
         geometry.elevation_rad = number(object, "elevation [rad]", path, -1.6, 1.6);
-        if (object.contains("sun_elevation [rad]")) {
+        if (object.contains("sun_elevation [rad]"))
             geometry.sunElevation_rad = number(object, "sun_elevation [rad]", path, -1.6, 1.6);
-        }
         if (object.contains("cards") && object["cards"].is_object()) {
             for (const auto& [card, value] : object["cards"].items()) {
                 run.cards[card] =
                     number(object["cards"], card.c_str(), path + "cards.", -1e30, 1e30);
             }
         }
-        if (object.contains("warnings") && object["warnings"].is_array()) {
-            for (const json& warning : object["warnings"]) {
+        if (object.contains("warnings") && object["warnings"].is_array())
+            for (const json& warning : object["warnings"])
                 run.warnings.push_back(warning.is_string() ? warning.get<std::string>() : "");
-            }
-        }
         for (const SpectrumKey& spectrum : spectrumKeys) {
             if (object.contains(spectrum.key) || spectrum.values == &SpectralRun::transmittance) {
                 run.*spectrum.values = numbers(object, spectrum.key, path, 0.0, spectrum.largest);
@@ -208,22 +193,21 @@ class TableReader {
             (run.pathRadiance_W_m2_sr_um.empty() || run.totalRadiance_W_m2_sr_um.empty())) {
             offend(where, "no radiances", "path and total radiance in a run of this kind");
         }
-        if (run.kind == RunKind::sunlight && run.solarIrradiance_W_m2_um.empty()) {
+        if (run.kind == RunKind::sunlight && run.solarIrradiance_W_m2_um.empty())
             offend(where, "no solar irradiance", "it in a run of this kind");
-        }
         return run;
     }
 
     const std::string& file_;
     json root_;
+    JsonPlaces places_;
     std::vector<Diagnostic> diagnostics_;
 };
 
 /// The first thing in a text that is neither blank nor a byte order mark.
 char firstCharacter(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF")) {
+    if (text.starts_with("\xEF\xBB\xBF"))
         text.remove_prefix(3);
-    }
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     return first == text.npos ? '\0' : text[first];
 }
@@ -236,9 +220,8 @@ bool looksLikeTape7(std::string_view text) {
 std::vector<SpectralRun> readRuns(const std::filesystem::path& file) {
     const std::string text = readTextFile(file);
     const bool isCsv = file.extension() == ".csv" || file.extension() == ".CSV";
-    if (isCsv) {
+    if (isCsv)
         return readModtranCsv(file);
-    }
     if (firstCharacter(text) == '{') {
         return TabulatedAtmosphere::isTable(text) || file.extension() == ".smatatm"
                    ? TabulatedAtmosphere::fromText(text, file.string()).runs()
@@ -260,16 +243,13 @@ std::string TabulatedAtmosphere::toText() const {
                                {"target_altitude [m]", run.geometry.targetAltitude_m},
                                {"range [m]", run.geometry.range_m},
                                {"elevation [rad]", run.geometry.elevation_rad}};
-        if (run.geometry.sunElevation_rad) {
+        if (run.geometry.sunElevation_rad)
             object["sun_elevation [rad]"] = *run.geometry.sunElevation_rad;
-        }
         object["cards"] = run.cards;
         object["warnings"] = run.warnings;
-        for (const SpectrumKey& spectrum : spectrumKeys) {
-            if (!(run.*spectrum.values).empty()) {
+        for (const SpectrumKey& spectrum : spectrumKeys)
+            if (!(run.*spectrum.values).empty())
                 object[spectrum.key] = run.*spectrum.values;
-            }
-        }
         root["runs"].push_back(std::move(object));
     }
     // Cards of old programs are in the encodings of their time.
@@ -299,13 +279,11 @@ bool TabulatedAtmosphere::isTableFile(const std::filesystem::path& file) {
 }
 
 bool TabulatedAtmosphere::canImport(const std::filesystem::path& file) {
-    if (file.extension() == ".smatatm") {
+    if (file.extension() == ".smatatm")
         return true;
-    }
     const std::string text = readTextFile(file);
-    if (file.extension() == ".csv" || file.extension() == ".CSV") {
+    if (file.extension() == ".csv" || file.extension() == ".CSV")
         return isModtranCsv(text);
-    }
     return firstCharacter(text) == '{' ? isTable(text) || isModtranJson(text)
                                        : looksLikeTape7(text);
 }
@@ -319,20 +297,17 @@ TabulatedAtmosphere TabulatedAtmosphere::import(std::span<const std::filesystem:
             const auto isNamesake = [&](const std::filesystem::path& other) {
                 return &other != &file && other.filename() == file.filename();
             };
-            if (std::ranges::any_of(files, isNamesake)) {
-                for (SpectralRun& run : some) {
+            if (std::ranges::any_of(files, isNamesake))
+                for (SpectralRun& run : some)
                     run.source = (file.parent_path().filename() / run.source).string();
-                }
-            }
             std::ranges::move(some, std::back_inserter(runs));
         } catch (const InputError& error) {
             diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
                                error.diagnostics().end());
         }
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
     std::string name = "tabulated";
     if (!files.empty()) {
         name += " (" + files.front().filename().string() +

@@ -20,9 +20,8 @@ std::pair<double, double> steps_per_cm(const std::vector<double>& wavenumbers_pe
 
 AtmosphereFactList listOf(const std::vector<std::string>& texts) {
     AtmosphereFactList list;
-    for (const std::string& text : texts) {
+    for (const std::string& text : texts)
         list.push_back({text});
-    }
     return list;
 }
 
@@ -40,9 +39,8 @@ std::string lineOf(const SpectralRun& run) {
 
 AtmosphereFacts factsOf(const SpectralRun& run) {
     AtmosphereFacts cards;
-    for (const auto& [card, value] : run.cards) {
+    for (const auto& [card, value] : run.cards)
         cards.push_back({card, {value}});
-    }
     return {{"source", {run.source}},
             {"kind", {std::string(name(run.kind))}},
             {"sensor_altitude_m", {run.geometry.sensorAltitude_m}},
@@ -95,9 +93,8 @@ AtmosphereDescription TabulatedAtmosphere::describe() const {
         lines.push_back(lineOf(error));
         errorList.push_back({factsOf(error)});
     }
-    for (const std::string& warning : warnings()) {
+    for (const std::string& warning : warnings())
         lines.push_back("warning: " + warning);
-    }
 
     AtmosphereFacts facts = {{"wavenumbers", {numberOf(wavenumbers_per_cm.size())}},
                              {"first_cm-1", {wavenumbers_per_cm.front()}},

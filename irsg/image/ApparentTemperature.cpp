@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "irsg/image/NotANumber.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 
@@ -12,7 +13,6 @@ namespace irsg {
 
 namespace {
 
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 // A third of what is promised: the error is probed at some points of a piece, not at all.
 constexpr double probedTolerance_K = 3e-5;
 constexpr double absoluteUpTo_K = 5000.0;

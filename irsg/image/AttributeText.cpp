@@ -15,7 +15,7 @@ bool isReserved(std::string_view key) {
 
 std::string escaped(std::string_view text, bool isKey) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : text)
         if (c == '\\')
             out += "\\\\";
         else if (c == '\n')
@@ -26,7 +26,6 @@ std::string escaped(std::string_view text, bool isKey) {
             out += "\\c";
         else
             out += c;
-    }
     return out;
 }
 

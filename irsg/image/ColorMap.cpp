@@ -28,12 +28,6 @@ double linearFromByte(std::uint8_t byte) {
     return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
 
-std::uint8_t byteFromLinear(double linear) {
-    const double x = std::clamp(linear, 0.0, 1.0);
-    const double s = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255.0 * s));
-}
-
 // sRGB (IEC 61966-2-1) and CIE 1976 L*a*b*, white D65.
 constexpr Triple whiteXyz = {0.950456, 1.0, 1.089058};
 constexpr double knee = 6.0 / 29.0;
@@ -60,9 +54,9 @@ Rgb rgbFromLab(const Triple& lab) {
     const double x = whiteXyz[0] * labCurveInverse(fy + lab[1] / 500.0);
     const double y = whiteXyz[1] * labCurveInverse(fy);
     const double z = whiteXyz[2] * labCurveInverse(fy - lab[2] / 200.0);
-    return {byteFromLinear(3.240479 * x - 1.537150 * y - 0.498535 * z),
-            byteFromLinear(-0.969256 * x + 1.875992 * y + 0.041556 * z),
-            byteFromLinear(0.055648 * x - 0.204043 * y + 1.057311 * z)};
+    return {byteOfLight(3.240479 * x - 1.537150 * y - 0.498535 * z),
+            byteOfLight(-0.969256 * x + 1.875992 * y + 0.041556 * z),
+            byteOfLight(0.055648 * x - 0.204043 * y + 1.057311 * z)};
 }
 
 /// Control points in equal steps from 0 to 1.
@@ -77,6 +71,12 @@ std::vector<ControlPoint> evenly(const std::vector<Rgb>& colors) {
 constexpr Rgb black{0, 0, 0}, white{255, 255, 255};
 
 } // namespace
+
+std::uint8_t byteOfLight(double linear) {
+    const double x = std::clamp(linear, 0.0, 1.0);
+    const double s = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
+    return static_cast<std::uint8_t>(std::lround(255.0 * s));
+}
 
 double lightness(Rgb color) {
     return labFromRgb(color)[0];
@@ -202,9 +202,9 @@ Rgb ColorMap::at(double t) const {
 Rgb ColorMap::color(double value, const DisplayLimits& limits) const {
     if (std::isnan(value))
         return notANumber_;
-    if (value < limits.low)
+    if (limits.marksOutside && value < limits.low)
         return below_;
-    if (value > limits.high)
+    if (limits.marksOutside && value > limits.high)
         return above_;
     return at(limits.position(value));
 }

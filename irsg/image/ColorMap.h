@@ -16,6 +16,9 @@ struct Rgb {
     bool operator==(const Rgb&) const = default;
 };
 
+/// The byte of a channel for linear light, 0 to 1, what is outside of that clamped (IEC 61966-2-1).
+std::uint8_t byteOfLight(double linear);
+
 /// Lightness L* of CIE 1976 (D65), 0 black to 100 white.
 double lightness(Rgb color);
 
@@ -44,7 +47,8 @@ class ColorMap {
     Rgb below() const { return below_; }
     Rgb above() const { return above_; }
     Rgb notANumber() const { return notANumber_; }
-    /// The colour of a value shown between the limits (low < high), infinities being out of range.
+    /// The colour of a value shown between the limits (low < high), infinities being out of range:
+    /// that of the nearer end, or the mark for what is outside where the limits ask for it.
     Rgb color(double value, const DisplayLimits& limits) const;
     const std::array<Rgb, size>& table() const { return table_; }
 

@@ -29,7 +29,7 @@ std::string thresholdText(const ComparisonLevel& level, const std::string& unit)
     if (level.allowed > 0)
         text += ", " + std::to_string(level.allowed) + " allowed";
     if (std::isfinite(level.hard))
-        text += ", none over " + shortNumber(level.hard);
+        text += ", never above " + shortNumber(level.hard);
     return text;
 }
 

@@ -5,13 +5,15 @@
 #include <cmath>
 #include <utility>
 
+#include "irsg/image/ImageStatistics.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 
 namespace {
 
-constexpr std::array<std::pair<ColorScale, const char*>, 4> names{{
+constexpr std::array<std::pair<ColorScale, const char*>, 5> names{{
+    {ColorScale::automatic, "auto"},
     {ColorScale::linear, "linear"},
     {ColorScale::squareRoot, "square-root"},
     {ColorScale::logarithmic, "logarithmic"},
@@ -23,6 +25,33 @@ constexpr std::array<std::pair<ColorScale, const char*>, 4> names{{
 constexpr double steepness = 1e4;
 /// Steps between the levels of an equalized scale.
 constexpr std::size_t levelSteps = 256;
+
+/// Limits so many times as wide as the cooler part of an object are the most that a straight line
+/// and a square root show it in.
+constexpr double widestLinear = 4.0, widestSquareRoot = 30.0;
+
+/// How far the cooler three quarters of an object reach above the least value that is shown: skin
+/// without pipes and plumes, however large these are. The background, which is uniform, is an end
+/// of the limits of the object.
+double coolSpread(std::span<const float> plane) {
+    const DisplayLimits object = objectLimits(plane);
+    std::vector<float> inside;
+    for (const float value : plane)
+        if (static_cast<double>(value) > object.low && static_cast<double>(value) < object.high)
+            inside.push_back(value);
+    const double cool = inside.empty() ? object.high : percentile(inside, 75.0);
+    return cool - object.low;
+}
+
+ColorScale scaleFor(const DisplayLimits& limits, const std::vector<std::span<const float>>& shown) {
+    double object = 0.0;
+    for (const std::span<const float> plane : shown)
+        object = std::max(object, coolSpread(plane));
+    const double width = limits.high - limits.low;
+    if (!(object > 0.0) || width <= widestLinear * object)
+        return ColorScale::linear;
+    return width <= widestSquareRoot * object ? ColorScale::squareRoot : ColorScale::logarithmic;
+}
 
 /// Where a value lies among ascending levels, 0 at the first to 1 at the last.
 double positionAmong(const std::vector<double>& levels, double value) {
@@ -62,7 +91,8 @@ ColorScale colorScaleNamed(const std::string& name) {
 bool DisplayLimits::operator==(const DisplayLimits& other) const {
     const bool sameLevels =
         levels == other.levels || (levels && other.levels && *levels == *other.levels);
-    return low == other.low && high == other.high && scale == other.scale && sameLevels;
+    return low == other.low && high == other.high && scale == other.scale && sameLevels &&
+           marksOutside == other.marksOutside;
 }
 
 double DisplayLimits::position(double value) const {
@@ -74,6 +104,7 @@ double DisplayLimits::position(double value) const {
         return std::log1p(steepness * part) / std::log1p(steepness);
     case ColorScale::equalized:
         return levels ? positionAmong(*levels, value) : part;
+    case ColorScale::automatic:
     case ColorScale::linear:
         break;
     }
@@ -97,7 +128,9 @@ double DisplayLimits::value(double position) const {
 
 DisplayLimits DisplayLimits::with(ColorScale wanted,
                                   const std::vector<std::span<const float>>& shown) const {
-    DisplayLimits limits{low, high, wanted, {}};
+    DisplayLimits limits{low, high, wanted, {}, marksOutside};
+    if (wanted == ColorScale::automatic)
+        limits.scale = scaleFor(limits, shown);
     if (wanted != ColorScale::equalized)
         return limits;
     std::vector<double> values{low, high};

@@ -6,13 +6,12 @@
 #include "irsg/image/CompensatedSum.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/image/ImageIntensity.h"
+#include "irsg/image/NotANumber.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 
 namespace {
-
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 std::string sizeText(const RadianceImage& image) {
     return std::to_string(image.width()) + " x " + std::to_string(image.height()) + " pixels";

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "irsg/image/CompensatedSum.h"
+#include "irsg/image/NotANumber.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 
 namespace {
-
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<float> finiteOf(std::span<const float> values) {
     std::vector<float> finite;

@@ -58,8 +58,9 @@ DisplayLimits percentileLimits(std::span<const float> values, double lowPercent 
 /// hold it; else those of the whole plane. A few glowing pixels do not turn the rest of a target
 /// black.
 DisplayLimits objectLimits(std::span<const float> values);
-/// Limits that a scale of colours shows an object with: those above where it is linear; a scale
-/// that leaves room for both skin and exhaust pipes shows all there is.
+/// Limits that a scale of colours shows an object with: those above where it is linear by choice; a
+/// scale that leaves room for both skin and exhaust pipes, as the automatic one, shows all there
+/// is.
 DisplayLimits limitsFor(ColorScale scale, std::span<const float> values);
 /// Symmetric about 0: the percentile of the absolute values, or the largest where that is 0.
 DisplayLimits symmetricLimits(std::span<const float> values, double percent = 100.0);

@@ -65,16 +65,11 @@ std::string barLabel(const ImageChannel& plane, const PngViewOptions& options, i
 }
 
 void drawPlane(Canvas& canvas, int left, int top, int magnification, const RadianceImage& image,
-               const ImageChannel& plane, const ColorMap& map, const DisplayLimits& limits,
-               bool markOutOfRange) {
+               const ImageChannel& plane, const ColorMap& map, const DisplayLimits& limits) {
     for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) {
-            double value = plane.values[image.offset(x, y)];
-            if (!markOutOfRange && !std::isnan(value))
-                value = std::clamp(value, limits.low, limits.high);
+        for (int x = 0; x < image.width(); ++x)
             canvas.fill(left + x * magnification, top + y * magnification, magnification,
-                        magnification, map.color(value, limits));
-        }
+                        magnification, map.color(plane.values[image.offset(x, y)], limits));
 }
 
 /// The colour bar with what belongs to it: measured first, drawn when the canvas is there.
@@ -204,7 +199,7 @@ Canvas renderView(const RadianceImage& image, const ImageChannel& plane,
     const int width = image.width() * magnification, height = image.height() * magnification;
     if (!options.colorBar) {
         Canvas canvas(width, height);
-        drawPlane(canvas, 0, 0, magnification, image, plane, map, limits, options.markOutOfRange);
+        drawPlane(canvas, 0, 0, magnification, image, plane, map, limits);
         return canvas;
     }
 
@@ -212,26 +207,28 @@ Canvas renderView(const RadianceImage& image, const ImageChannel& plane,
     const int scale = options.textScale > 0            ? options.textScale
                       : std::max(width, height) > 1400 ? 2
                                                        : 1;
-    const OutOfRange outOfRange = options.markOutOfRange
-                                      ? countOutOfRange(plane, limits)
-                                      : OutOfRange{0, 0, countOutOfRange(plane, limits).notANumber};
+    OutOfRange outOfRange = countOutOfRange(plane, limits);
+    if (!limits.marksOutside)
+        outOfRange.below = outOfRange.above = 0;
     const ColorBar bar(map, limits, outOfRange, std::max(height, 160 * scale), scale);
     const std::string label = barLabel(plane, options, bar.exponent());
     const int margin = 16 * scale, lineHeight = 22 * scale;
     const int titleHeight = options.title.empty() ? 0 : lineHeight;
-    const int top = margin + titleHeight + lineHeight;
+    const int conditionsHeight = options.conditions.empty() ? 0 : lineHeight;
+    const int top = margin + titleHeight + conditionsHeight + lineHeight;
     const int barLeft = margin + width + 20 * scale;
     const int right = std::max({barLeft + bar.width(), barLeft + textWidth(label, scale),
-                                margin + textWidth(options.title, scale)});
+                                margin + textWidth(options.title, scale),
+                                margin + textWidth(options.conditions, scale)});
     const int bottom = top + std::max(height, bar.height());
     checkSize(right + margin, bottom + margin);
 
     Canvas canvas(right + margin, bottom + margin, paper);
     const int baseline = margin + capHeight_px * scale;
     drawText(canvas, margin, baseline, options.title, scale, ink);
-    drawText(canvas, barLeft, baseline + titleHeight, label, scale, ink);
-    drawPlane(canvas, margin, top, magnification, image, plane, map, limits,
-              options.markOutOfRange);
+    drawText(canvas, margin, baseline + titleHeight, options.conditions, scale, line);
+    drawText(canvas, barLeft, baseline + titleHeight + conditionsHeight, label, scale, ink);
+    drawPlane(canvas, margin, top, magnification, image, plane, map, limits);
     canvas.frame(margin, top, width, height, scale, line);
     bar.draw(canvas, barLeft, top);
     return canvas;

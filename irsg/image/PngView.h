@@ -14,13 +14,12 @@ namespace irsg {
 struct PngViewOptions {
     std::string colorMap = ColorMap::defaultName;
     /// Without: minimum to maximum of the finite values; symmetric about 0 for a diverging map.
+    /// What they mark as outside is counted beside the bar, as NaN is.
     std::optional<DisplayLimits> limits{};
     bool colorBar = true;
-    /// Values out of the limits and NaN in colours of their own, counted beside the bar. Otherwise
-    /// the former take the colours of the ends.
-    bool markOutOfRange = true;
-    std::string title{}; ///< a line above the picture of a view with colour bar
-    std::string label{}; ///< above the bar; empty: the name of the plane's quantity
+    std::string title{};      ///< a line above the picture of a view with colour bar
+    std::string conditions{}; ///< a line below the title
+    std::string label{};      ///< above the bar; empty: the name of the plane's quantity
     /// Side of a pixel of the plane in the view. 0: 1 without a bar; with one, small planes are
     /// enlarged by the whole number that makes them about 240 px high.
     int magnification = 0;

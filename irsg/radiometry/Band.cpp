@@ -22,18 +22,16 @@ Band::Band(std::string name, SpectralRange range, Spectrum response)
 
 Band Band::topHat(double min_um, double max_um) {
     const std::string found = numberText(min_um) + " to " + numberText(max_um) + " um";
-    if (!(min_um > 0.0 && min_um < max_um && std::isfinite(max_um))) {
+    if (!(min_um > 0.0 && min_um < max_um && std::isfinite(max_um)))
         throw InputError({"band", "", found, "0 < minimum < maximum, both finite"});
-    }
     return {numberText(min_um) + "-" + numberText(max_um) + " um",
             {min_um, max_um},
             Spectrum::constant(1.0)};
 }
 
 Band Band::fromResponse(Spectrum response, std::string name) {
-    if (response.isConstant()) {
+    if (response.isConstant())
         throw InputError({name, "", "a constant", "a sampled response with at least two nodes"});
-    }
     std::vector<Diagnostic> diagnostics;
     for (std::size_t i = 0; i < response.size(); ++i) {
         if (response.values()[i] < 0.0) {
@@ -42,9 +40,8 @@ Band Band::fromResponse(Spectrum response, std::string name) {
                                    "a response of at least 0"});
         }
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
 
     const SpectralRange range{response.wavelengths_um().front(), response.wavelengths_um().back()};
     Spectrum zeroOutside(response.wavelengths_um(), response.values(), Spectrum::Outside::zero,

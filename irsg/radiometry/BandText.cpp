@@ -19,12 +19,10 @@ enum class AxisUnit { micrometres, wavenumbers };
 constexpr double conversionTolerance = 1e-7;
 
 std::optional<AxisUnit> axisUnitOf(const std::string& header) {
-    if (header == "um" || header == "wavelength [um]") {
+    if (header == "um" || header == "wavelength [um]")
         return AxisUnit::micrometres;
-    }
-    if (header == "cm-1" || header == "wavenumber [cm-1]") {
+    if (header == "cm-1" || header == "wavenumber [cm-1]")
         return AxisUnit::wavenumbers;
-    }
     return std::nullopt;
 }
 
@@ -53,9 +51,8 @@ ResponseNodes readNodes(const CsvTable& table, std::vector<Diagnostic>& diagnost
                 table.diagnostic(row.cells[0], "more than " + numberText(nodes.axis.back()) +
                                                    ": the axis ascends strictly"));
         }
-        if (y && *y < 0.0) {
+        if (y && *y < 0.0)
             diagnostics.push_back(table.diagnostic(row.cells[1], "a response of at least 0"));
-        }
         if (x && y) {
             nodes.axis.push_back(*x);
             nodes.values.push_back(*y);
@@ -99,9 +96,8 @@ ResponseNodes inWavelength(const ResponseNodes& wavenumbers) {
 
 Band Band::fromCsv(const std::filesystem::path& file) {
     const CsvTable table = CsvTable::read(file);
-    if (table.rows().empty()) {
+    if (table.rows().empty())
         throw InputError(table.diagnostic("no rows", "a header and at least two rows of numbers"));
-    }
     std::vector<Diagnostic> diagnostics;
     const CsvRow& header = table.rows().front();
     const auto unit = axisUnitOf(header.cells.front().text);
@@ -126,12 +122,10 @@ Band Band::fromCsv(const std::filesystem::path& file) {
         diagnostics.push_back(
             table.diagnostic("a response that is 0 everywhere", "a positive area"));
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
-    if (*unit == AxisUnit::wavenumbers) {
+    if (*unit == AxisUnit::wavenumbers)
         nodes = inWavelength(nodes);
-    }
     return fromResponse(
         {std::move(nodes.axis), std::move(nodes.values), Spectrum::Outside::zero, table.file()},
         file.filename().string());
@@ -143,9 +137,8 @@ Band Band::fromText(const std::string& text) {
          dash = text.find('-', dash + 1)) {
         const auto min_um = parseNumber(text.substr(0, dash));
         const auto max_um = parseNumber(text.substr(dash + 1));
-        if (min_um && max_um && *min_um > 0.0 && *min_um < *max_um) {
+        if (min_um && max_um && *min_um > 0.0 && *min_um < *max_um)
             return topHat(*min_um, *max_um);
-        }
     }
     throw InputError({"band", "", "'" + text + "'",
                       "MINIMUM-MAXIMUM in um with 0 < MINIMUM < MAXIMUM, such as 3-5"});

@@ -19,10 +19,8 @@ struct GridPlace {
 };
 
 std::optional<GridPlace> placeOf(double temperature_K) {
-    if (!(temperature_K >= BlackbodyTable::minimum_K &&
-          temperature_K <= BlackbodyTable::maximum_K)) {
+    if (!(temperature_K >= BlackbodyTable::minimum_K && temperature_K <= BlackbodyTable::maximum_K))
         return std::nullopt;
-    }
     const double position = (temperature_K - BlackbodyTable::minimum_K) / BlackbodyTable::step_K;
     const auto lower =
         std::min(static_cast<std::size_t>(position), std::size_t{BlackbodyTable::nodes - 2});
@@ -42,9 +40,8 @@ BlackbodyTable::BlackbodyTable(Band band) : band_(std::move(band)) {
 
 double BlackbodyTable::radiance_W_m2_sr(double temperature_K) const {
     const auto place = placeOf(temperature_K);
-    if (!place || radiance_W_m2_sr_[place->lower] == 0.0) {
+    if (!place || radiance_W_m2_sr_[place->lower] == 0.0)
         return bandRadiance_W_m2_sr(band_, temperature_K);
-    }
     const double t = (1.0 / temperature_K - 1.0 / place->lower_K) /
                      (1.0 / place->upper_K - 1.0 / place->lower_K);
     return std::exp(std::lerp(logRadiance_[place->lower], logRadiance_[place->lower + 1], t));
@@ -52,9 +49,8 @@ double BlackbodyTable::radiance_W_m2_sr(double temperature_K) const {
 
 double BlackbodyTable::radianceLinearInTemperature_W_m2_sr(double temperature_K) const {
     const auto place = placeOf(temperature_K);
-    if (!place) {
+    if (!place)
         return bandRadiance_W_m2_sr(band_, temperature_K);
-    }
     const double t = (temperature_K - place->lower_K) / step_K;
     return std::lerp(radiance_W_m2_sr_[place->lower], radiance_W_m2_sr_[place->lower + 1], t);
 }

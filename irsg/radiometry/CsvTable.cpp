@@ -17,12 +17,10 @@ constexpr std::size_t longestQuote = 60;
 /// What was found, fit for one line of an error message.
 std::string shown(std::string_view text) {
     std::string result;
-    for (const char c : text.substr(0, longestQuote)) {
+    for (const char c : text.substr(0, longestQuote))
         result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-    }
-    if (text.size() > longestQuote) {
+    if (text.size() > longestQuote)
         result += "...";
-    }
     return result.empty() ? "nothing" : "'" + result + "'";
 }
 
@@ -36,9 +34,8 @@ class Lines {
     explicit Lines(std::string_view text) : rest_(text) {}
 
     std::optional<std::string_view> next() {
-        if (rest_.empty()) {
+        if (rest_.empty())
             return std::nullopt;
-        }
         const std::size_t end = rest_.find_first_of("\r\n");
         const std::string_view line = rest_.substr(0, end);
         if (end == std::string_view::npos) {
@@ -58,9 +55,8 @@ class Lines {
 CsvComment readComment(std::string_view line, int number) {
     line.remove_prefix(1);
     const std::size_t colon = line.find(':');
-    if (colon == std::string_view::npos) {
+    if (colon == std::string_view::npos)
         return {"", std::string(trimmed(line)), number};
-    }
     return {std::string(trimmed(line.substr(0, colon))),
             std::string(trimmed(line.substr(colon + 1))), number};
 }
@@ -92,9 +88,8 @@ std::optional<CsvRow> readRow(std::string_view line, int number, std::size_t usu
         std::string_view rest = trimmed(line);
         if (rest.starts_with('"')) {
             const auto quoted = takeQuoted(rest);
-            if (!quoted) {
+            if (!quoted)
                 return std::nullopt;
-            }
             text = *quoted;
             line = rest;
         }
@@ -108,20 +103,17 @@ std::optional<CsvRow> readRow(std::string_view line, int number, std::size_t usu
 }
 
 bool isEmpty(const CsvRow& row) {
-    for (const CsvCell& cell : row.cells) {
-        if (!cell.text.empty()) {
+    for (const CsvCell& cell : row.cells)
+        if (!cell.text.empty())
             return false;
-        }
-    }
     return true;
 }
 
 std::optional<double> numberOr(std::string_view text, Diagnostic diagnostic,
                                std::vector<Diagnostic>& diagnostics) {
     const auto value = parseNumber(text);
-    if (!value) {
+    if (!value)
         diagnostics.push_back(std::move(diagnostic));
-    }
     return value;
 }
 
@@ -134,21 +126,18 @@ CsvTable CsvTable::read(const std::filesystem::path& file) {
 CsvTable CsvTable::parse(std::string_view text, std::string name) {
     CsvTable table;
     table.file_ = std::move(name);
-    if (text.starts_with("\xEF\xBB\xBF")) {
+    if (text.starts_with("\xEF\xBB\xBF"))
         text.remove_prefix(3);
-    }
-    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
         throw InputError({table.file_, "byte " + std::to_string(nul), "a NUL byte", "plain text"});
-    }
 
     std::vector<Diagnostic> diagnostics;
     Lines lines(text);
     std::size_t width = 1; // of the last row
     for (int number = 1; const auto line = lines.next(); ++number) {
         const std::string_view content = trimmed(*line);
-        if (content.empty()) {
+        if (content.empty())
             continue;
-        }
         if (content.starts_with('#')) {
             table.comments_.push_back(readComment(content, number));
         } else if (auto row = readRow(content, number, width); !row) {
@@ -160,18 +149,15 @@ CsvTable CsvTable::parse(std::string_view text, std::string name) {
             table.rows_.push_back(std::move(*row));
         }
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
     return table;
 }
 
 const CsvComment* CsvTable::comment(std::string_view key) const {
-    for (const CsvComment& comment : comments_) {
-        if (comment.key == key) {
+    for (const CsvComment& comment : comments_)
+        if (comment.key == key)
             return &comment;
-        }
-    }
     return nullptr;
 }
 
@@ -213,17 +199,15 @@ std::optional<double> parseNumber(std::string_view text) {
         error = std::from_chars(begin, end, wide).ec;
         value = std::abs(wide) < 1.0L ? 0.0 : HUGE_VAL;
     }
-    if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+    if (error != std::errc{} || stop != end || !std::isfinite(value))
         return std::nullopt;
-    }
     return value;
 }
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) {
+    if (first == std::string_view::npos)
         return {};
-    }
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 

@@ -59,18 +59,16 @@ class Sampler {
 
   private:
     int partsOf(const Node& first, const Node& last) {
-        if (last.wavelength_um - first.wavelength_um <= narrowest * last.wavelength_um) {
+        if (last.wavelength_um - first.wavelength_um <= narrowest * last.wavelength_um)
             return 1;
-        }
         double deviation = 0.0; // in units of what is tolerated
         for (const double t : {0.25, 0.5, 0.75}) {
             const Node node = nodeAt(std::lerp(first.wavelength_um, last.wavelength_um, t));
             const double chord = std::lerp(first.value, last.value, t);
             const double tolerated =
                 relativeTolerance_ * std::max(std::abs(node.value), floor_ * largest_);
-            if (tolerated > 0.0) {
+            if (tolerated > 0.0)
                 deviation = std::max(deviation, std::abs(node.value - chord) / tolerated);
-            }
         }
         return deviation <= 1.0 ? 1
                                 : static_cast<int>(std::clamp(std::ceil(std::sqrt(deviation)), 2.0,
@@ -89,18 +87,15 @@ class Sampler {
 
 Spectrum sampledCurve(const std::function<double(double)>& curve, std::span<const double> kinks,
                       double relativeTolerance, double floor) {
-    if (kinks.size() < 2) {
+    if (kinks.size() < 2)
         throw LogicError("a curve was sampled between fewer than two wavelengths");
-    }
     // All kinks first: they tell how large the curve becomes.
     Sampler sampler(curve, relativeTolerance, floor);
     std::vector<Node> nodes;
-    for (const double kink_um : kinks) {
+    for (const double kink_um : kinks)
         nodes.push_back(sampler.nodeAt(kink_um));
-    }
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
         sampler.add(nodes[i], nodes[i + 1]);
-    }
     return sampler.finish(nodes.back());
 }
 
@@ -108,9 +103,8 @@ Spectrum sampledPlanck(double temperature_K, const SpectralRange& range, double 
     // The longest wavelength and the peak tell the size of the curve from the start.
     std::vector<double> kinks = {range.min_um, range.max_um};
     const double peak_um = secondRadiationConstant_um_K / (4.965114231744276 * temperature_K);
-    if (peak_um > range.min_um && peak_um < range.max_um) {
+    if (peak_um > range.min_um && peak_um < range.max_um)
         kinks.insert(kinks.begin() + 1, peak_um);
-    }
     return sampledCurve(
         [temperature_K, factor](double wavelength_um) {
             return factor * planckRadiance_W_m2_sr_um(wavelength_um, temperature_K);

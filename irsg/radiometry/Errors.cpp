@@ -27,35 +27,29 @@ std::size_t moreIn(const Diagnostic& diagnostic) {
 /// The first diagnostics of each file; nobody reads more, and a file of nothing but diagnostics
 /// would take its size in sentences.
 std::vector<Diagnostic> bounded(std::vector<Diagnostic> diagnostics) {
-    if (diagnostics.size() <= mostDiagnostics) {
+    if (diagnostics.size() <= mostDiagnostics)
         return diagnostics;
-    }
     std::vector<Diagnostic> kept;
     std::map<std::string, std::size_t> counts;
     for (Diagnostic& diagnostic : diagnostics) {
         std::size_t& count = counts[diagnostic.file];
         const std::size_t more = moreIn(diagnostic);
         count += more > 0 ? more : 1;
-        if (more == 0 && count <= mostDiagnostics) {
+        if (more == 0 && count <= mostDiagnostics)
             kept.push_back(std::move(diagnostic));
-        }
     }
-    for (const auto& [file, count] : counts) {
-        if (count > mostDiagnostics) {
+    for (const auto& [file, count] : counts)
+        if (count > mostDiagnostics)
             kept.push_back({file, "", std::to_string(count - mostDiagnostics) + " more", ""});
-        }
-    }
     return kept;
 }
 
 std::string messageOf(const std::vector<Diagnostic>& diagnostics) {
-    if (diagnostics.empty()) {
+    if (diagnostics.empty())
         throw LogicError("an InputError needs at least one diagnostic");
-    }
     std::string text;
-    for (const Diagnostic& diagnostic : diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics)
         text += (text.empty() ? "" : "\n") + diagnostic.message();
-    }
     return text;
 }
 
@@ -63,28 +57,22 @@ std::string messageOf(const std::vector<Diagnostic>& diagnostics) {
 
 std::string Diagnostic::message() const {
     std::string text;
-    for (const std::string& place : {file, position}) {
-        if (!place.empty()) {
+    for (const std::string& place : {file, position})
+        if (!place.empty())
             text += (text.empty() ? "" : ": ") + place;
-        }
-    }
     std::string finding;
-    if (!value.empty()) {
+    if (!value.empty())
         finding = (moreIn(*this) > 0 ? "and " : "found ") + value;
-    }
-    if (!expected.empty()) {
+    if (!expected.empty())
         finding += (finding.empty() ? "expected " : ", expected ") + expected;
-    }
-    if (!text.empty() && !finding.empty()) {
+    if (!text.empty() && !finding.empty())
         text += ": ";
-    }
     return text + finding;
 }
 
 void keepFirstDiagnostics(std::vector<Diagnostic>& diagnostics) {
-    if (diagnostics.size() > 10 * mostDiagnostics) {
+    if (diagnostics.size() > 10 * mostDiagnostics)
         diagnostics = bounded(std::move(diagnostics));
-    }
 }
 
 InputError::InputError(Diagnostic diagnostic)

@@ -27,28 +27,29 @@ namespace fs = std::filesystem;
 constexpr mode_t ordinary = 0666;
 constexpr std::string_view partEnding = ".part";
 
-[[noreturn]] void refuse(const fs::path& file, std::string value, std::string expected) {
+[[noreturn]] void refuseToWrite(const fs::path& file, std::string value, std::string expected) {
     throw InputError({file.string(), "", std::move(value), std::move(expected)});
 }
 
 /// The same as a sentence of the system's error.
-[[noreturn]] void refuse(const fs::path& file, int error) {
+[[noreturn]] void refuseToWrite(const fs::path& file, int error) {
     switch (error) {
     case ENOSPC:
     case EDQUOT:
-        refuse(file, "a full disk", "room to write it; what was there is as it was");
+        refuseToWrite(file, "a full disk", "room to write it; what was there is as it was");
     case EFBIG:
-        refuse(file, "a file larger than is allowed here",
-               "leave to write a larger file; what was there is as it was");
+        refuseToWrite(file, "a file larger than is allowed here",
+                      "leave to write a larger file; what was there is as it was");
     case EACCES:
     case EPERM:
     case EROFS:
-        refuse(file, "a place that cannot be written", "a file in a folder that may be written");
+        refuseToWrite(file, "a place that cannot be written",
+                      "a file in a folder that may be written");
     case ENOENT:
     case ENOTDIR:
-        refuse(file, "a folder that does not exist", "a file in a folder that exists");
+        refuseToWrite(file, "a folder that does not exist", "a file in a folder that exists");
     default:
-        refuse(file, std::generic_category().message(error), "a file that may be written");
+        refuseToWrite(file, std::generic_category().message(error), "a file that may be written");
     }
 }
 
@@ -58,7 +59,7 @@ void writeAll(int descriptor, std::string_view bytes, const fs::path& named) {
         if (count < 0 && errno == EINTR)
             continue;
         if (count < 0)
-            refuse(named, errno);
+            refuseToWrite(named, errno);
         bytes.remove_prefix(static_cast<std::size_t>(count));
     }
 }
@@ -140,12 +141,12 @@ FileReplacement::FileReplacement(const fs::path& target, Input input)
     if (fs::is_symlink(target, failure))
         target_ = fs::weakly_canonical(target, failure);
     if (fs::is_directory(target_, failure))
-        refuse(named_, "a folder", "the name of a file to write");
+        refuseToWrite(named_, "a folder", "the name of a file to write");
     if (fs::exists(target_, failure) && !fs::is_regular_file(target_, failure))
-        refuse(named_, "no regular file", "the name of a file to write");
+        refuseToWrite(named_, "no regular file", "the name of a file to write");
     const fs::path folder = folderOf(target_);
     if (!fs::is_directory(folder, failure))
-        refuse(named_, ENOENT);
+        refuseToWrite(named_, ENOENT);
     if (input == Input::refuse)
         refuseInputAsOutput(named_);
     sweep(folder);
@@ -155,13 +156,13 @@ FileReplacement::FileReplacement(const fs::path& target, Input input)
         close(descriptor_); // without /proc it would never get a name
         descriptor_ = -1;
     } else if (descriptor_ < 0 && !meansNoFilesWithoutNames(errno)) {
-        refuse(named_, errno);
+        refuseToWrite(named_, errno);
     }
     isOnDiskOfTarget_ = descriptor_ >= 0;
     if (!isOnDiskOfTarget_)
         descriptor_ = memfd_create("smat", MFD_CLOEXEC);
     if (descriptor_ < 0)
-        refuse(named_, errno);
+        refuseToWrite(named_, errno);
     // Whoever sweeps leaves alone what is locked.
     static_cast<void>(flock(descriptor_, LOCK_EX | LOCK_NB));
     try {
@@ -181,7 +182,7 @@ void FileReplacement::takePermissions() {
     if (stat(target_.c_str(), &old) != 0)
         return;
     if ((old.st_mode & 0222) == 0)
-        refuse(named_, "a write-protected file", "a file that can be written");
+        refuseToWrite(named_, "a write-protected file", "a file that can be written");
     // Who may not give files away keeps his own.
     static_cast<void>(!fchown(descriptor_, old.st_uid, old.st_gid));
     static_cast<void>(fchmod(descriptor_, old.st_mode & 07777));
@@ -210,7 +211,7 @@ int FileReplacement::takeNameOfTarget(Existing existing) const {
 
 void FileReplacement::commit(Existing existing) {
     if (fsync(descriptor_) != 0)
-        refuse(named_, errno);
+        refuseToWrite(named_, errno);
     std::error_code failure;
     const bool stands = fs::exists(fs::symlink_status(target_, failure));
     int error = EEXIST;
@@ -219,9 +220,9 @@ void FileReplacement::commit(Existing existing) {
     if (error == EEXIST && (existing == Existing::replace || !isOnDiskOfTarget_))
         error = takeNameOfTarget(existing);
     if (error == EEXIST)
-        refuse(named_, "a file that exists already", "the name of a new file");
+        refuseToWrite(named_, "a file that exists already", "the name of a new file");
     if (error != 0)
-        refuse(named_, error);
+        refuseToWrite(named_, error);
     bringFolderToDisk(folderOf(target_));
 }
 
@@ -231,7 +232,7 @@ void writeFileDurably(const fs::path& file, std::string_view bytes) {
     if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
         const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
         if (descriptor < 0)
-            refuse(file, errno);
+            refuseToWrite(file, errno);
         try {
             writeAll(descriptor, bytes, file);
         } catch (...) {

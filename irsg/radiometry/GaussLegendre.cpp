@@ -1,9 +1,10 @@
 #include "irsg/radiometry/GaussLegendre.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
-#include <numbers>
 #include <string>
+
+#include <boost/math/special_functions/legendre.hpp>
 
 #include "irsg/radiometry/Errors.h"
 
@@ -14,23 +15,15 @@ namespace {
 constexpr int mostPoints = 32;
 
 GaussRule computeRule(int points) {
+    // Only the zeros of one half are given; the others mirror them.
+    std::vector<long double> zeros = boost::math::legendre_p_zeros<long double>(points);
+    for (std::size_t i = 0, half = zeros.size(); i < half; ++i)
+        if (zeros[i] > 0.0L)
+            zeros.push_back(-zeros[i]);
+    std::ranges::sort(zeros);
     GaussRule rule;
-    for (int i = 0; i < points; ++i) {
-        // Newton's method from the asymptotic root; P and P' by the three-term recurrence.
-        long double x = -std::cos(std::numbers::pi_v<long double> *
-                                  (static_cast<long double>(i) + 0.75L) / (points + 0.5L));
-        long double slope = 1.0L;
-        for (int iteration = 0; iteration < 12; ++iteration) {
-            long double previous = 1.0L;
-            long double current = x;
-            for (int n = 2; n <= points; ++n) {
-                const long double next = ((2 * n - 1) * x * current - (n - 1) * previous) / n;
-                previous = current;
-                current = next;
-            }
-            slope = points * (x * current - previous) / (x * x - 1.0L);
-            x -= current / slope;
-        }
+    for (const long double x : zeros) {
+        const long double slope = boost::math::legendre_p_prime(points, x);
         rule.nodes.push_back(static_cast<double>(0.5L * (1.0L + x)));
         rule.weights.push_back(static_cast<double>(1.0L / ((1.0L - x * x) * slope * slope)));
     }
@@ -42,14 +35,12 @@ GaussRule computeRule(int points) {
 const GaussRule& gaussLegendre(int points) {
     static const std::vector<GaussRule> rules = [] {
         std::vector<GaussRule> all;
-        for (int n = 1; n <= mostPoints; ++n) {
+        for (int n = 1; n <= mostPoints; ++n)
             all.push_back(computeRule(n));
-        }
         return all;
     }();
-    if (points < 1 || points > mostPoints) {
+    if (points < 1 || points > mostPoints)
         throw LogicError("no Gauss-Legendre rule of " + std::to_string(points) + " points");
-    }
     return rules[static_cast<std::size_t>(points - 1)];
 }
 

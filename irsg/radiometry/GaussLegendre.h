@@ -11,8 +11,8 @@ struct GaussRule {
     std::vector<double> weights; ///< their sum is 1
 };
 
-/// The rule of 1 to 32 points, computed once (roots of the Legendre polynomial by Newton's method,
-/// Abramowitz and Stegun 25.4.30). Any other number is a LogicError.
+/// The rule of 1 to 32 points, computed once from the zeros of the Legendre polynomial (Abramowitz
+/// and Stegun 25.4.30), to a unit in the last place. Any other number is a LogicError.
 const GaussRule& gaussLegendre(int points);
 
 } // namespace irsg

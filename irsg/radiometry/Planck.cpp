@@ -47,14 +47,12 @@ BandIntegral integrateBand(const Band& band, double temperature_K) {
             const double upper_um = panel.range.max_um;
             const double rest = planckRadiance_W_m2_sr_um(upper_um, temperature_K) *
                                 largestResponse * (upper_um - band.range().min_um);
-            if (exponentOf(upper_um, temperature_K) > 6.0 && rest <= 1e-15 * result.radiance) {
+            if (exponentOf(upper_um, temperature_K) > 6.0 && rest <= 1e-15 * result.radiance)
                 return result;
-            }
             const GaussRule& rule = gaussLegendre(panel.points);
             points.clear();
-            for (const double node : rule.nodes) {
+            for (const double node : rule.nodes)
                 points.push_back(panel.range.min_um + panel.range.width_um() * node);
-            }
             const std::vector<double> responses = band.response().sample(points);
             for (std::size_t k = 0; k < points.size(); ++k) {
                 const double weight = rule.weights[k] * panel.range.width_um() * responses[k];
@@ -71,9 +69,8 @@ BandIntegral integrateBand(const Band& band, double temperature_K) {
 } // namespace
 
 double planckRadiance_W_m2_sr_um(double wavelength_um, double temperature_K) {
-    if (!(wavelength_um > 0.0 && temperature_K > 0.0)) {
+    if (!(wavelength_um > 0.0 && temperature_K > 0.0))
         return 0.0;
-    }
     const double x = exponentOf(wavelength_um, temperature_K);
     const double prefactor = prefactorOf(wavelength_um);
 
@@ -86,9 +83,8 @@ double planckRadiance_W_m2_sr_um(double wavelength_um, double temperature_K) {
 double planckDerivative_W_m2_sr_um_K(double wavelength_um, double temperature_K) {
     // dL/dT = L (x / T) exp(x) / (exp(x) - 1) with x = h c / lambda k T.
     const double radiance = planckRadiance_W_m2_sr_um(wavelength_um, temperature_K);
-    if (radiance == 0.0) {
+    if (radiance == 0.0)
         return 0.0;
-    }
     // Where x vanishes the radiance is that of Rayleigh and Jeans, 2 c k T / lambda^4.
     const double x = exponentOf(wavelength_um, temperature_K);
     return x > 0.0 ? radiance * x / (-temperature_K * std::expm1(-x))
@@ -108,16 +104,14 @@ std::optional<double> brightnessTemperature_K(double wavelength_um, double radia
                                 ? std::log1p(ratio)
                                 : std::log(prefactor) - std::log(radiance_W_m2_sr_um);
     const double temperature_K = secondRadiationConstant_um_K / (wavelength_um * exponent);
-    if (!(temperature_K > 0.0 && std::isfinite(temperature_K))) {
+    if (!(temperature_K > 0.0 && std::isfinite(temperature_K)))
         return std::nullopt;
-    }
     return temperature_K;
 }
 
 double bandRadiance_W_m2_sr(const Band& band, double temperature_K) {
-    if (!(temperature_K > 0.0)) {
+    if (!(temperature_K > 0.0))
         return 0.0;
-    }
     return integrateBand(band, temperature_K).radiance;
 }
 
@@ -146,9 +140,8 @@ std::optional<double> apparentTemperature_K(const Band& band, double radiance_W_
             (misfit > 0.0 ? hot_1_K : cold_1_K) = u_1_K;
             const double slope = -integral.derivative / (integral.radiance * u_1_K * u_1_K);
             const double newton_1_K = u_1_K - misfit / slope;
-            if (newton_1_K >= hot_1_K && newton_1_K <= cold_1_K) {
+            if (newton_1_K >= hot_1_K && newton_1_K <= cold_1_K)
                 next_1_K = newton_1_K;
-            }
         } else {
             misfit = -1.0;
             cold_1_K = u_1_K;
@@ -156,15 +149,13 @@ std::optional<double> apparentTemperature_K(const Band& band, double radiance_W_
         }
         const double step = std::abs(next_1_K - u_1_K);
         u_1_K = next_1_K;
-        if (step <= 1e-13 * u_1_K) {
+        if (step <= 1e-13 * u_1_K)
             break;
-        }
     }
 
     // A radiance below the smallest that is told from zero has no black body of its own.
-    if (std::abs(misfit) > 1e-6) {
+    if (std::abs(misfit) > 1e-6)
         return std::nullopt;
-    }
     return 1.0 / u_1_K;
 }
 

@@ -18,21 +18,18 @@ constexpr double resolvedExponents = 150.0;
 /// Where sampled spectra cut the band into thousands of intervals, three linear factors exact and
 /// the rest smooth is enough: two points, with an error of spread^4 / 4320.
 int pointsFor(double spread) {
-    if (spread <= 0.01) {
+    if (spread <= 0.01)
         return 2;
-    }
-    if (spread <= 0.15) {
+    if (spread <= 0.15)
         return 4;
-    }
     return spread <= 1.5 ? 6 : 8;
 }
 
 } // namespace
 
 std::vector<PlanckPanel> planckPanels(const SpectralRange& range, double coldest_K) {
-    if (!(coldest_K > 0.0)) {
+    if (!(coldest_K > 0.0))
         throw LogicError("Planck panels for a temperature of " + numberText(coldest_K) + " K");
-    }
     const double c2_T = secondRadiationConstant_um_K / coldest_K;
     const double smallestExponent = c2_T / range.max_um;
 
@@ -49,9 +46,8 @@ std::vector<PlanckPanel> planckPanels(const SpectralRange& range, double coldest
         // A rest of less than half a step joins this panel's successor by sharing the way evenly.
         double lower_um = std::max(edge_um, range.min_um);
         const double afterwards_um = edge_um - 0.5 * (upper_um - edge_um);
-        if (lower_um > range.min_um && afterwards_um < range.min_um) {
+        if (lower_um > range.min_um && afterwards_um < range.min_um)
             lower_um = 0.5 * (upper_um + range.min_um);
-        }
         const double spread =
             std::max(c2_T / lower_um - exponent, 5.0 * std::log(upper_um / lower_um));
         panels.push_back({{lower_um, upper_um}, pointsFor(spread)});

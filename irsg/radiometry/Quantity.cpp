@@ -63,11 +63,9 @@ constexpr std::array entries = {
 
 // The table is indexed by the enumeration, so that a quantity without a row does not compile.
 constexpr bool isComplete() {
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (static_cast<std::size_t>(entries[i].quantity) != i) {
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (static_cast<std::size_t>(entries[i].quantity) != i)
             return false;
-        }
-    }
     return entries.size() == static_cast<std::size_t>(Quantity::dimensionless) + 1;
 }
 static_assert(isComplete());
@@ -76,9 +74,8 @@ static_assert(isComplete());
 
 const QuantityInfo& info(Quantity quantity) {
     const auto index = static_cast<std::size_t>(quantity);
-    if (index >= entries.size()) {
+    if (index >= entries.size())
         throw LogicError("unknown quantity");
-    }
     return entries[index].info;
 }
 

@@ -27,17 +27,15 @@ void check(const std::vector<double>& wavelengths_um, const std::vector<double>&
     for (std::size_t i = 0; i < values.size(); ++i) {
         const std::string position = "node " + std::to_string(i + 1);
         const std::string wavelength = "wavelength " + numberText(wavelengths_um[i]) + " um";
-        if (!std::isfinite(wavelengths_um[i]) || wavelengths_um[i] <= 0.0) {
+        if (!std::isfinite(wavelengths_um[i]) || wavelengths_um[i] <= 0.0)
             throw InputError({name, position, wavelength, "a positive and finite wavelength"});
-        }
         if (i > 0 && wavelengths_um[i] <= wavelengths_um[i - 1]) {
             throw InputError({name, position, wavelength,
                               "more than the " + numberText(wavelengths_um[i - 1]) +
                                   " um before it: wavelengths ascend strictly"});
         }
-        if (!std::isfinite(values[i])) {
+        if (!std::isfinite(values[i]))
             throw InputError({name, position, "value " + numberText(values[i]), "a finite value"});
-        }
     }
 }
 
@@ -50,17 +48,14 @@ void checkRange(const SpectralRange& range) {
 
 /// Nodes in the range at which a spectrum that is zero outside its axis jumps: beside each end.
 void addJumps(const Spectrum& spectrum, const SpectralRange& range, std::vector<double>& axis) {
-    if (spectrum.isConstant() || spectrum.outside() == Spectrum::Outside::hold) {
+    if (spectrum.isConstant() || spectrum.outside() == Spectrum::Outside::hold)
         return;
-    }
     const double before_um = std::nextafter(spectrum.wavelengths_um().front(), 0.0);
     const double behind_um = std::nextafter(spectrum.wavelengths_um().back(), HUGE_VAL);
-    if (spectrum.values().front() != 0.0 && before_um > range.min_um && before_um < range.max_um) {
+    if (spectrum.values().front() != 0.0 && before_um > range.min_um && before_um < range.max_um)
         axis.push_back(before_um);
-    }
-    if (spectrum.values().back() != 0.0 && behind_um > range.min_um && behind_um < range.max_um) {
+    if (spectrum.values().back() != 0.0 && behind_um > range.min_um && behind_um < range.max_um)
         axis.push_back(behind_um);
-    }
 }
 
 /// The merged axis of two spectra on which both are linear between nodes, jumps included.
@@ -82,9 +77,8 @@ bool isZeroOutside(const Spectrum& spectrum) {
 } // namespace
 
 Spectrum Spectrum::constant(double value) {
-    if (!std::isfinite(value)) {
+    if (!std::isfinite(value))
         throw InputError({"spectrum", "", "value " + numberText(value), "a finite value"});
-    }
     Spectrum spectrum;
     spectrum.values_ = {value};
     return spectrum;
@@ -97,12 +91,10 @@ Spectrum::Spectrum(std::vector<double> wavelengths_um, std::vector<double> value
 }
 
 double Spectrum::valueAt(double wavelength_um, std::size_t upper) const {
-    if (wavelength_um < wavelengths_um_.front()) {
+    if (wavelength_um < wavelengths_um_.front())
         return outside_ == Outside::hold ? values_.front() : 0.0;
-    }
-    if (wavelength_um > wavelengths_um_.back()) {
+    if (wavelength_um > wavelengths_um_.back())
         return outside_ == Outside::hold ? values_.back() : 0.0;
-    }
     const double lower_um = wavelengths_um_[upper - 1];
     const double t = (wavelength_um - lower_um) / (wavelengths_um_[upper] - lower_um);
     return std::lerp(values_[upper - 1], values_[upper], t);
@@ -119,22 +111,19 @@ double Spectrum::at(double wavelength_um) const {
 }
 
 std::vector<double> Spectrum::sample(std::span<const double> wavelengths_um) const {
-    if (isConstant() || wavelengths_um.empty()) {
+    if (isConstant() || wavelengths_um.empty())
         return std::vector<double>(wavelengths_um.size(), values_.front());
-    }
     // The first interval is searched, the others are found by walking on from the one before.
     std::vector<double> samples;
     samples.reserve(wavelengths_um.size());
     std::size_t upper = upperNode(wavelengths_um.front());
     double before_um = wavelengths_um.front();
     for (const double wavelength_um : wavelengths_um) {
-        if (wavelength_um < before_um) {
+        if (wavelength_um < before_um)
             throw LogicError("a spectrum was asked for wavelengths that do not ascend");
-        }
         before_um = wavelength_um;
-        while (upper + 1 < size() && wavelengths_um_[upper] < wavelength_um) {
+        while (upper + 1 < size() && wavelengths_um_[upper] < wavelength_um)
             ++upper;
-        }
         samples.push_back(valueAt(wavelength_um, upper));
     }
     return samples;
@@ -156,9 +145,8 @@ bool Spectrum::covers(const SpectralRange& range) const {
 Spectrum Spectrum::mapped(const std::function<double(double)>& f) const {
     std::vector<double> values;
     values.reserve(size());
-    for (const double value : values_) {
+    for (const double value : values_)
         values.push_back(f(value));
-    }
     return isConstant() ? constant(values.front())
                         : Spectrum(wavelengths_um_, std::move(values), outside_);
 }
@@ -171,9 +159,8 @@ std::vector<double> mergeAxes(std::span<const Spectrum* const> spectra,
         const auto& nodes = spectrum->wavelengths_um();
         const auto first = std::ranges::upper_bound(nodes, range.min_um);
         const auto last = std::ranges::lower_bound(nodes, range.max_um);
-        if (first < last) {
+        if (first < last)
             axis.insert(axis.end(), first, last);
-        }
     }
     std::ranges::sort(axis);
     const auto doubled = std::ranges::unique(axis);
@@ -205,16 +192,14 @@ double integrateProduct(std::span<const Spectrum* const> factors, const Spectral
     }
 
     double integral = 0.0;
-    for (const double product : products) {
+    for (const double product : products)
         integral += product;
-    }
     return integral;
 }
 
 Spectrum sum(const Spectrum& a, const Spectrum& b, const SpectralRange& range) {
-    if (a.isConstant() && b.isConstant()) {
+    if (a.isConstant() && b.isConstant())
         return Spectrum::constant(a.values().front() + b.values().front());
-    }
     std::vector<double> axis = linearAxis(a, b, range);
     std::vector<double> values = a.sample(axis);
     std::ranges::transform(values, b.sample(axis), values.begin(), std::plus<>());
@@ -225,9 +210,8 @@ Spectrum sum(const Spectrum& a, const Spectrum& b, const SpectralRange& range) {
 
 Spectrum product(const Spectrum& a, const Spectrum& b, const SpectralRange& range,
                  double relativeTolerance) {
-    if (a.isConstant() && b.isConstant()) {
+    if (a.isConstant() && b.isConstant())
         return Spectrum::constant(a.values().front() * b.values().front());
-    }
     const std::vector<double> nodes = linearAxis(a, b, range);
     const std::vector<double> atA = a.sample(nodes);
     const std::vector<double> atB = b.sample(nodes);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -12,6 +13,14 @@ inline std::string alternatives(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < words.size(); ++i)
         text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
     return text;
+}
+
+/// A number as messages and attributes tell it, rounded to so many significant digits: "0.55".
+inline std::string roundedText(double value, int digits = 6) {
+    char text[32];
+    const auto end =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
+    return {text, end.ptr};
 }
 
 } // namespace irsg

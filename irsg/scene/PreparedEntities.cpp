@@ -1,6 +1,7 @@
 #include "irsg/scene/PreparedEntities.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/DrawPieces.h"
@@ -15,6 +16,29 @@ const std::shared_ptr<const RayMesh>& PreparedModel::forRays() {
         rayMesh = RayMesh::of(pieces);
     }
     return rayMesh;
+}
+
+std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& uses, double error,
+                                                             bool isAmongOthers) {
+    constexpr std::size_t mostKept = 2;
+    const auto known = std::ranges::find_if(light, [&](const KnownLight& one) {
+        return one.error == error && one.isAmongOthers == isAmongOthers && one.uses == uses;
+    });
+    if (known != light.end())
+        return known->light;
+    // What is between nodes is off by the square of their distance.
+    constexpr double usualError = 0.005;
+    LightResolution resolution;
+    resolution.edgePerDistance *= std::clamp(std::sqrt(error / usualError), 0.25, 2.0);
+    if (isAmongOthers)
+        resolution.longestEdge_m = 2.0 * ball.radius_m / 16.0;
+    auto mesh = std::make_shared<const LightMesh>(forRays(), uses, resolution);
+    auto nodes = std::make_shared<const LightNodes>(std::move(mesh), resolution);
+    auto made = std::make_shared<const BodyLight>(std::move(nodes), uses, error);
+    light.push_back({uses, error, isAmongOthers, made});
+    if (light.size() > mostKept)
+        light.erase(light.begin());
+    return made;
 }
 
 std::size_t PreparedModel::facets() const {
@@ -53,23 +77,19 @@ PreparedModel& PreparedEntities::of(const Entity& entity) {
 Vec3 PreparedEntities::referencePoint(const Entity& entity) {
     if (entity.referencePoint_m)
         return *entity.referencePoint_m;
-    const auto found = std::ranges::find_if(references_, [&](const Reference& known) {
+    const Reference* const found = references_.find([&](const Reference& known) {
         return known.model == entity.model && known.database == entity.database &&
                known.fallbackMaterial == entity.fallbackMaterial;
     });
-    if (found != references_.end()) {
-        references_.splice(references_.begin(), references_, found);
-        return references_.front().point_m;
-    }
+    if (found != nullptr)
+        return found->point_m;
     const BoundingBox opaque = entity.model->boundsOf([&](const IrCodes& codes) {
         const Material* material = materialEntry(entity, codes.material);
         return !material || material->isOpaque();
     });
     const BoundingBox& box = opaque.valid() ? opaque : entity.model->bounds();
-    references_.push_front({entity.model, entity.database, entity.fallbackMaterial, box.centre()});
-    if (references_.size() > mostReferences)
-        references_.pop_back();
-    return references_.front().point_m;
+    return references_.add({entity.model, entity.database, entity.fallbackMaterial, box.centre()})
+        .point_m;
 }
 
 } // namespace irsg

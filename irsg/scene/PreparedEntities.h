@@ -5,10 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/scene/Entity.h"
 #include "irsg/scene/model/DrawList.h"
 #include "irsg/scene/model/LongEdges.h"
 #include "irsg/scene/sampling/HotParts.h"
+#include "irsg/scene/trace/BodyLight.h"
 #include "irsg/scene/trace/RayMesh.h"
 
 namespace irsg {
@@ -23,7 +25,19 @@ struct PreparedModel {
     std::shared_ptr<const RayMesh> rayMesh{}; ///< of the items, made when rays are asked for
 
     const std::shared_ptr<const RayMesh>& forRays();
+    /// What its surfaces see of each other where its pieces are met so, within an error, alone or
+    /// among others whose light varies over large facets; see BodyLight.
+    std::shared_ptr<const BodyLight> lightBetween(const PieceUses& uses, double error,
+                                                  bool isAmongOthers);
     std::size_t facets() const;
+
+    struct KnownLight {
+        PieceUses uses;
+        double error;
+        bool isAmongOthers;
+        std::shared_ptr<const BodyLight> light;
+    };
+    std::vector<KnownLight> light{}; ///< latest last
 };
 
 /// Prepared models by their identity, and reference points by what they follow from. Those of the
@@ -48,7 +62,7 @@ class PreparedEntities {
     static constexpr std::size_t mostReferences = 64;
 
     std::list<PreparedModel> models_;
-    std::list<Reference> references_; // latest first
+    RecentlyUsed<Reference> references_{mostReferences};
 };
 
 } // namespace irsg

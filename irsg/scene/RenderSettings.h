@@ -46,6 +46,9 @@ enum class SunShadowMode {
     disc   ///< a disc of 0.53 degrees, equally bright: shadows have a penumbra
 };
 
+/// All reflections between surfaces, in RenderSettings::bounces.
+inline constexpr int convergedBounces = -1;
+
 struct RenderSettings {
     EngineChoice engine = EngineChoice::opengl;
     CalculationMode mode = CalculationMode::spectral;
@@ -67,6 +70,12 @@ struct RenderSettings {
     ReflectionMode sun = ReflectionMode::smart;
     SunShadowMode sunShadows = SunShadowMode::off;
     ReflectionMode fluxes = ReflectionMode::smart;
+    /// Light that goes from surface to surface before it goes to the sensor: 0 for none, so many
+    /// times, or convergedBounces. Where there is any, surfaces also lose what others hide of sky
+    /// and ground. Not with fluxes `approx`, which are independent of geometry. See SceneLight.
+    int bounces = 0;
+    /// Of the view factors between surfaces, as a part of the hemisphere: 1e-5 to 0.1.
+    double lightError = 0.005;
     FluxWeights fluxWeights = FluxWeights::viewFactor;
     BackgroundMode background = BackgroundMode::environment;
     double background_W_m2_sr = 0.0;

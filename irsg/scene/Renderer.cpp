@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <sstream>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/radiometry/Wording.h"
 #include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/radiance/SceneScaledView.h"
 #include "irsg/scene/view/PixelGrid.h"
@@ -22,13 +22,6 @@ constexpr double airErrorToTell = 0.0051;
 constexpr const char* scatteringInSums =
     "scattering: images show the haze; intensities, contrast and irradiances of objects are those "
     "of their direct light";
-
-std::string text(double value) {
-    std::ostringstream out;
-    out.precision(9);
-    out << value;
-    return out.str();
-}
 
 void requireNoScales(const std::vector<Entity>& entities) {
     for (const Entity& entity : entities)
@@ -98,9 +91,9 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Want
                 const SceneRadiometry& radiometry = frame.evaluated->radiometry;
                 for (std::size_t k = 0; k < frame.bands.size(); ++k)
                     result.scaled.push_back(std::make_unique<const SceneScaledView>(
-                        factors, radiometry, frame.evaluated->radiances, frame.evaluated->planck,
-                        rangesOf(frame.geometry), radiometry.outputs()[k], wanted.scalings, false,
-                        valuesOf(nominal[k].all)));
+                        factors, radiometry, frame.evaluated->radiances, frame.light.get(),
+                        frame.evaluated->planck, rangesOf(frame.geometry), radiometry.outputs()[k],
+                        wanted.scalings, false, valuesOf(nominal[k].all)));
             });
         }
     }
@@ -180,7 +173,8 @@ std::vector<RenderReport> Renderer::Impl::reports(const Frame& frame, const View
             varying.push_back(background.isUniform() ? -1 : number++);
         const std::vector<double> ranges_m = rangesOf(frame.geometry);
         std::vector<ObjectSums> sums =
-            objectSums(factors, frame.evaluated->radiances, frame.surfaceRows(), ranges_m, varying);
+            objectSums(factors, frame.evaluated->radiances, frame.light.get(), frame.surfaceRows(),
+                       ranges_m, varying);
         std::vector<RenderReport> all(sums.size());
         for (std::size_t band = 0; band < sums.size(); ++band) {
             RenderReport& report = all[band];
@@ -214,10 +208,11 @@ IntensitySpectrum Renderer::Impl::spectrum(const Frame& frame, const Wanted& wan
             SceneSampling::wavelengths(air, scene, wavelengths.ascending_um)};
         EvaluatedScene evaluated(terms, frame.scene.entities, frame.geometry, bands, fronts);
         evaluated.radiances.setBackground(backgroundOf(bands, frame.scene.settings));
+        evaluated.light = lightOf(frame, evaluated.radiometry);
         const std::vector<double> ranges_m = rangesOf(frame.geometry);
-        const std::vector<ObjectSums> sums =
-            objectSums(factors, evaluated.radiances, evaluated.radiometry.rows(), ranges_m,
-                       std::vector<int>(wavelengths.ascending_um.size(), -1));
+        const std::vector<ObjectSums> sums = objectSums(
+            factors, evaluated.radiances, evaluated.light.get(), evaluated.radiometry.rows(),
+            ranges_m, std::vector<int>(wavelengths.ascending_um.size(), -1));
 
         IntensitySpectrum spectrum;
         spectrum.warnings = evaluated.radiometry.warnings();
@@ -252,7 +247,8 @@ IntensitySpectrum Renderer::Impl::spectrum(const Frame& frame, const Wanted& wan
         });
         if (!wanted.scalings.empty()) {
             auto view = std::make_unique<SceneScaledView>(
-                factors, evaluated.radiometry, evaluated.radiances, evaluated.planck, ranges_m,
+                factors, evaluated.radiometry, evaluated.radiances, evaluated.light.get(),
+                evaluated.planck, ranges_m,
                 std::pair<std::size_t, std::size_t>{0, wavelengths.ascending_um.size()},
                 wanted.scalings, true, std::move(nominal));
             view->reorder(wavelengths.order);
@@ -306,7 +302,9 @@ void Renderer::Impl::fillReport(const Frame& frame, std::size_t band, RenderRepo
             report.warnings.push_back(
                 "the air changes over the extent of '" + frame.scene.entities[e].name +
                 "': its radiance may be wrong by up to " +
-                text(std::round(1000.0 * frame.geometry[e].airError) / 10.0) + " %");
+                roundedText(std::round(1000.0 * frame.geometry[e].airError) / 10.0, 9) + " %");
+    if (frame.exchange)
+        warnOfLight(*frame.exchange, frame.scene, report.warnings);
     report.renderer = frame.renderer;
 }
 
@@ -315,18 +313,19 @@ void Renderer::Impl::describe(const Frame& frame, RadianceImage& image) const {
     const RenderSettings& settings = frame.scene.settings;
     const Band& band = frame.bands.front();
     image.attributes["band.name"] = band.name();
-    image.attributes["band.min_um"] = text(band.range().min_um);
-    image.attributes["band.max_um"] = text(band.range().max_um);
+    image.attributes["band.min_um"] = roundedText(band.range().min_um, 9);
+    image.attributes["band.max_um"] = roundedText(band.range().max_um, 9);
     image.attributes["sensor.horizontal_field_of_view_deg"] =
-        text(degrees(sensor.horizontalFieldOfView_rad));
+        roundedText(degrees(sensor.horizontalFieldOfView_rad), 9);
     if (settings.zoomWindow > 0)
         image.attributes["zoom_window"] = std::to_string(settings.zoomWindow);
     else
         image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
-    image.attributes["background_W_m2_sr"] = text(frame.backgrounds.front().centre_W_m2_sr());
+    image.attributes["background_W_m2_sr"] =
+        roundedText(frame.backgrounds.front().centre_W_m2_sr(), 9);
     image.attributes["renderer"] = frame.renderer;
     if (!frame.geometry.empty())
-        image.attributes["range_m"] = text(frame.geometry.front().path.range_m);
+        image.attributes["range_m"] = roundedText(frame.geometry.front().path.range_m, 9);
 }
 
 void Renderer::check(const Scene& scene, const SensorView& view, const Wanted& wanted) {

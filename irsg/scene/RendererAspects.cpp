@@ -43,6 +43,7 @@ PointAspect Renderer::Impl::aspectOf(const Frame& frame, int entity, const Vec3&
                        terms.glsl(settings)};
     append(aspect.numbers, from);
     aspect.numbers.push_back(frame.shadows ? static_cast<double>(settings.sunShadows) : 0.0);
+    appendReceivers(frame, aspect.numbers);
     if (frame.shadows)
         aspect.numbers.insert(aspect.numbers.end(), frame.shadows->reflects().begin(),
                               frame.shadows->reflects().end());
@@ -70,7 +71,7 @@ PointAspect Renderer::Impl::aspectOf(const Frame& frame, int entity, const Vec3&
 ViewFactors Renderer::Impl::drawAlone(const Frame& frame, int entity, const CameraFrame& camera,
                                       int zoomWindow, const SurfaceRows& rows) {
     const Entity& own = frame.entity(entity);
-    FactorSums sums(camera.sensor(), rows, fronts, terms.factorCount());
+    FactorSums sums(camera.sensor(), rows, fronts, terms.factorCount(), {}, frame.exchange);
     ViewFactors view = sums.emptyView();
     auto seen =
         zoomEntityInfo(entity, camera, own.model->bounds(), prepared.of(own).ball, own.pose);
@@ -106,13 +107,12 @@ PointPlace Renderer::Impl::placeOf(const Frame& frame, const ZoomEntityInfo& obj
             pixel.cosOffAxis};
 }
 
-const FactorField<double>& Renderer::Impl::pointFactors(const Frame& frame,
-                                                        const ZoomEntityInfo& object) {
+const PointFactors& Renderer::Impl::pointFactors(const Frame& frame, const ZoomEntityInfo& object) {
     const Rotation toWorld = frame.entity(object.entity).pose.attitude.rotation();
     const Vec3 from = PointSources::onGrid(
         toWorld.transposed() * normalized(frame.view.viewpoint.position_m - object.centre_m));
     const double distance_m = PointSources::cameraDistance_radii * object.radius_m;
-    return pointSources.sums_sr_m2(object.entity, aspectOf(frame, object.entity, from), [&] {
+    return pointSources.of(object.entity, aspectOf(frame, object.entity, from), [&] {
         // A few pixels of a camera that looks at it from far. No phases average its error, so its
         // window is larger than that of other objects, but not by much: one that turns is drawn
         // anew for every frame.
@@ -127,12 +127,14 @@ const FactorField<double>& Renderer::Impl::pointFactors(const Frame& frame,
         const SurfaceRows rows = drawnRows(frame.surfaceRows(), frame.scene.entities.size());
         const ViewFactors view =
             drawAlone(frame, object.entity, zoom, frame.scene.settings.zoomWindow * 3 / 2, rows);
-        FactorField<double> atUnitDistance(1, terms.factorCount() + 1);
+        PointFactors atUnitDistance{FactorField<double>(1, terms.factorCount() + 1), {}};
+        FactorField<double>& field = atUnitDistance.sums_sr_m2;
         view.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
-            double* own = atUnitDistance.at(0, atUnitDistance.kindOf(view.field.kinds()[kind]));
-            for (std::size_t i = 0; i < atUnitDistance.width(); ++i)
+            double* own = field.at(0, field.kindOf(view.field.kinds()[kind]));
+            for (std::size_t i = 0; i < field.width(); ++i)
                 own[i] = numbers[i] * distance_m * distance_m;
         });
+        addLight(view.light, distance_m * distance_m, atUnitDistance.light_sr_m2);
         return atUnitDistance;
     });
 }
@@ -219,9 +221,10 @@ ViewFactors Renderer::Impl::drawAtNode(const Frame& frame, int entity, const Vec
                                                toWorld * Vec3{0, 0, 1}, toWorld * Vec3{0, 1, 0}));
 
     const ViewFactors view = drawAlone(frame, entity, camera, zoomWindow, rows);
-    ViewFactors atUnitDistance{view.layout, FactorField<double>(1, view.layout.width()),
-                               view.layersLeftOver};
+    ViewFactors atUnitDistance{
+        view.layout, FactorField<double>(1, view.layout.width()), {}, view.layersLeftOver};
     const double square_m2 = distance_m * distance_m;
+    addLight(view.light, square_m2, atUnitDistance.light);
     const double pixel_sr = sensor.pixelPitch() * sensor.pixelPitch();
     view.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
         FactorField<double>& field = atUnitDistance.field;

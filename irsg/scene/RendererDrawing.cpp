@@ -96,7 +96,8 @@ FrameReduction Renderer::Impl::drawObjects(const Frame& frame, std::vector<Sampl
     const auto finish = [&](FrameReduction& reduction) {
         for (const ZoomEntityInfo& object : frame.points)
             addPointToPixel(pointFactors(frame, object), frame.surfaceRows(),
-                            placeOf(frame, object), frame.evaluated->radiances, reduction);
+                            placeOf(frame, object), frame.evaluated->radiances, frame.light.get(),
+                            reduction);
         windows = sampledWindows(frame, strategy.takeWindows());
     };
     if (frame.drawn.empty()) {
@@ -112,7 +113,8 @@ FrameReduction Renderer::Impl::drawObjects(const Frame& frame, std::vector<Sampl
         SurfaceRttPass(Impl& parts, const Frame& frame)
             : impl_(parts),
               frame_(frame),
-              radiances_(frame.surfaceRows(), parts.fronts, frame.evaluated->radiances) {}
+              radiances_(frame.surfaceRows(), parts.fronts, frame.evaluated->radiances,
+                         frame.light.get()) {}
         int largestSide() const override { return frame_.engine->largestSide(); }
         void draw(const CameraFrame& camera, const SampleSheet& sheet,
                   RadianceSamples& samples) override {
@@ -187,7 +189,8 @@ FrameReduction Renderer::Impl::followedPixels(const Frame& frame,
         antialiasing.strategyFor(settings).windows(frame.drawn);
     windows = sampledWindows(frame, DrawnWindow::of(planned));
     if (!pixels.factors) {
-        FactorSums sums(frame.view.sensor, frame.surfaceRows(), fronts, terms.factorCount());
+        FactorSums sums(frame.view.sensor, frame.surfaceRows(), fronts, terms.factorCount(), {},
+                        frame.exchange);
         pixels.factors = sums.emptyPixels();
         drawFactorWindows(frame, frame.drawn, frame.surfaceRows().isSliced(), "factors of pixels",
                           [&](const SampleWindow& window, const FactorSamples& samples) {
@@ -197,7 +200,7 @@ FrameReduction Renderer::Impl::followedPixels(const Frame& frame,
     FrameReduction reduction(frame.view.sensor, piecesOf(planned, frame.engine->largestSide()));
     timed("sums of pixels", [&] {
         addPixels(*pixels.factors, frame.view.sensor.width_px, frame.evaluated->radiances,
-                  reduction);
+                  frame.light.get(), reduction);
     });
     return reduction;
 }
@@ -281,7 +284,7 @@ void Renderer::Impl::drawFactorWindows(const Frame& frame,
 
 void Renderer::Impl::addTruthLayers(const Frame& frame, RadianceImage& image) {
     TruthLayers truth(frame.evaluated->radiometry, frame.evaluated->radiances, fronts,
-                      frame.backgrounds.front(), image);
+                      frame.backgrounds.front(), frame.light.get(), image);
     drawFactorWindows(frame, frame.seen, true, "truth layers",
                       [&](const SampleWindow& window, const FactorSamples& samples) {
                           truth.add(window, samples);

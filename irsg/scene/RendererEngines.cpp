@@ -82,15 +82,8 @@ void Renderer::Impl::takeEngine(Frame& frame) {
     });
 }
 
-void Renderer::Impl::takeShadows(Frame& frame, const Wanted& wanted) {
-    const std::vector<int> shadowed = terms.shadowedFrom(frame.scene.settings);
-    if (std::ranges::all_of(shadowed, [](int from) { return from < 0; }))
-        return;
-    if (!areRaysBuilt()) {
-        frame.warnings.push_back("shadows of the sun are left out: " + whyNoRays());
-        return;
-    }
-    timed("ray trees", [&] {
+std::vector<SunShadows::Caster> Renderer::Impl::casters(const Frame& frame) {
+    return timed("ray trees", [&] {
         const SurfaceRows& rows = frame.surfaceRows();
         std::vector<SunShadows::Caster> casters;
         for (int e = 0; e < static_cast<int>(frame.scene.entities.size()); ++e) {
@@ -118,6 +111,27 @@ void Renderer::Impl::takeShadows(Frame& frame, const Wanted& wanted) {
             for (std::size_t i = 0; i < caster.mesh->pieces(); ++i)
                 caster.uses.set(i, {.isThere = true});
         }
+        return casters;
+    });
+}
+
+void Renderer::Impl::takeShadows(Frame& frame, const Wanted& wanted) {
+    const std::vector<int> shadowed = terms.shadowedFrom(frame.scene.settings);
+    const bool hasShadows = std::ranges::any_of(shadowed, [](int from) { return from >= 0; });
+    const bool hasLight = hasLightBetween(frame);
+    if (!hasShadows && !hasLight)
+        return;
+    if (!areRaysBuilt()) {
+        if (hasShadows)
+            frame.warnings.push_back("shadows of the sun are left out: " + whyNoRays());
+        if (hasLight)
+            frame.warnings.push_back("light between surfaces is left out: " + whyNoRays());
+        return;
+    }
+    std::vector<SunShadows::Caster> all = casters(frame);
+    if (hasLight)
+        takeExchange(frame, all);
+    if (hasShadows || frame.exchange) {
         // What reflects nothing, such as gas, may where its emissivity is scaled.
         constexpr double rounding_per_sr = 1e-9;
         std::vector<bool> reflects;
@@ -125,10 +139,13 @@ void Renderer::Impl::takeShadows(Frame& frame, const Wanted& wanted) {
             for (const SurfaceSpectra& surface : frame.evaluated->radiometry.surfaces())
                 reflects.push_back(std::ranges::any_of(
                     surface.reflectance, [](double value) { return value > rounding_per_sr; }));
-        frame.shadows = std::make_shared<const SunShadows>(std::move(casters), std::move(reflects),
-                                                           frame.scene.settings.sunShadows ==
-                                                               SunShadowMode::disc);
-    });
+        auto shadows =
+            std::make_shared<SunShadows>(std::move(all), std::move(reflects),
+                                         frame.scene.settings.sunShadows == SunShadowMode::disc);
+        if (frame.exchange)
+            shadows->setPlaces(placesOf(frame));
+        frame.shadows = std::move(shadows);
+    }
     if (shadowingTerrain != frame.scene.terrain) {
         shadowingTerrain = frame.scene.terrain;
         pointSources = {};

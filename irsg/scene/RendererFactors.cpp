@@ -49,6 +49,7 @@ Renderer::Impl::ViewKey Renderer::Impl::viewKey(const Frame& frame) const {
     if (frame.shadows)
         key.numbers.insert(key.numbers.end(), frame.shadows->reflects().begin(),
                            frame.shadows->reflects().end());
+    appendReceivers(frame, key.numbers);
     for (const ZoomEntityInfo& object : frame.alongRange)
         key.numbers.push_back(static_cast<double>(object.entity));
     key.terrain = frame.scene.terrain;
@@ -86,7 +87,7 @@ std::shared_ptr<Renderer::Impl::FactorDrawing> Renderer::Impl::beginFactors(cons
     drawing->key = std::move(key);
     drawing->varying = std::move(varying);
     drawing->sums.emplace(frame.view.sensor, drawing->key.rows, drawing->fronts,
-                          terms.factorCount(), pointersTo(drawing->varying));
+                          terms.factorCount(), pointersTo(drawing->varying), frame.exchange);
     drawing->factors = drawing->sums->emptyView();
     // The drawing outlives what is begun here: it waits for that when it goes.
     drawing->windows = beginWindows(
@@ -106,6 +107,10 @@ const ViewFactors& Renderer::Impl::factorsOf(const Frame& frame, FactorDrawing& 
         waitFor(drawing.windows, "factor sums");
         ViewFactors own = std::exchange(drawing.factors, drawing.sums->emptyView());
         drawing.factors.layersLeftOver = own.layersLeftOver;
+        for (auto& [kind, sums] : own.light)
+            drawing.factors
+                .light[{fronts.numberOf(drawing.fronts.materials(kind.first)), kind.second}] =
+                std::move(sums);
         drawing.factors.field.add(
             own.field, [](std::size_t) { return std::size_t{0}; },
             [&](int front) { return fronts.numberOf(drawing.fronts.materials(front)); });

@@ -63,6 +63,15 @@ struct Renderer::Impl {
     PointSources pointSources;
     RangeFactors rangeFactors;
     std::shared_ptr<const Terrain> shadowingTerrain; ///< of what is kept of aspects
+    /// Light between the surfaces of scenes, by all that it depends on, latest last.
+    struct KnownExchange {
+        std::vector<double> numbers;
+        std::vector<std::shared_ptr<const BodyLight>> bodies;
+        std::shared_ptr<const Terrain> terrain;
+        std::vector<SurfaceKey> keys;
+        std::shared_ptr<const LightExchange> exchange;
+    };
+    std::vector<KnownExchange> exchanges;
     SceneScattering scattering;
 
     /// All that the factors of a view depend on.
@@ -86,7 +95,7 @@ struct Renderer::Impl {
     /// of.
     struct {
         std::optional<ViewKey> key;
-        std::optional<FactorField<float>> factors;
+        std::optional<PixelFactors> factors;
     } pixels;
 
     /// Sum of omega cos(theta) over the frame, of the last raster.
@@ -120,6 +129,8 @@ struct Renderer::Impl {
         std::vector<std::shared_ptr<const RayMesh>> meshes; // by entity, for rays
         std::shared_ptr<const RayMesh> terrainMesh;         // likewise
         std::shared_ptr<const SunShadows> shadows;          // null for none
+        std::shared_ptr<const LightExchange> exchange;      // between surfaces, likewise
+        std::shared_ptr<SceneLight> light;                  // of the bands, likewise
         std::vector<SurfaceRow> rows;                       // by drawn row, of the first band
         std::vector<bool> hot;              // by drawn row: worth samples of its own
         std::vector<ZoomEntityInfo> seen;   // all that the frame can see
@@ -191,8 +202,26 @@ struct Renderer::Impl {
     void takeEngine(Frame& frame);
     /// Gives it what stands before the sun, where shadows are asked for.
     void takeShadows(Frame& frame, const Wanted& wanted);
+    /// What stands in the way of light, entity by entity, and the terrain.
+    std::vector<SunShadows::Caster> casters(const Frame& frame);
     /// Sorts the layers of a drawing, and takes the light of the sun away from what is in shadow.
     void sortAndShade(const Frame& frame, const SheetScene& sheet, FactorSamples& samples);
+
+    // RendererLight.cpp: light between surfaces.
+    bool hasLightBetween(const Frame& frame) const;
+    /// Gives a frame what its surfaces see of each other, where that is asked for.
+    void takeExchange(Frame& frame, const std::vector<SunShadows::Caster>& casters);
+    std::shared_ptr<const LightExchange> exchangeOf(const Frame& frame,
+                                                    const std::vector<SunShadows::Caster>& casters);
+    /// Says of which bodies the view factors are not known as well as was asked.
+    static void warnOfLight(const LightExchange& exchange, const Scene& scene,
+                            std::vector<std::string>& warnings);
+    /// Which triangles the samples of a drawing lie in.
+    static SunShadows::LightPlaces placesOf(const Frame& frame);
+    /// What the receivers that sums are made of are numbered by.
+    static void appendReceivers(const Frame& frame, std::vector<double>& numbers);
+    /// What of that a radiometry makes.
+    std::shared_ptr<SceneLight> lightOf(const Frame& frame, const SceneRadiometry& radiometry);
 
     // RendererDrawing.cpp
     void onEngine(const Frame& frame, const std::function<void()>& work);
@@ -238,7 +267,7 @@ struct Renderer::Impl {
     ViewFactors drawAlone(const Frame& frame, int entity, const CameraFrame& camera, int zoomWindow,
                           const SurfaceRows& rows);
     /// Factors of a point source at unit distance, kept for its aspect.
-    const FactorField<double>& pointFactors(const Frame& frame, const ZoomEntityInfo& object);
+    const PointFactors& pointFactors(const Frame& frame, const ZoomEntityInfo& object);
     PointPlace placeOf(const Frame& frame, const ZoomEntityInfo& object) const;
     /// Takes the objects whose factors are interpolated out of those that are drawn.
     void planAlongRange(Frame& frame);

@@ -1,21 +1,14 @@
 #include <cmath>
-#include <sstream>
 
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/radiometry/NewLines.h"
+#include "irsg/radiometry/Wording.h"
 #include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/radiance/ScatteringDepth.h"
 
 namespace irsg {
 
 namespace {
-
-std::string text(double value) {
-    std::ostringstream out;
-    out.precision(9);
-    out << value;
-    return out.str();
-}
 
 /// What one kind of surface sends, of factors that begin with the coverage.
 template <typename Real>
@@ -74,13 +67,18 @@ void Renderer::Impl::scatter(const Frame& frame, RadianceImage& image,
     std::vector<ScatteredObject> objects = objectsToScatter(frame, warnings);
     // What every pixel shows of each object, from the windows of the sampling. The published zoom
     // resamples what it draws, so that its objects are drawn on the pixels' own grid here.
-    FactorSums sums(frame.view.sensor, frame.surfaceRows(), fronts, terms.factorCount());
-    FactorField<float> field = sums.emptyPixels();
+    FactorSums sums(frame.view.sensor, frame.surfaceRows(), fronts, terms.factorCount(), {},
+                    frame.exchange);
+    PixelFactors factors = sums.emptyPixels();
     drawFactorWindows(frame, frame.drawn, frame.surfaceRows().isSliced(), "factors of pixels",
                       [&](const SampleWindow& window, const FactorSamples& samples) {
-                          sums.addToPixels(window, samples, field);
+                          sums.addToPixels(window, samples, factors);
                       });
     timed("scattering", [&] {
+        const FactorField<float>& field = factors.field;
+        std::vector<double> ofReceivers;
+        if (frame.light)
+            ofReceivers = radiancesOf(factors.light.kinds(), factors.receivers, *frame.light);
         KindRadiances& radiances = frame.evaluated->radiances;
         const SurfaceRows& rows = frame.surfaceRows();
         const auto objectOf = [&](const FactorKind& kind) -> ScatteredObject& {
@@ -100,14 +98,24 @@ void Renderer::Impl::scatter(const Frame& frame, RadianceImage& image,
                 pixels.back().radiance_W_m2_sr += sentBy(radiance, numbers);
                 pixels.back().opacity += radiance.opacity * static_cast<double>(numbers[0]);
             });
+            if (frame.light)
+                factors.light.forEach(cell, [&](std::size_t number, std::span<const float> part) {
+                    const FactorKind& kind = factors.light.kinds()[number];
+                    const int row = factors.receivers.receiverOf(kind.row).first;
+                    objectOf({kind.front, row}).pixels.back().radiance_W_m2_sr +=
+                        ofReceivers[number] * static_cast<double>(part[0]);
+                });
         }
         for (const ZoomEntityInfo& object : frame.points) {
             const PointPlace place = placeOf(frame, object);
             const double scale = 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr);
             ScatteredObject::Pixel pixel{place.x, place.y, 0.0, 0.0};
-            const FactorField<double>& factors = pointFactors(frame, object);
-            factors.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
-                const FactorKind& own = factors.kinds()[number];
+            const PointFactors& point = pointFactors(frame, object);
+            if (frame.light)
+                pixel.radiance_W_m2_sr += scale * lightOfPoint(point, rows, *frame.light);
+            const FactorField<double>& sums_sr_m2 = point.sums_sr_m2;
+            sums_sr_m2.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
+                const FactorKind& own = sums_sr_m2.kinds()[number];
                 const FactorKind kind{own.front, rows.first(own.row)};
                 radiances.prepare({kind});
                 const KindRadiance radiance = radiances.of(kind);
@@ -122,9 +130,9 @@ void Renderer::Impl::scatter(const Frame& frame, RadianceImage& image,
              scattering.addHaze(database, frame.view.sensor, frame.backgrounds.front(), objects,
                                 image, warnings)) {
             const std::string key = "scattering." + light.name + ".";
-            image.attributes[key + "optical_depth"] = text(light.opticalDepth);
-            image.attributes[key + "gain"] = text(light.gain);
-            image.attributes[key + "cut"] = text(light.cut);
+            image.attributes[key + "optical_depth"] = roundedText(light.opticalDepth, 9);
+            image.attributes[key + "gain"] = roundedText(light.gain, 9);
+            image.attributes[key + "cut"] = roundedText(light.cut, 9);
         }
         image.attributes["scattering.database"] = database.string();
     });

@@ -4,10 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <map>
-#include <sstream>
 
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Wording.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "irsg/scene/trace/RaysBuilt.h"
 
@@ -17,17 +17,11 @@ namespace {
 
 constexpr int largestBackgroundGrid = 1024;
 
-std::string text(double value) {
-    std::ostringstream out;
-    out << value;
-    return out.str();
-}
-
 /// An altitude that is negative by rounding alone is the ground.
 double altitude_m(double z_m, double range_m, const std::string& what,
                   std::vector<Diagnostic>& diagnostics) {
     if (z_m < -1e-6 * std::max(1.0, range_m))
-        diagnostics.push_back({what, "altitude", text(z_m) + " m",
+        diagnostics.push_back({what, "altitude", roundedText(z_m) + " m",
                                "at least 0 m: raise the target, or look from above"});
     return std::max(z_m, 0.0);
 }
@@ -79,7 +73,7 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
         }
         const double temperature_K = surfaceTemperature_K(entry->terms, state);
         if (!(temperature_K > 0.0) || !std::isfinite(temperature_K))
-            diagnostics.push_back({entity.name, place, text(temperature_K) + " K",
+            diagnostics.push_back({entity.name, place, roundedText(temperature_K) + " K",
                                    "a positive temperature in the present state"});
     }
     const auto check = [&](int index, const Material* material, const Band& band) {
@@ -90,11 +84,11 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
                 diagnostics.push_back({entity.name,
                                        "material index " + std::to_string(index) + " (" +
                                            material->name + ") " + name,
-                                       text(spectrum->wavelengths_um().front()) + " to " +
-                                           text(spectrum->wavelengths_um().back()) + " um",
+                                       roundedText(spectrum->wavelengths_um().front()) + " to " +
+                                           roundedText(spectrum->wavelengths_um().back()) + " um",
                                        "a spectrum that covers the band " +
-                                           text(band.range().min_um) + " to " +
-                                           text(band.range().max_um) + " um"});
+                                           roundedText(band.range().min_um) + " to " +
+                                           roundedText(band.range().max_um) + " um"});
     };
     for (const auto& [index, material] : materials)
         for (const Band& band : bands)
@@ -156,8 +150,8 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
         diagnostics.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
                                "a power of two for the published zoom"});
     if (!(settings.pointSourceBelow_px >= 0.0 && settings.pointSourceBelow_px <= 1.0))
-        diagnostics.push_back({"settings", "point source below", text(settings.pointSourceBelow_px),
-                               "0 to 1 pixels"});
+        diagnostics.push_back({"settings", "point source below",
+                               roundedText(settings.pointSourceBelow_px), "0 to 1 pixels"});
     if (settings.samplesPerAxis < 1 || settings.samplesPerAxis > 16)
         diagnostics.push_back(
             {"settings", "samples per axis", std::to_string(settings.samplesPerAxis), "1 to 16"});
@@ -173,12 +167,13 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
                                    " each, or 0 rows for as many as are needed"});
     for (const TextureScale& scale : {settings.skybox, settings.terrain})
         if (!std::isfinite(scale.slope_W_m2_sr) || !std::isfinite(scale.offset))
-            diagnostics.push_back({"settings", "slope and offset of a texture",
-                                   text(scale.slope_W_m2_sr) + " and " + text(scale.offset),
-                                   "finite numbers"});
+            diagnostics.push_back(
+                {"settings", "slope and offset of a texture",
+                 roundedText(scale.slope_W_m2_sr) + " and " + roundedText(scale.offset),
+                 "finite numbers"});
     if (settings.background == BackgroundMode::constant &&
         !(settings.background_W_m2_sr >= 0.0 && std::isfinite(settings.background_W_m2_sr)))
-        diagnostics.push_back({"settings", "background", text(settings.background_W_m2_sr),
+        diagnostics.push_back({"settings", "background", roundedText(settings.background_W_m2_sr),
                                "a finite radiance of at least 0 W m-2 sr-1"});
 
     if (settings.engine == EngineChoice::rays && !areRaysBuilt())

@@ -15,27 +15,24 @@ using Taken = CopyRequest::Taken;
 
 /// Upwards, and from 1 again past the highest.
 int nextFree(const auto& entries, int index) {
-    while (entries.contains(index)) {
+    while (entries.contains(index))
         index = index == std::numeric_limits<int>::max() ? 1 : index + 1;
-    }
     return index;
 }
 
 std::string nextFree(const std::map<std::string, UserSpectrum>& entries, const std::string& name) {
     std::string free = name;
-    for (int i = 2; entries.contains(free); ++i) {
+    for (int i = 2; entries.contains(free); ++i)
         free = name + " " + std::to_string(i);
-    }
     return free;
 }
 
 template <typename Key>
 std::string pathOf(const char* table, const Key& key) {
-    if constexpr (std::is_same_v<Key, std::string>) {
+    if constexpr (std::is_same_v<Key, std::string>)
         return spectrumPath(key);
-    } else {
+    else
         return std::string(table) + "." + std::to_string(key);
-    }
 }
 
 /// Puts one entry into its table and says under which key.
@@ -47,18 +44,16 @@ Key place(std::map<Key, Entry>& table, const char* name, const Key& wanted, Entr
         table[wanted] = std::move(entry);
         return wanted;
     }
-    if (there->second == entry) {
+    if (there->second == entry)
         return wanted;
-    }
     if (taken == Taken::refuse) {
         diagnostics.push_back({toName, pathOf(name, wanted), "another entry",
                                "a free place, or leave to renumber or to replace"});
         return wanted;
     }
     const Key free = nextFree(table, wanted);
-    if constexpr (std::is_same_v<Entry, UserSpectrum>) {
+    if constexpr (std::is_same_v<Entry, UserSpectrum>)
         entry.name = free;
-    }
     table[free] = std::move(entry);
     return free;
 }
@@ -110,9 +105,8 @@ CopyResult copyEntries(const SignatureDatabase& from, SignatureDatabase& to,
         result.materials[index] = place(made.materials, "materials", index, material->second,
                                         request.taken, toName, diagnostics);
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
     to = std::move(made);
     return result;
 }

@@ -7,12 +7,10 @@ namespace irsg {
 SpectralAxis readSpectralAxis(const CsvTable& table, const CsvColumns& columns,
                               std::vector<Diagnostic>& diagnostics) {
     const CsvCell& cell = columns.corner;
-    if (cell.text == "um" || cell.text == "\u00b5m" || cell.text == "\u03bcm") {
+    if (cell.text == "um" || cell.text == "\u00b5m" || cell.text == "\u03bcm")
         return SpectralAxis::wavelength;
-    }
-    if (cell.text == "cm-1" || cell.text == "cm^-1" || cell.text == "cm\u207b\u00b9") {
+    if (cell.text == "cm-1" || cell.text == "cm^-1" || cell.text == "cm\u207b\u00b9")
         return SpectralAxis::wavenumber;
-    }
     if (!columns.names.empty()) {
         diagnostics.push_back(
             table.diagnostic(cell, "'um' or 'cm-1', the unit of the first column"));
@@ -47,13 +45,11 @@ std::vector<double> wavelengthsOf(const CsvColumns& columns, SpectralAxis axis) 
 }
 
 std::string csvCell(const std::string& name) {
-    if (name.find_first_of(",\"#") == std::string::npos) {
+    if (name.find_first_of(",\"#") == std::string::npos)
         return name;
-    }
     std::string quoted = "\"";
-    for (const char c : name) {
+    for (const char c : name)
         quoted += c == '"' ? "\"\"" : std::string(1, c);
-    }
     return quoted + "\"";
 }
 

@@ -20,9 +20,8 @@ std::string expectedNumber(const CsvCell& cell) {
 
 std::string expectedCells(std::size_t found, std::size_t wanted) {
     std::string text = std::to_string(wanted) + " cells";
-    if (found > wanted) {
+    if (found > wanted)
         text += " (with decimal points, not commas?)";
-    }
     return text;
 }
 

@@ -9,7 +9,8 @@
 
 namespace irsg {
 
-/// The distributions of scaling files, by the number they have there (report table 24).
+/// The distributions of scaling files, by the number they have there: 0 to 14 are those
+/// of the report (table 24), the others our own, which its programs refuse.
 enum class DistributionKind {
     uniform = 0,
     normal,
@@ -25,9 +26,10 @@ enum class DistributionKind {
     studentT,
     beta,
     pareto,
-    poisson
+    poisson,
+    triangular
 };
-inline constexpr int distributionKindCount = 15;
+inline constexpr int distributionKindCount = static_cast<int>(DistributionKind::triangular) + 1;
 
 /// What a distribution is called and what its numbers mean.
 struct DistributionInfo {
@@ -41,7 +43,7 @@ const DistributionInfo& info(DistributionKind kind);
 /// Of all kinds, by number.
 const std::vector<DistributionInfo>& distributionTable();
 
-/// A random variable that never leaves [min, max]: one of fifteen distributions, truncated there.
+/// A random variable that never leaves [min, max]: one of the kinds, truncated there.
 /// With min = max it has that value always.
 ///
 /// A number u of (0, 1) becomes the value whose truncated distribution function is u. That function

@@ -12,9 +12,8 @@ namespace {
 void checkNames(const CsvTable& table, const CsvColumns& columns, const UserSpectrum& spectrum,
                 std::vector<Diagnostic>& diagnostics) {
     std::string known;
-    for (const SpectrumComponent& component : spectrum.components) {
+    for (const SpectrumComponent& component : spectrum.components)
         known += (known.empty() ? "" : ", ") + component.name;
-    }
     for (const CsvCell& name : columns.names) {
         if (!name.text.empty() && spectrum.find(name.text) == nullptr) {
             diagnostics.push_back(table.diagnostic(name, "a component of the spectrum '" +
@@ -47,9 +46,8 @@ void checkNumbers(const CsvTable& table, const CsvColumns& columns, FactorAxis a
 
 ComponentFactor& factorOf(ComponentFactors& factors, const std::string& component) {
     const auto found = std::ranges::find(factors, component, &ComponentFactor::component);
-    if (found != factors.end()) {
+    if (found != factors.end())
         return *found;
-    }
     factors.push_back({component, 1.0, {}, {}});
     return factors.back();
 }
@@ -65,16 +63,13 @@ void readFactorCsv(const std::filesystem::path& file, FactorAxis axis, bool loop
             table.diagnostic("loop mode over angle", "loop mode over time alone"));
     }
     const CsvColumns columns = readColumns(table, loop ? 2 : 1, diagnostics);
-    if (!columns.corner.text.empty()) {
+    if (!columns.corner.text.empty())
         diagnostics.push_back(table.diagnostic(columns.corner, "an empty first cell"));
-    }
     checkNames(table, columns, spectrum, diagnostics);
-    if (diagnostics.empty()) {
+    if (diagnostics.empty())
         checkNumbers(table, columns, axis, diagnostics);
-    }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
 
     for (std::size_t i = 0; i < columns.names.size(); ++i) {
         ComponentFactor& factor = factorOf(into, columns.names[i].text);

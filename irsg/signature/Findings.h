@@ -46,9 +46,8 @@ class Findings {
 /// Repairs of one entry, which do nothing where it is gone.
 inline Finding::Repair onMaterial(int index, std::function<void(Material&)> change) {
     return [index, change = std::move(change)](SignatureDatabase& database) {
-        if (const auto entry = database.materials.find(index); entry != database.materials.end()) {
+        if (const auto entry = database.materials.find(index); entry != database.materials.end())
             change(entry->second);
-        }
     };
 }
 inline Finding::Repair onTemperature(int index, std::function<void(TemperatureEntry&)> change) {
@@ -62,9 +61,8 @@ inline Finding::Repair onTemperature(int index, std::function<void(TemperatureEn
 inline Finding::Repair onSpectrum(const std::string& name,
                                   std::function<void(UserSpectrum&)> change) {
     return [name, change = std::move(change)](SignatureDatabase& database) {
-        if (const auto entry = database.spectra.find(name); entry != database.spectra.end()) {
+        if (const auto entry = database.spectra.find(name); entry != database.spectra.end())
             change(entry->second);
-        }
     };
 }
 

@@ -1,80 +1,18 @@
 #include "irsg/signature/JsonReader.h"
 
-#include <cmath>
 #include <utility>
 
 namespace irsg {
 
-namespace {
-
 using nlohmann::json;
 
-constexpr std::size_t longestQuote = 60;
-constexpr int deepestNesting = 16;
-
-std::string shown(const json& value) {
-    std::string text = value.is_number_float()
-                           ? numberText(value.get<double>())
-                           : value.dump(-1, ' ', false, json::error_handler_t::replace);
-    if (text.size() > longestQuote) {
-        text = text.substr(0, longestQuote) + "...";
-    }
-    return text;
-}
-
-/// "line 3, column 7" of a byte that counts from 1.
-std::string placeOf(const std::string& text, std::size_t byte) {
-    std::size_t line = 1;
-    std::size_t column = 1;
-    for (std::size_t i = 0; i + 1 < byte && i < text.size(); ++i) {
-        ++column;
-        if (text[i] == '\n') {
-            ++line;
-            column = 1;
-        }
-    }
-    return "line " + std::to_string(line) + ", column " + std::to_string(column);
-}
-
-/// Watches a parse for keys that an object holds twice, of which the library would keep the last in
-/// silence, and for nesting that no recursion should follow.
-class ParseWatch {
-  public:
-    explicit ParseWatch(const std::string& fileName) : fileName_(fileName) {}
-
-    bool operator()(int depth, json::parse_event_t event, json& parsed) {
-        if (depth > deepestNesting) {
-            throw InputError(
-                {fileName_, "",
-                 "lists or objects nested more than " + std::to_string(deepestNesting) + " deep",
-                 "the form of a signature database"});
-        }
-        if (event == json::parse_event_t::object_start) {
-            open_.emplace_back();
-        } else if (event == json::parse_event_t::object_end) {
-            open_.pop_back();
-        } else if (event == json::parse_event_t::key &&
-                   !open_.back().insert(parsed.get<std::string>()).second) {
-            found.push_back(parsed.get<std::string>());
-        }
-        return true;
-    }
-
-    std::vector<std::string> found;
-
-  private:
-    const std::string& fileName_;
-    std::vector<std::set<std::string>> open_;
-};
-
-} // namespace
-
 void JsonProblems::add(const std::string& path, const json& value, std::string expected) {
-    addText(path, shown(value), std::move(expected));
+    addText(path, shownJson(value), std::move(expected));
 }
 
 void JsonProblems::addText(const std::string& path, std::string value, std::string expected) {
-    diagnostics_.push_back({fileName_, path, std::move(value), std::move(expected)});
+    diagnostics_.push_back(
+        {fileName_, places_.position(path), std::move(value), std::move(expected)});
 }
 
 void JsonProblems::add(const std::string& path, const InputError& error) {
@@ -85,45 +23,16 @@ void JsonProblems::add(const std::string& path, const InputError& error) {
 }
 
 void JsonProblems::throwIfAny() const {
-    if (!diagnostics_.empty()) {
+    if (!diagnostics_.empty())
         throw InputError(diagnostics_);
-    }
-}
-
-json parseJson(const std::string& text, const std::string& fileName) {
-    // The library takes a zero byte for the end of the text and says nothing of what follows.
-    if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
-        throw InputError(
-            {fileName, placeOf(text, zero + 1), "a zero byte", "well-formed JSON in UTF-8"});
-    }
-    ParseWatch watch(fileName);
-    json root;
-    try {
-        root = json::parse(text, std::ref(watch));
-    } catch (const json::parse_error& error) {
-        const bool ended = error.byte > text.size() || text.empty();
-        throw InputError({fileName, placeOf(text, error.byte),
-                          ended ? "the end of the text" : "text that is not JSON",
-                          "well-formed JSON in UTF-8"});
-    } catch (const json::exception&) {
-        throw InputError({fileName, "", "a number too large for double precision",
-                          "numbers of magnitude below 1.8e308"});
-    }
-    JsonProblems problems(fileName);
-    for (const std::string& key : watch.found) {
-        problems.addText(key, "the key '" + key + "' twice in one object", "each key once");
-    }
-    problems.throwIfAny();
-    return root;
 }
 
 JsonObject::JsonObject(const json& value, std::string path, JsonProblems& problems)
     : path_(std::move(path)), problems_(&problems) {
-    if (value.is_object()) {
+    if (value.is_object())
         object_ = &value;
-    } else {
+    else
         problems.add(path_, value, "an object {...}");
-    }
 }
 
 std::string JsonObject::pathOf(const std::string& key) const {
@@ -132,14 +41,12 @@ std::string JsonObject::pathOf(const std::string& key) const {
 
 const json* JsonObject::find(const std::string& key, bool required) {
     known_.insert(key);
-    if (object_ == nullptr) {
+    if (object_ == nullptr)
         return nullptr;
-    }
     const auto found = object_->find(key);
     if (found == object_->end()) {
-        if (required) {
+        if (required)
             problems_->addText(pathOf(key), "nothing", "a value: this key is required");
-        }
         return nullptr;
     }
     return &*found;
@@ -175,9 +82,8 @@ bool JsonObject::flag(const std::string& key, bool otherwise) {
 std::optional<std::vector<std::vector<double>>> JsonObject::columns(const std::string& key,
                                                                     std::size_t columns) {
     const json* const rows = find(key, true);
-    if (rows == nullptr) {
+    if (rows == nullptr)
         return std::nullopt;
-    }
     const std::string expected = "rows of " + std::to_string(columns) + " numbers";
     if (!rows->is_array()) {
         problems_->add(pathOf(key), *rows, expected);
@@ -191,9 +97,8 @@ std::optional<std::vector<std::vector<double>>> JsonObject::columns(const std::s
         bool fits = row.is_array() && row.size() == columns;
         for (std::size_t j = 0; fits && j < columns; ++j) {
             fits = row[j].is_number();
-            if (fits) {
+            if (fits)
                 result[j].push_back(row[j].get<double>());
-            }
         }
         if (!fits) {
             problems_->add(pathOf(key) + "[" + std::to_string(i) + "]", row, expected);
@@ -205,16 +110,14 @@ std::optional<std::vector<std::vector<double>>> JsonObject::columns(const std::s
 
 LookupTable JsonObject::table(const std::string& key) {
     const json* const value = find(key);
-    if (value == nullptr) {
+    if (value == nullptr)
         return {};
-    }
     JsonObject object(*value, pathOf(key), *problems_);
     const bool loop = object.flag("loop", false);
     const auto nodes = object.columns("nodes", 2);
     object.finish();
-    if (!nodes) {
+    if (!nodes)
         return {};
-    }
     try {
         return {(*nodes)[0], (*nodes)[1], loop};
     } catch (const InputError& error) {
@@ -225,20 +128,17 @@ LookupTable JsonObject::table(const std::string& key) {
 
 Spectrum JsonObject::spectrum(const std::string& key, double otherwise, bool required) {
     const json* const value = find(key, required);
-    if (value == nullptr) {
+    if (value == nullptr)
         return Spectrum::constant(otherwise);
-    }
-    if (value->is_number()) {
+    if (value->is_number())
         return Spectrum::constant(value->get<double>());
-    }
     if (!value->is_array()) {
         problems_->add(pathOf(key), *value, "a number, or rows of wavelength in um and value");
         return Spectrum::constant(otherwise);
     }
     const auto nodes = columns(key, 2);
-    if (!nodes) {
+    if (!nodes)
         return Spectrum::constant(otherwise);
-    }
     try {
         return {(*nodes)[0], (*nodes)[1]};
     } catch (const InputError& error) {
@@ -248,18 +148,14 @@ Spectrum JsonObject::spectrum(const std::string& key, double otherwise, bool req
 }
 
 void JsonObject::finish() {
-    if (object_ == nullptr) {
+    if (object_ == nullptr)
         return;
-    }
     std::string keys;
-    for (const std::string& key : known_) {
+    for (const std::string& key : known_)
         keys += (keys.empty() ? "" : ", ") + key;
-    }
-    for (const auto& item : object_->items()) {
-        if (!known_.contains(item.key())) {
+    for (const auto& item : object_->items())
+        if (!known_.contains(item.key()))
             problems_->addText(pathOf(item.key()), "an unknown key", "one of " + keys);
-        }
-    }
 }
 
 } // namespace irsg

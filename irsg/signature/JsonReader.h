@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/JsonText.h"
 #include "irsg/radiometry/Spectrum.h"
 #include "irsg/signature/LookupTable.h"
 
@@ -16,7 +17,8 @@ namespace irsg {
 /// The diagnostics of one JSON file, gathered while it is read.
 class JsonProblems {
   public:
-    explicit JsonProblems(std::string fileName) : fileName_(std::move(fileName)) {}
+    JsonProblems(std::string fileName, const std::string& text)
+        : fileName_(std::move(fileName)), places_(text) {}
 
     void add(const std::string& path, const nlohmann::json& value, std::string expected);
     void addText(const std::string& path, std::string value, std::string expected);
@@ -27,12 +29,9 @@ class JsonProblems {
 
   private:
     std::string fileName_;
+    JsonPlaces places_;
     std::vector<Diagnostic> diagnostics_;
 };
-
-/// Parses a text into JSON. Throws InputError with line and column where it is not JSON, and for
-/// every key that an object holds twice.
-nlohmann::json parseJson(const std::string& text, const std::string& fileName);
 
 /// One JSON object under a key path. Each key asked for counts as known; `finish` reports the rest.
 /// A value of the wrong kind is reported and answered with a harmless default.

@@ -16,20 +16,17 @@ using nlohmann::json;
 bool keyBefore(const std::string& a, const std::string& b) {
     const auto x = parseNumber(a);
     const auto y = parseNumber(b);
-    if (x && y && *x != *y) {
+    if (x && y && *x != *y)
         return *x < *y;
-    }
-    if (x.has_value() != y.has_value()) {
+    if (x.has_value() != y.has_value())
         return x.has_value();
-    }
     return a < b;
 }
 
 std::vector<std::string> sortedKeys(const json& object) {
     std::vector<std::string> keys;
-    for (const auto& item : object.items()) {
+    for (const auto& item : object.items())
         keys.push_back(item.key());
-    }
     std::ranges::sort(keys, keyBefore);
     return keys;
 }
@@ -64,13 +61,12 @@ class Writer {
     }
 
     void append(const json& value, int depth) {
-        if (value.is_object()) {
+        if (value.is_object())
             appendObject(value, depth);
-        } else if (value.is_array()) {
+        else if (value.is_array())
             appendArray(value, depth);
-        } else {
+        else
             text_ += scalarText(value);
-        }
     }
 
     void appendObject(const json& object, int depth) {
@@ -83,9 +79,8 @@ class Writer {
             text_ += scalarText(key) + (pretty_ ? ": " : ":");
             append(object.at(key), depth + 1);
         }
-        if (!first) {
+        if (!first)
             newLine(depth);
-        }
         text_ += '}';
     }
 
@@ -97,14 +92,12 @@ class Writer {
         for (const json& element : array) {
             text_ += first ? "" : (plain && pretty_ ? ", " : ",");
             first = false;
-            if (!plain) {
+            if (!plain)
                 newLine(depth + 1);
-            }
             append(element, depth + 1);
         }
-        if (!plain) {
+        if (!plain)
             newLine(depth);
-        }
         text_ += ']';
     }
 

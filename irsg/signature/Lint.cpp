@@ -6,7 +6,7 @@
 #include "irsg/signature/Findings.h"
 #include "irsg/signature/LintEntries.h"
 #include "irsg/signature/LintErrors.h"
-#include "irsg/signature/Utf8.h"
+#include "irsg/signature/LintFields.h"
 
 namespace irsg {
 
@@ -15,34 +15,19 @@ namespace {
 /// A repair can bring another fault to light; more rounds than this would go in a circle.
 constexpr int mostRounds = 8;
 
+/// What no field of an entry says: of the database, and names of spectra and components.
 void lintTexts(const SignatureDatabase& database, std::vector<Finding>& findings) {
     const auto check = [&](const std::string& entry, const std::string& place,
                            const std::string& text) {
-        if (!isUtf8(text)) {
-            Findings(findings, entry).error(place, "bytes that are not UTF-8", "text in UTF-8");
-        }
+        Findings ofEntry(findings, entry);
+        lintText(place, text, ofEntry);
     };
     check("title", "", database.title);
     check("notes", "", database.notes);
-    for (const auto& [index, material] : database.materials) {
-        check(materialPath(index), ".name", material.name);
-        check(materialPath(index), ".notes", material.notes);
-    }
-    for (const auto& [index, entry] : database.temperatures) {
-        check(temperaturePath(index), ".name", entry.name);
-        check(temperaturePath(index), ".notes", entry.notes);
-        check(temperaturePath(index), ".userSpectrum", entry.userSpectrum);
-        for (const ComponentFactor& factor : entry.factors) {
-            check(temperaturePath(index), ".factors", factor.component);
-        }
-    }
     for (const auto& [name, spectrum] : database.spectra) {
         check(spectrumPath(name), "", name);
-        check(spectrumPath(name), ".importedUnit", spectrum.importedUnit);
-        check(spectrumPath(name), ".notes", spectrum.notes);
-        for (const SpectrumComponent& component : spectrum.components) {
+        for (const SpectrumComponent& component : spectrum.components)
             check(spectrumPath(name), ".components", component.name);
-        }
     }
 }
 
@@ -63,9 +48,11 @@ void lintCoverage(const SignatureDatabase& database, const SpectralRange& band,
         }
     };
     for (const auto& [index, material] : database.materials) {
-        const std::string held = "a picture over this band is refused";
-        check(materialPath(index), ".emissivity", material.emissivity, held);
-        check(materialPath(index), ".transmissivity", material.transmissivity, held);
+        forEachField<Spectrum>(materialFields(),
+                               [&, &index = index, &of = material](const auto& field, auto member) {
+                                   check(materialPath(index), std::string(".") + field.key,
+                                         of.*member, "a picture over this band is refused");
+                               });
     }
     for (const auto& [name, spectrum] : database.spectra) {
         // The components share their axis.
@@ -79,19 +66,16 @@ void lintCoverage(const SignatureDatabase& database, const SpectralRange& band,
 std::vector<Finding> lint(const SignatureDatabase& database, const LintScope& scope) {
     std::vector<Finding> findings;
     lintTexts(database, findings);
-    for (const auto& [index, material] : database.materials) {
+    for (const auto& [index, material] : database.materials)
         lintMaterial(index, material, scope.bands, findings);
-    }
     for (const auto& [index, entry] : database.temperatures) {
         lintTerms(index, entry, findings);
         lintEmission(index, entry, database, findings);
     }
-    for (const auto& [name, spectrum] : database.spectra) {
+    for (const auto& [name, spectrum] : database.spectra)
         lintSpectrum(name, spectrum, scope.bands, findings);
-    }
-    for (const SpectralRange& band : scope.bands) {
+    for (const SpectralRange& band : scope.bands)
         lintCoverage(database, band, findings);
-    }
     lintUse(database, scope.models, findings);
     lintStates(database, scope.states, findings);
     return findings;
@@ -115,9 +99,8 @@ std::vector<Finding> repairAll(SignatureDatabase& database, const LintScope& sco
                 repaired.push_back(finding);
             }
         }
-        if (touched.empty()) {
+        if (touched.empty())
             break;
-        }
     }
     return repaired;
 }
@@ -137,9 +120,8 @@ std::vector<Diagnostic> lintErrors(const SignatureDatabase& database, const std:
 }
 
 void throwOnLintErrors(const SignatureDatabase& database, const std::string& file) {
-    if (auto diagnostics = lintErrors(database, file); !diagnostics.empty()) {
+    if (auto diagnostics = lintErrors(database, file); !diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
 }
 
 } // namespace irsg

@@ -38,15 +38,13 @@ bool isAbsurdAxis(double first_um, double last_um) {
 std::vector<AxisReading> otherReadings(double first_um, double last_um,
                                        const std::vector<SpectralRange>& bands) {
     std::vector<AxisReading> readings;
-    if (!isAbsurdAxis(first_um, last_um)) {
+    if (!isAbsurdAxis(first_um, last_um))
         return readings;
-    }
     for (const AxisReading& reading :
          {AxisReading{"cm-1", 0.0}, AxisReading{"nm", 1e-3}, AxisReading{"m", 1e6}}) {
         const SpectralRange range = rangeOf(reading, first_um, last_um);
-        if (usual.contains(range)) {
+        if (usual.contains(range))
             readings.push_back(reading);
-        }
     }
     std::ranges::stable_partition(readings, [&](const AxisReading& reading) {
         return overlapsAny(rangeOf(reading, first_um, last_um), bands);
@@ -67,13 +65,11 @@ std::string axisRepair(const std::vector<AxisReading>& readings, bool isClear) {
     std::string names;
     for (const AxisReading& reading : readings) {
         names += (names.empty() ? "" : " or ") + reading.name;
-        if (isClear) {
+        if (isClear)
             break;
-        }
     }
-    if (names.empty()) {
+    if (names.empty())
         return names;
-    }
     names += " taken for um?";
     if (isClear) {
         const double toUm = readings.front().toUm;
@@ -90,13 +86,11 @@ std::vector<double> readOtherwise(const std::vector<double>& axis_um, const Axis
                                   std::vector<std::size_t>& order) {
     order.resize(axis_um.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    if (reading.toUm == 0.0) {
+    if (reading.toUm == 0.0)
         std::ranges::reverse(order);
-    }
     std::vector<double> result;
-    for (const std::size_t i : order) {
+    for (const std::size_t i : order)
         result.push_back(reading.wavelength_um(axis_um[i]));
-    }
     return result;
 }
 

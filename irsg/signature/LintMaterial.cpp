@@ -4,6 +4,7 @@
 #include "irsg/signature/Findings.h"
 #include "irsg/signature/LintAxis.h"
 #include "irsg/signature/LintEntries.h"
+#include "irsg/signature/LintFields.h"
 
 namespace irsg {
 
@@ -14,10 +15,8 @@ constexpr double sumTolerance = 1e-9;
 /// A measurement may pass 0 or 1 by this much; more is not noise.
 constexpr double noise = 0.02;
 /// Above this, a fraction is a percentage.
-constexpr double leastPercent = 1.5;
+constexpr double leastSpectrumPercent = 1.5;
 constexpr double mostPercent = 100.0;
-/// cos^N with a higher N sends everything along the normal.
-constexpr double steepestN = 100.0;
 
 using Property = Spectrum Material::*;
 
@@ -53,14 +52,13 @@ bool lintFraction(int index, const std::string& place, const Material& material,
         });
     }
     const auto node = worstNode(spectrum);
-    if (!node) {
+    if (!node)
         return true;
-    }
     Finding& found = findings.error(place + at(spectrum, *node),
                                     numberText(spectrum.values()[*node]), "a value from 0 to 1");
     const double lowest = spectrum.minimum();
     const double highest = spectrum.maximum();
-    if (lowest >= 0.0 && highest > leastPercent && highest <= mostPercent) {
+    if (lowest >= 0.0 && highest > leastSpectrumPercent && highest <= mostPercent) {
         found.remedy = "percent taken for fractions? Divide by 100";
         found.repair = onMaterial(index, [property](Material& to) {
             to.*property = (to.*property).mapped([](double value) { return value / mostPercent; });
@@ -105,15 +103,13 @@ void lowerTransmissivity(Material& material) {
 void lintSum(int index, const Material& material, Findings& findings) {
     std::vector<double> nodes_um = nodesOf(material);
     const bool grey = nodes_um.empty();
-    if (grey) {
+    if (grey)
         nodes_um.push_back(1.0);
-    }
     const double worst_um = *std::ranges::min_element(
         nodes_um, {}, [&](double node_um) { return material.reflectivityAt(node_um); });
     const double reflectivity = material.reflectivityAt(worst_um);
-    if (reflectivity >= -sumTolerance) {
+    if (reflectivity >= -sumTolerance)
         return;
-    }
     Finding& found = findings.error(
         grey ? "" : " at " + numberText(worst_um) + " um",
         "emissivity + transmissivity = " + numberText(1.0 - reflectivity), "a sum of at most 1");
@@ -125,14 +121,12 @@ void lintSum(int index, const Material& material, Findings& findings) {
 bool lintAxis(int index, const std::string& place, const Material& material, Property property,
               const std::vector<SpectralRange>& bands, Findings& findings) {
     const Spectrum& spectrum = material.*property;
-    if (spectrum.isConstant()) {
+    if (spectrum.isConstant())
         return true;
-    }
     const double first_um = spectrum.wavelengths_um().front();
     const double last_um = spectrum.wavelengths_um().back();
-    if (!isAbsurdAxis(first_um, last_um)) {
+    if (!isAbsurdAxis(first_um, last_um))
         return true;
-    }
     Finding& found =
         findings.warning(place, numberText(first_um) + " to " + numberText(last_um) + " um",
                          "wavelengths from 0.1 to 200 um");
@@ -144,9 +138,8 @@ bool lintAxis(int index, const std::string& place, const Material& material, Pro
             std::vector<std::size_t> order;
             auto axis_um = readOtherwise((to.*property).wavelengths_um(), reading, order);
             std::vector<double> values;
-            for (const std::size_t i : order) {
+            for (const std::size_t i : order)
                 values.push_back((to.*property).values()[i]);
-            }
             to.*property = Spectrum(std::move(axis_um), std::move(values));
         });
     }
@@ -158,26 +151,20 @@ bool lintAxis(int index, const std::string& place, const Material& material, Pro
 void lintMaterial(int index, const Material& material, const std::vector<SpectralRange>& bands,
                   std::vector<Finding>& into) {
     Findings findings(into, materialPath(index));
-    const bool emits =
-        lintFraction(index, ".emissivity", material, &Material::emissivity, findings);
-    const bool transmits =
-        lintFraction(index, ".transmissivity", material, &Material::transmissivity, findings);
-    // Each is looked at, whatever the other is.
-    const bool emitsOverAxis =
-        lintAxis(index, ".emissivity", material, &Material::emissivity, bands, findings);
-    const bool transmitsOverAxis =
-        lintAxis(index, ".transmissivity", material, &Material::transmissivity, bands, findings);
+    lintFields<Material>(
+        "", material, materialFields(),
+        [index](auto change) { return onMaterial(index, std::move(change)); }, findings);
+    bool sound = true;
+    forEachField<Spectrum>(materialFields(), [&](const auto& field, auto property) {
+        const std::string place = std::string(".") + field.key;
+        // Each is looked at, whatever the others are.
+        const bool fits = lintFraction(index, place, material, property, findings);
+        const bool overAxis = lintAxis(index, place, material, property, bands, findings);
+        sound = sound && fits && overAxis;
+    });
     // A sum of values at different wavelengths says nothing.
-    if (emits && transmits && emitsOverAxis && transmitsOverAxis) {
+    if (sound)
         lintSum(index, material, findings);
-    }
-    if (!(material.nAngleFactor >= 0.0) || !std::isfinite(material.nAngleFactor)) {
-        findings.error(".nAngleFactor", numberText(material.nAngleFactor),
-                       "a number of at least 0");
-    } else if (material.nAngleFactor > steepestN) {
-        findings.warning(".nAngleFactor", numberText(material.nAngleFactor),
-                         "N of at most 100: 0 is a diffuse emitter, 3 already a beam");
-    }
 }
 
 } // namespace irsg

@@ -18,9 +18,8 @@ constexpr double percentScale = 10.0;
 
 /// To five digits: what was computed is told no closer.
 std::string shortText(double value) {
-    if (value == 0.0) {
+    if (value == 0.0)
         return "0";
-    }
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 4.0);
     return numberText(step < 1.0 ? std::round(value / step) / std::round(1.0 / step)
                                  : std::round(value / step) * step);
@@ -38,18 +37,16 @@ class ScalingLint {
           findings_(findings) {}
 
     void lint(int index, const Distribution& scale) {
-        if (scale.isFixed() && scale.minimum() == 1.0) {
+        if (scale.isFixed() && scale.minimum() == 1.0)
             return; // nothing is scaled: what saving a database writes for every entry
-        }
         index_ = index;
         lintFill(scale);
-        if (const std::string why = idleBecause(); !why.empty()) {
+        if (const std::string why = idleBecause(); !why.empty())
             warn("a scale without effect", why, "take the scale out, or give it another index");
-        } else if (kind_ == ScalingKind::temperature) {
+        else if (kind_ == ScalingKind::temperature)
             lintTemperature(scale);
-        } else if (!emitsSpectraAlone()) {
+        else if (!emitsSpectraAlone())
             lintEmissivity(scale);
-        }
     }
 
   private:
@@ -68,9 +65,8 @@ class ScalingLint {
                           : !database_.materials.contains(index_)) {
             return "an index that the database has";
         }
-        if (isTemperature && entry->second.mode == EmissionMode::userSpectrum) {
+        if (isTemperature && entry->second.mode == EmissionMode::userSpectrum)
             return "an index with a temperature; that of a user-defined spectrum is not scaled";
-        }
         const auto& faces = isTemperature ? model_.temperatureFaces : model_.materialFaces;
         const auto& fallback = isTemperature ? model_.fallbackTemperature : model_.fallbackMaterial;
         return faces.contains(index_) || fallback == index_ ? ""
@@ -90,13 +86,11 @@ class ScalingLint {
     }
 
     void lintFill(const Distribution& scale) {
-        if (scale.isFixed()) {
+        if (scale.isFixed())
             return;
-        }
         const double low = scale.at(0.05), high = scale.at(0.95);
-        if (high - low >= narrowPart * (scale.maximum() - scale.minimum())) {
+        if (high - low >= narrowPart * (scale.maximum() - scale.minimum()))
             return;
-        }
         warn("nine draws in ten from " + shortText(low) + " to " + shortText(high),
              "draws that fill " + numberText(scale.minimum()) + " to " +
                  numberText(scale.maximum()) + ": the distribution " +
@@ -107,14 +101,12 @@ class ScalingLint {
     void lintTemperature(const Distribution& scale) {
         // The terms themselves are looked at elsewhere.
         const double rest_K = surfaceTemperature_K(database_.temperatures.at(index_).terms, {});
-        if (!(rest_K >= coldestSurface_K && rest_K <= hottestSurface_K)) {
+        if (!(rest_K >= coldestSurface_K && rest_K <= hottestSurface_K))
             return;
-        }
         for (const double end : {scale.minimum(), scale.maximum()}) {
             const double scaled_K = rest_K * end;
-            if (scaled_K >= coldestSurface_K && scaled_K <= hottestSurface_K) {
+            if (scaled_K >= coldestSurface_K && scaled_K <= hottestSurface_K)
                 continue;
-            }
             const bool percent = scale.minimum() >= percentScale;
             warn(shortText(rest_K) + " K at rest, times " + numberText(end) + ": " +
                      shortText(scaled_K) + " K",
@@ -136,9 +128,8 @@ class ScalingLint {
         const std::vector<double>& more_um = material.transmissivity.wavelengths_um();
         nodes_um.insert(nodes_um.end(), more_um.begin(), more_um.end());
         const bool isSpectral = !nodes_um.empty();
-        if (!isSpectral) {
+        if (!isSpectral)
             nodes_um.push_back(1.0); // grey: the same everywhere
-        }
         for (const double wavelength_um : nodes_um) {
             const double left = 1.0 - material.transmissivity.at(wavelength_um);
             const double part = left > 0.0 ? material.emissivity.at(wavelength_um) / left : 0.0;
@@ -148,9 +139,8 @@ class ScalingLint {
             }
         }
         // Within rounding: 0.8 times 1.25 is 1. A sum beyond 1 is an error of the material itself.
-        if (!(most <= 1.0 + 1e-6) || most * scale.maximum() <= 1.0 + 1e-9) {
+        if (!(most <= 1.0 + 1e-6) || most * scale.maximum() <= 1.0 + 1e-9)
             return;
-        }
         const double emissivity = material.emissivity.at(at_um);
         const double limit = 1.0 - material.transmissivity.at(at_um);
         const bool percent = scale.minimum() >= percentScale;
@@ -179,9 +169,8 @@ ScalingUse scalingUseOf(const std::filesystem::path& model) {
         const auto file = scalingFile(model, kind);
         name = file.filename().string();
         try {
-            if (std::filesystem::exists(file)) {
+            if (std::filesystem::exists(file))
                 table = readScalingFile(file, kind);
-            }
         } catch (const InputError& error) {
             use.diagnostics.insert(use.diagnostics.end(), error.diagnostics().begin(),
                                    error.diagnostics().end());
@@ -204,9 +193,8 @@ std::vector<Finding> lintScalings(const SignatureDatabase& database, const Model
     }
     for (const ScalingKind kind : {ScalingKind::temperature, ScalingKind::emissivity}) {
         ScalingLint lint(database, model, use, kind, findings);
-        for (const auto& [index, entry] : use.scalings.of(kind)) {
+        for (const auto& [index, entry] : use.scalings.of(kind))
             lint.lint(index, entry.distribution);
-        }
     }
     return findings;
 }

@@ -4,6 +4,7 @@
 
 #include "irsg/signature/Findings.h"
 #include "irsg/signature/LintEntries.h"
+#include "irsg/signature/LintFields.h"
 #include "irsg/signature/LintUnits.h"
 
 namespace irsg {
@@ -12,9 +13,8 @@ namespace {
 
 void lintNegatives(const std::string& key, const SpectrumComponent& component, Findings& findings) {
     const double lowest = component.radiance.minimum();
-    if (lowest >= 0.0) {
+    if (lowest >= 0.0)
         return;
-    }
     Finding& found = findings.warning("." + component.name, numberText(lowest) + " W m-2 sr-1 um-1",
                                       "radiance of at least 0");
     found.remedy = "noise of a measurement? Set what is negative to 0";
@@ -47,10 +47,9 @@ void lintSpectrum(const std::string& key, const UserSpectrum& spectrum,
             found.repair = onSpectrum(key, [key](UserSpectrum& to) { to.name = key; });
         }
     }
-    if (!(spectrum.referenceDistance_m >= 0.0) || !std::isfinite(spectrum.referenceDistance_m)) {
-        findings.error(".referenceDistance_m", numberText(spectrum.referenceDistance_m),
-                       "a distance of at least 0 m");
-    }
+    lintFields<UserSpectrum>(
+        "", spectrum, spectrumFields(),
+        [key](auto change) { return onSpectrum(key, std::move(change)); }, findings);
     if (spectrum.components.empty()) {
         findings.error(".components", "none", "at least one component");
         return;
@@ -66,9 +65,8 @@ void lintSpectrum(const std::string& key, const UserSpectrum& spectrum,
             findings.error(".components", "the name '" + component.name + "'",
                            "a name of one line, not empty");
         }
-        if (!names.insert(component.name).second) {
+        if (!names.insert(component.name).second)
             findings.error(place, "a second component of this name", "each name once");
-        }
         if (radiance.isConstant() || radiance.outside() != Spectrum::Outside::zero) {
             findings.error(place, "a curve without end",
                            "nodes, and nothing emitted outside of them");
@@ -77,9 +75,8 @@ void lintSpectrum(const std::string& key, const UserSpectrum& spectrum,
             findings.error(place, "an axis of its own", "the axis that all components share");
         } else {
             lintNegatives(key, component, findings);
-            if (!absurdAxis) {
+            if (!absurdAxis)
                 lintRadianceUnit(key, spectrum, i, findings);
-            }
         }
     }
 }

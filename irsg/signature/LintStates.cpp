@@ -55,14 +55,11 @@ struct Held {
 
 void lintStates(const SignatureDatabase& database, const std::vector<SweptState>& states,
                 std::vector<Finding>& findings) {
-    if (states.empty()) {
+    if (states.empty())
         return;
-    }
-    for (const auto& [index, entry] : database.temperatures) {
-        if (entry.mode == EmissionMode::temperature) {
+    for (const auto& [index, entry] : database.temperatures)
+        if (entry.mode == EmissionMode::temperature)
             lintEntry(index, entry.terms, states, findings);
-        }
-    }
     std::map<std::string, Held> held;
     for (const SweptState& swept : states) {
         for (const std::string& table : tablesHeld(database, swept.state)) {

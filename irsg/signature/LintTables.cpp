@@ -4,18 +4,16 @@
 
 namespace irsg {
 
-LookupTable withAxisTimes(const LookupTable& table, double factor) {
+LookupTable withAxisChanged(const LookupTable& table, double factor, double offset) {
     std::vector<double> axis = table.x();
-    for (double& position : axis) {
-        position *= factor;
-    }
+    for (double& position : axis)
+        position = position * factor + offset;
     return {axis, table.y(), table.loop()};
 }
 
 void refuseLoop(const LintedTable& linted, Findings& findings) {
-    if (!linted.table.loop()) {
+    if (!linted.table.loop())
         return;
-    }
     Finding& found = findings.error(linted.place, "a table in loop mode", "a loop over time alone");
     found.remedy = "switch the loop mode off";
     found.repair = linted.repairWith(
@@ -24,17 +22,14 @@ void refuseLoop(const LintedTable& linted, Findings& findings) {
 
 void lintLoop(const LintedTable& linted, Findings& findings) {
     const LookupTable& table = linted.table;
-    if (!table.loop()) {
+    if (!table.loop())
         return;
-    }
     const auto& values = table.y();
     double largest = 0.0;
-    for (const double value : values) {
+    for (const double value : values)
         largest = std::max(largest, std::abs(value));
-    }
-    if (std::abs(values.back() - values.front()) <= 1e-9 * largest) {
+    if (std::abs(values.back() - values.front()) <= 1e-9 * largest)
         return;
-    }
     Finding& found = findings.warning(
         linted.place,
         "a jump from " + numberText(values.back()) + " to " + numberText(values.front()) +
@@ -50,18 +45,20 @@ void lintLoop(const LintedTable& linted, Findings& findings) {
     });
 }
 
-void suspectAxis(const LintedTable& linted, double low, double high, const std::string& expected,
-                 const std::string& suspicion, double factor, Findings& findings) {
+void suspectAxis(const LintedTable& linted, const AxisSuspicion& suspicion, Findings& findings) {
     const auto& axis = linted.table.x();
-    if (axis.size() < 2 || axis.back() < low || axis.back() > high) {
+    if (axis.size() < 2 || axis.back() < suspicion.low || axis.back() > suspicion.high ||
+        suspicion.low >= suspicion.high) {
         return;
     }
     Finding& found = findings.warning(
         linted.place, "an axis from " + numberText(axis.front()) + " to " + numberText(axis.back()),
-        expected);
-    found.remedy = suspicion;
+        suspicion.expected);
+    found.remedy = suspicion.remedy;
     found.repair = linted.repairWith(
-        [factor](const LookupTable& table) { return withAxisTimes(table, factor); });
+        [factor = suspicion.factor, offset = suspicion.offset](const LookupTable& table) {
+            return withAxisChanged(table, factor, offset);
+        });
 }
 
 } // namespace irsg

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "irsg/signature/EntryFields.h"
 #include "irsg/signature/Findings.h"
 #include "irsg/signature/LookupTable.h"
 
@@ -18,15 +19,14 @@ struct LintedTable {
     TableRepair repairWith;
 };
 
-/// The nodes of a table with its axis multiplied by a factor above 0.
-LookupTable withAxisTimes(const LookupTable& table, double factor);
+/// The nodes of a table with its axis multiplied by a factor above 0 and moved.
+LookupTable withAxisChanged(const LookupTable& table, double factor, double offset);
 
 /// A loop over anything but time is an error.
 void refuseLoop(const LintedTable& linted, Findings& findings);
 /// A loop whose last value is not its first jumps at each turn: a warning.
 void lintLoop(const LintedTable& linted, Findings& findings);
-/// An axis that ends between `low` and `high` is `suspicion` ("km?"); `factor` would repair it.
-void suspectAxis(const LintedTable& linted, double low, double high, const std::string& expected,
-                 const std::string& suspicion, double factor, Findings& findings);
+/// An axis that was likely meant to be another: a warning.
+void suspectAxis(const LintedTable& linted, const AxisSuspicion& suspicion, Findings& findings);
 
 } // namespace irsg

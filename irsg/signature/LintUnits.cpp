@@ -72,9 +72,8 @@ std::vector<UnitReading> otherUnits(bool tooSmall) {
 
 std::vector<double> readAs(const Spectrum& radiance, const UnitReading& reading) {
     std::vector<double> values;
-    for (std::size_t i = 0; i < radiance.size(); ++i) {
+    for (std::size_t i = 0; i < radiance.size(); ++i)
         values.push_back(radiance.values()[i] * reading.at(radiance.wavelengths_um()[i]));
-    }
     return values;
 }
 
@@ -117,20 +116,17 @@ bool isLikely(const GreyBody& body) {
 /// shape, or of a shape that fits far better.
 std::optional<UnitReading> greyReading(const Spectrum& radiance,
                                        const std::optional<GreyBody>& given) {
-    if (given && isLikely(*given)) {
+    if (given && isLikely(*given))
         return std::nullopt;
-    }
     for (const bool tooSmall : {true, false}) {
         for (const UnitReading& reading : otherUnits(tooSmall)) {
             const auto fit = fitGreyBody(radiance.wavelengths_um(), readAs(radiance, reading));
-            if (!fit) {
+            if (!fit)
                 continue;
-            }
             const bool better = reading.jacobian == Jacobian::none || !given ||
                                 given->misfit > wrongShape * fit->misfit;
-            if (isLikely(*fit) && better) {
+            if (isLikely(*fit) && better)
                 return reading;
-            }
         }
     }
     return std::nullopt;
@@ -147,9 +143,8 @@ std::string rounded(double value) {
 std::optional<GreyBody> fitGreyBody(const std::vector<double>& wavelengths_um,
                                     const std::vector<double>& radiance_W_m2_sr_um) {
     const std::size_t n = wavelengths_um.size();
-    if (n < 5 || std::ranges::any_of(radiance_W_m2_sr_um, [](double v) { return !(v > 0.0); })) {
+    if (n < 5 || std::ranges::any_of(radiance_W_m2_sr_um, [](double v) { return !(v > 0.0); }))
         return std::nullopt;
-    }
     std::vector<double> logs;
     double meanInverse = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -167,9 +162,8 @@ std::optional<GreyBody> fitGreyBody(const std::vector<double>& wavelengths_um,
             return logs[i] - (slope_um > 0.0 ? std::log(-std::expm1(-x)) : 0.0);
         };
         double mean = 0.0;
-        for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t i = 0; i < n; ++i)
             mean += left(i) / static_cast<double>(n);
-        }
         double covariance = 0.0;
         double variance = 0.0;
         for (std::size_t i = 0; i < n; ++i) {
@@ -185,16 +179,14 @@ std::optional<GreyBody> fitGreyBody(const std::vector<double>& wavelengths_um,
             const double miss = left(i) - mean - next_um * inverse;
             squares += miss * miss;
         }
-        if (!(next_um > 0.0)) {
+        if (!(next_um > 0.0))
             return std::nullopt;
-        }
         slope_um = next_um;
         body.temperature_K = secondRadiationConstant_um_K / slope_um;
         body.emissivity = std::exp(slope_um * meanInverse - mean);
         body.misfit = std::sqrt(squares / static_cast<double>(n));
-        if (std::abs(slope_um - slopeBefore_um) <= 1e-12 * slope_um) {
+        if (std::abs(slope_um - slopeBefore_um) <= 1e-12 * slope_um)
             break;
-        }
     }
     return body;
 }
@@ -223,9 +215,8 @@ void lintRadianceUnit(const std::string& key, const UserSpectrum& spectrum, std:
         found.repair = multiply(key, curve.name, *reading);
         return;
     }
-    if (peak_K == 0.0 || isPlausible(peak_K)) {
+    if (peak_K == 0.0 || isPlausible(peak_K))
         return;
-    }
     Finding& found = findings.warning(
         place, "peak brightness temperature " + numberText(std::round(peak_K)) + " K",
         "a brightness temperature from 200 to 4000 K");
@@ -241,18 +232,16 @@ void lintRadianceUnit(const std::string& key, const UserSpectrum& spectrum, std:
 bool lintSpectrumAxis(const std::string& key, const UserSpectrum& spectrum,
                       const std::vector<SpectralRange>& bands, Findings& findings) {
     const auto& axis_um = spectrum.components.front().radiance.wavelengths_um();
-    if (axis_um.empty() || !isAbsurdAxis(axis_um.front(), axis_um.back())) {
+    if (axis_um.empty() || !isAbsurdAxis(axis_um.front(), axis_um.back()))
         return false;
-    }
     Finding& found = findings.warning(
         "", numberText(axis_um.front()) + " to " + numberText(axis_um.back()) + " um",
         "wavelengths from 0.1 to 200 um");
     const auto readings = otherReadings(axis_um.front(), axis_um.back(), bands);
     const bool clear = isClear(readings, axis_um.front(), axis_um.back(), bands);
     found.remedy = axisRepair(readings, clear);
-    if (!clear) {
+    if (!clear)
         return true;
-    }
     found.repair = onSpectrum(key, [reading = readings.front()](UserSpectrum& to) {
         bool perWavenumber = false;
         try {

@@ -25,9 +25,8 @@ void lintMissing(const std::map<int, int>& faces, const std::optional<int>& fall
                  std::map<int, Entry> SignatureDatabase::*table, std::string (*path)(int),
                  const std::string& kind, std::vector<Finding>& findings) {
     for (const auto& [index, count] : faces) {
-        if (entries.contains(index) || (fallback && entries.contains(*fallback))) {
+        if (entries.contains(index) || (fallback && entries.contains(*fallback)))
             continue;
-        }
         missing(path(index), count, model, findings).repair = [index = index, table,
                                                                kind](SignatureDatabase& database) {
             Entry entry;
@@ -46,9 +45,8 @@ void lintUnused(const std::map<int, Entry>& entries, const std::set<int>& used,
                 std::map<int, Entry> SignatureDatabase::*table, std::string (*path)(int),
                 std::vector<Finding>& into) {
     for (const auto& [index, entry] : entries) {
-        if (index == 0 || used.contains(index)) {
+        if (index == 0 || used.contains(index))
             continue;
-        }
         Findings findings(into, path(index));
         Finding& found =
             findings.warning("", "an entry that no face carries", "a face with its code");
@@ -80,9 +78,8 @@ void lintUnusedSpectra(const SignatureDatabase& database, std::vector<Finding>& 
 
 void lintUse(const SignatureDatabase& database, const std::vector<ModelUse>& models,
              std::vector<Finding>& findings) {
-    if (models.empty()) {
+    if (models.empty())
         return;
-    }
     std::set<int> temperatures;
     std::set<int> materials;
     for (const ModelUse& model : models) {
@@ -91,18 +88,14 @@ void lintUse(const SignatureDatabase& database, const std::vector<ModelUse>& mod
                     findings);
         lintMissing(model.materialFaces, model.fallbackMaterial, database.materials, model.name,
                     &SignatureDatabase::materials, materialPath, "material ", findings);
-        for (const auto& [index, faces] : model.temperatureFaces) {
+        for (const auto& [index, faces] : model.temperatureFaces)
             temperatures.insert(index);
-        }
-        for (const auto& [index, faces] : model.materialFaces) {
+        for (const auto& [index, faces] : model.materialFaces)
             materials.insert(index);
-        }
-        if (model.fallbackTemperature) {
+        if (model.fallbackTemperature)
             temperatures.insert(*model.fallbackTemperature);
-        }
-        if (model.fallbackMaterial) {
+        if (model.fallbackMaterial)
             materials.insert(*model.fallbackMaterial);
-        }
         for (const std::string& remark : model.levelsOfDetail) {
             Findings ofModel(findings, "model");
             ofModel.warning(" " + model.name, remark, "a model without ranges of detail").remedy =

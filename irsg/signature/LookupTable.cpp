@@ -45,9 +45,8 @@ LookupTable::LookupTable(std::vector<double> x, std::vector<double> y, bool loop
 }
 
 double LookupTable::at(double x) const {
-    if (empty()) {
+    if (empty())
         throw LogicError("an empty lookup table has no value");
-    }
     // A loop brings x into [first, last); a time before the first node counts back from the last.
     if (loop_) {
         const double period = x_.back() - x_.front();
@@ -55,16 +54,13 @@ double LookupTable::at(double x) const {
         x = x_.front() + (phase < 0.0 ? phase + period : phase);
     }
 
-    if (std::isnan(x)) {
+    if (std::isnan(x))
         return std::numeric_limits<double>::quiet_NaN();
-    }
     const auto above = std::upper_bound(x_.begin(), x_.end(), x);
-    if (above == x_.begin()) {
+    if (above == x_.begin())
         return y_.front();
-    }
-    if (above == x_.end()) {
+    if (above == x_.end())
         return y_.back();
-    }
     const auto i = static_cast<std::size_t>(above - x_.begin());
     return std::lerp(y_[i - 1], y_[i], (x - x_[i - 1]) / (x_[i] - x_[i - 1]));
 }

@@ -55,12 +55,10 @@ struct Fractions {
 /// The two that are kept, from those that are given.
 Fractions close(const std::array<std::optional<double>, 3>& given) {
     const auto& [emissivity, transmissivity, reflectivity] = given;
-    if (emissivity && transmissivity) {
+    if (emissivity && transmissivity)
         return {*emissivity, *transmissivity};
-    }
-    if (emissivity) {
+    if (emissivity)
         return {*emissivity, reflectivity ? 1.0 - *emissivity - *reflectivity : 0.0};
-    }
     const double passed = transmissivity.value_or(0.0);
     return {1.0 - passed - reflectivity.value_or(0.0), passed};
 }
@@ -95,11 +93,9 @@ void readMaterialCsv(const std::filesystem::path& file, Material& material) {
     std::vector<double> transmissivity;
     for (std::size_t i = 0; diagnostics.empty() && i < columns.axis.size(); ++i) {
         std::array<std::optional<double>, 3> given;
-        for (std::size_t property = 0; property < given.size(); ++property) {
-            if (where[property]) {
+        for (std::size_t property = 0; property < given.size(); ++property)
+            if (where[property])
                 given[property] = columns.values[*where[property]][i];
-            }
-        }
         const Fractions closed = close(given);
         const double left = 1.0 - closed.emissivity - closed.transmissivity;
         const bool impossible =
@@ -113,9 +109,8 @@ void readMaterialCsv(const std::filesystem::path& file, Material& material) {
         emissivity.push_back(std::max(closed.emissivity, 0.0));
         transmissivity.push_back(std::max(closed.transmissivity, 0.0));
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
 
     std::vector<double> wavelengths_um = wavelengthsOf(columns, axis);
     if (wavelengths_um.back() < wavelengths_um.front()) {
@@ -138,9 +133,8 @@ void writeMaterialCsv(const Material& material, const std::filesystem::path& fil
         axis_um.insert(axis_um.end(), spectrum->wavelengths_um().begin(),
                        spectrum->wavelengths_um().end());
     }
-    if (axis_um.empty()) {
+    if (axis_um.empty())
         axis_um = {greyAxis.min_um, greyAxis.max_um};
-    }
     std::ranges::sort(axis_um);
     axis_um.erase(std::ranges::unique(axis_um).begin(), axis_um.end());
 

@@ -47,7 +47,8 @@ std::optional<ScalingEntry> entryOf(const KarmaXml& xml, const KarmaParameter& p
     }
     const double number = numbers[2];
     if (!(number >= 0.0 && number < distributionKindCount && number == std::floor(number))) {
-        refuse("distribution " + numberText(number), "a whole number from 0 to 14");
+        refuse("distribution " + numberText(number),
+               "a whole number from 0 to " + std::to_string(distributionKindCount - 1));
         return std::nullopt;
     }
     if (kind == ScalingKind::temperature && !(numbers[0] > 0.0))

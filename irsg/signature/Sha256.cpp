@@ -30,18 +30,16 @@ constexpr std::array<Word, 64> roundConstants = {
 
 Word bigEndian(std::string_view bytes, std::size_t at) {
     Word word = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i)
         word = word << 8 | static_cast<unsigned char>(bytes[at + i]);
-    }
     return word;
 }
 
 void digestBlock(std::string_view block, State& state) {
     // The message schedule (6.2.2, step 1).
     std::array<Word, 64> w{};
-    for (std::size_t t = 0; t < 16; ++t) {
+    for (std::size_t t = 0; t < 16; ++t)
         w[t] = bigEndian(block, 4 * t);
-    }
     for (std::size_t t = 16; t < 64; ++t) {
         const Word s0 = std::rotr(w[t - 15], 7) ^ std::rotr(w[t - 15], 18) ^ w[t - 15] >> 3;
         const Word s1 = std::rotr(w[t - 2], 17) ^ std::rotr(w[t - 2], 19) ^ w[t - 2] >> 10;
@@ -67,9 +65,8 @@ void digestBlock(std::string_view block, State& state) {
         a = t1 + t2;
     }
     const State round = {a, b, c, d, e, f, g, h};
-    for (std::size_t i = 0; i < state.size(); ++i) {
+    for (std::size_t i = 0; i < state.size(); ++i)
         state[i] += round[i];
-    }
 }
 
 } // namespace
@@ -77,31 +74,25 @@ void digestBlock(std::string_view block, State& state) {
 std::string sha256(std::string_view bytes) {
     State state = initialState;
     const std::size_t whole = bytes.size() - bytes.size() % blockBytes;
-    for (std::size_t at = 0; at < whole; at += blockBytes) {
+    for (std::size_t at = 0; at < whole; at += blockBytes)
         digestBlock(bytes.substr(at, blockBytes), state);
-    }
 
     // Padding: a one bit, zeros, and the length in bits as 64 bits (5.1.1).
     std::string tail(bytes.substr(whole));
     tail += '\x80';
-    while (tail.size() % blockBytes != blockBytes - 8) {
+    while (tail.size() % blockBytes != blockBytes - 8)
         tail += '\0';
-    }
     const auto bits = static_cast<std::uint64_t>(bytes.size()) * 8;
-    for (int shift = 56; shift >= 0; shift -= 8) {
+    for (int shift = 56; shift >= 0; shift -= 8)
         tail += static_cast<char>(bits >> shift & 0xff);
-    }
-    for (std::size_t at = 0; at < tail.size(); at += blockBytes) {
+    for (std::size_t at = 0; at < tail.size(); at += blockBytes)
         digestBlock(std::string_view(tail).substr(at, blockBytes), state);
-    }
 
     constexpr std::string_view digits = "0123456789abcdef";
     std::string text;
-    for (const Word word : state) {
-        for (int shift = 28; shift >= 0; shift -= 4) {
+    for (const Word word : state)
+        for (int shift = 28; shift >= 0; shift -= 4)
             text += digits[word >> shift & 0xf];
-        }
-    }
     return text;
 }
 

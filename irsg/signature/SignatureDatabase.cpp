@@ -1,6 +1,7 @@
 #include "irsg/signature/SignatureDatabase.h"
 
-#include "irsg/radiometry/Units.h"
+#include "irsg/signature/EntryFields.h"
+#include "irsg/signature/EntryPath.h"
 
 namespace irsg {
 
@@ -10,26 +11,20 @@ double Material::reflectivityAt(double wavelength_um) const {
 
 std::vector<std::string> tablesHeld(const SignatureDatabase& database, const EntityState& state) {
     std::vector<std::string> held;
-    const auto check = [&](const std::string& path, const LookupTable& table, double x) {
-        if (table.isOutside(x)) {
-            held.push_back(path);
-        }
+    const auto check = [&](const std::string& path, const auto& part, auto fields) {
+        forEachField<LookupTable>(fields, [&](const auto& field, auto member) {
+            if ((part.*member).isOutside(field.table.position(state)))
+                held.push_back(path + "." + field.key);
+        });
     };
     for (const auto& [index, entry] : database.temperatures) {
-        const std::string path = "temperatures." + std::to_string(index);
+        const std::string path = temperaturePath(index);
         if (entry.mode == EmissionMode::temperature) {
-            check(path + ".terms.time_s", entry.terms.time, state.time_s);
-            check(path + ".terms.power", entry.terms.power, state.power);
-            check(path + ".terms.altitude_m", entry.terms.altitude, state.altitude_m);
-            check(path + ".terms.mach", entry.terms.mach, state.mach);
+            check(path + ".terms", entry.terms, termFields());
             continue;
         }
-        for (std::size_t i = 0; i < entry.factors.size(); ++i) {
-            const ComponentFactor& factor = entry.factors[i];
-            const std::string at = path + ".factors[" + std::to_string(i) + "]";
-            check(at + ".time_s", factor.time, state.time_s);
-            check(at + ".angle_deg", factor.angle, degrees(state.aspectAngle_rad));
-        }
+        for (std::size_t i = 0; i < entry.factors.size(); ++i)
+            check(path + ".factors[" + std::to_string(i) + "]", entry.factors[i], factorFields());
     }
     return held;
 }

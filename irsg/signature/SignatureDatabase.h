@@ -60,6 +60,3 @@ struct SignatureDatabase {
 std::vector<std::string> tablesHeld(const SignatureDatabase& database, const EntityState& state);
 
 } // namespace irsg
-
-// The checks come with what they check.
-#include "irsg/signature/Lint.h"

@@ -11,6 +11,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/FileReplacement.h"
+#include "irsg/signature/EntryFields.h"
 #include "irsg/signature/EntryJson.h"
 #include "irsg/signature/LintErrors.h"
 #include "irsg/signature/Sha256.h"
@@ -37,17 +38,15 @@ enum class Existing { none, empty, sqlite };
 Existing inspect(const fs::path& file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
-    if (!fs::exists(status)) {
+    if (!fs::exists(status))
         return Existing::none;
-    }
     if (!fs::is_regular_file(status)) {
         throw refusal(file, fs::is_directory(status) ? "a folder" : "no regular file",
                       "a signature database (.sigdb)");
     }
     const std::string head = readFileBeginning(file, sqliteMagic.size());
-    if (head.empty()) {
+    if (head.empty())
         return Existing::empty;
-    }
     if (head != sqliteMagic) {
         throw refusal(file, "a file that does not begin as an SQLite database does",
                       "a signature database (.sigdb)");
@@ -68,7 +67,7 @@ void checkOurs(SQLite::Database& database, const fs::path& file) {
     const int version = pragma(database, "user_version");
     if (version < 1 || version > signatureFileVersion) {
         throw refusal(file, "schema version " + std::to_string(version),
-                      "schema version " + std::to_string(signatureFileVersion) +
+                      "schema version " + signatureVersionsExpected() +
                           (version > signatureFileVersion
                                ? " (a newer version of this program reads the file)"
                                : ""));
@@ -79,20 +78,17 @@ void checkIntegrity(SQLite::Database& database, const fs::path& file) {
     std::vector<Diagnostic> diagnostics;
     const std::string expected = "an undamaged database";
     SQLite::Statement integrity(database, "PRAGMA integrity_check");
-    while (integrity.executeStep()) {
-        if (const std::string line = integrity.getColumn(0).getString(); line != "ok") {
+    while (integrity.executeStep())
+        if (const std::string line = integrity.getColumn(0).getString(); line != "ok")
             diagnostics.push_back({file.string(), "", line, expected});
-        }
-    }
     SQLite::Statement references(database, "PRAGMA foreign_key_check");
     while (references.executeStep()) {
         diagnostics.push_back({file.string(), "table " + references.getColumn(0).getString(),
                                "a row whose " + references.getColumn(2).getString() + " is missing",
                                expected});
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
 }
 
 /// Entries that differ from their stored hash, appeared without one, or left theirs behind.
@@ -101,14 +97,12 @@ std::vector<std::string> changedEntries(const SignatureDatabase& database,
     std::set<std::string> changed;
     for (const auto& [entry, text] : canonicalEntries(database)) {
         const auto stored = hashes.find(entry);
-        if (stored == hashes.end() || stored->second != sha256(text)) {
+        if (stored == hashes.end() || stored->second != sha256(text))
             changed.insert(entry);
-        }
         hashes.erase(entry);
     }
-    for (const auto& [entry, hash] : hashes) {
+    for (const auto& [entry, hash] : hashes)
         changed.insert(entry);
-    }
     return {changed.begin(), changed.end()};
 }
 
@@ -147,7 +141,7 @@ SignatureDatabase readContent(SQLite::Database& database, const fs::path& file) 
     database.exec("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON");
     checkOurs(database, file);
     checkIntegrity(database, file);
-    return readRows(database, file.string());
+    return readRows(database, pragma(database, "user_version"), file.string());
 }
 
 bool wasInterrupted(const fs::path& file) {
@@ -158,9 +152,8 @@ LoadedSignature load(const fs::path& file, OutsideChanges outside, LintErrors er
     SQLite::Database database(file.string(), mode, busyTimeout_ms);
     const SQLite::Transaction oneState(database);
     LoadedSignature loaded{readContent(database, file), {}};
-    if (errors == LintErrors::refuse) {
+    if (errors == LintErrors::refuse)
         throwOnLintErrors(loaded.database, file.string());
-    }
     loaded.changedOutside = changedEntries(loaded.database, readHashes(database));
     if (outside == OutsideChanges::refuse && !loaded.changedOutside.empty()) {
         std::vector<Diagnostic> diagnostics;
@@ -202,9 +195,10 @@ void write(const SignatureDatabase& database, SQLite::Database& sqlite) {
     sqlite.exec("PRAGMA foreign_keys = ON");
     SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
     sqlite.exec("PRAGMA application_id = " + std::to_string(applicationId));
-    sqlite.exec("PRAGMA user_version = " + std::to_string(signatureFileVersion));
-    resetSchema(sqlite);
-    writeRows(database, sqlite);
+    const int version = formatVersionOf(database);
+    sqlite.exec("PRAGMA user_version = " + std::to_string(version));
+    resetSchema(sqlite, version);
+    writeRows(database, sqlite, version);
     transaction.commit();
 }
 
@@ -281,9 +275,8 @@ void save(const SignatureDatabase& database, const fs::path& file,
           const SignatureDatabase* opened) {
     throwOnLintErrors(database, file.string());
     const Existing existing = inspect(file);
-    if (existing != Existing::none && isWriteProtected(file)) {
+    if (existing != Existing::none && isWriteProtected(file))
         throw refusal(file, "a write-protected file", "a file that can be written");
-    }
     try {
         switch (existing) {
         case Existing::none:
@@ -303,6 +296,10 @@ void save(const SignatureDatabase& database, const fs::path& file,
 
 } // namespace
 
+std::string signatureVersionsExpected() {
+    return signatureFileVersion == 1 ? "1" : "1 to " + std::to_string(signatureFileVersion);
+}
+
 LoadedSignature loadSignatureFile(const fs::path& file, OutsideChanges outside, LintErrors errors) {
     switch (inspect(file)) {
     case Existing::none:
@@ -319,9 +316,8 @@ LoadedSignature loadSignatureFile(const fs::path& file, OutsideChanges outside, 
                 return load(file, outside, errors, SQLite::OPEN_READONLY);
             } catch (const SQLite::Exception&) {
                 // It may have been cut off between the two lines.
-                if (!wasInterrupted(file)) {
+                if (!wasInterrupted(file))
                     throw;
-                }
             }
         }
         return load(file, outside, errors, SQLite::OPEN_READWRITE);

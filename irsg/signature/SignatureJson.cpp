@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string>
 
+#include "irsg/signature/EntryFields.h"
 #include "irsg/signature/EntryJson.h"
 #include "irsg/signature/JsonReader.h"
 #include "irsg/signature/JsonText.h"
@@ -16,61 +19,71 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* formatName = "smat-signature";
+const JsonForm jsonForm = {.expected = "a signature database (JSON in UTF-8)", .deepest = 16};
 
-TemperatureTerms readTerms(const json& value, const std::string& path, JsonProblems& problems) {
-    JsonObject object(value, path, problems);
-    TemperatureTerms terms;
-    terms.base_K = object.number("base_K", terms.base_K, true);
-    terms.ambientFactor = object.number("ambientFactor", terms.ambientFactor, true);
-    terms.recoveryFactor = object.number("recoveryFactor", terms.recoveryFactor);
-    terms.ambientOffset_K = object.number("ambientOffset_K", terms.ambientOffset_K);
-    terms.time = object.table("time_s");
-    terms.power = object.table("power");
-    terms.altitude = object.table("altitude_m");
-    terms.mach = object.table("mach");
-    object.finish();
-    return terms;
-}
+/// What the fields of an entry say in one JSON object.
+class FieldReader {
+  public:
+    FieldReader(JsonObject& object, JsonProblems& problems)
+        : object_(object), problems_(problems) {}
 
-ComponentFactors readFactors(const json& value, const std::string& path, JsonProblems& problems) {
-    if (!value.is_array()) {
-        problems.add(path, value, "a list [...] of component factors");
-        return {};
+    template <typename Entry>
+    void read(Entry& entry, std::span<const EntryField<Entry>> fields) {
+        for (const EntryField<Entry>& field : fields) {
+            required_ = field.isRequired != nullptr && field.isRequired(entry);
+            std::visit([&](auto member) { into(entry.*member, field.key); }, field.member);
+        }
     }
-    ComponentFactors factors;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        JsonObject object(value[i], path + "[" + std::to_string(i) + "]", problems);
-        ComponentFactor& factor = factors.emplace_back();
-        factor.component = object.text("component", true);
-        factor.constant = object.number("constant", factor.constant);
-        factor.time = object.table("time_s");
-        factor.angle = object.table("angle_deg");
+
+  private:
+    void into(std::string& text, const char* key) { text = object_.text(key, required_); }
+    void into(double& number, const char* key) { number = object_.number(key, number, required_); }
+    void into(LookupTable& table, const char* key) { table = object_.table(key); }
+    void into(Spectrum& spectrum, const char* key) {
+        spectrum = object_.spectrum(key, spectrum.values().front(), required_);
+    }
+    void into(EmissionMode& mode, const char* key) {
+        const std::string name = object_.text(key, required_);
+        if (const EmissionMode* const known = emissionModeNamed(name))
+            mode = *known;
+        else if (!name.empty())
+            problems_.addText(object_.pathOf(key), "'" + name + "'", emissionModesExpected());
+    }
+    void into(TemperatureTerms& terms, const char* key) {
+        if (const json* const value = object_.find(key, required_))
+            readWhole(*value, object_.pathOf(key), terms, termFields());
+    }
+    void into(ComponentFactors& factors, const char* key) {
+        const json* const value = object_.find(key, required_);
+        if (value == nullptr)
+            return;
+        if (!value->is_array()) {
+            problems_.add(object_.pathOf(key), *value, "a list [...] of component factors");
+            return;
+        }
+        for (std::size_t i = 0; i < value->size(); ++i) {
+            readWhole((*value)[i], object_.pathOf(key) + "[" + std::to_string(i) + "]",
+                      factors.emplace_back(), factorFields());
+        }
+    }
+    template <typename Entry>
+    void readWhole(const json& value, const std::string& path, Entry& entry,
+                   std::span<const EntryField<Entry>> fields) {
+        JsonObject object(value, path, problems_);
+        FieldReader(object, problems_).read(entry, fields);
         object.finish();
     }
-    return factors;
-}
+
+    JsonObject& object_;
+    JsonProblems& problems_;
+    bool required_ = false;
+};
 
 TemperatureEntry readTemperature(const json& value, const std::string& path,
                                  JsonProblems& problems) {
     JsonObject object(value, path, problems);
     TemperatureEntry entry;
-    entry.name = object.text("name", true);
-    entry.notes = object.text("notes");
-    entry.userSpectrum = object.text("userSpectrum");
-    const std::string mode = object.text("mode", true);
-    if (mode == "userSpectrum") {
-        entry.mode = EmissionMode::userSpectrum;
-    } else if (!mode.empty() && mode != "temperature") {
-        problems.addText(object.pathOf("mode"), "'" + mode + "'",
-                         "'temperature' or 'userSpectrum'");
-    }
-    const bool needsTerms = entry.mode == EmissionMode::temperature;
-    if (const json* const terms = object.find("terms", needsTerms)) {
-        entry.terms = readTerms(*terms, object.pathOf("terms"), problems);
-    }
-    if (const json* const factors = object.find("factors")) {
-        entry.factors = readFactors(*factors, object.pathOf("factors"), problems);
-    }
+    FieldReader(object, problems).read(entry, temperatureFields());
     object.finish();
     return entry;
 }
@@ -98,11 +111,7 @@ void checkReflectivity(const Material& material, const Spectrum& reflectivity,
 Material readMaterial(const json& value, const std::string& path, JsonProblems& problems) {
     JsonObject object(value, path, problems);
     Material material;
-    material.name = object.text("name", true);
-    material.notes = object.text("notes");
-    material.emissivity = object.spectrum("emissivity", 1.0, true);
-    material.transmissivity = object.spectrum("transmissivity", 0.0);
-    material.nAngleFactor = object.number("nAngleFactor", material.nAngleFactor);
+    FieldReader(object, problems).read(material, materialFields());
     if (object.find("reflectivity") != nullptr) {
         checkReflectivity(material, object.spectrum("reflectivity", 0.0),
                           object.pathOf("reflectivity"), problems);
@@ -116,9 +125,7 @@ UserSpectrum readSpectrum(const json& value, const std::string& name, const std:
     JsonObject object(value, path, problems);
     UserSpectrum spectrum;
     spectrum.name = name;
-    spectrum.referenceDistance_m = object.number("referenceDistance_m", 0.0);
-    spectrum.importedUnit = object.text("importedUnit");
-    spectrum.notes = object.text("notes");
+    FieldReader(object, problems).read(spectrum, spectrumFields());
 
     const json* const names = object.find("components", true);
     std::vector<std::string> components;
@@ -138,9 +145,8 @@ UserSpectrum readSpectrum(const json& value, const std::string& name, const std:
     // The axis is checked once, by the first component.
     const auto columns = object.columns("radiance_W_m2_sr_um", components.size() + 1);
     object.finish();
-    if (!columns) {
+    if (!columns)
         return spectrum;
-    }
     try {
         for (std::size_t i = 0; i < components.size(); ++i) {
             spectrum.components.push_back(
@@ -152,7 +158,7 @@ UserSpectrum readSpectrum(const json& value, const std::string& name, const std:
     return spectrum;
 }
 
-std::optional<int> indexOf(const std::string& key) {
+std::optional<int> canonicalIndex(const std::string& key) {
     int index = 0;
     const char* const end = key.data() + key.size();
     const auto result = std::from_chars(key.data(), end, index);
@@ -164,20 +170,18 @@ template <typename Entry, typename Read>
 void readIndexed(JsonObject& root, const std::string& key, std::map<int, Entry>& into,
                  JsonProblems& problems, Read read) {
     const json* const entries = root.find(key, true);
-    if (entries == nullptr) {
+    if (entries == nullptr)
         return;
-    }
     if (!entries->is_object()) {
         problems.add(key, *entries, "an object {...} of entries by index");
         return;
     }
     for (const auto& item : entries->items()) {
         const std::string path = key + "." + item.key();
-        if (const auto index = indexOf(item.key())) {
+        if (const auto index = canonicalIndex(item.key()))
             into[*index] = read(item.value(), path, problems);
-        } else {
+        else
             problems.addText(path, "'" + item.key() + "'", "a whole number of 32 bits as index");
-        }
     }
 }
 
@@ -189,36 +193,31 @@ std::string signatureToJson(const SignatureDatabase& database) {
 }
 
 std::string draftToJson(const SignatureDatabase& database) {
-    json root = {{"format", formatName},           {"version", signatureFileVersion},
+    json root = {{"format", formatName},           {"version", formatVersionOf(database)},
                  {"title", database.title},        {"notes", database.notes},
                  {"temperatures", json::object()}, {"materials", json::object()},
                  {"spectra", json::object()}};
-    for (const auto& [index, entry] : database.temperatures) {
+    for (const auto& [index, entry] : database.temperatures)
         root["temperatures"][std::to_string(index)] = entryJson(entry);
-    }
-    for (const auto& [index, material] : database.materials) {
+    for (const auto& [index, material] : database.materials)
         root["materials"][std::to_string(index)] = entryJson(material);
-    }
-    for (const auto& [name, spectrum] : database.spectra) {
+    for (const auto& [name, spectrum] : database.spectra)
         root["spectra"][name] = entryJson(spectrum);
-    }
     return prettyJson(root) + "\n";
 }
 
 SignatureDatabase signatureFromJson(const std::string& text, const std::string& fileName,
                                     LintErrors errors) {
-    const json parsed = parseJson(text, fileName);
-    JsonProblems problems(fileName);
+    const json parsed = parseJson(text, fileName, jsonForm);
+    JsonProblems problems(fileName, text);
     JsonObject root(parsed, "", problems);
 
     const std::string format = root.text("format", true);
-    if (!format.empty() && format != formatName) {
+    if (!format.empty() && format != formatName)
         problems.addText("format", "'" + format + "'", std::string("'") + formatName + "'");
-    }
     const double version = root.number("version", signatureFileVersion, true);
-    if (version != signatureFileVersion) {
-        problems.addText("version", numberText(version), std::to_string(signatureFileVersion));
-    }
+    if (version != std::clamp(std::round(version), 1.0, double{signatureFileVersion}))
+        problems.addText("version", numberText(version), signatureVersionsExpected());
 
     SignatureDatabase database;
     database.title = root.text("title");
@@ -237,9 +236,8 @@ SignatureDatabase signatureFromJson(const std::string& text, const std::string& 
     }
     root.finish();
     problems.throwIfAny();
-    if (errors == LintErrors::refuse) {
+    if (errors == LintErrors::refuse)
         throwOnLintErrors(database, fileName);
-    }
     return database;
 }
 

@@ -1,8 +1,9 @@
 #include "irsg/signature/SignatureRows.h"
 
-#include <array>
+#include <algorithm>
+#include <vector>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/signature/EntryColumns.h"
 #include "irsg/signature/EntryJson.h"
 #include "irsg/signature/Sha256.h"
 
@@ -11,167 +12,231 @@ namespace irsg {
 namespace {
 
 struct Table {
-    const char* name;
-    const char* columns;
+    std::string name;
+    std::string columns;
 };
 
-// Parents before their children.
-constexpr std::array<Table, 13> schema = {{
-    {"about", "key TEXT PRIMARY KEY NOT NULL, value TEXT NOT NULL"},
-    {"temperature",
-     "id INTEGER PRIMARY KEY, name TEXT NOT NULL,"
-     " mode TEXT NOT NULL CHECK (mode IN ('temperature', 'userSpectrum')),"
-     " base_K REAL NOT NULL, ambient_factor REAL NOT NULL, recovery_factor REAL NOT NULL,"
-     " ambient_offset_K REAL NOT NULL, user_spectrum TEXT NOT NULL, notes TEXT NOT NULL"},
-    {"temperature_table",
-     "temperature INTEGER NOT NULL REFERENCES temperature(id) ON DELETE CASCADE,"
-     " term TEXT NOT NULL CHECK (term IN ('time_s', 'power', 'altitude_m', 'mach')),"
-     " loop INTEGER NOT NULL CHECK (loop IN (0, 1)), PRIMARY KEY (temperature, term)"},
-    {"temperature_node",
-     "temperature INTEGER NOT NULL, term TEXT NOT NULL, node INTEGER NOT NULL,"
-     " x REAL NOT NULL, value_K REAL NOT NULL, PRIMARY KEY (temperature, term, node),"
-     " FOREIGN KEY (temperature, term) REFERENCES temperature_table(temperature, term)"
-     " ON DELETE CASCADE"},
-    {"factor", "temperature INTEGER NOT NULL REFERENCES temperature(id) ON DELETE CASCADE,"
-               " position INTEGER NOT NULL, component TEXT NOT NULL, constant REAL NOT NULL,"
-               " PRIMARY KEY (temperature, position)"},
-    {"factor_table",
-     "temperature INTEGER NOT NULL, position INTEGER NOT NULL,"
-     " axis TEXT NOT NULL CHECK (axis IN ('time_s', 'angle_deg')),"
-     " loop INTEGER NOT NULL CHECK (loop IN (0, 1)), PRIMARY KEY (temperature, position, axis),"
-     " FOREIGN KEY (temperature, position) REFERENCES factor(temperature, position)"
-     " ON DELETE CASCADE"},
-    {"factor_node", "temperature INTEGER NOT NULL, position INTEGER NOT NULL, axis TEXT NOT NULL,"
-                    " node INTEGER NOT NULL, x REAL NOT NULL, factor REAL NOT NULL,"
-                    " PRIMARY KEY (temperature, position, axis, node),"
-                    " FOREIGN KEY (temperature, position, axis)"
-                    " REFERENCES factor_table(temperature, position, axis) ON DELETE CASCADE"},
-    {"material", "id INTEGER PRIMARY KEY, name TEXT NOT NULL, emissivity REAL, transmissivity REAL,"
-                 " n_angle_factor REAL NOT NULL, notes TEXT NOT NULL"},
-    {"material_node",
-     "material INTEGER NOT NULL REFERENCES material(id) ON DELETE CASCADE,"
-     " property TEXT NOT NULL CHECK (property IN ('emissivity', 'transmissivity')),"
-     " node INTEGER NOT NULL, wavelength_um REAL NOT NULL, value REAL NOT NULL,"
-     " PRIMARY KEY (material, property, node)"},
-    {"user_spectrum", "name TEXT PRIMARY KEY NOT NULL, reference_distance_m REAL NOT NULL,"
-                      " imported_unit TEXT NOT NULL, notes TEXT NOT NULL"},
-    {"user_spectrum_component",
-     "spectrum TEXT NOT NULL REFERENCES user_spectrum(name) ON DELETE CASCADE,"
-     " position INTEGER NOT NULL, name TEXT NOT NULL, PRIMARY KEY (spectrum, position)"},
-    {"user_spectrum_node",
-     "spectrum TEXT NOT NULL, position INTEGER NOT NULL, node INTEGER NOT NULL,"
-     " wavelength_um REAL NOT NULL, radiance_W_m2_sr_um REAL NOT NULL,"
-     " PRIMARY KEY (spectrum, position, node),"
-     " FOREIGN KEY (spectrum, position) REFERENCES user_spectrum_component(spectrum, position)"
-     " ON DELETE CASCADE"},
-    {"content_hash", "entry TEXT PRIMARY KEY NOT NULL, sha256 TEXT NOT NULL"},
-}};
+std::string declarationOf(const std::string& /*text*/) {
+    return " TEXT NOT NULL";
+}
+std::string declarationOf(double /*number*/) {
+    return " REAL NOT NULL";
+}
+/// NULL where it has nodes.
+std::string declarationOf(const Spectrum& /*spectrum*/) {
+    return " REAL";
+}
+std::string oneOf(const std::string& column, const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names)
+        list += (list.empty() ? "'" : ", '") + name + "'";
+    return " TEXT NOT NULL CHECK (" + column + " IN (" + list + "))";
+}
+std::string declarationOf(EmissionMode /*mode*/) {
+    return oneOf("mode", {nameOf(EmissionMode::temperature), nameOf(EmissionMode::userSpectrum)});
+}
+
+/// ", name TEXT NOT NULL, ...": the columns of an entry, behind those of its key.
+template <typename Entry>
+std::string columnsOf(std::span<const EntryField<Entry>> fields, int version) {
+    std::string text;
+    Entry entry;
+    forEachColumn(entry, fields, version, [&](const char* column, const auto& value) {
+        text += ", " + std::string(column) + declarationOf(value);
+    });
+    return text;
+}
+
+/// Parents before their children.
+std::vector<Table> schemaOf(int version) {
+    const std::string term = "term" + oneOf("term", nodeNames<LookupTable>(termFields(), version));
+    const std::string axis =
+        "axis" + oneOf("axis", nodeNames<LookupTable>(factorFields(), version));
+    const std::string property =
+        "property" + oneOf("property", nodeNames<Spectrum>(materialFields(), version));
+    const std::string loop = "loop INTEGER NOT NULL CHECK (loop IN (0, 1))";
+    return {
+        {"about", "key TEXT PRIMARY KEY NOT NULL, value TEXT NOT NULL"},
+        {"temperature", "id INTEGER PRIMARY KEY" + columnsOf(temperatureFields(), version)},
+        {"temperature_table",
+         "temperature INTEGER NOT NULL REFERENCES temperature(id) ON DELETE CASCADE, " + term +
+             ", " + loop + ", PRIMARY KEY (temperature, term)"},
+        {"temperature_node",
+         "temperature INTEGER NOT NULL, term TEXT NOT NULL, node INTEGER NOT NULL,"
+         " x REAL NOT NULL, value_K REAL NOT NULL, PRIMARY KEY (temperature, term, node),"
+         " FOREIGN KEY (temperature, term) REFERENCES temperature_table(temperature, term)"
+         " ON DELETE CASCADE"},
+        {"factor", "temperature INTEGER NOT NULL REFERENCES temperature(id) ON DELETE CASCADE,"
+                   " position INTEGER NOT NULL" +
+                       columnsOf(factorFields(), version) +
+                       ", PRIMARY KEY (temperature, position)"},
+        {"factor_table", "temperature INTEGER NOT NULL, position INTEGER NOT NULL, " + axis + ", " +
+                             loop +
+                             ", PRIMARY KEY (temperature, position, axis),"
+                             " FOREIGN KEY (temperature, position)"
+                             " REFERENCES factor(temperature, position) ON DELETE CASCADE"},
+        {"factor_node", "temperature INTEGER NOT NULL, position INTEGER NOT NULL, axis TEXT NOT "
+                        "NULL, node INTEGER NOT NULL, x REAL NOT NULL, factor REAL NOT NULL,"
+                        " PRIMARY KEY (temperature, position, axis, node),"
+                        " FOREIGN KEY (temperature, position, axis)"
+                        " REFERENCES factor_table(temperature, position, axis) ON DELETE CASCADE"},
+        {"material", "id INTEGER PRIMARY KEY" + columnsOf(materialFields(), version)},
+        {"material_node", "material INTEGER NOT NULL REFERENCES material(id) ON DELETE CASCADE, " +
+                              property +
+                              ", node INTEGER NOT NULL, wavelength_um REAL NOT NULL,"
+                              " value REAL NOT NULL, PRIMARY KEY (material, property, node)"},
+        {"user_spectrum", "name TEXT PRIMARY KEY NOT NULL" + columnsOf(spectrumFields(), version)},
+        {"user_spectrum_component",
+         "spectrum TEXT NOT NULL REFERENCES user_spectrum(name) ON DELETE CASCADE,"
+         " position INTEGER NOT NULL, name TEXT NOT NULL, PRIMARY KEY (spectrum, position)"},
+        {"user_spectrum_node",
+         "spectrum TEXT NOT NULL, position INTEGER NOT NULL, node INTEGER NOT NULL,"
+         " wavelength_um REAL NOT NULL, radiance_W_m2_sr_um REAL NOT NULL,"
+         " PRIMARY KEY (spectrum, position, node),"
+         " FOREIGN KEY (spectrum, position) REFERENCES user_spectrum_component(spectrum, position)"
+         " ON DELETE CASCADE"},
+        {"content_hash", "entry TEXT PRIMARY KEY NOT NULL, sha256 TEXT NOT NULL"}};
+}
 
 /// One statement, run again and again with other values.
 class Insert {
   public:
-    Insert(SQLite::Database& file, const std::string& table, int columns)
-        : statement_(file, text(table, columns)) {}
+    Insert(SQLite::Database& file, const std::string& table, const std::string& columns)
+        : statement_(file, "INSERT INTO " + table + " (" + columns + ") VALUES (?" +
+                               textOf(std::ranges::count(columns, ',')) + ")") {}
 
     template <typename... Values>
     void operator()(const Values&... values) {
-        statement_.reset();
-        int column = 0;
-        (statement_.bind(++column, values), ...);
-        statement_.exec();
+        begin();
+        (add(values), ...);
+        finish();
     }
 
+    /// The columns one by one.
+    void begin() {
+        statement_.reset();
+        statement_.clearBindings();
+        column_ = 0;
+    }
+    template <typename Value>
+    void add(const Value& value) {
+        statement_.bind(++column_, value);
+    }
+    void add(EmissionMode mode) { statement_.bind(++column_, nameOf(mode)); }
+    /// NULL where it has nodes.
+    void add(const Spectrum& spectrum) {
+        ++column_;
+        if (spectrum.isConstant())
+            statement_.bind(column_, spectrum.values().front());
+    }
+    void finish() { statement_.exec(); }
+
   private:
-    static std::string text(const std::string& table, int columns) {
-        std::string sql = "INSERT INTO " + table + " VALUES (?";
-        for (int i = 1; i < columns; ++i) {
-            sql += ", ?";
-        }
-        return sql + ")";
+    static std::string textOf(std::ptrdiff_t more) {
+        std::string text;
+        for (std::ptrdiff_t i = 0; i < more; ++i)
+            text += ", ?";
+        return text;
     }
 
     SQLite::Statement statement_;
+    int column_ = 0;
+};
+
+/// Rows of entries: their key, and the columns of their fields.
+template <typename Entry>
+class EntryInsert {
+  public:
+    EntryInsert(SQLite::Database& file, const std::string& table, const std::string& key,
+                std::span<const EntryField<Entry>> fields, int version)
+        : fields_(fields), version_(version), insert_(file, table, key + names()) {}
+
+    template <typename... Keys>
+    void operator()(const Entry& entry, const Keys&... keys) {
+        insert_.begin();
+        (insert_.add(keys), ...);
+        forEachColumn(entry, fields_, version_,
+                      [&](const char* /*column*/, const auto& value) { insert_.add(value); });
+        insert_.finish();
+    }
+
+  private:
+    std::string names() const {
+        std::string text;
+        const Entry any;
+        forEachColumn(any, fields_, version_, [&](const char* column, const auto& /*value*/) {
+            text += ", " + std::string(column);
+        });
+        return text;
+    }
+
+    std::span<const EntryField<Entry>> fields_;
+    int version_;
+    Insert insert_;
 };
 
 int nodeNumber(std::size_t i) {
     return static_cast<int>(i);
 }
 
-void writeTemperatures(const SignatureDatabase& database, SQLite::Database& file) {
-    Insert temperature(file, "temperature", 9);
-    Insert table(file, "temperature_table", 3);
-    Insert node(file, "temperature_node", 5);
-    Insert factorRow(file, "factor", 4);
-    Insert factorTable(file, "factor_table", 4);
-    Insert factorNode(file, "factor_node", 6);
+void writeTemperatures(const SignatureDatabase& database, SQLite::Database& file, int version) {
+    EntryInsert row(file, "temperature", "id", temperatureFields(), version);
+    Insert table(file, "temperature_table", "temperature, term, loop");
+    Insert node(file, "temperature_node", "temperature, term, node, x, value_K");
+    EntryInsert factorRow(file, "factor", "temperature, position", factorFields(), version);
+    Insert factorTable(file, "factor_table", "temperature, position, axis, loop");
+    Insert factorNode(file, "factor_node", "temperature, position, axis, node, x, factor");
     for (const auto& [index, entry] : database.temperatures) {
-        const TemperatureTerms& terms = entry.terms;
-        const bool equation = entry.mode == EmissionMode::temperature;
-        temperature(index, entry.name, equation ? "temperature" : "userSpectrum", terms.base_K,
-                    terms.ambientFactor, terms.recoveryFactor, terms.ambientOffset_K,
-                    entry.userSpectrum, entry.notes);
-        for (const auto& [term, values] :
-             {std::pair("time_s", &terms.time), std::pair("power", &terms.power),
-              std::pair("altitude_m", &terms.altitude), std::pair("mach", &terms.mach)}) {
-            if (!values->empty()) {
-                table(index, term, values->loop() ? 1 : 0);
-            }
-            for (std::size_t i = 0; i < values->x().size(); ++i) {
-                node(index, term, nodeNumber(i), values->x()[i], values->y()[i]);
-            }
-        }
+        row(entry, index);
+        forEachField<LookupTable>(
+            termFields(), [&, &id = index, &terms = entry.terms](const auto& field, auto member) {
+                const LookupTable& values = terms.*member;
+                if (!values.empty())
+                    table(id, field.column, values.loop() ? 1 : 0);
+                for (std::size_t i = 0; i < values.x().size(); ++i)
+                    node(id, field.column, nodeNumber(i), values.x()[i], values.y()[i]);
+            });
         for (std::size_t position = 0; position < entry.factors.size(); ++position) {
             const ComponentFactor& factor = entry.factors[position];
             const int number = nodeNumber(position);
-            factorRow(index, number, factor.component, factor.constant);
-            for (const auto& [axis, values] :
-                 {std::pair("time_s", &factor.time), std::pair("angle_deg", &factor.angle)}) {
-                if (!values->empty()) {
-                    factorTable(index, number, axis, values->loop() ? 1 : 0);
-                }
-                for (std::size_t i = 0; i < values->x().size(); ++i) {
-                    factorNode(index, number, axis, nodeNumber(i), values->x()[i], values->y()[i]);
-                }
-            }
+            factorRow(factor, index, number);
+            forEachField<LookupTable>(
+                factorFields(), [&, &id = index](const auto& field, auto member) {
+                    const LookupTable& values = factor.*member;
+                    if (!values.empty())
+                        factorTable(id, number, field.column, values.loop() ? 1 : 0);
+                    for (std::size_t i = 0; i < values.x().size(); ++i) {
+                        factorNode(id, number, field.column, nodeNumber(i), values.x()[i],
+                                   values.y()[i]);
+                    }
+                });
         }
     }
 }
 
-void writeMaterials(const SignatureDatabase& database, SQLite::Database& file) {
-    SQLite::Statement grey(file, "INSERT INTO material VALUES (?, ?, ?, ?, ?, ?)");
-    Insert node(file, "material_node", 5);
+void writeMaterials(const SignatureDatabase& database, SQLite::Database& file, int version) {
+    EntryInsert row(file, "material", "id", materialFields(), version);
+    Insert node(file, "material_node", "material, property, node, wavelength_um, value");
     for (const auto& [index, material] : database.materials) {
-        // A spectral property has no number in its column, but nodes.
-        grey.reset();
-        grey.clearBindings();
-        grey.bind(1, index);
-        grey.bind(2, material.name);
-        if (material.emissivity.isConstant()) {
-            grey.bind(3, material.emissivity.values().front());
-        }
-        if (material.transmissivity.isConstant()) {
-            grey.bind(4, material.transmissivity.values().front());
-        }
-        grey.bind(5, material.nAngleFactor);
-        grey.bind(6, material.notes);
-        grey.exec();
-        for (const auto& [property, spectrum] :
-             {std::pair("emissivity", &material.emissivity),
-              std::pair("transmissivity", &material.transmissivity)}) {
-            for (std::size_t i = 0; i < spectrum->wavelengths_um().size(); ++i) {
-                node(index, property, nodeNumber(i), spectrum->wavelengths_um()[i],
-                     spectrum->values()[i]);
-            }
-        }
+        row(material, index);
+        forEachField<Spectrum>(
+            materialFields(), [&, &id = index, &of = material](const auto& field, auto member) {
+                const Spectrum& spectrum = of.*member;
+                for (std::size_t i = 0; i < spectrum.wavelengths_um().size(); ++i) {
+                    node(id, field.column, nodeNumber(i), spectrum.wavelengths_um()[i],
+                         spectrum.values()[i]);
+                }
+            });
     }
 }
 
-void writeSpectra(const SignatureDatabase& database, SQLite::Database& file) {
-    Insert row(file, "user_spectrum", 4);
-    Insert componentRow(file, "user_spectrum_component", 3);
-    Insert node(file, "user_spectrum_node", 5);
+void writeSpectra(const SignatureDatabase& database, SQLite::Database& file, int version) {
+    EntryInsert row(file, "user_spectrum", "name", spectrumFields(), version);
+    Insert componentRow(file, "user_spectrum_component", "spectrum, position, name");
+    Insert node(file, "user_spectrum_node",
+                "spectrum, position, node, wavelength_um, radiance_W_m2_sr_um");
     for (const auto& [name, spectrum] : database.spectra) {
-        row(name, spectrum.referenceDistance_m, spectrum.importedUnit, spectrum.notes);
+        row(spectrum, name);
         for (std::size_t position = 0; position < spectrum.components.size(); ++position) {
             const SpectrumComponent& component = spectrum.components[position];
             componentRow(name, nodeNumber(position), component.name);
@@ -185,26 +250,24 @@ void writeSpectra(const SignatureDatabase& database, SQLite::Database& file) {
 
 } // namespace
 
-void resetSchema(SQLite::Database& file) {
-    for (auto table = schema.rbegin(); table != schema.rend(); ++table) {
-        file.exec("DROP TABLE IF EXISTS " + std::string(table->name));
-    }
-    for (const Table& table : schema) {
-        file.exec("CREATE TABLE " + std::string(table.name) + " (" + table.columns + ")");
-    }
+void resetSchema(SQLite::Database& file, int version) {
+    const std::vector<Table> schema = schemaOf(version);
+    for (auto table = schema.rbegin(); table != schema.rend(); ++table)
+        file.exec("DROP TABLE IF EXISTS " + table->name);
+    for (const Table& table : schema)
+        file.exec("CREATE TABLE " + table.name + " (" + table.columns + ")");
 }
 
-void writeRows(const SignatureDatabase& database, SQLite::Database& file) {
-    Insert about(file, "about", 2);
+void writeRows(const SignatureDatabase& database, SQLite::Database& file, int version) {
+    Insert about(file, "about", "key, value");
     about("title", database.title);
     about("notes", database.notes);
-    writeTemperatures(database, file);
-    writeMaterials(database, file);
-    writeSpectra(database, file);
-    Insert hash(file, "content_hash", 2);
-    for (const auto& [entry, text] : canonicalEntries(database)) {
+    writeTemperatures(database, file, version);
+    writeMaterials(database, file, version);
+    writeSpectra(database, file, version);
+    Insert hash(file, "content_hash", "entry, sha256");
+    for (const auto& [entry, text] : canonicalEntries(database))
         hash(entry, sha256(text));
-    }
 }
 
 } // namespace irsg

@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "irsg/radiometry/Errors.h"
-#include "irsg/signature/EntryJson.h"
+#include "irsg/signature/EntryColumns.h"
+#include "irsg/signature/EntryPath.h"
 #include "irsg/signature/SignatureRows.h"
 
 namespace irsg {
@@ -76,7 +77,8 @@ struct Nodes {
 
 class Reader {
   public:
-    Reader(SQLite::Database& file, std::string name) : file_(file), name_(std::move(name)) {}
+    Reader(SQLite::Database& file, int version, std::string name)
+        : file_(file), version_(version), name_(std::move(name)) {}
 
     SignatureDatabase run() {
         readAbout();
@@ -84,9 +86,8 @@ class Reader {
         readSpectra();
         readTemperatures();
         readFactors();
-        if (!diagnostics_.empty()) {
+        if (!diagnostics_.empty())
             throw InputError(std::move(diagnostics_));
-        }
         return std::move(database_);
     }
 
@@ -109,16 +110,49 @@ class Reader {
         }
     }
 
+    /// The rows of entries, with the columns of their fields behind `keys`.
+    template <typename Entry>
+    Rows entryRows(const std::string& table, const std::string& keys,
+                   std::span<const EntryField<Entry>> fields) {
+        std::string columns = keys;
+        const Entry any;
+        forEachColumn(any, fields, version_, [&](const char* column, const auto& /*value*/) {
+            columns += ", " + std::string(column);
+        });
+        return rows(table, columns, keys);
+    }
+
+    /// The fields of the entry of a row, from a column on.
+    template <typename Entry>
+    void readFields(Rows& row, int column, Entry& entry,
+                    std::span<const EntryField<Entry>> fields) {
+        forEachColumn(entry, fields, version_,
+                      [&](const char* /*name*/, auto& value) { read(row, column++, value); });
+    }
+    void read(Rows& row, int column, std::string& text) { text = row.text(column); }
+    void read(Rows& row, int column, double& number) { number = row.number(column); }
+    void read(Rows& row, int column, EmissionMode& mode) {
+        const std::string name = row.text(column);
+        if (const EmissionMode* const known = emissionModeNamed(name))
+            mode = *known;
+        else
+            row.refuse("mode '" + name + "'", emissionModesExpected());
+    }
+    /// A number, or NULL where nodes follow.
+    void read(Rows& row, int column, Spectrum& spectrum) {
+        if (!row.isNull(column))
+            spectrum = Spectrum::constant(row.number(column));
+    }
+
     void readAbout() {
         for (Rows row = rows("about", "key, value", "key"); row.next();) {
             const std::string key = row.text(0);
-            if (key == "title") {
+            if (key == "title")
                 database_.title = row.text(1);
-            } else if (key == "notes") {
+            else if (key == "notes")
                 database_.notes = row.text(1);
-            } else {
+            else
                 row.refuse("the key '" + key + "'", "'title' or 'notes'");
-            }
         }
     }
 
@@ -131,38 +165,40 @@ class Reader {
             to.x.push_back(row.number(2));
             to.y.push_back(row.number(3));
         }
-        for (Rows row = rows("material",
-                             "id, name, emissivity, transmissivity, n_angle_factor, notes", "id");
-             row.next();) {
+        for (Rows row = entryRows("material", "id", materialFields()); row.next();) {
             const int index = row.integer(0);
             Material& material = database_.materials[index];
-            material.name = row.text(1);
-            material.emissivity = surface(row, 2, index, "emissivity", nodes);
-            material.transmissivity = surface(row, 3, index, "transmissivity", nodes);
-            material.nAngleFactor = row.number(4);
-            material.notes = row.text(5);
+            readFields(row, 1, material, materialFields());
+            int column = 1;
+            forEachColumn(material, materialFields(), version_, [&](const char* name, auto& value) {
+                if constexpr (std::is_same_v<decltype(value), Spectrum&>)
+                    readNodes(row, column, index, name, nodes, value);
+                ++column;
+            });
         }
     }
 
-    Spectrum surface(Rows& row, int column, int index, const std::string& property,
-                     std::map<std::pair<int, std::string>, Nodes>& nodes) {
+    /// The spectrum as its nodes say it, where it has any.
+    void readNodes(Rows& row, int column, int index, const std::string& property,
+                   std::map<std::pair<int, std::string>, Nodes>& nodes, Spectrum& spectrum) {
         const auto sampled = nodes.find({index, property});
         if (sampled == nodes.end()) {
-            return Spectrum::constant(row.number(column));
+            if (row.isNull(column))
+                row.number(column);
+            return;
         }
-        if (!row.isNull(column)) {
+        if (!row.isNull(column))
             row.refuse(property + " as a number and as nodes", "one of the two");
-        }
-        return guarded<Spectrum>(materialPath(index) + "." + property,
-                                 [&] { return Spectrum(sampled->second.x, sampled->second.y); });
+        spectrum = guarded<Spectrum>(materialPath(index) + "." + property, [&] {
+            return Spectrum(sampled->second.x, sampled->second.y);
+        });
     }
 
     void readSpectra() {
-        for (Rows row =
-                 rows("user_spectrum", "name, reference_distance_m, imported_unit, notes", "name");
-             row.next();) {
+        for (Rows row = entryRows("user_spectrum", "name", spectrumFields()); row.next();) {
             UserSpectrum& spectrum = database_.spectra[row.text(0)];
-            spectrum = {row.text(0), row.number(1), row.text(2), row.text(3), {}};
+            spectrum.name = row.text(0);
+            readFields(row, 1, spectrum, spectrumFields());
         }
         std::map<std::pair<std::string, int>, Nodes> nodes;
         for (Rows row = rows("user_spectrum_node",
@@ -187,26 +223,8 @@ class Reader {
     }
 
     void readTemperatures() {
-        for (Rows row = rows("temperature",
-                             "id, name, mode, base_K, ambient_factor, recovery_factor,"
-                             " ambient_offset_K, user_spectrum, notes",
-                             "id");
-             row.next();) {
-            TemperatureEntry& entry = database_.temperatures[row.integer(0)];
-            entry.name = row.text(1);
-            const std::string mode = row.text(2);
-            if (mode != "temperature" && mode != "userSpectrum") {
-                row.refuse("mode '" + mode + "'", "'temperature' or 'userSpectrum'");
-            }
-            entry.mode =
-                mode == "userSpectrum" ? EmissionMode::userSpectrum : EmissionMode::temperature;
-            entry.terms.base_K = row.number(3);
-            entry.terms.ambientFactor = row.number(4);
-            entry.terms.recoveryFactor = row.number(5);
-            entry.terms.ambientOffset_K = row.number(6);
-            entry.userSpectrum = row.text(7);
-            entry.notes = row.text(8);
-        }
+        for (Rows row = entryRows("temperature", "id", temperatureFields()); row.next();)
+            readFields(row, 1, database_.temperatures[row.integer(0)], temperatureFields());
         std::map<std::pair<int, std::string>, Nodes> nodes;
         for (Rows row = rows("temperature_node", "temperature, term, x, value_K",
                              "temperature, term, node");
@@ -222,7 +240,7 @@ class Reader {
             LookupTable* const to = termTable(index, term);
             if (to == nullptr) {
                 row.refuse("term '" + term + "' of temperature " + std::to_string(index),
-                           "'time_s', 'power', 'altitude_m' or 'mach' of a temperature");
+                           nodeNamesExpected(termFields()) + " of a temperature");
                 continue;
             }
             const bool loop = row.integer(2) != 0;
@@ -234,26 +252,29 @@ class Reader {
 
     LookupTable* termTable(int index, const std::string& term) {
         const auto entry = database_.temperatures.find(index);
-        if (entry == database_.temperatures.end()) {
+        if (entry == database_.temperatures.end())
             return nullptr;
-        }
-        TemperatureTerms& terms = entry->second.terms;
-        return term == "time_s"       ? &terms.time
-               : term == "power"      ? &terms.power
-               : term == "altitude_m" ? &terms.altitude
-               : term == "mach"       ? &terms.mach
-                                      : nullptr;
+        const auto member = memberOfNodes<LookupTable>(termFields(), term);
+        return member == nullptr ? nullptr : &(entry->second.terms.*member);
+    }
+
+    /// "'time_s', 'power' or 'mach'".
+    template <typename Entry>
+    std::string nodeNamesExpected(std::span<const EntryField<Entry>> fields) const {
+        const std::vector<std::string> names = nodeNames<LookupTable>(fields, version_);
+        std::string text;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            text += (i == 0 ? "'" : i + 1 < names.size() ? ", '" : " or '") + names[i] + "'";
+        return text;
     }
 
     void readFactors() {
         std::map<std::pair<int, int>, std::size_t> places;
-        for (Rows row = rows("factor", "temperature, position, component, constant",
-                             "temperature, position");
-             row.next();) {
+        for (Rows row = entryRows("factor", "temperature, position", factorFields()); row.next();) {
             const int index = row.integer(0);
             ComponentFactors& factors = database_.temperatures[index].factors;
             places[{index, row.integer(1)}] = factors.size();
-            factors.push_back({row.text(2), row.number(3), {}, {}});
+            readFields(row, 2, factors.emplace_back(), factorFields());
         }
         std::map<std::pair<std::pair<int, int>, std::string>, Nodes> nodes;
         for (Rows row = rows("factor_node", "temperature, position, axis, x, factor",
@@ -270,20 +291,23 @@ class Reader {
             const std::string axis = row.text(2);
             const bool loop = row.integer(3) != 0;
             const auto place = places.find(key);
-            if (place == places.end() || (axis != "time_s" && axis != "angle_deg")) {
-                row.refuse("axis '" + axis + "'", "'time_s' or 'angle_deg' of a factor");
+            const auto member = memberOfNodes<LookupTable>(factorFields(), axis);
+            if (place == places.end() || member == nullptr) {
+                row.refuse("axis '" + axis + "'",
+                           nodeNamesExpected(factorFields()) + " of a factor");
                 continue;
             }
             ComponentFactor& factor = database_.temperatures[key.first].factors[place->second];
             const Nodes& from = nodes[{key, axis}];
             const std::string path = temperaturePath(key.first) + ".factors[" +
                                      std::to_string(place->second) + "]." + axis;
-            (axis == "time_s" ? factor.time : factor.angle) =
+            factor.*member =
                 guarded<LookupTable>(path, [&] { return LookupTable(from.x, from.y, loop); });
         }
     }
 
     SQLite::Database& file_;
+    int version_;
     std::string name_;
     std::vector<Diagnostic> diagnostics_;
     SignatureDatabase database_;
@@ -291,16 +315,15 @@ class Reader {
 
 } // namespace
 
-SignatureDatabase readRows(SQLite::Database& file, const std::string& name) {
-    return Reader(file, name).run();
+SignatureDatabase readRows(SQLite::Database& file, int version, const std::string& name) {
+    return Reader(file, version, name).run();
 }
 
 std::map<std::string, std::string> readHashes(SQLite::Database& file) {
     std::map<std::string, std::string> hashes;
     SQLite::Statement rows(file, "SELECT entry, sha256 FROM content_hash");
-    while (rows.executeStep()) {
+    while (rows.executeStep())
         hashes[rows.getColumn(0).getString()] = rows.getColumn(1).getString();
-    }
     return hashes;
 }
 

@@ -75,33 +75,27 @@ std::string normalized(std::string_view text) {
 SpectralRadianceUnit SpectralRadianceUnit::parse(const std::string& text) {
     const std::string wanted = normalized(text);
     for (const NamedUnit& unit : allUnits()) {
-        for (const std::string& spelling : spellings(unit)) {
-            if (wanted == spelling) {
+        for (const std::string& spelling : spellings(unit))
+            if (wanted == spelling)
                 return unit.unit;
-            }
-        }
     }
     std::string list;
-    for (const std::string& name : known()) {
+    for (const std::string& name : known())
         list += (list.empty() ? "" : ", ") + name;
-    }
     throw InputError({"", "unit", "'" + text + "'", "one of " + list});
 }
 
 std::vector<std::string> SpectralRadianceUnit::known() {
     std::vector<std::string> names;
-    for (const NamedUnit& unit : allUnits()) {
+    for (const NamedUnit& unit : allUnits())
         names.push_back(canonicalText(unit));
-    }
     return names;
 }
 
 std::string SpectralRadianceUnit::text() const {
-    for (const NamedUnit& unit : allUnits()) {
-        if (unit.unit == *this) {
+    for (const NamedUnit& unit : allUnits())
+        if (unit.unit == *this)
             return canonicalText(unit);
-        }
-    }
     throw LogicError("a radiance unit of factor " + numberText(toW_m2) + " without a name");
 }
 

@@ -16,9 +16,8 @@ namespace {
 std::optional<SpectralRadianceUnit> readUnit(const CsvTable& table,
                                              std::optional<SpectralRadianceUnit> given,
                                              std::vector<Diagnostic>& diagnostics) {
-    if (given) {
+    if (given)
         return given;
-    }
     const CsvComment* const comment = table.comment("unit");
     if (comment == nullptr) {
         diagnostics.push_back(table.diagnostic(
@@ -46,13 +45,11 @@ double readDistance_m(const CsvTable& table, std::optional<double> given_m,
         return *given_m;
     }
     const CsvComment* const comment = table.comment("reference_distance_m");
-    if (comment == nullptr) {
+    if (comment == nullptr)
         return 0.0;
-    }
     const double distance_m = table.number(*comment, diagnostics, expected).value_or(0.0);
-    if (distance_m < 0.0) {
+    if (distance_m < 0.0)
         diagnostics.push_back(table.diagnostic(comment->line, comment->value, expected));
-    }
     return distance_m;
 }
 
@@ -68,12 +65,10 @@ UserSpectrum readSpectrumCsv(const std::filesystem::path& file,
     const auto radianceUnit = readUnit(table, unit, diagnostics);
     UserSpectrum spectrum;
     spectrum.referenceDistance_m = readDistance_m(table, referenceDistance_m, diagnostics);
-    if (diagnostics.empty()) {
+    if (diagnostics.empty())
         checkSpectralAxis(table, columns, diagnostics);
-    }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
 
     // The axis in um, with what makes a value of each node one in W m-2 sr-1 um-1.
     std::vector<double> wavelengths_um = wavelengthsOf(columns, axis);
@@ -87,20 +82,17 @@ UserSpectrum readSpectrumCsv(const std::filesystem::path& file,
                                                       : radianceUnit->toW_m2);
     }
     const bool descending = wavelengths_um.back() < wavelengths_um.front();
-    if (descending) {
+    if (descending)
         std::ranges::reverse(wavelengths_um);
-    }
 
     spectrum.name = file.stem().string();
     spectrum.importedUnit = radianceUnit->text();
     for (std::size_t i = 0; i < columns.names.size(); ++i) {
         std::vector<double> radiance;
-        for (std::size_t k = 0; k < factors.size(); ++k) {
+        for (std::size_t k = 0; k < factors.size(); ++k)
             radiance.push_back(columns.values[i][k] * factors[k]);
-        }
-        if (descending) {
+        if (descending)
             std::ranges::reverse(radiance);
-        }
         const std::string& name = columns.names[i].text;
         spectrum.components.push_back(
             {name, Spectrum(wavelengths_um, std::move(radiance), Spectrum::Outside::zero,
@@ -110,25 +102,22 @@ UserSpectrum readSpectrumCsv(const std::filesystem::path& file,
 }
 
 void writeSpectrumCsv(const UserSpectrum& spectrum, const std::filesystem::path& file) {
-    if (spectrum.components.empty()) {
+    if (spectrum.components.empty())
         throw LogicError("a spectrum without components cannot be written");
-    }
     const auto& axis_um = spectrum.components.front().radiance.wavelengths_um();
     std::string text = "# unit: " + SpectralRadianceUnit{}.text() +
                        "\n# reference_distance_m: " + numberText(spectrum.referenceDistance_m) +
                        "\num";
     for (const SpectrumComponent& component : spectrum.components) {
-        if (component.radiance.wavelengths_um() != axis_um) {
+        if (component.radiance.wavelengths_um() != axis_um)
             throw LogicError("components of '" + spectrum.name + "' without one shared axis");
-        }
         text += "," + csvCell(component.name);
     }
     text += "\n";
     for (std::size_t i = 0; i < axis_um.size(); ++i) {
         text += numberText(axis_um[i]);
-        for (const SpectrumComponent& component : spectrum.components) {
+        for (const SpectrumComponent& component : spectrum.components)
             text += "," + numberText(component.radiance.values()[i]);
-        }
         text += "\n";
     }
 

@@ -5,7 +5,8 @@
 
 namespace irsg {
 
-/// The terms of the report's eq. 7. Its printed layout is damaged; the reading
+/// The terms of the report's eq. 7, and one more, f_amb(T_amb). Its printed layout is damaged; the
+/// reading
 ///   T = T0 + a T_amb (1 + 0.2 r M^2 + dT / T_amb) + f_time(t) + f_power(P) + f_alt(h) + f_mach(M)
 /// fits its seven plus signs and the recovery temperature of air (0.2 = (gamma - 1) / 2). Each term
 /// is one function below, so that a correction is one line. All in K, and 0 unless they are set: a
@@ -19,6 +20,7 @@ struct TemperatureTerms {
     LookupTable power;            ///< f_power over the power setting
     LookupTable altitude;         ///< f_alt over m
     LookupTable mach;             ///< f_mach over Mach number
+    LookupTable ambient = {};     ///< f_amb over the temperature of the air, K; not in the report
 
     /// Of a surface that is as warm as the air around it.
     static TemperatureTerms ofAmbient() {
@@ -35,10 +37,8 @@ double ambientTerm_K(const TemperatureTerms& terms, const EntityState& state);
 double aerodynamicTerm_K(const TemperatureTerms& terms, const EntityState& state);
 /// a dT, K.
 double offsetTerm_K(const TemperatureTerms& terms, const EntityState& state);
-double timeTerm_K(const TemperatureTerms& terms, const EntityState& state);
-double powerTerm_K(const TemperatureTerms& terms, const EntityState& state);
-double altitudeTerm_K(const TemperatureTerms& terms, const EntityState& state);
-double machTerm_K(const TemperatureTerms& terms, const EntityState& state);
+/// What a lookup table of the terms adds, K; 0 where it is empty.
+double tableTerm_K(const LookupTable& table, double position);
 
 /// The sum of all terms, K. May be <= 0 for a database that is wrong: the caller names the entry.
 double surfaceTemperature_K(const TemperatureTerms& terms, const EntityState& state);

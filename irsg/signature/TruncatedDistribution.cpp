@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "irsg/signature/random/PortableMath.h"
 
@@ -10,81 +9,26 @@ namespace irsg {
 
 namespace {
 
-using Kind = DistributionKind;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double ln2 = 0.69314718055994531;
 constexpr int bracketCount = 64;
-
-/// The tails of t >= 0 on the right of a symmetric distribution, as those of z.
-LogTails mirrored(const LogTails& right, double z) {
-    return z >= 0.0 ? right : LogTails{right.upper, right.lower};
-}
-
-/// z with tail e^-x: the exponential distribution.
-LogTails exponentialTails(double x) {
-    return x > 0.0 ? tailsFromUpper(-x) : LogTails{-infinity, 0.0};
-}
-
-LogTails studentTails(double degrees, double z) {
-    // P(|T| > t) = I(nu / (nu + t^2); nu / 2, 1 / 2).
-    const double square = z * z;
-    const double whole = degrees + square;
-    const double outside =
-        std::isinf(square) ? -infinity
-                           : betaTails(0.5 * degrees, 0.5, degrees / whole, square / whole).lower;
-    return mirrored(tailsFromUpper(outside - ln2), z);
-}
-
-LogTails poissonTails(double mean, double k) {
-    if (k < 0.0)
-        return {-infinity, 0.0};
-    const LogTails gamma = gammaTails(std::floor(k) + 1.0, mean);
-    return {gamma.upper, gamma.lower};
-}
 
 } // namespace
 
 Distribution::Truncated::Truncated(DistributionKind kind, double min, double max,
                                    const std::vector<double>& p)
-    : kind_(kind) {
-    switch (kind) {
-    case Kind::uniform:
-        origin_ = min;
-        scale_ = max - min;
-        break;
-    case Kind::logNormal:
-        a_ = p[1];
-        scale_ = p[0];
-        break;
-    case Kind::pareto:
-        scale_ = p[0];
-        a_ = p[1];
-        break;
-    case Kind::poisson:
-        a_ = p[0];
-        break;
-    default:
-        origin_ = p[0];
-        scale_ = p[1];
-        a_ = p.size() > 2 ? p[2] : 0.0;
-        b_ = p.size() > 3 ? p[3] : 0.0;
-    }
-    if (kind == Kind::stable)
-        stable_.emplace(a_, b_);
-
-    if (kind == Kind::poisson) {
+    : law_(lawOf(kind)), form_(law_.standard(min, max, p)), tails_(law_.tails(form_)) {
+    if (law_.isDiscrete) {
         first_ = std::ceil(std::max(min, 0.0));
         last_ = std::floor(max);
         if (first_ > last_)
             throw InputError(
                 {"", "",
                  "no whole number of at least 0 from " + numberText(min) + " to " + numberText(max),
-                 "one that a Poisson distribution can take"});
+                 "one that a " + std::string(law_.info.name) + " distribution can take"});
         atFirst_ = tails(first_ - 1.0);
     } else {
-        first_ = (min - origin_) / scale_;
-        last_ = (max - origin_) / scale_;
+        first_ = (min - form_.origin) / form_.scale;
+        last_ = (max - form_.origin) / form_.scale;
         atFirst_ = tails(first_);
     }
     atLast_ = tails(last_);
@@ -95,7 +39,7 @@ Distribution::Truncated::Truncated(DistributionKind kind, double min, double max
                           "no probability from " + numberText(min) + " to " + numberText(max),
                           "min and max where the distribution has values"});
 
-    if (kind != Kind::poisson && !closedForm({true, -1.0})) {
+    if (!law_.isDiscrete && law_.closedForm == nullptr) {
         std::vector<Knot> knots{{first_, atFirst_}};
         for (int i = 1; i < bracketCount; ++i) {
             const Knot& below = knots.back();
@@ -108,50 +52,7 @@ Distribution::Truncated::Truncated(DistributionKind kind, double min, double max
     }
 }
 
-LogTails Distribution::Truncated::tails(double z) const {
-    switch (kind_) {
-    case Kind::uniform:
-        return z <= 0.0   ? LogTails{-infinity, 0.0}
-               : z >= 1.0 ? LogTails{0.0, -infinity}
-                          : LogTails{portable::log(z), portable::log1p(-z)};
-    case Kind::normal:
-        return normalTails(z);
-    case Kind::exponential:
-        return exponentialTails(z);
-    case Kind::laplace:
-        return mirrored(tailsFromUpper(-std::abs(z) - ln2), z);
-    case Kind::cauchy: {
-        static const StableDistribution cauchy(1.0, 0.0);
-        return cauchy.tails(z);
-    }
-    case Kind::rayleigh:
-        return z > 0.0 ? exponentialTails(0.5 * z * z) : LogTails{-infinity, 0.0};
-    case Kind::logNormal:
-        return z > 0.0 ? normalTails(portable::log(z) / a_) : LogTails{-infinity, 0.0};
-    case Kind::stable:
-        return stable_->tails(z);
-    case Kind::gamma:
-        return gammaTails(a_, z);
-    case Kind::chiSquared:
-        return gammaTails(0.5 * a_, 0.5 * z);
-    case Kind::fisherF: {
-        const double whole = a_ * z + b_;
-        return z > 0.0 ? betaTails(0.5 * a_, 0.5 * b_, a_ * z / whole, b_ / whole)
-                       : LogTails{-infinity, 0.0};
-    }
-    case Kind::studentT:
-        return studentTails(a_, z);
-    case Kind::beta:
-        return betaTails(a_, b_, z, 1.0 - z);
-    case Kind::pareto:
-        return z > 1.0 ? exponentialTails(a_ * portable::log(z)) : LogTails{-infinity, 0.0};
-    case Kind::poisson:
-        return poissonTails(a_, z);
-    }
-    throw LogicError("unknown distribution");
-}
-
-Distribution::Truncated::Target Distribution::Truncated::targetOf(double u) const {
+TailTarget Distribution::Truncated::targetOf(double u) const {
     // ln of the mixture (1 - u) e^first + u e^last of a tail that lies on one side of the median.
     const auto mixed = [&](double first, double last) {
         const double large = std::max(first, last);
@@ -168,29 +69,7 @@ Distribution::Truncated::Target Distribution::Truncated::targetOf(double u) cons
     return {true, portable::log(portable::exp(atLast_.upper) + (1.0 - u) * mass_)};
 }
 
-std::optional<double> Distribution::Truncated::closedForm(const Target& target) const {
-    const auto exponential = [&] {
-        return -(target.isUpper ? target.log : portable::log1mExp(target.log));
-    };
-    switch (kind_) {
-    case Kind::uniform:
-        return target.isUpper ? -portable::expm1(target.log) : portable::exp(target.log);
-    case Kind::exponential:
-        return exponential();
-    case Kind::laplace: {
-        const double beyond = std::min(target.log + ln2, 0.0);
-        return target.isUpper ? -beyond : beyond;
-    }
-    case Kind::rayleigh:
-        return std::sqrt(2.0 * exponential());
-    case Kind::pareto:
-        return portable::exp(exponential() / a_);
-    default:
-        return std::nullopt;
-    }
-}
-
-double Distribution::Truncated::solved(const Target& target, double z1, const LogTails& tails1,
+double Distribution::Truncated::solved(const TailTarget& target, double z1, const LogTails& tails1,
                                        double z2, const LogTails& tails2) const {
     // Chandrupatla 1997: inverse quadratic interpolation where it is safe, else bisection. Both
     // tails are made to rise with z.
@@ -236,7 +115,7 @@ double Distribution::Truncated::solved(const Target& target, double z1, const Lo
 
 double Distribution::Truncated::wholeNumberAt(double u) const {
     // The least number whose tail has reached the target, by halving.
-    const Target target = targetOf(u);
+    const TailTarget target = targetOf(u);
     const auto isReached = [&](double k) {
         const LogTails at = tails(k);
         return target.isUpper ? at.upper <= target.log : at.lower >= target.log;
@@ -250,16 +129,17 @@ double Distribution::Truncated::wholeNumberAt(double u) const {
 }
 
 double Distribution::Truncated::at(double u) const {
-    if (kind_ == Kind::poisson)
+    if (law_.isDiscrete)
         return wholeNumberAt(u);
-    const Target target = targetOf(u);
-    if (const auto z = closedForm(target))
-        return origin_ + scale_ * std::clamp(*z, first_, last_);
+    const TailTarget target = targetOf(u);
+    if (law_.closedForm != nullptr)
+        return form_.origin +
+               form_.scale * std::clamp(law_.closedForm(form_, target), first_, last_);
     const auto i = std::min(static_cast<std::size_t>(u * bracketCount),
                             static_cast<std::size_t>(bracketCount - 1));
     const Knot& below = knots_[i];
     const Knot& above = knots_[i + 1];
-    return origin_ + scale_ * solved(target, below.z, below.tails, above.z, above.tails);
+    return form_.origin + form_.scale * solved(target, below.z, below.tails, above.z, above.tails);
 }
 
 double Distribution::Truncated::probabilityBetween(const LogTails& at) const {
@@ -278,7 +158,7 @@ double Distribution::Truncated::probabilityBetween(const LogTails& at) const {
 }
 
 double Distribution::Truncated::probabilityUpTo(double x) const {
-    const LogTails at = tails((x - origin_) / scale_);
+    const LogTails at = tails((x - form_.origin) / form_.scale);
     if (std::isinf(at.lower))
         return 0.0;
     return probabilityBetween(at);

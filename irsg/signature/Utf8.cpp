@@ -10,14 +10,11 @@ bool isUtf8(std::string_view text) {
                                    : lead >= 0xe0 && lead < 0xf0 ? 3
                                    : lead >= 0xf0 && lead < 0xf5 ? 4
                                                                  : 0;
-        if (length == 0 || i + length > text.size()) {
+        if (length == 0 || i + length > text.size())
             return false;
-        }
-        for (std::size_t k = 1; k < length; ++k) {
-            if ((static_cast<unsigned char>(text[i + k]) & 0xc0) != 0x80) {
+        for (std::size_t k = 1; k < length; ++k)
+            if ((static_cast<unsigned char>(text[i + k]) & 0xc0) != 0x80)
                 return false;
-            }
-        }
         const auto second = length > 1 ? static_cast<unsigned char>(text[i + 1]) : 0;
         if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) ||
             (lead == 0xf0 && second < 0x90) || (lead == 0xf4 && second > 0x8f)) {

@@ -12,9 +12,8 @@ namespace {
 /// A value as the command line takes it: there, paths are relative to where one stands.
 std::string commandValue(const Project& project, const Settings& settings,
                          const SettingInfo& setting) {
-    if (setting.kind != SettingKind::path && setting.kind != SettingKind::pathList) {
+    if (setting.kind != SettingKind::path && setting.kind != SettingKind::pathList)
         return settings.text(setting.key);
-    }
     std::string text;
     for (const std::filesystem::path& path : settings[PathsKey{setting.key.c_str()}]) {
         const std::string word = path == "vacuum" ? path.string() : project.resolve(path).string();
@@ -28,9 +27,8 @@ std::string commandValue(const Project& project, const Settings& settings,
 Project withAnalysis(const Project& project, const NamedAnalysis* analysis) {
     Project alone{project.file, project.title,      project.notes, project.models, project.settings,
                   {},           project.unknownKeys};
-    if (analysis != nullptr) {
+    if (analysis != nullptr)
         alone.analyses.push_back(*analysis);
-    }
     return alone;
 }
 
@@ -40,9 +38,8 @@ AnalysisData AnalysisData::of(const Project& project, const std::string& name) {
     const NamedAnalysis* found = project.find(name);
     if (found == nullptr) {
         std::string names;
-        for (const NamedAnalysis& analysis : project.analyses) {
+        for (const NamedAnalysis& analysis : project.analyses)
             names += (names.empty() ? "" : ", ") + analysis.name;
-        }
         throw irsg::InputError({.file = project.displayName(),
                                 .position = "analyses",
                                 .value = name,
@@ -81,9 +78,8 @@ std::string settingOptions(const Project& project, const Settings& now, const Se
     std::string options;
     for (const SettingInfo& setting : settingTable()) {
         const std::string& text = now.text(setting.key);
-        if (!concerns(setting, name(kind)) || text == known.text(setting.key)) {
+        if (!concerns(setting, name(kind)) || text == known.text(setting.key))
             continue;
-        }
         if (setting.kind == SettingKind::boolean && text == "true" && !assigned) {
             options += " " + setting.option;
         } else if (setting.kind == SettingKind::boolean) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
+#include "irsg/signature/SignatureDatabase.h"
 #include "smatcore/data/ResultTable.h"
 #include "smatcore/project/Project.h"
 #include "smatcore/support/StageTimer.h"
@@ -34,6 +36,9 @@ struct AnalysisData {
     irsg::RadianceImage image; ///< of an image analysis, else empty
     ResultTable table;         ///< of every kind; an image gives one row of sums
     std::vector<SummaryItem> summary;
+    /// The signature databases of the models as they were, edits that are not saved included; empty
+    /// where that is not known.
+    std::vector<std::shared_ptr<const irsg::SignatureDatabase>> databases;
     std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
     std::vector<std::string> warnings;   ///< each said once
     std::string renderer;

@@ -31,9 +31,8 @@ void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& s
     table.addCase(one, {rendered.report});
     data.image = std::move(rendered.image);
     const std::string sentence = showQuantity(data.image, scene.sensor, data.settings);
-    if (!sentence.empty()) {
+    if (!sentence.empty())
         warnings.add(sentence);
-    }
 }
 
 void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan& plan,
@@ -43,9 +42,8 @@ void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan
     irsg::addNew(data.answeredBy, report.answeredBy);
     warnings.addReport(report, data.settings[key::renderLayers]);
     const irsg::IntensitySpectrum spectrum = source.measureSpectrum(plan.wavenumbers_per_cm);
-    for (const std::string& sentence : spectrum.warnings) {
+    for (const std::string& sentence : spectrum.warnings)
         warnings.add(sentence);
-    }
     table.addSpectrum(spectrum);
 }
 
@@ -60,9 +58,8 @@ void addReports(AnalysisData& data, const ImageSource::Reports& reports, const A
 }
 
 std::string caseName(const AnalysisPlan& plan, const AnalysisCase& one) {
-    if (plan.cases.size() == 1) {
+    if (plan.cases.size() == 1)
         return name(plan.kind);
-    }
     return fmt::format("{}: {} {}", name(plan.kind), irsg::info(plan.coordinate).key,
                        plan.place(one));
 }
@@ -82,9 +79,8 @@ CaseSetUp setUp(ImageSource& source, const SceneDescription& scene, const Analys
     CaseSetUp set;
     const irsg::Pose standing = one.standing(inScene);
     set.one = &one;
-    for (const irsg::Entity& entity : scene.entities) {
+    for (const irsg::Entity& entity : scene.entities)
         set.poses.push_back(entity.pose);
-    }
     set.poses.front() = one.pose(standing, inModel.front());
     source.setPose(0, set.poses.front());
     set.viewpoint = one.viewpoint(standing.toWorld(inModel.front()));
@@ -106,12 +102,10 @@ void addSetUp(const SceneDescription& scene, AnalysisKind kind, const std::strin
               const CaseSetUp& set, CaseWarnings& warnings) {
     warnings.beginCase(place);
     // An image shows what it cuts off; a plot does not.
-    if (kind->form != AnalysisForm::image) {
+    if (kind->form != AnalysisForm::image)
         warnings.addObjectsBeyondFrame(scene, set.poses, set.viewpoint);
-    }
-    for (const std::string& sentence : set.sentences) {
+    for (const std::string& sentence : set.sentences)
         warnings.add(sentence);
-    }
 }
 
 } // namespace
@@ -133,6 +127,7 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
     data.image = {};
     data.table = {};
     data.summary.clear();
+    data.databases.clear();
     data.answeredBy.clear();
     data.warnings.clear();
 
@@ -149,12 +144,12 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         if (data.kind->form == AnalysisForm::sweep && data.settings[key::sensorMode] == "auto") {
             CalculationChoice choice = chooseCalculation(scene, cases);
             scene.render.mode = choice.mode;
-            if (!choice.reason.empty()) {
+            if (!choice.reason.empty())
                 data.answeredBy.push_back(std::move(choice.reason));
-            }
         }
         source_.configure(scene);
         for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+            data.databases.push_back(scene.entities[i].database);
             inModel.push_back(source_.referencePointInModel(i));
         }
         data.renderer = source_.rendererDescription();
@@ -183,29 +178,26 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         std::optional<CaseSetUp> begun;
         const auto finish = [&](const CaseSetUp& set) {
             addSetUp(scene, data.kind, cases.place(*set.one), set, warnings);
-            if (data.kind->form == AnalysisForm::image) {
+            if (data.kind->form == AnalysisForm::image)
                 drawImage(data, scene, source_, *set.one, table, warnings);
-            } else if (data.kind->form == AnalysisForm::spectrum) {
+            else if (data.kind->form == AnalysisForm::spectrum)
                 measureSpectrum(data, source_, cases, table, warnings);
-            } else {
+            else
                 addReports(data, set.reports(), *set.one, table, warnings);
-            }
             tellWarnings();
             ++done;
         };
         const auto finishBegun = [&] {
-            if (begun) {
+            if (begun)
                 finish(*std::exchange(begun, std::nullopt));
-            }
         };
         for (const AnalysisCase& one : cases.cases) {
             if (progress) {
                 progress({done + (begun ? 1 : 0), cases.cases.size(), elapsed_s(),
                           caseName(cases, one)});
             }
-            if (stop.stop_requested()) {
+            if (stop.stop_requested())
                 break;
-            }
             logDebug(caseName(cases, one));
             CaseSetUp set = setUp(source_, scene, one, standing, inModel);
             if (data.kind->form != AnalysisForm::sweep) {
@@ -220,14 +212,12 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             }
             finishBegun();
             begun = std::move(set);
-            if (!source_.drawsBeside()) {
+            if (!source_.drawsBeside())
                 finishBegun();
-            }
         }
         finishBegun();
-        if (progress) {
+        if (progress)
             progress({done, cases.cases.size(), elapsed_s(), name(data.kind)});
-        }
         data.state = done == cases.cases.size() ? AnalysisState::complete : AnalysisState::partial;
         if (data.state == AnalysisState::partial) {
             data.warnings.push_back(
@@ -236,9 +226,8 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
     }
     if (timer != nullptr) {
         std::vector<StageTimer::Stage> parts;
-        for (const irsg::StageTimes::Stage& stage : source_.stageTimes().stages) {
+        for (const irsg::StageTimes::Stage& stage : source_.stageTimes().stages)
             parts.push_back({stage.name, stage.seconds, stage.calls});
-        }
         timer->split("analyse", parts);
     }
     data.elapsed_s = elapsed_s();

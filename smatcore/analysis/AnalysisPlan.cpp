@@ -19,9 +19,8 @@ std::string describe(const AnalysisPlan& plan, const Settings& settings) {
     const irsg::QuantityInfo& axis = irsg::info(plan.coordinate);
     const std::string raster = fmt::format("{} x {} px", settings.text(key::sensorWidth),
                                            settings.text(key::sensorHeight));
-    if (plan.kind->form == AnalysisForm::image) {
+    if (plan.kind->form == AnalysisForm::image)
         return fmt::format("{}: 1 case, {}", name(plan.kind), raster);
-    }
     if (plan.kind->form == AnalysisForm::spectrum) {
         return fmt::format("{}: 1 case, {} wavenumbers from {:.6g} to {:.6g} cm-1, {}",
                            name(plan.kind), plan.wavenumbers_per_cm.size(),
@@ -138,19 +137,16 @@ std::string AnalysisPlan::place(const AnalysisCase& one) const {
 AnalysisPlan planAnalysis(AnalysisKind kind, const Project& project, const Settings& settings) {
     AnalysisPlan plan;
     plan.kind = kind;
-    if (kind->plan == nullptr) {
+    if (kind->plan == nullptr)
         throw irsg::LogicError(name(kind) + " is no analysis that can be planned");
-    }
     std::vector<irsg::Diagnostic> diagnostics;
     checkAbilities(kind, settings, diagnostics);
     kind->plan(plan, project, settings, diagnostics);
-    if (plan.columns.empty()) {
+    if (plan.columns.empty())
         plan.columns = {plan.coordinate};
-    }
     if (!diagnostics.empty()) {
-        for (irsg::Diagnostic& diagnostic : diagnostics) {
+        for (irsg::Diagnostic& diagnostic : diagnostics)
             diagnostic.file = project.displayName();
-        }
         throw irsg::InputError(diagnostics);
     }
     plan.description = describe(plan, settings);

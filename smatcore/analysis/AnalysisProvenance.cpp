@@ -21,9 +21,8 @@ void addColumnExtremes(AnalysisData& data, Quantity quantity, Quantity abscissa)
     for (const ResultColumn* column : columnsOf(data.table, irsg::info(quantity).key)) {
         const ColumnName parts = ColumnName::of(column->key);
         // Of all objects together, in each band.
-        if (axis == nullptr || column->values.empty() || !parts.object.empty()) {
+        if (axis == nullptr || column->values.empty() || !parts.object.empty())
             continue;
-        }
         const auto [least, most] =
             std::minmax_element(column->values.begin(), column->values.end());
         const std::string band = parts.band.empty() ? "" : ", " + parts.which() + ",";
@@ -85,9 +84,8 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
     provenance.add("analysis", name(data.kind));
     provenance.add("name", data.name);
     provenance.add("state", data.state == AnalysisState::complete ? "complete" : "partial");
-    if (!data.commandLine.empty()) {
+    if (!data.commandLine.empty())
         provenance.add("command", data.commandLine);
-    }
     provenance.add("project", data.project.displayName());
     for (std::size_t i = 0; i < data.project.models.size(); ++i) {
         const ProjectModel& model = data.project.models[i];
@@ -108,12 +106,10 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
         }
     }
     provenance.add("renderer", data.renderer);
-    for (const std::string& answer : data.answeredBy) {
+    for (const std::string& answer : data.answeredBy)
         provenance.add("answered by", answer);
-    }
-    for (const std::string& warning : data.warnings) {
+    for (const std::string& warning : data.warnings)
         provenance.add("warning", warning);
-    }
 
     // An image carries the same as attributes; what occurs more than once is joined.
     if (!data.image.empty()) {

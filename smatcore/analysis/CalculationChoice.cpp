@@ -16,9 +16,8 @@ constexpr std::size_t fewestToTrain = 400; ///< lines of sight that pay for trai
 
 std::size_t linesOfSight(const AnalysisPlan& plan) {
     std::set<std::array<double, 3>> lines;
-    for (const AnalysisCase& one : plan.cases) {
+    for (const AnalysisCase& one : plan.cases)
         lines.insert({one.range_m, one.shownElevation_deg, one.altitude_m.value_or(0.0)});
-    }
     return lines.size();
 }
 

@@ -8,9 +8,8 @@ namespace smat {
 std::vector<std::string> heldTables(const irsg::Entity& entity, irsg::EntityState state,
                                     const irsg::Pose& pose, const irsg::Vec3& referencePoint,
                                     const irsg::Vec3& camera) {
-    if (!entity.database) {
+    if (!entity.database)
         return {};
-    }
     state.altitude_m = referencePoint.z;
     const irsg::Vec3 toCamera = camera - referencePoint;
     const double range_m = irsg::length(toCamera);
@@ -29,9 +28,8 @@ std::vector<std::string> heldTables(const irsg::Entity& entity, irsg::EntityStat
 
 bool reachesBeyondFrame(const irsg::Entity& target, const irsg::Pose& pose,
                         const irsg::Viewpoint& viewpoint, const irsg::Sensor& sensor) {
-    if (!target.model) {
+    if (!target.model)
         return false;
-    }
     const irsg::BoundingBox& box = target.model->bounds();
     const double halfWidth = 0.5 * sensor.width_px * sensor.pixelPitch();
     const double halfHeight = 0.5 * sensor.height_px * sensor.pixelPitch();

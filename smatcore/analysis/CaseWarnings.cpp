@@ -20,9 +20,8 @@ void CaseWarnings::add(const std::string& sentence) {
 void CaseWarnings::addWorst(const std::string& kind, double value, const std::string& sentence) {
     auto entry = std::find_if(entries_.begin(), entries_.end(),
                               [&](const Entry& one) { return one.kind == kind; });
-    if (entry == entries_.end()) {
+    if (entry == entries_.end())
         entry = entries_.insert(entry, {kind, sentence, case_, value});
-    }
     if (value > entry->worst) {
         entry->worst = value;
         entry->sentence = sentence;
@@ -34,9 +33,8 @@ void CaseWarnings::addWorst(const std::string& kind, double value, const std::st
 }
 
 void CaseWarnings::addReport(const irsg::RenderReport& report, int layersKept) {
-    for (const std::string& sentence : report.warnings) {
+    for (const std::string& sentence : report.warnings)
         add(sentence);
-    }
     if (!(report.all.coveredPixels > 0.0)) {
         add("no sample hits the target: it is out of the frame, too small for the sampling, or the "
             "camera is inside it");

@@ -5,6 +5,7 @@
 #include "irsg/image/ImageFormat.h"
 #include "irsg/image/ImageStatistics.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/Conditions.h"
 #include "smatcore/analysis/ImageQuantity.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -22,6 +23,7 @@ irsg::DisplayLimits limitsOf(const irsg::RadianceImage& image, const Settings& s
     const auto maximum = settings[key::displayMaximum];
     limits.low = minimum.value_or(limits.low);
     limits.high = maximum.value_or(limits.high);
+    limits.marksOutside = settings[key::displayMarkOutside];
     if (limits.low >= limits.high) {
         const OptionalRealKey key = maximum ? key::displayMaximum : key::displayMinimum;
         throw irsg::InputError(
@@ -58,6 +60,7 @@ void saveImage(const irsg::RadianceImage& image, const Settings& settings, const
         how.view.colorMap = settings.text(key::displayColorMap);
         how.view.limits = limitsOf(image, settings, whose);
         how.view.title = title;
+        how.view.conditions = lineOf(conditionsOf(settings));
     }
     format.write(image, file, how);
 }

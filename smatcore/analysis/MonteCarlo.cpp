@@ -67,9 +67,8 @@ class Run {
         }
         const auto seed = static_cast<std::uint64_t>(analysis.settings[key::scalingSeed]);
         draws_.emplace(data_.scalings, data_.options.sequence, seed);
-        if (data_.options.ranking) {
+        if (data_.options.ranking)
             companions_.emplace(data_.scalings, data_.options.sequence, seed, true);
-        }
         total_ = plan_.cases.size() * static_cast<std::size_t>(data_.options.phases) +
                  (data_.options.samples + batch - 1) / batch + (data_.options.ranking ? 1 : 0);
     }

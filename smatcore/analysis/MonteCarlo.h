@@ -99,6 +99,13 @@ class MonteCarlo {
 /// Returns the files written.
 std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
                                                   const std::filesystem::path& file);
+/// The single values of all draws, which no table holds, as an image of 32-bit floats: place after
+/// place, draw after draw, in rows of 4096, the rest of the last row 0. LogicError before a run.
+irsg::RadianceImage drawsImage(const MonteCarloData& data);
+/// Reads back what saveMonteCarlo wrote as .json, with the values of drawsImage. What was asked is
+/// not in a file: project and settings stay empty. Throws InputError for a file of another form and
+/// for draws that do not fit it.
+MonteCarloData loadMonteCarlo(const std::filesystem::path& file, const irsg::RadianceImage& draws);
 /// Place in the ranking, kind (0 temperature, 1 emissivity), index and Sobol' indices with their
 /// intervals; names in the provenance.
 ResultTable rankingTable(const MonteCarloData& data);

@@ -26,6 +26,25 @@ Json jsonOf(const Estimate& estimate) {
             {"high_95", estimate.high95}};
 }
 
+Json jsonOf(const std::vector<Estimate>& estimates) {
+    Json list = Json::array();
+    for (const Estimate& one : estimates)
+        list.push_back(jsonOf(one));
+    return list;
+}
+
+Json jsonOf(const MonteCarloOptions& options) {
+    Json json = {{"samples", options.samples},           {"sequence", name(options.sequence)},
+                 {"quantity", name(options.quantity)},   {"percentiles", options.percentiles},
+                 {"statistic", name(options.statistic)}, {"phases", options.phases},
+                 {"ranking", options.ranking},           {"ranking_pairs", options.rankingPairs}};
+    if (options.standardError)
+        json["standard_error"] = *options.standardError;
+    if (options.rankingAt)
+        json["ranking_at"] = *options.rankingAt;
+    return json;
+}
+
 const char* kindWord(const SceneScaling& scaling) {
     return scaling.input.kind == irsg::ScalingKind::temperature ? "temperature" : "emissivity";
 }
@@ -64,9 +83,8 @@ void MonteCarloOptions::check() const {
             std::to_string(rankingPairs), "a whole number from 256 to 1e6");
     require(!rankingAt || std::isfinite(*rankingAt), "ranking at", "no number",
             "an abscissa of the analysis");
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(std::move(diagnostics));
-    }
 }
 
 std::string name(MonteCarloOptions::Quantity quantity) {
@@ -85,9 +103,8 @@ std::optional<MonteCarloOptions::Quantity> monteCarloQuantity(std::string_view w
     using Quantity = MonteCarloOptions::Quantity;
     for (const Quantity quantity :
          {Quantity::intensity, Quantity::contrastIntensity, Quantity::irradiance}) {
-        if (word == name(quantity)) {
+        if (word == name(quantity))
             return quantity;
-        }
     }
     return std::nullopt;
 }
@@ -105,21 +122,17 @@ std::string name(const Statistic& statistic) {
 }
 
 std::optional<Statistic> statisticFromName(std::string_view word) {
-    if (word == "mean") {
+    if (word == "mean")
         return Statistic{};
-    }
-    if (word == "standard-deviation") {
+    if (word == "standard-deviation")
         return Statistic{Statistic::Kind::standardDeviation, 50.0};
-    }
     double percent = 0.0;
-    if (word.size() < 2 || word.front() != 'p') {
+    if (word.size() < 2 || word.front() != 'p')
         return std::nullopt;
-    }
     const char* end = word.data() + word.size();
     const auto [stopped, error] = std::from_chars(word.data() + 1, end, percent);
-    if (error != std::errc() || stopped != end || !(percent >= 0.0 && percent <= 100.0)) {
+    if (error != std::errc() || stopped != end || !(percent >= 0.0 && percent <= 100.0))
         return std::nullopt;
-    }
     return Statistic{Statistic::Kind::percentile, percent};
 }
 
@@ -177,20 +190,16 @@ std::string MonteCarloData::equivalentCommand(const std::string& outputFile) con
     command += fmt::format(" --samples {} --seed {} --sequence {} --quantity {} --statistic {}",
                            options.samples, analysis.settings[key::scalingSeed],
                            name(options.sequence), name(options.quantity), name(options.statistic));
-    if (options.standardError) {
+    if (options.standardError)
         command += " --standard-error " + irsg::numberText(*options.standardError);
-    }
     command += " --percentiles ";
-    for (std::size_t i = 0; i < options.percentiles.size(); ++i) {
+    for (std::size_t i = 0; i < options.percentiles.size(); ++i)
         command += (i == 0 ? "" : ",") + irsg::numberText(options.percentiles[i]);
-    }
     command += fmt::format(" --phases {}", options.phases);
-    if (options.ranking) {
+    if (options.ranking)
         command += fmt::format(" --ranking --ranking-pairs {}", options.rankingPairs);
-    }
-    if (options.ranking && options.rankingAt) {
+    if (options.ranking && options.rankingAt)
         command += " --ranking-at " + irsg::numberText(*options.rankingAt);
-    }
     Settings seeded = known;
     for (const std::string_view ownOption :
          {std::string_view(key::scalingSeed), std::string_view(key::scalingUse)}) {
@@ -205,9 +214,8 @@ std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
     const std::string extension = file.extension().string();
     if (extension == ".csv") {
         data.analysis.table.save(file);
-        if (data.ranking.empty()) {
+        if (data.ranking.empty())
             return {file};
-        }
         const std::filesystem::path ranking =
             file.parent_path() / (file.stem().string() + "-ranking.csv");
         rankingTable(data).save(ranking);
@@ -231,8 +239,14 @@ std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
                           {"max", scaling.distribution.maximum()},
                           {"parameters", scaling.distribution.parameters()}});
     }
+    json["options"] = jsonOf(data.options);
     json["scales"] = scales;
     json["draws"] = data.draws();
+    json["abscissa"] = {{"name", data.abscissaKey}, {"unit", data.abscissaUnit}};
+    json["unit"] = data.unit;
+    json["bands"] = data.bands;
+    json["statistic"] = jsonOf(data.statistic);
+    json["reached_standard_error"] = data.reachedStandardError;
     Json ranking = Json::array();
     for (const RankedScaling& one : data.ranking) {
         ranking.push_back({{"name", data.scalings[one.scaling].name},

@@ -26,21 +26,18 @@ bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) 
 double aspectAngle_rad(const AnalysisCase& one) {
     const irsg::Vec3 toCamera = one.viewpoint({}).position_m;
     const double range_m = irsg::length(toCamera);
-    if (!(range_m > 0.0)) {
+    if (!(range_m > 0.0))
         return 0.0;
-    }
     const irsg::Vec3 nose = one.attitude.rotation() * irsg::Vec3{0, 1, 0};
     return std::acos(std::clamp(irsg::dot(nose, toCamera) / range_m, -1.0, 1.0));
 }
 
 std::vector<AnalysisData> analysesOf(const Project& project) {
     std::vector<AnalysisData> analyses;
-    for (const NamedAnalysis& named : project.analyses) {
+    for (const NamedAnalysis& named : project.analyses)
         analyses.push_back(AnalysisData::of(project, named.name));
-    }
-    if (analyses.empty()) {
+    if (analyses.empty())
         analyses.push_back(AnalysisData::of(project, AnalysisKind::image));
-    }
     return analyses;
 }
 
@@ -63,9 +60,8 @@ void addStates(const AnalysisData& analysis, std::size_t model, irsg::LintScope&
         state.ambient_K = environment.ambientTemperature_K(state.altitude_m).value;
         state.aspectAngle_rad = model == 0 ? aspectAngle_rad(one) : 0.0;
         // Neighbours alone are compared: a range analysis has one state, a polar one many.
-        if (scope.states.size() == first || scope.states.back().state != state) {
+        if (scope.states.size() == first || scope.states.back().state != state)
             scope.states.push_back({name, state});
-        }
     }
 }
 
@@ -75,9 +71,8 @@ std::vector<std::size_t> modelsWith(const Project& project, const std::filesyste
     std::vector<std::size_t> models;
     for (std::size_t i = 0; i < project.models.size(); ++i) {
         const std::filesystem::path& named = project.models[i].database;
-        if (!named.empty() && isSameFile(project.resolve(named), database)) {
+        if (!named.empty() && isSameFile(project.resolve(named), database))
             models.push_back(i);
-        }
     }
     return models;
 }
@@ -102,14 +97,11 @@ irsg::LintScope lintScopeOf(const Project& project, const std::filesystem::path&
                                 .expected = "the project of a model with this database"});
     }
     for (const AnalysisData& analysis : analysesOf(project)) {
-        for (const irsg::Band& one : bandsOf(project, analysis.settings)) {
-            if (std::ranges::find(scope.bands, one.range()) == scope.bands.end()) {
+        for (const irsg::Band& one : bandsOf(project, analysis.settings))
+            if (std::ranges::find(scope.bands, one.range()) == scope.bands.end())
                 scope.bands.push_back(one.range());
-            }
-        }
-        for (const std::size_t model : models) {
+        for (const std::size_t model : models)
             addStates(analysis, model, scope);
-        }
     }
     return scope;
 }

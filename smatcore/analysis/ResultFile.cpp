@@ -23,48 +23,52 @@ void takeProvenance(AnalysisData& data) {
     data.renderer = provenance.value("renderer");
     data.state =
         provenance.value("state") == "partial" ? AnalysisState::partial : AnalysisState::complete;
-    for (const auto& [key, value] : provenance.entries) {
-        if (key == "answered by") {
+    for (const auto& [key, value] : provenance.entries)
+        if (key == "answered by")
             data.answeredBy.push_back(value);
-        } else if (key == "warning") {
+        else if (key == "warning")
             data.warnings.push_back(value);
-        }
-    }
 }
 
 } // namespace
 
-AnalysisData loadResult(const std::filesystem::path& file) {
+AnalysisData resultOf(ResultTable table, const std::string& file) {
+    if (table.empty()) {
+        throw irsg::InputError(irsg::Diagnostic{.file = file,
+                                                .position = "",
+                                                .value = "a table without rows",
+                                                .expected = "at least one row"});
+    }
     AnalysisData data;
+    data.table = std::move(table);
+    takeProvenance(data);
+    summarise(data);
+    return data;
+}
+
+AnalysisData loadResult(const std::filesystem::path& file) {
     const std::string extension = file.extension().string();
     // A .csv is a table or an image; all else that images are read from holds nothing else.
     const std::vector<std::string> images = irsg::readableImageExtensions();
     const bool isImage =
         extension == ".csv" ? irsg::holdsImage(file) : std::ranges::count(images, extension) > 0;
     if (isImage) {
+        AnalysisData data;
         data.image = irsg::readImageFile(file);
-        for (const auto& [key, value] : data.image.attributes) {
+        for (const auto& [key, value] : data.image.attributes)
             data.table.provenance.add(key, value);
-        }
-    } else if (extension == ".csv" || extension == ".json") {
-        data.table = ResultTable::load(file);
-        if (data.table.empty()) {
-            throw irsg::InputError(irsg::Diagnostic{.file = file.string(),
-                                                    .position = "",
-                                                    .value = "a table without rows",
-                                                    .expected = "at least one row"});
-        }
-    } else {
-        std::vector<std::string> known = images;
-        known.emplace_back(".json");
-        throw irsg::InputError(irsg::Diagnostic{.file = file.string(),
-                                                .position = "",
-                                                .value = "extension \"" + extension + "\"",
-                                                .expected = irsg::alternatives(known)});
+        takeProvenance(data);
+        summarise(data);
+        return data;
     }
-    takeProvenance(data);
-    summarise(data);
-    return data;
+    if (extension == ".csv" || extension == ".json")
+        return resultOf(ResultTable::load(file), file.string());
+    std::vector<std::string> known = images;
+    known.emplace_back(".json");
+    throw irsg::InputError(irsg::Diagnostic{.file = file.string(),
+                                            .position = "",
+                                            .value = "extension \"" + extension + "\"",
+                                            .expected = irsg::alternatives(known)});
 }
 
 } // namespace smat

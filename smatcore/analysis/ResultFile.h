@@ -16,5 +16,7 @@ namespace smat {
 /// irsg::readableImageExtensions(), for a .txt or .dat that is no matrix, and for a table without
 /// rows.
 AnalysisData loadResult(const std::filesystem::path& file);
+/// The same of a table that was read from a file of that name.
+AnalysisData resultOf(ResultTable table, const std::string& file);
 
 } // namespace smat

@@ -14,12 +14,10 @@ constexpr double normal975 = 1.959963984540054;
 /// from 4 degrees of freedom on; tables below.
 double student975(std::size_t degreesOfFreedom) {
     constexpr double few[] = {12.706, 4.303, 3.182};
-    if (degreesOfFreedom < 1) {
+    if (degreesOfFreedom < 1)
         return few[0];
-    }
-    if (degreesOfFreedom <= 3) {
+    if (degreesOfFreedom <= 3)
         return few[degreesOfFreedom - 1];
-    }
     const double n = static_cast<double>(degreesOfFreedom);
     const double z = normal975, z2 = z * z;
     const double g1 = z * (z2 + 1.0) / 4.0;
@@ -102,32 +100,27 @@ Estimate Estimate::withStudent(double value, double standardError, std::size_t d
 
 double meanOf(std::span<const double> values) {
     // About the first value, so that a small spread on a large mean keeps its digits.
-    if (values.empty()) {
+    if (values.empty())
         return 0.0;
-    }
     double sum = 0.0;
-    for (const double value : values) {
+    for (const double value : values)
         sum += value - values.front();
-    }
     return values.front() + sum / static_cast<double>(values.size());
 }
 
 double standardDeviationOf(std::span<const double> values) {
-    if (values.size() < 2) {
+    if (values.size() < 2)
         return 0.0;
-    }
     const double mean = meanOf(values);
     double sum = 0.0;
-    for (const double value : values) {
+    for (const double value : values)
         sum += (value - mean) * (value - mean);
-    }
     return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
 double percentileOf(std::span<const double> ascending, double percent) {
-    if (ascending.empty()) {
+    if (ascending.empty())
         return 0.0;
-    }
     return atRank(ascending, 1.0 + percent / 100.0 * static_cast<double>(ascending.size() - 1));
 }
 
@@ -145,9 +138,8 @@ Estimate estimate(std::span<const double> values, const Statistic& statistic) {
     case Statistic::Kind::standardDeviation: {
         const double mean = meanOf(values);
         double fourth = 0.0;
-        for (const double value : values) {
+        for (const double value : values)
             fourth += std::pow(value - mean, 4);
-        }
         const double variance = sigma * sigma;
         const double excess = variance > 0.0 ? fourth / (n * variance * variance) - 1.0 : 0.0;
         return Estimate::withStudent(sigma, sigma * std::sqrt(std::max(excess, 0.0) / (4.0 * n)),
@@ -164,20 +156,16 @@ Estimate estimateByReplicates(std::span<const double> values, std::size_t replic
     std::vector<double> statistics;
     for (std::size_t replicate = 0; replicate < replicates; ++replicate) {
         std::vector<double> own;
-        for (std::size_t i = replicate; i < values.size(); i += replicates) {
+        for (std::size_t i = replicate; i < values.size(); i += replicates)
             own.push_back(values[i]);
-        }
-        if (!own.empty()) {
+        if (!own.empty())
             statistics.push_back(valueOf(own, statistic));
-        }
     }
     const double value = valueOf(values, statistic);
-    if (statistics.size() < 2) {
+    if (statistics.size() < 2)
         return {value, 0.0, value, value};
-    }
-    if (statistic.kind == Statistic::Kind::percentile) {
+    if (statistic.kind == Statistic::Kind::percentile)
         return percentileByReplicates(values, replicates, statistic.percent);
-    }
     const double error =
         standardDeviationOf(statistics) / std::sqrt(static_cast<double>(statistics.size()));
     return Estimate::withStudent(value, error, statistics.size() - 1);
@@ -185,9 +173,8 @@ Estimate estimateByReplicates(std::span<const double> values, std::size_t replic
 
 SampleHistogram histogramOf(std::span<const double> values, std::size_t bins) {
     SampleHistogram histogram;
-    if (values.empty()) {
+    if (values.empty())
         return histogram;
-    }
     const std::vector<double> ascending = sorted(values);
     const double range = ascending.back() - ascending.front();
     if (bins == 0) {

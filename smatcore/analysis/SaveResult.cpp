@@ -10,33 +10,28 @@
 namespace smat {
 
 std::vector<std::string> usualResultExtensions(AnalysisKind kind) {
-    if (kind->form != AnalysisForm::image) {
+    if (kind->form != AnalysisForm::image)
         return resultExtensions(kind);
-    }
     std::vector<std::string> extensions;
-    for (const irsg::ImageFormat* format : irsg::imageFormats()) {
-        if (format->isUsual) {
+    for (const irsg::ImageFormat* format : irsg::imageFormats())
+        if (format->isUsual)
             extensions.push_back(format->extensionList().front());
-        }
-    }
     extensions.emplace_back(".json");
     return extensions;
 }
 
 std::vector<std::string> resultExtensions(AnalysisKind kind) {
     std::vector<std::string> extensions = {".csv"};
-    if (kind->form == AnalysisForm::image) {
+    if (kind->form == AnalysisForm::image)
         extensions = irsg::imageExtensions();
-    }
     extensions.emplace_back(".json");
     return extensions;
 }
 
 void checkResultFile(AnalysisKind kind, const std::filesystem::path& file) {
     const std::vector<std::string> known = resultExtensions(kind);
-    if (std::find(known.begin(), known.end(), file.extension().string()) != known.end()) {
+    if (std::find(known.begin(), known.end(), file.extension().string()) != known.end())
         return;
-    }
     throw irsg::InputError(
         irsg::Diagnostic{.file = file.string(),
                          .position = "",

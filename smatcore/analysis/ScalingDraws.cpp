@@ -19,12 +19,10 @@ const char* name(DrawSequence sequence) {
 ScalingDraws::ScalingDraws(std::vector<SceneScaling> scalings, DrawSequence sequence,
                            std::uint64_t seed, bool companions)
     : scalings_(std::move(scalings)), sequence_(sequence), seed_(seed) {
-    for (const SceneScaling& scaling : scalings_) {
+    for (const SceneScaling& scaling : scalings_)
         dimensions_.push_back(scaling.isFixed() ? -1 : free_++);
-    }
-    if (sequence == DrawSequence::plain || free_ == 0) {
+    if (sequence == DrawSequence::plain || free_ == 0)
         return;
-    }
     const int needed = companions ? 2 * free_ : free_;
     if (needed > irsg::SobolSequence::mostDimensions) {
         throw irsg::InputError({.file = "",
@@ -34,9 +32,8 @@ ScalingDraws::ScalingDraws(std::vector<SceneScaling> scalings, DrawSequence sequ
                                             (companions ? "64 with a ranking" : "128") +
                                             ", or the plain sequence"});
     }
-    for (std::uint32_t replicate = 0; replicate < sobolReplicates; ++replicate) {
+    for (std::uint32_t replicate = 0; replicate < sobolReplicates; ++replicate)
         replicates_.emplace_back(needed, seed, replicate);
-    }
 }
 
 std::vector<double> ScalingDraws::valuesOf(std::size_t draw, bool companion) const {

@@ -36,9 +36,8 @@ PairValues valuesOf(const ScalingDraws& draws, std::size_t pair,
 
 void PickFreeze::add(const std::vector<double>& values, const std::vector<double>& shared,
                      std::size_t replicate) {
-    if (origin_.empty()) {
+    if (origin_.empty())
         origin_ = values;
-    }
     std::vector<double> y(values.size()), z(values.size());
     for (std::size_t k = 0; k < values.size(); ++k) {
         y[k] = values[k] - origin_[k];
@@ -75,9 +74,8 @@ Estimate PickFreeze::withError(double value, double error, std::size_t degreesOf
     // The index is a correlation: Fisher's transform makes its error symmetric, and keeps the
     // interval between -1 and 1.
     const double slope = 1.0 - value * value;
-    if (slope <= 1e-12) {
+    if (slope <= 1e-12)
         return {value, error, value, value};
-    }
     const Estimate z = Estimate::withStudent(std::atanh(value), error / slope, degreesOfFreedom);
     return {value, error, std::tanh(z.low95), std::tanh(z.high95)};
 }
@@ -98,14 +96,11 @@ Estimate PickFreeze::index(bool byReplicates) const {
     if (byReplicates) {
         // Jackknife: the index of one replicate alone, a ratio of few values, would be biased.
         std::vector<double> indices;
-        for (const Sums& sums : replicates_) {
-            if (sums.count > 0.0 && sums.count < all_.count) {
+        for (const Sums& sums : replicates_)
+            if (sums.count > 0.0 && sums.count < all_.count)
                 indices.push_back(indexOf(without(all_, sums)));
-            }
-        }
-        if (indices.size() < 2) {
+        if (indices.size() < 2)
             return {value, 0.0, value, value};
-        }
         const double count = static_cast<double>(indices.size());
         return withError(value, standardDeviationOf(indices) * (count - 1.0) / std::sqrt(count),
                          indices.size() - 1);
@@ -113,9 +108,8 @@ Estimate PickFreeze::index(bool byReplicates) const {
 
     // Delta method: the derivative of the ratio with respect to each pair's own share.
     const std::size_t count = first_.size();
-    if (count < 2) {
+    if (count < 2)
         return {value, 0.0, value, value};
-    }
     std::vector<double> shares(count, 0.0);
     double variance = 0.0;
     for (std::size_t k = 0; k < all_.sum.size(); ++k) {
@@ -137,11 +131,9 @@ std::vector<RankedScaling> rankScalings(const ScalingDraws& draws, DrawSequence 
                                         const std::function<ScaledModel()>& modelOfPair,
                                         const std::function<bool(std::size_t done)>& goOn) {
     std::vector<std::size_t> varying;
-    for (std::size_t i = 0; i < draws.scalings().size(); ++i) {
-        if (!draws.scalings()[i].isFixed()) {
+    for (std::size_t i = 0; i < draws.scalings().size(); ++i)
+        if (!draws.scalings()[i].isFixed())
             varying.push_back(i);
-        }
-    }
     std::vector<PickFreeze> ofOne(varying.size()), ofOthers(varying.size());
     bool isWanted = true;
     for (std::size_t begin = 0; begin < pairs && isWanted; begin += pairsOfBlock) {

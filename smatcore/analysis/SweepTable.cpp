@@ -11,22 +11,18 @@ using irsg::Quantity;
 SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table)
     : form_(plan.kind->form), coordinates_(plan.columns), bands_({""}), table_(table) {
     if (scene.entities.size() > 1) {
-        for (const irsg::Entity& entity : scene.entities) {
+        for (const irsg::Entity& entity : scene.entities)
             objects_.push_back(entity.name);
-        }
         objects_ = distinctLabels(std::move(objects_));
     }
-    if (const std::vector<irsg::Band> bands = scene.allBands(); bands.size() > 1) {
+    if (const std::vector<irsg::Band> bands = scene.allBands(); bands.size() > 1)
         bands_ = bandLabels(bands);
-    }
-    for (const Quantity quantity : plan.columns) {
+    for (const Quantity quantity : plan.columns)
         table_.add(quantity);
-    }
     addColumns("");
     for (const std::string& object : objects_) {
-        if (form_ != AnalysisForm::spectrum) {
+        if (form_ != AnalysisForm::spectrum)
             addColumn(Quantity::range, object, "");
-        }
         addColumns(object);
     }
 }
@@ -45,9 +41,8 @@ void SweepTable::addColumns(const std::string& object) {
              {Quantity::intensity, Quantity::contrastIntensity, Quantity::irradiance}) {
             addColumn(quantity, object, band);
         }
-        if (form_ == AnalysisForm::image && object.empty()) {
+        if (form_ == AnalysisForm::image && object.empty())
             addColumn(Quantity::totalIrradiance, object, band);
-        }
         addColumn(Quantity::pixels, object, band);
     }
 }
@@ -62,18 +57,15 @@ void SweepTable::append(std::vector<double>& row, const irsg::ObjectRadiometry& 
 }
 
 void SweepTable::addCase(const AnalysisCase& one, const std::vector<irsg::RenderReport>& reports) {
-    if (reports.size() != bands_.size()) {
+    if (reports.size() != bands_.size())
         throw irsg::LogicError("a row of a sweep needs one report for each band");
-    }
     std::vector<double> row;
-    for (const Quantity quantity : coordinates_) {
+    for (const Quantity quantity : coordinates_)
         row.push_back(one.value(quantity));
-    }
     for (const irsg::RenderReport& report : reports) {
         append(row, report.all);
-        if (form_ == AnalysisForm::image) {
+        if (form_ == AnalysisForm::image)
             row.push_back(report.totalIrradiance_W_m2);
-        }
         row.push_back(report.all.coveredPixels);
     }
     for (std::size_t i = 0; i < objects_.size(); ++i) {

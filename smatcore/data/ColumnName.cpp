@@ -16,11 +16,9 @@ namespace {
 constexpr std::array prefixes{"error_", "difference_", "relative_difference_"};
 
 bool isQuantity(std::string_view key) {
-    for (int i = 0; i < static_cast<int>(irsg::Quantity::dimensionless); ++i) {
-        if (irsg::info(static_cast<irsg::Quantity>(i)).key == key) {
+    for (int i = 0; i < static_cast<int>(irsg::Quantity::dimensionless); ++i)
+        if (irsg::info(static_cast<irsg::Quantity>(i)).key == key)
             return true;
-        }
-    }
     return false;
 }
 
@@ -66,14 +64,11 @@ std::string ColumnName::which() const {
 
 std::vector<const ResultColumn*> columnsOf(const ResultTable& table, std::string_view series) {
     std::vector<const ResultColumn*> columns;
-    for (const ResultColumn& column : table.columns()) {
-        if (!isAbscissa(table, column) && ColumnName::of(column.key).series() == series) {
+    for (const ResultColumn& column : table.columns())
+        if (!isAbscissa(table, column) && ColumnName::of(column.key).series() == series)
             columns.push_back(&column);
-        }
-    }
-    if (const ResultColumn* one = table.find(series); columns.empty() && one != nullptr) {
+    if (const ResultColumn* one = table.find(series); columns.empty() && one != nullptr)
         columns.push_back(one);
-    }
     return columns;
 }
 
@@ -87,9 +82,8 @@ std::vector<std::string> distinctLabels(std::vector<std::string> names) {
                            std::string_view::npos;
             },
             '_');
-        if (name.empty()) {
+        if (name.empty())
             name = "object";
-        }
     }
     // A name that is given stays with the first that has it, before any that is made up.
     const std::set<std::string> given(names.begin(), names.end());

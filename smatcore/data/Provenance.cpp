@@ -11,19 +11,16 @@ void Provenance::add(std::string key, std::string value) {
 }
 
 std::string Provenance::value(std::string_view key) const {
-    for (const auto& [name, value] : entries) {
-        if (name == key) {
+    for (const auto& [name, value] : entries)
+        if (name == key)
             return value;
-        }
-    }
     return "";
 }
 
 std::string Provenance::toCsvLines() const {
     std::string lines;
-    for (const auto& [key, value] : entries) {
+    for (const auto& [key, value] : entries)
         lines += "# " + key + ": " + value + "\n";
-    }
     return lines;
 }
 

@@ -24,9 +24,8 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 }
 
 bool varies(const ResultColumn* column) {
-    if (column == nullptr || column->values.empty()) {
+    if (column == nullptr || column->values.empty())
         return false;
-    }
     const auto [least, most] = std::minmax_element(column->values.begin(), column->values.end());
     return *most - *least > 1e-9;
 }
@@ -48,16 +47,13 @@ class Sampled {
     /// Linear between samples, NaN outside.
     double at(double x) const {
         const auto after = std::lower_bound(axis_.begin(), axis_.end(), x);
-        if (after == axis_.end()) {
+        if (after == axis_.end())
             return missing;
-        }
         const auto i = static_cast<std::size_t>(after - axis_.begin());
-        if (*after == x) {
+        if (*after == x)
             return values_[i];
-        }
-        if (i == 0) {
+        if (i == 0)
             return missing;
-        }
         const double part = (x - axis_[i - 1]) / (axis_[i] - axis_[i - 1]);
         return values_[i - 1] + part * (values_[i] - values_[i - 1]);
     }
@@ -85,9 +81,8 @@ void checkAxis(const DifferenceSide& side, const ResultColumn& axis) {
 /// Goes all the way round but for its last step.
 bool isRound(const ResultTable& table, const ResultColumn& axis) {
     const auto& x = axis.values;
-    if (polarTypeOf(table).empty() || x.size() < 4) {
+    if (polarTypeOf(table).empty() || x.size() < 4)
         return false;
-    }
     const double step = std::abs(x[1] - x[0]);
     const double span = std::abs(x.back() - x.front());
     return span < turn_deg && span + 1.5 * step >= turn_deg;
@@ -106,11 +101,9 @@ std::vector<double> commonAxis(const DifferenceSide& a, const ResultColumn& ofA,
     const double high = std::min(highA, highB);
     std::set<double> axis;
     for (const auto* column : {&ofA, &ofB}) {
-        for (const double x : column->values) {
-            if (x >= low && x <= high) {
+        for (const double x : column->values)
+            if (x >= low && x <= high)
                 axis.insert(x);
-            }
-        }
     }
     if (axis.empty()) {
         const auto span = [](double from, double to, const std::string& unit) {
@@ -125,20 +118,17 @@ std::vector<double> commonAxis(const DifferenceSide& a, const ResultColumn& ofA,
 
 std::string measuredKeys(const ResultTable& table) {
     std::string keys;
-    for (const ResultColumn& column : table.columns()) {
-        if (!isAbscissa(table, column)) {
+    for (const ResultColumn& column : table.columns())
+        if (!isAbscissa(table, column))
             keys += (keys.empty() ? "" : ", ") + column.header();
-        }
-    }
     return keys.empty() ? "nothing measured" : keys;
 }
 
 } // namespace
 
 std::string abscissaKey(const ResultTable& table) {
-    if (table.columns().empty()) {
+    if (table.columns().empty())
         throw irsg::LogicError("a table without columns has no abscissa");
-    }
     const ResultColumn* wavelength = table.find(Quantity::wavelength);
     return wavelength != nullptr ? wavelength->key : table.columns().front().key;
 }
@@ -154,34 +144,27 @@ bool isAbscissa(const ResultTable& table, const ResultColumn& column) {
 }
 
 std::string polarTypeOf(const ResultTable& table) {
-    if (table.columns().empty() || table.columns().front().key != irsg::info(Quantity::angle).key) {
+    if (table.columns().empty() || table.columns().front().key != irsg::info(Quantity::angle).key)
         return "";
-    }
     const std::string stated = table.provenance.value("polar.type");
-    if (!stated.empty()) {
+    if (!stated.empty())
         return stated;
-    }
-    if (varies(table.find(Quantity::yaw))) {
+    if (varies(table.find(Quantity::yaw)))
         return "model-yaw";
-    }
     return varies(table.find(Quantity::elevation)) ? "camera-elevation" : "camera-azimuth";
 }
 
 ResultTable differenceOf(const DifferenceSide& a, const DifferenceSide& b) {
-    for (const DifferenceSide* side : {&a, &b}) {
-        if (side->table->columns().empty()) {
+    for (const DifferenceSide* side : {&a, &b})
+        if (side->table->columns().empty())
             refuse(*side, "a table without columns", "a plot");
-        }
-    }
     const ResultColumn& axisA = *a.table->find(abscissaKey(*a.table));
     const ResultColumn& axisB = *b.table->find(abscissaKey(*b.table));
-    if (axisA.header() != axisB.header()) {
+    if (axisA.header() != axisB.header())
         refuse(b, "abscissa " + axisB.header(), axisA.header() + ", as in " + a.name);
-    }
     const std::string type = polarTypeOf(*a.table);
-    if (type != polarTypeOf(*b.table)) {
+    if (type != polarTypeOf(*b.table))
         refuse(b, "a polar plot of type " + polarTypeOf(*b.table), type + ", as in " + a.name);
-    }
     checkAxis(a, axisA);
     checkAxis(b, axisB);
     const std::vector<double> axis = commonAxis(a, axisA, b, axisB);
@@ -195,9 +178,8 @@ ResultTable differenceOf(const DifferenceSide& a, const DifferenceSide& b) {
             result.add(column.key, column.unit);
             const Sampled sampled(axisA.values, column.values, false);
             columns.emplace_back();
-            for (const double x : axis) {
+            for (const double x : axis)
                 columns.back().push_back(sampled.at(x));
-            }
         }
     }
     bool any = false;
@@ -228,24 +210,21 @@ ResultTable differenceOf(const DifferenceSide& a, const DifferenceSide& b) {
     }
     for (std::size_t row = 0; row < axis.size(); ++row) {
         std::vector<double> values;
-        for (const auto& column : columns) {
+        for (const auto& column : columns)
             values.push_back(column[row]);
-        }
         result.addRow(values);
     }
 
     result.provenance.add("program", "smat " + programVersion());
     result.provenance.add("analysis", "difference");
     result.provenance.add("name", a.name + " - " + b.name);
-    if (!type.empty()) {
+    if (!type.empty())
         result.provenance.add("polar.type", type);
-    }
     for (const DifferenceSide* side : {&a, &b}) {
         const std::string which = side == &a ? "a" : "b";
         result.provenance.add(which, side->name);
-        for (const auto& [key, value] : side->table->provenance.entries) {
+        for (const auto& [key, value] : side->table->provenance.entries)
             result.provenance.add(which + "." + key, value);
-        }
     }
     return result;
 }

@@ -8,6 +8,7 @@
 
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/data/CheckedJson.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/support/TextFile.h"
 
@@ -18,9 +19,8 @@ namespace {
 /// "range [m]" -> {"range", "m"}.
 std::pair<std::string, std::string> splitHeader(const std::string& header) {
     const std::size_t open = header.rfind(" [");
-    if (open == std::string::npos || header.back() != ']') {
+    if (open == std::string::npos || header.back() != ']')
         return {header, ""};
-    }
     return {header.substr(0, open), header.substr(open + 2, header.size() - open - 3)};
 }
 
@@ -38,11 +38,9 @@ std::string ResultColumn::axisTitle() const {
         {"difference_", "Difference of "}};
     const ColumnName parts = ColumnName::of(key);
     std::string label;
-    for (const auto& [prefix, words] : prefixes) {
-        if (parts.prefix == prefix) {
+    for (const auto& [prefix, words] : prefixes)
+        if (parts.prefix == prefix)
             label = words;
-        }
-    }
     const std::optional<irsg::Quantity> known = irsg::quantityOfKey(parts.quantity);
     const irsg::QuantityInfo* quantity = known ? &irsg::info(*known) : nullptr;
     std::string name(quantity != nullptr ? quantity->label : std::string_view(parts.quantity));
@@ -51,13 +49,11 @@ std::string ResultColumn::axisTitle() const {
         std::ranges::replace(name, '_', ' ');
         name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
     }
-    if (!label.empty() && !name.empty()) {
+    if (!label.empty() && !name.empty())
         name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
-    }
     label += name;
-    if (const std::string which = parts.which(); !which.empty()) {
+    if (const std::string which = parts.which(); !which.empty())
         label += ", " + which;
-    }
     const std::string pretty =
         quantity != nullptr && quantity->unit == unit ? std::string(quantity->prettyUnit) : unit;
     return pretty.empty() ? label : label + " (" + pretty + ")";
@@ -84,19 +80,16 @@ const ResultColumn* ResultTable::find(irsg::Quantity quantity) const {
 }
 
 void ResultTable::addRow(const std::vector<double>& values) {
-    if (values.size() != columns_.size()) {
+    if (values.size() != columns_.size())
         throw irsg::LogicError("a row of a result table needs one value per column");
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t i = 0; i < values.size(); ++i)
         columns_[i].values.push_back(values[i]);
-    }
 }
 
 std::string ResultTable::toCsv() const {
     std::string text = provenance.toCsvLines();
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
+    for (std::size_t i = 0; i < columns_.size(); ++i)
         text += (i == 0 ? "" : ",") + columns_[i].header();
-    }
     text += "\n";
     for (std::size_t row = 0; row < rowCount(); ++row) {
         for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -113,27 +106,26 @@ void ResultTable::save(const std::filesystem::path& file) const {
 }
 
 ResultTable ResultTable::load(const std::filesystem::path& file) {
-    return file.extension() == ".json" ? fromJson(file) : fromCsv(file);
+    if (file.extension() != ".json")
+        return fromCsv(file);
+    return fromJson(CheckedJson(readTextFile(file), file.string(), "a result table (JSON)"));
 }
 
 ResultTable ResultTable::fromCsv(const std::filesystem::path& file) {
     const irsg::CsvTable csv = irsg::CsvTable::read(file);
     std::vector<irsg::Diagnostic> diagnostics;
     ResultTable table;
-    for (const irsg::CsvComment& comment : csv.comments()) {
+    for (const irsg::CsvComment& comment : csv.comments())
         table.provenance.add(comment.key, comment.value);
-    }
-    if (csv.rows().empty()) {
+    if (csv.rows().empty())
         throw irsg::InputError(csv.diagnostic("no rows", "a header row of names with units"));
-    }
 
     // A header row names columns; one made of a number was meant as data.
     for (const irsg::CsvCell& cell : csv.rows().front().cells) {
-        if (cell.text.empty() || irsg::parseNumber(cell.text)) {
+        if (cell.text.empty() || irsg::parseNumber(cell.text))
             diagnostics.push_back(csv.diagnostic(cell, "the name of a column"));
-        } else if (table.find(splitHeader(cell.text).first) != nullptr) {
+        else if (table.find(splitHeader(cell.text).first) != nullptr)
             diagnostics.push_back(csv.diagnostic(cell, "a name that no other column has"));
-        }
         const auto [key, unit] = splitHeader(cell.text);
         table.add(key, unit);
     }
@@ -154,9 +146,8 @@ ResultTable ResultTable::fromCsv(const std::filesystem::path& file) {
             table.columns_[i].values.push_back(value.value_or(0.0));
         }
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
-    }
     return table;
 }
 

@@ -10,6 +10,8 @@
 
 namespace smat {
 
+class CheckedJson;
+
 /// One column of numbers with what they mean.
 struct ResultColumn {
     std::string key;  ///< "contrast_intensity"
@@ -49,12 +51,13 @@ class ResultTable {
     /// Reads either form back. Throws InputError with every diagnostic: a missing header, ragged
     /// rows, cells that are no numbers.
     static ResultTable load(const std::filesystem::path& file);
+    /// That of a JSON text, which may hold more besides.
+    static ResultTable fromJson(const CheckedJson& json);
 
     bool operator==(const ResultTable&) const = default;
 
   private:
     static ResultTable fromCsv(const std::filesystem::path& file);
-    static ResultTable fromJson(const std::filesystem::path& file);
 
     std::vector<ResultColumn> columns_;
 };

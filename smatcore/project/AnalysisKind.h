@@ -15,7 +15,7 @@ class AnalysisKind {
     /// Those that other parts of the program ask for by name; allAnalysisKinds() has them all.
     static const AnalysisKind image, spectrum, polar, time, range;
     /// Tables that are not planned as analyses are: those of tools, and any other.
-    static const AnalysisKind radiative, temperatureProfile, table;
+    static const AnalysisKind radiative, temperatureProfile, monteCarlo, simulation, table;
 
     constexpr explicit AnalysisKind(const AnalysisDefinition& definition)
         : definition_(&definition) {}
@@ -30,6 +30,8 @@ class AnalysisKind {
 /// What a project can ask for, in the order of menus, commands and manual. Made from the list
 /// ANALYSES of smatcore/CMakeLists.txt.
 const std::vector<AnalysisKind>& allAnalysisKinds();
+/// What makes tables of its own accord, in the order of menus. Made from the list TOOLS there.
+const std::vector<AnalysisKind>& allTools();
 /// "polar": the word of files and commands, and the section of the settings of this kind alone.
 std::string name(AnalysisKind kind);
 /// "Polar plot".

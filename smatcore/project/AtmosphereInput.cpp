@@ -14,9 +14,8 @@ bool isNoAir(const std::filesystem::path& input) {
 }
 
 std::shared_ptr<const irsg::Atmosphere> openAtmosphere(const std::filesystem::path& input) {
-    if (isNoAir(input)) {
+    if (isNoAir(input))
         return std::make_shared<irsg::Vacuum>();
-    }
     std::error_code failure;
     if (!std::filesystem::is_regular_file(input, failure)) {
         throw irsg::InputError(irsg::Diagnostic{.file = input.string(),

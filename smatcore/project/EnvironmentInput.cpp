@@ -21,9 +21,8 @@ struct LoadedAir {
 };
 
 void logRemarks(const std::string& whose, const std::vector<std::string>& remarks) {
-    for (const std::string& remark : remarks) {
+    for (const std::string& remark : remarks)
         logInfo(whose + ": " + remark);
-    }
 }
 
 /// What one file or word adds.
@@ -50,9 +49,8 @@ withResolution(const std::vector<std::shared_ptr<const irsg::Atmosphere>>& atmos
     for (const auto& atmosphere : atmospheres) {
         const auto other = atmosphere->withBins(resolution_per_cm);
         result.push_back(other ? other : atmosphere);
-        if (!other) {
+        if (!other)
             others += (others.empty() ? "" : ", ") + atmosphere->name();
-        }
     }
     if (result == atmospheres) {
         throw irsg::InputError(irsg::Diagnostic{
@@ -62,9 +60,8 @@ withResolution(const std::vector<std::shared_ptr<const irsg::Atmosphere>>& atmos
             .expected = "none: these spectra have nodes of their own, not bins as those of an "
                         "AtmosphereSmart"});
     }
-    if (!others.empty()) {
+    if (!others.empty())
         logInfo("the resolution has no effect on " + others);
-    }
     return result;
 }
 
@@ -81,18 +78,16 @@ std::optional<irsg::SunPosition> addAir(irsg::Environment& environment,
             const LoadedAir loaded = loadedFrom(input);
             const auto& own = loaded.environment.atmospheres();
             atmospheres.insert(atmospheres.end(), own.begin(), own.end());
-            if (!environment.defaultBackground) {
+            if (!environment.defaultBackground)
                 environment.defaultBackground = loaded.environment.defaultBackground;
-            }
             sun = sun ? sun : loaded.sun;
         } catch (const irsg::InputError& error) {
             diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
                                error.diagnostics().end());
         }
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(std::move(diagnostics));
-    }
     for (const auto& atmosphere :
          resolution_per_cm ? withResolution(atmospheres, *resolution_per_cm) : atmospheres) {
         logRemarks(atmosphere->name(), atmosphere->remarks());

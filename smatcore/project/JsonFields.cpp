@@ -7,7 +7,6 @@
 
 #include "irsg/radiometry/Units.h"
 #include "smatcore/settings/SettingKeys.h"
-#include "smatcore/support/JsonText.h"
 
 namespace smat {
 
@@ -18,14 +17,6 @@ using Json = nlohmann::json;
 constexpr double farthest_m = 1e9;
 
 } // namespace
-
-std::string shownJson(const Json& value) {
-    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (text.size() > 80) {
-        text = text.substr(0, 77) + "...";
-    }
-    return text;
-}
 
 bool isFileName(const std::string& name) {
     return !name.empty() && name.front() != '.' && name.find_first_of("/\\\n\r\t") == name.npos;
@@ -38,8 +29,8 @@ const std::vector<std::string>& noseAxisNames() {
 
 JsonFields::JsonFields(std::string fileName, const std::string& text, const std::string& kind)
     : fileName_(std::move(fileName)),
-      json_(parseJsonText<Json>(text, fileName_, kind)),
-      lines_(text) {}
+      json_(irsg::parseJson(text, fileName_, {.expected = kind})),
+      places_(text) {}
 
 void JsonFields::takeVersion(int newest, const std::string& parts) {
     if (!json_.is_object()) {
@@ -48,27 +39,19 @@ void JsonFields::takeVersion(int newest, const std::string& parts) {
     }
     const auto found = json_.find("version");
     const std::string expected = fmt::format("version {}", newest);
-    if (found == json_.end()) {
+    if (found == json_.end())
         refuse("version", std::string("nothing"), expected);
-    } else if (!found->is_number_integer() || found->get<double>() < 1) {
+    else if (!found->is_number_integer() || found->get<double>() < 1)
         refuse("version", *found, expected);
-    } else if (found->get<double>() > newest) {
+    else if (found->get<double>() > newest)
         refuse("version", *found, expected + " or older: the file was written by a newer program");
-    }
     throwRefused();
     json_.erase("version");
-    for (const auto& [path, line] : lines_.duplicates()) {
-        diagnostics_.push_back({.file = fileName_,
-                                .position = fmt::format("{}, line {}", path, line),
-                                .value = "a key that occurs twice",
-                                .expected = "every key once"});
-    }
 }
 
 void JsonFields::throwRefused() const {
-    if (!diagnostics_.empty()) {
+    if (!diagnostics_.empty())
         throw irsg::InputError(diagnostics_);
-    }
 }
 
 Settings JsonFields::takeSettings(Json& json, const std::string& path) {
@@ -76,9 +59,8 @@ Settings JsonFields::takeSettings(Json& json, const std::string& path) {
     for (const SettingInfo& setting : settingTable()) {
         const std::string section = setting.section();
         const auto found = json.find(section);
-        if (found == json.end()) {
+        if (found == json.end())
             continue;
-        }
         if (!found->is_object()) {
             refuse(joinedKeyPath(path, section), *found, "an object of settings");
             json.erase(section);
@@ -89,9 +71,8 @@ Settings JsonFields::takeSettings(Json& json, const std::string& path) {
             takeSetting(settings, setting.key, (*found)[name], joinedKeyPath(path, setting.key));
             found->erase(name);
         }
-        if (found->empty()) {
+        if (found->empty())
             json.erase(section);
-        }
     }
     return settings;
 }
@@ -151,30 +132,26 @@ void JsonFields::takeSetting(Settings& settings, const std::string& key, const J
 
 std::string JsonFields::takeText(Json& json, const char* key, const std::string& path) {
     const auto found = json.find(key);
-    if (found == json.end()) {
+    if (found == json.end())
         return "";
-    }
     std::string text;
-    if (found->is_string()) {
+    if (found->is_string())
         text = found->get<std::string>();
-    } else {
+    else
         refuse(joinedKeyPath(path, key), *found, "a text");
-    }
     json.erase(key);
     return text;
 }
 
 bool JsonFields::takeBoolean(Json& json, const char* key, const std::string& path) {
     const auto found = json.find(key);
-    if (found == json.end()) {
+    if (found == json.end())
         return false;
-    }
     bool value = false;
-    if (found->is_boolean()) {
+    if (found->is_boolean())
         value = found->get<bool>();
-    } else {
+    else
         refuse(joinedKeyPath(path, key), *found, "true or false");
-    }
     json.erase(key);
     return value;
 }
@@ -182,9 +159,8 @@ bool JsonFields::takeBoolean(Json& json, const char* key, const std::string& pat
 double JsonFields::takeNumber(Json& json, const char* key, const std::string& path, double minimum,
                               double maximum) {
     const auto found = json.find(key);
-    if (found == json.end()) {
+    if (found == json.end())
         return 0.0;
-    }
     double value = 0.0;
     if (found->is_number() && found->get<double>() >= minimum && found->get<double>() <= maximum) {
         value = found->get<double>();
@@ -199,9 +175,8 @@ double JsonFields::takeNumber(Json& json, const char* key, const std::string& pa
 std::optional<irsg::Vec3> JsonFields::takePoint(Json& json, const char* key,
                                                 const std::string& path) {
     const auto found = json.find(key);
-    if (found == json.end()) {
+    if (found == json.end())
         return std::nullopt;
-    }
     std::optional<irsg::Vec3> point;
     const bool isPoint =
         found->is_array() && found->size() == 3 &&
@@ -226,44 +201,37 @@ irsg::Attitude JsonFields::takeAttitude(Json& json, const std::string& path) {
 
 std::optional<int> JsonFields::takeIndex(Json& json, const char* key, const std::string& path) {
     const auto found = json.find(key);
-    if (found == json.end()) {
+    if (found == json.end())
         return std::nullopt;
-    }
     std::optional<int> index;
-    if (found->is_number_integer() && std::abs(found->get<double>()) <= 2147483647.0) {
+    if (found->is_number_integer() && std::abs(found->get<double>()) <= 2147483647.0)
         index = found->get<int>();
-    } else {
+    else
         refuse(joinedKeyPath(path, key), *found, "the index of an entry, a whole number");
-    }
     json.erase(key);
     return index;
 }
 
 irsg::NoseAxis JsonFields::takeNoseAxis(Json& json, const std::string& path) {
     const auto found = json.find("noseAxis");
-    if (found == json.end()) {
+    if (found == json.end())
         return irsg::NoseAxis::plusY;
-    }
     const Json value = *found;
     json.erase("noseAxis");
     const auto& names = noseAxisNames();
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (value == names[i]) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (value == names[i])
             return static_cast<irsg::NoseAxis>(i);
-        }
-    }
     refuse(joinedKeyPath(path, "noseAxis"), value, "+x, -x, +y or -y");
     return irsg::NoseAxis::plusY;
 }
 
 void JsonFields::refuse(const std::string& path, const std::string& value,
                         const std::string& expected) {
-    const int line = lines_.line(path);
-    diagnostics_.push_back(
-        {.file = fileName_,
-         .position = line > 0 && !path.empty() ? fmt::format("{}, line {}", path, line) : path,
-         .value = value,
-         .expected = expected});
+    diagnostics_.push_back({.file = fileName_,
+                            .position = places_.position(path),
+                            .value = value,
+                            .expected = expected});
 }
 
 void JsonFields::refuse(const std::string& path, const Json& value, const std::string& expected) {

@@ -7,12 +7,15 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/JsonText.h"
 #include "irsg/scene/model/Model.h"
 #include "irsg/scene/view/Pose.h"
 #include "smatcore/settings/Settings.h"
-#include "smatcore/support/JsonLines.h"
 
 namespace smat {
+
+using irsg::joinedKeyPath;
+using irsg::shownJson;
 
 /// Takes values out of the JSON of a file of ours (used by its readers alone) and collects what is
 /// wrong with them, each with its key path and line, the value and what was expected. A value that
@@ -30,7 +33,7 @@ class JsonFields {
     Json& root() { return json_; }
 
     /// Refuses a root that is no object, and a missing or newer `version`, on the spot: by the same
-    /// keys a newer file may mean other things. Then notes keys that occur twice.
+    /// keys a newer file may mean other things.
     void takeVersion(int newest, const std::string& parts);
 
     /// Values by key; what is missing gives "", false, 0 or no value.
@@ -59,12 +62,9 @@ class JsonFields {
 
     std::string fileName_;
     Json json_;
-    JsonLines lines_;
+    irsg::JsonPlaces places_;
     std::vector<irsg::Diagnostic> diagnostics_;
 };
-
-/// A value as an error shows it, cut where it is long.
-std::string shownJson(const nlohmann::json& value);
 
 /// True for what can be the name of a file in any folder: no separators, no line breaks, no dot in
 /// front.

@@ -28,9 +28,8 @@ Json settingJson(const JsonPaths& paths, const SettingInfo& setting, const Setti
         return paths.text(text);
     case SettingKind::pathList: {
         Json list = Json::array();
-        for (const std::filesystem::path& path : settings[PathsKey{setting.key.c_str()}]) {
+        for (const std::filesystem::path& path : settings[PathsKey{setting.key.c_str()}])
             list.push_back(paths.text(path));
-        }
         // One response is a word, as programs read it that know no lists of them.
         return setting.key == key::sensorResponse && list.size() < 2
                    ? Json(list.empty() ? "" : list.front().get<std::string>())
@@ -46,9 +45,8 @@ Json settingJson(const JsonPaths& paths, const SettingInfo& setting, const Setti
 void writeAngle(Json& json, const char* key, double angle_rad) {
     // Degrees come back from radians with an error of rounding, which nobody meant to write.
     const double angle_deg = std::round(irsg::degrees(angle_rad) * 1e10) / 1e10;
-    if (angle_deg != 0.0) {
+    if (angle_deg != 0.0)
         json[key] = angle_deg;
-    }
 }
 
 } // namespace
@@ -57,9 +55,8 @@ JsonPaths::JsonPaths(std::filesystem::path from, std::filesystem::path folder)
     : from_(std::move(from)), folder_(std::move(folder)) {}
 
 std::string JsonPaths::text(const std::filesystem::path& path) const {
-    if (path.empty()) {
+    if (path.empty())
         return "";
-    }
     const std::filesystem::path absolute =
         std::filesystem::absolute(from_ / path).lexically_normal();
     const std::filesystem::path relative = absolute.lexically_relative(folder_);
@@ -79,11 +76,9 @@ void writeSettings(Json& json, const JsonPaths& paths, const Settings& settings)
 void writeSettings(Json& json, const JsonPaths& paths, const Settings& settings,
                    const Settings& under) {
     Settings written;
-    for (const auto& [key, text] : settings.values()) {
-        if (text != under.text(key)) {
+    for (const auto& [key, text] : settings.values())
+        if (text != under.text(key))
             written.set(key, text);
-        }
-    }
     writeSettings(json, paths, written);
 }
 

@@ -7,9 +7,8 @@
 namespace smat {
 
 std::filesystem::path Project::resolve(const std::filesystem::path& path) const {
-    if (path.empty() || path.is_absolute() || file.empty()) {
+    if (path.empty() || path.is_absolute() || file.empty())
         return path;
-    }
     return (file.parent_path() / path).lexically_normal();
 }
 
@@ -20,9 +19,8 @@ const NamedAnalysis* Project::find(std::string_view analysis) const {
 }
 
 std::string Project::displayName() const {
-    if (!file.empty()) {
+    if (!file.empty())
         return file.filename().string();
-    }
     return title.empty() ? "new project" : title;
 }
 

@@ -51,6 +51,9 @@ struct Project {
     Settings settings;
     std::vector<NamedAnalysis> analyses; ///< sorted by name, names unique
     std::string unknownKeys = {};
+    /// Name of the folder beside the file that keeps its results (ResultFolder); empty where there
+    /// are none.
+    std::string results = {};
 
     /// A path of the project as a path from here.
     std::filesystem::path resolve(const std::filesystem::path& path) const;

@@ -14,69 +14,55 @@ using Json = nlohmann::json;
 
 /// Puts kept keys back, without touching what this version has written.
 void mergeUnknown(Json& json, const Json& unknown) {
-    for (const auto& [key, value] : unknown.items()) {
-        if (json.contains(key) && json[key].is_object() && value.is_object()) {
+    for (const auto& [key, value] : unknown.items())
+        if (json.contains(key) && json[key].is_object() && value.is_object())
             mergeUnknown(json[key], value);
-        } else if (!json.contains(key)) {
+        else if (!json.contains(key))
             json[key] = value;
-        }
-    }
 }
 
 void mergeUnknown(Json& json, const std::string& unknown) {
-    if (!unknown.empty()) {
+    if (!unknown.empty())
         mergeUnknown(json, Json::parse(unknown));
-    }
 }
 
 Json modelJson(const ProjectModel& model, const JsonPaths& paths) {
     Json json = Json::object();
-    if (!model.name.empty()) {
+    if (!model.name.empty())
         json["name"] = model.name;
-    }
     json["file"] = paths.text(model.file);
-    if (!model.database.empty()) {
+    if (!model.database.empty())
         json["database"] = paths.text(model.database);
-    }
-    if (model.noseAxis != irsg::NoseAxis::plusY) {
+    if (model.noseAxis != irsg::NoseAxis::plusY)
         json["noseAxis"] = noseAxisNames()[static_cast<std::size_t>(model.noseAxis)];
-    }
-    if (model.forceTwoSided) {
+    if (model.forceTwoSided)
         json["twoSided"] = true;
-    }
-    if (model.pose.position_m != irsg::Vec3{}) {
+    if (model.pose.position_m != irsg::Vec3{})
         json["position_m"] = pointJson(model.pose.position_m);
-    }
     writeAttitude(json, model.pose.attitude);
-    if (model.referencePoint_m) {
+    if (model.referencePoint_m)
         json["referencePoint_m"] = pointJson(*model.referencePoint_m);
-    }
-    if (model.fallbackTemperature) {
+    if (model.fallbackTemperature)
         json["fallbackTemperature"] = *model.fallbackTemperature;
-    }
-    if (model.fallbackMaterial) {
+    if (model.fallbackMaterial)
         json["fallbackMaterial"] = *model.fallbackMaterial;
-    }
     mergeUnknown(json, model.unknownKeys);
     return json;
 }
 
 void listKeys(const std::string& path, const std::string& unknown, std::vector<std::string>& keys) {
-    if (unknown.empty()) {
+    if (unknown.empty())
         return;
-    }
     const Json json = Json::parse(unknown);
     for (const auto& [key, value] : json.items()) {
         // Of a section of settings only the keys inside are unknown.
         bool isSection = false;
-        for (const SettingInfo& setting : settingTable()) {
+        for (const SettingInfo& setting : settingTable())
             isSection = isSection || setting.section() == key;
-        }
-        if (isSection && value.is_object()) {
+        if (isSection && value.is_object())
             listKeys(joinedKeyPath(path, key), value.dump(), keys);
-        } else {
+        else
             keys.push_back(joinedKeyPath(path, key));
-        }
     }
 }
 
@@ -97,21 +83,19 @@ std::string projectToJson(const Project& project, const std::filesystem::path& f
                           std::filesystem::absolute(file).lexically_normal().parent_path());
     Json json = Json::object();
     json["version"] = projectFileVersion;
-    if (!project.title.empty()) {
+    if (!project.title.empty())
         json["title"] = project.title;
-    }
-    if (!project.notes.empty()) {
+    if (!project.notes.empty())
         json["notes"] = project.notes;
-    }
-    for (const ProjectModel& model : project.models) {
+    if (!project.results.empty())
+        json["results"] = project.results;
+    for (const ProjectModel& model : project.models)
         json["models"].push_back(modelJson(model, paths));
-    }
     writeSettings(json, paths, project.settings, Settings());
     for (const NamedAnalysis& analysis : project.analyses) {
         Json one = {{"kind", name(analysis.kind)}};
-        if (!analysis.notes.empty()) {
+        if (!analysis.notes.empty())
             one["notes"] = analysis.notes;
-        }
         writeSettings(one, paths, analysis.settings, project.settings);
         mergeUnknown(one, analysis.unknownKeys);
         json["analyses"][analysis.name] = std::move(one);
@@ -127,12 +111,10 @@ void saveProject(const Project& project, const std::filesystem::path& file) {
 std::vector<std::string> unknownKeys(const Project& project) {
     std::vector<std::string> keys;
     listKeys("", project.unknownKeys, keys);
-    for (std::size_t i = 0; i < project.models.size(); ++i) {
+    for (std::size_t i = 0; i < project.models.size(); ++i)
         listKeys("models." + std::to_string(i), project.models[i].unknownKeys, keys);
-    }
-    for (const NamedAnalysis& analysis : project.analyses) {
+    for (const NamedAnalysis& analysis : project.analyses)
         listKeys("analyses." + analysis.name, analysis.unknownKeys, keys);
-    }
     return keys;
 }
 

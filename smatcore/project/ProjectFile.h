@@ -10,10 +10,10 @@ namespace smat {
 
 inline constexpr int projectFileVersion = 1;
 
-/// Reads a `.smat` file: JSON with `version`, `title`, `notes`, `models`, one object for each
-/// section of settings, and `analyses`. Throws InputError with every diagnostic at once, each with
-/// its key path and line, the value and what was expected. A file of a newer version is refused.
-/// Keys this version does not know are kept. Files that the project names are looked at by
+/// Reads a `.smat` file: JSON with `version`, `title`, `notes`, `results`, `models`, one object for
+/// each section of settings, and `analyses`. Throws InputError with every diagnostic at once, each
+/// with its key path and line, the value and what was expected. A file of a newer version is
+/// refused. Keys this version does not know are kept. Files that the project names are looked at by
 /// SceneBuilder, not here.
 Project loadProject(const std::filesystem::path& file);
 /// The same from memory, as if the text stood in `file`.

@@ -25,6 +25,9 @@ Project ProjectReader::read() {
     Project project;
     project.title = takeText(root(), "title", "");
     project.notes = takeText(root(), "notes", "");
+    project.results = takeText(root(), "results", "");
+    if (!project.results.empty() && !isFileName(project.results))
+        refuse("results", project.results, "the name of a folder beside the project");
     readModels(project);
     readAnalyses(project);
     project.settings = takeSettings(root(), "");
@@ -35,9 +38,8 @@ Project ProjectReader::read() {
 
 void ProjectReader::readModels(Project& project) {
     const auto found = root().find("models");
-    if (found == root().end()) {
+    if (found == root().end())
         return;
-    }
     if (!found->is_array()) {
         refuse("models", *found, "a list of models");
     } else {
@@ -47,9 +49,8 @@ void ProjectReader::readModels(Project& project) {
                 refuse(path, (*found)[i], "an object with file and database");
                 continue;
             }
-            if (i == 0) {
+            if (i == 0)
                 readTargetPose((*found)[i], path);
-            }
             project.models.push_back(readModel((*found)[i], path));
         }
     }
@@ -72,15 +73,13 @@ ProjectModel ProjectReader::readModel(const Json& given, const std::string& path
     model.name = takeText(json, "name", path);
     const bool hasFile = json.contains("file");
     model.file = takeText(json, "file", path);
-    if (!hasFile || (model.file.empty() && given["file"].is_string())) {
+    if (!hasFile || (model.file.empty() && given["file"].is_string()))
         refuse(joinedKeyPath(path, "file"), std::string("nothing"), "the file of the model");
-    }
     model.database = takeText(json, "database", path);
     model.noseAxis = takeNoseAxis(json, path);
     model.forceTwoSided = takeBoolean(json, "twoSided", path);
-    if (const auto position = takePoint(json, "position_m", path)) {
+    if (const auto position = takePoint(json, "position_m", path))
         model.pose.position_m = *position;
-    }
     model.pose.attitude = takeAttitude(json, path);
     model.referencePoint_m = takePoint(json, "referencePoint_m", path);
     model.fallbackTemperature = takeIndex(json, "fallbackTemperature", path);
@@ -91,18 +90,16 @@ ProjectModel ProjectReader::readModel(const Json& given, const std::string& path
 
 void ProjectReader::readAnalyses(Project& project) {
     const auto found = root().find("analyses");
-    if (found == root().end()) {
+    if (found == root().end())
         return;
-    }
     if (!found->is_object()) {
         refuse("analyses", *found, "an object of analyses by name");
     } else {
         // Objects of this library are sorted by key, which is the order of Project::analyses.
         for (const auto& [name, json] : found->items()) {
             const std::string path = "analyses." + name;
-            if (!isFileName(name)) {
+            if (!isFileName(name))
                 refuse(path, Json(name), "a name that can be a file name");
-            }
             if (!json.is_object()) {
                 refuse(path, json, "an object with the kind of the analysis");
                 continue;

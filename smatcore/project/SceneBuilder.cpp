@@ -29,14 +29,12 @@ void collect(std::vector<irsg::Diagnostic>& diagnostics, const Work& work) {
 
 void addRemarks(std::vector<std::string>& remarks, const irsg::Model* model,
                 const std::filesystem::path& file) {
-    if (model == nullptr) {
+    if (model == nullptr)
         return;
-    }
     for (const std::string& remark : model->remarks()) {
         const std::string sentence = file.filename().string() + ": " + remark;
-        if (std::find(remarks.begin(), remarks.end(), sentence) == remarks.end()) {
+        if (std::find(remarks.begin(), remarks.end(), sentence) == remarks.end())
             remarks.push_back(sentence);
-        }
     }
 }
 
@@ -94,9 +92,8 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
         } else {
             const auto file = project.resolve(given.database);
             collect(diagnostics, [&] { entity.database = database(file); });
-            if (overrides_.contains(file)) {
+            if (overrides_.contains(file))
                 scene.unsavedDatabases.insert(i);
-            }
         }
         entity.pose = i == 0 ? targetPoseOf(settings) : given.pose;
         entity.state.time_s = settings[key::stateTime];
@@ -107,18 +104,16 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
         entity.fallbackMaterial = given.fallbackMaterial;
         scene.entities.push_back(std::move(entity));
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
-    }
-    if (settings[key::scalingUse]) {
+    if (settings[key::scalingUse])
         applyScalings(project, static_cast<std::uint64_t>(settings[key::scalingSeed]), scene);
-    }
     return scene;
 }
 
 std::shared_ptr<const irsg::Model> SceneBuilder::model(const std::filesystem::path& file,
                                                        const irsg::ModelOptions& options) {
-    const Stamp stamp = stampOf(file, "a model");
+    const irsg::FileStamp stamp = stampOf(file, "a model");
     const std::string key = file.string() + "|" +
                             std::to_string(static_cast<int>(options.noseAxis)) +
                             (options.forceTwoSided ? "|two-sided" : "");
@@ -136,14 +131,12 @@ std::shared_ptr<const irsg::Model> SceneBuilder::model(const std::filesystem::pa
 
 std::shared_ptr<const irsg::SignatureDatabase>
 SceneBuilder::database(const std::filesystem::path& file) {
-    if (const auto edited = overrides_.find(file); edited != overrides_.end()) {
+    if (const auto edited = overrides_.find(file); edited != overrides_.end())
         return edited->second;
-    }
-    const Stamp stamp = stampOf(file, "a signature database");
+    const irsg::FileStamp stamp = stampOf(file, "a signature database");
     const auto kept = databases_.find(file.string());
-    if (kept != databases_.end() && kept->second.stamp == stamp) {
+    if (kept != databases_.end() && kept->second.stamp == stamp)
         return kept->second.value;
-    }
     logInfo("loading signature database " + file.string());
     auto loaded =
         std::make_shared<const irsg::SignatureDatabase>(irsg::loadSignatureFile(file).database);
@@ -155,16 +148,14 @@ void SceneBuilder::setDatabaseOverrides(DatabaseOverrides overrides) {
     overrides_ = std::move(overrides);
 }
 
-SceneBuilder::Stamp SceneBuilder::stampOf(const std::filesystem::path& file, const char* what) {
-    std::error_code failure;
-    const auto written = std::filesystem::last_write_time(file, failure);
-    if (failure || !std::filesystem::is_regular_file(file, failure)) {
+irsg::FileStamp SceneBuilder::stampOf(const std::filesystem::path& file, const char* what) {
+    const auto stamp = irsg::stampOf(file);
+    if (!stamp)
         throw irsg::InputError({.file = file.string(),
                                 .position = "",
                                 .value = "no such file",
                                 .expected = what + std::string(" that exists")});
-    }
-    return {written, std::filesystem::file_size(file, failure)};
+    return *stamp;
 }
 
 irsg::Pose targetPoseOf(const Settings& settings) {

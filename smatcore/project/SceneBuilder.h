@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "irsg/radiometry/FileStamp.h"
 #include "smatcore/analysis/ImageSource.h"
 #include "smatcore/project/Project.h"
 
@@ -40,17 +41,12 @@ class SceneBuilder {
     std::shared_ptr<const irsg::Terrain> terrain(const Project& project, const Settings& settings);
 
   private:
-    struct Stamp {
-        std::filesystem::file_time_type written;
-        std::uintmax_t size = 0;
-        bool operator==(const Stamp&) const = default;
-    };
     template <typename Value>
     struct Kept {
-        Stamp stamp;
+        irsg::FileStamp stamp;
         Value value;
     };
-    static Stamp stampOf(const std::filesystem::path& file, const char* what);
+    static irsg::FileStamp stampOf(const std::filesystem::path& file, const char* what);
 
     ModelLoader loader_;
     std::map<std::string, Kept<std::shared_ptr<const irsg::Model>>> models_;

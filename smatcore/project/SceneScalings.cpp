@@ -23,12 +23,10 @@ std::string idleBecause(const irsg::Entity& entity, ScalingKind kind, int index)
     const auto entry = entity.database->temperatures.find(index);
     const bool hasEntry = isTemperature ? entry != entity.database->temperatures.end()
                                         : entity.database->materials.contains(index);
-    if (!hasEntry) {
+    if (!hasEntry)
         return "has no entry in the signature database";
-    }
-    if (isTemperature && entry->second.mode == irsg::EmissionMode::userSpectrum) {
+    if (isTemperature && entry->second.mode == irsg::EmissionMode::userSpectrum)
         return "is a user-defined spectrum, which no temperature scales";
-    }
     const auto carries = [&](const auto& use) {
         return (isTemperature ? use.first.temperature : use.first.material) == index;
     };
@@ -64,9 +62,8 @@ std::vector<SceneScaling> sceneScalings(const Project& project, const SceneDescr
     for (std::size_t e = 0; e < project.models.size() && e < scene.entities.size(); ++e) {
         const irsg::Entity& entity = scene.entities[e];
         const std::filesystem::path model = project.resolve(project.models[e].file);
-        if (!irsg::hasScalingFiles(model)) {
+        if (!irsg::hasScalingFiles(model))
             continue;
-        }
         anyFile = true;
         irsg::Scalings scalings;
         try {
@@ -79,9 +76,8 @@ std::vector<SceneScaling> sceneScalings(const Project& project, const SceneDescr
         for (const ScalingKind kind : {ScalingKind::temperature, ScalingKind::emissivity}) {
             for (const auto& [index, entry] : scalings.of(kind)) {
                 const irsg::Distribution& distribution = entry.distribution;
-                if (distribution.isFixed() && distribution.minimum() == 1.0) {
+                if (distribution.isFixed() && distribution.minimum() == 1.0)
                     continue;
-                }
                 if (const std::string why = idleBecause(entity, kind, index); !why.empty()) {
                     remarks.push_back(
                         fmt::format("{}: the scale of {} {} has no effect, it {}",
@@ -106,9 +102,8 @@ std::vector<SceneScaling> sceneScalings(const Project& project, const SceneDescr
              .expected =
                  "a scaling file beside the model; saving its signature database makes one"});
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
-    }
     return found;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/atmosphere/SolarPosition.h"
@@ -20,15 +21,12 @@ namespace {
 irsg::SunPosition sunFrom(const Settings& settings, const std::optional<irsg::SunPosition>& file) {
     irsg::SunPosition sun{.azimuth_rad = irsg::radians(settings[key::environmentSunAzimuth]),
                           .elevation_rad = irsg::radians(settings[key::environmentSunElevation])};
-    if (const auto day = settings[key::environmentDayOfYear]) {
+    if (const auto day = settings[key::environmentDayOfYear])
         sun.distance_au = irsg::sunDistance_au(static_cast<int>(*day));
-    }
-    if (file && !settings.isSet(key::environmentSunAzimuth)) {
+    if (file && !settings.isSet(key::environmentSunAzimuth))
         sun.azimuth_rad = file->azimuth_rad;
-    }
-    if (file && !settings.isSet(key::environmentSunElevation)) {
+    if (file && !settings.isSet(key::environmentSunElevation))
         sun.elevation_rad = file->elevation_rad;
-    }
     return sun;
 }
 
@@ -45,9 +43,8 @@ irsg::SunPosition sunOf(const Project& project, const Settings& settings) {
     std::optional<irsg::SunPosition> ofFile;
     for (const std::filesystem::path& listed : settings[key::environmentAtmospheres]) {
         const auto file = project.resolve(listed);
-        if (ofFile || isNoAir(listed) || !irsg::isEnvironmentXml(file)) {
+        if (ofFile || isNoAir(listed) || !irsg::isEnvironmentXml(file))
             continue;
-        }
         try {
             ofFile = irsg::environmentFromKarma(irsg::KarmaXml::read(file)).parameters.sun;
         } catch (const irsg::InputError&) {
@@ -59,9 +56,8 @@ irsg::SunPosition sunOf(const Project& project, const Settings& settings) {
 
 std::vector<std::filesystem::path> resolvedAir(const Project& project, const Settings& settings) {
     auto files = settings[key::environmentAtmospheres];
-    for (auto& listed : files) {
+    for (auto& listed : files)
         listed = isNoAir(listed) ? listed : project.resolve(listed);
-    }
     return files;
 }
 
@@ -159,6 +155,13 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
     render.sunShadows = shadows == "disc"    ? irsg::SunShadowMode::disc
                         : shadows == "point" ? irsg::SunShadowMode::point
                                              : irsg::SunShadowMode::off;
+    const std::optional<double> bounces = settings[key::renderBounces];
+    if (bounces && *bounces != std::floor(*bounces))
+        throw irsg::InputError({"settings", key::renderBounces.name,
+                                settings.text(key::renderBounces),
+                                "a whole number of reflections, or converged"});
+    render.bounces = bounces ? static_cast<int>(*bounces) : irsg::convergedBounces;
+    render.lightError = settings[key::renderLightError];
     render.fluxes = reflection(key::renderFluxes);
     render.mode = settings.text(key::sensorMode) == "ck" ? irsg::CalculationMode::wideband
                                                          : irsg::CalculationMode::spectral;

@@ -13,12 +13,9 @@ namespace smat {
 
 namespace {
 
-/// A file's name, time of writing and size as a text that changes with the file.
+/// A file's name and stamp as a text that changes with the file.
 std::string stampText(const std::filesystem::path& file) {
-    std::error_code ignored;
-    const auto written = std::filesystem::last_write_time(file, ignored).time_since_epoch();
-    return file.string() + "|" + std::to_string(written.count()) + "|" +
-           std::to_string(std::filesystem::file_size(file, ignored)) + "|";
+    return file.string() + "|" + irsg::stampOf(file).value_or(irsg::FileStamp()).text() + "|";
 }
 
 /// Runs `load` and puts the setting's key before the position of what it refuses.
@@ -41,9 +38,8 @@ auto naming(const std::string& key, const Load& load) {
 std::shared_ptr<const irsg::Skybox> SceneBuilder::skybox(const Project& project,
                                                          const Settings& settings) {
     const std::vector<std::filesystem::path> listed = settings[key::environmentSkybox];
-    if (listed.empty()) {
+    if (listed.empty())
         return nullptr;
-    }
     return naming(key::environmentSkybox, [&] {
         std::array<std::filesystem::path, 6> files;
         if (listed.size() == 1) {
@@ -60,9 +56,8 @@ std::shared_ptr<const irsg::Skybox> SceneBuilder::skybox(const Project& project,
                                                 "up, down"});
         }
         std::string stamp;
-        for (const std::filesystem::path& file : files) {
+        for (const std::filesystem::path& file : files)
             stamp += stampText(file);
-        }
         if (!skybox_.second || skybox_.first != stamp) {
             logInfo("loading skybox " + files.front().parent_path().string());
             skybox_ = {stamp, irsg::Skybox::load(files)};
@@ -74,9 +69,8 @@ std::shared_ptr<const irsg::Skybox> SceneBuilder::skybox(const Project& project,
 std::shared_ptr<const irsg::Terrain> SceneBuilder::terrain(const Project& project,
                                                            const Settings& settings) {
     const std::vector<std::filesystem::path> listed = settings[key::environmentTerrain];
-    if (listed.empty()) {
+    if (listed.empty())
         return nullptr;
-    }
     const irsg::Vec3 position_m{settings[key::environmentTerrainEast],
                                 settings[key::environmentTerrainNorth],
                                 settings[key::environmentTerrainAltitude]};

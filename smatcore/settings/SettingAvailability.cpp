@@ -2,6 +2,7 @@
 #include "smatcore/settings/SettingKeys.h"
 
 #include "irsg/scene/scattering/SceneScattering.h"
+#include "irsg/scene/trace/RaysBuilt.h"
 
 namespace smat {
 
@@ -9,7 +10,11 @@ std::string whyUnavailable(const SettingInfo& setting) {
     const bool isOfScattering = setting.key == key::renderScattering ||
                                 setting.key == key::environmentMtf ||
                                 setting.key == key::environmentScatteringCoefficient;
-    return isOfScattering ? irsg::whyNoScattering() : std::string();
+    if (isOfScattering)
+        return irsg::whyNoScattering();
+    const bool isOfRays = setting.key == key::renderShadows || setting.key == key::renderBounces ||
+                          setting.key == key::renderLightError;
+    return isOfRays ? irsg::whyNoRays() : std::string();
 }
 
 } // namespace smat

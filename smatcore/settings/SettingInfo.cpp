@@ -23,15 +23,12 @@ std::string plainNumber(double value) {
 
 std::optional<std::string> canonicalNumber(const SettingInfo& setting, std::string_view text) {
     const std::optional<double> value = irsg::parseNumber(text);
-    if (!value || *value < setting.minimum || *value > setting.maximum) {
+    if (!value || *value < setting.minimum || *value > setting.maximum)
         return std::nullopt;
-    }
-    if (setting.kind != SettingKind::integer) {
+    if (setting.kind != SettingKind::integer)
         return plainNumber(*value == 0.0 ? 0.0 : *value); // -0 and 0 are one value
-    }
-    if (*value != std::floor(*value) || std::abs(*value) > std::numeric_limits<int>::max()) {
+    if (*value != std::floor(*value) || std::abs(*value) > std::numeric_limits<int>::max())
         return std::nullopt;
-    }
     return fmt::format("{}", static_cast<int>(*value));
 }
 
@@ -51,9 +48,8 @@ std::optional<std::string> canonicalBands(std::string_view text) {
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::optional<std::string> band = canonicalBand(text.substr(begin, end - begin));
-        if (!band || std::find(bands.begin(), bands.end(), *band) != bands.end()) {
+        if (!band || std::find(bands.begin(), bands.end(), *band) != bands.end())
             return std::nullopt;
-        }
         bands.push_back(*band);
         begin = end + 1;
     }
@@ -65,9 +61,8 @@ std::optional<std::string> canonicalPathList(std::string_view text) {
     while (!text.empty()) {
         const std::size_t end = std::min(text.find(';'), text.size());
         const std::string_view item = irsg::trimmed(text.substr(0, end));
-        if (item.empty()) {
+        if (item.empty())
             return std::nullopt;
-        }
         list += (list.empty() ? "" : ";") + std::string(item);
         text.remove_prefix(std::min(end + 1, text.size()));
     }
@@ -124,22 +119,18 @@ const SettingInfo* findSetting(std::string_view key) {
 
 const SettingInfo& settingInfo(std::string_view key) {
     const SettingInfo* found = findSetting(key);
-    if (found == nullptr) {
+    if (found == nullptr)
         throw irsg::LogicError("there is no setting " + std::string(key));
-    }
     return *found;
 }
 
 std::string sectionTitle(std::string_view section) {
-    if (section == "render") {
+    if (section == "render")
         return "Rendering";
-    }
-    if (section == "scaling") {
+    if (section == "scaling")
         return "Scalings";
-    }
-    if (const AnalysisSection* own = findAnalysisSection(section)) {
+    if (const AnalysisSection* own = findAnalysisSection(section))
         return std::string(own->title);
-    }
     std::string title(section);
     title.front() = static_cast<char>(title.front() - 'a' + 'A');
     return title;

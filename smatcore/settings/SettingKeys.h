@@ -84,9 +84,12 @@ inline constexpr BooleanKey renderTerrainHides{"render.terrainHides"};
 inline constexpr IntegerKey renderLayers{"render.layers"};
 inline constexpr TextKey renderEngine{"render.engine"};
 inline constexpr TextKey renderShadows{"render.shadows"};
+inline constexpr OptionalRealKey renderBounces{"render.bounces"};
+inline constexpr RealKey renderLightError{"render.lightError"};
 
 inline constexpr TextKey displayColorMap{"display.colorMap"};
 inline constexpr TextKey displayScale{"display.scale"};
+inline constexpr BooleanKey displayMarkOutside{"display.markOutside"};
 inline constexpr OptionalRealKey displayMinimum{"display.minimum"};
 inline constexpr OptionalRealKey displayMaximum{"display.maximum"};
 

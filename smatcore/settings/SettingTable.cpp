@@ -1,3 +1,4 @@
+#include "irsg/atmosphere/AtmosphereFile.h"
 #include "irsg/image/ColorMap.h"
 #include "smatcore/settings/AnalysisSections.h"
 #include "smatcore/settings/SettingRows.h"
@@ -78,11 +79,9 @@ void addScalings(std::vector<SettingInfo>& table) {
 void addEnvironment(std::vector<SettingInfo>& table) {
     table.push_back(files(
         key::environmentAtmospheres, "--atmosphere", "Atmospheres",
-        "Atmosphere files in order, separated by semicolons; the first that has the "
-        "asked quantity in the band answers: .xml of AtmosphereSmart or of an Environment, .csv of "
-        "homogeneous air or of a radiative output, .smatatm and results of MODTRAN. With none "
-        "there "
-        "is no air."));
+        "Atmosphere files in order, separated by semicolons; the first that has the asked quantity "
+        "in the band answers: .xml of an Environment, " +
+            irsg::atmosphereFormatWords() + ". With none there is no air."));
     table.push_back(number(key::environmentSunAzimuth, "--sun-azimuth", "Sun azimuth", "deg", 0,
                            360, "180",
                            "Azimuth of the sun, east of north; where it is not set, that of an "
@@ -196,7 +195,7 @@ void addRendering(std::vector<SettingInfo>& table) {
     table.push_back(named(choice(key::renderSun, "--sun", "Sun reflection", reflections, "smart",
                                  "Reflected sun: off, approx (independent of geometry: a quarter "
                                  "everywhere) or smart (per pixel)."),
-                          {"off", "approx, a quarter everywhere", "smart, per pixel"}));
+                          {"off", "Approx. (a quarter everywhere)", "SMART (for each pixel)"}));
     table.push_back(
         named(choice(key::renderShadows, "--shadows", "Shadows of the sun",
                      {"off", "point", "disc"}, "point",
@@ -205,11 +204,23 @@ void addRendering(std::vector<SettingInfo>& table) {
                      "transmissivity. The sun is a point, or a disc of 0.53 degrees, whose shadows "
                      "have a penumbra."),
               {"off", "of a point", "of a disc, with penumbra"}));
+    table.push_back(choiceOrNumber(
+        key::renderBounces, "--bounces", "Light between surfaces", "", {"converged"}, 0, 1000, "0",
+        "How often light goes from surface to surface before it goes to the sensor: 0 for never, "
+        "a whole number, or converged for all of it. Where it does, what stands before a surface "
+        "takes the light of sky and ground away from it and sends its own in its place: thermal, "
+        "and reflected of sun, sky and ground. Takes time and memory with the first picture of a "
+        "model. Not with fluxes approx."));
+    table.push_back(number(key::renderLightError, "--light-error", "Error of view factors", "",
+                           0.0001, 0.1, "0.005",
+                           "Error of the view factors between surfaces, as a part of the "
+                           "hemisphere: rays are sent until their two halves agree so well.",
+                           SettingAudience::expert));
     table.push_back(
         named(choice(key::renderFluxes, "--fluxes", "Flux reflection", reflections, "smart",
                      "Reflected sky and ground: off, approx (independent of geometry: a half "
                      "of each) or smart (per pixel)."),
-              {"off", "approx, a half of each", "smart, per pixel"}));
+              {"off", "Approx. (a half of each)", "SMART (for each pixel)"}));
     table.push_back(
         named(choice(key::renderFluxWeights, "--flux-weights", "Flux weights",
                      {"viewFactor", "report"}, "viewFactor",
@@ -260,10 +271,16 @@ void addDisplay(std::vector<SettingInfo>& table) {
                "Colours of PNG files and of the image window; data are never coloured."));
     table.push_back(
         choice(key::displayScale, "--color-scale", "Colour scale", irsg::colorScaleNames(),
-               irsg::nameOf(irsg::ColorScale::linear),
+               irsg::nameOf(irsg::ColorScale::automatic),
                "How colours follow values between darkest and brightest: linear, by the square "
                "root, by the logarithm over four decades, or equalized, every colour for as many "
-               "of the values; with all but the first auto shows the hottest pixels, too."));
+               "of the values; auto is the first of these that leaves colours for what does not "
+               "glow. With all but linear, limits found by themselves hold the hottest pixels, "
+               "too."));
+    table.push_back(flag(key::displayMarkOutside, "--mark-outside", "Mark what is out of range",
+                         false,
+                         "Pixels darker than the darkest or brighter than the brightest value have "
+                         "colours of their own; else those of the ends."));
     table.push_back(choiceOrNumber(key::displayMinimum, "--display-minimum", "Darkest value", "",
                                    {"auto"}, -1e30, 1e30, "auto",
                                    "Value that has the first colour, in the unit of the picture; "
@@ -271,7 +288,8 @@ void addDisplay(std::vector<SettingInfo>& table) {
     table.push_back(choiceOrNumber(key::displayMaximum, "--display-maximum", "Brightest value", "",
                                    {"auto"}, -1e30, 1e30, "auto",
                                    "Value that has the last colour, in the unit of the picture; "
-                                   "auto leaves out the few hottest pixels."));
+                                   "auto is the hottest pixel, but leaves out the few hottest "
+                                   "where the scale is linear by choice."));
 }
 
 } // namespace
@@ -287,9 +305,8 @@ const std::vector<SettingInfo>& settingTable() {
         addSurroundings(made);
         addRendering(made);
         addDisplay(made);
-        for (const AnalysisSection& section : analysisSections()) {
+        for (const AnalysisSection& section : analysisSections())
             made.insert(made.end(), section.settings->begin(), section.settings->end());
-        }
         return made;
     }();
     return table;

@@ -11,11 +11,9 @@ namespace {
 
 const SettingInfo& requireKind(std::string_view key, std::initializer_list<SettingKind> kinds) {
     const SettingInfo& setting = settingInfo(key);
-    for (const SettingKind kind : kinds) {
-        if (setting.kind == kind) {
+    for (const SettingKind kind : kinds)
+        if (setting.kind == kind)
             return setting;
-        }
-    }
     throw irsg::LogicError("setting " + setting.key + " is of another kind than asked for");
 }
 
@@ -65,9 +63,8 @@ void Settings::setFromArgument(std::string_view argument) {
 
 void Settings::reset(std::string_view key) {
     const auto found = values_.find(settingInfo(key).key);
-    if (found != values_.end()) {
+    if (found != values_.end())
         values_.erase(found);
-    }
 }
 
 const std::string& Settings::text(std::string_view key) const {
@@ -98,12 +95,10 @@ std::optional<double> Settings::operator[](OptionalRealKey key) const {
 std::vector<std::filesystem::path> Settings::operator[](PathsKey key) const {
     const SettingInfo& setting = requireKind(key, {SettingKind::path, SettingKind::pathList});
     const std::string& list = text(key);
-    if (list.empty() || (setting.kind == SettingKind::pathList && list == "none")) {
+    if (list.empty() || (setting.kind == SettingKind::pathList && list == "none"))
         return {};
-    }
-    if (setting.kind == SettingKind::path) {
+    if (setting.kind == SettingKind::path)
         return {list};
-    }
     std::vector<std::filesystem::path> files;
     for (std::size_t begin = 0; begin <= list.size();) {
         const std::size_t end = std::min(list.find(';', begin), list.size());
@@ -119,9 +114,8 @@ bool Settings::isDefault(std::string_view key) const {
 
 Settings Settings::with(const Settings& overrides) const {
     Settings merged = *this;
-    for (const auto& [key, text] : overrides.values_) {
+    for (const auto& [key, text] : overrides.values_)
         merged.values_[key] = text;
-    }
     return merged;
 }
 

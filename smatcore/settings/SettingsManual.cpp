@@ -6,9 +6,8 @@ namespace {
 
 /// A cell of a Markdown table.
 std::string cell(std::string text) {
-    for (std::size_t i = text.find('|'); i != std::string::npos; i = text.find('|', i + 2)) {
+    for (std::size_t i = text.find('|'); i != std::string::npos; i = text.find('|', i + 2))
         text.insert(i, "\\");
-    }
     return text;
 }
 
@@ -31,9 +30,8 @@ std::string settingsManual() {
         if (setting.section() != section) {
             section = setting.section();
             text += "\n## " + sectionTitle(section) + "\n\n";
-            if (isAnalysisSection(section)) {
+            if (isAnalysisSection(section))
                 text += "Of this kind of analysis alone.\n\n";
-            }
             text += "| key | option | value | default | meaning |\n|---|---|---|---|---|\n";
         }
         text += "| `" + setting.key + "` | `" + setting.option + "` | " + cell(setting.expected()) +

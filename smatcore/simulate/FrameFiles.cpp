@@ -43,9 +43,8 @@ void FrameFiles::checkExtensions() const {
     std::vector<irsg::Diagnostic> diagnostics;
     const std::vector<std::string> known = irsg::imageExtensions();
     std::vector<std::string> words;
-    for (const std::string& extension : known) {
+    for (const std::string& extension : known)
         words.push_back(extension.substr(1));
-    }
     for (const std::string& extension : extensions_) {
         if (std::find(known.begin(), known.end(), extension) == known.end()) {
             diagnostics.push_back(
@@ -55,9 +54,8 @@ void FrameFiles::checkExtensions() const {
                  .expected = irsg::alternatives(words)});
         }
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
-    }
 }
 
 std::vector<std::string> FrameFiles::makeFolders(const std::vector<std::size_t>& sensors) const {
@@ -107,9 +105,9 @@ Provenance FrameFiles::provenance(std::size_t sensor) const {
     const LoadedSensor& loaded = scenario_.sensors.at(sensor);
     Provenance provenance;
     provenance.add("program", "smat " + programVersion());
-    if (!commandLine_.empty()) {
+    provenance.add("analysis", name(AnalysisKind::simulation));
+    if (!commandLine_.empty())
         provenance.add("command", commandLine_);
-    }
     provenance.add("scenario", scenario.displayName());
     provenance.add("sensor", scenario.sensors[sensor].name);
     for (const ScenarioEntity& entity : scenario.entities) {
@@ -141,15 +139,13 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
         std::string& attribute = attributes[key];
         attribute += (attribute.empty() ? "" : "; ") + value;
     };
-    for (const auto& [key, value] : provenance(frame.sensor).entries) {
+    for (const auto& [key, value] : provenance(frame.sensor).entries)
         join(key, value);
-    }
     const irsg::Band band = sensor.scene.allBands().at(frame.band);
     attributes["band"] =
         fmt::format("{} ({} to {} um)", band.name(), band.range().min_um, band.range().max_um);
-    for (const std::string& answer : frame.rendered.report.answeredBy) {
+    for (const std::string& answer : frame.rendered.report.answeredBy)
         join("answered by", answer);
-    }
 
     // Where everybody was.
     attributes.erase("range_m"); // there is one for each entity
@@ -175,9 +171,8 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
     irsg::Sensor detector = sensor.scene.sensor;
     detector.band = band;
     const std::string sentence = showQuantity(image, detector, sensor.settings);
-    if (!sentence.empty()) {
+    if (!sentence.empty())
         join("warning", sentence);
-    }
     const std::string& title = scenario_.scenario.title;
     const std::string heading =
         fmt::format("{}{}, {:.6g} s", title.empty() ? "" : title + ": ",
@@ -191,12 +186,10 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
 void FrameFiles::writeTable(SensorResult& result, AnalysisState state) const {
     Provenance provenance = this->provenance(result.sensor);
     provenance.add("state", state == AnalysisState::complete ? "complete" : "partial");
-    for (const std::string& answer : result.answeredBy) {
+    for (const std::string& answer : result.answeredBy)
         provenance.add("answered by", answer);
-    }
-    for (const std::string& warning : result.warnings) {
+    for (const std::string& warning : result.warnings)
         provenance.add("warning", warning);
-    }
     result.table.provenance = std::move(provenance);
     result.table.save(tableFile(result.sensor));
 }

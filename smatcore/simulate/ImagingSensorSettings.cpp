@@ -21,9 +21,8 @@ constexpr double rowsInPlaceOfAsNeeded = 32.0;
 ImagingSensorSettings settingsOf(const ImagingSensorParameters& parameters) {
     ImagingSensorSettings result;
     const auto set = [&](std::string_view key, const std::optional<double>& value) {
-        if (value) {
+        if (value)
             result.settings.set(key, *value);
-        }
     };
     if (parameters.calculationMode) {
         result.settings.set(key::sensorMode,
@@ -39,11 +38,10 @@ ImagingSensorSettings settingsOf(const ImagingSensorParameters& parameters) {
     // The file turns pictures on and off; which ones they are stands in the settings.
     const auto turn = [&](const char* parameter, const std::optional<double>& use, PathsKey key,
                           const char* none) {
-        if (isOn(use)) {
+        if (isOn(use))
             result.needed.push_back({key, parameter});
-        } else if (use) {
+        else if (use)
             result.settings.set(key, none);
-        }
     };
     turn("UseSkyboxBackground", parameters.useSkyboxBackground, key::environmentSkybox, "none");
     turn("UseTerrainBackground", parameters.useTerrainBackground, key::environmentTerrain, "");

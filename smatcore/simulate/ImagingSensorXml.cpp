@@ -69,9 +69,8 @@ class Reader {
             diagnostics_.push_back(document_.diagnostic(document_.composites().front(),
                                                         "a composition", "parameters alone"));
         }
-        if (!diagnostics_.empty()) {
+        if (!diagnostics_.empty())
             throw irsg::InputError(diagnostics_);
-        }
         return std::move(reading_);
     }
 

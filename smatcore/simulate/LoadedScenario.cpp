@@ -21,17 +21,15 @@ class Loader {
 
     LoadedScenario load() {
         LoadedScenario loaded{.scenario = scenario_, .paths = {}, .sensors = {}};
-        for (std::size_t i = 0; i < scenario_.entities.size(); ++i) {
+        for (std::size_t i = 0; i < scenario_.entities.size(); ++i)
             loaded.paths.push_back(pathOf(scenario_.entities[i], i));
-        }
         const Project project = projectOf();
         for (const ScenarioSensor& sensor : scenario_.sensors) {
             loaded.sensors.push_back(loadSensor(sensor, project));
             shareEnvironment(loaded.sensors);
         }
-        if (!diagnostics_.empty()) {
+        if (!diagnostics_.empty())
             throw irsg::InputError(diagnostics_);
-        }
         return loaded;
     }
 
@@ -47,17 +45,15 @@ class Loader {
                 const auto isSame = [&](const irsg::Diagnostic& other) {
                     return other.message() == diagnostic.message();
                 };
-                if (std::none_of(diagnostics_.begin(), diagnostics_.end(), isSame)) {
+                if (std::none_of(diagnostics_.begin(), diagnostics_.end(), isSame))
                     diagnostics_.push_back(diagnostic);
-                }
             }
         }
     }
 
     Trajectory pathOf(const ScenarioEntity& entity, std::size_t index) {
-        if (entity.trajectory.empty()) {
+        if (entity.trajectory.empty())
             return Trajectory(entity.pose, entity.power.value_or(0.0), entity.mach.value_or(0.0));
-        }
         Trajectory path = read(entity.trajectory);
         const auto refuseBoth = [&](const char* key, bool isBoth) {
             if (isBoth) {
@@ -107,13 +103,11 @@ class Loader {
                             .scene = {},
                             .path = Trajectory(irsg::Pose()),
                             .warnings = {}};
-        if (sensor.mount == MountKind::trajectory) {
+        if (sensor.mount == MountKind::trajectory)
             loaded.path = read(sensor.trajectory);
-        }
         needed_.clear();
-        if (!sensor.imagingSensor.empty()) {
+        if (!sensor.imagingSensor.empty())
             collect([&] { readImagingSensor(sensor, loaded); });
-        }
         loaded.settings = loaded.settings.with(sensor.settings).with(overrides_);
         refuseMissing(sensor, loaded);
         collect([&] { loaded.scene = builder_.build(project, loaded.settings); });
@@ -141,9 +135,8 @@ class Loader {
         const ImagingSensorSettings set = settingsOf(reading.parameters);
         needed_ = set.needed;
         loaded.settings = loaded.settings.with(set.settings);
-        for (const std::string& remark : reading.remarks) {
+        for (const std::string& remark : reading.remarks)
             loaded.warnings.push_back(file.filename().string() + ": " + remark);
-        }
     }
 
     /// Gives the last sensor the environment of an earlier one that is described alike, so that
@@ -177,12 +170,10 @@ class Loader {
 std::optional<TrajectoryPoint> LoadedScenario::entityAt(std::size_t entity, double time_s) const {
     const ScenarioEntity& given = scenario.entities.at(entity);
     std::optional<TrajectoryPoint> point = paths.at(entity).at(time_s, given.hold);
-    if (point && !paths[entity].hasPower()) {
+    if (point && !paths[entity].hasPower())
         point->power = given.power.value_or(0.0);
-    }
-    if (point && !paths[entity].hasMach()) {
+    if (point && !paths[entity].hasMach())
         point->mach = given.mach.value_or(0.0);
-    }
     return point;
 }
 
@@ -200,9 +191,8 @@ std::optional<SensorPlace> LoadedScenario::sensorAt(std::size_t sensor, double t
         mount = entityAt(scenario.findEntity(given.carrier).value(), time_s);
         break;
     }
-    if (!mount) {
+    if (!mount)
         return std::nullopt;
-    }
     return SensorPlace{mount->pose.toWorld(given.offset.position_m),
                        mount->pose.attitude.rotation() * own};
 }

@@ -18,16 +18,14 @@ std::optional<std::size_t> indexOf(const std::vector<Named>& list, const std::st
 } // namespace
 
 std::filesystem::path Scenario::resolve(const std::filesystem::path& path) const {
-    if (path.empty() || path.is_absolute() || file.empty()) {
+    if (path.empty() || path.is_absolute() || file.empty())
         return path;
-    }
     return (file.parent_path() / path).lexically_normal();
 }
 
 std::string Scenario::displayName() const {
-    if (!file.empty()) {
+    if (!file.empty())
         return file.filename().string();
-    }
     return title.empty() ? "new scenario" : title;
 }
 
@@ -35,9 +33,8 @@ std::vector<double> Scenario::times_s() const {
     // A hundred thousandth of a step is rounding: 3 steps of 0.1 s end at 0.3 s.
     const auto last = static_cast<std::size_t>(std::floor((end_s - start_s) / dt_s + 1e-5));
     std::vector<double> times;
-    for (std::size_t step = 0; step <= last; ++step) {
+    for (std::size_t step = 0; step <= last; ++step)
         times.push_back(start_s + static_cast<double>(step) * dt_s);
-    }
     return times;
 }
 

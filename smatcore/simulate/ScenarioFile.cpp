@@ -12,31 +12,26 @@ namespace {
 using Json = nlohmann::json;
 
 void writeText(Json& json, const char* key, const std::string& text) {
-    if (!text.empty()) {
+    if (!text.empty())
         json[key] = text;
-    }
 }
 
 template <typename Value>
 void writeOptional(Json& json, const char* key, const std::optional<Value>& value) {
-    if (value) {
+    if (value)
         json[key] = *value;
-    }
 }
 
 Json entityJson(const ScenarioEntity& entity, const JsonPaths& paths) {
     Json json = {{"name", entity.name},
                  {"model", paths.text(entity.model)},
                  {"database", paths.text(entity.database)}};
-    if (entity.noseAxis != irsg::NoseAxis::plusY) {
+    if (entity.noseAxis != irsg::NoseAxis::plusY)
         json["noseAxis"] = noseAxisNames()[static_cast<std::size_t>(entity.noseAxis)];
-    }
-    if (entity.forceTwoSided) {
+    if (entity.forceTwoSided)
         json["twoSided"] = true;
-    }
-    if (entity.referencePoint_m) {
+    if (entity.referencePoint_m)
         json["referencePoint_m"] = pointJson(*entity.referencePoint_m);
-    }
     writeOptional(json, "fallbackTemperature", entity.fallbackTemperature);
     writeOptional(json, "fallbackMaterial", entity.fallbackMaterial);
     if (entity.trajectory.empty()) {
@@ -44,13 +39,11 @@ Json entityJson(const ScenarioEntity& entity, const JsonPaths& paths) {
         writeAttitude(json, entity.pose.attitude);
     } else {
         json["trajectory"] = paths.text(entity.trajectory);
-        if (entity.hold) {
+        if (entity.hold)
             json["hold"] = true;
-        }
     }
-    if (entity.timeOffset_s != 0.0) {
+    if (entity.timeOffset_s != 0.0)
         json["timeOffset_s"] = entity.timeOffset_s;
-    }
     writeOptional(json, "power", entity.power);
     writeOptional(json, "mach", entity.mach);
     return json;
@@ -59,14 +52,12 @@ Json entityJson(const ScenarioEntity& entity, const JsonPaths& paths) {
 Json sensorJson(const ScenarioSensor& sensor, const JsonPaths& paths) {
     Json json = {{"name", sensor.name}};
     const bool inWorld = sensor.mount == MountKind::world;
-    if (inWorld || sensor.offset.position_m != irsg::Vec3{}) {
+    if (inWorld || sensor.offset.position_m != irsg::Vec3{})
         json[inWorld ? "position_m" : "offset_m"] = pointJson(sensor.offset.position_m);
-    }
     writeText(json, "carrier", sensor.carrier);
     writeText(json, "trajectory", paths.text(sensor.trajectory));
-    if (sensor.hold) {
+    if (sensor.hold)
         json["hold"] = true;
-    }
     writeAttitude(json, sensor.offset.attitude);
     writeText(json, "track", sensor.track);
     writeText(json, "imagingSensor", paths.text(sensor.imagingSensor));
@@ -93,16 +84,13 @@ std::string scenarioToJson(const Scenario& scenario, const std::filesystem::path
         {"version", scenarioFileVersion}, {"dt_s", scenario.dt_s}, {"end_s", scenario.end_s}};
     writeText(json, "title", scenario.title);
     writeText(json, "notes", scenario.notes);
-    if (scenario.start_s != 0.0) {
+    if (scenario.start_s != 0.0)
         json["start_s"] = scenario.start_s;
-    }
     writeSettings(json, paths, scenario.settings);
-    for (const ScenarioEntity& entity : scenario.entities) {
+    for (const ScenarioEntity& entity : scenario.entities)
         json["entities"].push_back(entityJson(entity, paths));
-    }
-    for (const ScenarioSensor& sensor : scenario.sensors) {
+    for (const ScenarioSensor& sensor : scenario.sensors)
         json["sensors"].push_back(sensorJson(sensor, paths));
-    }
     return json.dump(2) + "\n";
 }
 

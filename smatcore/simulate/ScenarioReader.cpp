@@ -34,13 +34,10 @@ Scenario ScenarioReader::read() {
     scenario.title = takeText(root(), "title", "");
     scenario.notes = takeText(root(), "notes", "");
     readTimes(scenario);
-    for (auto& [path, json] :
-         takeList("entities", "an object with model, database and trajectory")) {
+    for (auto& [path, json] : takeList("entities", "an object with model, database and trajectory"))
         scenario.entities.push_back(readEntity(std::move(json), path));
-    }
-    for (auto& [path, json] : takeList("sensors", "an object with name and place")) {
+    for (auto& [path, json] : takeList("sensors", "an object with name and place"))
         scenario.sensors.push_back(readSensor(std::move(json), path));
-    }
     scenario.settings = takeScenarioSettings(root(), "");
     refuseLeftOver(root(), "");
     checkNames(scenario);
@@ -53,14 +50,12 @@ void ScenarioReader::readTimes(Scenario& scenario) {
     scenario.start_s = takeNumber(root(), "start_s", "", -longest_s, longest_s);
     const Json given = root().contains("end_s") ? root()["end_s"] : Json();
     scenario.end_s = requireNumber(root(), "end_s", "", -longest_s, longest_s);
-    if (isRefused()) {
+    if (isRefused())
         return;
-    }
-    if (scenario.end_s < scenario.start_s) {
+    if (scenario.end_s < scenario.start_s)
         refuse("end_s", given, fmt::format("a time not before start_s, {} s", scenario.start_s));
-    } else if ((scenario.end_s - scenario.start_s) / scenario.dt_s >= mostSteps) {
+    else if ((scenario.end_s - scenario.start_s) / scenario.dt_s >= mostSteps)
         refuse("end_s", given, fmt::format("less than {} steps of {} s", mostSteps, scenario.dt_s));
-    }
 }
 
 std::vector<std::pair<std::string, ScenarioReader::Json>>
@@ -73,11 +68,10 @@ ScenarioReader::takeList(const char* key, const char* what) {
     } else {
         for (std::size_t i = 0; i < found->size(); ++i) {
             const std::string path = fmt::format("{}.{}", key, i);
-            if ((*found)[i].is_object()) {
+            if ((*found)[i].is_object())
                 list.emplace_back(path, (*found)[i]);
-            } else {
+            else
                 refuse(path, (*found)[i], what);
-            }
         }
     }
     root().erase(key);
@@ -89,9 +83,8 @@ ScenarioEntity ScenarioReader::readEntity(Json json, const std::string& path) {
     entity.name = takeText(json, "name", path);
     entity.model = requireText(json, "model", path, "the file of the model");
     entity.database = requireText(json, "database", path, "a signature database (.sigdb)");
-    if (entity.name.empty()) {
+    if (entity.name.empty())
         entity.name = entity.model.stem().string();
-    }
     entity.noseAxis = takeNoseAxis(json, path);
     entity.forceTwoSided = takeBoolean(json, "twoSided", path);
     entity.referencePoint_m = takePoint(json, "referencePoint_m", path);
@@ -142,11 +135,9 @@ void ScenarioReader::readMount(ScenarioSensor& sensor, Json& json, const std::st
                moves = json.contains("trajectory");
     if (int{inWorld} + int{isCarried} + int{moves} != 1) {
         std::string found;
-        for (const char* key : {"position_m", "carrier", "trajectory"}) {
-            if (json.contains(key)) {
+        for (const char* key : {"position_m", "carrier", "trajectory"})
+            if (json.contains(key))
                 found += (found.empty() ? "" : " and ") + std::string(key);
-            }
-        }
         refuse(path, found.empty() ? "no place" : found,
                "one of position_m, carrier and trajectory");
     }
@@ -160,11 +151,10 @@ void ScenarioReader::readMount(ScenarioSensor& sensor, Json& json, const std::st
     } else {
         sensor.offset.position_m = takePoint(json, "offset_m", path).value_or(irsg::Vec3{});
     }
-    if (moves) {
+    if (moves)
         sensor.hold = takeBoolean(json, "hold", path);
-    } else {
+    else
         refuseKeys(json, {"hold"}, path, "a trajectory whose end is to be held");
-    }
 }
 
 void ScenarioReader::checkNames(const Scenario& scenario) {
@@ -172,25 +162,22 @@ void ScenarioReader::checkNames(const Scenario& scenario) {
     for (std::size_t i = 0; i < scenario.entities.size(); ++i) {
         const std::string path = fmt::format("entities.{}.name", i);
         const std::string& name = scenario.entities[i].name;
-        if (!name.empty() && !isName(name)) {
+        if (!name.empty() && !isName(name))
             refuse(path, Json(name), "a name without separators of files and tables");
-        } else if (!entities.insert(name).second && !name.empty()) {
+        else if (!entities.insert(name).second && !name.empty())
             refuse(path, Json(name), "a name that no other entity has");
-        }
     }
     for (std::size_t i = 0; i < scenario.sensors.size(); ++i) {
         const ScenarioSensor& sensor = scenario.sensors[i];
         const std::string path = fmt::format("sensors.{}", i);
-        if (!sensor.name.empty() && !isName(sensor.name)) {
+        if (!sensor.name.empty() && !isName(sensor.name))
             refuse(path + ".name", Json(sensor.name), "a name that a folder can have");
-        } else if (!sensors.insert(sensor.name).second && !sensor.name.empty()) {
+        else if (!sensors.insert(sensor.name).second && !sensor.name.empty())
             refuse(path + ".name", Json(sensor.name), "a name that no other sensor has");
-        }
         checkReference(scenario, sensor.carrier, path + ".carrier");
         checkReference(scenario, sensor.track, path + ".track");
-        if (!sensor.track.empty() && sensor.track == sensor.carrier) {
+        if (!sensor.track.empty() && sensor.track == sensor.carrier)
             refuse(path + ".track", Json(sensor.track), "another entity than its carrier");
-        }
     }
 }
 
@@ -198,9 +185,8 @@ void ScenarioReader::checkReference(const Scenario& scenario, const std::string&
                                     const std::string& path) {
     if (!name.empty() && !scenario.findEntity(name)) {
         std::string known;
-        for (const ScenarioEntity& entity : scenario.entities) {
+        for (const ScenarioEntity& entity : scenario.entities)
             known += (known.empty() ? "" : ", ") + entity.name;
-        }
         refuse(path, Json(name), "the name of an entity: " + known);
     }
 }
@@ -219,18 +205,16 @@ std::string ScenarioReader::requireText(Json& json, const char* key, const std::
     const bool isText = json.contains(key) && json[key].is_string();
     const bool isMissing = !json.contains(key);
     const std::string text = takeText(json, key, path);
-    if (isMissing || (isText && text.empty())) {
+    if (isMissing || (isText && text.empty()))
         refuse(joinedKeyPath(path, key), std::string("nothing"), what);
-    }
     return text;
 }
 
 std::optional<double> ScenarioReader::takeOptional(Json& json, const char* key,
                                                    const std::string& path, double minimum,
                                                    double maximum) {
-    if (!json.contains(key)) {
+    if (!json.contains(key))
         return std::nullopt;
-    }
     return takeNumber(json, key, path, minimum, maximum);
 }
 
@@ -260,11 +244,10 @@ void ScenarioReader::refuseLeftOver(const Json& json, const std::string& path) {
     for (const auto& [key, value] : json.items()) {
         const std::string place = joinedKeyPath(path, key);
         // What is left of a section of settings are the keys in it that are not known.
-        if (value.is_object() && isSection(key)) {
+        if (value.is_object() && isSection(key))
             refuseLeftOver(value, place);
-        } else {
+        else
             refuse(place, value, "no such key: it is not known to this version");
-        }
     }
 }
 

@@ -23,9 +23,8 @@ SceneGenerator3D::SceneGenerator3D(const LoadedScenario& scenario, ImageSource& 
     : scenario_(scenario), source_(source), isThere_(scenario.paths.size(), true) {
     source_.configure(scenario_.sensors.front().scene);
     selected_ = {0, 0};
-    for (std::size_t i = 0; i < scenario_.paths.size(); ++i) {
+    for (std::size_t i = 0; i < scenario_.paths.size(); ++i)
         referencePoints_.push_back(source_.referencePointInModel(i));
-    }
 }
 
 irsg::Vec3 SceneGenerator3D::referencePoint(std::size_t entity, const TrajectoryPoint& at) const {
@@ -35,9 +34,8 @@ irsg::Vec3 SceneGenerator3D::referencePoint(std::size_t entity, const Trajectory
 std::optional<irsg::Viewpoint> SceneGenerator3D::viewpoint(std::size_t sensor,
                                                            double time_s) const {
     const std::optional<SensorPlace> place = scenario_.sensorAt(sensor, time_s);
-    if (!place) {
+    if (!place)
         return std::nullopt;
-    }
     const std::string& tracked = scenario_.scenario.sensors[sensor].track;
     if (tracked.empty()) {
         return irsg::Viewpoint{.position_m = place->position_m,
@@ -47,14 +45,12 @@ std::optional<irsg::Viewpoint> SceneGenerator3D::viewpoint(std::size_t sensor,
     }
     const std::size_t entity = scenario_.scenario.findEntity(tracked).value();
     const std::optional<TrajectoryPoint> target = scenario_.entityAt(entity, time_s);
-    if (!target) {
+    if (!target)
         return std::nullopt;
-    }
     const irsg::Vec3 point = referencePoint(entity, *target);
     // Too close to have a direction; check says so before anything is drawn.
-    if (irsg::length(point - place->position_m) < nearest_m) {
+    if (irsg::length(point - place->position_m) < nearest_m)
         return irsg::Viewpoint{.position_m = place->position_m};
-    }
     return irsg::Viewpoint::lookAt(place->position_m, point);
 }
 
@@ -91,9 +87,8 @@ void SceneGenerator3D::check(const std::vector<std::size_t>& sensors,
         for (const std::size_t sensor : sensors) {
             const ScenarioSensor& given = scenario_.scenario.sensors[sensor];
             const std::optional<irsg::Viewpoint> view = viewpoint(sensor, time_s);
-            if (!view) {
+            if (!view)
                 continue;
-            }
             refuseBelowGround("sensor " + given.name, time_s, view->position_m.z);
             if (!given.track.empty()) {
                 const std::size_t entity = scenario_.scenario.findEntity(given.track).value();
@@ -107,28 +102,23 @@ void SceneGenerator3D::check(const std::vector<std::size_t>& sensors,
             }
         }
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
-    }
 }
 
 void SceneGenerator3D::select(std::size_t sensor, std::size_t band,
                               const std::vector<bool>& isThere) {
-    if (selected_ == std::pair(sensor, band) && isThere == isThere_) {
+    if (selected_ == std::pair(sensor, band) && isThere == isThere_)
         return;
-    }
     SceneDescription scene = scenario_.sensors.at(sensor).scene;
     scene.sensor.band = scene.allBands().at(band);
-    for (std::size_t i = isThere.size(); i-- > 0;) {
-        if (!isThere[i]) {
+    for (std::size_t i = isThere.size(); i-- > 0;)
+        if (!isThere[i])
             scene.entities.erase(scene.entities.begin() + static_cast<std::ptrdiff_t>(i));
-        }
-    }
-    if (isThere == isThere_) {
+    if (isThere == isThere_)
         source_.setView(scene);
-    } else {
+    else
         source_.configure(scene);
-    }
     isThere_ = isThere;
     selected_ = {sensor, band};
 }
@@ -139,9 +129,8 @@ SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s, std::size
     frame.band = band;
     frame.time_s = time_s;
     const std::optional<irsg::Viewpoint> view = viewpoint(sensor, time_s);
-    if (!view) {
+    if (!view)
         throw irsg::LogicError("a frame was asked for at a time at which the sensor is not there");
-    }
     frame.viewpoint = *view;
     std::vector<bool> isThere;
     for (std::size_t i = 0; i < scenario_.paths.size(); ++i) {
@@ -154,9 +143,8 @@ SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s, std::size
     const std::vector<irsg::Entity>& entities = scenario_.sensors[sensor].scene.entities;
     std::size_t drawn = 0;
     for (std::size_t i = 0; i < entities.size(); ++i) {
-        if (!frame.entities[i]) {
+        if (!frame.entities[i])
             continue;
-        }
         const TrajectoryPoint& at = *frame.entities[i];
         irsg::EntityState state = entities[i].state;
         state.time_s = time_s + scenario_.scenario.entities[i].timeOffset_s;

@@ -43,16 +43,13 @@ SensorResult resultOf(const LoadedScenario& loaded, std::size_t sensor) {
         result.table.add(ColumnName{"", entity, std::string(column.key), band}.key(),
                          std::string(column.unit));
     };
-    for (const std::string& band : bands) {
+    for (const std::string& band : bands)
         add("", Quantity::totalIrradiance, band);
-    }
     for (const ScenarioEntity& entity : loaded.scenario.entities) {
         add(entity.name, Quantity::range, "");
-        for (const std::string& band : bands) {
-            for (const Quantity quantity : entityQuantities) {
+        for (const std::string& band : bands)
+            for (const Quantity quantity : entityQuantities)
                 add(entity.name, quantity, band);
-            }
-        }
     }
     return result;
 }
@@ -118,9 +115,8 @@ class Closing {
     Closing(SimulationResult& result, const std::vector<Shortcomings>& shortcomings)
         : result_(result), shortcomings_(shortcomings) {}
     ~Closing() {
-        for (std::size_t i = 0; i < shortcomings_.size(); ++i) {
+        for (std::size_t i = 0; i < shortcomings_.size(); ++i)
             shortcomings_[i].sayIn(result_.sensors[i]);
-        }
         result_.elapsed_s = elapsed_s();
     }
     Closing(const Closing&) = delete;
@@ -140,9 +136,8 @@ class Closing {
 
 std::vector<double> SimulationPlan::times_s() const {
     std::vector<double> times;
-    for (const Step& step : steps) {
+    for (const Step& step : steps)
         times.push_back(step.time_s);
-    }
     return times;
 }
 
@@ -152,9 +147,8 @@ SimulationPlan planSimulation(const Scenario& scenario, const SimulationRequest&
     for (const std::string& name : request.sensors) {
         if (!scenario.findSensor(name)) {
             std::string known;
-            for (const ScenarioSensor& sensor : scenario.sensors) {
+            for (const ScenarioSensor& sensor : scenario.sensors)
                 known += (known.empty() ? "" : ", ") + sensor.name;
-            }
             diagnostics.push_back({.file = scenario.displayName(),
                                    .position = "sensors",
                                    .value = name,
@@ -187,9 +181,8 @@ SimulationPlan planSimulation(const Scenario& scenario, const SimulationRequest&
              .expected = fmt::format("times within {} to {} s, every {} s", times_s.front(),
                                      times_s.back(), scenario.dt_s)});
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
-    }
     return plan;
 }
 
@@ -198,9 +191,8 @@ void runSimulation(SceneGenerator3D& generator, const SimulationPlan& plan, cons
                    StageTimer* timer) {
     generator.check(plan.sensors, plan.times_s());
     result = {.state = AnalysisState::partial, .sensors = {}, .elapsed_s = 0.0};
-    for (const std::size_t sensor : plan.sensors) {
+    for (const std::size_t sensor : plan.sensors)
         result.sensors.push_back(resultOf(generator.scenario(), sensor));
-    }
     std::vector<Shortcomings> shortcomings(plan.sensors.size());
     const Closing closing(result, shortcomings);
 
@@ -212,12 +204,10 @@ void runSimulation(SceneGenerator3D& generator, const SimulationPlan& plan, cons
         for (std::size_t i = 0; i < plan.sensors.size(); ++i) {
             SensorResult& sensor = result.sensors[i];
             const std::string what = fmt::format("{}: {:.6g} s", sensor.name, step.time_s);
-            if (progress) {
+            if (progress)
                 progress({done, total, closing.elapsed_s(), what});
-            }
-            if (stop.stop_requested()) {
+            if (stop.stop_requested())
                 return;
-            }
             if (!generator.sees(sensor.sensor, step.time_s)) {
                 ++sensor.framesMissing;
             } else {
@@ -240,9 +230,8 @@ void runSimulation(SceneGenerator3D& generator, const SimulationPlan& plan, cons
         }
     }
     result.state = AnalysisState::complete;
-    if (progress) {
+    if (progress)
         progress({done, total, closing.elapsed_s(), "frames"});
-    }
 }
 
 } // namespace smat

@@ -41,9 +41,8 @@ std::string headerOf(const Column& column) {
 
 std::string allHeaders() {
     std::string text;
-    for (const Column& column : columns) {
+    for (const Column& column : columns)
         text += (text.empty() ? "" : ", ") + headerOf(column);
-    }
     return text;
 }
 
@@ -57,22 +56,19 @@ double mixedAngle_rad(double a_rad, double b_rad, double share) {
 }
 
 /// Reads the rows of one table and collects what is wrong with them.
-class Reader {
+class TrajectoryReader {
   public:
-    explicit Reader(const irsg::CsvTable& csv) : csv_(csv) {}
+    explicit TrajectoryReader(const irsg::CsvTable& csv) : csv_(csv) {}
 
     Trajectory read() {
-        if (csv_.rows().empty()) {
+        if (csv_.rows().empty())
             throw irsg::InputError(csv_.diagnostic("no rows", "a header row " + allHeaders()));
-        }
         readHeader(csv_.rows().front());
         throwRefused();
-        for (std::size_t row = 1; row < csv_.rows().size(); ++row) {
+        for (std::size_t row = 1; row < csv_.rows().size(); ++row)
             readRow(csv_.rows()[row]);
-        }
-        if (csv_.rows().size() < 2) {
+        if (csv_.rows().size() < 2)
             diagnostics_.push_back(csv_.diagnostic("no points", "at least one row of numbers"));
-        }
         throwRefused();
         return Trajectory(std::move(points_), places_[power].has_value(),
                           places_[mach].has_value());
@@ -98,9 +94,8 @@ class Reader {
             }
             std::optional<std::size_t>& known =
                 places_[static_cast<std::size_t>(column - columns.begin())];
-            if (known) {
+            if (known)
                 diagnostics_.push_back(csv_.diagnostic(cell, "each column once"));
-            }
             known = place;
         }
         for (std::size_t i = 0; i < columnCount; ++i) {
@@ -122,14 +117,11 @@ class Reader {
         }
         const std::size_t before = diagnostics_.size();
         std::array<double, columnCount> numbers{};
-        for (std::size_t i = 0; i < columnCount; ++i) {
-            if (places_[i]) {
+        for (std::size_t i = 0; i < columnCount; ++i)
+            if (places_[i])
                 numbers[i] = number(row.cells[*places_[i]], columns[i]);
-            }
-        }
-        if (diagnostics_.size() > before) {
+        if (diagnostics_.size() > before)
             return;
-        }
         if (!points_.empty() && !(numbers[time] > points_.back().time_s)) {
             diagnostics_.push_back(csv_.diagnostic(
                 row.cells[*places_[time]],
@@ -149,16 +141,14 @@ class Reader {
         const std::string expected =
             fmt::format("a number from {} to {}{}", column.minimum, column.maximum, unit);
         const std::optional<double> value = csv_.number(cell, diagnostics_, expected);
-        if (value && (*value < column.minimum || *value > column.maximum)) {
+        if (value && (*value < column.minimum || *value > column.maximum))
             diagnostics_.push_back(csv_.diagnostic(cell, expected));
-        }
         return value.value_or(0.0);
     }
 
     void throwRefused() const {
-        if (!diagnostics_.empty()) {
+        if (!diagnostics_.empty())
             throw irsg::InputError(diagnostics_);
-        }
     }
 
     const irsg::CsvTable& csv_;
@@ -179,17 +169,16 @@ Trajectory::Trajectory(std::vector<TrajectoryPoint> points, bool hasPower, bool 
                                             [](const TrajectoryPoint& a, const TrajectoryPoint& b) {
                                                 return !(a.time_s < b.time_s);
                                             }) == points_.end();
-    if (points_.empty() || !ascends) {
+    if (points_.empty() || !ascends)
         throw irsg::LogicError("a trajectory needs points whose times ascend");
-    }
 }
 
 Trajectory Trajectory::read(const std::filesystem::path& file) {
-    return Reader(irsg::CsvTable::read(file)).read();
+    return TrajectoryReader(irsg::CsvTable::read(file)).read();
 }
 
 Trajectory Trajectory::parse(std::string_view text, const std::string& name) {
-    return Reader(irsg::CsvTable::parse(text, name)).read();
+    return TrajectoryReader(irsg::CsvTable::parse(text, name)).read();
 }
 
 std::optional<TrajectoryPoint> Trajectory::at(double time_s, bool hold) const {
@@ -198,9 +187,8 @@ std::optional<TrajectoryPoint> Trajectory::at(double time_s, bool hold) const {
     const bool isBefore = time_s<point.time_s, isAfter = time_s> last.time_s;
     if (standsStill_ || isBefore || isAfter) {
         const double outside_s = isBefore ? point.time_s - time_s : time_s - last.time_s;
-        if (!standsStill_ && !hold && outside_s > sameTime_s) {
+        if (!standsStill_ && !hold && outside_s > sameTime_s)
             return std::nullopt;
-        }
         point = isAfter ? last : point;
         point.time_s = time_s;
         return point;
@@ -208,9 +196,8 @@ std::optional<TrajectoryPoint> Trajectory::at(double time_s, bool hold) const {
     const auto after = std::upper_bound(
         points_.begin(), points_.end(), time_s,
         [](double value, const TrajectoryPoint& one) { return value < one.time_s; });
-    if (after == points_.end()) {
+    if (after == points_.end())
         return last;
-    }
     const TrajectoryPoint &a = *(after - 1), &b = *after;
     const double share = (time_s - a.time_s) / (b.time_s - a.time_s);
     const irsg::Attitude &from = a.pose.attitude, &to = b.pose.attitude;

@@ -19,15 +19,13 @@ double secondsBetween(std::chrono::steady_clock::time_point from,
 StageTimer::StageTimer() : stages_{{"other", 0.0, 0}}, start_(Clock::now()), last_(start_) {}
 
 StageTimer::Scope::Scope(StageTimer* timer, const std::string& stage) : timer_(timer) {
-    if (timer_ != nullptr) {
+    if (timer_ != nullptr)
         outer_ = timer_->enter(stage);
-    }
 }
 
 StageTimer::Scope::~Scope() {
-    if (timer_ != nullptr) {
+    if (timer_ != nullptr)
         timer_->leave(outer_);
-    }
 }
 
 void StageTimer::addBefore(const std::string& stage, double seconds) {
@@ -83,9 +81,8 @@ std::string StageTimer::toText() const {
 std::size_t StageTimer::indexOf(const std::string& stage) {
     const auto found = std::find_if(stages_.begin(), stages_.end(),
                                     [&](const Stage& one) { return one.name == stage; });
-    if (found != stages_.end()) {
+    if (found != stages_.end())
         return static_cast<std::size_t>(found - stages_.begin());
-    }
     stages_.push_back({stage, 0.0, 0});
     return stages_.size() - 1;
 }

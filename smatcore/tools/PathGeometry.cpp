@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "irsg/atmosphere/Earth.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 
@@ -13,7 +14,7 @@ namespace smat {
 
 namespace {
 
-constexpr double earthRadius_m = 6371.23e3;
+using irsg::earthRadius_m;
 
 /// One line of sight on its way from what was said to what it means.
 class Solver {
@@ -36,9 +37,8 @@ class Solver {
 
     void checkNumber(const char* what, const std::optional<double>& value, double least,
                      double most, const char* expected) {
-        if (value && !(*value >= least && *value <= most)) {
+        if (value && !(*value >= least && *value <= most))
             offend(what, irsg::numberText(*value), expected);
-        }
     }
 
     void checkNumbers() {
@@ -55,9 +55,8 @@ class Solver {
     }
 
     void checkCombination() {
-        if (!input_.toSpace) {
+        if (!input_.toSpace)
             return;
-        }
         for (const auto& [what, value] : {std::pair{"range", input_.range_m},
                                           std::pair{"target altitude", input_.targetAltitude_m}}) {
             if (value) {
@@ -68,9 +67,8 @@ class Solver {
         for (const auto& [what, value] :
              {std::pair{"sensor altitude", input_.sensorAltitude_m},
               std::pair{"elevation of the line of sight", input_.losElevation_deg}}) {
-            if (!value) {
+            if (!value)
                 offend(what, "nothing", "a number: a path to space begins with it");
-            }
         }
         if (input_.sensorAltitude_m && *input_.sensorAltitude_m >= spaceAltitude_m) {
             offend("sensor altitude", irsg::numberText(*input_.sensorAltitude_m) + " m",
@@ -81,19 +79,16 @@ class Solver {
     void solvePath() {
         result_.targetAltitude_m = input_.targetAltitude_m;
         const auto& sensor_m = input_.sensorAltitude_m;
-        if (!sensor_m) {
+        if (!sensor_m)
             return;
-        }
-        if (input_.losElevation_deg) {
+        if (input_.losElevation_deg)
             sight(irsg::radians(*input_.losElevation_deg));
-        }
-        if (input_.toSpace) {
+        if (input_.toSpace)
             pathToSpace();
-        } else if (input_.range_m && input_.targetAltitude_m) {
+        else if (input_.range_m && input_.targetAltitude_m)
             pathToAltitude(*input_.targetAltitude_m);
-        } else if (input_.range_m && input_.losElevation_deg) {
+        else if (input_.range_m && input_.losElevation_deg)
             pathAlong(*input_.range_m);
-        }
     }
 
     void sight(double elevation_rad) {
@@ -116,9 +111,8 @@ class Solver {
     std::optional<double> groundRange_m() const {
         const double along = -(earthRadius_m + *input_.sensorAltitude_m) * sine();
         const double discriminant = along * along - squaresAbove(0.0);
-        if (along <= 0.0 || discriminant < 0.0) {
+        if (along <= 0.0 || discriminant < 0.0)
             return std::nullopt;
-        }
         // The nearer root d = along - sqrt(discriminant), as a quotient that keeps its digits.
         return squaresAbove(0.0) / (along + std::sqrt(discriminant));
     }
@@ -191,9 +185,8 @@ class Solver {
     }
 
     void finish() {
-        if (!diagnostics_.empty()) {
+        if (!diagnostics_.empty())
             throw irsg::InputError(std::move(diagnostics_));
-        }
     }
 
     const PathGeometryInput& input_;

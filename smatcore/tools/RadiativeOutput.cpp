@@ -53,9 +53,8 @@ class Output {
 
     RadiativeOutput make() {
         const std::vector<AtmosphereProperty> asked = answerable();
-        for (const AtmosphereProperty property : asked) {
+        for (const AtmosphereProperty property : asked)
             spectra_.emplace_back(property, ask(property));
-        }
         fillTable();
         summarise();
         writeProvenance();
@@ -84,23 +83,19 @@ class Output {
                     {"geometry", irsg::name(property), "too little to know it", missing});
             }
         }
-        if (!diagnostics.empty()) {
+        if (!diagnostics.empty())
             throw irsg::InputError(std::move(diagnostics));
-        }
-        if (asked.empty()) {
+        if (asked.empty())
             sayWhyNothing();
-        }
         return asked;
     }
 
     /// Nothing is left of all quantities: the air says why for the first that the geometry would
     /// have allowed.
     void sayWhyNothing() {
-        for (const AtmosphereProperty property : request_.quantities) {
-            if (missingFor(property, geometry_).empty()) {
+        for (const AtmosphereProperty property : request_.quantities)
+            if (missingFor(property, geometry_).empty())
                 ask(property);
-            }
-        }
         throw irsg::InputError(
             irsg::Diagnostic{.file = "geometry",
                              .position = "",
@@ -126,9 +121,8 @@ class Output {
 
     void fillTable() {
         std::vector<const Spectrum*> all;
-        for (const auto& [property, spectrum] : spectra_) {
+        for (const auto& [property, spectrum] : spectra_)
             all.push_back(&spectrum);
-        }
         const std::vector<double> axis = irsg::mergeAxes(all, request_.band);
         std::vector<std::vector<double>> values;
         result_.table.add(Quantity::wavenumber);
@@ -139,9 +133,8 @@ class Output {
         }
         for (std::size_t i = axis.size(); i-- > 0;) {
             std::vector<double> row = {irsg::wavenumberFromWavelength_per_cm(axis[i]), axis[i]};
-            for (const std::vector<double>& column : values) {
+            for (const std::vector<double>& column : values)
                 row.push_back(column[i]);
-            }
             result_.table.addRow(row);
         }
     }
@@ -160,9 +153,8 @@ class Output {
                 result_.summary.push_back({"in_band_" + std::string(info.key), integral, unit});
             }
         }
-        if (geometry_.targetAltitude_m) {
+        if (geometry_.targetAltitude_m)
             takeAmbientTemperature();
-        }
     }
 
     /// That of an atmosphere; the default of an environment is no property of the air.
@@ -190,13 +182,11 @@ class Output {
             provenance.add(key, fmt::format("{:.12g}", irsg::degrees(value_rad)));
         };
         provenance.add("program", "smat " + programVersion());
-        provenance.add("analysis", "radiative");
-        if (!request_.commandLine.empty()) {
+        provenance.add("analysis", name(AnalysisKind::radiative));
+        if (!request_.commandLine.empty())
             provenance.add("command", request_.commandLine);
-        }
-        for (const auto& atmosphere : environment_.atmospheres()) {
+        for (const auto& atmosphere : environment_.atmospheres())
             provenance.add("atmosphere", atmosphere->name());
-        }
         provenance.add("band", bandText());
         if (geometry_.sight || geometry_.path) {
             number("sensor_altitude [m]", geometry_.path ? geometry_.path->sensorAltitude_m
@@ -208,28 +198,24 @@ class Output {
         } else if (geometry_.targetAltitude_m) {
             number("target_altitude [m]", *geometry_.targetAltitude_m);
         }
-        if (geometry_.sight) {
+        if (geometry_.sight)
             angle("los_elevation [deg]", geometry_.sight->elevation_rad);
-        }
         if (geometry_.sight || geometry_.path) {
             angle("los_azimuth [deg]",
                   geometry_.sight ? geometry_.sight->azimuth_rad : geometry_.path->azimuth_rad);
         }
         angle("sun_azimuth [deg]", environment_.sun.azimuth_rad);
         angle("sun_elevation [deg]", environment_.sun.elevation_rad);
-        if (environment_.sun.distance_au != 1.0) {
+        if (environment_.sun.distance_au != 1.0)
             number("sun_distance [au]", environment_.sun.distance_au);
-        }
         for (const SummaryItem& item : result_.summary) {
             provenance.add(item.unit.empty() ? item.label : item.label + " [" + item.unit + "]",
                            irsg::numberText(item.value));
         }
-        for (const std::string& answer : result_.answeredBy) {
+        for (const std::string& answer : result_.answeredBy)
             provenance.add("answered by", answer);
-        }
-        for (const std::string& warning : result_.warnings) {
+        for (const std::string& warning : result_.warnings)
             provenance.add("warning", warning);
-        }
     }
 
     const irsg::Environment& environment_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/project/AnalysisKind.h"
 
 namespace smat {
 
@@ -16,14 +17,12 @@ void check(const TemperatureProfileRequest& request) {
         diagnostics.push_back(
             {"temperature profile", what, irsg::numberText(value) + " m", std::move(expected)});
     };
-    if (!(request.min_m >= 0.0 && std::isfinite(request.min_m))) {
+    if (!(request.min_m >= 0.0 && std::isfinite(request.min_m)))
         offend("min", request.min_m, "a finite altitude of at least 0 m: the ground");
-    }
-    if (!std::isfinite(request.max_m)) {
+    if (!std::isfinite(request.max_m))
         offend("max", request.max_m, "a finite altitude");
-    } else if (!(request.max_m >= request.min_m) && std::isfinite(request.min_m)) {
+    else if (!(request.max_m >= request.min_m) && std::isfinite(request.min_m))
         offend("max", request.max_m, "at least min, " + irsg::numberText(request.min_m) + " m");
-    }
     if (!(request.step_m > 0.0 && std::isfinite(request.step_m))) {
         offend("step", request.step_m, "a finite step above 0 m");
     } else if (!((request.max_m - request.min_m) / request.step_m < maximumProfileRows) &&
@@ -31,9 +30,8 @@ void check(const TemperatureProfileRequest& request) {
         offend("step", request.step_m,
                "a step that gives at most " + std::to_string(maximumProfileRows) + " altitudes");
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw irsg::InputError(std::move(diagnostics));
-    }
 }
 
 } // namespace
@@ -60,10 +58,9 @@ ResultTable temperatureProfile(const irsg::Environment& environment,
     }
 
     table.provenance.add("program", "smat " + programVersion());
-    table.provenance.add("analysis", "temperature-profile");
-    if (!request.commandLine.empty()) {
+    table.provenance.add("analysis", name(AnalysisKind::temperatureProfile));
+    if (!request.commandLine.empty())
         table.provenance.add("command", request.commandLine);
-    }
     table.provenance.add("answered by", "ambient temperature: " + answeredBy);
     return table;
 }

@@ -20,9 +20,8 @@ PathGeometryInput viewerGeometry(const Project& project, const Settings& setting
     const irsg::Viewpoint camera = view.viewpoint(target);
     const irsg::Vec3 sight = camera.forward();
     double azimuth_deg = irsg::degrees(std::atan2(sight.x, sight.y));
-    if (azimuth_deg < 0.0) {
+    if (azimuth_deg < 0.0)
         azimuth_deg += 360.0;
-    }
     return {.sensorAltitude_m = camera.position_m.z,
             .losElevation_deg = irsg::degrees(std::asin(std::clamp(sight.z, -1.0, 1.0))),
             .losAzimuth_deg = azimuth_deg,
@@ -31,13 +30,11 @@ PathGeometryInput viewerGeometry(const Project& project, const Settings& setting
 }
 
 irsg::Vec3 targetReferencePoint(const Project& project, SceneBuilder& scenes) {
-    if (project.models.empty()) {
+    if (project.models.empty())
         return {};
-    }
     const ProjectModel& target = project.models.front();
-    if (target.referencePoint_m) {
+    if (target.referencePoint_m)
         return *target.referencePoint_m;
-    }
     try {
         irsg::Entity entity;
         entity.model =
@@ -57,9 +54,8 @@ irsg::Vec3 targetReferencePoint(const Project& project, SceneBuilder& scenes) {
 
 std::string airArguments(const std::vector<std::filesystem::path>& air) {
     std::string arguments;
-    for (const auto& one : air) {
+    for (const auto& one : air)
         arguments += " " + shellQuoted(one.string());
-    }
     return air.empty() ? " none" : arguments;
 }
 
@@ -72,22 +68,17 @@ std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
     const auto add = [&](const char* option, double value) {
         command += std::string(" ") + option + "=" + irsg::numberText(value);
     };
-    for (const std::string& word : words) {
+    for (const std::string& word : words)
         command += " --quantity " + word;
-    }
     command += " --band " + irsg::numberText(band.min_um) + "-" + irsg::numberText(band.max_um);
-    if (geometry.sensorAltitude_m) {
+    if (geometry.sensorAltitude_m)
         add("--sensor-altitude", *geometry.sensorAltitude_m);
-    }
-    if (geometry.targetAltitude_m) {
+    if (geometry.targetAltitude_m)
         add("--altitude", *geometry.targetAltitude_m);
-    }
-    if (geometry.range_m) {
+    if (geometry.range_m)
         add("--range", *geometry.range_m);
-    }
-    if (geometry.losElevation_deg) {
+    if (geometry.losElevation_deg)
         add("--los-elevation", *geometry.losElevation_deg);
-    }
     add("--los-azimuth", geometry.losAzimuth_deg);
     // Angles of the sun were degrees before they were radians: twelve digits are what was typed.
     const auto typed = [](double angle_rad) {
@@ -95,9 +86,8 @@ std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
     };
     add("--sun-azimuth", typed(sun.azimuth_rad));
     add("--sun-elevation", typed(sun.elevation_rad));
-    if (dayOfYear) {
+    if (dayOfYear)
         add("--day-of-year", *dayOfYear);
-    }
     return command + " --out " + shellQuoted(outputFile);
 }
 

@@ -18,10 +18,12 @@ inline double dry(double) {
 /// over water by Magnus' formula from its temperatures and water.
 inline HumidityProfile humidityOf(const std::string& atmosphere) {
     std::array<double, 3> levels = {0.4589, 0.4907, 0.5200};
-    if (atmosphere == "tropical")
+    if (atmosphere == "tropical") {
         levels = {0.7563, 0.7298, 0.7469};
-    if (atmosphere == "mlw")
+    }
+    if (atmosphere == "mlw") {
         levels = {0.7713, 0.7047, 0.6540};
+    }
     return [levels](double altitude_m) {
         return levels.at(static_cast<std::size_t>(altitude_m / 1000.0));
     };
@@ -36,8 +38,9 @@ inline ParticleSettings settings(AerosolModel model, double visibility_m = 0.0) 
 
 inline double extinction550At(const std::vector<ParticleLayer>& layers, double altitude_m) {
     double sum = 0.0;
-    for (const ParticleLayer& layer : layers)
+    for (const ParticleLayer& layer : layers) {
         sum += layer.extinction550At(altitude_m);
+    }
     return sum;
 }
 

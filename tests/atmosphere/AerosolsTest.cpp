@@ -17,8 +17,8 @@ const std::vector<AerosolModel> allModels = {AerosolModel::rural,        Aerosol
                                              AerosolModel::tropospheric, AerosolModel::advectiveFog,
                                              AerosolModel::radiativeFog, AerosolModel::desert};
 
-TEST(Aerosols, theExtinctionAtTheGroundIsThatOfKoschmieder) {
-    for (const AerosolModel model : allModels)
+TEST(Aerosols, TheExtinctionAtTheGroundIsThatOfKoschmieder) {
+    for (const AerosolModel model : allModels) {
         for (const double visibility_km :
              {0.05, 0.2, 1.0, 2.0, 5.0, 7.0, 15.0, 23.0, 31.0, 80.0, 300.0}) {
             const auto layers = particleLayers(settings(model, 1e3 * visibility_km), dry);
@@ -26,19 +26,21 @@ TEST(Aerosols, theExtinctionAtTheGroundIsThatOfKoschmieder) {
             EXPECT_NEAR(at(layers, 0.0, 0.55).extinction / expected, 1.0, 1e-12)
                 << static_cast<int>(model) << " " << visibility_km;
         }
+    }
 }
 
-TEST(Aerosols, everyModelHasItsOwnVisibility) {
+TEST(Aerosols, EveryModelHasItsOwnVisibility) {
     const std::vector<std::pair<AerosolModel, double>> own = {
         {AerosolModel::rural, 23.0},       {AerosolModel::urban, 5.0},
         {AerosolModel::maritime, 23.0},    {AerosolModel::tropospheric, 50.0},
         {AerosolModel::advectiveFog, 0.2}, {AerosolModel::radiativeFog, 0.5}};
-    for (const auto& [model, visibility_km] : own)
+    for (const auto& [model, visibility_km] : own) {
         EXPECT_NEAR(extinction550At(particleLayers(settings(model), dry), 0.0),
                     (3.912 / visibility_km - 0.01159) * 1e-3, 1e-15);
+    }
 }
 
-TEST(Aerosols, ruralAirOf23KmScattersAsThePublishedTableSays) {
+TEST(Aerosols, RuralAirOf23KmScattersAsThePublishedTableSays) {
     const auto layers = particleLayers(settings(AerosolModel::rural), dry);
     const double ground_per_m = (3.912 / 23.0 - 0.01159) * 1e-3;
     EXPECT_NEAR(at(layers, 0.0, 1.06).extinction / ground_per_m, 0.41943, 1e-9);
@@ -46,7 +48,7 @@ TEST(Aerosols, ruralAirOf23KmScattersAsThePublishedTableSays) {
     EXPECT_NEAR(layers.front().opticsAt(1.06).asymmetry, 0.6176, 1e-9);
 }
 
-TEST(Aerosols, humidityIsInterpolatedInTheLogarithmOfTheDeficit) {
+TEST(Aerosols, HumidityIsInterpolatedInTheLogarithmOfTheDeficit) {
     // Half way between ln 30 and ln 20 is ln of the geometric mean.
     const double humidity = 1.0 - std::sqrt(30.0 * 20.0) / 100.0;
     const particles::Optics optics = particles::humidOptics("rural", humidity);
@@ -61,7 +63,7 @@ TEST(Aerosols, humidityIsInterpolatedInTheLogarithmOfTheDeficit) {
     EXPECT_NEAR(wettest[5].extinction, 0.50595, 1e-12);
 }
 
-TEST(Aerosols, aPowerLawOfTheWavelengthIsKeptBetweenNodes) {
+TEST(Aerosols, APowerLawOfTheWavelengthIsKeptBetweenNodes) {
     ParticleLayer layer{"", {}, {}, {1.0, 4.0}, {{1.0, 0.0, 0.2}, {0.25, 0.1, 0.6}}};
     EXPECT_NEAR(layer.opticsAt(2.0).extinction, 0.5, 1e-12);
     EXPECT_NEAR(layer.opticsAt(2.0).absorption, 0.5 * 0.2, 1e-12);
@@ -70,11 +72,11 @@ TEST(Aerosols, aPowerLawOfTheWavelengthIsKeptBetweenNodes) {
     EXPECT_EQ(layer.opticsAt(100.0).extinction, 0.25);
 }
 
-TEST(Aerosols, theNavyFormulaGivesThePublishedExtinction) {
+TEST(Aerosols, TheNavyFormulaGivesThePublishedExtinction) {
     EXPECT_NEAR(particles::navyMaritime(3, 6.9, 6.9, 0.8).extinction550_per_m, 0.087e-3, 0.0005e-3);
 }
 
-TEST(Aerosols, seaAndDesertRaiseMoreAerosolInMoreWind) {
+TEST(Aerosols, SeaAndDesertRaiseMoreAerosolInMoreWind) {
     for (const AerosolModel model : {AerosolModel::navyMaritime, AerosolModel::desert}) {
         double before = 0.0;
         for (const double wind : {0.1, 5.0, 12.0, 18.0}) {
@@ -87,14 +89,14 @@ TEST(Aerosols, seaAndDesertRaiseMoreAerosolInMoreWind) {
     }
 }
 
-TEST(Aerosols, theDesertIsThatOfTheTableAtItsWinds) {
+TEST(Aerosols, TheDesertIsThatOfTheTableAtItsWinds) {
     EXPECT_NEAR(particles::desert(10.0).extinction550_per_m, 0.057144e-3, 1e-9);
     EXPECT_NEAR(particles::desert(30.0).extinction550_per_m, 1.9488e-3, 1e-9);
     EXPECT_NEAR(particles::desert(15.0).extinction550_per_m, 1e-3 * std::sqrt(0.057144 * 0.22773),
                 1e-9);
 }
 
-TEST(Aerosols, theWindIsBroughtTo10mByTheLogarithmicLaw) {
+TEST(Aerosols, TheWindIsBroughtTo10mByTheLogarithmicLaw) {
     EXPECT_NEAR(particles::windAt10m(7.0, 10.0, particles::seaRoughness_m), 7.0, 1e-12);
     EXPECT_NEAR(particles::windAt10m(7.0, 2.0, particles::seaRoughness_m),
                 7.0 * std::log(5e4) / std::log(1e4), 1e-12);
@@ -109,11 +111,11 @@ TEST(Aerosols, theWindIsBroughtTo10mByTheLogarithmicLaw) {
                 extinction550At(particleLayers(high, dry), 0.0), 1e-15);
 }
 
-TEST(Aerosols, opticsArePossibleAtEveryWavelength) {
-    for (const AerosolModel model : allModels)
-        for (const double humidity : {0.0, 0.5, 0.77, 0.99, 1.0})
+TEST(Aerosols, OpticsArePossibleAtEveryWavelength) {
+    for (const AerosolModel model : allModels) {
+        for (const double humidity : {0.0, 0.5, 0.77, 0.99, 1.0}) {
             for (const ParticleLayer& layer :
-                 particleLayers(settings(model), [=](double) { return humidity; }))
+                 particleLayers(settings(model), [=](double) { return humidity; })) {
                 for (double um = 0.15; um < 60.0; um *= 1.01) {
                     const ParticleOptics optics = layer.opticsAt(um);
                     ASSERT_GT(optics.extinction, 0.0) << layer.name << " " << um;
@@ -122,9 +124,12 @@ TEST(Aerosols, opticsArePossibleAtEveryWavelength) {
                     ASSERT_GE(optics.asymmetry, 0.0) << layer.name << " " << um;
                     ASSERT_LT(optics.asymmetry, 1.0) << layer.name << " " << um;
                 }
+            }
+        }
+    }
 }
 
-TEST(Aerosols, theExtinctionIsContinuousInAltitude) {
+TEST(Aerosols, TheExtinctionIsContinuousInAltitude) {
     for (const AerosolModel model : allModels) {
         const auto layers = particleLayers(settings(model), humidityOf("us76"));
         for (double z = 0.0; z < 99e3; z += 50.0) {
@@ -136,8 +141,8 @@ TEST(Aerosols, theExtinctionIsContinuousInAltitude) {
     }
 }
 
-TEST(Aerosols, theExtinctionIsContinuousInVisibility) {
-    for (const double km : {2.0, 5.0, 10.0, 23.0, 50.0})
+TEST(Aerosols, TheExtinctionIsContinuousInVisibility) {
+    for (const double km : {2.0, 5.0, 10.0, 23.0, 50.0}) {
         for (const double z : {0.0, 700.0, 1500.0, 2500.0, 3500.0}) {
             const double below = extinction550At(
                 particleLayers(settings(AerosolModel::rural, 1e3 * km - 0.01), dry), z);
@@ -146,33 +151,36 @@ TEST(Aerosols, theExtinctionIsContinuousInVisibility) {
             EXPECT_NEAR(above / below, 1.0, 1e-4) << km << " " << z;
             EXPECT_LE(above, below * (1.0 + 1e-6)) << km << " " << z;
         }
+    }
 }
 
-TEST(Aerosols, theSeasonChangesOnlyWhatLiesAboveTheBoundaryLayer) {
+TEST(Aerosols, TheSeasonChangesOnlyWhatLiesAboveTheBoundaryLayer) {
     ParticleSettings wanted = settings(AerosolModel::rural);
     const auto summer = particleLayers(wanted, dry);
     wanted.winter = true;
     const auto winter = particleLayers(wanted, dry);
-    for (const double z : {0.0, 500.0, 1500.0, 2000.0, 40e3})
+    for (const double z : {0.0, 500.0, 1500.0, 2000.0, 40e3}) {
         EXPECT_EQ(extinction550At(summer, z), extinction550At(winter, z));
+    }
     EXPECT_NEAR(extinction550At(winter, 3000.0) * 1e3, 0.0272, 1e-6);
     EXPECT_NEAR(extinction550At(summer, 3000.0) * 1e3, 0.0346, 1e-6);
     EXPECT_NEAR(extinction550At(winter, 16e3) * 1e3, 0.000641, 1e-9);
 }
 
-TEST(Aerosols, humidityThatIsNoNumberIsAProgrammingError) {
-    for (const AerosolModel model : {AerosolModel::rural, AerosolModel::navyMaritime})
+TEST(Aerosols, HumidityThatIsNoNumberIsAProgrammingError) {
+    for (const AerosolModel model : {AerosolModel::rural, AerosolModel::navyMaritime}) {
         EXPECT_THROW(particleLayers(settings(model), [](double) { return std::nan(""); }),
                      LogicError);
+    }
 }
 
-TEST(Aerosols, nothingFloatsInAirWithoutAerosol) {
+TEST(Aerosols, NothingFloatsInAirWithoutAerosol) {
     ParticleSettings none;
     none.aerosol.reset();
     EXPECT_TRUE(particleLayers(none, dry).empty());
 }
 
-TEST(Aerosols, theSumDoesNotDependOnTheOrderOfTheLayers) {
+TEST(Aerosols, TheSumDoesNotDependOnTheOrderOfTheLayers) {
     auto layers = particleLayers(settings(AerosolModel::maritime), humidityOf("tropical"));
     const ParticleOptics before = depth(layers, 0.0, 20e3, 9.5);
     std::reverse(layers.begin(), layers.end());

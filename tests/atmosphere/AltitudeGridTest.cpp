@@ -20,8 +20,9 @@ using namespace syntheticair;
 Profile withInversion(double peak_m, double peak_K) {
     const Profile model = Profile::model(ModelAtmosphere::usStandard1976);
     std::vector<AtmosphericState> levels = model.levels();
-    for (const double z : {peak_m, peak_m + 200.0})
+    for (const double z : {peak_m, peak_m + 200.0}) {
         levels.push_back(model.at(z));
+    }
     levels[levels.size() - 2].temperature_K += peak_K;
     std::ranges::sort(levels, {}, &AtmosphericState::altitude_m);
     return Profile(std::move(levels), "inversion");
@@ -47,8 +48,9 @@ Profile ascent(std::size_t count, double noise = 0.0) {
     }
     const Profile sparse(bends, "50 levels");
     std::vector<AtmosphericState> levels = bends;
-    for (std::size_t i = 1; levels.size() < count; ++i)
+    for (std::size_t i = 1; levels.size() < count; ++i) {
         levels.push_back(sparse.at(20e3 * static_cast<double>(i) / static_cast<double>(count)));
+    }
     std::ranges::sort(levels, {}, &AtmosphericState::altitude_m);
     const auto isTwin = [](const AtmosphericState& a, const AtmosphericState& b) {
         return b.altitude_m - a.altitude_m < 1e-3;
@@ -72,18 +74,19 @@ double seen(const RadiativeTransfer& transfer, const SpectralRange& band, double
     return integrateProduct(factors, band);
 }
 
-TEST(AltitudeGrid, keepTheEdgesOfACloudApart) {
+TEST(AltitudeGrid, KeepTheEdgesOfACloudApart) {
     const auto altitudes_m = transferAltitudes_m(
         profile(), {particles({1000.0, 1330.0}, {0.1, 0.1}, 0.9, 0.8),
                     particles({0.0, 2000.0, 2000.4, 10e3}, {1e-4, 1e-4, 1e-5, 0.0}, 0.9, 0.7)});
     EXPECT_THAT(altitudes_m,
                 testing::IsSupersetOf({0.0, 999.0, 1000.0, 1330.0, 1331.0, 10e3, 100e3}));
     EXPECT_LE(altitudes_m.size(), mostTransferAltitudes);
-    for (std::size_t i = 1; i < altitudes_m.size(); ++i)
+    for (std::size_t i = 1; i < altitudes_m.size(); ++i) {
         EXPECT_GE(altitudes_m[i] - altitudes_m[i - 1], 0.5);
+    }
 }
 
-TEST(AltitudeGrid, endWhereTheProfileEnds) {
+TEST(AltitudeGrid, EndWhereTheProfileEnds) {
     std::vector<AtmosphericState> levels(2);
     levels[1].altitude_m = 7.3e3;
     levels[1].pressure_hPa = 400.0;
@@ -92,16 +95,17 @@ TEST(AltitudeGrid, endWhereTheProfileEnds) {
     EXPECT_EQ(altitudes_m.back(), 7.3e3);
 }
 
-TEST(AltitudeGrid, modelAtmospheresNeedNoBends) {
+TEST(AltitudeGrid, ModelAtmospheresNeedNoBends) {
     const std::size_t straight = transferAltitudes_m(profile(), {}).size();
-    for (int code = 1; code <= 6; ++code)
+    for (int code = 1; code <= 6; ++code) {
         EXPECT_EQ(
             transferAltitudes_m(Profile::model(static_cast<ModelAtmosphere>(code)), {}).size(),
             straight)
             << code;
+    }
 }
 
-TEST(AltitudeGrid, keepsTheLevelsWhereTemperatureOrHumidityTurn) {
+TEST(AltitudeGrid, KeepsTheLevelsWhereTemperatureOrHumidityTurn) {
     EXPECT_THAT(transferAltitudes_m(withInversion(130.0, 10.0), {}),
                 testing::IsSupersetOf({130.0, 330.0}));
     EXPECT_THAT(transferAltitudes_m(withInversion(6140.0, -3.0), {}),
@@ -112,8 +116,9 @@ TEST(AltitudeGrid, keepsTheLevelsWhereTemperatureOrHumidityTurn) {
         level.moleFraction[static_cast<std::size_t>(Gas::H2O)] = water;
         levels.push_back(level);
     };
-    for (AtmosphericState& level : levels)
+    for (AtmosphericState& level : levels) {
         level.moleFraction[static_cast<std::size_t>(Gas::H2O)] = 1e-3;
+    }
     layer(3310.0, 1e-3);
     layer(3340.0, 1e-5);
     layer(3430.0, 1e-5);
@@ -123,12 +128,13 @@ TEST(AltitudeGrid, keepsTheLevelsWhereTemperatureOrHumidityTurn) {
                 testing::IsSupersetOf({3310.0, 3340.0, 3430.0, 3460.0}));
 }
 
-TEST(AltitudeGrid, missesNoLevelOfAnAscentByMoreThanItSays) {
+TEST(AltitudeGrid, MissesNoLevelOfAnAscentByMoreThanItSays) {
     const Profile air = ascent(5000, 0.5);
     const auto altitudes_m = transferAltitudes_m(air, {});
     std::vector<AtmosphericState> nodes;
-    for (const double z : altitudes_m)
+    for (const double z : altitudes_m) {
         nodes.push_back(air.at(z));
+    }
     const Profile thinned(nodes, "thinned");
     for (const AtmosphericState& level : air.levels()) {
         const AtmosphericState found = thinned.at(level.altitude_m);
@@ -142,7 +148,7 @@ TEST(AltitudeGrid, missesNoLevelOfAnAscentByMoreThanItSays) {
     }
 }
 
-TEST(AltitudeGrid, thousandsOfLevelsCostWhatFiftyCost) {
+TEST(AltitudeGrid, ThousandsOfLevelsCostWhatFiftyCost) {
     const auto few = transferAltitudes_m(ascent(50), {});
     const auto many = transferAltitudes_m(ascent(5000), {});
     EXPECT_EQ(many.size(), few.size());
@@ -153,22 +159,24 @@ TEST(AltitudeGrid, thousandsOfLevelsCostWhatFiftyCost) {
     const SpectralRange band{8.0, 12.0};
     const RadiativeTransfer sparse(model(ascent(50)), GasTable::shipped());
     const RadiativeTransfer dense(model(ascent(5000, 0.5)), GasTable::shipped());
-    for (const double elevation_rad : {0.5 * pi, 0.1})
+    for (const double elevation_rad : {0.5 * pi, 0.1}) {
         EXPECT_NEAR(seen(dense, band, 0.0, elevation_rad) / seen(sparse, band, 0.0, elevation_rad),
                     1.0, 1e-3);
+    }
 }
 
-TEST(AltitudeGrid, aSurfaceInversionCountsAsOnAFineGrid) {
+TEST(AltitudeGrid, ASurfaceInversionCountsAsOnAFineGrid) {
     // Nodes of particles that are not there make the grid fine: 10 m.
     std::vector<double> fine_m;
-    for (double z = 10.0; z <= 340.0; z += 10.0)
+    for (double z = 10.0; z <= 340.0; z += 10.0) {
         fine_m.push_back(z);
+    }
     AtmosphericModel fine = model(withInversion(130.0, 10.0));
     fine.particles = {particles(fine_m, std::vector<double>(fine_m.size(), 0.0), 0.5, 0.5)};
     const RadiativeTransfer reference(fine, GasTable::shipped());
     const RadiativeTransfer air(model(withInversion(130.0, 10.0)), GasTable::shipped());
     const RadiativeTransfer without(model(withInversion(130.0, 0.0)), GasTable::shipped());
-    for (const SpectralRange& band : {SpectralRange{3.0, 5.0}, SpectralRange{8.0, 12.0}})
+    for (const SpectralRange& band : {SpectralRange{3.0, 5.0}, SpectralRange{8.0, 12.0}}) {
         for (const auto& [altitude_m, elevation_rad] :
              {std::pair{0.0, 0.5 * pi}, {0.0, 0.1}, {100e3, -0.5 * pi}}) {
             const double expected = seen(reference, band, altitude_m, elevation_rad);
@@ -179,6 +187,7 @@ TEST(AltitudeGrid, aSurfaceInversionCountsAsOnAFineGrid) {
                 EXPECT_GT(expected / seen(without, band, altitude_m, elevation_rad), 1.01);
             }
         }
+    }
 }
 
 } // namespace

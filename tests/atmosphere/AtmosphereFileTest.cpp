@@ -22,7 +22,7 @@ std::filesystem::path written(const std::string& name, const std::string& text) 
 
 } // namespace
 
-TEST(AtmosphereFile, everyKindIsRecognised) {
+TEST(AtmosphereFile, EveryKindIsRecognised) {
     const std::string table =
         TabulatedAtmosphere(parseTape7(TextLines::parse(tape7({}), "run")), "my air").toText();
     const struct {
@@ -51,7 +51,7 @@ TEST(AtmosphereFile, everyKindIsRecognised) {
     }
 }
 
-TEST(AtmosphereFile, whatIsNoAtmosphereIsRefusedByName) {
+TEST(AtmosphereFile, WhatIsNoAtmosphereIsRefusedByName) {
     const struct {
         const char* file;
         const char* text;

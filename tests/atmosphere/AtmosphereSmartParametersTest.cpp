@@ -19,10 +19,11 @@ SmartReading readOf(const std::string& inside) {
     return fromKarma(KarmaXml::parse(smartXml(inside), "air.xml"));
 }
 
-TEST(AtmosphereSmartParameters, areTheTwentySevenOfTheReport) {
+TEST(AtmosphereSmartParameters, AreTheTwentySevenOfTheReport) {
     std::vector<std::string> names;
-    for (const SmartParameter& parameter : smartParameters())
+    for (const SmartParameter& parameter : smartParameters()) {
         names.emplace_back(parameter.name);
+    }
     EXPECT_THAT(names,
                 ElementsAre("AerosolModel", "AirMass", "AlbedoValues", "AlbedoWavelengths",
                             "AtmosphereModel", "BaseWavelengthMax", "BaseWavelengthMin",
@@ -36,10 +37,11 @@ TEST(AtmosphereSmartParameters, areTheTwentySevenOfTheReport) {
     EXPECT_TRUE(remarksOn({}).empty());
 }
 
-TEST(AtmosphereSmartParameters, theFileOfTheReportHoldsTheValuesOfAnnexA) {
+TEST(AtmosphereSmartParameters, TheFileOfTheReportHoldsTheValuesOfAnnexA) {
     const auto file = smat::test::sharedMaterial("data/karma/AtmosphereSmart.xml");
-    if (file.empty())
+    if (file.empty()) {
         GTEST_SKIP() << "the KARMA files of the shared material are not here";
+    }
     KarmaXml document = KarmaXml::read(file);
     const SmartReading reading = fromKarma(document);
     // Annex A's values are the defaults.
@@ -49,7 +51,7 @@ TEST(AtmosphereSmartParameters, theFileOfTheReportHoldsTheValuesOfAnnexA) {
     EXPECT_EQ(significant(document.text()), significant(contentOf(file)));
 }
 
-TEST(AtmosphereSmartParameters, anEmptyFileHasTheDefaultsAndSaysSo) {
+TEST(AtmosphereSmartParameters, AnEmptyFileHasTheDefaultsAndSaysSo) {
     const SmartReading reading = readOf("");
     EXPECT_EQ(reading.parameters, AtmosphereSmartParameters());
     EXPECT_EQ(reading.remarks.size(), 27u);
@@ -57,7 +59,7 @@ TEST(AtmosphereSmartParameters, anEmptyFileHasTheDefaultsAndSaysSo) {
     EXPECT_THAT(reading.remarks, Contains("no ModelType: taken as SMART_ATMOSPHERIC_MODEL"));
 }
 
-TEST(AtmosphereSmartParameters, whatIsNotKnownIsKeptAndSaid) {
+TEST(AtmosphereSmartParameters, WhatIsNotKnownIsKeptAndSaid) {
     KarmaXml document = KarmaXml::parse(
         smartXml(numberXml("Visiblity", "5000") + numberXml("AirMass", "4")), "air.xml");
     const SmartReading reading = fromKarma(document);
@@ -67,7 +69,7 @@ TEST(AtmosphereSmartParameters, whatIsNotKnownIsKeptAndSaid) {
     EXPECT_EQ(fromKarma(KarmaXml::parse(document.text(), "again")).parameters.airMass, 4);
 }
 
-TEST(AtmosphereSmartParameters, settingsWithoutEffectAreSaid) {
+TEST(AtmosphereSmartParameters, SettingsWithoutEffectAreSaid) {
     const struct {
         const char* name;
         std::string inside;
@@ -86,14 +88,15 @@ TEST(AtmosphereSmartParameters, settingsWithoutEffectAreSaid) {
         {"air mass over land", numberXml("AirMass", "7"), "AirMass 7 has no effect"},
         {"wind direction", numberXml("WindDirection", "1"), "WindDirection 1 rad has no effect"},
     };
-    for (const auto& row : rows)
+    for (const auto& row : rows) {
         EXPECT_THAT(readOf(row.inside).remarks, Contains(HasSubstr(row.says))) << row.name;
+    }
     const auto navy = readOf(numberXml("AerosolModel", "3") + numberXml("WindSpeed", "12") +
                              numberXml("AirMass", "7"));
     EXPECT_THAT(navy.remarks, testing::Not(Contains(HasSubstr("no effect"))));
 }
 
-TEST(AtmosphereSmartParameters, ourOwnAreWrittenOnlyWhereTheyDiffer) {
+TEST(AtmosphereSmartParameters, OurOwnAreWrittenOnlyWhereTheyDiffer) {
     AtmosphereSmartParameters parameters;
     EXPECT_THAT(toKarma(parameters).text(), testing::Not(HasSubstr("Co2_ppmv")));
     parameters.co2_ppmv = 360.0;
@@ -108,11 +111,12 @@ TEST(AtmosphereSmartParameters, ourOwnAreWrittenOnlyWhereTheyDiffer) {
     toKarma(AtmosphereSmartParameters(), document);
     EXPECT_THAT(document.text(), testing::Not(HasSubstr("Co2_ppmv")));
     for (const char* name :
-         {"Radiosonde", "Ch4_ppmv", "N2o_ppmv", "Aerosols", "OzoneScale", "WaterScale"})
+         {"Radiosonde", "Ch4_ppmv", "N2o_ppmv", "Aerosols", "OzoneScale", "WaterScale"}) {
         EXPECT_THAT(document.text(), testing::Not(HasSubstr(name)));
+    }
 }
 
-TEST(AtmosphereSmartParameters, whatIsWrittenIsReadBackEqual) {
+TEST(AtmosphereSmartParameters, WhatIsWrittenIsReadBackEqual) {
     std::mt19937 random(7);
     const auto real = [&](double least, double most) {
         return std::uniform_real_distribution(least, most)(random);
@@ -160,10 +164,10 @@ TEST(AtmosphereSmartParameters, whatIsWrittenIsReadBackEqual) {
     }
 }
 
-TEST(AtmosphereSmartParameters, theManualListsThemAsTheyAre) {
+TEST(AtmosphereSmartParameters, TheManualListsThemAsTheyAre) {
     const std::string manual =
         contentOf(std::filesystem::path(SMAT_SOURCE_DIR) / "docs" / "atmosphere-parameters.md");
-    for (const auto table : {smartParameters(), ownSmartParameters()})
+    for (const auto table : {smartParameters(), ownSmartParameters()}) {
         for (const SmartParameter& parameter : table) {
             std::string row = "| `";
             row.append(parameter.name).append("` | ").append(parameter.unit).append(" | ");
@@ -171,12 +175,14 @@ TEST(AtmosphereSmartParameters, theManualListsThemAsTheyAre) {
             row.append(" | ").append(parameter.help).append(" |\n");
             EXPECT_THAT(manual, HasSubstr(row));
         }
+    }
 }
 
-TEST(AtmosphereSmartParameters, areSaidAsText) {
+TEST(AtmosphereSmartParameters, AreSaidAsText) {
     std::set<std::string> texts;
-    for (const SmartParameter& parameter : smartParameters())
+    for (const SmartParameter& parameter : smartParameters()) {
         texts.insert(std::string(parameter.name) + "=" + valueText(parameter, {}));
+    }
     EXPECT_THAT(texts, Contains("CloudBaseAltitude=-1"));
     EXPECT_THAT(texts, Contains("AlbedoWavelengths=1.5 2 2.5 3 3.5 4 5 6 8 10 12 14"));
 }
@@ -192,11 +198,12 @@ void PrintTo(const BadParameters& row, std::ostream* stream) {
 
 class BadSmartParameters : public testing::TestWithParam<BadParameters> {};
 
-TEST_P(BadSmartParameters, areRefusedByName) {
+TEST_P(BadSmartParameters, AreRefusedByName) {
     const std::string message = refusalOf([] { readOf(GetParam().inside); });
     EXPECT_THAT(message, HasSubstr("air.xml"));
-    for (const char* words : GetParam().says)
+    for (const char* words : GetParam().says) {
         EXPECT_THAT(message, HasSubstr(words));
+    }
 }
 
 BadParameters bad(const char* name, const char* parameter, const char* value,
@@ -326,7 +333,7 @@ INSTANTIATE_TEST_SUITE_P(
                        "line 7, parameter AirMass"}}),
     [](const auto& row) { return row.param.name; });
 
-TEST(AtmosphereSmartParameters, aFileOfAnotherTypeIsRefused) {
+TEST(AtmosphereSmartParameters, AFileOfAnotherTypeIsRefused) {
     const KarmaXml document("/Environment/Root/Environment", "");
     EXPECT_THAT(refusalOf([&] { fromKarma(document); }), HasSubstr("/AtmosphereSmart"));
 }

@@ -34,7 +34,7 @@ AtmosphereSmart smart(const AtmosphereSmartParameters& parameters) {
     return AtmosphereSmart(parameters, "smart", {}, syntheticair::table());
 }
 
-TEST(SmartAdapter, convertsUnitsAndCodes) {
+TEST(SmartAdapter, ConvertsUnitsAndCodes) {
     AtmosphereSmartParameters parameters;
     parameters.groundTemperature_C = -12.5;
     parameters.resolution_per_cm = 15;
@@ -69,13 +69,14 @@ TEST(SmartAdapter, convertsUnitsAndCodes) {
     EXPECT_EQ(particles.atmosphere, ModelAtmosphere::midlatitudeSummer);
     // The cloud's own mean extinction arrives in the engine's air.
     double cloud_per_m = 0.0;
-    for (const ParticleLayer& layer : air.particles)
+    for (const ParticleLayer& layer : air.particles) {
         cloud_per_m = std::max(cloud_per_m, layer.extinction550At(650.0));
+    }
     EXPECT_NEAR(cloud_per_m, 0.02, 0.02);
     EXPECT_GT(cloud_per_m, 0.01);
 }
 
-TEST(SmartAdapter, dropsThePlaceOfACloudThatIsNotThere) {
+TEST(SmartAdapter, DropsThePlaceOfACloudThatIsNotThere) {
     AtmosphereSmartParameters parameters;
     parameters.cloudBaseAltitude_m = 500.0;
     parameters.cloudThickness_m = 300.0;
@@ -87,7 +88,7 @@ TEST(SmartAdapter, dropsThePlaceOfACloudThatIsNotThere) {
     EXPECT_NO_THROW(SmartAdapter::atmosphericModel(parameters));
 }
 
-TEST(SmartAdapter, takesTheSeasonOfTheWinterModels) {
+TEST(SmartAdapter, TakesTheSeasonOfTheWinterModels) {
     for (int model = 1; model <= 6; ++model) {
         AtmosphereSmartParameters parameters;
         parameters.atmosphereModel = model;
@@ -95,7 +96,7 @@ TEST(SmartAdapter, takesTheSeasonOfTheWinterModels) {
     }
 }
 
-TEST(SmartAdapter, passesMeasuredWeatherOnInKelvinAndFractions) {
+TEST(SmartAdapter, PassesMeasuredWeatherOnInKelvinAndFractions) {
     AtmosphereSmartParameters parameters;
     parameters.meteoModel = 2;
     parameters.measurementHeight_m = 10.0;
@@ -112,14 +113,14 @@ TEST(SmartAdapter, passesMeasuredWeatherOnInKelvinAndFractions) {
     EXPECT_NEAR(SmartAdapter::profile(parameters).at(0.0).temperature_K, 294.2, 1e-9);
 }
 
-TEST(SmartAdapter, scalesCarbonDioxideToItsSetting) {
+TEST(SmartAdapter, ScalesCarbonDioxideToItsSetting) {
     AtmosphereSmartParameters parameters;
     EXPECT_NEAR(SmartAdapter::profile(parameters).at(0.0).fraction(Gas::CO2), 400e-6, 8e-6);
     parameters.co2_ppmv = 330.0;
     EXPECT_NEAR(SmartAdapter::profile(parameters).at(0.0).fraction(Gas::CO2), 330e-6, 7e-6);
 }
 
-TEST(SmartAdapter, setsAndScalesTheOtherGases) {
+TEST(SmartAdapter, SetsAndScalesTheOtherGases) {
     AtmosphereSmartParameters parameters;
     const Profile own = SmartAdapter::profile(parameters);
     parameters.ch4_ppmv = 2.5;
@@ -140,14 +141,15 @@ TEST(SmartAdapter, setsAndScalesTheOtherGases) {
     // More water than air can hold is not there.
     parameters.waterScale = 10.0;
     const Profile wet = SmartAdapter::profile(parameters);
-    for (const AtmosphericState& air : wet.levels())
+    for (const AtmosphericState& air : wet.levels()) {
         EXPECT_LE(relativeHumidity(air),
                   std::max(1.0 + 1e-9, relativeHumidity(own.at(air.altitude_m))));
+    }
     EXPECT_NEAR(relativeHumidity(wet.at(0.0)), 1.0, 1e-9);
     EXPECT_THROW((void)own.withScaled(Gas::O3, -1.0), LogicError);
 }
 
-TEST(SmartAdapter, leavesOutAerosolsAndKeepsClouds) {
+TEST(SmartAdapter, LeavesOutAerosolsAndKeepsClouds) {
     AtmosphereSmartParameters parameters;
     EXPECT_FALSE(SmartAdapter::atmosphericModel(parameters).particles.empty());
     parameters.aerosols = 0;
@@ -158,7 +160,7 @@ TEST(SmartAdapter, leavesOutAerosolsAndKeepsClouds) {
 
 // The report allows -40 C at measurement height but no less than -10 C at altitude 0, within 10 C
 // of it: nothing below -20 C. Altitude 0 may be as cold here.
-TEST(SmartAdapter, takesMeasurementsOfAColdDay) {
+TEST(SmartAdapter, TakesMeasurementsOfAColdDay) {
     for (const double measured_C : {-40.0, -31.0, -21.0}) {
         AtmosphereSmartParameters parameters;
         parameters.atmosphereModel = 5;
@@ -172,7 +174,7 @@ TEST(SmartAdapter, takesMeasurementsOfAColdDay) {
     }
 }
 
-TEST(SmartAdapter, takesARadiosondeAscentFromBesideTheFile) {
+TEST(SmartAdapter, TakesARadiosondeAscentFromBesideTheFile) {
     const auto folder = ownFolder();
     writtenFile(folder / "ascent.csv", "altitude [m],pressure [hPa],temperature [K],h2o [ppmv]\n"
                                        "0,1013,280,5000\n1000,898,274,4000\n5000,540,250,500\n");
@@ -185,7 +187,7 @@ TEST(SmartAdapter, takesARadiosondeAscentFromBesideTheFile) {
                 AllOf(HasSubstr("air.xml: parameter Radiosonde"), HasSubstr("other.csv")));
 }
 
-TEST(SmartAdapter, refusesParametersThatCannotBe) {
+TEST(SmartAdapter, RefusesParametersThatCannotBe) {
     AtmosphereSmartParameters parameters;
     parameters.visibility_m = std::nan("");
     parameters.resolution_per_cm = 3;
@@ -194,7 +196,7 @@ TEST(SmartAdapter, refusesParametersThatCannotBe) {
                       HasSubstr("AtmosphereSmart: Resolution: found 3 cm-1")));
 }
 
-TEST(AtmosphereSmart, answersWhatItsRadiativeTransferComputes) {
+TEST(AtmosphereSmart, AnswersWhatItsRadiativeTransferComputes) {
     const AtmosphereSmart air = smart(parametersOfBand());
     const RadiativeTransfer& transfer = air.transfer();
     const NodeSet nodes = transfer.nodesOf(band);
@@ -214,14 +216,14 @@ TEST(AtmosphereSmart, answersWhatItsRadiativeTransferComputes) {
     EXPECT_EQ(air.ambientTemperature_K(1234.0), air.air().profile.at(1234.0).temperature_K);
 }
 
-TEST(AtmosphereSmart, aPathOfNoLengthChangesNothing) {
+TEST(AtmosphereSmart, APathOfNoLengthChangesNothing) {
     const AtmosphereSmart air = smart(parametersOfBand());
     const AtmosphericPath nothing{10.0, 10.0, 0.0};
     EXPECT_EQ(air.transmittance(nothing, band).minimum(), 1.0);
     EXPECT_EQ(air.pathRadiance(nothing, day, band).maximum(), 0.0);
 }
 
-TEST(AtmosphereSmart, theGroundRadiatesAtItsTemperatureFromClose) {
+TEST(AtmosphereSmart, TheGroundRadiatesAtItsTemperatureFromClose) {
     AtmosphereSmartParameters parameters = parametersOfBand();
     parameters.groundTemperature_C = 50.0;
     parameters.albedoValues = {0.0};
@@ -231,7 +233,7 @@ TEST(AtmosphereSmart, theGroundRadiatesAtItsTemperatureFromClose) {
     EXPECT_NEAR(seen.at(band.max_um) / planckRadiance_W_m2_sr_um(band.max_um, 323.15), 1.0, 0.01);
 }
 
-TEST(AtmosphereSmart, holdsItsBaseAndNothingBeyond) {
+TEST(AtmosphereSmart, HoldsItsBaseAndNothingBeyond) {
     const AtmosphereSmart air = smart(parametersOfBand());
     EXPECT_EQ(air.base(), (SpectralRange{9.905, 9.995}));
     EXPECT_TRUE(air.accept(band, AtmosphereProperty::transmittance));
@@ -245,7 +247,7 @@ TEST(AtmosphereSmart, holdsItsBaseAndNothingBeyond) {
     EXPECT_THROW(air.backgroundRadiance({0.0, 3.0, 0.0}, day, band), InputError);
 }
 
-TEST(AtmosphereSmart, singleScatteringHasNoFluxesAndSaysWhy) {
+TEST(AtmosphereSmart, SingleScatteringHasNoFluxesAndSaysWhy) {
     AtmosphereSmartParameters parameters = parametersOfBand();
     parameters.scatteringMode = 1;
     const auto air =
@@ -263,7 +265,7 @@ TEST(AtmosphereSmart, singleScatteringHasNoFluxesAndSaysWhy) {
               HasSubstr("ScatteringMode 2")));
 }
 
-TEST(AtmosphereSmart, aBandThatTheGasTableLacksIsRefused) {
+TEST(AtmosphereSmart, ABandThatTheGasTableLacksIsRefused) {
     const AtmosphereSmart air = smart({});
     EXPECT_EQ(air.ambientTemperature_K(0.0), air.air().profile.at(0.0).temperature_K);
     const auto ask = [&] { air.transmittance({}, {3.0, 5.0}); };
@@ -271,7 +273,7 @@ TEST(AtmosphereSmart, aBandThatTheGasTableLacksIsRefused) {
     EXPECT_THAT(refusalOf(ask), HasSubstr("3 to 5 um"));
 }
 
-TEST(AtmosphereSmart, isReadFromItsFileWithRemarks) {
+TEST(AtmosphereSmart, IsReadFromItsFileWithRemarks) {
     const auto folder = ownFolder();
     const auto file = writtenFile(folder / "summer.xml", smartXml(numberXml("Visibility", "5000") +
                                                                   numberXml("AirMass", "9")));
@@ -288,12 +290,13 @@ TEST(AtmosphereSmart, isReadFromItsFileWithRemarks) {
                 HasSubstr("bad.xml: line 5, parameter AirMass: found 0, expected 1 to 10"));
 }
 
-TEST(AtmosphereSmart, theFilesThatAreShippedAreWhole) {
+TEST(AtmosphereSmart, TheFilesThatAreShippedAreWhole) {
     int files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(
              std::filesystem::path(SMAT_RESOURCES_DIR) / "atmospheres")) {
-        if (entry.path().extension() != ".xml")
+        if (entry.path().extension() != ".xml") {
             continue;
+        }
         const auto air = AtmosphereSmart::fromXml(entry.path());
         EXPECT_THAT(air->remarks(), testing::IsEmpty()) << entry.path();
         KarmaXml document = KarmaXml::read(entry.path());

@@ -26,7 +26,7 @@ const SpectralRange mwir{3.0, 5.0};
 
 } // namespace
 
-TEST(Atmosphere, acceptsWhatItSupportsIfTheBaseHoldsTheWholeRange) {
+TEST(Atmosphere, AcceptsWhatItSupportsIfTheBaseHoldsTheWholeRange) {
     const Nothing air;
     EXPECT_TRUE(air.accept({3.0, 5.0}, AtmosphereProperty::transmittance));
     EXPECT_TRUE(air.accept({3.5, 4.5}, AtmosphereProperty::transmittance));
@@ -35,7 +35,7 @@ TEST(Atmosphere, acceptsWhatItSupportsIfTheBaseHoldsTheWholeRange) {
     EXPECT_FALSE(air.accept({3.0, 5.0}, AtmosphereProperty::pathRadiance));
 }
 
-TEST(Atmosphere, beingAskedForWhatIsNotSupportedIsOurFault) {
+TEST(Atmosphere, BeingAskedForWhatIsNotSupportedIsOurFault) {
     const Nothing air;
     const SunPosition sun;
     EXPECT_THROW((void)air.transmittance({}, mwir), LogicError);
@@ -53,7 +53,7 @@ TEST(Atmosphere, beingAskedForWhatIsNotSupportedIsOurFault) {
     }
 }
 
-TEST(Atmosphere, everyPropertyHasANameOfItsOwn) {
+TEST(Atmosphere, EveryPropertyHasANameOfItsOwn) {
     std::set<std::string> names;
     for (const AtmosphereProperty property : allAtmosphereProperties) {
         EXPECT_TRUE(names.insert(name(property)).second);
@@ -61,7 +61,7 @@ TEST(Atmosphere, everyPropertyHasANameOfItsOwn) {
     EXPECT_EQ(names.size(), std::size(allAtmosphereProperties));
 }
 
-TEST(SunPosition, isUpAboveTheHorizonOnly) {
+TEST(SunPosition, IsUpAboveTheHorizonOnly) {
     EXPECT_TRUE((SunPosition{0.0, 1e-6}).isUp());
     EXPECT_FALSE((SunPosition{0.0, 0.0}).isUp());
     EXPECT_FALSE((SunPosition{0.0, -0.1}).isUp());

@@ -69,8 +69,9 @@ std::shared_ptr<const SpectraAtmosphere> measured() {
     air.sight = up;
     air.targetAltitude_m = 100.0;
     air.sun = day;
-    for (const AtmosphericQuery& question : questions())
+    for (const AtmosphericQuery& question : questions()) {
         air.spectra.emplace(question.quantity, Spectrum({3.0, 4.0, 5.0}, {0.25, 0.5, 0.75}));
+    }
     return std::make_shared<SpectraAtmosphere>(air);
 }
 

@@ -17,7 +17,7 @@ const SunPosition sun{1.0, 0.5};
 
 } // namespace
 
-TEST(AtmosphericQuery, keysDifferInWhateverTheAnswerDependsOn) {
+TEST(AtmosphericQuery, KeysDifferInWhateverTheAnswerDependsOn) {
     std::set<AtmosphericQueryKey> keys;
     const auto isNew = [&](const AtmosphericQuery& question) {
         return keys.insert(question.key(true)).second;
@@ -40,7 +40,7 @@ TEST(AtmosphericQuery, keysDifferInWhateverTheAnswerDependsOn) {
     EXPECT_FALSE(isNew(AtmosphericQuery::pathRadiance(path, sun)));
 }
 
-TEST(AtmosphericQuery, keysHoldNothingElse) {
+TEST(AtmosphericQuery, KeysHoldNothingElse) {
     AtmosphericPath turned = path;
     turned.azimuth_rad = 2.0;
     // Transmittance knows no sun and no azimuth, even if it is told.
@@ -57,7 +57,7 @@ TEST(AtmosphericQuery, keysHoldNothingElse) {
               AtmosphericQuery::solarIrradiance(5.0, {3.0, 0.5}).key(true));
 }
 
-TEST(AtmosphericQuery, theAzimuthCountsFromTheSunOnEitherSide) {
+TEST(AtmosphericQuery, TheAzimuthCountsFromTheSunOnEitherSide) {
     const auto away_rad = [](double view_rad, double sun_rad) {
         AtmosphericPath turned = path;
         turned.azimuth_rad = view_rad;
@@ -71,7 +71,7 @@ TEST(AtmosphericQuery, theAzimuthCountsFromTheSunOnEitherSide) {
     EXPECT_EQ(AtmosphericQuery::upwardFlux(0.0, {2.0, 0.5}).azimuthFromSun_rad(), 0.0);
 }
 
-TEST(AtmosphereProperty, hasOneKindOfPlace) {
+TEST(AtmosphereProperty, HasOneKindOfPlace) {
     std::map<QueryGeometry, int> counts;
     for (const AtmosphereProperty property : allAtmosphereProperties) {
         ++counts[placeOf(property)];

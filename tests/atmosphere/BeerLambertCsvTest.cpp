@@ -28,7 +28,7 @@ BeerLambert airOf(const std::string& text, const std::string& fileName = "air.cs
 
 } // namespace
 
-TEST(BeerLambertCsv, readsEverythingAFileMayHold) {
+TEST(BeerLambertCsv, ReadsEverythingAFileMayHold) {
     const BeerLambert air = airOf("# name: All of it\r\n"
                                   "# Written by hand: a test.\r\n"
                                   "# air_temperature [K]: 280\r\n"
@@ -51,7 +51,7 @@ TEST(BeerLambertCsv, readsEverythingAFileMayHold) {
     EXPECT_DOUBLE_EQ(air.parameters().skyRadiance_W_m2_sr_um->at(4.0), 0.6);
 }
 
-TEST(BeerLambertCsv, fillsWhatIsMissingFromItsTemperatures) {
+TEST(BeerLambertCsv, FillsWhatIsMissingFromItsTemperatures) {
     const BeerLambert air = airOf("# air_temperature [K]: 280\n"
                                   "# sky_temperature [K]: 250\n"
                                   "wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n",
@@ -75,12 +75,12 @@ TEST(BeerLambertCsv, fillsWhatIsMissingFromItsTemperatures) {
     EXPECT_NEAR(bare.downwardFlux(0.0, noon, mwir).at(4.0) / down, 1.0, 1e-6);
 }
 
-TEST(BeerLambertCsv, theSunCanBeSwitchedOff) {
+TEST(BeerLambertCsv, TheSunCanBeSwitchedOff) {
     const BeerLambert air = airOf("# sun: none\nwavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n");
     EXPECT_EQ(air.solarIrradiance(0.0, noon, mwir), Spectrum::constant(0.0));
 }
 
-TEST(BeerLambertCsv, theSampleHazeIsReadAndBehavesLikeOne) {
+TEST(BeerLambertCsv, TheSampleHazeIsReadAndBehavesLikeOne) {
     const BeerLambert haze =
         BeerLambert::fromCsv(SMAT_SOURCE_DIR "/resources/atmospheres/haze-23km.csv");
     EXPECT_EQ(haze.name(), "Haze 23 km (sample)");
@@ -115,7 +115,7 @@ const std::string good = header + "3,0.1\n5,0.1\n";
 
 } // namespace
 
-TEST_P(BeerLambertCsvRefuses, withFileLineValueAndExpectation) {
+TEST_P(BeerLambertCsvRefuses, WithFileLineValueAndExpectation) {
     const std::filesystem::path path =
         smat::test::writtenFile(smat::test::ownFolder() / "bad.csv", GetParam().text);
     try {
@@ -187,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"binary", good + std::string("\0\0", 2), "byte 46: found a NUL byte"}),
     [](const auto& row) { return std::string(row.param.name); });
 
-TEST(BeerLambertCsv, namesEveryDiagnosticAtOnce) {
+TEST(BeerLambertCsv, NamesEveryDiagnosticAtOnce) {
     try {
         airOf("# air_temperature [K]: x\n# sun: y\n" + header + "3,a\n2,b\n1,-1\n");
         FAIL() << "accepted";
@@ -196,6 +196,6 @@ TEST(BeerLambertCsv, namesEveryDiagnosticAtOnce) {
     }
 }
 
-TEST(BeerLambertCsv, refusesAFileThatIsNotThere) {
+TEST(BeerLambertCsv, RefusesAFileThatIsNotThere) {
     EXPECT_THROW(BeerLambert::fromCsv("no/such/air.csv"), InputError);
 }

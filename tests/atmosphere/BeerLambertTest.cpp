@@ -70,7 +70,7 @@ double worstError(const Spectrum& spectrum, const SpectralRange& range, ClosedFo
 
 } // namespace
 
-TEST(BeerLambert, transmittanceIsTheExponentialOfTheInterpolatedExtinction) {
+TEST(BeerLambert, TransmittanceIsTheExponentialOfTheInterpolatedExtinction) {
     const BeerLambert air(wavy());
     for (const double range_m : {1.0, 100.0, 5000.0, 1e7}) {
         const Spectrum tau = air.transmittance({0.0, 0.0, range_m}, mwir);
@@ -83,7 +83,7 @@ TEST(BeerLambert, transmittanceIsTheExponentialOfTheInterpolatedExtinction) {
     }
 }
 
-TEST(BeerLambert, pathRadianceIsThatOfAirWhichEmitsWhatItAbsorbs) {
+TEST(BeerLambert, PathRadianceIsThatOfAirWhichEmitsWhatItAbsorbs) {
     const BeerLambert air(wavy());
     for (const double range_m : {1e-3, 1.0, 5000.0, 1e7}) {
         const Spectrum path = air.pathRadiance({0.0, 0.0, range_m}, noon, mwir);
@@ -94,13 +94,13 @@ TEST(BeerLambert, pathRadianceIsThatOfAirWhichEmitsWhatItAbsorbs) {
     }
 }
 
-TEST(BeerLambert, atRangeZeroThereIsNoAir) {
+TEST(BeerLambert, AtRangeZeroThereIsNoAir) {
     const BeerLambert air(wavy());
     EXPECT_EQ(air.transmittance({}, mwir), Spectrum::constant(1.0));
     EXPECT_EQ(air.pathRadiance({}, noon, mwir), Spectrum::constant(0.0));
 }
 
-TEST(BeerLambert, opaqueBandsRadiateAtAirTemperature) {
+TEST(BeerLambert, OpaqueBandsRadiateAtAirTemperature) {
     const BeerLambert air(wavy());
     const AtmosphericPath path{0.0, 0.0, 100.0};
     const Spectrum tau = air.transmittance(path, mwir);
@@ -111,7 +111,7 @@ TEST(BeerLambert, opaqueBandsRadiateAtAirTemperature) {
     }
 }
 
-TEST(BeerLambert, anIsothermalEnclosureHidesEverything) {
+TEST(BeerLambert, AnIsothermalEnclosureHidesEverything) {
     // Air, sky and ground at one temperature: what a black body sends through any piece of the
     // path, with the radiance of that piece, is the black body again.
     BeerLambertParameters parameters = wavy();
@@ -136,7 +136,7 @@ TEST(BeerLambert, anIsothermalEnclosureHidesEverything) {
     }
 }
 
-TEST(BeerLambert, aLayerCutInTwoChangesNothing) {
+TEST(BeerLambert, ALayerCutInTwoChangesNothing) {
     const BeerLambert air(wavy());
     const Spectrum first = air.transmittance({0.0, 0.0, 700.0}, mwir);
     const Spectrum second = air.transmittance({0.0, 0.0, 1300.0}, mwir);
@@ -152,7 +152,7 @@ TEST(BeerLambert, aLayerCutInTwoChangesNothing) {
     }
 }
 
-TEST(BeerLambert, aDownwardLineOfSightEndsOnTheGroundAfterItsWayThroughTheAir) {
+TEST(BeerLambert, ADownwardLineOfSightEndsOnTheGroundAfterItsWayThroughTheAir) {
     const BeerLambert air(wavy());
     for (const double elevation_deg : {-90.0, -30.0, -1.0}) {
         const double way_m = 800.0 / std::sin(radians(-elevation_deg));
@@ -169,7 +169,7 @@ TEST(BeerLambert, aDownwardLineOfSightEndsOnTheGroundAfterItsWayThroughTheAir) {
     EXPECT_NEAR(ground.at(4.1) / planck(4.1, 295.0), 1.0, 2.0 * airTolerance);
 }
 
-TEST(BeerLambert, aLineOfSightThatNeverEndsSeesOpaqueAirOrTheSkyThroughTheClearWindow) {
+TEST(BeerLambert, ALineOfSightThatNeverEndsSeesOpaqueAirOrTheSkyThroughTheClearWindow) {
     BeerLambertParameters parameters = wavy();
     for (const double elevation_rad : {0.0, 0.2, 0.5 * pi}) {
         const Spectrum dark =
@@ -186,14 +186,14 @@ TEST(BeerLambert, aLineOfSightThatNeverEndsSeesOpaqueAirOrTheSkyThroughTheClearW
     EXPECT_NEAR(seen.at(4.1) / planck(4.1, 285.0), 1.0, 2.0 * airTolerance);
 }
 
-TEST(BeerLambert, anExtinctionThatTouchesZeroAtOneNodeIsOpaqueInTheEnd) {
+TEST(BeerLambert, AnExtinctionThatTouchesZeroAtOneNodeIsOpaqueInTheEnd) {
     BeerLambertParameters parameters = wavy();
     parameters.extinction_per_m = Spectrum({2.5, 4.0, 6.0}, {1e-3, 0.0, 1e-3});
     const Spectrum seen = BeerLambert(parameters).backgroundRadiance({}, noon, mwir);
     EXPECT_NEAR(seen.at(4.0) / planck(4.0, 285.0), 1.0, 2.0 * airTolerance);
 }
 
-TEST(BeerLambert, sunFluxesAndTemperatureDoNotChangeWithAltitude) {
+TEST(BeerLambert, SunFluxesAndTemperatureDoNotChangeWithAltitude) {
     const BeerLambert air(wavy());
     for (const double altitude_m : {0.0, 1000.0, 2e4}) {
         EXPECT_EQ(air.solarIrradiance(altitude_m, noon, mwir),
@@ -204,7 +204,7 @@ TEST(BeerLambert, sunFluxesAndTemperatureDoNotChangeWithAltitude) {
     }
 }
 
-TEST(BeerLambert, sunIsHalfOnTheHorizonAndZeroBelowIt) {
+TEST(BeerLambert, SunIsHalfOnTheHorizonAndZeroBelowIt) {
     const BeerLambert air(wavy());
     const Spectrum half = air.solarIrradiance(0.0, {0.0, 0.0}, mwir);
     EXPECT_DOUBLE_EQ(half.at(4.0), 0.5 * air.parameters().solarIrradiance_W_m2_um.at(4.0));
@@ -214,7 +214,7 @@ TEST(BeerLambert, sunIsHalfOnTheHorizonAndZeroBelowIt) {
               air.parameters().solarIrradiance_W_m2_um);
 }
 
-TEST(BeerLambert, ofConstantExtinctionHoldsTheWholeSpectrum) {
+TEST(BeerLambert, OfConstantExtinctionHoldsTheWholeSpectrum) {
     BeerLambertParameters parameters;
     parameters.extinction_per_m = Spectrum::constant(1e-3);
     const BeerLambert air(parameters);
@@ -228,7 +228,7 @@ TEST(BeerLambert, ofConstantExtinctionHoldsTheWholeSpectrum) {
     }
 }
 
-TEST(BeerLambert, withoutExtinctionIsAVacuumOverGround) {
+TEST(BeerLambert, WithoutExtinctionIsAVacuumOverGround) {
     const BeerLambert air(BeerLambertParameters{});
     EXPECT_EQ(air.transmittance({0.0, 0.0, 1e7}, mwir), Spectrum::constant(1.0));
     EXPECT_EQ(air.pathRadiance({0.0, 0.0, 1e7}, noon, mwir).maximum(), 0.0);
@@ -236,7 +236,7 @@ TEST(BeerLambert, withoutExtinctionIsAVacuumOverGround) {
     EXPECT_EQ(air.solarIrradiance(0.0, noon, mwir), Spectrum::constant(0.0));
 }
 
-TEST(BeerLambert, baseIsWhatAllItsSpectraCover) {
+TEST(BeerLambert, BaseIsWhatAllItsSpectraCover) {
     BeerLambertParameters parameters = wavy();
     parameters.downwardFlux_W_m2_um = Spectrum({3.5, 9.0}, {1.0, 1.0});
     EXPECT_EQ(BeerLambert(parameters).base(), (SpectralRange{3.5, 6.0}));
@@ -255,7 +255,7 @@ class BeerLambertRefuses : public testing::TestWithParam<BadParameters> {};
 
 } // namespace
 
-TEST_P(BeerLambertRefuses, byName) {
+TEST_P(BeerLambertRefuses, ByName) {
     BeerLambertParameters parameters = wavy();
     GetParam().spoil(parameters);
     try {

@@ -13,8 +13,9 @@ using smat::test::TemporaryFolder;
 
 std::size_t filesIn(const fs::path& folder) {
     std::size_t count = 0;
-    for (const auto& entry : fs::directory_iterator(folder))
+    for (const auto& entry : fs::directory_iterator(folder)) {
         count += entry.is_regular_file();
+    }
     return count;
 }
 
@@ -22,7 +23,7 @@ fs::path onlyFile(const fs::path& folder) {
     return fs::directory_iterator(folder)->path();
 }
 
-TEST(CkStore, givesBackWhatWasKeptUnderTheSameKey) {
+TEST(CkStore, GivesBackWhatWasKeptUnderTheSameKey) {
     const TemporaryFolder folder;
     const CkStore store(folder.path() / "not" / "there");
     const std::string key = CkKey().add(0.1).add("air").text();
@@ -35,12 +36,12 @@ TEST(CkStore, givesBackWhatWasKeptUnderTheSameKey) {
     EXPECT_EQ(store.find(key), "other");
 }
 
-TEST(CkStore, keysTellNumbersAndTextsApart) {
+TEST(CkStore, KeysTellNumbersAndTextsApart) {
     EXPECT_NE(CkKey().add("1").add("2").text(), CkKey().add("1 2").text());
     EXPECT_NE(CkKey().add(0.1).text(), CkKey().add(0.1 * (1.0 + 1e-15)).text());
 }
 
-TEST(CkStore, whatIsDamagedIsNotThere) {
+TEST(CkStore, WhatIsDamagedIsNotThere) {
     const TemporaryFolder folder;
     const CkStore store(folder.path());
     store.keep("key", "terms");
@@ -54,15 +55,17 @@ TEST(CkStore, whatIsDamagedIsNotThere) {
     EXPECT_EQ(store.find("key"), "terms");
 }
 
-TEST(CkStore, forgetsWhatWasNotUsedForTheLongestTime) {
+TEST(CkStore, ForgetsWhatWasNotUsedForTheLongestTime) {
     const TemporaryFolder folder;
     const CkStore store(folder.path(), 4000);
     const auto now = fs::file_time_type::clock::now();
     for (int i = 0; i < 8; ++i) {
         store.keep("key " + std::to_string(i), std::string(900, 'x'));
-        for (const auto& entry : fs::directory_iterator(folder.path()))
-            if (entry.last_write_time() > now - std::chrono::seconds(1))
+        for (const auto& entry : fs::directory_iterator(folder.path())) {
+            if (entry.last_write_time() > now - std::chrono::seconds(1)) {
                 fs::last_write_time(entry, now - std::chrono::hours(20 - i));
+            }
+        }
         (void)store.find("key 0"); // used again and again
     }
     EXPECT_LE(filesIn(folder.path()), 4u);
@@ -71,7 +74,7 @@ TEST(CkStore, forgetsWhatWasNotUsedForTheLongestTime) {
     EXPECT_TRUE(store.find("key 7"));
 }
 
-TEST(CkStore, aFolderThatCannotBeWrittenIsNoFault) {
+TEST(CkStore, AFolderThatCannotBeWrittenIsNoFault) {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "file") << "no folder";
     const CkStore store(folder.path() / "file" / "below");

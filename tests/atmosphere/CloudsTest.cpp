@@ -29,9 +29,10 @@ std::vector<ParticleLayer> layersOf(const ParticleSettings& settings) {
 
 double column(const ParticleLayer& layer) {
     double sum = 0.0;
-    for (std::size_t i = 1; i < layer.altitudes_m.size(); ++i)
+    for (std::size_t i = 1; i < layer.altitudes_m.size(); ++i) {
         sum += 0.5 * (layer.extinction550_per_m[i] + layer.extinction550_per_m[i - 1]) *
                (layer.altitudes_m[i] - layer.altitudes_m[i - 1]);
+    }
     return sum;
 }
 
@@ -45,7 +46,7 @@ const std::vector<Own> own = {{1, 660, 2340, 1},  {2, 2400, 600, 1},    {3, 330,
                               {7, 160, 500, 2},   {8, 160, 500, 2},     {9, 660, 2340, 2},
                               {10, 660, 2340, 2}, {18, 10000, 1000, 1}, {19, 10000, 200, 1}};
 
-TEST(Clouds, lieWhereTheModelsSay) {
+TEST(Clouds, LieWhereTheModelsSay) {
     for (const Own& row : own) {
         const particles::CloudPlace place = particles::cloudPlace(cloud(row.model));
         EXPECT_NEAR(place.base_m, row.base_m, 1e-9) << row.model;
@@ -55,12 +56,12 @@ TEST(Clouds, lieWhereTheModelsSay) {
     EXPECT_TRUE(layersOf(cloud(0)).empty());
 }
 
-TEST(Clouds, standardCirrusHasAnOpticalDepthOf014ForOneKilometre) {
+TEST(Clouds, StandardCirrusHasAnOpticalDepthOf014ForOneKilometre) {
     EXPECT_NEAR(column(layersOf(cloud(18)).front()), 0.14, 1e-12);
     EXPECT_NEAR(column(layersOf(cloud(19)).front()), 0.14 * 0.2 * 0.2, 1e-12);
 }
 
-TEST(Clouds, cirrusLieLowerInColdAir) {
+TEST(Clouds, CirrusLieLowerInColdAir) {
     const std::vector<std::pair<ModelAtmosphere, double>> bases = {
         {ModelAtmosphere::tropical, 11e3},         {ModelAtmosphere::midlatitudeSummer, 10e3},
         {ModelAtmosphere::midlatitudeWinter, 8e3}, {ModelAtmosphere::subarcticSummer, 7e3},
@@ -72,20 +73,21 @@ TEST(Clouds, cirrusLieLowerInColdAir) {
     }
 }
 
-TEST(Clouds, cumulusIsAsDenseAsItsWaterContent) {
+TEST(Clouds, CumulusIsAsDenseAsItsWaterContent) {
     // 1 g m-3 at 0.007683 g m-3 per km-1.
     EXPECT_NEAR(layersOf(cloud(1)).front().extinction550At(1500.0), 1e-3 / 0.007683, 1e-8);
     EXPECT_NEAR(layersOf(cloud(3)).front().extinction550At(660.0), 0.3e-3 / 0.005272, 1e-8);
 }
 
-TEST(Clouds, haveTheOpticalDepthOfTheirWater) {
+TEST(Clouds, HaveTheOpticalDepthOfTheirWater) {
     const std::vector<std::pair<int, double>> depths = {
         {1, 208.5}, {2, 47.4}, {3, 29.0}, {4, 43.7}, {5, 34.3}};
-    for (const auto& [model, depth] : depths)
+    for (const auto& [model, depth] : depths) {
         EXPECT_NEAR(column(layersOf(cloud(model)).front()), depth, 0.06) << model;
+    }
 }
 
-TEST(Clouds, theOpticalDepthIsTheVerticalExtinctionTimesTheThickness) {
+TEST(Clouds, TheOpticalDepthIsTheVerticalExtinctionTimesTheThickness) {
     for (const Own& row : own) {
         ParticleSettings wanted = cloud(row.model);
         wanted.cloudExtinction_per_m = 0.02;
@@ -96,7 +98,7 @@ TEST(Clouds, theOpticalDepthIsTheVerticalExtinctionTimesTheThickness) {
     }
 }
 
-TEST(Clouds, moveWithTheirBaseAndStretchWithTheirThickness) {
+TEST(Clouds, MoveWithTheirBaseAndStretchWithTheirThickness) {
     for (const int model : {1, 2, 3, 4, 5}) {
         const ParticleLayer still = layersOf(cloud(model)).front();
         ParticleSettings moved = cloud(model);
@@ -104,15 +106,16 @@ TEST(Clouds, moveWithTheirBaseAndStretchWithTheirThickness) {
         moved.cloudBase_m = place.ownBase_m + 1000.0;
         moved.cloudThickness_m = 2.0 * place.ownThickness_m;
         const ParticleLayer other = layersOf(moved).front();
-        for (const double part : {0.0, 0.2, 0.5, 0.77, 1.0})
+        for (const double part : {0.0, 0.2, 0.5, 0.77, 1.0}) {
             EXPECT_NEAR(other.extinction550At(moved.cloudBase_m + part * moved.cloudThickness_m),
                         still.extinction550At(place.ownBase_m + part * place.ownThickness_m),
                         1e-12);
+        }
         EXPECT_NEAR(column(other) / column(still), 2.0, 1e-9);
     }
 }
 
-TEST(Clouds, endInsideTheirEdges) {
+TEST(Clouds, EndInsideTheirEdges) {
     for (const Own& row : own) {
         const ParticleLayer layer = layersOf(cloud(row.model)).front();
         EXPECT_EQ(layer.extinction550_per_m.front(), 0.0);
@@ -120,14 +123,15 @@ TEST(Clouds, endInsideTheirEdges) {
         EXPECT_GT(layer.extinction550At(row.base_m), 0.0);
         EXPECT_EQ(layer.extinction550At(row.base_m - 0.11 * row.thickness_m), 0.0);
         EXPECT_EQ(layer.extinction550At(row.base_m + 1.11 * row.thickness_m), 0.0);
-        for (std::size_t i = 1; i < layer.altitudes_m.size(); ++i)
+        for (std::size_t i = 1; i < layer.altitudes_m.size(); ++i) {
             EXPECT_LT(layer.altitudes_m[i - 1], layer.altitudes_m[i]);
+        }
     }
 }
 
-TEST(Clouds, opticsArePossibleAtEveryWavelength) {
-    for (const Own& row : own)
-        for (const ParticleLayer& layer : layersOf(cloud(row.model)))
+TEST(Clouds, OpticsArePossibleAtEveryWavelength) {
+    for (const Own& row : own) {
+        for (const ParticleLayer& layer : layersOf(cloud(row.model))) {
             for (double um = 0.15; um < 60.0; um *= 1.01) {
                 const ParticleOptics optics = layer.opticsAt(um);
                 ASSERT_GT(optics.extinction, 0.0);
@@ -136,9 +140,11 @@ TEST(Clouds, opticsArePossibleAtEveryWavelength) {
                 ASSERT_GE(optics.asymmetry, 0.0);
                 ASSERT_LT(optics.asymmetry, 1.0);
             }
+        }
+    }
 }
 
-TEST(Clouds, rainIsThatOfMarshallAndPalmer) {
+TEST(Clouds, RainIsThatOfMarshallAndPalmer) {
     const std::vector<std::pair<int, double>> atGround = {
         {6, 0.564335}, {7, 1.00517}, {8, 1.79037}, {9, 2.77071}, {10, 5.53576}};
     for (const auto& [model, extinction_per_km] : atGround) {
@@ -151,7 +157,7 @@ TEST(Clouds, rainIsThatOfMarshallAndPalmer) {
     }
 }
 
-TEST(Clouds, rainFallsFromItsCloudToTheGroundWhereverTheCloudIs) {
+TEST(Clouds, RainFallsFromItsCloudToTheGroundWhereverTheCloudIs) {
     for (const double base_m : {0.0, 500.0, 3000.0}) {
         ParticleSettings wanted = cloud(9);
         wanted.cloudBase_m = base_m;
@@ -168,7 +174,7 @@ TEST(Clouds, rainFallsFromItsCloudToTheGroundWhereverTheCloudIs) {
     }
 }
 
-TEST(Clouds, rainStretchesWithTheGapBelowItsCloud) {
+TEST(Clouds, RainStretchesWithTheGapBelowItsCloud) {
     // Half way up to the base the table has 17.5 mm/h at 330 m.
     ParticleSettings wanted = cloud(9);
     wanted.cloudBase_m = 3000.0;
@@ -176,7 +182,7 @@ TEST(Clouds, rainStretchesWithTheGapBelowItsCloud) {
                 1e-9);
 }
 
-TEST(Clouds, doNotChangeTheAerosolTheyFloatIn) {
+TEST(Clouds, DoNotChangeTheAerosolTheyFloatIn) {
     ParticleSettings with = cloud(3);
     with.aerosol = AerosolModel::urban;
     ParticleSettings without = with;
@@ -184,8 +190,9 @@ TEST(Clouds, doNotChangeTheAerosolTheyFloatIn) {
     const auto both = layersOf(with);
     const auto haze = layersOf(without);
     ASSERT_EQ(both.size(), haze.size() + 1);
-    for (std::size_t i = 0; i < haze.size(); ++i)
+    for (std::size_t i = 0; i < haze.size(); ++i) {
         EXPECT_EQ(both[i].extinction550_per_m, haze[i].extinction550_per_m);
+    }
 }
 
 struct BadSettings {
@@ -258,7 +265,7 @@ const std::vector<BadSettings> badSettings = {
     {"atmosphere 7", "AtmosphereModel",
      [](S& s) { s.atmosphere = static_cast<ModelAtmosphere>(7); }}};
 
-TEST(ParticleSettings, eachThatIsOutOfRangeIsNamed) {
+TEST(ParticleSettings, EachThatIsOutOfRangeIsNamed) {
     for (const BadSettings& bad : badSettings) {
         ParticleSettings settings;
         bad.spoil(settings);
@@ -273,7 +280,7 @@ TEST(ParticleSettings, eachThatIsOutOfRangeIsNamed) {
     }
 }
 
-TEST(ParticleSettings, allDiagnosticsComeAtOnce) {
+TEST(ParticleSettings, AllDiagnosticsComeAtOnce) {
     ParticleSettings settings;
     settings.visibility_m = -3.0;
     settings.airMass = 0;
@@ -288,7 +295,7 @@ TEST(ParticleSettings, allDiagnosticsComeAtOnce) {
     }
 }
 
-TEST(ParticleSettings, theEndsOfTheRangesAreAccepted) {
+TEST(ParticleSettings, TheEndsOfTheRangesAreAccepted) {
     ParticleSettings settings;
     settings.aerosol = AerosolModel::navyMaritime;
     settings.airMass = 10;

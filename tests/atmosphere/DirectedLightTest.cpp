@@ -33,7 +33,7 @@ double azimuthAt(double angle_rad, double sightElevation_rad, double sunElevatio
 } // namespace
 
 // What is seen to space is what is seen to any place on the way and from there on.
-TEST(LightOfThePath, withTheSkyBeyondTheTargetIsTheSky) {
+TEST(LightOfThePath, WithTheSkyBeyondTheTargetIsTheSky) {
     for (const int scattering : {1, 2}) {
         const AtmosphereSmart air = hazyAir(2, scattering);
         const RadiativeTransfer& transfer = air.transfer();
@@ -55,16 +55,18 @@ TEST(LightOfThePath, withTheSkyBeyondTheTargetIsTheSky) {
                 for (const RaySegment& segment : ray.segments) {
                     range_m += segment.length_m;
                     sine = segment.sinElevation;
-                    if (segment.endAltitude_m >= altitude_m - 1e-6)
+                    if (segment.endAltitude_m >= altitude_m - 1e-6) {
                         break;
+                    }
                 }
                 const AtmosphericPath path{200.0, altitude_m, range_m, azimuth_rad};
                 const std::vector<double> through = transfer.transmittance(nodes, path);
                 const std::vector<double> beyond = transfer.backgroundRadiance(
                     nodes, {altitude_m, std::asin(sine), azimuth_rad}, sun);
                 std::vector<double> seen = transfer.pathRadiance(nodes, path, sun);
-                for (std::size_t i = 0; i < seen.size(); ++i)
+                for (std::size_t i = 0; i < seen.size(); ++i) {
                     seen[i] += through[i] * beyond[i];
+                }
                 EXPECT_NEAR(sumOf(seen) / sumOf(transfer.backgroundRadiance(nodes, sight, sun)),
                             1.0, 5e-3)
                     << scattering << " " << range.min_um << " um, " << angle_deg << " deg";
@@ -73,7 +75,7 @@ TEST(LightOfThePath, withTheSkyBeyondTheTargetIsTheSky) {
     }
 }
 
-TEST(LightOfThePath, isBrightestTowardsTheSunAndAlikeOnBothSides) {
+TEST(LightOfThePath, IsBrightestTowardsTheSunAndAlikeOnBothSides) {
     const AtmosphereSmart air = hazyAir();
     const SpectralRange range{0.85, 0.9};
     const SunPosition sun{1.0, 0.3};
@@ -91,12 +93,12 @@ TEST(LightOfThePath, isBrightestTowardsTheSunAndAlikeOnBothSides) {
               air.pathRadiance({100.0, 100.0, 5000.0, 2.0}, night, range));
 }
 
-TEST(LightOfThePath, isTheSameFromTablesAtEveryAzimuth) {
+TEST(LightOfThePath, IsTheSameFromTablesAtEveryAzimuth) {
     const AtmosphereSmart fly = hazyAir(2), table = hazyAir(1);
     const NodeSet nodes = fly.transfer().nodesOf({2.1, 2.2});
     const PathTables tables(table.transfer(), nodes);
     const SunPosition sun{1.0, 0.4};
-    for (double range_m = 2000.0; range_m < 6000.0; range_m += 370.0)
+    for (double range_m = 2000.0; range_m < 6000.0; range_m += 370.0) {
         for (const double azimuth_rad : {1.05, 2.5}) {
             const AtmosphericPath path{100.0, 900.0, range_m, azimuth_rad};
             EXPECT_NEAR(sumOf(tables.pathRadiance(path, sun)) /
@@ -107,8 +109,10 @@ TEST(LightOfThePath, isTheSameFromTablesAtEveryAzimuth) {
                             sumOf(fly.transfer().backgroundRadiance(nodes, sight, sun)),
                         1.0, 2e-3);
         }
+    }
     const std::size_t evaluations = tables.evaluations();
-    for (double azimuth_rad = 0.0; azimuth_rad < 6.0; azimuth_rad += 0.1)
+    for (double azimuth_rad = 0.0; azimuth_rad < 6.0; azimuth_rad += 0.1) {
         (void)tables.pathRadiance({100.0, 900.0, 3110.0, azimuth_rad}, sun);
+    }
     EXPECT_EQ(tables.evaluations(), evaluations) << "another azimuth costs no radiative transfer";
 }

@@ -82,7 +82,7 @@ std::string refusal(Act&& act) {
 
 } // namespace
 
-TEST(Environment, theFirstOfTwoOverlappingAtmospheresAnswersAndTheOrderDecides) {
+TEST(Environment, TheFirstOfTwoOverlappingAtmospheresAnswersAndTheOrderDecides) {
     const auto thin = air("thin", {2.0, 6.0}, 1e-5, 280.0);
     const auto thick = air("thick", {3.0, 12.0}, 1e-3, 300.0);
     Environment environment;
@@ -109,7 +109,7 @@ TEST(Environment, theFirstOfTwoOverlappingAtmospheresAnswersAndTheOrderDecides) 
     EXPECT_EQ(transmittance(swapped, path, {2.0, 2.5}).answeredBy, "thin");
 }
 
-TEST(Environment, aBandOneNanometreTooWideIsRefusedByNameAndReason) {
+TEST(Environment, ABandOneNanometreTooWideIsRefusedByNameAndReason) {
     Environment environment;
     environment.add(air("first", {3.0, 5.0}, 1e-5));
     environment.add(air("second", {2.9, 4.9}, 1e-5));
@@ -126,7 +126,7 @@ TEST(Environment, aBandOneNanometreTooWideIsRefusedByNameAndReason) {
                 HasSubstr("upward flux over 3-5.001 um"));
 }
 
-TEST(Environment, saysWhichQuantityAnAtmosphereLacks) {
+TEST(Environment, SaysWhichQuantityAnAtmosphereLacks) {
     Environment environment = Environment::vacuum();
     environment.defaultAmbient_K.reset();
     EXPECT_THAT(
@@ -134,7 +134,7 @@ TEST(Environment, saysWhichQuantityAnAtmosphereLacks) {
         AllOf(HasSubstr("ambient temperature"), HasSubstr("vacuum (has no ambient temperature)")));
 }
 
-TEST(Environment, withoutAtmospheresRefusesAllButItsDefaults) {
+TEST(Environment, WithoutAtmospheresRefusesAllButItsDefaults) {
     Environment environment;
     EXPECT_THAT(refusal([&] { (void)transmittance(environment, {}, mwir); }),
                 HasSubstr("found no atmosphere"));
@@ -148,7 +148,7 @@ TEST(Environment, withoutAtmospheresRefusesAllButItsDefaults) {
     EXPECT_THROW(environment.add(nullptr), LogicError);
 }
 
-TEST(Environment, prefersAnAtmosphereToItsDefaults) {
+TEST(Environment, PrefersAnAtmosphereToItsDefaults) {
     Environment environment;
     environment.defaultBackground = Spectrum::constant(1.5);
     environment.add(air("haze", {3.0, 5.0}, 1e-5, 270.0));
@@ -157,7 +157,7 @@ TEST(Environment, prefersAnAtmosphereToItsDefaults) {
     EXPECT_EQ(backgroundRadiance(environment, {}, {3.0, 5.1}).answeredBy, "default");
 }
 
-TEST(Environment, sunBelowTheHorizonIsExactlyZeroWhoeverAnswers) {
+TEST(Environment, SunBelowTheHorizonIsExactlyZeroWhoeverAnswers) {
     Environment environment;
     environment.add(std::make_shared<MidnightSun>());
     environment.sun = {0.0, 0.2};
@@ -169,7 +169,7 @@ TEST(Environment, sunBelowTheHorizonIsExactlyZeroWhoeverAnswers) {
     }
 }
 
-TEST(Environment, ofVacuumAnswersEverySpectralQuantity) {
+TEST(Environment, OfVacuumAnswersEverySpectralQuantity) {
     const Environment environment = Environment::vacuum();
     EXPECT_EQ(transmittance(environment, {0.0, 0.0, 1e7}, mwir).value, Spectrum::constant(1.0));
     EXPECT_EQ(pathRadiance(environment, {}, mwir).value, Spectrum::constant(0.0));

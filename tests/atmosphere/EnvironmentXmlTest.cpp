@@ -23,10 +23,11 @@ EnvironmentReading readOf(const std::string& inside) {
     return environmentFromKarma(KarmaXml::parse(environmentXml(inside), "world.xml"));
 }
 
-TEST(EnvironmentXml, theFileOfTheReportIsReadAndComesBackEqual) {
+TEST(EnvironmentXml, TheFileOfTheReportIsReadAndComesBackEqual) {
     const auto file = smat::test::sharedMaterial("data/karma/Environment.xml");
-    if (file.empty())
+    if (file.empty()) {
         GTEST_SKIP() << "the KARMA files of the shared material are not here";
+    }
     KarmaXml document = KarmaXml::read(file);
     const EnvironmentReading reading = environmentFromKarma(document);
     const EnvironmentParameters& parameters = reading.parameters;
@@ -46,7 +47,7 @@ TEST(EnvironmentXml, theFileOfTheReportIsReadAndComesBackEqual) {
     EXPECT_EQ(loaded.environment.atmospheres()[0]->name(), "AtmosphereSmart (AtmosphereSmart.xml)");
 }
 
-TEST(EnvironmentXml, whatIsWrittenIsReadBackEqual) {
+TEST(EnvironmentXml, WhatIsWrittenIsReadBackEqual) {
     EnvironmentParameters parameters;
     parameters.sun = {1.25, -0.5};
     parameters.background = Spectrum({3.0, 4.1, 5.0}, {0.05, 0.3, 1.2}, Spectrum::Outside::zero);
@@ -67,7 +68,7 @@ TEST(EnvironmentXml, whatIsWrittenIsReadBackEqual) {
     EXPECT_THAT(document.text(), testing::Not(HasSubstr("BackgroundRadiance")));
 }
 
-TEST(EnvironmentXml, atmospheresAreAskedByPriority) {
+TEST(EnvironmentXml, AtmospheresAreAskedByPriority) {
     const auto folder = ownFolder();
     writtenFile(folder / "sub" / "haze.csv", haze);
     writtenFile(folder / "summer.xml", smartXml(""));
@@ -87,7 +88,7 @@ TEST(EnvironmentXml, atmospheresAreAskedByPriority) {
               "AtmosphereSmart (summer.xml)");
 }
 
-TEST(EnvironmentXml, theDefaultBackgroundAnswersWhereNoAtmosphereDoes) {
+TEST(EnvironmentXml, TheDefaultBackgroundAnswersWhereNoAtmosphereDoes) {
     const auto file = writtenFile(ownFolder() / "world.xml",
                                   environmentXml(vectorXml("BackgroundRadianceWavelengths", "3 5") +
                                                  vectorXml("BackgroundRadianceValues", "1 3")));
@@ -101,7 +102,7 @@ TEST(EnvironmentXml, theDefaultBackgroundAnswersWhereNoAtmosphereDoes) {
     EXPECT_THAT(loaded.remarks, Contains("no composition: no atmosphere"));
 }
 
-TEST(EnvironmentXml, isToldFromOtherFiles) {
+TEST(EnvironmentXml, IsToldFromOtherFiles) {
     const auto folder = ownFolder();
     const auto world = writtenFile(folder / "world.xml", "\n " + environmentXml("").substr(39));
     EXPECT_TRUE(isEnvironmentXml(world));
@@ -121,7 +122,7 @@ TEST(EnvironmentXml, isToldFromOtherFiles) {
                 AllOf(HasSubstr("/Sensor'"), HasSubstr("/AtmosphereSmart")));
 }
 
-TEST(EnvironmentXml, faultsOfAllFilesAreToldTogether) {
+TEST(EnvironmentXml, FaultsOfAllFilesAreToldTogether) {
     const auto folder = ownFolder();
     writtenFile(folder / "bad.xml", smartXml(numberXml("AirMass", "0")));
     writtenFile(folder / "world.xml",
@@ -143,11 +144,12 @@ void PrintTo(const BadEnvironment& row, std::ostream* stream) {
 
 class BadEnvironmentXml : public testing::TestWithParam<BadEnvironment> {};
 
-TEST_P(BadEnvironmentXml, isRefusedByName) {
+TEST_P(BadEnvironmentXml, IsRefusedByName) {
     const std::string message = refusalOf([] { readOf(GetParam().inside); });
     EXPECT_THAT(message, HasSubstr("world.xml: line 5"));
-    for (const char* words : GetParam().says)
+    for (const char* words : GetParam().says) {
         EXPECT_THAT(message, HasSubstr(words));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -187,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(
                                    {"composite C", "'other.xml'", "none"}}),
     [](const auto& row) { return row.param.name; });
 
-TEST(EnvironmentXml, aBackgroundOfOtherNumberOrBelowZeroIsRefused) {
+TEST(EnvironmentXml, ABackgroundOfOtherNumberOrBelowZeroIsRefused) {
     EXPECT_THAT(refusalOf([] {
                     readOf(vectorXml("BackgroundRadianceWavelengths", "3 4 5") +
                            vectorXml("BackgroundRadianceValues", "1 -2"));

@@ -26,14 +26,17 @@ std::vector<float> block(Gas gas, double offset) {
     const GasTable::Grid shape = grid();
     std::vector<float> values;
     auto rows = [&](std::size_t count, double shift) {
-        for (std::size_t i = 0; i < count; ++i)
-            for (const double T : shape.temperatures_K)
+        for (std::size_t i = 0; i < count; ++i) {
+            for (const double T : shape.temperatures_K) {
                 values.push_back(static_cast<float>(
                     lnCross(std::log(shape.pressures_hPa[i]), T, offset + shift)));
+            }
+        }
     };
     rows(shape.pressures_hPa.size(), 0.0);
-    if (gas == Gas::H2O)
+    if (gas == Gas::H2O) {
         rows(shape.moistPressures, 0.5);
+    }
     return values;
 }
 
@@ -63,7 +66,7 @@ AtmosphericState air(double pressure_hPa, double temperature_K, double water,
     return state;
 }
 
-TEST(GasTable, interpolatesALogarithmThatIsLinearExactly) {
+TEST(GasTable, InterpolatesALogarithmThatIsLinearExactly) {
     const AtmosphericState state = air(432.1, 277.7, 0.0, 4e-4);
     const double expected = std::exp(lnCross(std::log(432.1), 277.7, 1.0));
     EXPECT_NEAR(table().crossSection_cm2(1, Gas::CO2, state) / expected, 1.0, 1e-3);
@@ -71,32 +74,34 @@ TEST(GasTable, interpolatesALogarithmThatIsLinearExactly) {
     EXPECT_EQ(table().crossSection_cm2(1, Gas::O3, state), 0.0);
 }
 
-TEST(GasTable, broadensWaterInProportionToItsFraction) {
+TEST(GasTable, BroadensWaterInProportionToItsFraction) {
     const AtmosphericState state = air(700.0, 290.0, 0.02, 0.0);
     const double expected = std::exp(lnCross(std::log(700.0), 290.0, 0.25));
     EXPECT_NEAR(table().crossSection_cm2(0, Gas::H2O, state) / expected, 1.0, 1e-3);
 }
 
-TEST(GasTable, addsTheGasesOfANode) {
+TEST(GasTable, AddsTheGasesOfANode) {
     const AtmosphericState state = air(700.0, 290.0, 0.02, 4e-4);
     const std::vector<std::uint32_t> nodes{2, 0, 1};
     std::vector<float> absorption(3, -1.0f);
     table().absorption_per_m(state, nodes, absorption);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         double expected = 0.0;
-        for (const Gas gas : {Gas::H2O, Gas::CO2})
+        for (const Gas gas : {Gas::H2O, Gas::CO2}) {
             expected +=
                 table().crossSection_cm2(nodes[i], gas, state) * 1e-4 * state.density_per_m3(gas);
+        }
         EXPECT_NEAR(absorption[i] / expected, 1.0, 1e-5) << i;
     }
 }
 
-TEST(NodeAbsorption, isThatOfTheTableForEveryStateInAnyOrder) {
+TEST(NodeAbsorption, IsThatOfTheTableForEveryStateInAnyOrder) {
     const GasTable gases = table();
     // More nodes than are summed at a time, and each of them often.
     std::vector<std::uint32_t> nodes;
-    for (std::uint32_t i = 0; i < 1100; ++i)
+    for (std::uint32_t i = 0; i < 1100; ++i) {
         nodes.push_back((i * i + i / 3) % 3);
+    }
     const NodeAbsorption absorption(gases, nodes);
     const AtmosphericState states[] = {air(700.0, 290.0, 0.02, 4e-4), air(20.0, 200.0, 0.0, 4e-4),
                                        air(700.0, 290.0, 0.02, 4e-4), air(1e-3, 350.0, 1e-6, 0.0)};
@@ -106,16 +111,17 @@ TEST(NodeAbsorption, isThatOfTheTableForEveryStateInAnyOrder) {
         absorption.at(state, found.back());
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             double expected = 0.0;
-            for (const Gas gas : {Gas::H2O, Gas::CO2})
+            for (const Gas gas : {Gas::H2O, Gas::CO2}) {
                 expected +=
                     gases.crossSection_cm2(nodes[i], gas, state) * 1e-4 * state.density_per_m3(gas);
+            }
             ASSERT_NEAR(found.back()[i], expected, 1e-5 * expected) << i;
         }
     }
     EXPECT_EQ(found[0], found[2]);
 }
 
-TEST(GasTable, clampsWhatLiesBeyondItsGrid) {
+TEST(GasTable, ClampsWhatLiesBeyondItsGrid) {
     const double hot = table().crossSection_cm2(1, Gas::CO2, air(700.0, 500.0, 0.0, 4e-4));
     const double edge = table().crossSection_cm2(1, Gas::CO2, air(700.0, 340.0, 0.0, 4e-4));
     EXPECT_DOUBLE_EQ(hot, edge);
@@ -123,7 +129,7 @@ TEST(GasTable, clampsWhatLiesBeyondItsGrid) {
                      table().crossSection_cm2(1, Gas::CO2, air(1.0, 250.0, 0.0, 4e-4)));
 }
 
-TEST(GasTable, findsTheBinsThatTouchARange) {
+TEST(GasTable, FindsTheBinsThatTouchARange) {
     const BinSet set = bins(5.0);
     using Pair = std::pair<std::size_t, std::size_t>;
     EXPECT_EQ(set.range(1000.0, 1010.0), Pair(0, 2));
@@ -140,7 +146,7 @@ class GasTableFile : public testing::Test {
     const std::filesystem::path file_ = folder_ / "small.gastable";
 };
 
-TEST_F(GasTableFile, readsBackWhatWasWritten) {
+TEST_F(GasTableFile, ReadsBackWhatWasWritten) {
     const auto read = GasTable::read(file_);
     EXPECT_EQ(read->header(), "a recipe");
     EXPECT_EQ(read->nodeCount(), 3u);
@@ -150,7 +156,7 @@ TEST_F(GasTableFile, readsBackWhatWasWritten) {
                      table().crossSection_cm2(2, Gas::H2O, state));
 }
 
-TEST_F(GasTableFile, refusesEveryFlippedByteAndEveryCut) {
+TEST_F(GasTableFile, RefusesEveryFlippedByteAndEveryCut) {
     std::ifstream in(file_, std::ios::binary);
     const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     auto put = [&](const std::string& text) {
@@ -167,7 +173,7 @@ TEST_F(GasTableFile, refusesEveryFlippedByteAndEveryCut) {
     EXPECT_THROW((void)GasTable::read(folder_ / "none.gastable"), InputError);
 }
 
-TEST(GasTable, refusesPartsThatDoNotFit) {
+TEST(GasTable, RefusesPartsThatDoNotFit) {
     EXPECT_THROW(
         GasTable(grid(), {1001.0}, {{0, Gas::CO2, {1.0f}}}, {bins(1.0), bins(5.0), bins(15.0)}, ""),
         LogicError);

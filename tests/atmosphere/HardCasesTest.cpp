@@ -39,7 +39,7 @@ double bandOf(const Spectrum& spectrum, const SpectralRange& band) {
     return integrateProduct(factors, band);
 }
 
-TEST(HardCases, bothEndsOfTheSpectrumAreAnswered) {
+TEST(HardCases, BothEndsOfTheSpectrumAreAnswered) {
     const AtmosphereSmart air = airOver({0.2, 40.0});
     for (const SpectralRange& end : {SpectralRange{0.2, 0.205}, SpectralRange{38.0, 40.0}}) {
         const std::string what = numberText(end.min_um) + " um";
@@ -55,7 +55,7 @@ TEST(HardCases, bothEndsOfTheSpectrumAreAnswered) {
     }
 }
 
-TEST(HardCases, anOpaqueBandRadiatesAsTheAirAtTheSensor) {
+TEST(HardCases, AnOpaqueBandRadiatesAsTheAirAtTheSensor) {
     const SpectralRange band{4.24, 4.28};
     const AtmosphereSmart air = airOver({4.2, 4.4});
     const AtmosphericPath path{0.0, 0.0, 50e3};
@@ -63,13 +63,14 @@ TEST(HardCases, anOpaqueBandRadiatesAsTheAirAtTheSensor) {
     // Across a bin, whose nodes are not all at its centre, Planck's radiance changes by 4 %.
     const Spectrum radiance = air.pathRadiance(path, night, band);
     const double temperature_K = air.ambientTemperature_K(0.0);
-    for (std::size_t i = 0; i < radiance.values().size(); ++i)
+    for (std::size_t i = 0; i < radiance.values().size(); ++i) {
         EXPECT_NEAR(radiance.values()[i] /
                         planckRadiance_W_m2_sr_um(radiance.wavelengths_um()[i], temperature_K),
                     1.0, 5e-3);
+    }
 }
 
-TEST(HardCases, noRangeIsNoAirAndACentimetreKeepsItsDigits) {
+TEST(HardCases, NoRangeIsNoAirAndACentimetreKeepsItsDigits) {
     const SpectralRange band{10.0, 10.3};
     const AtmosphereSmart air = airOver({9.9, 10.4});
     const Spectrum transmittance = air.transmittance({500.0, 500.0, 0.0}, band);
@@ -83,7 +84,7 @@ TEST(HardCases, noRangeIsNoAirAndACentimetreKeepsItsDigits) {
     EXPECT_NEAR(three / one, 3.0, 1e-5);
 }
 
-TEST(HardCases, airIsTheSameFromTheFringeOfSpaceAndFromTenThousandKilometres) {
+TEST(HardCases, AirIsTheSameFromTheFringeOfSpaceAndFromTenThousandKilometres) {
     const SpectralRange band{8.0, 9.0};
     const AtmosphereSmart air = airOver(band);
     const AtmosphericPath near{100e3, 1000.0, 99e3};
@@ -100,7 +101,7 @@ TEST(HardCases, airIsTheSameFromTheFringeOfSpaceAndFromTenThousandKilometres) {
     }
 }
 
-TEST(HardCases, theSkyIsContinuousAMicroradianFromTheHorizontal) {
+TEST(HardCases, TheSkyIsContinuousAMicroradianFromTheHorizontal) {
     const SpectralRange band{9.0, 9.5};
     const AtmosphereSmart air = airOver(band);
     for (const double altitude_m : {0.0, 2.0, 3000.0, 12e3}) {
@@ -115,7 +116,7 @@ TEST(HardCases, theSkyIsContinuousAMicroradianFromTheHorizontal) {
     }
 }
 
-TEST(HardCases, everySunGivesLightOrNone) {
+TEST(HardCases, EverySunGivesLightOrNone) {
     const SpectralRange band{0.5, 0.51};
     for (const int mode : {1, 2}) {
         const AtmosphereSmart air = airOver(band, mode);

@@ -30,8 +30,9 @@ inline std::string significant(const std::string& xml) {
             !text.empty() && text.back() == '>' && next != std::string::npos && xml[next] == '<';
         const bool isBeforeEnd = next != std::string::npos && (xml.compare(next, 2, "/>") == 0 ||
                                                                xml.compare(next, 2, "?>") == 0);
-        if (!isBlank || !(isBetween || isBeforeEnd || next == std::string::npos))
+        if (!isBlank || !(isBetween || isBeforeEnd || next == std::string::npos)) {
             text += xml[i];
+        }
     }
     return text;
 }

@@ -40,7 +40,7 @@ const std::string everything =
     "</composite></composition>\r\n"
     "</data>\r\n";
 
-TEST(KarmaXml, readsEveryKindOfParameterWithItsLine) {
+TEST(KarmaXml, ReadsEveryKindOfParameterWithItsLine) {
     const KarmaXml document = KarmaXml::parse(everything, "thing.xml");
     EXPECT_EQ(document.type(), "/Thing/Root/Thing");
     EXPECT_EQ(document.typeName(), "Thing");
@@ -61,21 +61,22 @@ TEST(KarmaXml, readsEveryKindOfParameterWithItsLine) {
     EXPECT_EQ(document.composites().front().line, 17);
 }
 
-TEST(KarmaXml, writesBackEverythingThatItRead) {
+TEST(KarmaXml, WritesBackEverythingThatItRead) {
     const KarmaXml document = KarmaXml::parse(everything, "thing.xml");
     EXPECT_EQ(significant(document.text()), significant(everything));
     EXPECT_EQ(KarmaXml::parse(document.text(), "again").text(), document.text());
 }
 
-TEST(KarmaXml, settingTheSameValuesChangesNothing) {
+TEST(KarmaXml, SettingTheSameValuesChangesNothing) {
     KarmaXml document = KarmaXml::parse(everything, "thing.xml");
-    for (const KarmaParameter& parameter : std::vector(document.parameters()))
+    for (const KarmaParameter& parameter : std::vector(document.parameters())) {
         document.set(parameter);
+    }
     document.setComposites(std::vector(document.composites()));
     EXPECT_EQ(significant(document.text()), significant(everything));
 }
 
-TEST(KarmaXml, aNewValueKeepsWhatStandsAroundIt) {
+TEST(KarmaXml, ANewValueKeepsWhatStandsAroundIt) {
     KarmaXml document = KarmaXml::parse(everything, "thing.xml");
     document.set({"One", KarmaKind::number, {0.1}, "", "", 0});
     document.set({"Words", KarmaKind::vector, {1.0, 2.5}, "", "now numbers", 0});
@@ -97,7 +98,7 @@ TEST(KarmaXml, aNewValueKeepsWhatStandsAroundIt) {
     EXPECT_EQ(again.composites().front().name, "B");
 }
 
-TEST(KarmaXml, aCopyIsItsOwnDocument) {
+TEST(KarmaXml, ACopyIsItsOwnDocument) {
     const KarmaXml original = KarmaXml::parse(everything, "thing.xml");
     KarmaXml copy = original;
     copy.remove("One");
@@ -106,7 +107,7 @@ TEST(KarmaXml, aCopyIsItsOwnDocument) {
     EXPECT_THAT(copy.text(), testing::Not(HasSubstr("name=\"One\"")));
 }
 
-TEST(KarmaXml, aNewDocumentIsReadBack) {
+TEST(KarmaXml, ANewDocumentIsReadBack) {
     KarmaXml document("/Thing/Root/Thing", "A thing of two < three.");
     document.set({"V", KarmaKind::vector3, {1.0, 0.1, -3e300}, "", "three", 0});
     const auto file = ownFolder() / "new.xml";
@@ -119,7 +120,7 @@ TEST(KarmaXml, aNewDocumentIsReadBack) {
                 HasSubstr("where.xml"));
 }
 
-TEST(KarmaXml, parametersThatCannotBeAreOurOwnFault) {
+TEST(KarmaXml, ParametersThatCannotBeAreOurOwnFault) {
     KarmaXml document("/T", "");
     EXPECT_THROW(document.set({"", KarmaKind::number, {1.0}, "", "", 0}), LogicError);
     EXPECT_THROW(document.set({"A", KarmaKind::number, {}, "", "", 0}), LogicError);
@@ -127,7 +128,7 @@ TEST(KarmaXml, parametersThatCannotBeAreOurOwnFault) {
     EXPECT_THROW(document.set({"A", KarmaKind::number, {std::nan("")}, "", "", 0}), LogicError);
 }
 
-TEST(KarmaXml, latinTextBecomesUtf8AndKeepsItsLines) {
+TEST(KarmaXml, LatinTextBecomesUtf8AndKeepsItsLines) {
     std::string text = smartXml("<documentation>temp\xE9rature \xE9\xE9\xE9\n</documentation>\n" +
                                 numberXml("A", "1"));
     text.replace(text.find("UTF-8"), 5, "ISO-8859-1");
@@ -138,14 +139,16 @@ TEST(KarmaXml, latinTextBecomesUtf8AndKeepsItsLines) {
     EXPECT_EQ(KarmaXml::parse(document.text(), "again").documentation(), document.documentation());
 }
 
-TEST(KarmaXml, theFilesOfTheReportComeBackEqual) {
+TEST(KarmaXml, TheFilesOfTheReportComeBackEqual) {
     const auto folder = smat::test::sharedMaterial("data/karma");
-    if (folder.empty())
+    if (folder.empty()) {
         GTEST_SKIP() << "the KARMA files of the shared material are not here";
+    }
     int files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        if (entry.path().extension() != ".xml")
+        if (entry.path().extension() != ".xml") {
             continue;
+        }
         EXPECT_EQ(significant(KarmaXml::read(entry.path()).text()),
                   significant(contentOf(entry.path())))
             << entry.path();
@@ -165,11 +168,12 @@ void PrintTo(const BadFile& row, std::ostream* stream) {
 
 class BadKarmaXml : public testing::TestWithParam<BadFile> {};
 
-TEST_P(BadKarmaXml, isRefusedByName) {
+TEST_P(BadKarmaXml, IsRefusedByName) {
     const std::string message = refusalOf([] { KarmaXml::parse(GetParam().text, "bad.xml"); });
     EXPECT_THAT(message, HasSubstr("bad.xml"));
-    for (const char* words : GetParam().says)
+    for (const char* words : GetParam().says) {
         EXPECT_THAT(message, HasSubstr(words));
+    }
 }
 
 const std::string good = numberXml("A", "1");
@@ -251,7 +255,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"line 5, parameter A", "line 6, parameter A", "line 7, parameter B"}}),
     [](const auto& row) { return row.param.name; });
 
-TEST(KarmaXml, filesThatCannotBeReadAreRefused) {
+TEST(KarmaXml, FilesThatCannotBeReadAreRefused) {
     EXPECT_THAT(refusalOf([] { KarmaXml::read("no/such.xml"); }), HasSubstr("no/such.xml"));
     EXPECT_THAT(refusalOf([] { KarmaXml::read(ownFolder()); }), HasSubstr("a folder"));
 }
@@ -260,8 +264,9 @@ TEST(KarmaXml, filesThatCannotBeReadAreRefused) {
 class Root {
   public:
     explicit Root(const char* value) {
-        if (const char* old = std::getenv("KARMA_ROOT"))
+        if (const char* old = std::getenv("KARMA_ROOT")) {
             old_ = old;
+        }
         value ? setenv("KARMA_ROOT", value, 1) : unsetenv("KARMA_ROOT");
     }
     ~Root() { old_ ? setenv("KARMA_ROOT", old_->c_str(), 1) : unsetenv("KARMA_ROOT"); }
@@ -270,18 +275,19 @@ class Root {
     std::optional<std::string> old_;
 };
 
-TEST(KarmaPath, theRootComesFromTheEnvironment) {
+TEST(KarmaPath, TheRootComesFromTheEnvironment) {
     const auto folder = ownFolder();
     const auto target = writtenFile(folder / "root" / "sub" / "a.xml", "a");
     const auto file = folder / "here" / "env.xml";
     const Root root((folder / "root").c_str());
     for (const char* path : {"$(KARMA_ROOT)\\sub\\a.xml", "%KARMA_ROOT%\\sub\\a.xml",
-                             "$(KARMA_ROOT)/sub/a.xml", "$(KARMA_ROOT)sub/a.xml"})
+                             "$(KARMA_ROOT)/sub/a.xml", "$(KARMA_ROOT)sub/a.xml"}) {
         EXPECT_EQ(resolveKarmaPath(path, file), target) << path;
+    }
     EXPECT_EQ(resolveKarmaPath(target.string(), file), target);
 }
 
-TEST(KarmaPath, withoutARootTheFolderOfTheFileTakesItsPlace) {
+TEST(KarmaPath, WithoutARootTheFolderOfTheFileTakesItsPlace) {
     const auto folder = ownFolder();
     const auto target = writtenFile(folder / "sub" / "a.xml", "a");
     for (const char* unset : {static_cast<const char*>(nullptr), ""}) {
@@ -291,7 +297,7 @@ TEST(KarmaPath, withoutARootTheFolderOfTheFileTakesItsPlace) {
     EXPECT_EQ(resolveKarmaPath("sub\\a.xml", folder / "env.xml"), target);
 }
 
-TEST(KarmaPath, aFileOfTheSameNameBesideIsTakenWhereThePathLeadsNowhere) {
+TEST(KarmaPath, AFileOfTheSameNameBesideIsTakenWhereThePathLeadsNowhere) {
     const auto folder = ownFolder();
     const auto target = writtenFile(folder / "a.xml", "a");
     const Root root("/no/such/root");
@@ -299,7 +305,7 @@ TEST(KarmaPath, aFileOfTheSameNameBesideIsTakenWhereThePathLeadsNowhere) {
     EXPECT_EQ(resolveKarmaPath("C:\\data\\a.xml", folder / "env.xml"), target);
 }
 
-TEST(KarmaPath, aFileThatIsNowhereIsRefusedWithThePlaces) {
+TEST(KarmaPath, AFileThatIsNowhereIsRefusedWithThePlaces) {
     const auto folder = ownFolder();
     const auto ask = [&] {
         resolveKarmaPath("$(KARMA_ROOT)\\sub\\a.xml", folder / "env.xml", "composite C");

@@ -28,7 +28,7 @@ void expectSaneAir(const Profile& air) {
 
 } // namespace
 
-TEST(MeteoReshape, passesThroughTheMeasurements) {
+TEST(MeteoReshape, PassesThroughTheMeasurements) {
     const MeteoMeasurement measured{12.0, 291.3, 1004.5, 0.63, 295.1};
     for (const ModelAtmosphere model : allModels) {
         const Profile air = Profile::model(model).withMeteo(measured);
@@ -41,21 +41,22 @@ TEST(MeteoReshape, passesThroughTheMeasurements) {
     }
 }
 
-TEST(MeteoReshape, changesNothingFromOneKilometreUp) {
+TEST(MeteoReshape, ChangesNothingFromOneKilometreUp) {
     const Profile before = Profile::model(ModelAtmosphere::midlatitudeSummer);
     const Profile after = before.withMeteo({5.0, 288.0, 1005.0, 0.9, 286.0});
     for (const double z : {1000.0, 1001.0, 1500.0, 8300.0, 50000.0, 100000.0}) {
         EXPECT_NEAR(after.at(z).temperature_K, before.at(z).temperature_K, 1e-9);
         EXPECT_NEAR(after.at(z).pressure_hPa / before.at(z).pressure_hPa, 1.0, 1e-12);
-        for (std::size_t gas = 0; gas < gasCount; ++gas)
+        for (std::size_t gas = 0; gas < gasCount; ++gas) {
             EXPECT_NEAR(after.at(z).moleFraction[gas] / before.at(z).moleFraction[gas], 1.0, 1e-12);
+        }
     }
     // Other gases than water do not change at all.
     EXPECT_NEAR(after.at(400.0).fraction(Gas::O3) / before.at(400.0).fraction(Gas::O3), 1.0, 1e-9);
 }
 
 // The levels sample a curve with a continuous derivative: the last pieces approach the slope above.
-TEST(MeteoReshape, joinsTheAirAboveSmoothly) {
+TEST(MeteoReshape, JoinsTheAirAboveSmoothly) {
     for (const ModelAtmosphere model : allModels) {
         const Profile before = Profile::model(model);
         const Profile after = before.withMeteo({5.0, 293.15, 1010.0, 0.5, 293.15});
@@ -69,7 +70,7 @@ TEST(MeteoReshape, joinsTheAirAboveSmoothly) {
     }
 }
 
-TEST(MeteoReshape, ofTheModelsOwnValuesIsTheModel) {
+TEST(MeteoReshape, OfTheModelsOwnValuesIsTheModel) {
     for (const ModelAtmosphere model : allModels) {
         const Profile before = Profile::model(model);
         const AtmosphericState ten = before.at(10.0);
@@ -84,7 +85,7 @@ TEST(MeteoReshape, ofTheModelsOwnValuesIsTheModel) {
 }
 
 // 30 hPa per 254 m or so: the barometric formula of moist air between levels.
-TEST(MeteoReshape, isHydrostaticUpToTheMisfitThatItSpreads) {
+TEST(MeteoReshape, IsHydrostaticUpToTheMisfitThatItSpreads) {
     const Profile air = Profile::model(ModelAtmosphere::usStandard1976)
                             .withMeteo({10.0, 288.0, 1012.0, 0.5, 288.1});
     const double belowTheMeasurement =
@@ -101,7 +102,7 @@ TEST(MeteoReshape, isHydrostaticUpToTheMisfitThatItSpreads) {
     }
 }
 
-TEST(MeteoReshape, ofWeatherFarFromTheModelStaysSane) {
+TEST(MeteoReshape, OfWeatherFarFromTheModelStaysSane) {
     struct Case {
         const char* name;
         MeteoMeasurement measured;
@@ -115,7 +116,7 @@ TEST(MeteoReshape, ofWeatherFarFromTheModelStaysSane) {
                           {"hot and low", {5.0, 313.15, 800.0, 1.0, 313.15}},
                           {"cold and high", {5.0, 233.15, 1200.0, 1.0, 233.15}},
                           {"dry", {5.0, 290.0, 1000.0, 0.0, 290.0}}};
-    for (const Case& each : cases)
+    for (const Case& each : cases) {
         for (const ModelAtmosphere model : allModels) {
             SCOPED_TRACE(each.name);
             const Profile before = Profile::model(model);
@@ -136,25 +137,27 @@ TEST(MeteoReshape, ofWeatherFarFromTheModelStaysSane) {
             }
             EXPECT_NEAR(air.at(2000.0).temperature_K, before.at(2000.0).temperature_K, 1e-9);
         }
+    }
 }
 
 // A pressure that no weather of the air above explains goes up as a factor; ordinary weather does
 // not.
-TEST(MeteoReshape, leavesThePressureAboveAloneInOrdinaryWeather) {
-    for (const ModelAtmosphere model : allModels)
+TEST(MeteoReshape, LeavesThePressureAboveAloneInOrdinaryWeather) {
+    for (const ModelAtmosphere model : allModels) {
         for (const double pressure_hPa : {975.0, 1013.0, 1040.0}) {
             const Profile before = Profile::model(model);
             const double own_K = before.at(5.0).temperature_K;
             const Profile after = before.withMeteo({5.0, own_K, pressure_hPa, 0.5, own_K});
             EXPECT_NEAR(after.at(5000.0).pressure_hPa, before.at(5000.0).pressure_hPa, 1e-9);
         }
+    }
     const Profile before = Profile::model(ModelAtmosphere::usStandard1976);
     const Profile high = before.withMeteo({5.0, 288.0, 800.0, 0.5, 288.0});
     EXPECT_NEAR(high.at(5000.0).pressure_hPa / before.at(5000.0).pressure_hPa,
                 800.0 / 1012.4 * 1.051, 0.005);
 }
 
-TEST(MeteoReshape, refusesWeatherByName) {
+TEST(MeteoReshape, RefusesWeatherByName) {
     const double nan = std::nan("");
     struct Case {
         const char* name;

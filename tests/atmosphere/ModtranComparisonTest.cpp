@@ -18,10 +18,11 @@ using namespace modtran;
 
 class ModtranComparisonTest : public testing::TestWithParam<PublishedFile> {};
 
-TEST_P(ModtranComparisonTest, agreesInBand) {
+TEST_P(ModtranComparisonTest, AgreesInBand) {
     const auto folder = smat::test::sharedMaterial("data/atmosphere/modtran");
-    if (folder.empty())
+    if (folder.empty()) {
         GTEST_SKIP() << "the MODTRAN results of the shared material are not there";
+    }
     const PublishedFile& file = GetParam();
     for (const InBand& row : inBand(compare(folder, file), file)) {
         EXPECT_LE(std::abs(row.transmittanceError()), 0.015) << row.band.name;
@@ -36,10 +37,11 @@ INSTANTIATE_TEST_SUITE_P(Files, ModtranComparisonTest, testing::ValuesIn(publish
                              return name;
                          });
 
-TEST(ModtranComparison, sunIsScatteredWithTheAsymmetryOfTheCards) {
+TEST(ModtranComparison, SunIsScatteredWithTheAsymmetryOfTheCards) {
     const auto folder = smat::test::sharedMaterial("data/atmosphere/modtran");
-    if (folder.empty())
+    if (folder.empty()) {
         GTEST_SKIP() << "the MODTRAN results of the shared material are not there";
+    }
     // IPH 0 and G 0: isotropic. The aerosol's own phase function would be seven times as bright at
     // 20 degrees from the sun, where tape7-05 looks.
     for (const char* name : {"pyradi/tape7-03", "pyradi/tape7-05"}) {
@@ -49,10 +51,12 @@ TEST(ModtranComparison, sunIsScatteredWithTheAsymmetryOfTheCards) {
         for (const std::string& line : TextLines::read(folder / name).lines) {
             std::istringstream words(line);
             std::vector<double> values;
-            for (double value = 0.0; words >> value;)
+            for (double value = 0.0; words >> value;) {
                 values.push_back(value);
-            if (values.size() > 14 && values[0] >= 2050.0)
+            }
+            if (values.size() > 14 && values[0] >= 2050.0) {
                 theirs.push_back(values[5] * values[0] * values[0]); // W m-2 sr-1 um-1
+            }
         }
         ASSERT_EQ(theirs.size(), ours.wavenumbers_per_cm.size()) << name;
         const BandLimits band{"", 2050.0, 2100.0};
@@ -63,7 +67,7 @@ TEST(ModtranComparison, sunIsScatteredWithTheAsymmetryOfTheCards) {
     }
 }
 
-TEST(ModtranComparison, slitKeepsTheMeanOfAFlatSpectrumAndTheAreaOfAStep) {
+TEST(ModtranComparison, SlitKeepsTheMeanOfAFlatSpectrumAndTheAreaOfAStep) {
     // A triangle of full width 10 at half height, centred on the edge of a step, takes half of it.
     const std::vector<double> wavenumbers = {1000.0, 1010.0, 1020.0};
     EXPECT_NEAR(bandMean(wavenumbers, {2.0, 2.0, 2.0}, {"", 1003.0, 1017.0}), 2.0, 1e-12);

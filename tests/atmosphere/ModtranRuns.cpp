@@ -55,8 +55,9 @@ std::optional<AerosolModel> aerosolOf(int ihaze) {
 /// Where the sun stands from the cards 3A: IPARM 0 gives latitude and longitude (west) of the
 /// observer and of the point under the sun. The path goes north, PSIPO 0.
 SunPosition sunOf(const SpectralRun& run) {
-    if (run.geometry.sunElevation_rad)
+    if (run.geometry.sunElevation_rad) {
         return {0.0, *run.geometry.sunElevation_rad};
+    }
     const double latitude = card(run, "PARM1") * degree, longitude = card(run, "PARM2") * degree;
     const double under = card(run, "PARM3") * degree, west = card(run, "PARM4") * degree;
     const double east = longitude - west;
@@ -72,10 +73,13 @@ SunPosition sunOf(const SpectralRun& run) {
 /// The air as sunlight meets it: with IPH 0 all particles scatter by Henyey and Greenstein's
 /// function with the asymmetry G of card 3A2 (0: alike into all directions) in place of their own.
 AtmosphericModel airOfSunlight(AtmosphericModel air, const SpectralRun& run) {
-    if (card(run, "IPH", 2.0) == 0.0)
-        for (ParticleLayer& layer : air.particles)
-            for (ParticleOptics& optics : layer.optics)
+    if (card(run, "IPH", 2.0) == 0.0) {
+        for (ParticleLayer& layer : air.particles) {
+            for (ParticleOptics& optics : layer.optics) {
                 optics.asymmetry = card(run, "G");
+            }
+        }
+    }
     return air;
 }
 
@@ -110,9 +114,10 @@ AtmosphericPath pathOf(const SpectralRun& run, const RadiativeTransfer& transfer
 std::vector<double> radianceOf(const SpectralRun& run, const RadiativeTransfer& transfer,
                                const NodeSet& nodes, const SunPosition& sun) {
     const RunGeometry& geometry = run.geometry;
-    if (geometry.path == RunPath::toSpace)
+    if (geometry.path == RunPath::toSpace) {
         return transfer.backgroundRadiance(
             nodes, {geometry.sensorAltitude_m, geometry.elevation_rad, 0.0}, sun);
+    }
     return transfer.pathRadiance(nodes, pathOf(run, transfer), sun);
 }
 
@@ -185,15 +190,17 @@ std::vector<double> Slit::at(const std::vector<double>& nodeValues) const {
     std::size_t node = 0;
     for (const Bin& bin : bins_) {
         double mean = 0.0;
-        for (const double weight : bin.weights)
+        for (const double weight : bin.weights) {
             mean += weight * nodeValues.at(node++);
+        }
         means.push_back(mean);
     }
     std::vector<double> values;
     std::size_t first = 0;
     for (const double at_per_cm : wavenumbers_cm_) {
-        while (first + 1 < bins_.size() && bins_[first].upper_per_cm <= at_per_cm - fwhm_cm_)
+        while (first + 1 < bins_.size() && bins_[first].upper_per_cm <= at_per_cm - fwhm_cm_) {
             ++first;
+        }
         double sum = 0.0, area = 0.0;
         for (std::size_t b = first;
              b < bins_.size() && bins_[b].lower_per_cm < at_per_cm + fwhm_cm_; ++b) {
@@ -214,8 +221,9 @@ double bandMean(const std::vector<double>& wavenumbers_per_cm, const std::vector
         const double below = wavenumbers_per_cm[i - 1], above = wavenumbers_per_cm[i];
         const double from = std::max(below, band.lower_per_cm),
                      to = std::min(above, band.upper_per_cm);
-        if (from >= to)
+        if (from >= to) {
             continue;
+        }
         auto at = [&](double nu) {
             const double f = (nu - below) / (above - below);
             return (1.0 - f) * values[i - 1] + f * values[i];
@@ -279,8 +287,9 @@ ModtranComparison compare(const std::filesystem::path& folder, const PublishedFi
             }
         }
         const double air_K = transfer.air().profile.at(sensor_m).temperature_K;
-        for (const double nu : run.wavenumbers_per_cm)
+        for (const double nu : run.wavenumbers_per_cm) {
             result.reference.push_back(planckRadiance_W_m2_sr_um(1e4 / nu, air_K));
+        }
     }
     return result;
 }
@@ -338,17 +347,20 @@ AbsorberComparisons compareAbsorbers(const std::filesystem::path& folder) {
 
     const SpectralRun run = readTape7(folder / absorberFile).front();
     AbsorberComparisons result{.wavenumbers_per_cm = run.wavenumbers_per_cm};
-    for (const Column& column : columns)
+    for (const Column& column : columns) {
         result.absorbers.push_back({column.name, {}, {}});
+    }
     constexpr std::size_t headerLines = 12;
     const TextLines text = TextLines::read(folder / absorberFile);
     for (std::size_t row = 0; row < run.wavenumbers_per_cm.size(); ++row) {
         std::istringstream words(text.lines.at(headerLines + row));
         std::vector<double> values;
-        for (double value = 0.0; words >> value;)
+        for (double value = 0.0; words >> value;) {
             values.push_back(value);
-        for (std::size_t c = 0; c < columns.size(); ++c)
+        }
+        for (std::size_t c = 0; c < columns.size(); ++c) {
             result.absorbers[c].theirs.push_back(values.at(columns[c].index));
+        }
     }
 
     AtmosphericModel air = airOf(run, publishedFiles().front().co2_ppmv);
@@ -358,10 +370,11 @@ AbsorberComparisons compareAbsorbers(const std::filesystem::path& folder) {
         const AtmosphericPath path = pathOf(run, transfer);
         for (std::size_t c = 0; c < columns.size(); ++c) {
             std::vector<double> product(slit.nodes().nodes.size(), 1.0);
-            for (const std::string& component : columns[c].ours)
+            for (const std::string& component : columns[c].ours) {
                 std::ranges::transform(
                     product, transfer.componentTransmittance(slit.nodes(), path, component),
                     product.begin(), std::multiplies());
+            }
             result.absorbers[c].ours = slit.at(product);
         }
     }
@@ -369,8 +382,9 @@ AbsorberComparisons compareAbsorbers(const std::filesystem::path& folder) {
     // As much water in ten times as much air: its molecules hardly meet each other.
     constexpr double thinner = 10.0;
     std::vector<AtmosphericState> levels = air.profile.levels();
-    for (AtmosphericState& level : levels)
+    for (AtmosphericState& level : levels) {
         level.moleFraction[static_cast<std::size_t>(Gas::H2O)] /= thinner;
+    }
     air.profile = Profile(levels);
     const RadiativeTransfer transfer(air, GasTable::shipped());
     const Slit slit(transfer, run.wavenumbers_per_cm, card(run, "FWHM"));

@@ -21,7 +21,7 @@ ParticleTable readText(const std::string& text, Kind kind,
 
 const std::vector<std::string> opticsNames = {"a_ext", "a_abs", "a_asym"};
 
-TEST(ParticleTable, readsTheColumnsItIsAskedFor) {
+TEST(ParticleTable, ReadsTheColumnsItIsAskedFor) {
     const ParticleTable table = readText("# source: a test\nwavelength [um],b,a_asym,a_abs,a_ext\n"
                                          "0.2,9,0.7,0.1,1.5\n40,9,-0.2,0.3,0.5\n",
                                          Kind::optics, opticsNames);
@@ -31,13 +31,15 @@ TEST(ParticleTable, readsTheColumnsItIsAskedFor) {
     EXPECT_THROW(table.column("b"), LogicError);
 }
 
-TEST(ParticleTable, theShippedTablesAreWhole) {
-    for (const char* name :
-         {"particles-humid.csv", "particles-dry.csv", "particles-desert.csv", "particles-navy.csv"})
+TEST(ParticleTable, TheShippedTablesAreWhole) {
+    for (const char* name : {"particles-humid.csv", "particles-dry.csv", "particles-desert.csv",
+                             "particles-navy.csv"}) {
         EXPECT_NO_THROW(ParticleTable::read(atmosphereResource(name), Kind::logarithms, {}))
             << name;
-    for (const char* name : {"particles-profiles.csv", "particles-clouds.csv"})
+    }
+    for (const char* name : {"particles-profiles.csv", "particles-clouds.csv"}) {
         EXPECT_NO_THROW(ParticleTable::read(atmosphereResource(name), Kind::profile, {})) << name;
+    }
 }
 
 struct Damage {
@@ -81,7 +83,7 @@ const std::vector<Damage> damages = {
     {"a profile that floats", Kind::profile, "z,a_ext,a_abs,a_asym\n100,1,1,0\n1000,1,0,0\n",
      "altitudes from 0 m"}};
 
-TEST(ParticleTable, everyDamageIsRefusedByName) {
+TEST(ParticleTable, EveryDamageIsRefusedByName) {
     for (const Damage& damage : damages) {
         try {
             readText(damage.text, damage.kind, opticsNames);
@@ -93,7 +95,7 @@ TEST(ParticleTable, everyDamageIsRefusedByName) {
     }
 }
 
-TEST(ParticleTable, allDiagnosticsOfAFileComeAtOnce) {
+TEST(ParticleTable, AllDiagnosticsOfAFileComeAtOnce) {
     try {
         readText("um,a_ext,a_abs,a_asym\n0.2,-1,0,7\n0.1,1,x,0\n", Kind::optics, opticsNames);
         ADD_FAILURE();
@@ -102,7 +104,7 @@ TEST(ParticleTable, allDiagnosticsOfAFileComeAtOnce) {
     }
 }
 
-TEST(ParticleTable, aMissingFileIsNamed) {
+TEST(ParticleTable, AMissingFileIsNamed) {
     EXPECT_THROW(ParticleTable::read("/nowhere/particles-humid.csv", Kind::optics, opticsNames),
                  InputError);
 }

@@ -35,18 +35,19 @@ class PathIntegrator : public testing::Test {
     }
 };
 
-TEST_F(PathIntegrator, weighsLevelsSoThatCuttingASegmentChangesNothing) {
+TEST_F(PathIntegrator, WeighsLevelsSoThatCuttingASegmentChangesNothing) {
     const auto whole = levelWeights(pathOf({vertical(air_, 1000.0, 1200.0)}), air_.levelCount());
     const auto cut =
         levelWeights(pathOf({vertical(air_, 1000.0, 1070.0), vertical(air_, 1070.0, 1200.0)}),
                      air_.levelCount());
-    for (std::size_t level = 0; level < whole.size(); ++level)
+    for (std::size_t level = 0; level < whole.size(); ++level) {
         EXPECT_NEAR(whole[level], cut[level], 1e-9);
+    }
     EXPECT_NEAR(whole[5], 100.0, 1e-9);
     EXPECT_NEAR(whole[6], 100.0, 1e-9);
 }
 
-TEST_F(PathIntegrator, integratesASourceThatIsLinearInOpticalDepth) {
+TEST_F(PathIntegrator, IntegratesASourceThatIsLinearInOpticalDepth) {
     // L = B0 (1 - e^-t) + (B1 - B0) ((1 - e^-t) / t - e^-t); lengths make the depth what it shall.
     const NodeColumn column = this->column(medium);
     RaySegment segment = vertical(air_, 1000.0, 1200.0);
@@ -67,7 +68,7 @@ TEST_F(PathIntegrator, integratesASourceThatIsLinearInOpticalDepth) {
     }
 }
 
-TEST_F(PathIntegrator, addsWhatIsScatteredIntoThePath) {
+TEST_F(PathIntegrator, AddsWhatIsScatteredIntoThePath) {
     // Scattered light of mean 2 k and slope k against the vertical, k the extinction: a source of
     // 1 upwards against the sensor's view, 3 the other way, besides Planck's.
     const NodeColumn column = this->column(medium);
@@ -86,19 +87,21 @@ TEST_F(PathIntegrator, addsWhatIsScatteredIntoThePath) {
     }
 }
 
-TEST_F(PathIntegrator, interpolatesLevelsSmoothlyAndWithoutOvershoot) {
+TEST_F(PathIntegrator, InterpolatesLevelsSmoothlyAndWithoutOvershoot) {
     std::vector<double> values;
-    for (std::size_t level = 0; level < air_.levelCount(); ++level)
+    for (std::size_t level = 0; level < air_.levelCount(); ++level) {
         values.push_back(level < 6    ? 1.0
                          : level == 6 ? 2.0
                                       : 5.0 + 0.01 * static_cast<double>(level));
+    }
     const auto at = [&](double altitude_m) {
         std::vector<double> out(1);
         interpolateLevels(air_, values, altitude_m, out);
         return out[0];
     };
-    for (std::size_t level = 0; level < values.size(); ++level)
+    for (std::size_t level = 0; level < values.size(); ++level) {
         EXPECT_NEAR(at(air_.altitudes_m()[level]), values[level], 1e-12);
+    }
     double last = at(0.0);
     for (double z = 0.0; z <= 100e3; z += 37.0) {
         EXPECT_GE(at(z), last - 1e-12) << z;

@@ -13,14 +13,15 @@ AdaptiveTable sine(double tolerance, std::size_t* calls = nullptr) {
     return AdaptiveTable(
         0.0, 10.0, tolerance,
         [calls](double x) {
-            if (calls)
+            if (calls) {
                 ++*calls;
+            }
             return std::vector<double>{std::sin(x), x};
         },
         largestDifference);
 }
 
-TEST(AdaptiveTable, staysWithinItsTolerance) {
+TEST(AdaptiveTable, StaysWithinItsTolerance) {
     for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
         const AdaptiveTable table = sine(tolerance);
         for (double x = 0.0; x <= 10.0; x += 0.0137) {
@@ -32,11 +33,12 @@ TEST(AdaptiveTable, staysWithinItsTolerance) {
     }
 }
 
-TEST(AdaptiveTable, needsFewerEvaluationsThanQuestions) {
+TEST(AdaptiveTable, NeedsFewerEvaluationsThanQuestions) {
     std::size_t calls = 0;
     const AdaptiveTable table = sine(1e-3, &calls);
-    for (double x = 0.0; x <= 10.0; x += 0.001)
+    for (double x = 0.0; x <= 10.0; x += 0.001) {
         (void)table.at(x);
+    }
     EXPECT_EQ(calls, table.evaluations());
     EXPECT_LT(calls, 300u);
     const std::size_t before = calls;
@@ -44,14 +46,14 @@ TEST(AdaptiveTable, needsFewerEvaluationsThanQuestions) {
     EXPECT_EQ(calls, before);
 }
 
-TEST(AdaptiveTable, refinesOnlyWhereItIsAsked) {
+TEST(AdaptiveTable, RefinesOnlyWhereItIsAsked) {
     std::size_t calls = 0;
     const AdaptiveTable table = sine(1e-6, &calls);
     (void)table.at(0.5);
     EXPECT_LT(calls, 60u);
 }
 
-TEST(AdaptiveTable, computesWhatItCannotInterpolate) {
+TEST(AdaptiveTable, ComputesWhatItCannotInterpolate) {
     const AdaptiveTable step(
         0.0, 1.0, 1e-3, [](double x) { return std::vector<double>{x < 1.0 / 3.0 ? 0.0 : 1.0}; },
         largestDifference);
@@ -61,7 +63,7 @@ TEST(AdaptiveTable, computesWhatItCannotInterpolate) {
     EXPECT_EQ(step.at(1.0 / 3.0)[0], 1.0);
 }
 
-TEST(AdaptiveTable, refusesWhatItDoesNotHold) {
+TEST(AdaptiveTable, RefusesWhatItDoesNotHold) {
     EXPECT_THROW((void)sine(1e-3).at(10.1), LogicError);
     EXPECT_THROW((void)sine(1e-3).at(std::nan("")), LogicError);
     EXPECT_THROW(sine(0.0), LogicError);
@@ -84,12 +86,13 @@ class PathTablesOfAir : public testing::Test {
     }
 };
 
-TEST_F(PathTablesOfAir, giveWhatTheTransferGivesAlongARange) {
-    for (double range_m = 20.0; range_m < 150e3; range_m *= 1.31)
+TEST_F(PathTablesOfAir, GiveWhatTheTransferGivesAlongARange) {
+    for (double range_m = 20.0; range_m < 150e3; range_m *= 1.31) {
         for (const auto& [sensor_m, target_m] :
              {std::pair{10.0, 10.0}, std::pair{3000.0, 3010.0}}) {
-            if (sensor_m < 100.0 && range_m > 60e3)
+            if (sensor_m < 100.0 && range_m > 60e3) {
                 continue;
+            }
             const AtmosphericPath path{sensor_m, target_m,
                                        std::max(range_m, 1.1 * std::abs(sensor_m - target_m))};
             EXPECT_LT(largestDifference(tables.transmittance(path),
@@ -99,31 +102,34 @@ TEST_F(PathTablesOfAir, giveWhatTheTransferGivesAlongARange) {
             near(tables.pathRadiance(path, sun), transfer.pathRadiance(tables.nodes(), path, sun),
                  "path radiance over " + std::to_string(range_m));
         }
+    }
     EXPECT_LE(tables.largestError(), tolerance);
 }
 
-TEST_F(PathTablesOfAir, keepTransmittanceOneAtRangeZeroAndFalling) {
+TEST_F(PathTablesOfAir, KeepTransmittanceOneAtRangeZeroAndFalling) {
     EXPECT_EQ(tables.transmittance({100.0, 100.0, 0.0}), std::vector<double>(5, 1.0));
     std::vector<double> last(5, 1.0);
     for (double range_m = 1.0; range_m < 1e5; range_m *= 1.4) {
         const auto values = tables.transmittance({1000.0, 1000.0, range_m});
-        for (std::size_t i = 0; i < values.size(); ++i)
+        for (std::size_t i = 0; i < values.size(); ++i) {
             EXPECT_LE(values[i], last[i] + tolerance) << range_m;
+        }
         last = values;
     }
 }
 
-TEST_F(PathTablesOfAir, giveSkyAndGroundOnBothSidesOfTheHorizon) {
-    for (const double altitude_m : {10.0, 5000.0})
+TEST_F(PathTablesOfAir, GiveSkyAndGroundOnBothSidesOfTheHorizon) {
+    for (const double altitude_m : {10.0, 5000.0}) {
         for (double elevation_rad = -1.5; elevation_rad <= 1.5; elevation_rad += 0.0617) {
             const LineOfSight sight{altitude_m, elevation_rad, 1.0};
             near(tables.backgroundRadiance(sight, sun),
                  transfer.backgroundRadiance(tables.nodes(), sight, sun),
                  "background at " + std::to_string(elevation_rad));
         }
+    }
 }
 
-TEST_F(PathTablesOfAir, giveSunAndFluxesOverAltitude) {
+TEST_F(PathTablesOfAir, GiveSunAndFluxesOverAltitude) {
     for (double altitude_m = 0.0; altitude_m <= 40e3; altitude_m += 1234.5) {
         const std::string at = " at " + std::to_string(altitude_m);
         near(tables.solarIrradiance(altitude_m, sun),
@@ -135,10 +141,11 @@ TEST_F(PathTablesOfAir, giveSunAndFluxesOverAltitude) {
     }
 }
 
-TEST_F(PathTablesOfAir, askTheTransferLessThanTheyAreAsked) {
+TEST_F(PathTablesOfAir, AskTheTransferLessThanTheyAreAsked) {
     std::size_t questions = 0;
-    for (double range_m = 1000.0; range_m < 40e3; range_m += 20.0, ++questions)
+    for (double range_m = 1000.0; range_m < 40e3; range_m += 20.0, ++questions) {
         (void)tables.transmittance({3000.0, 3000.0, range_m});
+    }
     EXPECT_LT(tables.evaluations(), questions / 10);
 }
 

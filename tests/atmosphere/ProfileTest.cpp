@@ -22,14 +22,15 @@ constexpr ModelAtmosphere allModels[] = {
 double column_g_per_cm2(const Profile& profile, Gas gas, double molarMass_g) {
     double sum_per_m2 = 0.0;
     const double step_m = 10.0;
-    for (double z = 0.0; z < profile.top_m(); z += step_m)
+    for (double z = 0.0; z < profile.top_m(); z += step_m) {
         sum_per_m2 += profile.at(z + 0.5 * step_m).density_per_m3(gas) * step_m;
+    }
     return sum_per_m2 * 1e-4 * molarMass_g / 6.02214076e23;
 }
 
 } // namespace
 
-TEST(Profile, holdsThePublishedNumbersOfTheModels) {
+TEST(Profile, HoldsThePublishedNumbersOfTheModels) {
     const AtmosphericState tropical = Profile::model(ModelAtmosphere::tropical, 330.0).at(0.0);
     EXPECT_EQ(tropical.pressure_hPa, 1013.0);
     EXPECT_EQ(tropical.temperature_K, 299.7);
@@ -47,7 +48,7 @@ TEST(Profile, holdsThePublishedNumbersOfTheModels) {
 
 // MODTRAN prints 4.1147 and 0.000594 g/cm2 for the tropical, 1.416445 and 0.000736 for the US
 // standard atmosphere (headers of its tape7). It interpolates between the 36 levels it runs.
-TEST(Profile, hasTheColumnsThatModtranPrints) {
+TEST(Profile, HasTheColumnsThatModtranPrints) {
     struct Case {
         ModelAtmosphere model;
         double water_g_per_cm2;
@@ -63,15 +64,16 @@ TEST(Profile, hasTheColumnsThatModtranPrints) {
         for (const AtmosphericState& level : full.levels()) {
             const double z = level.altitude_m;
             if (z <= 25000.0 || (z <= 50000.0 && std::fmod(z, 5000.0) == 0.0) ||
-                std::fmod(z, 10000.0) == 0.0)
+                std::fmod(z, 10000.0) == 0.0) {
                 levels.push_back(level);
+            }
         }
         EXPECT_NEAR(column_g_per_cm2(Profile(levels), Gas::O3, 47.998) / each.ozone_g_per_cm2, 1.0,
                     2e-3);
     }
 }
 
-TEST(Profile, scalesTheWholeProfileOfCarbonDioxide) {
+TEST(Profile, ScalesTheWholeProfileOfCarbonDioxide) {
     const Profile air = Profile::model(ModelAtmosphere::midlatitudeSummer, 420.0);
     EXPECT_NEAR(air.at(0.0).fraction(Gas::CO2), 420e-6, 1e-12);
     EXPECT_NEAR(air.at(100000.0).fraction(Gas::CO2), 195e-6 * 420.0 / 330.0, 1e-12);
@@ -81,7 +83,7 @@ TEST(Profile, scalesTheWholeProfileOfCarbonDioxide) {
     EXPECT_THROW(Profile::model(static_cast<ModelAtmosphere>(7)), InputError);
 }
 
-TEST(Profile, isLinearInTemperatureAndInLogarithmsOfPressureAndGases) {
+TEST(Profile, IsLinearInTemperatureAndInLogarithmsOfPressureAndGases) {
     AtmosphericState low{0.0, 1000.0, 300.0, {}};
     AtmosphericState high{1000.0, 810.0, 290.0, {}};
     low.moleFraction = {0.04, 4e-4, 0.0, 0.0, 0.0, 0.0, 0.2, 0.0};
@@ -94,7 +96,7 @@ TEST(Profile, isLinearInTemperatureAndInLogarithmsOfPressureAndGases) {
     EXPECT_EQ(middle.fraction(Gas::CH4), 0.0);
 }
 
-TEST(Profile, holdsItsEndsOutside) {
+TEST(Profile, HoldsItsEndsOutside) {
     const Profile air = Profile::model(ModelAtmosphere::tropical);
     EXPECT_EQ(air.at(-10.0).pressure_hPa, 1013.0);
     EXPECT_EQ(air.at(1e6).temperature_K, air.levels().back().temperature_K);
@@ -103,7 +105,7 @@ TEST(Profile, holdsItsEndsOutside) {
 }
 
 // Murphy and Koop 2005, table C1: values over supercooled and liquid water.
-TEST(Profile, knowsTheSaturationPressureOfWater) {
+TEST(Profile, KnowsTheSaturationPressureOfWater) {
     EXPECT_NEAR(saturationPressure_hPa(273.16), 6.11657, 2e-4);
     EXPECT_NEAR(saturationPressure_hPa(240.0), 0.37667, 1e-4);
     EXPECT_NEAR(saturationPressure_hPa(300.0), 35.368, 0.005);
@@ -112,7 +114,7 @@ TEST(Profile, knowsTheSaturationPressureOfWater) {
     EXPECT_NEAR(relativeHumidity(air), 0.5, 1e-12);
 }
 
-TEST(Profile, ofEveryModelIsNearHydrostaticAndUnsaturatedLow) {
+TEST(Profile, OfEveryModelIsNearHydrostaticAndUnsaturatedLow) {
     for (const ModelAtmosphere model : allModels) {
         const Profile air = Profile::model(model);
         for (double z = 0.0; z < 10000.0; z += 1000.0) {
@@ -125,7 +127,7 @@ TEST(Profile, ofEveryModelIsNearHydrostaticAndUnsaturatedLow) {
     }
 }
 
-TEST(Profile, refusesLevelsByName) {
+TEST(Profile, RefusesLevelsByName) {
     struct Case {
         const char* name;
         std::vector<AtmosphericState> levels;
@@ -163,7 +165,7 @@ TEST(Profile, refusesLevelsByName) {
     }
 }
 
-TEST(Profile, namesEveryBadLevelAtOnce) {
+TEST(Profile, NamesEveryBadLevelAtOnce) {
     try {
         const Profile profile(
             {AtmosphericState{0.0, 1000.0, 50.0, {}}, AtmosphericState{10.0, 1001.0, 500.0, {}}});

@@ -58,7 +58,7 @@ const LowtranRow lowtranRows[] = {
 };
 // clang-format on
 
-TEST(PublishedAerosols, agreeWithResultsOfLowtran7) {
+TEST(PublishedAerosols, AgreeWithResultsOfLowtran7) {
     constexpr std::array<double, 4> wavelengths_um = {10.0, 5.0, 2.5, 2.0};
     double horizontal = 0.0;
     double slant = 0.0;
@@ -94,28 +94,32 @@ TEST(PublishedAerosols, agreeWithResultsOfLowtran7) {
     RecordProperty("slant", std::to_string(slant));
 }
 
-TEST(PublishedAerosols, agreeWithTheAerosolColumnsOfModtran) {
+TEST(PublishedAerosols, AgreeWithTheAerosolColumnsOfModtran) {
     const auto file =
         smat::test::sharedMaterial("data/atmosphere/modtran/pyradi/horizon5kmtropical.fl7");
-    if (file.empty())
+    if (file.empty()) {
         GTEST_SKIP() << "the MODTRAN outputs of the shared material are not here";
+    }
 
     // Tropical air, rural aerosol of 23 km, 5 km at the ground. MODTRAN starts from the table's
     // 0.158 km-1 where Koschmieder says 0.1585: up to 1.2e-3 in transmittance.
     const auto layers = particleLayers(settings(AerosolModel::rural, 23e3), humidityOf("tropical"));
     std::ifstream stream(file);
     std::string line;
-    for (int i = 0; i < 13; ++i)
+    for (int i = 0; i < 13; ++i) {
         std::getline(stream, line);
+    }
     int count = 0;
     double worst = 0.0, square = 0.0;
     while (std::getline(stream, line)) {
         std::istringstream words(line);
         std::vector<double> row;
-        for (double value; words >> value;)
+        for (double value; words >> value;) {
             row.push_back(value);
-        if (row.size() < 12)
+        }
+        if (row.size() < 12) {
             continue;
+        }
         const ParticleOptics tau = at(layers, 0.0, 1e4 / row[0]);
         const double transmittance = std::exp(-5000.0 * tau.extinction) - row[9];
         worst = std::max(worst, std::abs(transmittance));
@@ -131,7 +135,7 @@ TEST(PublishedAerosols, agreeWithTheAerosolColumnsOfModtran) {
     RecordProperty("worst", std::to_string(worst));
 }
 
-TEST(PublishedAerosols, theNavyAerosolAlbedoAndAsymmetryAreThoseOfModtran) {
+TEST(PublishedAerosols, TheNavyAerosolAlbedoAndAsymmetryAreThoseOfModtran) {
     // MODTRAN 5.3: subarctic winter, air mass 3, wind 20 now and 8 m/s over 24 h, 80.46 %.
     const particles::WindAerosol navy = particles::navyMaritime(3, 20.0, 8.0, 0.8046);
     const ParticleLayer layer{"", {}, {}, navy.optics.wavelengths_um, navy.optics.values};
@@ -140,7 +144,7 @@ TEST(PublishedAerosols, theNavyAerosolAlbedoAndAsymmetryAreThoseOfModtran) {
     EXPECT_NEAR(green.asymmetry, 0.772073, 1e-3);
 }
 
-TEST(PublishedAerosols, theAirAboveTheBoundaryLayerIsThatOfModtran) {
+TEST(PublishedAerosols, TheAirAboveTheBoundaryLayerIsThatOfModtran) {
     // MODTRAN 5.3, autumn/winter, visibility 31 km: extinction at 0.55 um in km-1.
     ParticleSettings wanted = settings(AerosolModel::navyMaritime, 31e3);
     wanted.winter = true;
@@ -148,8 +152,9 @@ TEST(PublishedAerosols, theAirAboveTheBoundaryLayerIsThatOfModtran) {
     const std::vector<std::pair<double, double>> published = {
         {0, 0.1144},  {1, 0.07157},   {2, 0.04485},   {3, 0.01965},   {4, 0.009338},  {5, 0.00485},
         {8, 0.00141}, {10, 0.000787}, {11, 0.000714}, {20, 0.000423}, {30, 0.0000332}};
-    for (const auto& [z_km, value] : published)
+    for (const auto& [z_km, value] : published) {
         EXPECT_NEAR(extinction550At(layers, 1e3 * z_km) * 1e3 / value, 1.0, 5e-3) << z_km;
+    }
 }
 
 } // namespace

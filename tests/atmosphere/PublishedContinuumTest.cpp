@@ -56,12 +56,15 @@ std::vector<std::array<double, 18>> publishedRun() {
     for (int number = 1; !file.empty() && std::getline(in, line); ++number) {
         std::istringstream words(line);
         std::array<double, 18> row{};
-        if (number <= 13)
+        if (number <= 13) {
             continue;
-        for (double& value : row)
+        }
+        for (double& value : row) {
             words >> value;
-        if (words)
+        }
+        if (words) {
             rows.push_back(row);
+        }
     }
     return rows;
 }
@@ -77,28 +80,31 @@ struct RunCase {
 
 class PublishedContinuum : public testing::TestWithParam<RunCase> {};
 
-TEST_P(PublishedContinuum, givesTheTransmittanceOfTheRun) {
+TEST_P(PublishedContinuum, GivesTheTransmittanceOfTheRun) {
     const auto rows = publishedRun();
-    if (rows.empty())
+    if (rows.empty()) {
         GTEST_SKIP() << "the published MODTRAN run is not here";
+    }
     const RunCase& test = GetParam();
     const AtmosphericState air = Profile::model(ModelAtmosphere::tropical).at(0.0);
     Difference difference;
     for (const auto& row : rows) {
         const double nu = row[0];
-        if (nu < test.lower_per_cm || nu > test.upper_per_cm)
+        if (nu < test.lower_per_cm || nu > test.upper_per_cm) {
             continue;
+        }
         double perMetre = 0.0;
-        if (test.column == water)
+        if (test.column == water) {
             perMetre = continuumAbsorption_per_m(Continuum::waterSelf, air, nu) +
                        continuumAbsorption_per_m(Continuum::waterForeign, air, nu);
-        else if (test.column == scattering)
+        } else if (test.column == scattering) {
             perMetre = rayleighScattering_per_m(air, nu);
-        else
+        } else {
             perMetre = continuumAbsorption_per_m(test.column == ozone      ? Continuum::ozone
                                                  : test.column == nitrogen ? Continuum::nitrogen
                                                                            : Continuum::oxygen,
                                                  air, nu);
+        }
         difference.add(nu, std::exp(-5e3 * perMetre) - row[test.column]);
     }
     std::cout << test.name << ": " << difference.text() << "\n";
@@ -127,11 +133,12 @@ INSTANTIATE_TEST_SUITE_P(
 /// Continuum, nitrogen and aerosol cannot be darker than the whole. This run (5 km of midlatitude
 /// summer air, rural aerosol of 23 km visibility) took no part in any fit; its aerosol is that of
 /// the tropical run, whose humidity is nearly the same.
-TEST(Continuum, leavesRoomForLinesInARunThatWasNotFitted) {
+TEST(Continuum, LeavesRoomForLinesInARunThatWasNotFitted) {
     const auto file = smat::test::sharedMaterial("data/atmosphere/modtran/well-fill/MLS23km/tape7");
     const auto tropical = publishedRun();
-    if (file.empty() || tropical.empty())
+    if (file.empty() || tropical.empty()) {
         GTEST_SKIP() << "the MODTRAN runs are not here";
+    }
     const AtmosphericState air = Profile::model(ModelAtmosphere::midlatitudeSummer).at(0.0);
     std::ifstream in(file);
     std::string line;
@@ -140,8 +147,9 @@ TEST(Continuum, leavesRoomForLinesInARunThatWasNotFitted) {
     for (int number = 1; std::getline(in, line); ++number) {
         std::istringstream words(line);
         double nu = 0.0, whole = 0.0;
-        if (number <= 11 || !(words >> nu >> whole) || nu < 2400.0 || nu > 2900.0)
+        if (number <= 11 || !(words >> nu >> whole) || nu < 2400.0 || nu > 2900.0) {
             continue;
+        }
         const auto near = std::ranges::min_element(
             tropical, {}, [&](const auto& row) { return std::abs(row[0] - nu); });
         const double depth = 5e3 * (continuumAbsorption_per_m(Continuum::waterSelf, air, nu) +
@@ -165,8 +173,9 @@ class MtCkd {
         std::vector<Diagnostic> diagnostics;
         for (std::size_t r = 1; r < table.rows().size(); ++r) {
             std::array<double, 5> row{};
-            for (std::size_t c = 0; c < row.size(); ++c)
+            for (std::size_t c = 0; c < row.size(); ++c) {
                 row[c] = table.number(table.rows()[r].cells[c], diagnostics).value_or(0.0);
+            }
             rows_.push_back(row);
         }
     }
@@ -187,10 +196,11 @@ class MtCkd {
     std::vector<std::array<double, 5>> rows_;
 };
 
-TEST(Continuum, ofWaterLiesNearMtCkd) {
+TEST(Continuum, OfWaterLiesNearMtCkd) {
     const auto file = smat::test::sharedMaterial("data/atmosphere/continuum/mt_ckd_4.3_h2o.csv");
-    if (file.empty())
+    if (file.empty()) {
         GTEST_SKIP() << "the MT_CKD table is not here";
+    }
     const MtCkd published(file);
     struct Case {
         const char* name;
@@ -213,13 +223,14 @@ TEST(Continuum, ofWaterLiesNearMtCkd) {
                                             {2900, 4200, 0.12},
                                             {4200, 5000, 0.09},
                                             {5000, 10000, 0.09}}};
-    for (const Case& test : cases)
+    for (const Case& test : cases) {
         for (const Region& region : regions) {
             std::array<Difference, 3> differences; // self, foreign, both
             for (const auto& row : published.rows()) {
                 const double nu = row[0];
-                if (nu < region.lower_per_cm || nu > region.upper_per_cm)
+                if (nu < region.lower_per_cm || nu > region.upper_per_cm) {
                     continue;
+                }
                 double ours = 0.0, theirs = 0.0;
                 for (const std::size_t part : {0u, 1u}) {
                     const double own = continuumAbsorption_per_m(
@@ -240,15 +251,17 @@ TEST(Continuum, ofWaterLiesNearMtCkd) {
             EXPECT_LT(differences[2].rms(), region.rms)
                 << test.name << " from " << region.lower_per_cm;
         }
+    }
 }
 
 /// The fundamental of oxygen at all temperatures against the fit of Thibault et al. 1997 (Appl.
 /// Opt. 36, 563) to laboratory spectra, as MT_CKD holds it.
-TEST(Continuum, ofOxygenHasTheTemperatureBehaviourOfLaboratorySpectra) {
+TEST(Continuum, OfOxygenHasTheTemperatureBehaviourOfLaboratorySpectra) {
     const auto file =
         smat::test::sharedMaterial("data/atmosphere/continuum/mt_ckd_o2_fundamental.csv");
-    if (file.empty())
+    if (file.empty()) {
         GTEST_SKIP() << "the laboratory fit is not here";
+    }
     const CsvTable table = CsvTable::read(file);
     AtmosphericState air = Profile::model(ModelAtmosphere::usStandard1976).at(0.0);
     air.pressure_hPa = 1013.25;
@@ -259,10 +272,12 @@ TEST(Continuum, ofOxygenHasTheTemperatureBehaviourOfLaboratorySpectra) {
         std::vector<Diagnostic> diagnostics;
         for (std::size_t r = 1; r < table.rows().size(); ++r) {
             std::array<double, 3> row{};
-            for (std::size_t c = 0; c < row.size(); ++c)
+            for (std::size_t c = 0; c < row.size(); ++c) {
                 row[c] = table.number(table.rows()[r].cells[c], diagnostics).value_or(0.0);
-            if (row[0] < 1440.0 || row[0] > 1720.0)
+            }
+            if (row[0] < 1440.0 || row[0] > 1720.0) {
                 continue;
+            }
             ours += continuumAbsorption_per_m(Continuum::oxygen, air, row[0]);
             theirs += 100.0 * air.fraction(Gas::O2) * amagat * amagat * row[1] *
                       std::exp(row[2] * (1.0 / 296.0 - 1.0 / temperature_K));

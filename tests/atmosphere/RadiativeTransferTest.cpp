@@ -27,8 +27,8 @@ double one(const std::vector<double>& values) {
     return values.front();
 }
 
-TEST(RadiativeTransfer, radiatesAsPlanckInsideOpaqueIsothermalAir) {
-    for (const ScatteringMode mode : {ScatteringMode::single, ScatteringMode::twoStream})
+TEST(RadiativeTransfer, RadiatesAsPlanckInsideOpaqueIsothermalAir) {
+    for (const ScatteringMode mode : {ScatteringMode::single, ScatteringMode::twoStream}) {
         for (const double albedo : {0.0, 0.3, 1.0}) {
             AtmosphericModel air = model(profile(270.0), mode);
             air.groundTemperature_K = 270.0;
@@ -36,7 +36,7 @@ TEST(RadiativeTransfer, radiatesAsPlanckInsideOpaqueIsothermalAir) {
             air.particles = {particles({0.0, 3000.0}, {2e-3, 1e-3}, 0.7, 0.8)};
             const RadiativeTransfer transfer(air, table());
             const double expected = planck(opaque, 270.0);
-            for (const double altitude_m : {0.0, 1.0, 3456.7, 20e3})
+            for (const double altitude_m : {0.0, 1.0, 3456.7, 20e3}) {
                 for (const double elevation : {-90.0, -30.0, -0.1, 0.0, 0.1, 45.0, 90.0}) {
                     const LineOfSight sight{altitude_m, elevation * pi / 180.0, 0.0};
                     EXPECT_NEAR(one(transfer.backgroundRadiance(nodes({opaque}), sight, night)) /
@@ -44,6 +44,7 @@ TEST(RadiativeTransfer, radiatesAsPlanckInsideOpaqueIsothermalAir) {
                                 1.0, 1e-6)
                         << altitude_m << " m, " << elevation;
                 }
+            }
             for (const double altitude_m : {0.0, 777.0, 40e3}) {
                 EXPECT_NEAR(one(transfer.upwardFlux(nodes({opaque}), altitude_m, night)) /
                                 (pi * expected),
@@ -53,16 +54,17 @@ TEST(RadiativeTransfer, radiatesAsPlanckInsideOpaqueIsothermalAir) {
                             1.0, 1e-6);
             }
         }
+    }
 }
 
-TEST(RadiativeTransfer, radiatesAsPlanckDeepInsideIsothermalFog) {
+TEST(RadiativeTransfer, RadiatesAsPlanckDeepInsideIsothermalFog) {
     // Half of the extinction is scattering; the top of the fog is 100 optical depths away.
     AtmosphericModel air = model(profile(280.0));
     air.groundTemperature_K = 280.0;
     air.groundAlbedo = Spectrum::constant(0.4);
     air.particles = {particles({0.0, 4000.0}, {0.05, 0.05}, 0.5, 0.8)};
     const RadiativeTransfer transfer(air, table());
-    for (const std::uint32_t node : {thin, medium})
+    for (const std::uint32_t node : {thin, medium}) {
         for (const double elevation : {-90.0, -10.0, 0.0, 3.0, 90.0}) {
             const LineOfSight sight{3.0, elevation * pi / 180.0, 0.0};
             EXPECT_NEAR(one(transfer.backgroundRadiance(nodes({node}), sight, night)) /
@@ -70,11 +72,12 @@ TEST(RadiativeTransfer, radiatesAsPlanckDeepInsideIsothermalFog) {
                         1.0, 1e-6)
                 << elevation;
         }
+    }
 }
 
-TEST(RadiativeTransfer, transmitsAnExponentialAtmosphereInClosedForm) {
+TEST(RadiativeTransfer, TransmitsAnExponentialAtmosphereInClosedForm) {
     const RadiativeTransfer transfer(model(profile()), table());
-    for (const std::uint32_t node : {thin, medium, sunlit})
+    for (const std::uint32_t node : {thin, medium, sunlit}) {
         for (const double top_m : {500.0, 3000.0, 20e3, 100e3}) {
             const double perMetre =
                 extinction_per_m(*table(), node, transfer.air().profile.at(0.0));
@@ -83,9 +86,10 @@ TEST(RadiativeTransfer, transmitsAnExponentialAtmosphereInClosedForm) {
                 -std::log(one(transfer.transmittance(nodes({node}), {0.0, top_m, top_m})));
             EXPECT_NEAR(found / expected, 1.0, 2e-3) << node << " to " << top_m;
         }
+    }
 }
 
-TEST(RadiativeTransfer, transmitsTheSameBothWaysAndInPieces) {
+TEST(RadiativeTransfer, TransmitsTheSameBothWaysAndInPieces) {
     const RadiativeTransfer transfer(model(profile(288.0, 6.5)), table());
     const NodeSet set = nodes({thin, medium, sunlit});
     const auto there = transfer.transmittance(set, {1234.5, 8765.4, 60e3});
@@ -99,7 +103,7 @@ TEST(RadiativeTransfer, transmitsTheSameBothWaysAndInPieces) {
     }
 }
 
-TEST(RadiativeTransfer, addsTheRadianceOfTwoPiecesOfAPath) {
+TEST(RadiativeTransfer, AddsTheRadianceOfTwoPiecesOfAPath) {
     const RadiativeTransfer transfer(model(profile(288.0, 6.5)), table());
     for (const double cut_m : {3333.3, 4000.0, 4010.0}) {
         const NodeSet set = nodes({medium});
@@ -111,7 +115,7 @@ TEST(RadiativeTransfer, addsTheRadianceOfTwoPiecesOfAPath) {
     }
 }
 
-TEST(RadiativeTransfer, transmitsLessTheLongerThePathAndNeverMoreThanAll) {
+TEST(RadiativeTransfer, TransmitsLessTheLongerThePathAndNeverMoreThanAll) {
     AtmosphericModel air = model(profile());
     air.particles = {particles({0.0, 3000.0}, {2e-4, 1e-5}, 0.7, 0.8)};
     const RadiativeTransfer transfer(air, table());
@@ -121,13 +125,14 @@ TEST(RadiativeTransfer, transmitsLessTheLongerThePathAndNeverMoreThanAll) {
     std::vector<double> last(set.nodes.size(), 1.0);
     for (double range_m = 0.01; range_m < 2e5; range_m *= 2.7) {
         const auto now = transfer.transmittance(set, {3000.0, 3000.0, range_m});
-        for (std::size_t i = 0; i < now.size(); ++i)
+        for (std::size_t i = 0; i < now.size(); ++i) {
             EXPECT_LE(now[i], last[i]) << range_m;
+        }
         last = now;
     }
 }
 
-TEST(RadiativeTransfer, keepsTheDigitsOfACentimetre) {
+TEST(RadiativeTransfer, KeepsTheDigitsOfACentimetre) {
     const RadiativeTransfer transfer(model(profile()), table());
     const AtmosphericState ground = transfer.air().profile.at(100.0);
     const AtmosphericPath path{100.0, 100.0, 0.01};
@@ -141,7 +146,7 @@ TEST(RadiativeTransfer, keepsTheDigitsOfACentimetre) {
     EXPECT_NEAR(metre / centimetre, 100.0, 1e-4);
 }
 
-TEST(RadiativeTransfer, isLinearWhereTheAirIsThin) {
+TEST(RadiativeTransfer, IsLinearWhereTheAirIsThin) {
     const RadiativeTransfer transfer(model(profile()), table());
     const NodeSet set = nodes({thin});
     const double extinction = extinction_per_m(*table(), thin, transfer.air().profile.at(2000.0));
@@ -151,7 +156,7 @@ TEST(RadiativeTransfer, isLinearWhereTheAirIsThin) {
     }
 }
 
-TEST(RadiativeTransfer, agreesWithBeerAndLambertAlongAHorizontalPath) {
+TEST(RadiativeTransfer, AgreesWithBeerAndLambertAlongAHorizontalPath) {
     const RadiativeTransfer transfer(model(profile()), table());
     BeerLambertParameters homogeneous;
     homogeneous.airTemperature_K = 288.0;
@@ -171,7 +176,7 @@ TEST(RadiativeTransfer, agreesWithBeerAndLambertAlongAHorizontalPath) {
     }
 }
 
-TEST(RadiativeTransfer, radiatesAtTheNearTemperatureWhereTheAirIsOpaque) {
+TEST(RadiativeTransfer, RadiatesAtTheNearTemperatureWhereTheAirIsOpaque) {
     const RadiativeTransfer transfer(model(profile(288.0, 6.5)), table());
     const NodeSet set = nodes({opaque});
     EXPECT_NEAR(one(transfer.pathRadiance(set, {3000.0, 10e3, 20e3}, night)) /
@@ -185,7 +190,7 @@ TEST(RadiativeTransfer, radiatesAtTheNearTemperatureWhereTheAirIsOpaque) {
                 1.0, 1e-6);
 }
 
-TEST(RadiativeTransfer, radiatesWithAllOfItsExtinctionWhereLightIsScatteredOnce) {
+TEST(RadiativeTransfer, RadiatesWithAllOfItsExtinctionWhereLightIsScatteredOnce) {
     // As MODTRAN without multiple scattering: (1 - transmittance) Planck along a level path.
     AtmosphericModel air = model(profile(288.0, 6.5), ScatteringMode::single);
     air.particles = {particles({0.0, 3000.0}, {2e-4, 2e-4}, 0.7, 0.8)};
@@ -200,16 +205,17 @@ TEST(RadiativeTransfer, radiatesWithAllOfItsExtinctionWhereLightIsScatteredOnce)
     }
 }
 
-TEST(RadiativeTransfer, radiatesUpAsDownThroughIsothermalAir) {
+TEST(RadiativeTransfer, RadiatesUpAsDownThroughIsothermalAir) {
     const RadiativeTransfer transfer(model(profile(), ScatteringMode::single), table());
     const NodeSet set = nodes({thin, medium});
     const auto up = transfer.pathRadiance(set, {0.0, 5000.0, 12e3}, night);
     const auto down = transfer.pathRadiance(set, {5000.0, 0.0, 12e3}, night);
-    for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_NEAR(up[i] / down[i], 1.0, 1e-6);
+    }
 }
 
-TEST(RadiativeTransfer, doesNotNoticeParticlesThatTakeNothing) {
+TEST(RadiativeTransfer, DoesNotNoticeParticlesThatTakeNothing) {
     AtmosphericModel air = model(profile(288.0, 6.5));
     const RadiativeTransfer without(air, table());
     air.particles = {particles({1000.0, 2000.0}, {0.0, 0.0}, 0.5, 0.7)};
@@ -221,7 +227,7 @@ TEST(RadiativeTransfer, doesNotNoticeParticlesThatTakeNothing) {
     EXPECT_EQ(without.downwardFlux(nodes(), 0.0, sun), with.downwardFlux(nodes(), 0.0, sun));
 }
 
-TEST(RadiativeTransfer, isContinuousAcrossTheHorizon) {
+TEST(RadiativeTransfer, IsContinuousAcrossTheHorizon) {
     AtmosphericModel air = model(profile(288.0, 6.5));
     air.particles = {particles({0.0, 3000.0}, {1e-4, 1e-5}, 0.9, 0.7)};
     const RadiativeTransfer transfer(air, table());
@@ -237,7 +243,7 @@ TEST(RadiativeTransfer, isContinuousAcrossTheHorizon) {
     }
 }
 
-TEST(RadiativeTransfer, keepsTheFluxOfTheSunWithoutAbsorption) {
+TEST(RadiativeTransfer, KeepsTheFluxOfTheSunWithoutAbsorption) {
     AtmosphericModel air = model(profile(200.0));
     air.groundAlbedo = Spectrum::constant(1.0);
     air.particles = {particles({500.0, 2500.0}, {5e-3, 5e-3}, 1.0, 0.85)};
@@ -254,7 +260,7 @@ TEST(RadiativeTransfer, keepsTheFluxOfTheSunWithoutAbsorption) {
     }
 }
 
-TEST(RadiativeTransfer, scattersTheSunOnceAsThinAirMust) {
+TEST(RadiativeTransfer, ScattersTheSunOnceAsThinAirMust) {
     const RadiativeTransfer transfer(model(profile(), ScatteringMode::single), table());
     const NodeSet set = nodes({blue});
     const double altitude_m = 5000.0, range_m = 100.0;
@@ -273,7 +279,7 @@ TEST(RadiativeTransfer, scattersTheSunOnceAsThinAirMust) {
         1.0, 2e-2);
 }
 
-TEST(RadiativeTransfer, scattersMoreOftenThanOnceWhereTwoStreamsAreAskedFor) {
+TEST(RadiativeTransfer, ScattersMoreOftenThanOnceWhereTwoStreamsAreAskedFor) {
     AtmosphericModel air = model(profile());
     air.groundAlbedo = Spectrum::constant(0.0);
     air.scattering = ScatteringMode::single;
@@ -291,7 +297,7 @@ TEST(RadiativeTransfer, scattersMoreOftenThanOnceWhereTwoStreamsAreAskedFor) {
                 1.0, 2e-3);
 }
 
-TEST(RadiativeTransfer, seesSunlitAndWarmGround) {
+TEST(RadiativeTransfer, SeesSunlitAndWarmGround) {
     AtmosphericModel air = model(profile(250.0));
     air.groundTemperature_K = 300.0;
     air.groundAlbedo = Spectrum::constant(0.5);
@@ -307,7 +313,7 @@ TEST(RadiativeTransfer, seesSunlitAndWarmGround) {
                 1.0, 0.02);
 }
 
-TEST(RadiativeTransfer, knowsWhenTheEarthHidesTheSun) {
+TEST(RadiativeTransfer, KnowsWhenTheEarthHidesTheSun) {
     const RadiativeTransfer transfer(model(profile()), table());
     const NodeSet set = nodes({sunlit});
     EXPECT_EQ(one(transfer.solarIrradiance(set, 0.0, {0.0, -0.05})), 0.0);
@@ -321,15 +327,15 @@ TEST(RadiativeTransfer, knowsWhenTheEarthHidesTheSun) {
     }
 }
 
-TEST(RadiativeTransfer, staysFiniteAndPositiveForEverySunAndSight) {
+TEST(RadiativeTransfer, StaysFiniteAndPositiveForEverySunAndSight) {
     AtmosphericModel air = model(profile(288.0, 6.5));
     air.particles = {particles({0.0, 2000.0}, {1e-4, 1e-5}, 0.9, 0.7),
                      particles({3000.0, 4000.0}, {0.1, 0.1}, 0.999999, 0.87)};
     for (const ScatteringMode mode : {ScatteringMode::single, ScatteringMode::twoStream}) {
         air.scattering = mode;
         const RadiativeTransfer transfer(air, table());
-        for (const double sun : {-90.0, -12.0, -6.0, -1.0, -0.3, 0.0, 0.3, 10.0, 60.0, 90.0})
-            for (const double sight : {-90.0, -20.0, 0.0, 1.0, 50.0, 90.0})
+        for (const double sun : {-90.0, -12.0, -6.0, -1.0, -0.3, 0.0, 0.3, 10.0, 60.0, 90.0}) {
+            for (const double sight : {-90.0, -20.0, 0.0, 1.0, 50.0, 90.0}) {
                 for (const double altitude_m : {0.0, 2.0, 3500.0, 12e3, 99e3, 400e3}) {
                     const auto radiance = transfer.backgroundRadiance(
                         nodes(), {altitude_m, sight * pi / 180.0, 0.3}, {0.3, sun * pi / 180.0});
@@ -342,10 +348,12 @@ TEST(RadiativeTransfer, staysFiniteAndPositiveForEverySunAndSight) {
                             << sun << " " << altitude_m << " " << down[i];
                     }
                 }
+            }
+        }
     }
 }
 
-TEST(RadiativeTransfer, darkensTheGroundUnderACloud) {
+TEST(RadiativeTransfer, DarkensTheGroundUnderACloud) {
     AtmosphericModel air = model(profile(270.0));
     const SunPosition sun{0.0, 0.8};
     const NodeSet set = nodes({blue});
@@ -360,7 +368,7 @@ TEST(RadiativeTransfer, darkensTheGroundUnderACloud) {
     EXPECT_GT(one(cloudy.upwardFlux(set, 3000.0, sun)), 0.5 * clearLight);
 }
 
-TEST(RadiativeTransfer, transmitsTheProductOfItsComponents) {
+TEST(RadiativeTransfer, TransmitsTheProductOfItsComponents) {
     AtmosphericModel air = model(profile());
     air.particles = {particles({0.0, 3000.0}, {1e-4, 1e-5}, 0.7, 0.8)};
     const RadiativeTransfer transfer(air, table());
@@ -369,16 +377,18 @@ TEST(RadiativeTransfer, transmitsTheProductOfItsComponents) {
     for (const char* component :
          {"CO2", "H2O", "N2 collision-induced", "HNO3", "Rayleigh", "particles"}) {
         const auto alone = transfer.componentTransmittance(nodes(), path, component);
-        for (std::size_t i = 0; i < alone.size(); ++i)
+        for (std::size_t i = 0; i < alone.size(); ++i) {
             product[i] *= alone[i];
+        }
     }
     const auto all = transfer.transmittance(nodes(), path);
-    for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t i = 0; i < all.size(); ++i) {
         EXPECT_NEAR(product[i], all[i], 2e-6);
+    }
     EXPECT_THROW((void)transfer.componentTransmittance(nodes(), path, "phlogiston"), LogicError);
 }
 
-TEST(RadiativeTransfer, averagesNodesIntoBinsOverWavelength) {
+TEST(RadiativeTransfer, AveragesNodesIntoBinsOverWavelength) {
     const RadiativeTransfer transfer(model(profile()), table());
     const SpectralRange range{1e4 / 1009.0, 1e4 / 1001.0};
     EXPECT_EQ(transfer.nodesOf(range).nodes, (std::vector<std::uint32_t>{thin, medium, opaque}));
@@ -394,7 +404,7 @@ TEST(RadiativeTransfer, averagesNodesIntoBinsOverWavelength) {
     EXPECT_THROW((void)transfer.nodesOf({3.0, 5.0}), LogicError);
 }
 
-TEST(RadiativeTransfer, answersSeveralThreadsAsOne) {
+TEST(RadiativeTransfer, AnswersSeveralThreadsAsOne) {
     const AtmosphericPath path{100.0, 6000.0, 15e3};
     const SunPosition sun{0.2, 0.7};
     const RadiativeTransfer alone(model(profile(288.0, 6.0)), table());
@@ -403,8 +413,9 @@ TEST(RadiativeTransfer, answersSeveralThreadsAsOne) {
     std::vector<std::vector<double>> found(4);
     {
         std::vector<std::jthread> threads;
-        for (auto& own : found)
+        for (auto& own : found) {
             threads.emplace_back([&] { own = shared.pathRadiance(nodes(), path, sun); });
+        }
     }
     EXPECT_THAT(found, testing::Each(expected));
 }

@@ -22,7 +22,7 @@ Profile ascentOf(const std::string& text) {
 
 } // namespace
 
-TEST(Radiosonde, readsHumidityInThreeForms) {
+TEST(Radiosonde, ReadsHumidityInThreeForms) {
     const double saturated_hPa = saturationPressure_hPa(288.15);
     const Profile relative =
         ascentOf("altitude [m],pressure [hPa],temperature [K],relative_humidity [%]\n"
@@ -40,7 +40,7 @@ TEST(Radiosonde, readsHumidityInThreeForms) {
     EXPECT_NEAR(mixing.at(0.0).fraction(Gas::H2O), 7745e-6, 1e-15);
 }
 
-TEST(Radiosonde, takesOtherGasesWhereTheFileHasThem) {
+TEST(Radiosonde, TakesOtherGasesWhereTheFileHasThem) {
     const Profile air =
         ascentOf("altitude [m],pressure [hPa],temperature [K],h2o [ppmv],co2 [ppmv],ch4 [ppmv]\n"
                  "0,1013,288.15,7745,500,2.5\n1000,899,281,6071,500,2.5\n");
@@ -49,7 +49,7 @@ TEST(Radiosonde, takesOtherGasesWhereTheFileHasThem) {
     EXPECT_NEAR(air.at(0.0).fraction(Gas::O3), 0.0266e-6, 1e-15);
 }
 
-TEST(Radiosonde, blendsIntoTheAirAboveOverFiveKilometres) {
+TEST(Radiosonde, BlendsIntoTheAirAboveOverFiveKilometres) {
     const Profile background = Profile::model(ModelAtmosphere::usStandard1976);
     const Profile air = ascentOf("altitude [m],pressure [hPa],temperature [K],h2o [ppmv]\n"
                                  "0,1020,290,8000\n10000,270,230,80\n");
@@ -67,7 +67,7 @@ TEST(Radiosonde, blendsIntoTheAirAboveOverFiveKilometres) {
                 1e-9);
 }
 
-TEST(Radiosonde, thatStartsAboveTheGroundIsContinuedDown) {
+TEST(Radiosonde, ThatStartsAboveTheGroundIsContinuedDown) {
     const Profile air = ascentOf("altitude [m],pressure [hPa],temperature [K],h2o [ppmv]\n"
                                  "100,1001,288,7000\n1000,899,281,6071\n");
     EXPECT_EQ(air.at(0.0).temperature_K, 288.0);
@@ -75,13 +75,13 @@ TEST(Radiosonde, thatStartsAboveTheGroundIsContinuedDown) {
     EXPECT_NEAR(air.at(0.0).pressure_hPa, 1001.0 * std::exp(100.0 / 8450.0), 0.05);
 }
 
-TEST(Radiosonde, thatReachesTheTopNeedsNothingAbove) {
+TEST(Radiosonde, ThatReachesTheTopNeedsNothingAbove) {
     const Profile air = ascentOf("altitude [m],pressure [hPa],temperature [K],h2o [ppmv]\n"
                                  "0,1013,288,7000\n50000,0.8,270,5\n110000,0.0001,240,1\n");
     EXPECT_EQ(air.top_m(), 110000.0);
 }
 
-TEST(Radiosonde, refusesEveryKindOfErrorByName) {
+TEST(Radiosonde, RefusesEveryKindOfErrorByName) {
     const std::string head = "altitude [m],pressure [hPa],temperature [K],relative_humidity [%]\n";
     struct Case {
         const char* name;
@@ -153,7 +153,7 @@ TEST(Radiosonde, refusesEveryKindOfErrorByName) {
                  InputError);
 }
 
-TEST(Radiosonde, namesEveryDiagnosticAtOnce) {
+TEST(Radiosonde, NamesEveryDiagnosticAtOnce) {
     try {
         ascentOf("altitude [m],pressure [hPa],temperature [K],relative_humidity [%]\n"
                  "0,1013,15,150\n1000,x,281,50\n500,800,281,50\n");

@@ -14,7 +14,7 @@ using namespace irsg::raypathtest;
 // The convention at the horizon is 34 arc minutes, visible light and 10 C (Bennett 1982, J.
 // Navigation 35, 255). The infrared index is 2 % lower, and refraction at the horizon falls by 0.55
 // % per K: 32 to 33 in the standard atmosphere.
-TEST(RayPathRefraction, bendsTheSunAtTheHorizonByTheKnownAngle) {
+TEST(RayPathRefraction, BendsTheSunAtTheHorizonByTheKnownAngle) {
     const auto refraction = [](const RayTracer& tracer) {
         double low = radians(-1.0);
         double high = 0.0;
@@ -36,7 +36,7 @@ TEST(RayPathRefraction, bendsTheSunAtTheHorizonByTheKnownAngle) {
 // Laplace's series: R = (n - 1)(1 - b) tan z - (n - 1)(b - (n - 1) / 2) tan^3 z with b the height
 // of the homogeneous atmosphere over the earth's radius (Green 1985, Spherical Astronomy, chapter
 // 4); it does not depend on the profile.
-TEST(RayPathRefraction, bendsTheSunAsLaplaceSays) {
+TEST(RayPathRefraction, BendsTheSunAsLaplaceSays) {
     const Profile profile = Profile::model(ModelAtmosphere::usStandard1976);
     const RayTracer tracer(profile, gridOf(profile));
     const AtmosphericState ground = profile.at(0.0);
@@ -54,7 +54,7 @@ TEST(RayPathRefraction, bendsTheSunAsLaplaceSays) {
     EXPECT_NEAR(emptyAir().towardsSun(0.0, 0.3).length_m, straight_m(0.0, 0.3, 1e5), 1e-4);
 }
 
-TEST(RayPathRefraction, seesTheSunBelowTheHorizonFromAloft) {
+TEST(RayPathRefraction, SeesTheSunBelowTheHorizonFromAloft) {
     const RayTracer tracer = tracerOf();
     const RayPath below = tracer.towardsSun(10000.0, radians(-3.0));
     expectSound(tracer, below);
@@ -78,11 +78,12 @@ TEST(RayPathRefraction, seesTheSunBelowTheHorizonFromAloft) {
 
 // Kasten and Young 1989, Appl. Opt. 28, 4735, table II: relative optical air mass of the ISO
 // standard atmosphere in the visible (0.7 um).
-TEST(RayPathRefraction, hasTheAirMassOfKastenAndYoung) {
+TEST(RayPathRefraction, HasTheAirMassOfKastenAndYoung) {
     const Profile profile = Profile::model(ModelAtmosphere::usStandard1976);
     std::vector<double> grid;
-    for (double z = 0.0; z <= 1e5; z += z < 20000.0 ? 250.0 : 2000.0)
+    for (double z = 0.0; z <= 1e5; z += z < 20000.0 ? 250.0 : 2000.0) {
         grid.push_back(z);
+    }
     const RayTracer tracer(profile, grid);
     const auto mass = [&](double elevation) {
         double sum = 0.0;
@@ -107,7 +108,7 @@ TEST(RayPathRefraction, hasTheAirMassOfKastenAndYoung) {
 
 // Path lengths of MODTRAN (headers of its tape7). Its earth radii: 6371.23 km, tropical 6378.39.
 // The tropical run covers 0.3 to 15 um and bends as visible light does, 2 % more than ours.
-TEST(RayPathRefraction, hasTheLengthsOfModtran) {
+TEST(RayPathRefraction, HasTheLengthsOfModtran) {
     const RayTracer standard = tracerOf();
     const RayTracer tropical = tracerOf(ModelAtmosphere::tropical, 6378.39e3);
     const auto length_km = [](const RayTracer& tracer, double altitude_m, double zenith_deg) {
@@ -122,22 +123,24 @@ TEST(RayPathRefraction, hasTheLengthsOfModtran) {
     const RayPath slant = standard.between({2000.0, 10000.0, 9235.9});
     const RayPath asGiven = standard.along({2000.0, radians(60.0), 0.0});
     double upToTen = 0.0;
-    for (const RaySegment& each : asGiven.segments)
+    for (const RaySegment& each : asGiven.segments) {
         upToTen += each.endAltitude_m <= 10000.0 + 1e-6 ? each.length_m : 0.0;
+    }
     EXPECT_NEAR(upToTen * 1e-3, 9.2359, 2e-4);
     EXPECT_NEAR(slant.length_m, 9235.9, 1e-6);
 }
 
-TEST(RayPathRefraction, survivesInversionsThatWouldTrapIt) {
+TEST(RayPathRefraction, SurvivesInversionsThatWouldTrapIt) {
     const Profile profile = Profile::model(ModelAtmosphere::subarcticWinter)
                                 .withMeteo({2.0, 263.15, 1013.0, 0.8, 253.15});
     const RayTracer tracer(profile, gridOf(profile));
-    for (const double range : {1.0, 100.0, 5e3, 20e3, 50e3, 100e3})
+    for (const double range : {1.0, 100.0, 5e3, 20e3, 50e3, 100e3}) {
         for (const double altitude : {0.0, 0.5, 1.0, 2.0, 10.0, 60.0}) {
             const RayPath path = tracer.between({altitude, 5.0, std::max(range, 60.0)});
             expectSound(tracer, path);
             EXPECT_NEAR(path.length_m / std::max(range, 60.0), 1.0, 1e-10);
         }
+    }
     expectSound(tracer, tracer.along({1.0, 0.0, 0.0}));
     EXPECT_EQ(tracer.along({1.0, 0.0, 0.0}).end, RayPath::End::space);
     EXPECT_GT(tracer.refractiveIndex(0.0), tracer.refractiveIndex(1000.0));

@@ -16,8 +16,9 @@ inline constexpr double earth_m = 6371.23e3;
 
 inline std::vector<double> gridOf(const Profile& profile) {
     std::vector<double> grid;
-    for (const AtmosphericState& level : profile.levels())
+    for (const AtmosphericState& level : profile.levels()) {
         grid.push_back(level.altitude_m);
+    }
     return grid;
 }
 
@@ -37,8 +38,9 @@ inline RayTracer emptyAir(std::vector<double> grid = {0.0, 1000.0, 2500.0, 5000.
 
 inline double sumOf(const RayPath& path) {
     double sum = 0.0;
-    for (const RaySegment& segment : path.segments)
+    for (const RaySegment& segment : path.segments) {
         sum += segment.length_m;
+    }
     return sum;
 }
 

@@ -17,7 +17,7 @@ using namespace irsg;
 using namespace irsg::raypathtest;
 using testing::HasSubstr;
 
-TEST(RayPath, isAStraightLineWithoutAir) {
+TEST(RayPath, IsAStraightLineWithoutAir) {
     const RayTracer tracer = emptyAir();
     for (const double degrees : {0.0, 0.01, 1.0, 10.0, 45.0, 89.0, 90.0}) {
         const double elevation = radians(degrees);
@@ -36,7 +36,7 @@ TEST(RayPath, isAStraightLineWithoutAir) {
     }
 }
 
-TEST(RayPath, downwardsEndsOnTheGroundOrPassesItsTangent) {
+TEST(RayPath, DownwardsEndsOnTheGroundOrPassesItsTangent) {
     const RayTracer tracer = emptyAir();
     const RayPath down = tracer.along({10000.0, radians(-30.0), 0.0});
     expectSound(tracer, down);
@@ -58,7 +58,7 @@ TEST(RayPath, downwardsEndsOnTheGroundOrPassesItsTangent) {
     EXPECT_TRUE(isCut);
 }
 
-TEST(RayPath, fromSpaceEntersTheAirOrMissesIt) {
+TEST(RayPath, FromSpaceEntersTheAirOrMissesIt) {
     const RayTracer tracer = emptyAir();
     const double sensor = 400e3;
     const double r = earth_m + sensor;
@@ -83,7 +83,7 @@ TEST(RayPath, fromSpaceEntersTheAirOrMissesIt) {
     EXPECT_TRUE(tracer.between({2e5, 3e5, 5e5}).segments.empty());
 }
 
-TEST(RayPath, joinsTheEndsOfAStraightLine) {
+TEST(RayPath, JoinsTheEndsOfAStraightLine) {
     const RayTracer tracer = emptyAir();
     for (const AtmosphericPath& ends :
          {AtmosphericPath{0, 100, 1000}, AtmosphericPath{3000, 10000, 9000},
@@ -110,7 +110,7 @@ TEST(RayPath, joinsTheEndsOfAStraightLine) {
     }
 }
 
-TEST(RayPath, overAShortDistanceIsFlat) {
+TEST(RayPath, OverAShortDistanceIsFlat) {
     const RayTracer tracer = tracerOf();
     for (const double range : {0.01, 1.0, 100.0}) {
         for (const double rise : {0.0, 0.3 * range, 0.9 * range, range}) {
@@ -123,7 +123,7 @@ TEST(RayPath, overAShortDistanceIsFlat) {
     }
 }
 
-TEST(RayPath, ofOneCentimetreKeepsItsDigits) {
+TEST(RayPath, OfOneCentimetreKeepsItsDigits) {
     const RayTracer tracer = tracerOf();
     for (const double altitude : {0.0, 0.1, 2000.0, 5432.1, 40000.0}) {
         const RayPath level = tracer.between({altitude, altitude, 0.01});
@@ -135,7 +135,7 @@ TEST(RayPath, ofOneCentimetreKeepsItsDigits) {
     }
 }
 
-TEST(RayPath, ofNoLengthHasNoSegments) {
+TEST(RayPath, OfNoLengthHasNoSegments) {
     const RayPath none = tracerOf().between({100.0, 100.0, 0.0});
     EXPECT_TRUE(none.segments.empty());
     EXPECT_EQ(none.length_m, 0.0);
@@ -144,7 +144,7 @@ TEST(RayPath, ofNoLengthHasNoSegments) {
     EXPECT_NEAR(tiny.length_m, 1e-9, 1e-20);
 }
 
-TEST(RayPath, isTheSameFromBothEnds) {
+TEST(RayPath, IsTheSameFromBothEnds) {
     const RayTracer tracer = tracerOf(ModelAtmosphere::tropical);
     for (const AtmosphericPath& there :
          {AtmosphericPath{0, 10, 10000}, AtmosphericPath{2000, 10000, 9235.9},
@@ -170,7 +170,7 @@ TEST(RayPath, isTheSameFromBothEnds) {
 }
 
 // A ray that left with the elevation that `between` found arrives: follow it with `along`.
-TEST(RayPath, betweenTwoPointsIsTheRayThatArrives) {
+TEST(RayPath, BetweenTwoPointsIsTheRayThatArrives) {
     const RayTracer tracer = tracerOf();
     for (const double elevation : {-0.02, -0.001, 0.0, 0.001, 0.05, 0.5, 1.2}) {
         const RayPath ray = tracer.along({8000.0, elevation, 0.0});
@@ -182,21 +182,22 @@ TEST(RayPath, betweenTwoPointsIsTheRayThatArrives) {
     }
 }
 
-TEST(RayPath, betweenEqualAltitudesIsSymmetric) {
+TEST(RayPath, BetweenEqualAltitudesIsSymmetric) {
     const RayTracer tracer = tracerOf();
     const RayPath path = tracer.between({9000.0, 9000.0, 300e3});
     expectSound(tracer, path);
     const std::size_t count = path.segments.size();
     ASSERT_EQ(count % 2, 0u);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
         EXPECT_NEAR(path.segments[i].length_m / path.segments[count - 1 - i].length_m, 1.0, 1e-9);
+    }
     // Refraction lifts the ray: the chord would dip by L^2 / 8 R.
     const double dip = 300e3 * 300e3 / (8.0 * (earth_m + 9000.0));
     EXPECT_GT(path.tangentAltitude_m, 9000.0 - dip);
     EXPECT_NEAR(9000.0 - path.tangentAltitude_m, dip, 0.12 * dip);
 }
 
-TEST(RayPath, isContinuousAcrossTheHorizontalAndTheTangent) {
+TEST(RayPath, IsContinuousAcrossTheHorizontalAndTheTangent) {
     const RayTracer tracer = tracerOf();
     for (const double altitude : {50.0, 1000.0, 1300.0, 8000.0, 8500.0}) {
         // A level sensor: length and mean altitude change by little for a millionth of a radian.
@@ -224,7 +225,7 @@ TEST(RayPath, isContinuousAcrossTheHorizontalAndTheTangent) {
     }
 }
 
-TEST(RayPath, isContinuousWhereItTouchesTheGround) {
+TEST(RayPath, IsContinuousWhereItTouchesTheGround) {
     const RayTracer tracer = tracerOf();
     double previous = -1.0;
     for (double range = 20e3; range < 45e3; range += 100.0) {
@@ -244,7 +245,7 @@ TEST(RayPath, isContinuousWhereItTouchesTheGround) {
     EXPECT_EQ(meanAltitude_m(tracer, flat), 0.0);
 }
 
-TEST(RayPath, carriesQuantitiesLinearInAltitudeExactly) {
+TEST(RayPath, CarriesQuantitiesLinearInAltitudeExactly) {
     // Against Simpson's rule along a chord.
     const RayTracer coarse = emptyAir({0.0, 100000.0});
     const RayTracer fine = emptyAir();
@@ -265,7 +266,7 @@ TEST(RayPath, carriesQuantitiesLinearInAltitudeExactly) {
     }
 }
 
-TEST(RayPath, isUnchangedByALayerCutInTwo) {
+TEST(RayPath, IsUnchangedByALayerCutInTwo) {
     // Refractivity is exponential in an isothermal dry atmosphere, on any grid.
     const Profile air(
         {AtmosphericState{0.0, 1013.0, 260.0, {}}, AtmosphericState{80000.0, 0.03, 260.0, {}}});
@@ -282,7 +283,7 @@ TEST(RayPath, isUnchangedByALayerCutInTwo) {
     EXPECT_NEAR(coarse.between(ends).endElevation_rad, fine.between(ends).endElevation_rad, 1e-8);
 }
 
-TEST(RayPath, hasTheRangeAskedBetweenAnyTwoEnds) {
+TEST(RayPath, HasTheRangeAskedBetweenAnyTwoEnds) {
     std::mt19937 generator(1);
     const auto uniform = [&] { return std::uniform_real_distribution<double>(0, 1)(generator); };
     const auto altitude = [&] {
@@ -292,8 +293,9 @@ TEST(RayPath, hasTheRangeAskedBetweenAnyTwoEnds) {
     int count = 0;
     for (const bool isMeasured : {false, true}) {
         Profile profile = Profile::model(ModelAtmosphere::midlatitudeWinter);
-        if (isMeasured)
+        if (isMeasured) {
             profile = profile.withMeteo({3.0, 275.0, 1000.0, 0.5, 266.0});
+        }
         const RayTracer tracer(profile, gridOf(profile));
         for (int i = 0; i < 6000; ++i) {
             const double sensor = altitude();
@@ -317,7 +319,7 @@ TEST(RayPath, hasTheRangeAskedBetweenAnyTwoEnds) {
     EXPECT_LT(worst, 1e-12);
 }
 
-TEST(RayPath, reachesTargetsAtAndAboveTheTop) {
+TEST(RayPath, ReachesTargetsAtAndAboveTheTop) {
     const RayTracer tracer = tracerOf();
     for (const double target : {99999.9, 1e5, 100000.1, 150e3}) {
         const RayPath path = tracer.between({0.0, target, 1000e3});
@@ -334,7 +336,7 @@ TEST(RayPath, reachesTargetsAtAndAboveTheTop) {
     EXPECT_NEAR(vertical.endElevation_rad, 0.5 * pi, 1e-7);
 }
 
-TEST(RayPath, refusesWhatCannotBe) {
+TEST(RayPath, RefusesWhatCannotBe) {
     const RayTracer tracer = tracerOf();
     const double nan = std::nan("");
     struct Case {

@@ -37,13 +37,16 @@ Spectrum plume() {
 /// Paths that are none of those trained on.
 std::vector<AtmosphericPath> paths() {
     std::vector<AtmosphericPath> all;
-    for (const double range_m : {11.0, 70.0, 800.0, 3500.0, 11e3, 47e3})
+    for (const double range_m : {11.0, 70.0, 800.0, 3500.0, 11e3, 47e3}) {
         for (const auto& [sensor_m, target_m] :
              {std::pair{20.0, 40.0}, std::pair{30.0, 30.0}, std::pair{1500.0, 1500.0},
-              std::pair{2200.0, 2500.0}, std::pair{8000.0, 7700.0}, std::pair{5000.0, 2000.0}})
+              std::pair{2200.0, 2500.0}, std::pair{8000.0, 7700.0}, std::pair{5000.0, 2000.0}}) {
             if (range_m > 1.1 * std::abs(sensor_m - target_m) &&
-                !(sensor_m < 100.0 && range_m > 4e4))
+                !(sensor_m < 100.0 && range_m > 4e4)) {
                 all.push_back({sensor_m, target_m, range_m});
+            }
+        }
+    }
     all.push_back({10.0, 10e3, 22e3});
     all.push_back({11e3, 300.0, 18e3});
     all.push_back({15e3, 9e3, 130e3});
@@ -58,7 +61,7 @@ struct BandCase {
 
 class Wideband : public testing::TestWithParam<BandCase> {};
 
-TEST_P(Wideband, givesApparentRadianceWithinHalfAPercent) {
+TEST_P(Wideband, GivesApparentRadianceWithinHalfAPercent) {
     const BandCase& test = GetParam();
     const Band band = Band::topHat(test.min_um, test.max_um);
     const SunPosition sun{0.0, 0.7};
@@ -71,8 +74,9 @@ TEST_P(Wideband, givesApparentRadianceWithinHalfAPercent) {
         CkRequest request;
         request.band = band;
         request.sun = sun;
-        if (hasPlume)
+        if (hasPlume) {
             request.radiances = {&hot};
+        }
         const SensorCkData ck = SensorCkData::prepare(transfer, request);
         terms = std::max(terms, ck.size());
         trained = std::max(trained, ck.largestError());
@@ -88,8 +92,9 @@ TEST_P(Wideband, givesApparentRadianceWithinHalfAPercent) {
             const Spectrum radiance =
                 transfer.spectrum(band.range(), transfer.pathRadiance(spectral, path, sun));
             std::vector<const Spectrum*> axes = {&transmittance, &radiance};
-            if (hasPlume)
+            if (hasPlume) {
                 axes.push_back(&hot);
+            }
             const SpectralQuadrature quadrature(band, axes);
             const std::vector<double> tau = quadrature.sample(transmittance);
             const double pathInBand = quadrature.integrate(quadrature.sample(radiance));
@@ -99,8 +104,9 @@ TEST_P(Wideband, givesApparentRadianceWithinHalfAPercent) {
             auto compare = [&](const std::vector<double>& source,
                                const std::vector<double>& ckSource, const char* what) {
                 std::vector<double> product = ckSource;
-                for (std::size_t i = 0; i < product.size(); ++i)
+                for (std::size_t i = 0; i < product.size(); ++i) {
                     product[i] *= ckTau[i];
+                }
                 const double expected = quadrature.integrate(source, tau) + pathInBand;
                 const double found = ck.integrate(product) + ckPath;
                 worst = std::max(worst, std::abs(found / expected - 1.0));
@@ -109,10 +115,12 @@ TEST_P(Wideband, givesApparentRadianceWithinHalfAPercent) {
                     << path.targetAltitude_m << " m over " << path.range_m << " m";
             };
             for (const double temperature_K :
-                 {220.0, 250.0, 275.0, 350.0, 500.0, 900.0, 1500.0, 2200.0})
+                 {220.0, 250.0, 275.0, 350.0, 500.0, 900.0, 1500.0, 2200.0}) {
                 compare(quadrature.planck(temperature_K), ck.planck(temperature_K), "grey");
-            if (hasPlume)
+            }
+            if (hasPlume) {
                 compare(quadrature.sample(hot), hotTerms, "plume");
+            }
         }
     }
     std::cout << test.name << ": largest error " << 100.0 * worst << " %, at most " << terms
@@ -127,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(Bands, Wideband,
                                          BandCase{"FourPointOneToFourPointFive", 4.1, 4.5}),
                          [](const auto& info) { return std::string(info.param.name); });
 
-TEST(SensorCkData, holdsWhatASensorNeeds) {
+TEST(SensorCkData, HoldsWhatASensorNeeds) {
     const RadiativeTransfer transfer = airOf(ModelAtmosphere::midlatitudeSummer);
     const Band band = Band::fromResponse(Spectrum({3.4, 3.9, 4.4}, {0.0, 1.0, 0.0}));
     CkRequest request;
@@ -145,14 +153,15 @@ TEST(SensorCkData, holdsWhatASensorNeeds) {
         }
     }
     // The table of black bodies by terms: report section on wideband, 200 to 2200 K.
-    for (double temperature_K = 220.0; temperature_K <= 2200.0; temperature_K += 110.0)
+    for (double temperature_K = 220.0; temperature_K <= 2200.0; temperature_K += 110.0) {
         EXPECT_NEAR(ck.integrate(ck.planck(temperature_K)) /
                         bandRadiance_W_m2_sr(band, temperature_K),
                     1.0, 0.005);
+    }
     EXPECT_THROW((void)ck.integrate(std::vector<double>{1.0}), LogicError);
 }
 
-TEST(SensorCkData, worksWithOneTerm) {
+TEST(SensorCkData, WorksWithOneTerm) {
     CkRequest request;
     request.band = Band::topHat(10.0, 10.2);
     request.mostTerms = 1;
@@ -161,7 +170,7 @@ TEST(SensorCkData, worksWithOneTerm) {
     EXPECT_NEAR(ck.weights_um()[0], 0.2, 0.05);
 }
 
-TEST(SensorCkData, areTheSameFromWhatWasKept) {
+TEST(SensorCkData, AreTheSameFromWhatWasKept) {
     const RadiativeTransfer transfer = airOf(ModelAtmosphere::usStandard1976);
     CkRequest request;
     request.band = Band::topHat(9.9, 10.2);
@@ -177,7 +186,7 @@ TEST(SensorCkData, areTheSameFromWhatWasKept) {
     EXPECT_EQ(read->sampled(slope), made.sampled(slope));
 }
 
-TEST(SensorCkData, areFoundByAllThatTheyDependOn) {
+TEST(SensorCkData, AreFoundByAllThatTheyDependOn) {
     auto keyOf = [](const CkRequest& request) {
         CkKey key;
         addTo(key, request);
@@ -204,14 +213,15 @@ TEST(SensorCkData, areFoundByAllThatTheyDependOn) {
     another([](CkRequest& r) { r.mostTerms = 10; });
 }
 
-TEST(SensorCkData, areNothingFromWhatIsDamaged) {
+TEST(SensorCkData, AreNothingFromWhatIsDamaged) {
     const RadiativeTransfer transfer = airOf(ModelAtmosphere::usStandard1976);
     CkRequest request;
     request.band = Band::topHat(9.9, 10.2);
     const std::string text = SensorCkData::prepare(transfer, request).kept();
-    for (std::size_t length = 0; length < text.size(); length += 7)
+    for (std::size_t length = 0; length < text.size(); length += 7) {
         EXPECT_FALSE(SensorCkData::fromKept(transfer, request.band, text.substr(0, length)))
             << length;
+    }
     for (std::size_t at = 0; at < text.size(); at += 11) {
         std::string bad = text;
         bad[at] = '?';

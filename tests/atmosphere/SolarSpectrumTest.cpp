@@ -20,11 +20,11 @@ double irradiance_W_m2(double lower_um, double upper_um) {
     return solarIrradiance_W_m2_per_cm(lower_per_cm, upper_per_cm) * (upper_per_cm - lower_per_cm);
 }
 
-TEST(SolarSpectrum, holdsTheSolarConstant) {
+TEST(SolarSpectrum, HoldsTheSolarConstant) {
     EXPECT_NEAR(irradiance_W_m2(0.2, 40.0), 1367.98, 0.02);
 }
 
-TEST(SolarSpectrum, holdsThePublishedIrradianceOfItsBands) {
+TEST(SolarSpectrum, HoldsThePublishedIrradianceOfItsBands) {
     // The spectrum of Kurucz (1992) in the bands of its description, W m-2.
     for (const auto& [lower_um, upper_um, published] : {std::array{0.25, 0.4, 110.6},
                                                         {0.4, 0.7, 532.8},
@@ -33,12 +33,13 @@ TEST(SolarSpectrum, holdsThePublishedIrradianceOfItsBands) {
                                                         {3.0, 5.0, 21.07},
                                                         {5.0, 8.0, 4.69},
                                                         {8.0, 9.9, 0.746},
-                                                        {10.0, 14.0, 0.523}})
+                                                        {10.0, 14.0, 0.523}}) {
         EXPECT_NEAR(irradiance_W_m2(lower_um, upper_um), published, 0.004 * published)
             << lower_um << " um";
+    }
 }
 
-TEST(SolarSpectrum, isThatOfABodyOfFiveToSixThousandKelvin) {
+TEST(SolarSpectrum, IsThatOfABodyOfFiveToSixThousandKelvin) {
     constexpr double sunSolidAngle_sr = 6.794e-5, c1 = 1.191042972e-8, c2 = 1.438776877;
     for (const auto& [nu, lowest_K, highest_K] : {std::array{300.0, 4600.0, 5000.0},
                                                   {1000.0, 4900.0, 5400.0},
@@ -53,7 +54,7 @@ TEST(SolarSpectrum, isThatOfABodyOfFiveToSixThousandKelvin) {
     }
 }
 
-TEST(SolarSpectrum, addsUpWhereverItIsCut) {
+TEST(SolarSpectrum, AddsUpWhereverItIsCut) {
     for (const double cut_per_cm : {2000.4, 2511.7, 6999.9, 7000.0, 7003.0, 19999.5, 20004.0}) {
         const double lower_per_cm = 1999.3, upper_per_cm = 21234.5;
         const double left =
@@ -67,13 +68,13 @@ TEST(SolarSpectrum, addsUpWhereverItIsCut) {
     }
 }
 
-TEST(SolarSpectrum, keepsItsDigitsOverNarrowIntervals) {
+TEST(SolarSpectrum, KeepsItsDigitsOverNarrowIntervals) {
     // Within one step of the table the mean is that of the step.
     const double step = solarIrradiance_W_m2_per_cm(2500.0, 2501.0);
     EXPECT_NEAR(solarIrradiance_W_m2_per_cm(2500.4, 2500.4 + 1e-4), step, 1e-6 * step);
 }
 
-TEST(SolarSpectrum, isNothingOutsideItsTable) {
+TEST(SolarSpectrum, IsNothingOutsideItsTable) {
     EXPECT_EQ(solarIrradiance_W_m2_per_cm(100.0, 200.0), 0.0);
     EXPECT_EQ(solarIrradiance_W_m2_per_cm(60000.0, 70000.0), 0.0);
     // Half of it outside: half the mean.
@@ -81,7 +82,7 @@ TEST(SolarSpectrum, isNothingOutsideItsTable) {
                 0.5 * solarIrradiance_W_m2_per_cm(250.0, 251.0), 1e-12);
 }
 
-TEST(SolarSpectrum, refusesAnIntervalOfNoWidth) {
+TEST(SolarSpectrum, RefusesAnIntervalOfNoWidth) {
     EXPECT_THROW((void)solarIrradiance_W_m2_per_cm(2000.0, 2000.0), LogicError);
     EXPECT_THROW((void)solarIrradiance_W_m2_per_cm(2001.0, 2000.0), LogicError);
     EXPECT_THROW((void)solarIrradiance_W_m2_per_cm(std::nan(""), 2000.0), LogicError);
@@ -95,7 +96,7 @@ struct BadSun {
 
 class BadSolarTable : public testing::TestWithParam<BadSun> {};
 
-TEST_P(BadSolarTable, isRefusedByName) {
+TEST_P(BadSolarTable, IsRefusedByName) {
     const auto file = smat::test::writtenFile(smat::test::ownFolder() / "bad.csv", GetParam().rows);
     try {
         (void)SolarTable::read(file);

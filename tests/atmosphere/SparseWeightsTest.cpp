@@ -10,20 +10,23 @@ namespace {
 SparseProblem problem(std::size_t rows, std::size_t columns) {
     SparseProblem p;
     p.rows = rows;
-    for (std::size_t c = 0; c < columns; ++c)
-        for (std::size_t r = 0; r < rows; ++r)
+    for (std::size_t c = 0; c < columns; ++c) {
+        for (std::size_t r = 0; r < rows; ++r) {
             p.columns.push_back(
                 static_cast<float>(std::exp(-std::exp(-3.0 + 0.2 * static_cast<double>(c)) * 0.05 *
                                             static_cast<double>(r + 1))));
+        }
+    }
     p.target.assign(rows, 0.0);
     return p;
 }
 
-TEST(SparseWeights, findsTheColumnsOfWhichTheTargetIsMade) {
+TEST(SparseWeights, FindsTheColumnsOfWhichTheTargetIsMade) {
     SparseProblem p = problem(50, 30);
-    for (std::size_t r = 0; r < p.rows; ++r)
+    for (std::size_t r = 0; r < p.rows; ++r) {
         p.target[r] = 0.5 * static_cast<double>(p.columns[4 * p.rows + r]) +
                       2.0 * static_cast<double>(p.columns[22 * p.rows + r]);
+    }
     const SparseWeights found = sparseWeights(p, 1e-4, 30);
     EXPECT_LE(found.largestError, 1e-4);
     EXPECT_LE(found.columns.size(), 5u);
@@ -35,11 +38,13 @@ TEST(SparseWeights, findsTheColumnsOfWhichTheTargetIsMade) {
     EXPECT_NEAR(sum, 2.5, 0.01);
 }
 
-TEST(SparseWeights, usesNoMoreThanItMay) {
+TEST(SparseWeights, UsesNoMoreThanItMay) {
     SparseProblem p = problem(60, 40);
-    for (std::size_t c = 0; c < 40; ++c)
-        for (std::size_t r = 0; r < p.rows; ++r)
+    for (std::size_t c = 0; c < 40; ++c) {
+        for (std::size_t r = 0; r < p.rows; ++r) {
             p.target[r] += static_cast<double>(p.columns[c * p.rows + r]) / 40.0;
+        }
+    }
     double last = 1.0;
     for (const std::size_t most : {1u, 2u, 3u, 4u}) {
         const SparseWeights found = sparseWeights(p, 0.0, most);
@@ -49,7 +54,7 @@ TEST(SparseWeights, usesNoMoreThanItMay) {
     }
 }
 
-TEST(SparseWeights, givesNothingForATargetThatNoPositiveWeightServes) {
+TEST(SparseWeights, GivesNothingForATargetThatNoPositiveWeightServes) {
     SparseProblem p = problem(20, 10);
     p.target.assign(20, -1.0);
     const SparseWeights found = sparseWeights(p, 1e-6, 10);

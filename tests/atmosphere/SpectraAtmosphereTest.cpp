@@ -52,7 +52,7 @@ SpectraAtmosphere fromText(const std::string& text) {
 
 } // namespace
 
-TEST(SpectraAtmosphere, answersWithItsSpectraForItsGeometry) {
+TEST(SpectraAtmosphere, AnswersWithItsSpectraForItsGeometry) {
     const SpectraAtmosphere air(kilometre());
     const SunPosition sun = *air.parameters().sun;
     EXPECT_EQ(air.base(), band);
@@ -66,7 +66,7 @@ TEST(SpectraAtmosphere, answersWithItsSpectraForItsGeometry) {
     EXPECT_EQ(air.ambientTemperature_K(100.0), 280.0);
 }
 
-TEST(SpectraAtmosphere, supportsWhatItHasASpectrumOf) {
+TEST(SpectraAtmosphere, SupportsWhatItHasASpectrumOf) {
     SpectraAtmosphereParameters parameters = kilometre();
     parameters.spectra.erase(AtmosphereProperty::upwardFlux);
     parameters.ambientTemperature_K.reset();
@@ -80,7 +80,7 @@ TEST(SpectraAtmosphere, supportsWhatItHasASpectrumOf) {
     EXPECT_THROW((void)air.transmittance(*parameters.path, {2.0, 5.0}), LogicError);
 }
 
-TEST(SpectraAtmosphere, takesTheFlatAndTheSphericalPathForTheSame) {
+TEST(SpectraAtmosphere, TakesTheFlatAndTheSphericalPathForTheSame) {
     // After 30 km the earth has fallen away by 71 m and the horizon has sunk by 2.4 mrad.
     SpectraAtmosphereParameters parameters = kilometre();
     parameters.path = AtmosphericPath{10.0, 80.6, 30e3};
@@ -93,7 +93,7 @@ TEST(SpectraAtmosphere, takesTheFlatAndTheSphericalPathForTheSame) {
                  InputError);
 }
 
-TEST(SpectraAtmosphere, takesLeftAndRightOfTheSunForTheSame) {
+TEST(SpectraAtmosphere, TakesLeftAndRightOfTheSunForTheSame) {
     const SpectraAtmosphere air(kilometre());
     LineOfSight sight = *air.parameters().sight;
     SunPosition sun = *air.parameters().sun;
@@ -106,7 +106,7 @@ TEST(SpectraAtmosphere, takesLeftAndRightOfTheSunForTheSame) {
     EXPECT_THROW((void)air.backgroundRadiance(sight, sun, band), InputError);
 }
 
-TEST(SpectraAtmosphere, aSunBelowTheHorizonMayStandAnywhereBelow) {
+TEST(SpectraAtmosphere, ASunBelowTheHorizonMayStandAnywhereBelow) {
     SpectraAtmosphereParameters parameters = kilometre();
     parameters.sun = SunPosition{0.0, -0.1};
     const SpectraAtmosphere air(parameters);
@@ -130,7 +130,7 @@ class SpectraAtmosphereOtherGeometry : public testing::TestWithParam<OtherGeomet
 
 } // namespace
 
-TEST_P(SpectraAtmosphereOtherGeometry, isRefusedByName) {
+TEST_P(SpectraAtmosphereOtherGeometry, IsRefusedByName) {
     const SpectraAtmosphere air(kilometre());
     const std::string refusal = refusalOf([&] { GetParam().ask(air); });
     EXPECT_THAT(refusal, HasSubstr("kilometre: " + std::string(GetParam().named)));
@@ -203,7 +203,7 @@ class SpectraAtmosphereBadParameters : public testing::TestWithParam<BadParamete
 
 } // namespace
 
-TEST_P(SpectraAtmosphereBadParameters, areRefusedByName) {
+TEST_P(SpectraAtmosphereBadParameters, AreRefusedByName) {
     SpectraAtmosphereParameters parameters = kilometre();
     GetParam().spoil(parameters);
     EXPECT_THAT(refusalOf([&] { (void)SpectraAtmosphere(parameters); }),
@@ -242,7 +242,7 @@ INSTANTIATE_TEST_SUITE_P(
             "wavelengths in common"}),
     [](const auto& row) { return row.param.name; });
 
-TEST(SpectraAtmosphereCsv, readsWavelengthsThatFallAndThatRise) {
+TEST(SpectraAtmosphereCsv, ReadsWavelengthsThatFallAndThatRise) {
     for (const char* rows :
          {"2000,5,0.5\n2500,4,0.4\n4000,2.5,0.3\n", "4000,2.5,0.3\n2500,4,0.4\n2000,5,0.5\n"}) {
         const SpectraAtmosphere air =
@@ -254,7 +254,7 @@ TEST(SpectraAtmosphereCsv, readsWavelengthsThatFallAndThatRise) {
     }
 }
 
-TEST(SpectraAtmosphereCsv, isToldFromOtherTablesByItsComment) {
+TEST(SpectraAtmosphereCsv, IsToldFromOtherTablesByItsComment) {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.csv") << "# program: smat\n#analysis:radiative\nx\n1\n";
     std::ofstream(folder / "b.csv") << "# name: haze\nwavelength [um]\n# analysis: radiative\n";
@@ -283,7 +283,7 @@ std::string rows(const std::string& text) {
 
 } // namespace
 
-TEST_P(SpectraAtmosphereBadFile, isRefusedWithItsPlace) {
+TEST_P(SpectraAtmosphereBadFile, IsRefusedWithItsPlace) {
     EXPECT_THAT(refusalOf([&] { (void)fromText(GetParam().text); }), HasSubstr(GetParam().named));
 }
 

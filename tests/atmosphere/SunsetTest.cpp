@@ -37,7 +37,7 @@ double largestStep(Quantity&& quantity) {
 
 } // namespace
 
-TEST(VisibleSun, isTheAreaOfTheDiscAboveTheHorizonAndItsMiddle) {
+TEST(VisibleSun, IsTheAreaOfTheDiscAboveTheHorizonAndItsMiddle) {
     for (const double x : {-0.99995, -0.9, -0.5, -0.01, 0.0, 0.3, 0.8, 0.999}) {
         double area = 0.0, moment = 0.0;
         constexpr int strips = 400000;
@@ -56,7 +56,7 @@ TEST(VisibleSun, isTheAreaOfTheDiscAboveTheHorizonAndItsMiddle) {
     }
 }
 
-TEST(VisibleSun, isContinuousAndWholeOrNothingBeyondTheRims) {
+TEST(VisibleSun, IsContinuousAndWholeOrNothingBeyondTheRims) {
     EXPECT_EQ(visibleSun(sunDiscRadius_rad).part, 1.0);
     EXPECT_EQ(visibleSun(1.0).middleAbove_rad, 0.0);
     EXPECT_EQ(visibleSun(-1.0).part, 0.0);
@@ -72,7 +72,7 @@ TEST(VisibleSun, isContinuousAndWholeOrNothingBeyondTheRims) {
 
 // Without air the horizon from an altitude h dips by acos(R / (R + h)), 3.2 degrees at 10 km; air
 // bends the grazing ray on its way down and up again.
-TEST(Sunset, isAtTheRefractedHorizonOfTheAltitude) {
+TEST(Sunset, IsAtTheRefractedHorizonOfTheAltitude) {
     const RayTracer empty = emptyAir();
     EXPECT_NEAR(degrees(empty.trueHorizonElevation_rad(1e4)),
                 -degrees(std::acos(earth_m / (earth_m + 1e4))), 1e-9);
@@ -94,14 +94,15 @@ TEST(Sunset, isAtTheRefractedHorizonOfTheAltitude) {
         EXPECT_NEAR(tracer.sunbeam(altitude_m, set_rad).part, 0.5, 1e-6);
         EXPECT_EQ(tracer.sunbeam(altitude_m, set_rad + 1.01 * sunDiscRadius_rad).part, 1.0);
         // Every beam, of a hidden sun too, leaves the air.
-        for (const double above : {-30.0, -1.0, -0.5, 0.0, 0.99, 3.0})
+        for (const double above : {-30.0, -1.0, -0.5, 0.0, 0.99, 3.0}) {
             EXPECT_EQ(tracer.sunbeam(altitude_m, set_rad + above * sunDiscRadius_rad).ray.end,
                       RayPath::End::space)
                 << altitude_m << " " << above;
+        }
     }
 }
 
-TEST(Sunset, isContinuousOfDirectSunFluxesSkyAndPath) {
+TEST(Sunset, IsContinuousOfDirectSunFluxesSkyAndPath) {
     const RadiativeTransfer air = hazyAir();
     const auto sun = [](double elevation_rad) { return SunPosition{0.3, elevation_rad}; };
     for (const double altitude_m : {0.0, 3e3, 1e4}) {
@@ -133,7 +134,7 @@ TEST(Sunset, isContinuousOfDirectSunFluxesSkyAndPath) {
     });
 }
 
-TEST(Sunset, lightGoesWithTheSquareOfTheDistance) {
+TEST(Sunset, LightGoesWithTheSquareOfTheDistance) {
     const RadiativeTransfer air = hazyAir();
     const SunPosition mean{0.0, 0.4}, near{0.0, 0.4, 0.98};
     const double factor = 1.0 / (0.98 * 0.98);
@@ -150,7 +151,7 @@ TEST(Sunset, lightGoesWithTheSquareOfTheDistance) {
     EXPECT_NEAR(inVacuum(near) / inVacuum(mean), factor, 1e-12);
 }
 
-TEST(Sunset, isSeenWhereAirBendsItTo) {
+TEST(Sunset, IsSeenWhereAirBendsItTo) {
     const AtmosphereSmart air(AtmosphereSmartParameters{});
     const double horizon_rad = air.transfer().tracer().trueHorizonElevation_rad(0.0);
     const SunView setting = air.sunView(0.0, {0.0, horizon_rad});

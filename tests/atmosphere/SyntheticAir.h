@@ -20,11 +20,12 @@ inline constexpr std::array<double, 5> crossSections_cm2 = {1e-26, 1e-22, 3e-14,
 inline std::shared_ptr<const GasTable> table() {
     const GasTable::Grid grid{{1100.0, 100.0, 1.0, 1e-3}, {180.0, 250.0, 330.0}, 0.04, 0};
     std::vector<GasTable::Block> blocks;
-    for (std::uint32_t node = 0; node < crossSections_cm2.size(); ++node)
+    for (std::uint32_t node = 0; node < crossSections_cm2.size(); ++node) {
         blocks.push_back(
             {node, Gas::CO2,
              std::vector<float>(grid.points(Gas::CO2),
                                 static_cast<float>(std::log(crossSections_cm2[node])))});
+    }
     const BinSet bins{5.0,
                       {{1000.0, 1005.0, 0, 2}, {1005.0, 1010.0, 2, 1}},
                       {thin, medium, opaque},

@@ -18,7 +18,7 @@ using namespace irsg::tabulatedtest;
 using smat::test::refusalOf;
 using testing::HasSubstr;
 
-TEST(TabulatedAtmosphere, aPathBackHasTheSameTransmittance) {
+TEST(TabulatedAtmosphere, APathBackHasTheSameTransmittance) {
     const TabulatedAtmosphere air = family({runOver({0.0, 2000.0, 4000.0})});
     EXPECT_EQ(air.transmittance({2000.0, 0.0, 4000.0}, air.base()),
               air.transmittance({0.0, 2000.0, 4000.0}, air.base()));
@@ -28,7 +28,7 @@ TEST(TabulatedAtmosphere, aPathBackHasTheSameTransmittance) {
                 HasSubstr("sensor at 2000 m, target at 0 m, range 4000 m"));
 }
 
-TEST(TabulatedAtmosphere, whatIsOutsideTheFamilyIsRefusedByName) {
+TEST(TabulatedAtmosphere, WhatIsOutsideTheFamilyIsRefusedByName) {
     SyntheticRun sky = runOver({0.0, 0.0, 1000.0});
     sky.path = 3;
     sky.h2_km = 100.0;
@@ -95,7 +95,7 @@ TEST(TabulatedAtmosphere, whatIsOutsideTheFamilyIsRefusedByName) {
     EXPECT_NO_THROW(air.backgroundRadiance({9, radians(45), 0}, {}, all));
 }
 
-TEST(TabulatedAtmosphere, supportsWhatItsRunsContain) {
+TEST(TabulatedAtmosphere, SupportsWhatItsRunsContain) {
     SyntheticRun transmittance = runOver({0.0, 0.0, 1000.0});
     transmittance.kind = 0;
     SyntheticRun sun;
@@ -121,7 +121,7 @@ TEST(TabulatedAtmosphere, supportsWhatItsRunsContain) {
         "family");
 }
 
-TEST(TabulatedAtmosphere, spectraCoverTheAskedRangeAndNoMoreNodesThanItNeeds) {
+TEST(TabulatedAtmosphere, SpectraCoverTheAskedRangeAndNoMoreNodesThanItNeeds) {
     const TabulatedAtmosphere air = family({runOver({0.0, 0.0, 1000.0})});
     const SpectralRange all = air.base();
     const Spectrum whole = air.transmittance({0, 0, 1000}, all);
@@ -138,7 +138,7 @@ TEST(TabulatedAtmosphere, spectraCoverTheAskedRangeAndNoMoreNodesThanItNeeds) {
     EXPECT_THROW(air.transmittance({0, 0, 1000}, {4.0, 5.2}), LogicError);
 }
 
-TEST(TabulatedAtmosphere, theSunOfItsRunsIsTheOnlyOne) {
+TEST(TabulatedAtmosphere, TheSunOfItsRunsIsTheOnlyOne) {
     SyntheticRun run = runOver({0.0, 0.0, 1000.0});
     run.kind = 2;
     run.iparm = 2;
@@ -158,7 +158,7 @@ TEST(TabulatedAtmosphere, theSunOfItsRunsIsTheOnlyOne) {
     EXPECT_NO_THROW(unknown.pathRadiance({0, 0, 1000}, {0.0, 0.1}, unknown.base()));
 }
 
-TEST(TabulatedAtmosphere, backgroundIsLinearBetweenDirections) {
+TEST(TabulatedAtmosphere, BackgroundIsLinearBetweenDirections) {
     std::vector<SyntheticRun> made;
     for (const double zenith : {20.0, 40.0, 60.0}) {
         SyntheticRun run;
@@ -178,7 +178,7 @@ TEST(TabulatedAtmosphere, backgroundIsLinearBetweenDirections) {
     EXPECT_GT(at(30.0), at(50.0));
 }
 
-TEST(TabulatedAtmosphere, runsOfFilesOfOneNameAreToldApartByTheirFolders) {
+TEST(TabulatedAtmosphere, RunsOfFilesOfOneNameAreToldApartByTheirFolders) {
     std::vector<std::filesystem::path> files;
     for (const double range : {1000.0, 2000.0}) {
         const std::filesystem::path folder =
@@ -191,7 +191,7 @@ TEST(TabulatedAtmosphere, runsOfFilesOfOneNameAreToldApartByTheirFolders) {
     EXPECT_EQ(air.runs()[1].source, "range1/tape7");
 }
 
-TEST(TabulatedAtmosphere, aTableFileReadsBackEqual) {
+TEST(TabulatedAtmosphere, ATableFileReadsBackEqual) {
     SyntheticRun sun;
     sun.kind = 3;
     sun.path = 3;
@@ -214,7 +214,7 @@ TEST(TabulatedAtmosphere, aTableFileReadsBackEqual) {
     EXPECT_EQ(imported.runs(), air.runs());
 }
 
-TEST(TabulatedAtmosphere, badTableFilesAreRefusedByName) {
+TEST(TabulatedAtmosphere, BadTableFilesAreRefusedByName) {
     const std::string good = family({runOver({0.0, 0.0, 1000.0})}).toText();
     const auto with = [&](const std::string& what, const std::string& by) {
         return replaced(good, what, by);
@@ -224,7 +224,9 @@ TEST(TabulatedAtmosphere, badTableFilesAreRefusedByName) {
         std::string text;
         const char* says;
     } rows[] = {
-        {"no JSON", "{\"format\":", "found no JSON"},
+        {"no JSON", "{\"format\":", "line 1, column 11: found the end of the text"},
+        {"a key twice", with("\"version\":1", "\"version\":1,\"version\":1"),
+         "version, line 1: found a key that occurs twice"},
         {"a zero byte", good + std::string("\0}", 2), "found a zero byte"},
         {"foreign", "{\"format\": \"x\"}", "format: found \"x\""},
         {"no format", "{}", "format: found no such key"},

@@ -15,7 +15,7 @@ using namespace irsg::tabulatedtest;
 using smat::test::refusalOf;
 using testing::HasSubstr;
 
-TEST(TabulatedInterpolation, beersLawIsMetBetweenTheNodesOfRange) {
+TEST(TabulatedInterpolation, BeersLawIsMetBetweenTheNodesOfRange) {
     std::vector<SyntheticRun> made;
     for (const double range : {500.0, 1000.0, 4000.0, 10000.0}) {
         made.push_back(runOver({0.0, 0.0, range}));
@@ -37,7 +37,7 @@ TEST(TabulatedInterpolation, beersLawIsMetBetweenTheNodesOfRange) {
     EXPECT_LT(errorOf(errors, "path radiance", "range").worst, 1e-4);
 }
 
-TEST(TabulatedInterpolation, theSquareRootLawIsMetWithinTheStatedError) {
+TEST(TabulatedInterpolation, TheSquareRootLawIsMetWithinTheStatedError) {
     std::vector<SyntheticRun> made;
     const auto depth = [](double range_m, double nu) {
         return (nu - 1990.0) / 50.0 * std::sqrt(range_m / 1000.0);
@@ -59,7 +59,7 @@ TEST(TabulatedInterpolation, theSquareRootLawIsMetWithinTheStatedError) {
     }
 }
 
-TEST(TabulatedInterpolation, aBandThatTurnsFromWeakToStrongIsMetWithinTheStatedError) {
+TEST(TabulatedInterpolation, ABandThatTurnsFromWeakToStrongIsMetWithinTheStatedError) {
     // Goody's random band: W = S u / sqrt(1 + S u / a), linear near and a square root far away.
     const auto depth = [](double range_m, double nu) {
         const double weak = range_m / 1000.0 * (nu - 1990.0) / 10.0;
@@ -82,7 +82,7 @@ TEST(TabulatedInterpolation, aBandThatTurnsFromWeakToStrongIsMetWithinTheStatedE
     }
 }
 
-TEST(TabulatedInterpolation, theStatedErrorOverRangeIsTheLargerOne) {
+TEST(TabulatedInterpolation, TheStatedErrorOverRangeIsTheLargerOne) {
     const struct {
         const char* name;
         std::function<double(double, double)> depth; ///< of range in km and strength
@@ -122,7 +122,7 @@ TEST(TabulatedInterpolation, theStatedErrorOverRangeIsTheLargerOne) {
     }
 }
 
-TEST(TabulatedInterpolation, nodesAreMetExactly) {
+TEST(TabulatedInterpolation, NodesAreMetExactly) {
     std::vector<SyntheticRun> made;
     std::vector<AtmosphericPath> paths;
     for (const double sensor : {0.0, 1000.0, 3000.0}) {
@@ -147,7 +147,7 @@ TEST(TabulatedInterpolation, nodesAreMetExactly) {
     }
 }
 
-TEST(TabulatedInterpolation, altitudesBetweenTheRunsAreMetWithinTheStatedError) {
+TEST(TabulatedInterpolation, AltitudesBetweenTheRunsAreMetWithinTheStatedError) {
     std::vector<SyntheticRun> made;
     for (double sensor = 0.0; sensor <= 2000.0; sensor += 500.0) {
         for (double target = 3000.0; target <= 5000.0; target += 500.0) {
@@ -172,7 +172,7 @@ TEST(TabulatedInterpolation, altitudesBetweenTheRunsAreMetWithinTheStatedError) 
     }
 }
 
-TEST(TabulatedInterpolation, horizontalPathsNeedOnlyHorizontalRuns) {
+TEST(TabulatedInterpolation, HorizontalPathsNeedOnlyHorizontalRuns) {
     std::vector<SyntheticRun> made;
     for (const double altitude : {0.0, 500.0, 1000.0}) {
         made.push_back(runOver({altitude, altitude, 5000.0}));
@@ -190,7 +190,7 @@ TEST(TabulatedInterpolation, horizontalPathsNeedOnlyHorizontalRuns) {
                 HasSubstr("sensor 0 to 1000 m, target 0 to 1000 m, range up to 5000 m (3 paths)"));
 }
 
-TEST(TabulatedInterpolation, opaqueAndTransparentPathsKeepTheirDigits) {
+TEST(TabulatedInterpolation, OpaqueAndTransparentPathsKeepTheirDigits) {
     SyntheticRun dense = runOver({0.0, 0.0, 5000.0});
     dense.depth = [](double nu) { return nu < 2025.0 ? 90.0 : 1e-9; };
     const TabulatedAtmosphere air = family({dense});
@@ -203,7 +203,7 @@ TEST(TabulatedInterpolation, opaqueAndTransparentPathsKeepTheirDigits) {
                 90.0 * 0.01 / 5000.0, 1e-7);
 }
 
-TEST(TabulatedInterpolation, anOpaqueRunContinuesTheOneBefore) {
+TEST(TabulatedInterpolation, AnOpaqueRunContinuesTheOneBefore) {
     // A transmittance of 0 tells no depth; half way to it the air is still that of the near run.
     const auto run = [](double range_m, double tau) {
         SpectralRun made;
@@ -219,7 +219,7 @@ TEST(TabulatedInterpolation, anOpaqueRunContinuesTheOneBefore) {
     EXPECT_LT(alone.transmittance({0, 0, 1000}, alone.base()).at(5.0), 1e-15);
 }
 
-TEST(TabulatedInterpolation, betweenAltitudesDepthsFallAsDensitiesDo) {
+TEST(TabulatedInterpolation, BetweenAltitudesDepthsFallAsDensitiesDo) {
     // Air of one scale height: level runs at 1 and 10 km hold what is between them.
     const double scale_m = 7400.0, range_m = 10e3;
     const auto depth = [&](double altitude_m) { return 1.2 * std::exp(-altitude_m / scale_m); };
@@ -234,10 +234,11 @@ TEST(TabulatedInterpolation, betweenAltitudesDepthsFallAsDensitiesDo) {
     };
     const TabulatedAtmosphere air(
         {run(1e3, std::exp(-depth(1e3))), run(10e3, std::exp(-depth(10e3)))}, "falling");
-    for (const double altitude_m : {1e3, 2e3, 5e3, 9e3, 10e3})
+    for (const double altitude_m : {1e3, 2e3, 5e3, 9e3, 10e3}) {
         EXPECT_NEAR(air.transmittance({altitude_m, altitude_m, range_m}, air.base()).at(5.0),
                     std::exp(-depth(altitude_m)), 1e-9)
             << altitude_m;
+    }
     // A file that prints 1 for the upper run leaves a depth between both, not none.
     const TabulatedAtmosphere clear({run(1e3, 0.5), run(10e3, 1.0)}, "clear");
     double before = 0.0;

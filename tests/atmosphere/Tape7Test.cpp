@@ -47,7 +47,7 @@ std::string lineAt(const std::string& text, int number) {
 
 } // namespace
 
-TEST(Tape7, readsARunAndConvertsItsUnits) {
+TEST(Tape7, ReadsARunAndConvertsItsUnits) {
     SyntheticRun made;
     made.path = 2;
     made.h1_km = 0.5;
@@ -72,7 +72,7 @@ TEST(Tape7, readsARunAndConvertsItsUnits) {
     EXPECT_TRUE(run.warnings.empty());
 }
 
-TEST(Tape7, readsTheAsymmetryOfScatteringWhereItsLineGoesOnToIt) {
+TEST(Tape7, ReadsTheAsymmetryOfScatteringWhereItsLineGoesOnToIt) {
     const std::string text = tape7({});
     const std::string six = lineAt(text, 8);
     EXPECT_FALSE(parsed(text).front().cards.contains("G"));
@@ -80,7 +80,7 @@ TEST(Tape7, readsTheAsymmetryOfScatteringWhereItsLineGoesOnToIt) {
     EXPECT_EQ(parsed(eight).front().cards.at("G"), 0.65);
 }
 
-TEST(Tape7, readsSeveralRunsOfOneFile) {
+TEST(Tape7, ReadsSeveralRunsOfOneFile) {
     SyntheticRun near;
     SyntheticRun far;
     far.range_km = 5.0;
@@ -91,7 +91,7 @@ TEST(Tape7, readsSeveralRunsOfOneFile) {
     EXPECT_DOUBLE_EQ(runs[1].geometry.range_m, 5000.0);
 }
 
-TEST(Tape7, olderNamesWithBlanksMeanTheSameColumns) {
+TEST(Tape7, OlderNamesWithBlanksMeanTheSameColumns) {
     const std::string text = tape7({});
     const std::string names = lineAt(text, 11);
     std::string older = names;
@@ -99,7 +99,7 @@ TEST(Tape7, olderNamesWithBlanksMeanTheSameColumns) {
     EXPECT_EQ(parsed(replaced(text, names, older)), parsed(text));
 }
 
-TEST(Tape7, scatteringIsRayleighAndWhatAerosolsDoNotAbsorb) {
+TEST(Tape7, ScatteringIsRayleighAndWhatAerosolsDoNotAbsorb) {
     SyntheticRun made;
     made.kind = 0;
     made.depth = [](double) { return 0.25; };
@@ -108,14 +108,14 @@ TEST(Tape7, scatteringIsRayleighAndWhatAerosolsDoNotAbsorb) {
     EXPECT_NEAR(run.transmittance[1], std::exp(-0.25), 1e-4);
 }
 
-TEST(Tape7, anOpaqueLineKeepsItsDepth) {
+TEST(Tape7, AnOpaqueLineKeepsItsDepth) {
     SyntheticRun made;
     made.kind = 0;
     made.depth = [](double) { return 23.456; };
     EXPECT_NEAR(-std::log(parsed(tape7(made)).front().transmittance[0]), 23.456, 1e-9);
 }
 
-TEST(Tape7, theSumThatClosesDecidesWhatPathRadianceIs) {
+TEST(Tape7, TheSumThatClosesDecidesWhatPathRadianceIs) {
     // Scattered light beside the emitted, or as a part of it.
     SpectralRun run;
     run.kind = RunKind::solarRadiance;
@@ -150,7 +150,7 @@ TEST(Tape7, theSumThatClosesDecidesWhatPathRadianceIs) {
     EXPECT_TRUE(diagnostics.empty());
 }
 
-TEST(Tape7, anEarlyEndIsAWarningThatNamesTheLastWavenumber) {
+TEST(Tape7, AnEarlyEndIsAWarningThatNamesTheLastWavenumber) {
     std::string text = tape7({});
     text.resize(text.find(" 2030.00"));
     const SpectralRun run = parsed(text).front();
@@ -165,7 +165,7 @@ TEST(Tape7, anEarlyEndIsAWarningThatNamesTheLastWavenumber) {
     EXPECT_EQ(rest.warnings.size(), 2u);
 }
 
-TEST(Tape7, aSlantWithoutRangeIsTheChord) {
+TEST(Tape7, ASlantWithoutRangeIsTheChord) {
     SyntheticRun made;
     made.path = 2;
     made.h2_km = 10.0;
@@ -176,7 +176,7 @@ TEST(Tape7, aSlantWithoutRangeIsTheChord) {
     EXPECT_THAT(run.warnings.front(), HasSubstr("chord"));
 }
 
-TEST(Tape7, chordsOfASphere) {
+TEST(Tape7, ChordsOfASphere) {
     const double earth = 6371e3;
     EXPECT_NEAR(*chord_m(0.0, 1000.0, 0.5 * pi, earth), 1000.0, 1e-6);
     EXPECT_NEAR(*chord_m(1000.0, 0.0, -0.5 * pi, earth), 1000.0, 1e-6);
@@ -192,7 +192,7 @@ TEST(Tape7, chordsOfASphere) {
                 2.0 * toTangent, 1e-3);
 }
 
-TEST(Tape7, numbersOfFortran) {
+TEST(Tape7, NumbersOfFortran) {
     EXPECT_EQ(fortranNumber(" 1.5D-03 "), 1.5e-3);
     EXPECT_EQ(fortranNumber("8.1174-103"), 8.1174e-103);
     EXPECT_EQ(fortranNumber("30."), 30.0);
@@ -201,7 +201,7 @@ TEST(Tape7, numbersOfFortran) {
     EXPECT_FALSE(fortranNumber(""));
 }
 
-TEST(Tape7, badFilesAreRefusedByName) {
+TEST(Tape7, BadFilesAreRefusedByName) {
     const std::string good = tape7({});
     SyntheticRun transmittance;
     transmittance.kind = 0;
@@ -300,7 +300,7 @@ TEST(Tape7, badFilesAreRefusedByName) {
     }
 }
 
-TEST(Tape7, everyFileOfModtranHasTheCardsOfTheList) {
+TEST(Tape7, EveryFileOfModtranHasTheCardsOfTheList) {
     NEEDS_MODTRAN_FILES();
     const CsvTable list = CsvTable::read(modtranFolder() / "cards.csv");
     const std::vector<CsvCell>& header = list.rows().front().cells;
@@ -334,7 +334,7 @@ TEST(Tape7, everyFileOfModtranHasTheCardsOfTheList) {
     }
 }
 
-TEST(Tape7, realFilesReproduceTheirOwnNumbers) {
+TEST(Tape7, RealFilesReproduceTheirOwnNumbers) {
     NEEDS_MODTRAN_FILES();
     const std::filesystem::path slant = modtranFolder() / "pyradi/tape7-03b";
     const auto air = TabulatedAtmosphere::import(std::span(&slant, 1));
@@ -373,7 +373,7 @@ TEST(Tape7, realFilesReproduceTheirOwnNumbers) {
     EXPECT_FALSE(low.supports(AtmosphereProperty::transmittance));
 }
 
-TEST(Tape7, theFileThatStopsEarlySaysWhere) {
+TEST(Tape7, TheFileThatStopsEarlySaysWhere) {
     NEEDS_MODTRAN_FILES();
     const std::vector<SpectralRun> runs = readTape7(modtranFolder() / "well-fill/SW31km/tape7");
     ASSERT_EQ(runs.front().warnings.size(), 1u);
@@ -381,7 +381,7 @@ TEST(Tape7, theFileThatStopsEarlySaysWhere) {
     EXPECT_EQ(runs.front().wavenumbers_per_cm.size(), 115u);
 }
 
-TEST(Tape7, aTransmittanceAndARadianceRunOfOnePathCompleteEachOther) {
+TEST(Tape7, ATransmittanceAndARadianceRunOfOnePathCompleteEachOther) {
     NEEDS_MODTRAN_FILES();
     const std::vector<std::filesystem::path> files = {modtranFolder() / "pyradi/tape7-01",
                                                       modtranFolder() / "pyradi/tape7-02"};

@@ -37,8 +37,9 @@ SolarBeam beam(const TwoStreamLayers& layers, double mu0) {
     sun.sinElevation = mu0;
     sun.slant.assign(layers.layers, 1.0 / mu0);
     sun.irradiance.assign(layers.layers + 1, 1.0);
-    for (std::size_t i = layers.layers; i-- > 0;)
+    for (std::size_t i = layers.layers; i-- > 0;) {
         sun.irradiance[i] = sun.irradiance[i + 1] * std::exp(-layers.opticalDepth[i] / mu0);
+    }
     return sun;
 }
 
@@ -50,7 +51,7 @@ const std::vector<Layer> mixed = {{0.3, 0.0, 0.0},  {1e-7, 0.5, 0.3},       {2.0
                                   {0.0, 0.0, 0.0},  {40.0, 0.999999, 0.46}, {1e4, 0.3, 0.2},
                                   {0.02, 1.0, 0.5}, {1e-14, 1.0, 0.0}};
 
-TEST(TwoStream, holdsTheFluxOfABlackBodyInAnIsothermalEnclosure) {
+TEST(TwoStream, HoldsTheFluxOfABlackBodyInAnIsothermalEnclosure) {
     for (const double albedo : {0.0, 0.3, 1.0}) {
         const TwoStreamLayers layers = column(mixed, albedo);
         const ThermalSource source{std::vector<double>(mixed.size() + 1, 7.0), {7.0}, {7.0}};
@@ -62,7 +63,7 @@ TEST(TwoStream, holdsTheFluxOfABlackBodyInAnIsothermalEnclosure) {
     }
 }
 
-TEST(TwoStream, transmitsAndEmitsAsAbsorbingAirOfKnownDepth) {
+TEST(TwoStream, TransmitsAndEmitsAsAbsorbingAirOfKnownDepth) {
     // A slope of B over t: F+ = pi (B(0) exp(-D t) + integral), in closed form.
     for (const double t : {1e-9, 1e-3, 0.5, 3.0, 50.0}) {
         const ThermalSource source{{2.0, 5.0}, {11.0}, {}};
@@ -79,7 +80,7 @@ TEST(TwoStream, transmitsAndEmitsAsAbsorbingAirOfKnownDepth) {
     }
 }
 
-TEST(TwoStream, reflectsAsMeadorAndWeaversSemiInfiniteLayer) {
+TEST(TwoStream, ReflectsAsMeadorAndWeaversSemiInfiniteLayer) {
     // Their equation 14 for infinite depth; k mu0 = 1 is where their form divides by zero.
     struct Case {
         const char* name;
@@ -105,7 +106,7 @@ TEST(TwoStream, reflectsAsMeadorAndWeaversSemiInfiniteLayer) {
     }
 }
 
-TEST(TwoStream, reflectsAsMeadorAndWeaversFiniteLayer) {
+TEST(TwoStream, ReflectsAsMeadorAndWeaversFiniteLayer) {
     // Their equations 14 and 15 at moderate depth, and 24 for conservative scattering:
     // R = (g1 t + (g3 - g1 mu0) (1 - exp(-t / mu0))) / (1 + g1 t).
     const double t = 1.3, mu0 = 0.6, g = 0.35;
@@ -151,55 +152,61 @@ double chandrasekharH(double w, double mu) {
     H.assign(nodes.size(), 1.0);
     auto reciprocal = [&](double at) {
         double sum = 0.0;
-        for (std::size_t j = 0; j < nodes.size(); ++j)
+        for (std::size_t j = 0; j < nodes.size(); ++j) {
             sum += weights[j] * nodes[j] * H[j] / (at + nodes[j]);
+        }
         return std::sqrt(1.0 - w) + 0.5 * w * sum;
     };
     for (int step = 0; step < 200; ++step) {
         std::vector<double> next;
-        for (std::size_t i = 0; i < nodes.size(); ++i) // half way, or it swings
+        for (std::size_t i = 0; i < nodes.size(); ++i) { // half way, or it swings
             next.push_back(0.5 * (H[i] + 1.0 / reciprocal(nodes[i])));
+        }
         H = next;
     }
     return 1.0 / reciprocal(mu);
 }
 
-TEST(TwoStream, comesNearTheExactAlbedoOfIsotropicScattering) {
+TEST(TwoStream, ComesNearTheExactAlbedoOfIsotropicScattering) {
     // A semi-infinite atmosphere reflects 1 - sqrt(1 - w) H(mu0) (Chandrasekhar 1960, section 38).
     EXPECT_NEAR(chandrasekharH(1.0, 1.0), 2.9078, 2e-3); // his table XI
-    for (const double w : {0.5, 0.9, 0.99})
+    for (const double w : {0.5, 0.9, 0.99}) {
         for (const double mu0 : {0.2, 0.5, 1.0}) {
             const TwoStreamLayers layers = column({{1e5, w, 0.0}}, 0.0);
             const double exact = 1.0 - std::sqrt(1.0 - w) * chandrasekharH(w, mu0);
             const double found = solarFluxes(layers, beam(layers, mu0)).up[1] / mu0;
             EXPECT_NEAR(found, exact, 0.035) << "w " << w << " mu0 " << mu0;
         }
+    }
 }
 
-TEST(TwoStream, keepsTheNetFluxOfTheSunWithoutAbsorption) {
+TEST(TwoStream, KeepsTheNetFluxOfTheSunWithoutAbsorption) {
     const std::vector<Layer> layers = {{1e-8, 1.0, 0.1}, {3.0, 1.0, 0.5}, {1e4, 1.0, 0.45},
                                        {0.0, 1.0, 0.0},  {0.7, 1.0, 0.0}, {1e-3, 1.0, 0.5}};
-    for (const double albedo : {0.0, 0.4, 1.0})
+    for (const double albedo : {0.0, 0.4, 1.0}) {
         for (const double mu0 : {1.0, 1.0 / sqrt3, 0.3, 0.01}) {
             const TwoStreamLayers air = column(layers, albedo);
             const SolarBeam sun = beam(air, mu0);
             const TwoStreamFluxes fluxes = solarFluxes(air, sun);
             const double first = net(fluxes, sun, 0);
-            for (std::size_t level = 1; level <= layers.size(); ++level)
+            for (std::size_t level = 1; level <= layers.size(); ++level) {
                 EXPECT_NEAR(net(fluxes, sun, level), first, 1e-7 * mu0) << level;
+            }
         }
+    }
 }
 
-TEST(TwoStream, keepsTheNetFluxOfHeatWithoutAbsorption) {
+TEST(TwoStream, KeepsTheNetFluxOfHeatWithoutAbsorption) {
     const TwoStreamLayers air = column({{2.0, 1.0, 0.3}, {1e4, 1.0, 0.5}, {1e-6, 1.0, 0.0}}, 0.25);
     const TwoStreamFluxes fluxes = thermalFluxes(air, {{9.0, 7.0, 1.0, 3.0}, {10.0}, {}});
     const double first = fluxes.up[0] - fluxes.down[0];
     EXPECT_GT(first, 0.0);
-    for (std::size_t level = 1; level < 4; ++level)
+    for (std::size_t level = 1; level < 4; ++level) {
         EXPECT_NEAR(fluxes.up[level] - fluxes.down[level], first, 1e-9) << level;
+    }
 }
 
-TEST(TwoStream, doesNotNoticeWhereALayerIsCutOrATransparentOneIsPutIn) {
+TEST(TwoStream, DoesNotNoticeWhereALayerIsCutOrATransparentOneIsPutIn) {
     const double mu0 = 0.4;
     struct Case {
         const char* name;
@@ -237,14 +244,15 @@ TEST(TwoStream, doesNotNoticeWhereALayerIsCutOrATransparentOneIsPutIn) {
     }
 }
 
-TEST(TwoStream, looksTheSameFromBothSidesOfASymmetricSlab) {
+TEST(TwoStream, LooksTheSameFromBothSidesOfASymmetricSlab) {
     const TwoStreamLayers air = column({{1.0, 0.6, 0.4}, {0.3, 0.1, 0.2}, {1.0, 0.6, 0.4}}, 0.0);
     const TwoStreamFluxes fluxes = thermalFluxes(air, {{3.0, 5.0, 5.0, 3.0}, {0.0}, {}});
-    for (std::size_t level = 0; level < 4; ++level)
+    for (std::size_t level = 0; level < 4; ++level) {
         EXPECT_NEAR(fluxes.up[level], fluxes.down[3 - level], 1e-13);
+    }
 }
 
-TEST(TwoStream, isLinearInDepthWhereItIsThin) {
+TEST(TwoStream, IsLinearInDepthWhereItIsThin) {
     for (const double t : {1e-6, 1e-9, 1e-12}) {
         const TwoStreamLayers thin = column({{t, 0.6, 0.25}}, 0.0);
         const double mu0 = 0.5;
@@ -257,7 +265,7 @@ TEST(TwoStream, isLinearInDepthWhereItIsThin) {
     }
 }
 
-TEST(TwoStream, solvesColumnsSideBySideAsAlone) {
+TEST(TwoStream, SolvesColumnsSideBySideAsAlone) {
     TwoStreamLayers both(2, 2);
     both.opticalDepth = {0.1, 2.0, 0.3, 4.0};
     both.albedo = {0.2, 0.9, 0.4, 0.8};
@@ -272,20 +280,24 @@ TEST(TwoStream, solvesColumnsSideBySideAsAlone) {
     }
 }
 
-TEST(VectorExp, agreesWithTheLibraryToItsLastDigits) {
-    for (double x = 1e-12; x < 600.0; x *= 1.37)
-        for (const double signedX : {x, -x})
+TEST(VectorExp, AgreesWithTheLibraryToItsLastDigits) {
+    for (double x = 1e-12; x < 600.0; x *= 1.37) {
+        for (const double signedX : {x, -x}) {
             EXPECT_NEAR(vectorExpm1(signedX) / std::expm1(signedX), 1.0, 1e-15) << signedX;
+        }
+    }
     EXPECT_EQ(vectorExpm1(0.0), 0.0);
     EXPECT_EQ(vectorAbsorbed(1e9), 1.0);
-    for (double x = -600.0; x < 600.0; x += 1.37)
+    for (double x = -600.0; x < 600.0; x += 1.37) {
         EXPECT_NEAR(vectorExp(x) / std::exp(x), 1.0, 1e-15) << x;
+    }
 }
 
-TEST(VectorExp, agreesWithTheLibraryInSinglePrecision) {
-    for (float x = -86.9f; x < 87.9f; x += 0.0137f)
+TEST(VectorExp, AgreesWithTheLibraryInSinglePrecision) {
+    for (float x = -86.9f; x < 87.9f; x += 0.0137f) {
         EXPECT_NEAR(static_cast<double>(vectorExp(x)) / std::exp(static_cast<double>(x)), 1.0, 2e-7)
             << x;
+    }
     EXPECT_EQ(vectorExp(0.0f), 1.0f);
     EXPECT_EQ(vectorExp(-1000.0f), vectorExp(-87.0f));
 }

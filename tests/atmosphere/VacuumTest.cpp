@@ -19,7 +19,7 @@ const SunPosition noon{0.0, 1.0};
 
 } // namespace
 
-TEST(Vacuum, isClearAndDarkAtEveryRange) {
+TEST(Vacuum, IsClearAndDarkAtEveryRange) {
     const Vacuum vacuum;
     for (const double range_m : {0.0, 1.0, 1e7}) {
         const AtmosphericPath path{100.0, 0.0, range_m};
@@ -34,7 +34,7 @@ TEST(Vacuum, isClearAndDarkAtEveryRange) {
     EXPECT_EQ(vacuum.downwardFlux(1e4, noon, whole), Spectrum::constant(0.0));
 }
 
-TEST(Vacuum, supportsAllButATemperature) {
+TEST(Vacuum, SupportsAllButATemperature) {
     const Vacuum vacuum;
     for (const AtmosphereProperty property : allAtmosphereProperties) {
         EXPECT_EQ(vacuum.accept(whole, property),
@@ -44,7 +44,7 @@ TEST(Vacuum, supportsAllButATemperature) {
     EXPECT_FALSE(vacuum.accept({0.199, 40.0}, AtmosphereProperty::transmittance));
 }
 
-TEST(Vacuum, sunIsABlackBodyOf5772KelvinUnderItsNominalSolidAngle) {
+TEST(Vacuum, SunIsABlackBodyOf5772KelvinUnderItsNominalSolidAngle) {
     const Spectrum sun = Vacuum().solarIrradiance(0.0, noon, whole);
     EXPECT_TRUE(sun.covers(whole));
     for (double wavelength_um = 0.2; wavelength_um <= 40.0; wavelength_um *= 1.0123) {
@@ -53,7 +53,7 @@ TEST(Vacuum, sunIsABlackBodyOf5772KelvinUnderItsNominalSolidAngle) {
     }
 }
 
-TEST(Vacuum, sunGivesTheSolarConstantInTotal) {
+TEST(Vacuum, SunGivesTheSolarConstantInTotal) {
     // Nominal total solar irradiance 1361 W m-2 (IAU 2015 resolution B3); 0.2 to 40 um hold all but
     // a fifth of a percent of the black body.
     const Spectrum sun = extraterrestrialSolarIrradiance(whole);
@@ -67,7 +67,7 @@ TEST(Vacuum, sunGivesTheSolarConstantInTotal) {
     EXPECT_NEAR(expected / total, 1.0, 3e-3);
 }
 
-TEST(Vacuum, sunBelowTheHorizonOfTheAltitudeIsExactlyZero) {
+TEST(Vacuum, SunBelowTheHorizonOfTheAltitudeIsExactlyZero) {
     const auto at = [](double altitude_m, double elevation_rad) {
         return Vacuum().solarIrradiance(altitude_m, {1.0, elevation_rad}, whole).at(4.0);
     };
@@ -81,13 +81,13 @@ TEST(Vacuum, sunBelowTheHorizonOfTheAltitudeIsExactlyZero) {
     EXPECT_GT(Vacuum().solarIrradiance(0.0, {1.0, 0.5 * pi}, whole).maximum(), 0.0);
 }
 
-TEST(Vacuum, beingAskedBeyondItsBaseIsOurFault) {
+TEST(Vacuum, BeingAskedBeyondItsBaseIsOurFault) {
     EXPECT_THROW((void)Vacuum().transmittance({}, {0.19, 5.0}), LogicError);
     EXPECT_THROW((void)Vacuum().transmittance({}, {3.0, 40.1}), LogicError);
     EXPECT_THROW((void)Vacuum().transmittance({}, {5.0, 3.0}), LogicError);
 }
 
-TEST(Vacuum, refusesPlacesBelowGroundAndRangesThatAreNone) {
+TEST(Vacuum, RefusesPlacesBelowGroundAndRangesThatAreNone) {
     const double notANumber = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     const Vacuum vacuum;

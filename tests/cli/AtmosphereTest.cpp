@@ -129,10 +129,12 @@ TEST(SmatBatchAtmosphere, InfoOfAnAtmosphereSmartMarksWhatDiffersFromTheDefault)
 /// A parameter of a file of AtmosphereSmart as `atmosphere info` tells it.
 std::string valueIn(const std::string& file, const std::string& name) {
     const auto json = nlohmann::json::parse(smatBatch({"atmosphere", "info", file, "--json"}).out);
-    for (const auto& parameter : json["smart"]["parameters"])
-        if (parameter["name"] == name)
+    for (const auto& parameter : json["smart"]["parameters"]) {
+        if (parameter["name"] == name) {
             return parameter["value"].is_string() ? parameter["value"].get<std::string>()
                                                   : parameter["value"].dump();
+        }
+    }
     return "none";
 }
 
@@ -145,14 +147,16 @@ TEST(SmatBatchAtmosphere, NewAndSetWriteEveryParameterThatInfoTells) {
     // Every one is given its own value anew.
     std::vector<std::string> all = {"atmosphere", "set", file};
     for (const auto& parameter : json["smart"]["parameters"]) {
-        if (parameter["name"] == "Radiosonde")
+        if (parameter["name"] == "Radiosonde") {
             continue;
+        }
         std::string value;
         for (const auto& number : parameter["value"].is_array()
                                       ? parameter["value"]
-                                      : nlohmann::json::array({parameter["value"]}))
+                                      : nlohmann::json::array({parameter["value"]})) {
             value += (value.empty() ? "" : " ") +
                      (number.is_string() ? number.get<std::string>() : number.dump());
+        }
         all.push_back(parameter["name"].get<std::string>() + "=" + value);
     }
     const std::string before = contentOf(file);
@@ -178,8 +182,9 @@ TEST(SmatBatchAtmosphere, SetKeepsWhatItDoesNotKnow) {
                          irsg::numberXml("MyOwn", "1.50")));
     const std::string file = (folder.path() / "air.xml").string();
     ASSERT_EQ(smatBatch({"atmosphere", "set", file, "GroundTemperature=5"}).exitCode, 0);
-    for (const char* kept : {"<!-- mine -->", "23000.0", "1.50", "MyOwn"})
+    for (const char* kept : {"<!-- mine -->", "23000.0", "1.50", "MyOwn"}) {
         EXPECT_THAT(contentOf(file), HasSubstr(kept));
+    }
     EXPECT_EQ(std::stod(valueIn(file, "GroundTemperature")), 5.0);
 }
 

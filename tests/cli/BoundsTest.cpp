@@ -19,12 +19,14 @@ using testing::HasSubstr;
 std::filesystem::path projectOf(const TemporaryFolder& folder, int count,
                                 const nlohmann::json& analysis) {
     auto project = nlohmann::json::parse(contentOf(sample("box/box.smat")));
-    for (const char* file : {"file", "database"})
+    for (const char* file : {"file", "database"}) {
         project["models"][0][file] =
             sample("box/" + project["models"][0][file].get<std::string>()).string();
+    }
     project["analyses"] = nlohmann::json::object();
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         project["analyses"]["a" + std::to_string(i)] = analysis;
+    }
     write(folder / "p.smat", project.dump());
     return folder / "p.smat";
 }
@@ -64,8 +66,9 @@ TEST(SmatBatchBounds, AMillionBadRowsAreAHundredSentences) {
     {
         std::ofstream out(folder / "t.csv");
         out << "t [s],x [m],y [m],z [m],yaw [deg],pitch [deg],roll [deg]\n";
-        for (int i = 0; i < 1'000'000; ++i)
+        for (int i = 0; i < 1'000'000; ++i) {
             out << i / 2 << ",0,0,100,0,0,0\n"; // each time twice
+        }
     }
     auto scenario = nlohmann::json::parse(contentOf(sample("flyby/flyby.json")));
     scenario["entities"] = {{{"name", "a"},

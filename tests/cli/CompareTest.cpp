@@ -20,16 +20,18 @@ class CompareCommand : public testing::Test {
   protected:
     CompareCommand() {
         irsg::RadianceImage b(8, 4);
-        for (float& value : b.primary().values)
+        for (float& value : b.primary().values) {
             value = 3.0F;
+        }
         irsg::RadianceImage a = b;
         a.primary().values[a.offset(5, 2)] = 3.5F;
         irsg::writeExr(a, folder / "a.exr");
         irsg::writeExr(b, folder / "b.exr");
         irsg::writeCsvImage(a, folder / "a.csv");
         std::string matrix;
-        for (int y = 0; y < 4; ++y)
+        for (int y = 0; y < 4; ++y) {
             matrix += "3 3 3 3 3 3 3 3\n";
+        }
         write(folder / "karma.txt", matrix);
     }
     Ran compare(std::vector<std::string> arguments) const {
@@ -53,8 +55,9 @@ TEST_F(CompareCommand, FindsTheChangedPixelWithSignAndPlaceAndFails) {
 
 TEST_F(CompareCommand, ATableOfResultsIsRefusedInOneSentence) {
     std::string table = "range [m],contrast_intensity [W sr-1]\n";
-    for (int i = 1; i < 100; ++i)
+    for (int i = 1; i < 100; ++i) {
         table += std::to_string(i) + ",2\n";
+    }
     write(folder / "range.csv", table);
     const Ran ran = compare({"range.csv", "range.csv"});
     EXPECT_EQ(ran.exitCode, 2);
@@ -174,8 +177,9 @@ TEST_F(CompareCommand, RefusesWhatCannotBeCompared) {
     for (const Row& row : rows) {
         const Ran ran = compare(row.arguments);
         EXPECT_EQ(ran.exitCode, 2) << testing::PrintToString(row.arguments);
-        for (const std::string& word : row.words)
+        for (const std::string& word : row.words) {
             EXPECT_THAT(ran.err, HasSubstr(word));
+        }
         EXPECT_EQ(ran.out, "");
     }
 }
@@ -197,9 +201,11 @@ TEST_F(CompareCommand, RenderedImagesKnowTheirContrastIntensity) {
     const std::string summary = contentOf(folder / "m4.json");
     const auto of4 = nlohmann::json::parse(summary);
     double rendered = 0.0;
-    for (const auto& item : of4["analyses"][0]["summary"])
-        if (item["label"].get<std::string>().find("ontrast intensity") != std::string::npos)
+    for (const auto& item : of4["analyses"][0]["summary"]) {
+        if (item["label"].get<std::string>().find("ontrast intensity") != std::string::npos) {
             rendered = item["value"];
+        }
+    }
     EXPECT_NEAR(json["contrast_intensity_b"].get<double>(), rendered, 1e-3 * std::abs(rendered))
         << summary;
 }

@@ -24,7 +24,8 @@ std::filesystem::path changedSample(const TemporaryFolder& folder, const std::st
 }
 
 TEST(SmatBatchLint, FindsNothingInTheSamplesWithTheirModelsAndProjects) {
-    for (const std::string name : {"sphere", "chessboard", "ship", "turboprop4", "box"}) {
+    for (const std::string name :
+         {"sphere", "chessboard", "ship", "turboprop4", "box", "heron", "corvette"}) {
         const std::filesystem::path folder = sample(name);
         const Ran ran =
             smatBatch({"db", "lint", folder / (name + ".sigdb"), "--model",

@@ -20,9 +20,10 @@ class SmatBatchMonteCarlo : public testing::Test {
     SmatBatchMonteCarlo() {
         for (const char* name :
              {"turboprop4.flt", "turboprop4.sigdb", "turboprop4(temperaturesScalings).xml",
-              "turboprop4(emissivitiesScalings).xml"})
+              "turboprop4(emissivitiesScalings).xml"}) {
             std::filesystem::copy(sample("turboprop4") / std::filesystem::path(name),
                                   folder / name);
+        }
         write(folder / "t.smat", R"({"version": 1,
   "models": [{"file": "turboprop4.flt", "database": "turboprop4.sigdb"}],
   "sensor": {"fov": 4, "width": 160, "height": 128},
@@ -41,23 +42,26 @@ class SmatBatchMonteCarlo : public testing::Test {
         // The command in the provenance may differ, the numbers count.
         std::string numbers;
         std::istringstream lines(contentOf(folder / name));
-        for (std::string line; std::getline(lines, line);)
-            if (line.empty() || line.front() != '#')
+        for (std::string line; std::getline(lines, line);) {
+            if (line.empty() || line.front() != '#') {
                 numbers += line + "\n";
+            }
+        }
         return numbers;
     }
     void rewriteScales(irsg::ScalingKind kind, double low, double high) {
         const std::filesystem::path file = irsg::scalingFile(folder / "turboprop4.flt", kind);
         irsg::ScalingTable table = irsg::readScalingFile(file, kind);
-        for (auto& [index, entry] : table)
+        for (auto& [index, entry] : table) {
             entry.distribution = irsg::Distribution(irsg::DistributionKind::uniform, low, high);
+        }
         write(file, irsg::scalingXml(table));
     }
 
     TemporaryFolder folder;
 };
 
-TEST_F(SmatBatchMonteCarlo, writesBandsAndRankingOfTheFirstAnalysisThatIsNoImage) {
+TEST_F(SmatBatchMonteCarlo, WritesBandsAndRankingOfTheFirstAnalysisThatIsNoImage) {
     const Ran ran = run({"--samples", "300", "--seed", "5", "--phases", "2", "--ranking-pairs",
                          "256", "--percentiles", "10,90", "--out", "mc.csv", "--out", "mc.json"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
@@ -66,8 +70,9 @@ TEST_F(SmatBatchMonteCarlo, writesBandsAndRankingOfTheFirstAnalysisThatIsNoImage
     const ResultTable bands = ResultTable::load(folder / "mc.csv");
     EXPECT_EQ(bands.rowCount(), 6u);
     for (const char* key : {"angle", "nominal", "mean", "standard_deviation", "standard_error",
-                            "minimum", "p10", "p90", "maximum", "error_numerical"})
+                            "minimum", "p10", "p90", "maximum", "error_numerical"}) {
         EXPECT_NE(bands.find(key), nullptr) << key;
+    }
     EXPECT_EQ(bands.provenance.value("monte carlo"), "300 draws of the sobol sequence, seed 5");
     EXPECT_THAT(bands.provenance.value("command"), HasSubstr("montecarlo"));
     EXPECT_EQ(ResultTable::load(folder / "mc-ranking.csv").rowCount(), 11u);
@@ -77,7 +82,7 @@ TEST_F(SmatBatchMonteCarlo, writesBandsAndRankingOfTheFirstAnalysisThatIsNoImage
     EXPECT_EQ(json["scales"][0]["distribution"], "normal");
 }
 
-TEST_F(SmatBatchMonteCarlo, repeatsAKindWithTheSettingsOfTheProject) {
+TEST_F(SmatBatchMonteCarlo, RepeatsAKindWithTheSettingsOfTheProject) {
     const Ran ran = run({"--kind", "range", "--samples", "64", "--phases", "1", "--set",
                          "range.points=3", "--out", "mc.csv"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
@@ -87,11 +92,12 @@ TEST_F(SmatBatchMonteCarlo, repeatsAKindWithTheSettingsOfTheProject) {
                 HasSubstr("nothing beside --analysis"));
 }
 
-TEST_F(SmatBatchMonteCarlo, givesTheSameBytesTwiceAndOthersWithAnotherSeed) {
-    for (const char* name : {"a.csv", "b.csv"})
+TEST_F(SmatBatchMonteCarlo, GivesTheSameBytesTwiceAndOthersWithAnotherSeed) {
+    for (const char* name : {"a.csv", "b.csv"}) {
         ASSERT_EQ(run({"--samples", "64", "--phases", "1", "--sequence", "plain", "--out", name})
                       .exitCode,
                   0);
+    }
     const auto numbers = [&](const char* name) {
         return ResultTable::load(folder / name).columns();
     };
@@ -103,7 +109,7 @@ TEST_F(SmatBatchMonteCarlo, givesTheSameBytesTwiceAndOthersWithAnotherSeed) {
     EXPECT_NE(numbers("a.csv"), numbers("c.csv"));
 }
 
-TEST_F(SmatBatchMonteCarlo, agreesWithTheAnalysisOfTheFirstDraw) {
+TEST_F(SmatBatchMonteCarlo, AgreesWithTheAnalysisOfTheFirstDraw) {
     ASSERT_EQ(run({"--samples", "2", "--phases", "1", "--sequence", "plain", "--percentiles", "50",
                    "--out", "mc.csv"})
                   .exitCode,
@@ -123,18 +129,19 @@ TEST_F(SmatBatchMonteCarlo, agreesWithTheAnalysisOfTheFirstDraw) {
     }
 }
 
-TEST_F(SmatBatchMonteCarlo, scalesOfOneGiveTheIdenticalImageAndSeedsRepeat) {
+TEST_F(SmatBatchMonteCarlo, ScalesOfOneGiveTheIdenticalImageAndSeedsRepeat) {
     const std::string plain = image("plain.csv", {});
     const std::string seed1 = image("seed1.csv", {"--scalings", "--seed", "1"});
     EXPECT_NE(plain, seed1);
     EXPECT_EQ(seed1, image("again.csv", {"--scalings", "--seed", "1"}));
     EXPECT_NE(seed1, image("seed2.csv", {"--scalings", "--seed", "2"}));
-    for (const auto kind : {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity})
+    for (const auto kind : {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity}) {
         rewriteScales(kind, 1.0, 1.0);
+    }
     EXPECT_EQ(plain, image("ones.csv", {"--scalings", "--seed", "2"}));
 }
 
-TEST_F(SmatBatchMonteCarlo, savingADatabaseWritesScalingFilesOnlyWhereThereAreNone) {
+TEST_F(SmatBatchMonteCarlo, SavingADatabaseWritesScalingFilesOnlyWhereThereAreNone) {
     const std::filesystem::path scales =
         irsg::scalingFile(folder / "turboprop4.flt", irsg::ScalingKind::temperature);
     const std::string mine = contentOf(scales);
@@ -156,7 +163,7 @@ TEST_F(SmatBatchMonteCarlo, savingADatabaseWritesScalingFilesOnlyWhereThereAreNo
     EXPECT_THAT(contentOf(scales), HasSubstr("exhaust"));
 }
 
-TEST_F(SmatBatchMonteCarlo, refusesWhatItCannotDo) {
+TEST_F(SmatBatchMonteCarlo, RefusesWhatItCannotDo) {
     const struct {
         const char* name;
         std::vector<std::string> arguments;
@@ -188,12 +195,13 @@ TEST_F(SmatBatchMonteCarlo, refusesWhatItCannotDo) {
     }
     write(irsg::scalingFile(folder / "turboprop4.flt", irsg::ScalingKind::temperature), "<data>");
     EXPECT_THAT(run({"--out", "a.csv"}).err, HasSubstr("well-formed"));
-    for (const auto kind : {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity})
+    for (const auto kind : {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity}) {
         std::filesystem::remove(irsg::scalingFile(folder / "turboprop4.flt", kind));
+    }
     EXPECT_THAT(run({"--out", "a.csv"}).err, HasSubstr("a scaling file beside the model"));
 }
 
-TEST_F(SmatBatchMonteCarlo, stopsAtAStandardErrorOrSaysThatItDidNot) {
+TEST_F(SmatBatchMonteCarlo, StopsAtAStandardErrorOrSaysThatItDidNot) {
     Ran ran =
         run({"--samples", "20000", "--phases", "1", "--standard-error", "0.01", "--out", "a.csv"});
     EXPECT_EQ(ran.exitCode, 0) << ran.err;

@@ -28,8 +28,9 @@ class SmatBatchMtf : public testing::Test {
 TEST_F(SmatBatchMtf, InfoShowsTheHeaderOfEveryShippedDatabase) {
     int files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(shipped)) {
-        if (entry.path().extension() != ".mtf")
+        if (entry.path().extension() != ".mtf") {
             continue;
+        }
         ++files;
         const Ran ran = smatBatch({"mtf", "info", entry.path()});
         EXPECT_EQ(ran.exitCode, 0) << ran.err;
@@ -45,8 +46,9 @@ TEST_F(SmatBatchMtf, InfoGivesProgramsNumbersWithTheirUnits) {
     const auto json = nlohmann::json::parse(smatBatch({"--json", "mtf", "info", file}).out);
     EXPECT_EQ(json["file"], file);
     std::map<std::string, nlohmann::json> fields;
-    for (const auto& field : json["fields"])
+    for (const auto& field : json["fields"]) {
         fields[field["name"]] = field;
+    }
     EXPECT_NEAR(fields.at("field of view")["value"].get<double>(), 60.0, 1e-9);
     EXPECT_EQ(fields.at("field of view")["unit"], "deg");
     EXPECT_NEAR(fields.at("particle diameter")["value"].get<double>(), 100.0, 1e-9);

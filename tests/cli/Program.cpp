@@ -88,9 +88,10 @@ Ran smatBatch(const std::vector<std::string>& arguments, const std::filesystem::
     int status = 0;
     rusage used{};
     wait4(child, &status, 0, &used);
-    for (const timeval& part : {used.ru_utime, used.ru_stime})
+    for (const timeval& part : {used.ru_utime, used.ru_stime}) {
         ran.processor_s +=
             static_cast<double>(part.tv_sec) + 1e-6 * static_cast<double>(part.tv_usec);
+    }
     ran.peak_MB = static_cast<double>(used.ru_maxrss) / 1024.0;
     ran.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return ran;

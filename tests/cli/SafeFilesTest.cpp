@@ -103,12 +103,14 @@ TEST(SmatBatchOutput, OfManyConversionsToOneFileIsOneOfThem) {
     const TemporaryFolder folder;
     std::vector<std::thread> runs;
     std::vector<int> codes(8, -1);
-    for (std::size_t i = 0; i < codes.size(); ++i)
+    for (std::size_t i = 0; i < codes.size(); ++i) {
         runs.emplace_back([&, i] {
             codes[i] = smatBatch({"convert", box, "a.osgb"}, folder.path()).exitCode;
         });
-    for (std::thread& run : runs)
+    }
+    for (std::thread& run : runs) {
         run.join();
+    }
     EXPECT_THAT(codes, testing::Each(0));
     EXPECT_EQ(smatBatch({"model", "info", "a.osgb"}, folder.path()).exitCode, 0);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
@@ -130,8 +132,9 @@ TEST(SmatBatchBounds, NameAHundredDiagnosticsAndHowManyMore) {
     const TemporaryFolder folder;
     fs::copy(sample("flyby"), folder / "flyby");
     std::string rows = "t,x,y,z,yaw,pitch,roll\n";
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < 20000; ++i) {
         rows += "5,0,0,100,0,0,0\n";
+    }
     write(folder / "flyby/near.csv", rows);
     const Ran ran =
         smatBatch({"simulate", "flyby/flyby.json", "--out", "out", "--dry-run"}, folder.path());
@@ -177,16 +180,19 @@ TEST(SmatBatchLocale, IsTheSameWithDecimalCommas) {
          (fs::path(SMAT_SOURCE_DIR) / "resources/atmospheres/subarctic-winter.xml").string(),
          "--min", "0", "--max", "1000", "--step", "500", "--out", "t.csv"}};
     std::vector<std::string> outputs;
-    for (const auto& words : lines)
+    for (const auto& words : lines) {
         outputs.push_back(smatBatch(words, folder.path()).out);
+    }
     const std::string table = contentOf(folder / "t.csv");
     for (const char* name : {"de_DE", "fr_CA"}) {
         const TemporaryFolder place;
         const DecimalCommas locale(name, place.path());
-        if (!locale.isThere())
+        if (!locale.isThere()) {
             GTEST_SKIP() << "this system cannot make the locale " << name;
-        for (std::size_t i = 0; i < lines.size(); ++i)
+        }
+        for (std::size_t i = 0; i < lines.size(); ++i) {
             EXPECT_EQ(smatBatch(lines[i], folder.path()).out, outputs[i]) << name << lines[i][0];
+        }
         EXPECT_EQ(contentOf(folder / "t.csv"), table) << name;
     }
 }

@@ -268,12 +268,13 @@ TEST(SmatBatchSimulate, AnInterruptOrATerminationKeepsFramesAndTables) {
         EXPECT_LT(table.rowCount(), 900000u);
         // A whole frame for each row, and no half of one.
         std::size_t frames = 0;
-        if (std::filesystem::exists(folder / "out/south"))
+        if (std::filesystem::exists(folder / "out/south")) {
             for (const auto& entry : std::filesystem::directory_iterator(folder / "out/south")) {
                 EXPECT_EQ(entry.path().filename().string().rfind("frame_", 0), 0u);
                 EXPECT_NO_THROW(irsg::readExr(entry.path())) << entry.path();
                 ++frames;
             }
+        }
         EXPECT_EQ(table.rowCount(), frames);
     }
 }

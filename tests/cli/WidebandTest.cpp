@@ -22,17 +22,20 @@ std::vector<double> intensities(const std::string& project, const std::string& b
     std::istringstream lines(contentOf(folder.path() / "range.csv"));
     std::size_t column = 0;
     for (std::string line; std::getline(lines, line);) {
-        if (line.empty() || line[0] == '#')
+        if (line.empty() || line[0] == '#') {
             continue;
+        }
         std::vector<std::string> cells;
         std::istringstream row(line);
-        for (std::string cell; std::getline(row, cell, ',');)
+        for (std::string cell; std::getline(row, cell, ',');) {
             cells.push_back(cell);
+        }
         const auto named = std::ranges::find(cells, "intensity [W sr-1]");
-        if (named != cells.end())
+        if (named != cells.end()) {
             column = static_cast<std::size_t>(named - cells.begin());
-        else
+        } else {
             values.push_back(std::stod(cells.at(column)));
+        }
     }
     return values;
 }
@@ -50,8 +53,9 @@ TEST_P(SmatBatchWideband, GivesTheIntensitiesOfTheSpectralMode) {
     const auto wideband = intensities(GetParam().project, GetParam().band, "ck");
     ASSERT_EQ(spectral.size(), 4u);
     ASSERT_EQ(wideband.size(), 4u);
-    for (std::size_t i = 0; i < spectral.size(); ++i)
+    for (std::size_t i = 0; i < spectral.size(); ++i) {
         EXPECT_NEAR(wideband[i] / spectral[i], 1.0, 0.005) << i;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SmatBatchWideband,

@@ -123,6 +123,7 @@ TEST(PolarAnalysis, ModelYawKeepsTheCameraWhereTheViewerIs) {
     SixSidedBox box;
     box.referencePoint = {0.0, 2.0, 0.0};
     AnalysisData data = asked(AnalysisKind::polar, {{"polar.type", "model-yaw"},
+                                                    {"polar.step", "10"},
                                                     {"target.yaw", "37"},
                                                     {"camera.azimuth", "70"},
                                                     {"camera.elevation", "10"}});
@@ -415,12 +416,12 @@ TEST(AnalysisData, EquivalentCommandSaysWhatTheProjectFileDoesNot) {
     Project project;
     project.file = "/p/a b.smat";
     Settings overrides;
-    overrides.set("polar.step", "5");
+    overrides.set("polar.step", "4");
     overrides.set("range.from", "7"); // of another kind: not said
     overrides.set("environment.atmospheres", "air.csv");
     const AnalysisData data = AnalysisData::of(project, AnalysisKind::polar, overrides);
     EXPECT_EQ(data.equivalentCommand("out.csv"),
-              "smat-batch polar '/p/a b.smat' --atmosphere=/p/air.csv --step=5 --out out.csv");
+              "smat-batch polar '/p/a b.smat' --atmosphere=/p/air.csv --step=4 --out out.csv");
 }
 
 TEST(AnalysisData, ANameThatIsNotThereIsRefusedWithTheNamesThereAre) {

@@ -150,10 +150,12 @@ TEST_F(EnvironmentInput, TheSunAloneIsThatOfTheWholeEnvironment) {
           Row{"own elevation", both, nullptr, "10", 4.0, 10 * degree}}) {
         Settings settings;
         settings.set("environment.atmospheres", row.air);
-        if (row.azimuth_deg != nullptr)
+        if (row.azimuth_deg != nullptr) {
             settings.set("environment.sunAzimuth", row.azimuth_deg);
-        if (row.elevation_deg != nullptr)
+        }
+        if (row.elevation_deg != nullptr) {
             settings.set("environment.sunElevation", row.elevation_deg);
+        }
         const irsg::SunPosition sun = sunOf(project, settings);
         EXPECT_NEAR(sun.azimuth_rad, row.azimuth_rad, 1e-12) << row.name;
         EXPECT_NEAR(sun.elevation_rad, row.elevation_rad, 1e-12) << row.name;

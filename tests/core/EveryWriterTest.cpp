@@ -24,26 +24,30 @@ namespace fs = std::filesystem;
 
 std::set<std::string> namesIn(const fs::path& folder) {
     std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder))
+    for (const auto& entry : fs::directory_iterator(folder)) {
         names.insert(entry.path().filename().string());
+    }
     return names;
 }
 
 class EveryWriter : public testing::TestWithParam<Writer> {
   protected:
     void SetUp() override {
-        if (!callsCanBeWatched())
+        if (!callsCanBeWatched()) {
             GTEST_SKIP() << "one process cannot watch the calls of another here";
+        }
         // Some thousand files are brought to the disk: to one in memory, where there is one.
-        if (access("/dev/shm", W_OK) == 0)
+        if (access("/dev/shm", W_OK) == 0) {
             setenv("TMPDIR", "/dev/shm", 1);
+        }
         const TemporaryFolder folder;
         const fs::path file = folder / GetParam().file;
         for (const bool second : {false, true}) {
             GetParam().write(file, second);
             (second ? new_ : old_) = GetParam().content(file);
-            if (!second)
+            if (!second) {
                 oldBytes_ = irsg::readFile(file);
+            }
         }
         if (GetParam().replaces) {
             ASSERT_NE(old_, new_);
@@ -51,10 +55,11 @@ class EveryWriter : public testing::TestWithParam<Writer> {
     }
 
     void TearDown() override {
-        if (before_.empty())
+        if (before_.empty()) {
             unsetenv("TMPDIR");
-        else
+        } else {
             setenv("TMPDIR", before_.c_str(), 1);
+        }
     }
 
     /// Old or new, whole, and nothing beside it; where nothing was, nothing may be left.
@@ -62,8 +67,9 @@ class EveryWriter : public testing::TestWithParam<Writer> {
         const Writer& writer = GetParam();
         const TemporaryFolder folder;
         const fs::path file = folder / writer.file;
-        if (stands)
+        if (stands) {
             writtenFile(file, oldBytes_);
+        }
         Ended ended = doWatched([&] { writer.write(file, true); }, mishap);
         const std::string where =
             std::string(mishap.kind == Mishap::fails    ? "failed"
@@ -86,8 +92,9 @@ class EveryWriter : public testing::TestWithParam<Writer> {
             }
         }
         std::set<std::string> names = namesIn(folder.path());
-        for (const std::string& companion : writer.companions)
+        for (const std::string& companion : writer.companions) {
             names.erase(companion);
+        }
         EXPECT_EQ(names, isThere ? std::set<std::string>{writer.file} : std::set<std::string>())
             << where;
         return ended;
@@ -96,8 +103,9 @@ class EveryWriter : public testing::TestWithParam<Writer> {
     void meetsEveryMishap(bool onlyWriting, bool everyFileHasAName = false) {
         const Writer& writer = GetParam();
         for (const bool stands : {false, true}) {
-            if (stands && !writer.replaces)
+            if (stands && !writer.replaces) {
                 continue;
+            }
             const Ended whole = meets({Mishap::none, 0, 0, onlyWriting, everyFileHasAName}, stands);
             ASSERT_EQ(whole.exitCode, 0);
             ASSERT_GT(whole.calls, 5);
@@ -118,8 +126,9 @@ class EveryWriter : public testing::TestWithParam<Writer> {
     /// Equal bytes are looked into once.
     const std::string& contentOf(const fs::path& file) {
         const std::string bytes = irsg::readFile(file);
-        if (!known_.contains(bytes))
+        if (!known_.contains(bytes)) {
             known_[bytes] = GetParam().content(file);
+        }
         return known_[bytes];
     }
 

@@ -25,7 +25,7 @@ ImagingSensorReading readOf(const std::string& inside) {
     return imagingSensorFromKarma(KarmaXml::parse(sensorXml(inside), "sensor.xml"));
 }
 
-TEST(ImagingSensorXml, theFileOfTheReportIsReadAndComesBackEqual) {
+TEST(ImagingSensorXml, TheFileOfTheReportIsReadAndComesBackEqual) {
     const auto file = smat::test::sharedMaterial("data/karma/ImagingSensor.xml");
     if (file.empty()) {
         GTEST_SKIP() << "the KARMA files of the shared material are not here";
@@ -51,7 +51,7 @@ TEST(ImagingSensorXml, theFileOfTheReportIsReadAndComesBackEqual) {
     EXPECT_EQ(irsg::significant(document.text()), irsg::significant(irsg::contentOf(file)));
 }
 
-TEST(ImagingSensorXml, whatIsWrittenIsReadBackEqual) {
+TEST(ImagingSensorXml, WhatIsWrittenIsReadBackEqual) {
     ImagingSensorParameters parameters;
     double value = 0.0;
     for (const ImagingSensorParameter& known : imagingSensorParameters()) {
@@ -69,7 +69,7 @@ TEST(ImagingSensorXml, whatIsWrittenIsReadBackEqual) {
     EXPECT_EQ(readOf("").parameters, ImagingSensorParameters());
 }
 
-TEST(ImagingSensorXml, unknownNamesAreReportedAndKept) {
+TEST(ImagingSensorXml, UnknownNamesAreReportedAndKept) {
     const std::string text = sensorXml(numberXml("Gain", "3") + numberXml("AntialiasingMode", "2"));
     KarmaXml document = KarmaXml::parse(text, "sensor.xml");
     const ImagingSensorReading reading = imagingSensorFromKarma(document);
@@ -89,7 +89,7 @@ void PrintTo(const BadRow& row, std::ostream* out) {
 }
 class ABadImagingSensor : public testing::TestWithParam<BadRow> {};
 
-TEST_P(ABadImagingSensor, isRefusedWithLineNameAndValue) {
+TEST_P(ABadImagingSensor, IsRefusedWithLineNameAndValue) {
     const std::string refusal = irsg::refusalOf(
         [] { imagingSensorFromKarma(KarmaXml::parse(GetParam().text, "sensor.xml")); });
     for (const std::string& word : GetParam().named) {
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
                {"line 5", "CalculationMode", "line 6", "AntialiasingMode"}}),
     [](const auto& row) { return std::string(row.param.name); });
 
-TEST(ImagingSensorSettings, everyParameterSetsItsSetting) {
+TEST(ImagingSensorSettings, EveryParameterSetsItsSetting) {
     const ImagingSensorSettings set = settingsOf({.calculationMode = 2,
                                                   .antialiasingMode = 5,
                                                   .isUniformBackground = 0,
@@ -158,14 +158,14 @@ TEST(ImagingSensorSettings, everyParameterSetsItsSetting) {
     EXPECT_TRUE(settingsOf({}).settings.values().empty());
 }
 
-TEST(ImagingSensorSettings, aUniformBackgroundIsOneLineOfSightWhateverItsNumbersSay) {
+TEST(ImagingSensorSettings, AUniformBackgroundIsOneLineOfSightWhateverItsNumbersSay) {
     const ImagingSensorSettings set = settingsOf(
         {.isUniformBackground = 1, .numberOfBackgroundColumns = 4, .numberOfBackgroundRows = 16});
     EXPECT_EQ(set.settings[key::renderBackgroundColumns], 1);
     EXPECT_EQ(set.settings[key::renderBackgroundRows], 1);
 }
 
-TEST(ImagingSensorSettings, asManyRowsAsAreNeededBecomeANumberOfTheFile) {
+TEST(ImagingSensorSettings, AsManyRowsAsAreNeededBecomeANumberOfTheFile) {
     Settings settings;
     settings.set("render.backgroundRows", "0");
     const ImagingSensorParameters parameters = imagingSensorParametersOf(settings);
@@ -173,7 +173,7 @@ TEST(ImagingSensorSettings, asManyRowsAsAreNeededBecomeANumberOfTheFile) {
     EXPECT_EQ(parameters.isUniformBackground, 0.0);
 }
 
-TEST(ImagingSensorSettings, turnScatteringOnAndOff) {
+TEST(ImagingSensorSettings, TurnScatteringOnAndOff) {
     EXPECT_TRUE(settingsOf({.useAtmosphereScattering = 1}).settings[key::renderScattering]);
     const ImagingSensorSettings off = settingsOf({.useAtmosphereScattering = 0});
     EXPECT_TRUE(off.settings.isSet("render.scattering"));
@@ -183,7 +183,7 @@ TEST(ImagingSensorSettings, turnScatteringOnAndOff) {
     EXPECT_EQ(imagingSensorParametersOf(settings).useAtmosphereScattering, 1.0);
 }
 
-TEST(ImagingSensorSettings, comeBackFromTheSettings) {
+TEST(ImagingSensorSettings, ComeBackFromTheSettings) {
     Settings settings;
     for (const auto& [key, text] : {std::pair("sensor.mode", "ck"),
                                     {"render.antialiasing", "3"},

@@ -1,16 +1,20 @@
-#include "smatcore/support/JsonText.h"
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "smatcore/data/ResultTable.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/simulate/ScenarioFile.h"
 #include "tests/support/Refusal.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace smat {
 namespace {
 
-using nlohmann::json;
 using test::refusalOf;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -24,20 +28,6 @@ const std::string cutByZero[] = {
     std::string("[1]\0", 4),
 };
 
-TEST(JsonText, IsNotTakenForWholeBeforeAZeroByte) {
-    for (const std::string& text : cutByZero) {
-        EXPECT_THAT(refusalOf([&] { parseJsonText<json>(text, "a.json", "a list"); }),
-                    AllOf(HasSubstr("a.json: line"), HasSubstr("a zero byte"),
-                          HasSubstr("expected a list")))
-            << text;
-    }
-    EXPECT_THAT(
-        refusalOf([] { parseJsonText<json>(std::string("{\n\n\0}", 5), "a.json", "a list"); }),
-        HasSubstr("a.json: line 3: found a zero byte"));
-    // Written as an escape it is a character of a text like any other.
-    EXPECT_EQ(parseJsonText<json>("[\"\\u0000\"]", "a.json", "a list")[0], std::string("\0", 1));
-}
-
 TEST(JsonText, WithAZeroByteIsNeitherAProjectNorAScenario) {
     for (const std::string& text : cutByZero) {
         EXPECT_THAT(refusalOf([&] { projectFromJson(text, "p.smat"); }),
@@ -49,11 +39,7 @@ TEST(JsonText, WithAZeroByteIsNeitherAProjectNorAScenario) {
     }
 }
 
-TEST(JsonLines, KnowTheLinesBehindAByteOrderMark) {
-    const JsonLines lines("\xEF\xBB\xBF{\n\"a\": [1,\n2], \"a\": 3}");
-    EXPECT_EQ(lines.line("a.1"), 3);
-    ASSERT_EQ(lines.duplicates().size(), 1u);
-    EXPECT_EQ(lines.duplicates()[0], std::pair(std::string("a"), 3));
+TEST(JsonText, OfAProjectIsPlacedBehindAByteOrderMark) {
     EXPECT_THAT(refusalOf([] {
                     projectFromJson("\xEF\xBB\xBF{\"version\": 1,\n\"sensor\": {\"width\": 0}}",
                                     "p.smat");
@@ -61,9 +47,24 @@ TEST(JsonLines, KnowTheLinesBehindAByteOrderMark) {
                 HasSubstr("sensor.width, line 2"));
 }
 
-TEST(JsonLines, OfATextThatIsNotJsonAreOurOwnFault) {
-    for (const char* text : {"]", "{}}", "1, 2", "[1]]]]]]]"}) {
-        EXPECT_THROW(JsonLines{text}, irsg::LogicError) << text;
+TEST(JsonText, OfAResultNamesWhatIsNotOfItsForm) {
+    const std::pair<const char*, const char*> rows[] = {
+        {"[]", "found [], expected an object"},
+        {"{\n\"columns\": []}", "provenance, line 1: found nothing, expected a list"},
+        {"{\"provenance\": [\n{\"key\": 1}], \"columns\": []}",
+         "provenance.0.key, line 2: found 1, expected a text"},
+        {"{\"provenance\": [], \"columns\": [\n7]}", "columns.0, line 2: found 7"},
+        {"{\"provenance\": [],\n\"columns\": [{\"name\": \"a\", \"unit\": \"\", \"values\": "
+         "[1,\n\"x\"]}]}",
+         "columns.0.values.1, line 3: found \"x\", expected a number or null"},
+        {"{\"provenance\": [],\n\"columns\": [{\"name\": \"a\", \"unit\": \"\", \"values\": [1]},\n"
+         "{\"name\": \"b\", \"unit\": \"\", \"values\": [1, 2]}]}",
+         "columns.1.values, line 3: found 2 values, expected 1 values"},
+    };
+    const std::filesystem::path file = test::ownFolder() / "r.json";
+    for (const auto& [text, says] : rows) {
+        std::ofstream(file) << text;
+        EXPECT_THAT(refusalOf([&] { ResultTable::load(file); }), HasSubstr(says)) << text;
     }
 }
 

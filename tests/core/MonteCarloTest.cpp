@@ -120,7 +120,7 @@ double sigmaOf(const irsg::Distribution& distribution) {
 
 } // namespace
 
-TEST_F(MonteCarloTest, givesMeanAndSpreadOfAClosedForm) {
+TEST_F(MonteCarloTest, GivesMeanAndSpreadOfAClosedForm) {
     for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
         data.options.sequence = sequence;
         data.options.samples = 4096;
@@ -148,7 +148,7 @@ TEST_F(MonteCarloTest, givesMeanAndSpreadOfAClosedForm) {
     }
 }
 
-TEST_F(MonteCarloTest, asksForTheScalesThatHaveAnEffectAndSaysWhichHaveNone) {
+TEST_F(MonteCarloTest, AsksForTheScalesThatHaveAnEffectAndSaysWhichHaveNone) {
     run();
     ASSERT_EQ(source.asked.size(), 3u);
     EXPECT_EQ(source.asked[0].index, 1);
@@ -162,7 +162,7 @@ TEST_F(MonteCarloTest, asksForTheScalesThatHaveAnEffectAndSaysWhichHaveNone) {
                                HasSubstr("temperature 9 has no effect, it has no entry")}));
 }
 
-TEST_F(MonteCarloTest, drawsInSeveralBandsWhatItDrawsInEachAlone) {
+TEST_F(MonteCarloTest, DrawsInSeveralBandsWhatItDrawsInEachAlone) {
     data.analysis.settings.set("sensor.band", "3-5");
     const MonteCarloData alone = run();
     data.analysis.settings.set("sensor.band", "8-12,3-5");
@@ -185,34 +185,37 @@ TEST_F(MonteCarloTest, drawsInSeveralBandsWhatItDrawsInEachAlone) {
     EXPECT_EQ(data.analysis.table.find("mean"), nullptr);
 }
 
-TEST_F(MonteCarloTest, writesBandsThatAscendWithTheirProvenance) {
+TEST_F(MonteCarloTest, WritesBandsThatAscendWithTheirProvenance) {
     data.options.percentiles = {2.5, 50.0, 97.5};
     run();
     const ResultTable& table = data.analysis.table;
     std::vector<std::string> keys;
-    for (const ResultColumn& column : table.columns())
+    for (const ResultColumn& column : table.columns()) {
         keys.push_back(column.header());
+    }
     EXPECT_THAT(keys, testing::ElementsAre("angle [deg]", "nominal [W sr-1]", "mean [W sr-1]",
                                            "standard_deviation [W sr-1]", "standard_error [W sr-1]",
                                            "minimum [W sr-1]", "p2.5 [W sr-1]", "p50 [W sr-1]",
                                            "p97.5 [W sr-1]", "maximum [W sr-1]",
                                            "error_numerical [W sr-1]"));
-    for (std::size_t k = 0; k < table.rowCount(); ++k)
-        for (std::size_t c = 6; c < 10; ++c)
+    for (std::size_t k = 0; k < table.rowCount(); ++k) {
+        for (std::size_t c = 6; c < 10; ++c) {
             EXPECT_GT(table.columns()[c].values[k], table.columns()[c - 1].values[k]);
+        }
+    }
     EXPECT_EQ(table.provenance.value("monte carlo"), "512 draws of the sobol sequence, seed 1");
     EXPECT_EQ(table.provenance.value("quantity"), "contrast_intensity");
     EXPECT_EQ(table.provenance.value("scale"), "temperature 1 (skin): uniform, 0.9 to 1.1");
 }
 
-TEST_F(MonteCarloTest, repeatsWithItsSeedAndDiffersWithAnother) {
+TEST_F(MonteCarloTest, RepeatsWithItsSeedAndDiffersWithAnother) {
     const auto first = run().values;
     EXPECT_EQ(run().values, first);
     data.analysis.settings.set("scaling.seed", "2");
     EXPECT_NE(run().values, first);
 }
 
-TEST_F(MonteCarloTest, drawsWhatLoadingTheDatabaseDraws) {
+TEST_F(MonteCarloTest, DrawsWhatLoadingTheDatabaseDraws) {
     data.options.sequence = DrawSequence::plain;
     run();
     SceneDescription loaded = scene(data.analysis.project, data.analysis.settings);
@@ -224,7 +227,7 @@ TEST_F(MonteCarloTest, drawsWhatLoadingTheDatabaseDraws) {
     EXPECT_EQ(target.temperatureScale.count(3), 0u);
 }
 
-TEST_F(MonteCarloTest, stopsAtAStandardErrorAndSaysWhereItDidNotReachIt) {
+TEST_F(MonteCarloTest, StopsAtAStandardErrorAndSaysWhereItDidNotReachIt) {
     data.options.samples = 100000;
     data.options.standardError = 1e-5;
     run();
@@ -232,8 +235,9 @@ TEST_F(MonteCarloTest, stopsAtAStandardErrorAndSaysWhereItDidNotReachIt) {
     EXPECT_LT(data.draws(), 50000u);
     EXPECT_EQ(data.analysis.state, AnalysisState::complete);
     double worst = 0.0;
-    for (const Estimate& one : data.statistic)
+    for (const Estimate& one : data.statistic) {
         worst = std::max(worst, one.standardError);
+    }
     EXPECT_LT(worst, 1e-5 * 106.1);
 
     data.options.sequence = DrawSequence::plain;
@@ -243,13 +247,14 @@ TEST_F(MonteCarloTest, stopsAtAStandardErrorAndSaysWhereItDidNotReachIt) {
     EXPECT_THAT(data.analysis.warnings, testing::Contains(HasSubstr("1e-05 was asked for")));
 }
 
-TEST_F(MonteCarloTest, keepsWhatItHasWhenItIsStopped) {
+TEST_F(MonteCarloTest, KeepsWhatItHasWhenItIsStopped) {
     std::stop_source stop;
     data.options.samples = 100000;
     run(
         [&](const Progress& progress) {
-            if (progress.what.find("draw 512") == 0)
+            if (progress.what.find("draw 512") == 0) {
                 stop.request_stop();
+            }
         },
         stop.get_token());
     EXPECT_EQ(data.analysis.state, AnalysisState::partial);
@@ -261,8 +266,9 @@ TEST_F(MonteCarloTest, keepsWhatItHasWhenItIsStopped) {
     std::stop_source early;
     run(
         [&](const Progress& progress) {
-            if (progress.what.find("case 2 of 4") == 0)
+            if (progress.what.find("case 2 of 4") == 0) {
                 early.request_stop();
+            }
         },
         early.get_token());
     EXPECT_EQ(data.analysis.table.rowCount(), 2u);
@@ -270,7 +276,7 @@ TEST_F(MonteCarloTest, keepsWhatItHasWhenItIsStopped) {
     EXPECT_THAT(data.analysis.warnings, testing::Contains("stopped after 2 of 4 cases"));
 }
 
-TEST_F(MonteCarloTest, ranksTheScalesByTheirShareOfTheVariance) {
+TEST_F(MonteCarloTest, RanksTheScalesByTheirShareOfTheVariance) {
     data.options.ranking = true;
     data.options.rankingAt = 180.0; // 3 T1 + (2 - 1) T2 + E1 (T1 - 1)
     for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
@@ -299,7 +305,7 @@ TEST_F(MonteCarloTest, ranksTheScalesByTheirShareOfTheVariance) {
     EXPECT_EQ(table.provenance.value("place 1"), "temperature 1 (skin)");
 }
 
-TEST_F(MonteCarloTest, repeatsSpectraWavelengthByWavelength) {
+TEST_F(MonteCarloTest, RepeatsSpectraWavelengthByWavelength) {
     const MonteCarloOptions options = data.options;
     data.analysis = AnalysisData::of(data.analysis.project, AnalysisKind::spectrum);
     data.analysis.settings.set("spectrum.resolution", "100");
@@ -313,7 +319,7 @@ TEST_F(MonteCarloTest, repeatsSpectraWavelengthByWavelength) {
     EXPECT_NEAR(data.abscissae[data.nearest(4.0)], 4.0, 0.1);
 }
 
-TEST_F(MonteCarloTest, savesWhatReadsBack) {
+TEST_F(MonteCarloTest, SavesWhatReadsBack) {
     data.options.ranking = true;
     data.options.rankingPairs = 256;
     run();
@@ -328,7 +334,7 @@ TEST_F(MonteCarloTest, savesWhatReadsBack) {
                 HasSubstr(".csv or .json"));
 }
 
-TEST_F(MonteCarloTest, saysTheCommandThatDoesTheSame) {
+TEST_F(MonteCarloTest, SaysTheCommandThatDoesTheSame) {
     data.options.standardError = 0.001;
     data.options.percentiles = {2.5, 97.5};
     data.options.ranking = true;
@@ -337,8 +343,9 @@ TEST_F(MonteCarloTest, saysTheCommandThatDoesTheSame) {
     const std::string command = data.equivalentCommand("mc.csv");
     EXPECT_THAT(command, HasSubstr("smat-batch montecarlo PROJECT.smat --kind polar --samples "));
     for (const char* part : {"--sequence sobol", "--standard-error 0.001", "--percentiles 2.5,97.5",
-                             "--ranking-at 90", "--set state.power=0.25", "--out mc.csv"})
+                             "--ranking-at 90", "--set state.power=0.25", "--out mc.csv"}) {
         EXPECT_THAT(command, HasSubstr(part));
+    }
     EXPECT_THAT(command, testing::Not(HasSubstr("scaling.")));
 
     // A named analysis has its own settings, which the file says.
@@ -352,7 +359,7 @@ TEST_F(MonteCarloTest, saysTheCommandThatDoesTheSame) {
     EXPECT_THAT(data.equivalentCommand("mc.csv"), testing::Not(HasSubstr("state.power")));
 }
 
-TEST_F(MonteCarloTest, refusesWhatCannotBe) {
+TEST_F(MonteCarloTest, RefusesWhatCannotBe) {
     const auto expect = [&](const char* says, auto&& spoil) {
         MonteCarloData kept = data;
         spoil();
@@ -382,12 +389,13 @@ TEST_F(MonteCarloTest, refusesWhatCannotBe) {
     EXPECT_THAT(refusal(), HasSubstr("well-formed"));
 }
 
-TEST(SceneScalings, refuseSobolSequencesOfTooManyScales) {
+TEST(SceneScalings, RefuseSobolSequencesOfTooManyScales) {
     std::vector<SceneScaling> many(70);
-    for (std::size_t i = 0; i < many.size(); ++i)
+    for (std::size_t i = 0; i < many.size(); ++i) {
         many[i] = {{0, irsg::ScalingKind::emissivity, static_cast<int>(i), 0.9, 1.1},
                    irsg::Distribution(irsg::DistributionKind::uniform, 0.9, 1.1),
                    ""};
+    }
     EXPECT_NO_THROW(ScalingDraws(many, DrawSequence::sobol, 1));
     EXPECT_NO_THROW(ScalingDraws(many, DrawSequence::plain, 1, true));
     EXPECT_THAT(refusalOf([&] { ScalingDraws(many, DrawSequence::sobol, 1, true); }),

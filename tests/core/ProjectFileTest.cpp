@@ -170,9 +170,10 @@ TEST(ProjectFile, ReportsAllDiagnosticsAtOnceWithKeyPathAndLine) {
             positions.push_back(diagnostic.position);
             EXPECT_EQ(diagnostic.file, here.string());
         }
-        EXPECT_THAT(positions, testing::UnorderedElementsAre(
-                                   "sensor.width, line 2", "sensor.fov, line 3", "models.0.file",
-                                   "models.0.database, line 4", "analyses.x.kind, line 5"));
+        EXPECT_THAT(positions,
+                    testing::UnorderedElementsAre(
+                        "sensor.width, line 2", "sensor.fov, line 3", "models.0.file, line 4",
+                        "models.0.database, line 4", "analyses.x.kind, line 5"));
     }
 }
 
@@ -208,9 +209,10 @@ TEST_P(MalformedProject, IsRefusedWithPositionValueAndExpectation) {
 INSTANTIATE_TEST_SUITE_P(
     Projects, MalformedProject,
     testing::Values(
-        MalformedRow{"Nothing", "", "line 1", "not JSON"},
+        MalformedRow{"Nothing", "", "line 1, column 1", "the end of the text"},
         MalformedRow{"NoJson", "hello", "line 1", "not JSON"},
-        MalformedRow{"CutOff", "{\"version\": 1,\n\"sensor\": {", "line 2", "not JSON"},
+        MalformedRow{"CutOff", "{\"version\": 1,\n\"sensor\": {", "line 2, column 12",
+                     "the end of the text"},
         MalformedRow{"BrokenUtf8", "{\"version\": 1, \"title\": \"\xff\"}", "line 1", "not JSON"},
         MalformedRow{"EndlessNesting", endlessNesting.c_str(), "line 1", "nested"},
         MalformedRow{"List", "[1]", "", "[1]"}, MalformedRow{"Number", "7", "", "7"},

@@ -109,7 +109,16 @@ INSTANTIATE_TEST_SUITE_P(
                                 R"({"provenance": [], "columns": [
                                    {"name": "a", "unit": "", "values": [1]},
                                    {"name": "b", "unit": "", "values": []}]})",
-                                "columns.b"}),
+                                "columns.1.values"},
+                    BadTableRow{"NameTwiceInJson", ".json",
+                                R"({"provenance": [], "columns": [
+                                   {"name": "a", "unit": "", "values": [1]},
+                                   {"name": "a", "unit": "", "values": [1]}]})",
+                                "columns.1.name, line 3"},
+                    BadTableRow{"NoNumberInJson", ".json",
+                                R"({"provenance": [], "columns": [
+                                   {"name": "a", "unit": "", "values": [1, "2"]}]})",
+                                "columns.0.values.1, line 2"}),
     [](const auto& row) { return row.param.name; });
 
 TEST(Provenance, KeepsLineBreaksOutOfCommentLines) {

@@ -49,18 +49,20 @@ double coverage(int samples, double truth,
 
 std::vector<double> plainSample(std::uint64_t seed, std::size_t count) {
     std::vector<double> values;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
         values.push_back(
             target(irsg::unitOf(seed, {0, 0, 0}, i), irsg::unitOf(seed, {0, 0, 1}, i)));
+    }
     return values;
 }
 
 std::vector<SceneScaling> unitScales(int count) {
     std::vector<SceneScaling> scales;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         scales.push_back({{0, irsg::ScalingKind::emissivity, i, 0.0, 1.0},
                           irsg::Distribution(irsg::DistributionKind::uniform, 0.0, 1.0),
                           "u"});
+    }
     return scales;
 }
 
@@ -68,7 +70,7 @@ constexpr int samples = 3000;
 
 } // namespace
 
-TEST(SampleStatistics, knowsSmallSamplesByHeart) {
+TEST(SampleStatistics, KnowsSmallSamplesByHeart) {
     const std::vector<double> values{4.0, 1.0, 3.0, 2.0};
     EXPECT_EQ(meanOf(values), 2.5);
     EXPECT_NEAR(standardDeviationOf(values), std::sqrt(5.0 / 3.0), 1e-15);
@@ -85,7 +87,7 @@ TEST(SampleStatistics, knowsSmallSamplesByHeart) {
     EXPECT_NEAR(Estimate::withStudent(0.0, 1.0, 4).high95, 2.7764, 2e-3);
 }
 
-TEST(SampleStatistics, standsSamplesThatHaveNoSpreadOrNoValues) {
+TEST(SampleStatistics, StandsSamplesThatHaveNoSpreadOrNoValues) {
     for (const Kind kind : {Kind::mean, Kind::standardDeviation, Kind::percentile}) {
         EXPECT_EQ(estimate({}, {kind, 50.0}).value, 0.0);
         const Estimate same = estimate(std::vector<double>(40, 7.0), {kind, 50.0});
@@ -98,18 +100,19 @@ TEST(SampleStatistics, standsSamplesThatHaveNoSpreadOrNoValues) {
     EXPECT_NEAR(standardDeviationOf(std::vector<double>{1e9, 1e9 + 1e-3, 1e9 + 2e-3}), 1e-3, 1e-6);
 }
 
-TEST(SampleStatistics, countsEveryValueOfAHistogramOnce) {
+TEST(SampleStatistics, CountsEveryValueOfAHistogramOnce) {
     const std::vector<double> values = plainSample(3, 5000);
     const SampleHistogram histogram = histogramOf(values);
     std::size_t sum = 0;
-    for (const std::size_t count : histogram.counts)
+    for (const std::size_t count : histogram.counts) {
         sum += count;
+    }
     EXPECT_EQ(sum, values.size());
     EXPECT_GT(histogram.counts.size(), 15u);
     EXPECT_EQ(histogramOf(values, 7).counts.size(), 7u);
 }
 
-TEST(Coverage, ofPlainDrawsIsNinetyFivePercent) {
+TEST(Coverage, OfPlainDrawsIsNinetyFivePercent) {
     const struct {
         const char* name;
         Statistic statistic;
@@ -129,7 +132,7 @@ TEST(Coverage, ofPlainDrawsIsNinetyFivePercent) {
     }
 }
 
-TEST(Coverage, ofSobolSequencesIsNinetyFivePercent) {
+TEST(Coverage, OfSobolSequencesIsNinetyFivePercent) {
     const struct {
         const char* name;
         Statistic statistic;
@@ -175,8 +178,9 @@ double ishigami(const std::vector<double>& u) {
 double gFunction(const std::vector<double>& u) {
     constexpr double a[] = {0.0, 1.0, 9.0};
     double value = 1.0;
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i) {
         value *= (std::abs(4.0 * u[i] - 2.0) + a[i]) / (1.0 + a[i]);
+    }
     return value;
 }
 
@@ -201,7 +205,7 @@ const std::vector<Analytic>& analytics() {
 
 } // namespace
 
-TEST(Coverage, ofSobolIndicesIsNinetyFivePercent) {
+TEST(Coverage, OfSobolIndicesIsNinetyFivePercent) {
     // 600 repeats: one standard error of 95 % is 0.9 %; `sobol-coverage` in benchmarks makes more.
     constexpr int repeats = 600;
     for (const Analytic& function : analytics()) {
@@ -242,17 +246,21 @@ TEST(SobolIndices, HaveErrorsOfAJackknifeAndIntervalsOfStudent) {
     constexpr std::size_t replicates = 4;
     const auto indexWithout = [&](std::size_t left) {
         PickFreeze some;
-        for (std::uint64_t i = 0; i < 128; ++i)
-            if (i % replicates != left)
+        for (std::uint64_t i = 0; i < 128; ++i) {
+            if (i % replicates != left) {
                 some.add(values(i, 1), values(i, 2), i % replicates);
+            }
+        }
         return some.index(true);
     };
     const Estimate found = indexWithout(replicates);
     double mean = 0.0, squares = 0.0;
-    for (std::size_t left = 0; left < replicates; ++left)
+    for (std::size_t left = 0; left < replicates; ++left) {
         mean += indexWithout(left).value / replicates;
-    for (std::size_t left = 0; left < replicates; ++left)
+    }
+    for (std::size_t left = 0; left < replicates; ++left) {
         squares += std::pow(indexWithout(left).value - mean, 2);
+    }
     EXPECT_NEAR(found.standardError, std::sqrt(squares * (replicates - 1.0) / replicates), 1e-12);
 
     // On the axis of Fisher's transform the interval is symmetric, and as wide as Student's t.
@@ -266,8 +274,9 @@ TEST(SobolIndices, HaveErrorsOfAJackknifeAndIntervalsOfStudent) {
     EXPECT_NEAR(halfWidths(found).first, student3, 1e-3);
     EXPECT_NEAR(halfWidths(found).second, student3, 1e-3);
     PickFreeze all;
-    for (std::uint64_t i = 0; i < 128; ++i)
+    for (std::uint64_t i = 0; i < 128; ++i) {
         all.add(values(i, 1), values(i, 2), 0);
+    }
     EXPECT_NEAR(halfWidths(all.index(false)).first, student127, 1e-3);
 }
 
@@ -305,9 +314,10 @@ TEST(SobolIndices, AreTheSameForAnyNumberOfThreads) {
                  EXPECT_EQ(pairs, last + 1);
                  last = pairs;
                  return pairs < 205;
-             }))
+             })) {
             numbers.insert(numbers.end(), {one.firstOrder.value, one.firstOrder.high95,
                                            one.total.value, one.total.low95});
+        }
         irsg::setMostThreads(0);
         EXPECT_EQ(last, 205u);
         return numbers;

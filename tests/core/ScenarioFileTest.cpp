@@ -68,7 +68,7 @@ Scenario fullScenario() {
     return scenario;
 }
 
-TEST(ScenarioFile, comesBackEqual) {
+TEST(ScenarioFile, ComesBackEqual) {
     const Scenario scenario = fullScenario();
     Scenario back = readText(scenarioToJson(scenario, here));
     EXPECT_EQ(scenarioToJson(back, here), scenarioToJson(scenario, here));
@@ -81,7 +81,7 @@ TEST(ScenarioFile, comesBackEqual) {
     EXPECT_EQ(back, scenario);
 }
 
-TEST(ScenarioFile, savesAndLoads) {
+TEST(ScenarioFile, SavesAndLoads) {
     const test::TemporaryFolder folder;
     saveScenario(fullScenario(), folder / "s.json");
     const Scenario back = loadScenario(folder / "s.json");
@@ -92,7 +92,7 @@ TEST(ScenarioFile, savesAndLoads) {
     EXPECT_THROW(loadScenario(folder / "t.json"), irsg::InputError);
 }
 
-TEST(ScenarioFile, theExampleOfTheManualIsRead) {
+TEST(ScenarioFile, TheExampleOfTheManualIsRead) {
     const std::string page = readTextFile(SMAT_SOURCE_DIR "/docs/formats-scenario.md");
     const std::size_t begin = page.find("```json\n") + 8;
     const Scenario scenario = readText(page.substr(begin, page.find("```", begin) - begin));
@@ -100,7 +100,7 @@ TEST(ScenarioFile, theExampleOfTheManualIsRead) {
     EXPECT_EQ(scenario.sensors.size(), 3u);
 }
 
-TEST(Scenario, stepsFromStartToEndWithBoth) {
+TEST(Scenario, StepsFromStartToEndWithBoth) {
     Scenario scenario{.file = {}, .dt_s = 0.1, .start_s = 0.0, .end_s = 0.3};
     EXPECT_EQ(scenario.times_s().size(), 4u); // 0.3 is not 3 x 0.1 in binary
     scenario.end_s = 0.35;
@@ -121,7 +121,7 @@ void PrintTo(const BadRow& row, std::ostream* out) {
 }
 class ABadScenario : public testing::TestWithParam<BadRow> {};
 
-TEST_P(ABadScenario, isRefusedWithKeyPathLineAndValue) {
+TEST_P(ABadScenario, IsRefusedWithKeyPathLineAndValue) {
     std::vector<std::string> messages;
     try {
         readText(GetParam().text);
@@ -264,7 +264,7 @@ INSTANTIATE_TEST_SUITE_P(
                {"end_s, line 4", "occurs twice"}}),
     [](const auto& row) { return std::string(row.param.name); });
 
-TEST(ScenarioFile, reportsAllDiagnosticsAtOnce) {
+TEST(ScenarioFile, ReportsAllDiagnosticsAtOnce) {
     try {
         readText(R"({"version": 1, "dt_s": "fast", "entities": [{"model": 3, "position_m": 1}],
                      "sensors": [{"track": "x", "sensor": {"fov": 500}}], "speed": 1})");

@@ -45,8 +45,9 @@ TEST(SettingTable, NumbersHaveARangeAndChoicesHaveChoices) {
 
 TEST(SettingTable, WordsForFormsStandForEachValue) {
     for (const SettingInfo& setting : settingTable()) {
-        if (setting.names.empty())
+        if (setting.names.empty()) {
             continue;
+        }
         const std::set<std::string> words(setting.names.begin(), setting.names.end());
         EXPECT_EQ(words.size(), setting.names.size()) << setting.key;
         EXPECT_EQ(words.count(""), 0u) << setting.key;

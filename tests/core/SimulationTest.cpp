@@ -107,7 +107,7 @@ class ASimulation : public testing::Test {
     int loads = 0;
 };
 
-TEST_F(ASimulation, putsEverybodyWhereTheyAreAtEachTime) {
+TEST_F(ASimulation, PutsEverybodyWhereTheyAreAtEachTime) {
     const LoadedScenario loaded = load();
     NotingSource source;
     SceneGenerator3D generator(loaded, source);
@@ -125,7 +125,7 @@ TEST_F(ASimulation, putsEverybodyWhereTheyAreAtEachTime) {
     EXPECT_EQ(frame.objects[1]->coveredPixels, 2.0);
 }
 
-TEST_F(ASimulation, aSensorOfSeveralBandsHasAFrameAndColumnsForEach) {
+TEST_F(ASimulation, ASensorOfSeveralBandsHasAFrameAndColumnsForEach) {
     scenario.sensors[0].settings.set("sensor.band", "3-5,8-12");
     const LoadedScenario loaded = load();
     NotingSource source;
@@ -144,15 +144,16 @@ TEST_F(ASimulation, aSensorOfSeveralBandsHasAFrameAndColumnsForEach) {
     const ResultTable& table = result.sensors[0].table;
     ASSERT_EQ(table.rowCount(), 2u);
     for (const char* key : {"irradiance_total@3-5um", "mover.range", "mover.intensity@3-5um",
-                            "mover.intensity@8-12um", "tower.pixels@8-12um"})
+                            "mover.intensity@8-12um", "tower.pixels@8-12um"}) {
         EXPECT_NE(table.find(key), nullptr) << key;
+    }
     EXPECT_NEAR(table.find("mover.intensity@8-12um")->values[1], 0.4, 1e-12);
     const FrameFiles files(loaded, folder / "out", {".exr"}, "");
     EXPECT_EQ(files.frameFile(0, 7, ".exr", 1).filename(), "frame_000007@8-12um.exr");
     EXPECT_EQ(files.frameFile(1, 7, ".exr").filename(), "frame_000007.exr");
 }
 
-TEST_F(ASimulation, aTrackingSensorLooksAtItsTargetWhereverThatIs) {
+TEST_F(ASimulation, ATrackingSensorLooksAtItsTargetWhereverThatIs) {
     const LoadedScenario loaded = load();
     NotingSource source;
     source.referencePoint = {0, 0, 5};
@@ -167,7 +168,7 @@ TEST_F(ASimulation, aTrackingSensorLooksAtItsTargetWhereverThatIs) {
     }
 }
 
-TEST_F(ASimulation, aCarriedSensorSitsAndLooksInItsCarriersAxes) {
+TEST_F(ASimulation, ACarriedSensorSitsAndLooksInItsCarriersAxes) {
     // The tower's nose points west, so that an offset to starboard lies north.
     scenario.sensors[1].offset = {{3, 2, 1}, {irsg::radians(-90), 0, 0}};
     const LoadedScenario loaded = load();
@@ -181,7 +182,7 @@ TEST_F(ASimulation, aCarriedSensorSitsAndLooksInItsCarriersAxes) {
     EXPECT_NEAR(irsg::length(source.viewpoint.up - irsg::Vec3{0, 0, 1}), 0.0, 1e-12);
 }
 
-TEST_F(ASimulation, aSensorFollowsATrajectoryOfItsOwn) {
+TEST_F(ASimulation, ASensorFollowsATrajectoryOfItsOwn) {
     ScenarioSensor& sensor = scenario.sensors[1];
     sensor = {.name = "drone", .mount = MountKind::trajectory, .trajectory = "path.csv"};
     const LoadedScenario loaded = load();
@@ -193,7 +194,7 @@ TEST_F(ASimulation, aSensorFollowsATrajectoryOfItsOwn) {
     EXPECT_FALSE(generator.sees(1, 0.5));
 }
 
-TEST_F(ASimulation, whoIsNotThereIsNotDrawnAndNotSeen) {
+TEST_F(ASimulation, WhoIsNotThereIsNotDrawnAndNotSeen) {
     const LoadedScenario loaded = load();
     NotingSource source;
     SceneGenerator3D generator(loaded, source);
@@ -209,7 +210,7 @@ TEST_F(ASimulation, whoIsNotThereIsNotDrawnAndNotSeen) {
     EXPECT_EQ(source.scene.entities.size(), 2u);
 }
 
-TEST_F(ASimulation, keepsTheSceneWhenOnlyTheSensorChanges) {
+TEST_F(ASimulation, KeepsTheSceneWhenOnlyTheSensorChanges) {
     const LoadedScenario loaded = load();
     NotingSource source;
     SceneGenerator3D generator(loaded, source);
@@ -221,7 +222,7 @@ TEST_F(ASimulation, keepsTheSceneWhenOnlyTheSensorChanges) {
     EXPECT_EQ(loads, 1);
 }
 
-TEST_F(ASimulation, everySensorHasItsOwnSettings) {
+TEST_F(ASimulation, EverySensorHasItsOwnSettings) {
     scenario.settings.set("sensor.band", "8-12");
     scenario.settings.set("render.sun", "off");
     scenario.sensors[0].settings.set("sensor.width", 32);
@@ -254,7 +255,7 @@ TEST_F(ASimulation, everySensorHasItsOwnSettings) {
     EXPECT_EQ(load().sensors[1].scene.render.samplesPerAxis, 4);
 }
 
-TEST_F(ASimulation, refusesAnImagingSensorThatTurnsOnWhatNobodyNames) {
+TEST_F(ASimulation, RefusesAnImagingSensorThatTurnsOnWhatNobodyNames) {
     writeTextFile(folder / "i.xml",
                   "<data><fileType>Parameters</fileType><type>/ImagingSensor</type>"
                   "<parameter name=\"UseSkyboxBackground\"><double>1</double></parameter></data>");
@@ -263,7 +264,7 @@ TEST_F(ASimulation, refusesAnImagingSensorThatTurnsOnWhatNobodyNames) {
                                      "the setting environment.skybox"));
 }
 
-TEST_F(ASimulation, sharesTheAirOfSensorsThatAreAlikeInIt) {
+TEST_F(ASimulation, SharesTheAirOfSensorsThatAreAlikeInIt) {
     writeTextFile(folder / "air.csv", "wavelength [um],extinction [km-1]\n3,0.1\n14,0.1\n");
     scenario.settings.set("environment.atmospheres", "air.csv");
     scenario.sensors.push_back({.name = "third", .offset = {{0, 0, 9}, {}}});
@@ -277,7 +278,7 @@ TEST_F(ASimulation, sharesTheAirOfSensorsThatAreAlikeInIt) {
     EXPECT_NEAR(loaded.sensors[2].scene.environment.sun.elevation_rad, irsg::radians(10), 1e-15);
 }
 
-TEST_F(ASimulation, collectsTheDiagnosticsOfAllFiles) {
+TEST_F(ASimulation, CollectsTheDiagnosticsOfAllFiles) {
     scenario.entities[0].trajectory = "none.csv";
     scenario.entities[1].model = "none.flt";
     scenario.sensors[0].imagingSensor = "none.xml";
@@ -289,12 +290,12 @@ TEST_F(ASimulation, collectsTheDiagnosticsOfAllFiles) {
     EXPECT_EQ(all.find("none.flt"), all.rfind("none.flt")) << "said once, not for each sensor";
 }
 
-TEST_F(ASimulation, refusesAnEngineThatIsSaidTwice) {
+TEST_F(ASimulation, RefusesAnEngineThatIsSaidTwice) {
     scenario.entities[0].power = 0.5;
     EXPECT_THAT(refusal(), HasSubstr("entities.0.power: found a value beside a trajectory"));
 }
 
-TEST_F(ASimulation, refusesPlacesBelowTheGroundBeforeItDraws) {
+TEST_F(ASimulation, RefusesPlacesBelowTheGroundBeforeItDraws) {
     scenario.entities[1].pose.position_m.z = -30;
     const std::string all = refusal();
     EXPECT_THAT(all, HasSubstr("reference point of tower at 0 s"));
@@ -302,12 +303,12 @@ TEST_F(ASimulation, refusesPlacesBelowTheGroundBeforeItDraws) {
     EXPECT_THAT(all, HasSubstr("sensor deck at 0 s"));
 }
 
-TEST_F(ASimulation, refusesASensorInsideTheReferencePointOfItsTarget) {
+TEST_F(ASimulation, RefusesASensorInsideTheReferencePointOfItsTarget) {
     scenario.sensors[0].offset.position_m = {10, 100, 50};
     EXPECT_THAT(refusal(), HasSubstr("sensor fixed at 2 s: found 0 m to mover, which it tracks"));
 }
 
-TEST_F(ASimulation, runsEveryStepForEverySensorAndSaysWhatIsMissing) {
+TEST_F(ASimulation, RunsEveryStepForEverySensorAndSaysWhatIsMissing) {
     const LoadedScenario loaded = load();
     NotingSource source;
     SceneGenerator3D generator(loaded, source);
@@ -333,7 +334,7 @@ TEST_F(ASimulation, runsEveryStepForEverySensorAndSaysWhatIsMissing) {
               "tower.contrast_intensity [W sr-1]");
 }
 
-TEST_F(ASimulation, stopsBetweenFramesAndKeepsWhatIsDone) {
+TEST_F(ASimulation, StopsBetweenFramesAndKeepsWhatIsDone) {
     const LoadedScenario loaded = load();
     NotingSource source;
     SceneGenerator3D generator(loaded, source);
@@ -351,7 +352,7 @@ TEST_F(ASimulation, stopsBetweenFramesAndKeepsWhatIsDone) {
     EXPECT_EQ(result.sensors.at(0).table.rowCount(), 2u);
 }
 
-TEST_F(ASimulation, plansTheSensorsAndTimesThatAreWanted) {
+TEST_F(ASimulation, PlansTheSensorsAndTimesThatAreWanted) {
     const SimulationPlan plan =
         planSimulation(scenario, {.sensors = {"deck"}, .from_s = 1.5, .to_s = 3.0});
     EXPECT_THAT(plan.sensors, ElementsAre(1u));
@@ -363,7 +364,7 @@ TEST_F(ASimulation, plansTheSensorsAndTimesThatAreWanted) {
                  irsg::InputError);
 }
 
-TEST_F(ASimulation, framesAndTablesSayHowTheyCameToBe) {
+TEST_F(ASimulation, FramesAndTablesSayHowTheyCameToBe) {
     scenario.settings.set("sensor.width", 8);
     scenario.settings.set("sensor.height", 6);
     const LoadedScenario loaded = load();
@@ -395,7 +396,7 @@ TEST_F(ASimulation, framesAndTablesSayHowTheyCameToBe) {
                  irsg::InputError);
 }
 
-TEST_F(ASimulation, writesTheSettingsOfASensorAsAnImagingSensorFile) {
+TEST_F(ASimulation, WritesTheSettingsOfASensorAsAnImagingSensorFile) {
     writeTextFile(folder / "i.xml",
                   "<data><fileType>Parameters</fileType><type>/ImagingSensor</type>"
                   "<parameter name=\"Gain\"><double>3</double></parameter></data>");

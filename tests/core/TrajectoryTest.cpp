@@ -20,7 +20,7 @@ Trajectory parsed(const std::string& rows) {
     return Trajectory::parse(header + rows, "t.csv");
 }
 
-TEST(Trajectory, goesLinearlyBetweenItsPoints) {
+TEST(Trajectory, GoesLinearlyBetweenItsPoints) {
     const Trajectory path = parsed("0,0,10,1000,0,-10,0,0.2,0.4\n4,8,-10,1400,40,10,20,0.6,0.8\n");
     const TrajectoryPoint point = path.at(1.0).value();
     EXPECT_EQ(point.time_s, 1.0);
@@ -32,7 +32,7 @@ TEST(Trajectory, goesLinearlyBetweenItsPoints) {
     EXPECT_NEAR(point.mach, 0.5, 1e-15);
 }
 
-TEST(Trajectory, givesItsPointsBackExactly) {
+TEST(Trajectory, GivesItsPointsBackExactly) {
     const Trajectory path =
         parsed("0,0.1,0.2,0.3,1,2,3,0,0\n0.3,1,2,3,4,5,6,0,0\n7,7,7,7,7,7,7,0,0\n");
     for (const TrajectoryPoint& point : path.points()) {
@@ -49,7 +49,7 @@ void PrintTo(const TurnRow& row, std::ostream* out) {
 }
 class ATurn : public testing::TestWithParam<TurnRow> {};
 
-TEST_P(ATurn, takesTheShorterWayRound) {
+TEST_P(ATurn, TakesTheShorterWayRound) {
     const auto [name, from_deg, to_deg, quarter_deg] = GetParam();
     const auto text = [](double value) { return std::to_string(value); };
     for (const bool rolls : {false, true}) {
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
                     TurnRow{"Backwards", 50, 10, 40}),
     [](const auto& row) { return std::string(row.param.name); });
 
-TEST(Trajectory, isNotThereBeforeItBeginsAndAfterItEnds) {
+TEST(Trajectory, IsNotThereBeforeItBeginsAndAfterItEnds) {
     const Trajectory path = parsed("2,1,0,0,0,0,0,0,0\n4,3,0,0,0,0,0,0,0\n");
     EXPECT_FALSE(path.at(1.999));
     EXPECT_FALSE(path.at(4.001));
@@ -81,14 +81,14 @@ TEST(Trajectory, isNotThereBeforeItBeginsAndAfterItEnds) {
     EXPECT_EQ(path.at(4.0 + 1e-9)->pose.position_m.x, 3.0);
 }
 
-TEST(Trajectory, ofOnePointIsThereAtOneTimeUnlessHeld) {
+TEST(Trajectory, OfOnePointIsThereAtOneTimeUnlessHeld) {
     const Trajectory path = parsed("2,1,0,0,0,0,0,0,0\n");
     EXPECT_TRUE(path.at(2.0));
     EXPECT_FALSE(path.at(2.5));
     EXPECT_TRUE(path.at(-1.0, true));
 }
 
-TEST(Trajectory, thatStandsStillIsAlwaysThere) {
+TEST(Trajectory, ThatStandsStillIsAlwaysThere) {
     const irsg::Pose pose{{1, 2, 3}, {0.1, 0.2, 0.3}};
     const Trajectory still(pose, 0.5, 0.8);
     for (const double time_s : {-1e9, 0.0, 1e9}) {
@@ -98,7 +98,7 @@ TEST(Trajectory, thatStandsStillIsAlwaysThere) {
     }
 }
 
-TEST(Trajectory, takesColumnsInAnyOrderWithoutUnitsAndRemarks) {
+TEST(Trajectory, TakesColumnsInAnyOrderWithoutUnitsAndRemarks) {
     const Trajectory path = Trajectory::parse(
         "# made by hand\n\nz,roll,pitch,yaw,y,x,t\r\n300,3,2,1,200,100,5\r\n", "t.csv");
     const TrajectoryPoint point = path.points().at(0);
@@ -120,7 +120,7 @@ void PrintTo(const BadRow& row, std::ostream* out) {
 }
 class ABadTrajectory : public testing::TestWithParam<BadRow> {};
 
-TEST_P(ABadTrajectory, isRefusedWithPlaceAndValue) {
+TEST_P(ABadTrajectory, IsRefusedWithPlaceAndValue) {
     try {
         Trajectory::parse(GetParam().text, "t.csv");
         FAIL() << "accepted";

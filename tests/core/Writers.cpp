@@ -39,9 +39,10 @@ std::string bytesOf(const fs::path& file) {
 std::string facesOf(const fs::path& file) {
     const std::shared_ptr<irsg::Model> model = irsg::Model::load(file);
     std::string text;
-    for (const auto& [codes, use] : model->codes())
+    for (const auto& [codes, use] : model->codes()) {
         text += std::to_string(codes.temperature) + " " + std::to_string(codes.material) + " " +
                 std::to_string(use.faces) + "\n";
+    }
     return text;
 }
 

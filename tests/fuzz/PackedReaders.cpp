@@ -11,16 +11,17 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include "apps/atmosphere-tables/lines/LineListFile.h"
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "irsg/atmosphere/engine/Profile.h"
-#include "irsg/atmosphere/lbl/LineListFile.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/scene/model/IrCodes.h"
 #include "irsg/scene/model/Model.h"
-#include "irsg/scene/model/ModelLoader.h"
 #include "irsg/scene/model/apart/GraphCoding.h"
 #include "irsg/scene/model/apart/ReaderService.h"
+#include "irsg/scene/model/apart/WholeFile.h"
+#include "irsg/scene/model/read/ObjReader.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "tests/fuzz/Readers.h"
 
@@ -119,10 +120,30 @@ void readRefusal(File file) {
 
 /// A library of materials, as an object names it.
 void readMaterials(File file) {
-    const fs::path object = file.parent_path() / "b.obj";
-    std::ofstream(object) << "mtllib " << file.filename().string()
-                          << "\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl m\nf 1 2 3\n";
-    irsg::loadGraph(object, irsg::LoadPurpose::visible);
+    static const fs::path object = [&] {
+        fs::path made = file.parent_path() / "b.obj";
+        std::ofstream(made) << "mtllib " << file.filename().string()
+                            << "\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl m\nf 1 2 3\n";
+        return made;
+    }();
+    // Pictures are read in a process of their own.
+    irsg::readObj(object, [](File) { return osg::ref_ptr<osg::Image>(new osg::Image); });
+}
+
+/// The looks at other programs' models before their plug-ins: the bytes as each kind of them.
+void readWhole(File file) {
+    for (const char* name : {"a.osg", "a.osgx", "a.3ds", "a.lwo", "a.dxf"}) {
+        try {
+            irsg::checkWhole(file, name);
+        } catch (const irsg::InputError&) {
+        }
+    }
+}
+
+std::string studioBytes() {
+    using namespace std::string_literals;
+    // A main piece of 12 bytes with the version in it.
+    return "\x4d\x4d\x10\0\0\0\2\0\x0a\0\0\0\3\0\0\0"s;
 }
 
 const char* const line =
@@ -154,10 +175,12 @@ std::vector<FuzzedReader> packedReaders() {
          ".mtf",
          [](File f) { irsg::describeMtf(f); },
          {"resources/scattering/droplets-100um-mwir.mtf"},
-         {}},
+         {},
+         16384},
         {"graph", ".graph", readGraph, {}, {graphBytes()}},
         {"refusal", ".refusal", readRefusal, {}, {std::string(8, '\0')}},
         {"mtl", ".mtl", readMaterials, {}, {materials}},
+        {"whole", ".whole", readWhole, {}, {"a { \"b}\" { } }\n", "<a><b/></a>\n", studioBytes()}},
     };
 }
 

@@ -2,11 +2,15 @@
 
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 
+#include <fcntl.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "irsg/atmosphere/AtmosphereFile.h"
+#include "irsg/atmosphere/AtmosphereSmartParameters.h"
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
@@ -25,13 +29,13 @@
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/JsonText.h"
 #include "irsg/scene/model/FlightScanner.h"
 #include "irsg/scene/model/Model.h"
 #include "irsg/signature/MaterialCsv.h"
 #include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SignatureFile.h"
 #include "irsg/signature/SpectrumCsv.h"
-#include "smatcore/data/ResultTable.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/simulate/ScenarioFile.h"
@@ -57,6 +61,16 @@ std::string imageBytes(const char* extension) {
     return bytes;
 }
 
+/// The first lines of a file of the tree.
+std::string linesOf(const std::string& file, int count) {
+    std::ifstream stream(fs::path(SMAT_SOURCE_DIR) / file, std::ios::binary);
+    std::string lines;
+    for (std::string line; count > 0 && std::getline(stream, line); --count) {
+        lines += line + "\n";
+    }
+    return lines;
+}
+
 const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nusemtl m\n"
                            "f 1/1/1 2/1/1 3/1/1\nf -1//1 -2//1 -3//1\n";
 const char* const facet = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
@@ -72,13 +86,13 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
         {"csv-table",
          ".csv",
          [](File f) { irsg::CsvTable::read(f); },
-         {"samples/ship/gas.csv"},
-         {}},
+         {},
+         {linesOf("samples/ship/gas.csv", 12)}},
         {"spectrum-csv",
          ".csv",
          [](File f) { irsg::readSpectrumCsv(f); },
-         {"samples/ship/gas.csv"},
-         {"# unit: W m-2 sr-1 um-1\num,a,b\n3,1,2\n4,2,3\n"}},
+         {},
+         {linesOf("samples/ship/gas.csv", 12), "# unit: W m-2 sr-1 um-1\num,a,b\n3,1,2\n4,2,3\n"}},
         {"factor-csv",
          ".csv",
          [](File f) {
@@ -110,7 +124,7 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          {imageBytes(".csv"), "1 2 3\n4 5 6\n"}},
         {"exr", ".exr", [](File f) { irsg::readExr(f); }, {}, {imageBytes(".exr")}},
         {"tiff", ".tif", [](File f) { irsg::readTiff(f); }, {}, {imageBytes(".tif")}},
-        {"png", ".png", [](File f) { irsg::readPngPlane(f); }, {"samples/valley/ground.png"}, {}},
+        {"png", ".png", [](File f) { irsg::readPngPlane(f); }, {}, {imageBytes(".png")}},
         {"signature-json",
          ".json",
          [](File f) { irsg::signatureFromJson(irsg::readFile(f)); },
@@ -120,7 +134,22 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          ".sigdb",
          [](File f) { irsg::loadSignatureFile(f); },
          {"samples/box/box.sigdb"},
-         {}},
+         {},
+         32768},
+        {"json-text",
+         ".json",
+         [](File f) {
+             const std::string text = irsg::readFile(f);
+             const auto value =
+                 irsg::parseJson(text, "a", {.expected = "JSON", .mayComment = true});
+             const irsg::JsonPlaces places(text, true);
+             for (const char* path : {"a", "a[1].range [m]", "0.0", ""}) {
+                 places.position(path);
+             }
+             irsg::shownJson(value);
+         },
+         {},
+         {"{\"a\": [1, {\"range [m]\": 2.5e3}], /* b */\n\"c\": \"\\u00e9\"} // d\n"}},
         {"scaling-xml",
          ".xml",
          [](File f) { irsg::readScalingFile(f, irsg::ScalingKind::temperature); },
@@ -130,12 +159,20 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          ".xml",
          [](File f) { irsg::KarmaXml::read(f); },
          {air + "subarctic-winter.xml"},
-         {}},
+         {},
+         8192},
+        {"smart-xml",
+         ".xml",
+         [](File f) { irsg::fromKarma(irsg::KarmaXml::read(f)); },
+         {air + "subarctic-winter.xml"},
+         {},
+         8192},
         {"environment-xml",
          ".xml",
          [](File f) { irsg::environmentFromKarma(irsg::KarmaXml::read(f)); },
          {air + "tropical-maritime.xml"},
-         {environmentText()}},
+         {environmentText()},
+         8192},
         {"sensor-xml",
          ".xml",
          [](File f) { imagingSensorFromKarma(irsg::KarmaXml::read(f)); },
@@ -144,13 +181,13 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
         {"beer-lambert",
          ".csv",
          [](File f) { irsg::BeerLambert::fromCsv(f); },
-         {air + "haze-23km.csv"},
-         {}},
+         {},
+         {linesOf(air + "haze-23km.csv", 60)}},
         {"spectra-csv",
          ".csv",
          [](File f) { irsg::SpectraAtmosphere::fromCsv(f); },
-         {air + "haze-23km.csv"},
-         {radiativeText()}},
+         {},
+         {linesOf(air + "haze-23km.csv", 60), radiativeText()}},
         {"tape7", ".dat", [](File f) { irsg::readTape7(f); }, {}, {tape7Text()}},
         {"modtran-csv", ".csv", [](File f) { irsg::readModtranCsv(f); }, {}, {modtranCsvText()}},
         {"modtran-json",
@@ -170,41 +207,62 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          [](File f) { Trajectory::read(f); },
          {"samples/flyby/near.csv"},
          {trajectory}},
-        {"result-csv",
-         ".csv",
-         [](File f) { ResultTable::load(f); },
-         {},
-         {"# program: smat 1\nrange [m],intensity [W sr-1]\n100,1\n200,2\n"}},
-        {"result-json", ".json", [](File f) { ResultTable::load(f); }, {}, {resultJsonText()}},
-        {"flight", ".flt", [](File f) { irsg::scanFlight(f); }, {"samples/box/box.flt"}, {}},
+        {"flight", ".flt", [](File f) { irsg::scanFlight(f); }, {"samples/box/box.flt"}, {}, 8192},
         {"obj", ".obj", [](File f) { irsg::Model::load(f); }, {}, {square}},
         {"stl", ".stl", [](File f) { irsg::Model::load(f); }, {}, {facet}},
     };
     static const bool isWhole = [] {
-        const std::vector<FuzzedReader> packed = packedReaders();
-        list.insert(list.end(), packed.begin(), packed.end());
+        for (const auto& some : {packedReaders(), resultReaders()}) {
+            list.insert(list.end(), some.begin(), some.end());
+        }
         return true;
     }();
     static_cast<void>(isWhole);
     return list;
 }
 
+namespace {
+
+/// A file that takes other bytes at every reading, in memory where the temporary folder is.
+class ReadFile {
+  public:
+    explicit ReadFile(const std::string& extension) {
+        const fs::path folder =
+            fs::temp_directory_path() / ("smat-fuzz-" + std::to_string(getpid()));
+        fs::create_directories(folder);
+        path_ = folder / ("a" + extension);
+        descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    }
+    const fs::path& path() const { return path_; }
+    void take(std::string_view bytes) const {
+        // Cut last: a file that is emptied first is put on the disk at once by some file systems.
+        const auto size = static_cast<ssize_t>(bytes.size());
+        if (pwrite(descriptor_, bytes.data(), bytes.size(), 0) != size ||
+            ftruncate(descriptor_, size) != 0) {
+            throw std::runtime_error("no room for " + path_.string());
+        }
+    }
+
+  private:
+    fs::path path_;
+    int descriptor_ = -1;
+};
+
+} // namespace
+
 bool readBytes(const FuzzedReader& reader, std::string_view bytes) {
-    static const fs::path folder = [] {
-        fs::path made = fs::temp_directory_path() / ("smat-fuzz-" + std::to_string(getpid()));
-        fs::create_directories(made);
-        return made;
-    }();
-    const fs::path file = folder / ("a" + reader.extension);
-    std::ofstream(file, std::ios::binary)
-        .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    static std::map<std::string, ReadFile> files;
+    const ReadFile& file = files.try_emplace(reader.extension, reader.extension).first->second;
+    file.take(bytes);
     try {
-        reader.read(file);
+        reader.read(file.path());
         return true;
     } catch (const irsg::InputError& error) {
-        for (const irsg::Diagnostic& diagnostic : error.diagnostics())
-            if (diagnostic.message().empty())
+        for (const irsg::Diagnostic& diagnostic : error.diagnostics()) {
+            if (diagnostic.value.empty() && diagnostic.expected.empty()) {
                 throw std::logic_error("a refusal without a sentence");
+            }
+        }
         return false;
     }
 }

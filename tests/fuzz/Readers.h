@@ -16,11 +16,15 @@ struct FuzzedReader {
     std::function<void(const std::filesystem::path& file)> read;
     std::vector<std::string> seeds;     ///< files, from the top of the tree
     std::vector<std::string> seedTexts; ///< what no sample has
+    /// Of what libFuzzer makes up: what is longer says no more, and takes its time.
+    std::size_t longest_B = 4096;
 };
 
 const std::vector<FuzzedReader>& fuzzedReaders();
 /// Those of them that read binary files and messages, and what other files name.
 std::vector<FuzzedReader> packedReaders();
+/// Those that read what analyses gave.
+std::vector<FuzzedReader> resultReaders();
 
 /// Gives some bytes to a reader, as a file in memory; whether it read them, or refused them.
 bool readBytes(const FuzzedReader& reader, std::string_view bytes);

@@ -71,8 +71,9 @@ TEST_P(ShortRun, GivesAnAnswerOrASentence) {
 INSTANTIATE_TEST_SUITE_P(Readers, ShortRun, testing::ValuesIn(fuzzedReaders()),
                          [](const auto& reader) {
                              std::string name = reader.param.name;
-                             for (char& c : name)
+                             for (char& c : name) {
                                  c = c == '-' ? '_' : c;
+                             }
                              return name;
                          });
 

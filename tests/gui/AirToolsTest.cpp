@@ -26,8 +26,9 @@ class AirToolsTest : public test::WindowFixture {
   protected:
     void SetUp() override {
         WindowFixture::SetUp();
-        if (IsSkipped())
+        if (IsSkipped()) {
             return;
+        }
         openSample();
         smat::test::write(folder / "haze.csv", haze);
         workbench.set("environment.atmospheres", (folder / "haze.csv").string());
@@ -51,11 +52,13 @@ class AirToolsTest : public test::WindowFixture {
     ResultTable fromTerminal(const AirToolPage& page, const std::string& file) {
         std::istringstream words(page.findChild<QLineEdit*>("commandLine")->text().toStdString());
         std::vector<std::string> list;
-        for (std::string word; words >> word;)
+        for (std::string word; words >> word;) {
             list.push_back(word);
+        }
         EXPECT_GT(list.size(), 3U);
-        if (list.size() < 2)
+        if (list.size() < 2) {
             return {};
+        }
         list.erase(list.begin());
         const auto ran = smat::test::smatBatch(list, folder);
         EXPECT_EQ(ran.exitCode, 0) << ran.err;
@@ -79,8 +82,9 @@ TEST_F(AirToolsTest, RadiativeOutputEqualsTheCommandLine) {
     test::keepScreenshot(*window, "radiative-output");
 
     // One spectrum of another place of the viewer.
-    for (const char* name : {"path", "background", "sun", "up", "down", "scattering"})
+    for (const char* name : {"path", "background", "sun", "up", "down", "scattering"}) {
         page->findChild<QCheckBox*>(name)->setChecked(false);
+    }
     auto* range = page->findChild<QLineEdit*>("camera.range");
     range->selectAll();
     QTest::keyClicks(range, "2000");
@@ -142,8 +146,9 @@ TEST_F(AirToolsTest, TheProjectLooksTheSameInItsOwnExportedAir) {
     const auto& a = before.image.primary().values;
     const auto& b = after.image.primary().values;
     ASSERT_EQ(a.size(), b.size());
-    for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t i = 0; i < a.size(); ++i) {
         ASSERT_NEAR(b[i], a[i], 1e-6 * std::abs(a[i])) << i;
+    }
     EXPECT_NE(after.table.provenance.value("answered by").find("spectra of air.csv"),
               std::string::npos);
     // The air takes part: without any the image is another one.
@@ -218,8 +223,9 @@ TEST_F(AirToolsTest, TemperatureProfileEqualsTheCommandLine) {
 
 TEST_F(AirToolsTest, AComputedAtmosphereShowsItsProfileAndSpectra) {
     const auto smart = smat::test::sharedMaterial("data/karma/AtmosphereSmart.xml");
-    if (smart.empty())
+    if (smart.empty()) {
         GTEST_SKIP() << "the shared folder with AtmosphereSmart.xml is not here";
+    }
     applyTheme(*qApp, ThemeMode::dark);
     window.reset();
     makeWindow();

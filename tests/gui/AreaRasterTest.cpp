@@ -24,8 +24,9 @@ QImage filled(const QPolygonF& outline, const QColor& color = Qt::black,
               const QRect& clip = QRect(0, 0, width, height)) {
     QImage picture = sheet();
     AreaRaster raster(picture, clip);
-    for (qsizetype i = 0; i < outline.size(); ++i)
+    for (qsizetype i = 0; i < outline.size(); ++i) {
         raster.add(outline[i], outline[(i + 1) % outline.size()]);
+    }
     raster.paint(color, QRegion(clip));
     return picture;
 }
@@ -42,9 +43,11 @@ QImage filledByQt(const QPolygonF& outline, const QColor& color = Qt::black) {
 
 int largestDifference(const QImage& a, const QImage& b) {
     int largest = 0;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
             largest = std::max(largest, std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))));
+        }
+    }
     return largest;
 }
 
@@ -68,13 +71,15 @@ TEST(AreaRasterTest, APixelIsCoveredByTheAreaThatLiesInIt) {
     EXPECT_NEAR(inkAt(box, 12, 20), 255 * 0.5, 1);
     EXPECT_EQ(inkAt(box, 12, 21), 255);
     EXPECT_NEAR(inkAt(box, 14, 23), 255 * 0.5 * 0.75, 1);
-    for (const QPoint& outside : {QPoint(9, 21), QPoint(15, 21), QPoint(12, 19), QPoint(12, 24)})
+    for (const QPoint& outside : {QPoint(9, 21), QPoint(15, 21), QPoint(12, 19), QPoint(12, 24)}) {
         EXPECT_EQ(inkAt(box, outside.x(), outside.y()), 0);
+    }
 
     // Flat over eight columns: each has an eighth more of the row.
     const QImage wedge = filled({{10.0, 11.0}, {18.0, 10.0}, {18.0, 11.0}});
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         EXPECT_NEAR(inkAt(wedge, 10 + i, 10), 255.0 * (i + 0.5) / 8.0, 1) << i;
+    }
     // Within a pixel, and less than one in two.
     EXPECT_NEAR(inkAt(filled({{30.25, 30.25}, {30.75, 30.25}, {30.75, 30.75}}), 30, 30), 255 / 8,
                 1);
@@ -105,10 +110,12 @@ TEST(AreaRasterTest, WhatLiesBesideTheClipIsCutOff) {
         const QImage whole = filled(outline);
         const QRect clip(30, 20, 50, 45);
         const QImage part = filled(outline, Qt::black, clip);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
                 ASSERT_NEAR(inkAt(part, x, y), clip.contains(x, y) ? inkAt(whole, x, y) : 0, 2)
                     << x << " " << y;
+            }
+        }
     }
     EXPECT_EQ(largestDifference(filled({{200.0, 10.0}, {300.0, 10.0}, {250.0, 80.0}}), sheet()), 0);
     EXPECT_EQ(largestDifference(filled({{-200.0, 10.0}, {-30.0, 10.0}, {-50.0, 80.0}}), sheet()),
@@ -125,8 +132,9 @@ TEST(AreaRasterTest, InsideIsWhatIsGoneRound) {
     const QColor glass(0, 0, 0, 100);
     EXPECT_EQ(filled(once, glass), filled(back, glass));
     const QImage twice = filled(once + once, glass);
-    for (const QPoint& inside : {QPoint(60, 45), QPoint(60, 20), QPoint(40, 50), QPoint(80, 50)})
+    for (const QPoint& inside : {QPoint(60, 45), QPoint(60, 20), QPoint(40, 50), QPoint(80, 50)}) {
         EXPECT_EQ(inkAt(twice, inside.x(), inside.y()), 100);
+    }
     // To and fro is a hole.
     const QPolygonF inner = turned(0.2, 12.0);
     const QPolygonF ring = once + QPolygonF{once.front()} + QPolygonF{inner.front()} +
@@ -141,8 +149,9 @@ TEST(AreaRasterTest, NothingStaysFromOneAreaToTheNext) {
     QImage picture = sheet();
     AreaRaster raster(picture, picture.rect());
     const auto add = [&](const QPolygonF& outline) {
-        for (qsizetype i = 0; i < outline.size(); ++i)
+        for (qsizetype i = 0; i < outline.size(); ++i) {
             raster.add(outline[i], outline[(i + 1) % outline.size()]);
+        }
     };
     add(turned(0.4, 40.0));
     raster.paint(Qt::white, QRegion());
@@ -155,14 +164,17 @@ TEST(AreaRasterTest, PaintsWithinItsRegion) {
     QImage picture = sheet();
     AreaRaster raster(picture, picture.rect());
     const QPolygonF outline = turned(0.4, 40.0);
-    for (qsizetype i = 0; i < outline.size(); ++i)
+    for (qsizetype i = 0; i < outline.size(); ++i) {
         raster.add(outline[i], outline[(i + 1) % outline.size()]);
+    }
     const QRegion region = QRegion(50, 30, 30, 30) - QRegion(60, 40, 5, 5);
     raster.paint(Qt::black, region);
     const QImage whole = filled(outline);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
             ASSERT_EQ(inkAt(picture, x, y), region.contains(QPoint(x, y)) ? inkAt(whole, x, y) : 0);
+        }
+    }
 }
 
 TEST(AreaRasterTest, RefusesPicturesItCannotFill) {

@@ -5,11 +5,13 @@
 
 #include <QTest>
 #include <QWheelEvent>
+#include <QwtInterval>
 #include <QwtPlotCanvas>
 #include <QwtScaleWidget>
 #include <QwtText>
 #include <gtest/gtest.h>
 
+#include "gui/plot/PlotLook.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
 
@@ -53,6 +55,33 @@ class CartesianPlotTest : public ::testing::Test {
     }
     CartesianPlot plot;
 };
+
+TEST_F(CartesianPlotTest, ALogarithmicAxisEndsWhereNumbersEnd) {
+    PlotData data = twoCurves();
+    data.curves.resize(1);
+    Curve& curve = data.curves.front();
+    curve.error.assign(curve.y.size(), 0.0);
+    curve.error.back() = curve.y.back() * (1.0 - 1e-16); // comes to nothing but rounding
+    plot.setData(data);
+    plot.setLogarithmic(QwtPlot::yLeft, true);
+    EXPECT_GT(plot.axisInterval(QwtPlot::yLeft).minValue(), 0.01 * curve.y.back());
+    curve.error.clear();
+    curve.y.back() = 1e-16; // what is left of a 0
+    plot.setData(data);
+    plot.setLogarithmic(QwtPlot::yLeft, true);
+    EXPECT_GT(plot.axisInterval(QwtPlot::yLeft).minValue(), 1e-9);
+}
+
+TEST(AxisNumber, IsWrittenAsAPowerOfTenWhereItIsLongOtherwise) {
+    EXPECT_EQ(axisNumber(0.0), "0");
+    EXPECT_EQ(axisNumber(0.25), "0.25");
+    EXPECT_EQ(axisNumber(0.001), "0.001");
+    EXPECT_EQ(axisNumber(500000.0), "500000");
+    EXPECT_EQ(axisNumber(1e-5), "10⁻⁵");
+    EXPECT_EQ(axisNumber(2e-5), "2·10⁻⁵");
+    EXPECT_EQ(axisNumber(-1e7), "-10⁷");
+    EXPECT_EQ(axisNumber(2.5e12), "2.5·10¹²");
+}
 
 TEST_F(CartesianPlotTest, WrapsTheTitleOfAShortAxis) {
     const auto* scale = plot.axisWidget(QwtPlot::yLeft);
@@ -129,8 +158,9 @@ double topOfCurve(CartesianPlot& plot, double column) {
             const QColor pixel = seen.pixelColor(x, y);
             if (std::abs(pixel.red() - line.red()) + std::abs(pixel.green() - line.green()) +
                     std::abs(pixel.blue() - line.blue()) <
-                60)
+                60) {
                 return y / ratio;
+            }
         }
     }
     return -1.0;
@@ -170,11 +200,13 @@ TEST_F(CartesianPlotTest, LogarithmicAxesHoldPositiveValuesOnly) {
 }
 
 TEST_F(CartesianPlotTest, ZoomingForEverStopsInsteadOfLosingTheAxis) {
-    for (int i = 0; i < 400; ++i)
+    for (int i = 0; i < 400; ++i) {
         wheel(at(3000.0, 800.0), 120);
+    }
     EXPECT_LT(plot.view().x.minimum, plot.view().x.maximum);
-    for (int i = 0; i < 4000; ++i)
+    for (int i = 0; i < 4000; ++i) {
         wheel({100, 100}, -120);
+    }
     EXPECT_TRUE(std::isfinite(plot.view().x.maximum));
 }
 

@@ -81,8 +81,9 @@ TEST(CurveDrawingTest, ThinningChangesNothingThatIsSeen) {
 
     // One of three points alone would lose the spikes.
     QPolygonF careless;
-    for (qsizetype i = 0; i < line.size(); i += 12)
+    for (qsizetype i = 0; i < line.size(); i += 12) {
         careless << line[i];
+    }
     EXPECT_GT(difference(drawn(line), drawn(careless)).second, 4.0 * mean);
 }
 
@@ -111,10 +112,13 @@ TEST(CurveDrawingTest, LinesStayInTheirAreaAndInTheClip) {
     painter.setClipRegion(QRegion(0, 0, 100, 50));
     drawLine(painter, {{-10.0, 45.0}, {200.0, 55.0}}, QRectF(20.0, 0.0, 30.0, 100.0));
     QRect dark;
-    for (int y = 0; y < 100; ++y)
-        for (int x = 0; x < 100; ++x)
-            if (qGray(picture.pixel(x, y)) < 200)
+    for (int y = 0; y < 100; ++y) {
+        for (int x = 0; x < 100; ++x) {
+            if (qGray(picture.pixel(x, y)) < 200) {
                 dark |= QRect(x, y, 1, 1);
+            }
+        }
+    }
     EXPECT_EQ(dark.left(), 20);
     EXPECT_EQ(dark.right(), 49);
     EXPECT_EQ(dark.bottom(), 49);
@@ -127,8 +131,9 @@ TEST(CurveDrawingTest, ALineCoversAPixelOnceHoweverOftenItPasses) {
     QPainter painter(&picture);
     painter.setPen(QPen(QColor(0, 0, 0, 100), 4.0));
     QPolygonF line;
-    for (int i = 0; i < 50; ++i)
+    for (int i = 0; i < 50; ++i) {
         line << QPointF(i % 2 == 0 ? 2.0 : 18.0, 10.0);
+    }
     drawLine(painter, line, QRectF(picture.rect()));
     EXPECT_NEAR(qGray(picture.pixel(10, 10)), 155, 2);
 }
@@ -155,8 +160,9 @@ TEST(CurveDrawingTest, EdgesOfBandsKeepTheirExtremesAndTheirEnds) {
         const auto [at, isNew] = lowest.try_emplace(static_cast<int>(point.x()), point.y());
         at->second = std::min(at->second, point.y());
     }
-    for (const QPointF& point : low.mid(1, low.size() - 2))
+    for (const QPointF& point : low.mid(1, low.size() - 2)) {
         EXPECT_EQ(point.y(), lowest.at(static_cast<int>(point.x())));
+    }
     EXPECT_EQ(edgeOf(line, 0.0, Edge::lowest), line);
 }
 

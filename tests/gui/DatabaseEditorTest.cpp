@@ -29,8 +29,9 @@ class DatabaseEditorTest : public test::DatabaseFixture {
   protected:
     void SetUp() override {
         DatabaseFixture::SetUp();
-        if (!IsSkipped())
+        if (!IsSkipped()) {
             openCopy("turboprop4", small());
+        }
     }
     static std::map<std::string, std::string> small() {
         return {{"sensor.width", "64"},      {"sensor.height", "48"},      {"sensor.fov", "3"},
@@ -73,14 +74,16 @@ TEST_F(DatabaseEditorTest, EveryTabInBothThemes) {
         int table = 0;
         for (; table < 4; ++table) {
             find<QTabBar>("termTables")->setCurrentIndex(table);
-            if (!find<QWidget>("termsPanel")->findChild<NodeEditor*>()->nodes().empty())
+            if (!find<QWidget>("termsPanel")->findChild<NodeEditor*>()->nodes().empty()) {
                 break;
+            }
         }
         EXPECT_LT(table, 4) << "the exhaust pipes have one";
         keep("terms" + ending);
         for (const auto& [index, entry] : session().value().temperatures) {
-            if (entry.mode == irsg::EmissionMode::userSpectrum)
+            if (entry.mode == irsg::EmissionMode::userSpectrum) {
                 dock().select({EntryKind::temperature, index});
+            }
         }
         chooseTab("temperatureTabs", "Result");
         keep("emitted" + ending);
@@ -152,11 +155,13 @@ TEST_F(DatabaseEditorTest, AddsDuplicatesRenumbersAndDeletesWithALookAtTheFaces)
     EXPECT_TRUE(session().value().materials.contains(1));
 
     const auto edited = session().value();
-    while (workbench.undoStack().canUndo())
+    while (workbench.undoStack().canUndo()) {
         workbench.undoStack().undo();
+    }
     EXPECT_EQ(session().value(), before);
-    while (workbench.undoStack().canRedo())
+    while (workbench.undoStack().canRedo()) {
         workbench.undoStack().redo();
+    }
     EXPECT_EQ(session().value(), edited);
 }
 
@@ -324,8 +329,9 @@ TEST_F(DatabaseEditorTest, FindsWhatTheCommandLineFindsWithTheWholeProject) {
     ASSERT_GT(expected.size(), 2U);
     const auto found = [&] {
         QStringList places;
-        for (int i = 0; i < list->topLevelItemCount(); ++i)
+        for (int i = 0; i < list->topLevelItemCount(); ++i) {
             places << list->topLevelItem(i)->text(0) + ": " + list->topLevelItem(i)->text(2);
+        }
         return places;
     };
     QStringList places;

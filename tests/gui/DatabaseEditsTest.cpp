@@ -53,8 +53,9 @@ TEST(DatabaseEditsTest, FindsTheEntryThatAPlaceLiesIn) {
 TEST(MaterialLibraryTest, HoldsDocumentedMaterialsThatCloseTheirSum) {
     const auto& library = materialLibrary();
     EXPECT_EQ(library.materials.size(), 30U);
-    for (const auto& finding : irsg::lint(library))
+    for (const auto& finding : irsg::lint(library)) {
         ADD_FAILURE() << finding.place << ": " << finding.value << ": " << finding.reason;
+    }
     for (const auto& [index, material] : library.materials) {
         EXPECT_FALSE(material.name.empty()) << index;
         EXPECT_NE(material.notes.find("Origin: "), std::string::npos) << material.name;

@@ -23,14 +23,16 @@ class DatabaseFixture : public WindowFixture {
         namespace fs = std::filesystem;
         const fs::path from = fs::path(SMAT_SOURCE_DIR) / "samples" / sample;
         for (const char* ending : {".flt", ".sigdb"}) {
-            if (!withDatabase && std::string(ending) == ".sigdb")
+            if (!withDatabase && std::string(ending) == ".sigdb") {
                 continue;
+            }
             fs::copy_file(from / (sample + ending), folder / (sample + ending),
                           fs::copy_options::overwrite_existing);
         }
         Project project = projectOfModel(folder / (sample + ".flt"));
-        for (const auto& [key, value] : settings)
+        for (const auto& [key, value] : settings) {
             project.settings.set(key, value);
+        }
         saveProject(project, folder / (sample + ".smat"));
         ASSERT_TRUE(opens(folder / (sample + ".smat")));
         dock().raise();
@@ -51,6 +53,18 @@ class DatabaseFixture : public WindowFixture {
         field->selectAll();
         QTest::keyClicks(field, text);
         QTest::keyClick(field, Qt::Key_Return);
+    }
+    /// Raises T0 of the exhaust pipes as a person does.
+    void heatPipes(double by_K) {
+        int pipes = 0;
+        for (const auto& [index, entry] : session().value().temperatures) {
+            pipes = entry.name == "exhaust pipes" ? index : pipes;
+        }
+        dock().select({EntryKind::temperature, pipes});
+        chooseTab("temperatureTabs", "Equation terms");
+        const double base_K = session().value().temperatures.at(pipes).terms.base_K;
+        type("base_K", QString::number(base_K + by_K));
+        EXPECT_EQ(session().value().temperatures.at(pipes).terms.base_K, base_K + by_K);
     }
     /// Writes nodes into the table of an editor, cell by cell.
     void fill(QWidget* within, const Nodes& nodes) {

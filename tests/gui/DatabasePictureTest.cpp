@@ -24,8 +24,9 @@ class DatabasePictureTest : public test::DatabaseFixture {
   protected:
     void SetUp() override {
         DatabaseFixture::SetUp();
-        if (IsSkipped())
+        if (IsSkipped()) {
             return;
+        }
         openCopy("box", {{"sensor.width", "9"},
                          {"sensor.height", "9"},
                          {"sensor.fov", "0.01"},
@@ -95,7 +96,8 @@ TEST_F(DatabasePictureTest, EachTermOfEquation7AndAllTogether) {
          {Table{0, {{0, 0}, {4, 40}}, &irsg::TemperatureTerms::time},
           Table{1, {{0, 5}, {0.5, 25}, {1, 30}}, &irsg::TemperatureTerms::power},
           Table{2, {{0, 0}, {4000, -20}}, &irsg::TemperatureTerms::altitude},
-          Table{3, {{0, 0}, {1, 15}}, &irsg::TemperatureTerms::mach}}) {
+          Table{3, {{0, 0}, {1, 15}}, &irsg::TemperatureTerms::mach},
+          Table{4, {{270, -8}, {300, 8}}, &irsg::TemperatureTerms::ambient}}) {
         find<QTabBar>("termTables")->setCurrentIndex(tab);
         fill(terms(), nodes);
         expected.*member = tableOf(nodes, false);
@@ -113,11 +115,13 @@ TEST_F(DatabasePictureTest, EachTermOfEquation7AndAllTogether) {
 
     // All the way back, step by step.
     const auto edited = session().value();
-    while (workbench.undoStack().canUndo())
+    while (workbench.undoStack().canUndo()) {
         workbench.undoStack().undo();
+    }
     EXPECT_EQ(session().value(), session().saved());
-    while (workbench.undoStack().canRedo())
+    while (workbench.undoStack().canRedo()) {
         workbench.undoStack().redo();
+    }
     EXPECT_EQ(session().value(), edited);
 }
 
@@ -235,8 +239,9 @@ TEST_F(DatabasePictureTest, EachFactorOfAUserDefinedSpectrum) {
     EXPECT_NEAR(middlePixel(), (1.5 * co2 + h2o) * std::pow(std::cos(state.aspectAngle_rad), 2.0),
                 tolerance * 20.0)
         << "cos^N in both modes";
-    while (workbench.undoStack().canUndo())
+    while (workbench.undoStack().canUndo()) {
         workbench.undoStack().undo();
+    }
     EXPECT_EQ(session().value(), session().saved());
 }
 
@@ -246,8 +251,9 @@ TEST_F(DatabasePictureTest, EditsShowAtOnceInTheViewAndPickingSelects) {
     const auto middle = [&] {
         EXPECT_TRUE(test::waitUntil([&] { return view->isUpToDate(); }));
         const auto* picture = view->shownPicture();
-        if (picture == nullptr)
+        if (picture == nullptr) {
             return 0.0;
+        }
         const auto& image = *picture->image;
         const auto& values = image.primary().values;
         const auto at =

@@ -22,13 +22,14 @@ class DatabaseSafetyTest : public test::DatabaseFixture {
   protected:
     void SetUp() override {
         DatabaseFixture::SetUp();
-        if (!IsSkipped())
+        if (!IsSkipped()) {
             openCopy("turboprop4", {{"sensor.width", "64"},
                                     {"sensor.height", "48"},
                                     {"sensor.fov", "3"},
                                     {"camera.range", "900"},
                                     {"target.altitude", "1500"},
                                     {"render.antialiasing", "0"}});
+        }
     }
 };
 
@@ -194,8 +195,9 @@ TEST_F(DatabaseSafetyTest, AsksWhoseVersionStaysWhereAnotherProgramSaved) {
     QString question;
     int answer = 0;
     const auto answers = [&](QDialog& dialog) {
-        for (const auto* label : dialog.findChildren<QLabel*>())
+        for (const auto* label : dialog.findChildren<QLabel*>()) {
             question += label->text() + " ";
+        }
         dialog.findChild<QPushButton*>(QString("answer%1").arg(answer))->click();
     };
 

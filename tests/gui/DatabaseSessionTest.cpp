@@ -112,8 +112,9 @@ TEST_F(DatabaseSessionTest, EveryKindOfStepIsExactInBothDirections) {
 }
 
 TEST_F(DatabaseSessionTest, AGestureIsOneStepAndTheNextOneAnother) {
-    for (const double now_K : {301.0, 302.0, 303.0})
+    for (const double now_K : {301.0, 302.0, 303.0}) {
         heat(now_K, "drag");
+    }
     EXPECT_EQ(stack.count(), 1);
     session.endGesture();
     heat(304.0, "drag");

@@ -36,8 +36,9 @@ QImage sheet() {
 /// Of the canvas, to the left and up as a plot has them.
 QwtScaleMap mapOf(double low, double high, bool upwards, bool logarithmic = false) {
     QwtScaleMap map;
-    if (logarithmic)
+    if (logarithmic) {
         map.setTransformation(new QwtLogTransform);
+    }
     map.setScaleInterval(low, high);
     map.setPaintInterval(upwards ? side : 0.0, upwards ? 0.0 : side);
     return map;
@@ -67,10 +68,13 @@ QImage bandAlone(Item& item, const Draw& draw) {
         draw(painter);
     }
     // Under the line nothing can be told of the band.
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column)
-            if (without.pixel(column, row) != qRgb(255, 255, 255))
+    for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) {
+            if (without.pixel(column, row) != qRgb(255, 255, 255)) {
                 with.setPixel(column, row, qRgb(1, 2, 3));
+            }
+        }
+    }
     return with;
 }
 
@@ -108,20 +112,22 @@ QPolygonF outlineOf(const Curve& curve, const QwtScaleMap& x, const QwtScaleMap&
 std::pair<double, double> difference(const QImage& drawn, const QImage& wanted) {
     constexpr double depth = 255.0 * 0.22;
     double largest = 0.0, sum = 0.0;
-    for (int y = 0; y < side; ++y)
+    for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
-            if (drawn.pixel(x, y) == qRgb(1, 2, 3))
+            if (drawn.pixel(x, y) == qRgb(1, 2, 3)) {
                 continue;
+            }
             const double d = std::abs(qGray(drawn.pixel(x, y)) - qGray(wanted.pixel(x, y))) / depth;
             largest = std::max(largest, d);
             sum += d;
         }
+    }
     return {largest, sum / side / side};
 }
 
 TEST(ErrorBandTest, ABandOfManyPointsIsTheWholePolygon) {
     const auto x = mapOf(0.0, 100.0, false);
-    for (const int count : {7, 300, 20000})
+    for (const int count : {7, 300, 20000}) {
         for (const auto& height : std::vector<std::function<double(double)>>{
                  [](double at) { return 50.0 + 30.0 * std::sin(at / 9.0); },
                  [](double at) { return at; },
@@ -133,6 +139,7 @@ TEST(ErrorBandTest, ABandOfManyPointsIsTheWholePolygon) {
             EXPECT_LT(largest, 0.15) << count;
             EXPECT_LT(mean, 2e-3) << count;
         }
+    }
 }
 
 TEST(ErrorBandTest, ABandOnLogarithmicAxesIsTheWholePolygon) {
@@ -188,12 +195,15 @@ TEST(ErrorBandTest, ABandBeginsAndEndsWithItsSamplesAndLeavesGaps) {
     EXPECT_NEAR(inkAt(359), 1.0, 0.04);
     EXPECT_NEAR(inkAt(360), 0.5, 0.04);
     EXPECT_EQ(inkAt(361), 0.0);
-    for (int column = 122; column < 159; ++column)
+    for (int column = 122; column < 159; ++column) {
         ASSERT_EQ(inkAt(column), 0.0) << column;
-    for (int column = 242; column < 247; ++column)
+    }
+    for (int column = 242; column < 247; ++column) {
         ASSERT_EQ(inkAt(column), 0.0) << column;
-    for (const int column : {118, 161, 238, 249})
+    }
+    for (const int column : {118, 161, 238, 249}) {
         EXPECT_NEAR(inkAt(column), 1.0, 0.04) << column;
+    }
 }
 
 TEST(ErrorBandTest, ABandAroundThePoleIsTheWholePolygon) {
@@ -202,7 +212,7 @@ TEST(ErrorBandTest, ABandAroundThePoleIsTheWholePolygon) {
     azimuth.setPaintInterval(0.0, 2.0 * std::numbers::pi);
     radial.setScaleInterval(0.0, 100.0);
     const QRectF canvas(0, 0, side, side);
-    for (const int count : {24, 20000})
+    for (const int count : {24, 20000}) {
         for (const double reach : {190.0, 5000.0}) {
             radial.setPaintInterval(0.0, reach);
             // Enlarged, the pole lies beside the canvas and a piece of the ring in it.
@@ -229,11 +239,13 @@ TEST(ErrorBandTest, ABandAroundThePoleIsTheWholePolygon) {
             EXPECT_LT(mean, 2e-3) << count << " " << reach;
             EXPECT_NEAR(qGray(with.pixel(side / 2, reach < 1000.0 ? 199 : 0)), 255, 60);
         }
+    }
 }
 
 TEST(ErrorBandTest, PaperHoldsBandsAsOutlinesWithAllOfTheirPoints) {
     PlotData data{.title = "", .xTitle = "x", .yTitle = "y", .curves = {}};
-    PolarData around{.title = "", .radiusTitle = "", .directionNote = "", .curves = {}};
+    PolarData around{
+        .title = "", .conditions = {}, .radiusTitle = "", .directionNote = "", .curves = {}};
     Curve curve{"a", {}, {}, {}};
     for (int i = 0; i < 3000; ++i) {
         curve.x.push_back(0.11 * i);
@@ -248,10 +260,11 @@ TEST(ErrorBandTest, PaperHoldsBandsAsOutlinesWithAllOfTheirPoints) {
     polar.setData(around);
     const auto folder = test::freshFolder("bands");
     const auto written = [&](PlotSurface& plot, const char* name) {
-        if (plot.widget() == &cartesian)
+        if (plot.widget() == &cartesian) {
             exportPlot(cartesian, folder / name);
-        else
+        } else {
             exportPlot(polar, folder / name);
+        }
         QFile file(QString::fromStdString((folder / name).string()));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
@@ -261,8 +274,9 @@ TEST(ErrorBandTest, PaperHoldsBandsAsOutlinesWithAllOfTheirPoints) {
         EXPECT_FALSE(svg.contains("<image"));
         // The longest path goes along both edges.
         qsizetype most = 0;
-        for (qsizetype at = svg.indexOf("<path"); at >= 0; at = svg.indexOf("<path", at + 1))
+        for (qsizetype at = svg.indexOf("<path"); at >= 0; at = svg.indexOf("<path", at + 1)) {
             most = std::max(most, svg.mid(at, svg.indexOf("/>", at) - at).count('L'));
+        }
         EXPECT_GE(most, 2 * 3000 - 2);
         EXPECT_FALSE(written(*plot, "a.pdf").contains("/Subtype /Image"));
     }

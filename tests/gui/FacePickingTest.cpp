@@ -46,7 +46,7 @@ TEST_F(FacePickingTest, NamesTheIndicesThatTheRendererSees) {
         const auto& material = image.find("material_index")->values;
         const auto& range = image.find("range")->values;
         long on = 0, wrong = 0;
-        for (int y = 2; y < image.height(); y += 5)
+        for (int y = 2; y < image.height(); y += 5) {
             for (int x = 2; x < image.width(); x += 5) {
                 const auto i = image.offset(x, y);
                 const auto hits = view.facesAt(QPointF(x + 0.5, y + 0.5) / pixelRatio());
@@ -64,6 +64,7 @@ TEST_F(FacePickingTest, NamesTheIndicesThatTheRendererSees) {
                 });
                 wrong += !found || std::abs(hit.distance_m - static_cast<double>(range[i])) > 0.2;
             }
+        }
         EXPECT_GT(on, 60) << name;
         EXPECT_LE(wrong, on / 25) << name << " of " << on;
     }
@@ -142,7 +143,7 @@ TEST_F(FacePickingTest, MarksExactlyTheFacesOfAnIndexInBothDisplays) {
             QTest::qWait(20);
             const QImage marked = view.grabFramebuffer();
             long wrong = 0, on = 0;
-            for (int y = 4; y < 300; y += 4)
+            for (int y = 4; y < 300; y += 4) {
                 for (int x = 4; x < 400; x += 4) {
                     // Outlines are a few pixels wide: only places well inside count.
                     const auto insideAt = [&](double dx, double dy) {
@@ -151,16 +152,20 @@ TEST_F(FacePickingTest, MarksExactlyTheFacesOfAnIndexInBothDisplays) {
                     };
                     const bool inside = insideAt(0, 0);
                     bool isEdge = false;
-                    for (int k = -6; k <= 6; k += 2)
-                        for (int l = -6; l <= 6; l += 2)
+                    for (int k = -6; k <= 6; k += 2) {
+                        for (int l = -6; l <= 6; l += 2) {
                             isEdge = isEdge || insideAt(k, l) != inside;
-                    if (isEdge)
+                        }
+                    }
+                    if (isEdge) {
                         continue;
+                    }
                     on += inside;
                     const bool tinted = apart(test::colorAt(plain, QPointF(x, y)),
                                               test::colorAt(marked, QPointF(x, y))) > 60;
                     wrong += tinted != inside;
                 }
+            }
             EXPECT_GT(on, 10);
             // Edges that something hides shine through.
             EXPECT_LE(wrong, on / 3) << (infrared ? "infrared" : "visible");

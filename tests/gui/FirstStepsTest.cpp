@@ -51,8 +51,9 @@ TEST_F(FirstStepsTest, PaintAnAircraftHeatItsEnginesAndSeeIt) {
         dialog.findChild<QLineEdit*>("copyFilter")->setText("aircraft");
         auto& copy = dynamic_cast<CopyEntriesDialog&>(dialog);
         for (const auto& [index, material] : copy.source().materials) {
-            if (material.name != "grey aircraft paint, matt")
+            if (material.name != "grey aircraft paint, matt") {
                 continue;
+            }
             copy.choose({EntryKind::material, index});
             auto* list = copy.findChild<QTreeWidget*>("copyList");
             static_cast<QLineEdit*>(list->itemWidget(list->currentItem(), 2))->setText("1");
@@ -101,8 +102,9 @@ TEST_F(FirstStepsTest, TheFirstPageOfTheGuide) {
     const auto sum = [&] {
         EXPECT_TRUE(test::waitUntil([&] { return view.isUpToDate(); }));
         double all = 0.0;
-        for (const float value : view.shownPicture()->image->primary().values)
+        for (const float value : view.shownPicture()->image->primary().values) {
             all += static_cast<double>(value);
+        }
         return all;
     };
 
@@ -114,14 +116,18 @@ TEST_F(FirstStepsTest, TheFirstPageOfTheGuide) {
 
     // Paint it: a click on the fuselage shows its material, and a lower emissivity shows at once.
     int grey = 0;
-    for (const auto& [index, material] : session().value().materials)
+    for (const auto& [index, material] : session().value().materials) {
         grey = material.name == "grey paint" ? index : grey;
+    }
     QPoint fuselage;
-    for (int y = 10; y < view.height() && fuselage.isNull(); y += 7)
-        for (int x = 10; x < view.width() && fuselage.isNull(); x += 7)
+    for (int y = 10; y < view.height() && fuselage.isNull(); y += 7) {
+        for (int x = 10; x < view.width() && fuselage.isNull(); x += 7) {
             if (const auto hits = view.facesAt(QPointF(x, y));
-                !hits.empty() && hits.front().codes.material == grey)
+                !hits.empty() && hits.front().codes.material == grey) {
                 fuselage = {x, y};
+            }
+        }
+    }
     ASSERT_FALSE(fuselage.isNull());
     QTest::mouseClick(&view, Qt::LeftButton, {}, fuselage);
     dock().tabs()->setCurrentIndex(0);
@@ -129,8 +135,9 @@ TEST_F(FirstStepsTest, TheFirstPageOfTheGuide) {
     EXPECT_EQ(find<QLineEdit>("entryName", find<QWidget>("materialPanel"))->text(), "grey paint");
     auto* table = find<QWidget>("emissivity")->findChild<NodeTable*>()->model();
     const auto rows = session().value().materials.at(grey).emissivity.wavelengths_um().size();
-    for (int row = 0; row < static_cast<int>(rows); ++row)
+    for (int row = 0; row < static_cast<int>(rows); ++row) {
         table->setData(table->index(row, 1), "0.3", Qt::EditRole);
+    }
     const double painted = sum();
     EXPECT_NE(painted, before);
     test::keepScreenshot(*window, "guide-1-painted");
@@ -138,21 +145,16 @@ TEST_F(FirstStepsTest, TheFirstPageOfTheGuide) {
     // Ctrl+Z takes any step back, by name.
     EXPECT_TRUE(workbench.undoStack().undoText().contains("emissivity"))
         << workbench.undoStack().undoText().toStdString();
-    while (session().isDirty() && workbench.undoStack().canUndo())
+    while (session().isDirty() && workbench.undoStack().canUndo()) {
         workbench.undoStack().undo();
+    }
     EXPECT_NEAR(sum(), before, 1e-9 * std::abs(before));
-    while (workbench.undoStack().canRedo())
+    while (workbench.undoStack().canRedo()) {
         workbench.undoStack().redo();
+    }
 
     // Heat its engines: T0 of the exhaust pipes up by 100 K.
-    int pipes = 0;
-    for (const auto& [index, entry] : session().value().temperatures)
-        pipes = entry.name == "exhaust pipes" ? index : pipes;
-    dock().select({EntryKind::temperature, pipes});
-    chooseTab("temperatureTabs", "Equation terms");
-    const double base_K = session().value().temperatures.at(pipes).terms.base_K;
-    type("base_K", QString::number(base_K + 100.0));
-    EXPECT_EQ(session().value().temperatures.at(pipes).terms.base_K, base_K + 100.0);
+    heatPipes(100.0);
     EXPECT_GT(sum(), painted);
     test::keepScreenshot(*window, "guide-2-heated");
 
@@ -160,8 +162,9 @@ TEST_F(FirstStepsTest, TheFirstPageOfTheGuide) {
     runAnalysis("polar");
     EXPECT_EQ(workbench.results().back().data->table.rowCount(), 4U);
     const auto edited = session().value();
-    while (session().isDirty() && workbench.undoStack().canUndo())
+    while (session().isDirty() && workbench.undoStack().canUndo()) {
         workbench.undoStack().undo();
+    }
     auto* list = window->findChild<QListWidget*>("resultList");
     list->setCurrentRow(0);
     window->findChild<QToolButton*>("rerunResult")->click();
@@ -174,8 +177,9 @@ TEST_F(FirstStepsTest, TheFirstPageOfTheGuide) {
     EXPECT_NE(curves[0].y, curves[1].y) << "before and after";
     QTest::qWait(50);
     test::keepScreenshot(*window, "guide-3-plotted");
-    while (workbench.undoStack().canRedo())
+    while (workbench.undoStack().canRedo()) {
         workbench.undoStack().redo();
+    }
     EXPECT_EQ(session().value(), edited);
     trigger("saveDatabase");
     trigger("saveProject");

@@ -21,8 +21,9 @@ const std::string older = "what was there before";
 /// Names and contents of all files of a disk, hidden ones as well.
 std::map<std::string, std::string> contentsOf(const test::SmallDisk& disk) {
     std::map<std::string, std::string> contents;
-    for (const auto& entry : std::filesystem::directory_iterator(disk.place()))
+    for (const auto& entry : std::filesystem::directory_iterator(disk.place())) {
         contents[entry.path().filename().string()] = readTextFile(entry.path());
+    }
     return contents;
 }
 
@@ -42,15 +43,17 @@ class FullDiskTest : public test::WindowFixture {
   protected:
     void SetUp() override {
         WindowFixture::SetUp();
-        if (!disk.isThere())
+        if (!disk.isThere()) {
             GTEST_SKIP() << "a small disk can be mounted by root alone";
+        }
     }
     /// Every file that a page offers to write.
     void tryAll(const Exportable& page, const std::string& name) {
         const QStringList filters = page.exportFilters();
         ASSERT_FALSE(filters.isEmpty()) << name;
-        for (const QString& filter : filters)
+        for (const QString& filter : filters) {
             tryOne(name + suffixOf(filter), [&](const auto& file) { page.exportTo(file); });
+        }
     }
     void tryOne(const std::string& name,
                 const std::function<void(const std::filesystem::path&)>& write) {
@@ -70,8 +73,9 @@ class FullDiskTest : public test::WindowFixture {
         disk.empty();
         write(disk / name);
         EXPECT_NE(readTextFile(disk / name), older);
-        for (const auto& entry : std::filesystem::directory_iterator(disk.place()))
+        for (const auto& entry : std::filesystem::directory_iterator(disk.place())) {
             std::filesystem::remove(entry);
+        }
     }
 
     test::SmallDisk disk{"small-disk"};
@@ -139,8 +143,9 @@ TEST_F(FullDiskTest, LeavesOlderResultsWholeAndSaysSo) {
     for (const AnalysisKind kind : allAnalysisKinds()) {
         runAnalysis(name(kind).c_str());
         const AnalysisData data = *workbench.results().back().data;
-        for (const std::string& extension : resultExtensions(kind))
+        for (const std::string& extension : resultExtensions(kind)) {
             tryOne(name(kind) + extension, [&](const auto& file) { saveResult(data, file); });
+        }
     }
     // By the menu: one sentence, and the file that was there.
     const auto file = disk / "range.csv";
@@ -149,8 +154,9 @@ TEST_F(FullDiskTest, LeavesOlderResultsWholeAndSaysSo) {
     list->clearSelection();
     list->setCurrentRow(list->count() - 1);
     chosen = QString::fromStdString(file.string());
-    if (workbench.results().back().isImage())
+    if (workbench.results().back().isImage()) {
         chosen.replace(".csv", ".exr");
+    }
     trigger("saveResultAction");
     ASSERT_EQ(told.size(), 1);
     EXPECT_TRUE(saysWhy(told.front().toStdString())) << told.front().toStdString();

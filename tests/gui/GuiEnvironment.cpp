@@ -22,12 +22,14 @@ class QtForTests : public ::testing::Environment {
   public:
     void SetUp() override {
         if (qEnvironmentVariableIsEmpty("DISPLAY") &&
-            qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+            qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
             qputenv("QT_QPA_PLATFORM", "offscreen");
+        }
         // Not the test mode of QStandardPaths: its folders are shared by tests that run side by
         // side.
-        for (const char* folder : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"})
+        for (const char* folder : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"}) {
             qputenv(folder, freshFolder(folder).string().c_str());
+        }
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                            QString::fromStdString(freshFolder("settings").string()));
         application_ = std::make_unique<QApplication>(argumentCount_, arguments_);
@@ -56,17 +58,20 @@ void keepScreenshot(QWidget& widget, const std::string& name) {
 bool showsColorAt(QWidget& widget, const QPointF& point, const QColor& wanted) {
     const QImage picture = widget.grab().toImage();
     const QPoint middle = (point * picture.devicePixelRatio()).toPoint();
-    for (int dy = -3; dy <= 3; ++dy)
+    for (int dy = -3; dy <= 3; ++dy) {
         for (int dx = -3; dx <= 3; ++dx) {
             const QPoint at = middle + QPoint(dx, dy);
-            if (!picture.valid(at))
+            if (!picture.valid(at)) {
                 continue;
+            }
             const QColor color = picture.pixelColor(at);
             if (std::abs(color.red() - wanted.red()) + std::abs(color.green() - wanted.green()) +
                     std::abs(color.blue() - wanted.blue()) <
-                60)
+                60) {
                 return true;
+            }
         }
+    }
     return false;
 }
 
@@ -77,8 +82,9 @@ QColor colorAt(const QImage& picture, const QPointF& point) {
 
 bool lacksGl() {
     const QString problem = SceneView::problem();
-    if (!problem.isEmpty() && !qEnvironmentVariableIsEmpty("SMAT_GL_REQUIRED"))
+    if (!problem.isEmpty() && !qEnvironmentVariableIsEmpty("SMAT_GL_REQUIRED")) {
         ADD_FAILURE() << "SMAT_GL_REQUIRED is set, and yet: " << problem.toStdString();
+    }
     return !problem.isEmpty();
 }
 
@@ -91,8 +97,9 @@ std::filesystem::path freshFolder(const std::string& name) {
 
 void keepClipboard() {
     static QLockFile lock(QDir::temp().filePath("smat-tests-clipboard.lock"));
-    if (lock.isLocked())
+    if (lock.isLocked()) {
         return;
+    }
     lock.setStaleLockTime(0); // only that of a process that is gone
     ASSERT_TRUE(lock.lock());
 }

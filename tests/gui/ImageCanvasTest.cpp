@@ -35,8 +35,9 @@ QImage drawn(const ColoredPlane& plane, int width, int height) {
 
 TEST(ColoredPlane, GivesEveryPixelTheColourOfTheMap) {
     std::vector<float> values;
-    for (int i = 0; i < 4000; ++i)
+    for (int i = 0; i < 4000; ++i) {
         values.push_back(-0.5F + 0.0005F * static_cast<float>(i));
+    }
     values[7] = nan;
     values[8] = std::numeric_limits<float>::infinity();
     for (const auto& name : irsg::ColorMap::names()) {
@@ -56,11 +57,14 @@ TEST(ColoredPlane, GivesEveryPixelTheColourOfTheMap) {
     }
 }
 
-TEST(ColoredPlane, OutOfRangeAndNaNHaveColoursThatAreNotInTheMap) {
+TEST(ColoredPlane, OutOfRangeSaturatesOrIsMarkedAndNaNHasItsOwnColour) {
     const auto& map = irsg::ColorMap::named("white-hot");
     ColoredPlane plane;
     plane.setValues(4, 1, valuesOf({-1.0F, 0.5F, 2.0F, nan}));
     plane.setColors(map, {0.0, 1.0});
+    EXPECT_EQ(plane.colorAt(0, 0), colorOf(map.at(0.0)));
+    EXPECT_EQ(plane.colorAt(2, 0), colorOf(map.at(1.0)));
+    plane.setColors(map, {.low = 0.0, .high = 1.0, .marksOutside = true});
     EXPECT_EQ(plane.colorAt(0, 0), colorOf(map.below()));
     EXPECT_EQ(plane.colorAt(2, 0), colorOf(map.above()));
     EXPECT_EQ(plane.colorAt(3, 0), colorOf(map.notANumber()));
@@ -69,8 +73,9 @@ TEST(ColoredPlane, OutOfRangeAndNaNHaveColoursThatAreNotInTheMap) {
 TEST(ColoredPlane, IsReducedToMeansAndKeepsEveryMarkInSight) {
     // Columns of black and white are grey from afar.
     std::vector<float> values(512 * 512);
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = i % 2 == 0 ? 0.0F : 1.0F;
+    }
     ColoredPlane plane;
     plane.setValues(512, 512, valuesOf(values));
     plane.setColors(irsg::ColorMap::named("white-hot"), {0.0, 1.0});
@@ -81,9 +86,11 @@ TEST(ColoredPlane, IsReducedToMeansAndKeepsEveryMarkInSight) {
     plane.setMarks(marks);
     int pink = 0;
     const QImage seen = drawn(plane, 64, 64);
-    for (int y = 0; y < 64; ++y)
-        for (int x = 0; x < 64; ++x)
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
             pink += seen.pixelColor(x, y).saturation() > 100 ? 1 : 0;
+        }
+    }
     EXPECT_GE(pink, 1);
     EXPECT_LE(pink, 9);
 }
@@ -95,9 +102,10 @@ TEST(ColoredPlane, DrawsOddAndTinySizesAtEveryScale) {
             width, height,
             valuesOf(std::vector<float>(static_cast<std::size_t>(width * height), 1.0F)));
         plane.setColors(irsg::ColorMap::named("white-hot"), {0.0, 1.0});
-        for (const int size : {1, 3, 50, 2000})
+        for (const int size : {1, 3, 50, 2000}) {
             EXPECT_EQ(drawn(plane, size, size).pixelColor(size / 2, size / 2), QColor(Qt::white))
                 << width << " x " << height << " at " << size;
+        }
     }
 }
 
@@ -105,8 +113,9 @@ class Canvas : public ::testing::Test {
   protected:
     Canvas() {
         std::vector<float> values;
-        for (int i = 0; i < 40 * 30; ++i)
+        for (int i = 0; i < 40 * 30; ++i) {
             values.push_back(static_cast<float>(i));
+        }
         canvas.resize(400, 300);
         canvas.setPlane(40, 30, valuesOf(values));
         canvas.setColors(irsg::ColorMap::named("white-hot"), {0.0, 1200.0});
@@ -158,8 +167,9 @@ TEST_F(Canvas, ArrowsReadPixelsShiftDrawsARectangleControlPans) {
 
 TEST_F(Canvas, TheCursorStaysInsideAndInSight) {
     canvas.setZoom(60.0);
-    for (int i = 0; i < 60; ++i)
+    for (int i = 0; i < 60; ++i) {
         QTest::keyClick(&canvas, Qt::Key_Left);
+    }
     EXPECT_EQ(canvas.cursorPixel()->x(), 0);
     EXPECT_TRUE(canvas.rect().contains(
         canvas.widgetPoint(QPointF(*canvas.cursorPixel()) + QPointF(0.5, 0.5)).toPoint()));
@@ -171,9 +181,11 @@ TEST_F(Canvas, PrintsTheValuesWhenThereIsRoom) {
         canvas.setView({zoom, QPointF(20.5, 15.5), false});
         const QImage seen = canvas.grab().toImage();
         int bright = 0;
-        for (int y = 0; y < seen.height(); ++y)
-            for (int x = 0; x < seen.width(); ++x)
+        for (int y = 0; y < seen.height(); ++y) {
+            for (int x = 0; x < seen.width(); ++x) {
                 bright += seen.pixelColor(x, y).lightness() > 128 ? 1 : 0;
+            }
+        }
         return bright;
     };
     EXPECT_EQ(inkAround(canvas.printingZoom() - 1.0), 0);
@@ -211,10 +223,12 @@ TEST(EmptyCanvas, LivesWithEveryKeyAndTheMouse) {
     ImageCanvas canvas;
     canvas.resize(200, 160);
     canvas.show();
-    for (int key = Qt::Key_A; key <= Qt::Key_Z; ++key)
+    for (int key = Qt::Key_A; key <= Qt::Key_Z; ++key) {
         QTest::keyClick(&canvas, static_cast<Qt::Key>(key));
-    for (const auto key : {Qt::Key_Left, Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Escape})
+    }
+    for (const auto key : {Qt::Key_Left, Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Escape}) {
         QTest::keyClick(&canvas, key);
+    }
     QTest::mouseClick(&canvas, Qt::LeftButton, {}, {50, 50});
     QTest::mouseDClick(&canvas, Qt::LeftButton, {}, {50, 50});
     canvas.grab();

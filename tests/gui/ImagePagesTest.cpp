@@ -21,8 +21,9 @@ class ImagePages : public test::WindowFixture {
   protected:
     QString written(const char* name, float value) {
         irsg::RadianceImage image(20, 10);
-        for (float& pixel : image.primary().values)
+        for (float& pixel : image.primary().values) {
             pixel = value;
+        }
         image.attributes["band.name"] = "3-5 um";
         image.attributes["band.min_um"] = "3";
         image.attributes["band.max_um"] = "5";
@@ -32,8 +33,9 @@ class ImagePages : public test::WindowFixture {
     void drop(const QStringList& files) {
         QMimeData data;
         QList<QUrl> urls;
-        for (const QString& file : files)
+        for (const QString& file : files) {
             urls << QUrl::fromLocalFile(file);
+        }
         data.setUrls(urls);
         QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(window.get(), &enter);
@@ -63,8 +65,9 @@ TEST_F(ImagePages, TwoDroppedImagesAreComparedAndNameTheirTab) {
 
 TEST_F(ImagePages, TwoResultsThatAreImagesAreCompared) {
     openSample();
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < 2; ++i) {
         runAnalysis("image");
+    }
     const auto& results = workbench.results();
     ASSERT_EQ(results.size(), 2u);
     auto* page = window->compareResults(results[0].id, results[1].id);
@@ -75,8 +78,9 @@ TEST_F(ImagePages, TwoResultsThatAreImagesAreCompared) {
     EXPECT_EQ(tabs()->currentWidget(), page);
     EXPECT_EQ(window->compareResults(results[0].id, 4711), nullptr);
     // Large as they may be, neither is copied.
-    for (const int i : {0, 1})
+    for (const int i : {0, 1}) {
         EXPECT_EQ(page->side(i).image.get(), &results[static_cast<std::size_t>(i)].data->image);
+    }
 }
 
 TEST_F(ImagePages, TheDifferenceOfTwoImageResultsIsAComparison) {
@@ -89,8 +93,9 @@ TEST_F(ImagePages, TheDifferenceOfTwoImageResultsIsAComparison) {
     auto* difference = window->findChild<QAction*>("subtractResultsAction");
     const auto choose = [&](const QList<int>& rows) {
         list->clearSelection();
-        for (const int row : rows)
+        for (const int row : rows) {
             list->item(row)->setSelected(true);
+        }
     };
     choose({0, 2}); // an image and a plot have no difference
     EXPECT_FALSE(difference->isEnabled());
@@ -177,7 +182,7 @@ TEST_F(ImagePages, AComparisonWithoutAReadableFileLeavesNoTab) {
     ASSERT_TRUE(test::waitUntil([&] { return tabs()->count() == before; }, 10.0));
     ASSERT_EQ(told.size(), 2) << told.join('\n').toStdString();
     EXPECT_TRUE(told[0].contains("bad.exr"));
-    EXPECT_TRUE(told[1].contains("table.csv: line 1: found a table of results (columns range [m],"))
+    EXPECT_TRUE(told[1].contains("table.csv, line 1: a table of results (columns range [m],"))
         << told[1].toStdString();
 
     // The one that can be read stays to be compared with another.
@@ -216,7 +221,7 @@ TEST_F(ImagePages, FileOpenTakesImagesMatricesResultsAndProjects) {
     std::ofstream(folder / "letter.txt") << "Dear reader,\nthis is none.\n";
     open("letter.txt");
     ASSERT_EQ(told.size(), 1);
-    EXPECT_TRUE(told[0].contains("letter.txt: line 1")) << told[0].toStdString();
+    EXPECT_TRUE(told[0].contains("letter.txt, line 1")) << told[0].toStdString();
     told.clear();
     openSample();
 }

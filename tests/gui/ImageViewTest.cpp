@@ -3,6 +3,7 @@
 #include <limits>
 #include <set>
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -29,6 +30,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/SampleProject.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace smat::gui {
 namespace {
@@ -36,8 +38,9 @@ namespace {
 /// 8 x 6, dark but for one bright pixel in the top row.
 irsg::RadianceImage small() {
     irsg::RadianceImage image(8, 6);
-    for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
         image.primary().values[i] = 1.0F;
+    }
     image.primary().values[image.offset(2, 0)] = 5.0F;
     auto& index = image.channel("temperature_index");
     index.values[image.offset(2, 0)] = 7.0F;
@@ -66,9 +69,11 @@ class ImageViewTest : public ::testing::Test {
 };
 
 QAction* menuEntry(ImageView& view, const char* button, const QString& text) {
-    for (QAction* action : view.findChild<QToolButton*>(button)->menu()->actions())
-        if (action->text() == text)
+    for (QAction* action : view.findChild<QToolButton*>(button)->menu()->actions()) {
+        if (action->text() == text) {
             return action;
+        }
+    }
     return nullptr;
 }
 
@@ -80,9 +85,11 @@ void setMode(ImageView& view, LimitMode mode) {
 
 TEST_F(ImageViewTest, ALargeImageIsColouredInAnotherThreadWhileTheOldPictureStays) {
     irsg::RadianceImage large(700, 600);
-    for (int y = 0; y < 600; ++y)
-        for (int x = 0; x < 700; ++x)
+    for (int y = 0; y < 600; ++y) {
+        for (int x = 0; x < 700; ++x) {
             large.primary().values[large.offset(x, y)] = static_cast<float>(1 + x / 7);
+        }
+    }
     view.setImage(large);
     EXPECT_TRUE(view.isBusy());
     ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
@@ -100,6 +107,10 @@ TEST_F(ImageViewTest, ALargeImageIsColouredInAnotherThreadWhileTheOldPictureStay
     view.colorBar()->edit({200.0, 300.0});
     EXPECT_EQ(middle(), before);
     ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
+    const irsg::Rgb first = view.colorMap().at(0.0);
+    EXPECT_EQ(middle(), QColor(first.red, first.green, first.blue));
+    view.findChild<QCheckBox*>("markOutside")->click();
+    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
     const irsg::Rgb below = view.colorMap().below();
     EXPECT_EQ(middle(), QColor(below.red, below.green, below.blue));
     EXPECT_EQ(view.colorBar()->outOfRange().below, 700U * 600U);
@@ -107,8 +118,7 @@ TEST_F(ImageViewTest, ALargeImageIsColouredInAnotherThreadWhileTheOldPictureStay
     // A rule that takes its time gives the same as it does at once.
     setMode(view, LimitMode::percentile);
     ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
-    const auto found = automaticLimits({&large.primary().values}, LimitMode::percentile,
-                                       view.colorBar()->percentiles(), irsg::ColorScale::linear);
+    const auto found = limitsBy(view.colorBar()->rule(), {&large.primary().values});
     EXPECT_EQ(view.colorBar()->limits().low, found.low);
     EXPECT_EQ(view.colorBar()->limits().high, found.high);
 }
@@ -210,13 +220,18 @@ TEST_F(ImageViewTest, ScalesShowWhatIsDimBesideWhatGlows) {
     view.setImage(image);
     view.setColorMap("white-hot");
     const auto red = [&](int x, int y) { return view.canvas()->picture().pixelColor(x, y).red(); };
-    EXPECT_EQ(view.colorBar()->outOfRange().above, 1U); // Target leaves the hottest pixel out
+    // By itself it shows both.
+    EXPECT_EQ(view.colorBar()->outOfRange().above, 0U);
+    EXPECT_EQ(view.colorBar()->limits().scale, irsg::ColorScale::logarithmic);
+    EXPECT_GT(red(50, 2) - red(50, 1), 5);
 
     auto* scale = view.findChild<QComboBox*>("colorScale");
     const auto choose = [&](irsg::ColorScale wanted) {
         scale->setCurrentIndex(scale->findData(static_cast<int>(wanted)));
         emit scale->activated(scale->currentIndex());
     };
+    choose(irsg::ColorScale::linear);
+    EXPECT_EQ(view.colorBar()->outOfRange().above, 1U); // Target leaves the hottest pixel out
     int before = 0;
     for (const irsg::ColorScale wanted :
          {irsg::ColorScale::squareRoot, irsg::ColorScale::logarithmic,
@@ -243,10 +258,50 @@ TEST_F(ImageViewTest, ScalesShowWhatIsDimBesideWhatGlows) {
     EXPECT_LT(red(50, 1), locked);
 }
 
+TEST_F(ImageViewTest, APictureInVisibleLightHasItsColours) {
+    const smat::test::TemporaryFolder folder;
+    const std::filesystem::path file = folder / "photo.exr";
+    irsg::RadianceImage photo(40, 30, "R", "");
+    for (const char* name : {"G", "B"}) {
+        photo.channel(name);
+    }
+    const auto paint = [&](int x, float r, float g, float b) {
+        for (int y = 0; y < 30; ++y) {
+            photo.channel("R").values[photo.offset(x, y)] = r;
+            photo.channel("G").values[photo.offset(x, y)] = g;
+            photo.channel("B").values[photo.offset(x, y)] = b;
+        }
+    };
+    for (int x = 0; x < 20; ++x) {
+        paint(x, 1.0F, 0.0F, 0.0F);
+    }
+    for (int x = 20; x < 40; ++x) {
+        paint(x, 0.0F, 0.2158605F, 1.0F); // half way to white as sRGB counts
+    }
+    irsg::writeExr(photo, file);
+    view.setImage(irsg::readExr(file));
+    EXPECT_TRUE(view.showsColors());
+    EXPECT_EQ(view.canvas()->picture().pixelColor(5, 5), QColor(255, 0, 0));
+    EXPECT_EQ(view.canvas()->picture().pixelColor(30, 5), QColor(0, 128, 255));
+    EXPECT_TRUE(view.readoutAt(5, 5).contains("R 1")) << view.readoutAt(5, 5).toStdString();
+    EXPECT_TRUE(view.readoutAt(5, 5).contains("Luminance 0.2126"));
+    test::keepScreenshot(view, "image-view-visible-light");
+    // What is written is what is seen, and every plane can be looked at by itself.
+    view.exportTo(file.parent_path() / "photo.png");
+    EXPECT_EQ(QImage(QString::fromStdString((file.parent_path() / "photo.png").string()))
+                  .pixelColor(30, 5),
+              QColor(0, 128, 255));
+    view.setShownPlane(1);
+    EXPECT_FALSE(view.showsColors());
+    EXPECT_EQ(view.shownChannel(), "R");
+    EXPECT_EQ(view.canvas()->picture().pixelColor(30, 5), QColor(0, 0, 0));
+}
+
 TEST_F(ImageViewTest, PercentilesSetTheLimitsAndStayInOrder) {
     irsg::RadianceImage ramp(101, 1);
-    for (int x = 0; x < 101; ++x)
+    for (int x = 0; x < 101; ++x) {
         ramp.primary().values[static_cast<std::size_t>(x)] = static_cast<float>(x);
+    }
     view.setImage(ramp);
     setMode(view, LimitMode::percentile);
     view.colorBar()->setPercentiles(10.0, 90.0);
@@ -412,8 +467,9 @@ TEST_F(ImageViewTest, CopiesValuesOfTheRectangleAndThePicture) {
 
 TEST_F(ImageViewTest, ALargeImageIsShownAtOnceAndItsTemperaturesFollow) {
     irsg::RadianceImage large(700, 600);
-    for (std::size_t i = 0; i < large.pixelCount(); ++i)
+    for (std::size_t i = 0; i < large.pixelCount(); ++i) {
         large.primary().values[i] = 1.0F + 1e-5F * static_cast<float>(i);
+    }
     view.setImage(large, irsg::Band::topHat(3.0, 5.0));
     EXPECT_EQ(view.image().channels.size(), 1u);
     ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
@@ -429,8 +485,9 @@ TEST_F(ImageViewTest, ALargeImageIsShownAtOnceAndItsTemperaturesFollow) {
 
 TEST_F(ImageViewTest, ALargeImageIsNotCopiedAndNothingElseIsSeenBeforeIt) {
     auto large = std::make_shared<irsg::RadianceImage>(700, 600);
-    for (std::size_t i = 0; i < large->pixelCount(); ++i)
+    for (std::size_t i = 0; i < large->pixelCount(); ++i) {
         large->primary().values[i] = 1.0F + 1e-5F * static_cast<float>(i);
+    }
     ImageView fresh;
     fresh.resize(760, 560);
     fresh.setImage(std::shared_ptr<const irsg::RadianceImage>(large));
@@ -441,9 +498,11 @@ TEST_F(ImageViewTest, ALargeImageIsNotCopiedAndNothingElseIsSeenBeforeIt) {
     const auto colours = [&] {
         const QImage seen = fresh.canvas()->grab().toImage();
         std::set<QRgb> found;
-        for (int y = 0; y < seen.height() / 3; y += 7)
-            for (int x = 0; x < seen.width(); x += 7)
+        for (int y = 0; y < seen.height() / 3; y += 7) {
+            for (int x = 0; x < seen.width(); x += 7) {
                 found.insert(seen.pixel(x, y));
+            }
+        }
         return found;
     };
     EXPECT_EQ(colours().size(), 1U);

@@ -16,8 +16,9 @@ namespace {
 TEST(LatestTaskTest, OnlyTheLastAnswerCounts) {
     LatestTask task;
     std::vector<int> heard;
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 5; ++i) {
         task.run<int>([i] { return i; }, [&](int answer) { heard.push_back(answer); });
+    }
     EXPECT_TRUE(task.isBusy());
     ASSERT_TRUE(test::waitUntil([&] { return !task.isBusy(); }));
     EXPECT_EQ(heard, std::vector{4});

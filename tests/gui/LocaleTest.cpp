@@ -19,8 +19,9 @@ TEST_F(LocaleTest, TheWindowReadsModelsUnderDecimalCommas) {
     for (const char* name : {"de_DE", "fr_CA"}) {
         const smat::test::TemporaryFolder place;
         const smat::test::DecimalCommas locale(name, place.path());
-        if (!locale.isThere())
+        if (!locale.isThere()) {
             GTEST_SKIP() << "this system cannot make the locale " << name;
+        }
         const std::filesystem::path file = folder / (std::string(name) + ".obj");
         std::ofstream(file) << twoFaces;
         ASSERT_TRUE(opens(file)) << name;

@@ -185,10 +185,10 @@ TEST_F(MainWindowTest, SavesWhatIsShown) {
     EXPECT_TRUE(told.isEmpty());
 }
 
-TEST_F(MainWindowTest, TurningTheViewMovesTheCameraOfTheProject) {
+TEST_F(MainWindowTest, TurningTheViewWithControlMovesTheSensorOfTheProject) {
     openSample();
     ASSERT_NE(window->sceneView(), nullptr);
-    QTest::keyClick(window->sceneView(), Qt::Key_Right);
+    QTest::keyClick(window->sceneView(), Qt::Key_Right, Qt::ControlModifier);
     EXPECT_EQ(workbench.camera().azimuth_deg, 70.0);
     auto* field = window->findChild<QLineEdit*>("camera.azimuth");
     EXPECT_EQ(field->text(), "70");
@@ -221,8 +221,9 @@ TEST_F(MainWindowTest, OffersTheAnalysesOfAProjectInADarkThemeToo) {
     auto* menu = window->findChild<QMenu*>("projectAnalyses");
     const auto run = [&](const QString& name) {
         for (auto* action : menu->actions()) {
-            if (action->text().startsWith(name))
+            if (action->text().startsWith(name)) {
                 action->trigger();
+            }
         }
         EXPECT_TRUE(test::waitUntil([this] { return !workbench.isRunning(); }));
         QTest::qWait(50);
@@ -242,8 +243,9 @@ void runsWithoutDisplay(const char* filter, bool egl) {
     environment.remove("DISPLAY");
     environment.remove("WAYLAND_DISPLAY");
     environment.insert("QT_QPA_PLATFORM", "offscreen");
-    if (!egl)
+    if (!egl) {
         environment.insert("__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null");
+    }
     environment.insert("SMAT_TEST_RUNS_AGAIN", "1");
     process.setProcessEnvironment(environment);
     process.start(QCoreApplication::applicationFilePath(),
@@ -348,8 +350,9 @@ TEST_F(MainWindowTest, HelpNamesKeysAndRenderers) {
     onDialog = [&](QDialog& dialog) {
         names << dialog.objectName();
         text.clear();
-        for (const auto* label : dialog.findChildren<QLabel*>())
+        for (const auto* label : dialog.findChildren<QLabel*>()) {
             text += label->text() + '\n';
+        }
         test::keepScreenshot(dialog, dialog.objectName().toStdString());
     };
     trigger("showAbout");
@@ -364,8 +367,9 @@ TEST_F(MainWindowTest, HelpNamesKeysAndRenderers) {
     ASSERT_FALSE(renderer.empty());
     for (const QString& part :
          {QString::fromStdString(programVersion()), QString(qVersion()), QString("OpenSceneGraph"),
-          QString::fromStdString(renderer).toHtmlEscaped()})
+          QString::fromStdString(renderer).toHtmlEscaped()}) {
         EXPECT_TRUE(text.contains(part)) << part.toStdString() << "\n" << text.toStdString();
+    }
     EXPECT_FALSE(text.contains("not used yet")) << text.toStdString();
 
     // Each action with a key is in the list with both.

@@ -81,22 +81,28 @@ TEST_F(ModelPageTest, TheInfraredViewIsWrittenWithItsColourBarAndItsValues) {
     for (int x = edge; x < picture.width() && column == 0; ++x) {
         int top = 0, bottom = 0;
         for (int y = 0; y < picture.height(); ++y) {
-            if (top == 0 && isColor(x, y, 1.0))
+            if (top == 0 && isColor(x, y, 1.0)) {
                 top = y;
-            if (top != 0 && isColor(x, y, 0.0))
+            }
+            if (top != 0 && isColor(x, y, 0.0)) {
                 bottom = y;
+            }
         }
-        if (top == 0 || bottom - top < picture.height() / 2)
+        if (top == 0 || bottom - top < picture.height() / 2) {
             continue;
+        }
         bool inOrder = true;
-        for (const double part : {0.25, 0.5, 0.75})
+        for (const double part : {0.25, 0.5, 0.75}) {
             inOrder = inOrder && [&] {
                 const int middle = bottom - static_cast<int>(part * (bottom - top));
-                for (int y = middle - 12; y <= middle + 12; ++y)
-                    if (isColor(x, y, part))
+                for (int y = middle - 12; y <= middle + 12; ++y) {
+                    if (isColor(x, y, part)) {
                         return true;
+                    }
+                }
                 return false;
             }();
+        }
         column = inOrder ? x : 0;
     }
     EXPECT_GT(column, edge) << "no colour bar";

@@ -32,11 +32,12 @@ TEST(ModelStoreTest, ThoseWhoAskAtTheSameTimeShareOneReading) {
     std::latch asking(askers);
     {
         std::vector<std::jthread> threads;
-        for (auto& model : models)
+        for (auto& model : models) {
             threads.emplace_back([&] {
                 asking.count_down();
                 model = store.model({box});
             });
+        }
         asking.wait();
         EXPECT_FALSE(store.isThere({box}));
         mayEnd.release();
@@ -72,8 +73,9 @@ TEST(ModelStoreTest, TheSameFileReadInAnotherWayIsAnotherModel) {
 TEST(ModelStoreTest, AFailureIsToldAndTheNextOneWhoAsksReadsAnew) {
     std::atomic<bool> isDamaged = true;
     ModelStore store([&](const ModelKey& key) -> std::shared_ptr<const irsg::Model> {
-        if (isDamaged)
+        if (isDamaged) {
             throw damaged();
+        }
         return irsg::Model::load(key.file);
     });
     EXPECT_THROW(store.model({box}), irsg::InputError);
@@ -116,8 +118,9 @@ TEST_F(SharedModelTest, AModelThatIsChosenAnewIsCountedInTheEditor) {
         const auto* rows =
             dock().tabs()->widget(0)->findChild<QAbstractItemView*>("entryTable")->model();
         QStringList all;
-        for (int row = 0; row < rows->rowCount(); ++row)
+        for (int row = 0; row < rows->rowCount(); ++row) {
             all << rows->index(row, 2).data().toString();
+        }
         return all;
     };
     const QStringList ofShip = faces();
@@ -166,9 +169,10 @@ class SlowModelTest : public ::testing::Test {
     }
     fs::path project() {
         const fs::path folder = test::freshFolder("slow-model");
-        for (const char* name : {"box.flt", "box.sigdb"})
+        for (const char* name : {"box.flt", "box.sigdb"}) {
             fs::copy_file(box.parent_path() / name, folder / name,
                           fs::copy_options::overwrite_existing);
+        }
         return folder / "box.flt";
     }
     QString facesOfFirst() {
@@ -182,8 +186,9 @@ class SlowModelTest : public ::testing::Test {
                         std::make_shared<ModelStore>(
                             [this](const ModelKey& key) -> std::shared_ptr<const irsg::Model> {
                                 mayEnd.acquire();
-                                if (isDamaged)
+                                if (isDamaged) {
                                     throw damaged();
+                                }
                                 return irsg::Model::load(key.file);
                             })};
     DatabaseDock dock{workbench, {}, nullptr};

@@ -84,10 +84,12 @@ class WaitingSource : public ImageSource {
 
   private:
     void wait() {
-        if (!gate_.open)
+        if (!gate_.open) {
             ++gate_.waiting;
-        while (!gate_.open)
+        }
+        while (!gate_.open) {
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
     }
 
     Gate& gate_;
@@ -103,12 +105,14 @@ class MonteCarloPageTest : public ::testing::Test {
         project.title = "Turboprop";
         project.models = {
             {.file = folder / "turboprop4.flt", .database = folder / "turboprop4.sigdb"}};
-        for (const char* name : {"turboprop4.flt", "turboprop4.sigdb"})
+        for (const char* name : {"turboprop4.flt", "turboprop4.sigdb"}) {
             std::filesystem::copy(samples / "turboprop4" / name, folder / name);
-        for (const auto kind : {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity})
+        }
+        for (const auto kind : {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity}) {
             std::filesystem::copy(
                 irsg::scalingFile(samples / "turboprop4" / "turboprop4.flt", kind),
                 irsg::scalingFile(folder / "turboprop4.flt", kind));
+        }
         project.settings.set("sensor.fov", "4");
         project.settings.set("state.power", "0.7");
         project.settings.set("polar.step", "30");
@@ -120,7 +124,8 @@ class MonteCarloPageTest : public ::testing::Test {
     }
     /// Runs and cancels while the first drawing waits for the gate.
     void cancelWhileDrawing(Gate& gate) {
-        makePage([&gate] { return std::make_unique<WaitingSource>(gate); });
+        gate_ = &gate;
+        makePage();
         get<QSpinBox>("samples")->setValue(2048);
         get<QCheckBox>("ranks")->setChecked(false);
         get<QPushButton>("run")->click();
@@ -129,13 +134,15 @@ class MonteCarloPageTest : public ::testing::Test {
         // The drawing has not ended, and the page is free again.
         EXPECT_TRUE(waitUntil([this] { return !page->isRunning(); }));
     }
-    void makePage(ImageSourceFactory makeSource = makeIrsgImageSource) {
+    void makePage() {
         workbench.open(file);
+        QObject::connect(&workbench, &Workbench::jobFailed,
+                         [this](const QStringList& sentences, bool) { told += sentences; });
         Dialogs dialogs;
         dialogs.tell = [this](QWidget*, const QString&, const QStringList& sentences) {
             told += sentences;
         };
-        page = std::make_unique<MonteCarloPage>(workbench, dialogs, std::move(makeSource));
+        page = std::make_unique<MonteCarloPage>(workbench, dialogs);
         page->resize(1280, 860);
         page->show();
         QTest::qWait(30);
@@ -155,17 +162,24 @@ class MonteCarloPageTest : public ::testing::Test {
 
     std::filesystem::path folder = freshFolder("montecarlo");
     std::filesystem::path file;
-    Workbench workbench;
+    Gate* gate_ = nullptr;
+    Workbench workbench{[this]() -> std::unique_ptr<ImageSource> {
+        if (gate_ != nullptr) {
+            return std::make_unique<WaitingSource>(*gate_);
+        }
+        return makeIrsgImageSource();
+    }};
     QStringList told;
     std::unique_ptr<MonteCarloPage> page;
 };
 
 } // namespace
 
-TEST_F(MonteCarloPageTest, aFullDiskLeavesOlderFilesWhole) {
+TEST_F(MonteCarloPageTest, AFullDiskLeavesOlderFilesWhole) {
     const SmallDisk disk("montecarlo-disk");
-    if (!disk.isThere())
+    if (!disk.isThere()) {
         GTEST_SKIP() << "a small disk can be mounted by root alone";
+    }
     makePage();
     get<QSpinBox>("samples")->setValue(16);
     get<QCheckBox>("ranks")->setChecked(false);
@@ -190,11 +204,13 @@ TEST_F(MonteCarloPageTest, aFullDiskLeavesOlderFilesWhole) {
     }
 }
 
-TEST_F(MonteCarloPageTest, showsBandsHistogramAndRankingOfTheSampleAircraft) {
+TEST_F(MonteCarloPageTest, ShowsBandsHistogramAndRankingOfTheSampleAircraft) {
     makePage();
     EXPECT_EQ(get<QComboBox>("analysis")->itemText(0), "turn (polar)");
     EXPECT_EQ(get<QComboBox>("analysis")->findText("picture (image)"), -1);
     EXPECT_EQ(get<QTreeWidget>("scales")->topLevelItemCount(), 15);
+    EXPECT_TRUE(get<QTreeWidget>("scales")->topLevelItem(0)->text(0).contains(" ("))
+        << get<QTreeWidget>("scales")->topLevelItem(0)->text(0).toStdString();
     EXPECT_FALSE(get<QPushButton>("writeScalingFiles")->isVisible());
     get<QSpinBox>("samples")->setValue(512);
     get<QSpinBox>("pairs")->setValue(256);
@@ -221,13 +237,14 @@ TEST_F(MonteCarloPageTest, showsBandsHistogramAndRankingOfTheSampleAircraft) {
     EXPECT_EQ(page->plots().bands()->data().curves.size(), 7u);
 
     for (const char* name : {"mc.csv", "mc-ranking.csv", "mc.json", "mc.svg", "mc.pdf", "mc.png"}) {
-        if (std::string(name) != "mc-ranking.csv")
+        if (std::string(name) != "mc-ranking.csv") {
             page->exportTo(folder / name);
+        }
         EXPECT_GT(std::filesystem::file_size(folder / name), 100u) << name;
     }
 }
 
-TEST_F(MonteCarloPageTest, saysTheCommandThatDoesTheSame) {
+TEST_F(MonteCarloPageTest, SaysTheCommandThatDoesTheSame) {
     makePage();
     get<QSpinBox>("samples")->setValue(2048);
     get<QSpinBox>("seed")->setValue(7);
@@ -236,17 +253,19 @@ TEST_F(MonteCarloPageTest, saysTheCommandThatDoesTheSame) {
     const QString command = get<QLineEdit>("command")->text();
     for (const char* part :
          {"smat-batch montecarlo /", "--analysis turn", "--samples 2048 --seed 7",
-          "--sequence plain", "--standard-error 0.001", "--ranking"})
+          "--sequence plain", "--standard-error 0.001", "--ranking"}) {
         EXPECT_TRUE(command.contains(part)) << part << " in " << command.toStdString();
+    }
     // What was changed in the window, and an analysis that has no name in the file.
     workbench.set("state.mach", "0.4");
     get<QComboBox>("analysis")->setCurrentIndex(get<QComboBox>("analysis")->count() - 1);
     const QString changed = get<QLineEdit>("command")->text();
-    for (const char* part : {"--kind ", "--set state.mach=0.4"})
+    for (const char* part : {"--kind ", "--set state.mach=0.4"}) {
         EXPECT_TRUE(changed.contains(part)) << part << " in " << changed.toStdString();
+    }
 }
 
-TEST_F(MonteCarloPageTest, countsEditsOfTheDatabaseThatAreNotSaved) {
+TEST_F(MonteCarloPageTest, CountsEditsOfTheDatabaseThatAreNotSaved) {
     makePage();
     get<QSpinBox>("samples")->setValue(64);
     get<QSpinBox>("phases")->setValue(1);
@@ -282,7 +301,7 @@ TEST_F(MonteCarloPageTest, countsEditsOfTheDatabaseThatAreNotSaved) {
     workbench.database().discard();
 }
 
-TEST_F(MonteCarloPageTest, refusesFieldsThatSayNothingUsable) {
+TEST_F(MonteCarloPageTest, RefusesFieldsThatSayNothingUsable) {
     makePage();
     EXPECT_TRUE(get<QPushButton>("run")->isEnabled());
     for (const char* wrong : {"5, x", "50, 5", "5, 500"}) {
@@ -295,9 +314,10 @@ TEST_F(MonteCarloPageTest, refusesFieldsThatSayNothingUsable) {
     EXPECT_FALSE(get<QLabel>("problem")->isVisible());
 }
 
-TEST_F(MonteCarloPageTest, writesTheScalingFilesWhereThereAreNone) {
-    for (const auto kind : {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity})
+TEST_F(MonteCarloPageTest, WritesTheScalingFilesWhereThereAreNone) {
+    for (const auto kind : {irsg::ScalingKind::temperature, irsg::ScalingKind::emissivity}) {
         std::filesystem::remove(irsg::scalingFile(folder / "turboprop4.flt", kind));
+    }
     makePage();
     EXPECT_FALSE(get<QPushButton>("run")->isEnabled());
     EXPECT_TRUE(get<QPushButton>("writeScalingFiles")->isVisible());
@@ -310,7 +330,7 @@ TEST_F(MonteCarloPageTest, writesTheScalingFilesWhereThereAreNone) {
     keepScreenshot(*page, "montecarlo-empty");
 }
 
-TEST_F(MonteCarloPageTest, keepsTheDrawsOfARunThatIsCancelled) {
+TEST_F(MonteCarloPageTest, KeepsTheDrawsOfARunThatIsCancelled) {
     makePage();
     get<QSpinBox>("samples")->setValue(2'000'000);
     get<QSpinBox>("phases")->setValue(1);
@@ -329,7 +349,7 @@ TEST_F(MonteCarloPageTest, keepsTheDrawsOfARunThatIsCancelled) {
     EXPECT_TRUE(get<QPushButton>("run")->isEnabled());
 }
 
-TEST_F(MonteCarloPageTest, answersACancelWhileADrawingTakesItsTime) {
+TEST_F(MonteCarloPageTest, AnswersACancelWhileADrawingTakesItsTime) {
     Gate gate;
     cancelWhileDrawing(gate);
     EXPECT_EQ(gate.waiting, 1);
@@ -343,7 +363,7 @@ TEST_F(MonteCarloPageTest, answersACancelWhileADrawingTakesItsTime) {
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
 }
 
-TEST_F(MonteCarloPageTest, runsAgainWhileACancelledRunEndsByItself) {
+TEST_F(MonteCarloPageTest, RunsAgainWhileACancelledRunEndsByItself) {
     Gate gate;
     cancelWhileDrawing(gate);
     get<QSpinBox>("samples")->setValue(300);
@@ -356,18 +376,49 @@ TEST_F(MonteCarloPageTest, runsAgainWhileACancelledRunEndsByItself) {
     EXPECT_EQ(page->plots().data().analysis.state, AnalysisState::complete);
 }
 
-TEST_F(MonteCarloPageTest, endsItsThreadWithThePage) {
+TEST_F(MonteCarloPageTest, ARunIsAResultAndGoesOnWithoutItsPage) {
     makePage();
-    get<QSpinBox>("samples")->setValue(2'000'000);
+    get<QSpinBox>("samples")->setValue(300);
+    get<QSpinBox>("phases")->setValue(1);
+    get<QCheckBox>("ranks")->setChecked(false);
+    runToTheEnd();
+    ASSERT_EQ(workbench.results().size(), 1U);
+    ASSERT_NE(workbench.results().front().monteCarlo, nullptr);
+    EXPECT_EQ(workbench.results().front().title, "1  Monte Carlo: turn");
+    EXPECT_EQ(workbench.results().front().monteCarlo->values, page->plots().data().values);
     get<QPushButton>("run")->click();
-    QTest::qWait(50);
     page.reset();
-    QTest::qWait(20);
+    ASSERT_TRUE(waitUntil([this] { return !workbench.isRunning(); }, 60.0));
+    ASSERT_EQ(workbench.results().size(), 2U);
+    EXPECT_EQ(workbench.results()[1].monteCarlo->values, workbench.results()[0].monteCarlo->values);
+}
+
+TEST_F(MonteCarloPageTest, WaitsInLineBehindAnAnalysis) {
+    Gate gate;
+    gate_ = &gate;
+    makePage();
+    get<QSpinBox>("samples")->setValue(300);
+    get<QCheckBox>("ranks")->setChecked(false);
+    workbench.start(AnalysisData::of(workbench.project(), "turn"));
+    ASSERT_TRUE(waitUntil([&] { return gate.waiting > 0; }));
+    get<QPushButton>("run")->click();
+    EXPECT_TRUE(page->isRunning());
+    EXPECT_EQ(workbench.jobs().waiting().size(), 1U);
+    // Taken out of the line, it never ran.
+    get<QPushButton>("cancel")->click();
+    EXPECT_FALSE(page->isRunning());
+    EXPECT_TRUE(workbench.jobs().waiting().empty());
+    EXPECT_TRUE(get<QPushButton>("run")->isEnabled());
+    get<QPushButton>("run")->click();
+    gate.open = true;
+    ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }, 60.0));
+    EXPECT_EQ(page->plots().data().draws(), 300u);
+    EXPECT_EQ(workbench.results().size(), 2U);
 }
 
 class MonteCarloMenu : public WindowFixture {};
 
-TEST_F(MonteCarloMenu, opensThePageAsATab) {
+TEST_F(MonteCarloMenu, OpensThePageAsATab) {
     openSample();
     auto* action = window->findChild<QAction*>("monteCarlo");
     ASSERT_NE(action, nullptr);

@@ -18,8 +18,9 @@ struct Outcome {
 Outcome runPlot(const QStringList& arguments) {
     QProcess process;
     auto environment = QProcessEnvironment::systemEnvironment();
-    for (const auto* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+    for (const auto* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
         environment.remove(name);
+    }
     process.setProcessEnvironment(environment);
     process.start(QString(SMAT_BINARY_DIR) + "/bin/smat", QStringList{"plot"} + arguments);
     process.waitForFinished(120000);

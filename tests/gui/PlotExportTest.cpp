@@ -23,9 +23,11 @@ QByteArray contents(const std::filesystem::path& file) {
 /// Share of the pixels that are not white.
 double inked(const QImage& picture) {
     long count = 0;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x)
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
             count += picture.pixelColor(x, y).lightness() < 250 ? 1 : 0;
+        }
+    }
     return static_cast<double>(count) / picture.width() / picture.height();
 }
 

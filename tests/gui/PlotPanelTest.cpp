@@ -32,12 +32,15 @@ PlotData hill(bool withErrors) {
     for (int i = 1; i <= 40; ++i) {
         curve.x.push_back(100.0 * i);
         curve.y.push_back(500.0 * std::exp(-0.02 * (i - 20) * (i - 20)) + 5.0);
-        if (withErrors)
+        if (withErrors) {
             curve.error.push_back(30.0 + i);
+        }
     }
     Curve flat{"flat", curve.x, std::vector<double>(40, 100.0)};
-    return {
-        "Contrast intensity over range", "Range (m)", "Contrast intensity (W·sr⁻¹)", {curve, flat}};
+    return {.title = "Contrast intensity over range",
+            .xTitle = "Range (m)",
+            .yTitle = "Contrast intensity (W·sr⁻¹)",
+            .curves = {curve, flat}};
 }
 
 PolarData rose() {
@@ -48,6 +51,7 @@ PolarData rose() {
         curve.error.push_back(8.0);
     }
     return {.title = "Contrast intensity over camera azimuth, view offset 0°",
+            .conditions = {},
             .radiusTitle = "Contrast intensity (W·sr⁻¹)",
             .directionNote = "clockwise from the nose, 90° is starboard",
             .clockwise = true,
@@ -143,8 +147,9 @@ TEST_F(PlotPanelTest, ARightClickOpensTheMenuAndARightDragDoesNot) {
         auto* menu = panel->findChild<QMenu*>("plotMenu");
         ASSERT_NE(menu, nullptr);
         EXPECT_GE(menu->actions().size(), 12);
-        if (panel == cartesian.get())
+        if (panel == cartesian.get()) {
             test::keepScreenshot(*menu, "plot-menu");
+        }
         menu->close();
         QTest::qWait(10);
     }
@@ -186,8 +191,9 @@ TEST_F(PlotPanelTest, LimitsThatAreNotTypedStayExactThoughFewerDigitsAreShown) {
     const CartesianPlot::View view{{1.0 / 3.0, 2000.0 / 3.0}, {1e-18 / 7.0, 8.0 / 7.0}};
     cartesian->cartesian()->setView(view);
     onDialog = [](QDialog& dialog) {
-        for (const char* name : {"limit1From", "limit1To", "limit2From", "limit2To"})
+        for (const char* name : {"limit1From", "limit1To", "limit2From", "limit2To"}) {
             EXPECT_LE(dialog.findChild<QLineEdit*>(name)->text().size(), 11) << name;
+        }
     };
     cartesian->action("axisLimits")->trigger();
     EXPECT_EQ(cartesian->cartesian()->view(), view);

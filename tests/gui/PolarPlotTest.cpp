@@ -27,6 +27,7 @@ Curve rose(const QString& name, double level, double spikeAt = -1.0) {
 
 PolarData camera(std::vector<Curve> curves, bool clockwise = true) {
     return {.title = "Contrast intensity over camera azimuth, view offset 10°",
+            .conditions = {},
             .radiusTitle = "Contrast intensity (W·sr⁻¹)",
             .directionNote = "clockwise from the nose, 90° is starboard",
             .clockwise = clockwise,
@@ -158,10 +159,11 @@ TEST_F(PolarPlotTest, LivesWithMissingValuesAndWithNone) {
     plot.setData(camera({curve}));
     QTest::qWait(20);
     EXPECT_FALSE(drawnAt(plot.canvasPoint(35.0, there)));
-    for (const int neighbour : {5, 9})
+    for (const int neighbour : {5, 9}) {
         EXPECT_TRUE(drawnAt(plot.canvasPoint(curve.x[static_cast<std::size_t>(neighbour)],
                                              curve.y[static_cast<std::size_t>(neighbour)])))
             << neighbour;
+    }
 
     // A sample alone is a dot.
     plot.setData(camera({{"one", {10.0}, {5.0}}}));
@@ -178,9 +180,11 @@ TEST_F(PolarPlotTest, LivesWithMissingValuesAndWithNone) {
     const QImage empty = plot.canvas()->grab().toImage();
     const QColor color = PlotStyle::screen(plot.palette()).curve(0);
     long colored = 0;
-    for (int y = 0; y < empty.height(); ++y)
-        for (int x = 0; x < empty.width(); ++x)
+    for (int y = 0; y < empty.height(); ++y) {
+        for (int x = 0; x < empty.width(); ++x) {
             colored += empty.pixelColor(x, y) == color;
+        }
+    }
     EXPECT_EQ(colored, 0);
 }
 

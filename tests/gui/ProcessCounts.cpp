@@ -6,21 +6,45 @@
 
 namespace smat::test {
 
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Of a thread in /proc/self/task; empty when it has ended meanwhile.
+std::string nameOf(const fs::path& task) {
+    std::string name;
+    std::ifstream comm(task / "comm");
+    std::getline(comm, name);
+    return name;
+}
+
+} // namespace
+
 ProcessCounts processCounts() {
-    namespace fs = std::filesystem;
     ProcessCounts counts;
     const fs::directory_iterator files("/proc/self/fd");
     counts.files = static_cast<int>(std::distance(begin(files), end(files)));
     for (const auto& task : fs::directory_iterator("/proc/self/task")) {
-        std::string name;
-        std::ifstream comm(task.path() / "comm");
-        std::getline(comm, name);
-        if (name == "Thread (pooled)")
+        if (nameOf(task.path()) == "Thread (pooled)") {
             --counts.files;
-        else
+        } else {
             ++counts.threads;
+        }
     }
     return counts;
+}
+
+std::string openFiles() {
+    std::string list;
+    for (const auto& file : fs::directory_iterator("/proc/self/fd")) {
+        std::error_code gone;
+        const fs::path target = fs::read_symlink(file.path(), gone);
+        list += file.path().filename().string() + " -> " + target.string() + "\n";
+    }
+    for (const auto& task : fs::directory_iterator("/proc/self/task")) {
+        list += "thread " + nameOf(task.path()) + "\n";
+    }
+    return list;
 }
 
 } // namespace smat::test

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace smat::test {
 
 /// What this process holds, but for the threads of Qt's pools and the one file that each of them
@@ -11,5 +13,8 @@ struct ProcessCounts {
 
 /// Of /proc/self, now.
 ProcessCounts processCounts();
+
+/// What they are, one a line: "17 -> anon_inode:[eventfd]", and the names of the threads.
+std::string openFiles();
 
 } // namespace smat::test

@@ -294,8 +294,9 @@ TEST_F(ProjectFilesTest, ConvertsAModelAndSaysWhatItDid) {
     const auto out = folder / "ship.osgb";
     onDialog = [&](QDialog& dialog) {
         auto* form = dynamic_cast<ConvertModelDialog*>(&dialog);
-        if (form == nullptr)
+        if (form == nullptr) {
             return;
+        }
         form->setInput(QString::fromStdString(sample("ship.flt").string()));
         form->findChild<QLineEdit*>("output")->setText(QString::fromStdString(out.string()));
         form->findChild<QPushButton*>("convert")->click();
@@ -333,8 +334,9 @@ TEST_F(ProjectFilesTest, ACancelledConversionAnswersAtOnceAndWritesNothing) {
     // No thread is free, so that no conversion is over before it is cancelled.
     QSemaphore leave;
     const int threads = backgroundPool().maxThreadCount();
-    for (int i = 0; i < threads; ++i)
+    for (int i = 0; i < threads; ++i) {
         backgroundPool().start([&leave] { leave.acquire(); });
+    }
     const auto convert = [&](QDialog& dialog) {
         auto& form = dynamic_cast<ConvertModelDialog&>(dialog);
         form.setInput(QString::fromStdString(sample("ship.flt").string()));

@@ -45,8 +45,9 @@ TEST(NamedAnalysesTest, StaySortedByName) {
         project = withAnalysis(project, {}, data);
     }
     std::vector<std::string> names;
-    for (const auto& one : project.analyses)
+    for (const auto& one : project.analyses) {
         names.push_back(one.name);
+    }
     EXPECT_EQ(names, (std::vector<std::string>{"alpha", "mid", "mid 2", "zero"}));
 }
 

@@ -12,8 +12,9 @@ TEST(Readable, RaisesThePowersOfUnits) {
 }
 
 TEST(Readable, LeavesOtherWordsAsTheyAre) {
-    for (const char* word : {"", "counts", "DN8", "a x-y", "digital number 12", "W/sr"})
+    for (const char* word : {"", "counts", "DN8", "a x-y", "digital number 12", "W/sr"}) {
         EXPECT_EQ(readableUnit(word), word);
+    }
 }
 
 } // namespace

@@ -21,11 +21,14 @@ class RecoveryCopyTest : public test::WindowFixture {
         return std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.flt";
     }
     void empty() const {
-        for (const auto& recent : workbench.recentFiles())
-            for (const auto& copy : RecoveryCopy::leftBehind(recent.toStdString()))
+        for (const auto& recent : workbench.recentFiles()) {
+            for (const auto& copy : RecoveryCopy::leftBehind(recent.toStdString())) {
                 RecoveryCopy::remove(copy);
-        for (const auto& copy : RecoveryCopy::leftBehind({}))
+            }
+        }
+        for (const auto& copy : RecoveryCopy::leftBehind({})) {
             RecoveryCopy::remove(copy);
+        }
     }
     static void leave(const std::string& title, int number = 1) {
         Project left = projectOfModel(ship());
@@ -38,8 +41,9 @@ class RecoveryCopyTest : public test::WindowFixture {
     }
     static QStringList leftTitles() {
         QStringList titles;
-        for (const auto& copy : RecoveryCopy::leftBehind({}))
+        for (const auto& copy : RecoveryCopy::leftBehind({})) {
             titles << QString::fromStdString(RecoveryCopy::read(copy, {}).title);
+        }
         return titles;
     }
 };
@@ -85,8 +89,9 @@ TEST_F(RecoveryCopyTest, AModelOfTheCommandLineComesAfterWhatIsRecovered) {
 }
 
 TEST_F(RecoveryCopyTest, EveryCopyThatWasLeftBehindIsOffered) {
-    for (int number = 1; number <= 3; ++number)
+    for (int number = 1; number <= 3; ++number) {
         leave("Crash " + std::to_string(number), number);
+    }
     // Newest first; the first is discarded, the second left alone and the third taken.
     answers = {1, -1, 0};
     EXPECT_TRUE(window->begin({}));
@@ -101,8 +106,9 @@ TEST_F(RecoveryCopyTest, AStartOffersTheNewestUnsavedChangesOfTheRecentProjects)
     const auto older = test::writeSampleProject(test::freshFolder("older"));
     const auto newer = test::writeSampleProject(test::freshFolder("newer"));
     const auto clean = test::writeSampleProject(test::freshFolder("clean"));
-    for (const auto& project : {newer, older, clean})
+    for (const auto& project : {newer, older, clean}) {
         EXPECT_TRUE(opens(project));
+    }
     auto leaveOf = [](const std::filesystem::path& project, const char* range, int hours) {
         Project left = loadProject(project);
         left.settings.set("camera.range", range);
@@ -123,8 +129,9 @@ TEST_F(RecoveryCopyTest, AStartOffersTheNewestUnsavedChangesOfTheRecentProjects)
         EXPECT_EQ(bench.hasProject(), reply == 0);
         EXPECT_TRUE(std::filesystem::exists(RecoveryCopy::pathFor(newer)));
         EXPECT_TRUE(std::filesystem::exists(RecoveryCopy::pathFor(older)));
-        if (reply != 0)
+        if (reply != 0) {
             continue;
+        }
         EXPECT_EQ(bench.project().file, newer);
         EXPECT_EQ(bench.settings().text("camera.range"), "8");
         EXPECT_TRUE(bench.isModified());

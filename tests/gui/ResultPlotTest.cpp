@@ -31,6 +31,38 @@ TEST(ResultPlotTest, StatesModeOffsetAndDirection) {
     EXPECT_DOUBLE_EQ(data.curves.at(0).y.at(9), 190.0);
 }
 
+TEST(ResultPlotTest, SaysTheConditionsUnderTheTitle) {
+    auto table = test::polarTable("camera-azimuth");
+    table.provenance.add("analysis", "polar");
+    table.provenance.add("sensor.band", "8-12 um");
+    table.provenance.add("target.altitude", "1500 m");
+    const auto data = polarData({{"run", &table}}, "contrast_intensity");
+    EXPECT_EQ(data.conditions,
+              "8-12 µm · range 1000 m · elevation 12° · altitude 1500 m · vacuum · time 0 s");
+    // Of two that differ in the band the rest is said.
+    auto other = table;
+    other.provenance.entries[2].second = "3-5 um";
+    const auto both = polarData({{"a", &table}, {"b", &other}}, "contrast_intensity");
+    EXPECT_FALSE(both.conditions.contains("µm")) << both.conditions.toStdString();
+    EXPECT_TRUE(both.conditions.contains("altitude 1500 m"));
+}
+
+TEST(ResultPlotTest, DrawsACurveForEachTurnOfAPolarPlot) {
+    ResultTable table = test::polarTable("camera-azimuth");
+    for (int angle = 0; angle < 360; angle += 10) {
+        table.addRow({1.0 * angle, 1.0 * angle, 30.0, 0.0, 1.0, 2.0 + angle});
+    }
+    const auto data = polarData({{"run", &table}}, "contrast_intensity");
+    ASSERT_EQ(data.curves.size(), 2U);
+    EXPECT_EQ(data.curves[0].name, "elevation 12°");
+    EXPECT_EQ(data.curves[1].name, "elevation 30°");
+    EXPECT_EQ(data.curves[0].x.size(), 36U);
+    EXPECT_EQ(data.curves[1].y.front(), 2.0);
+    EXPECT_TRUE(data.title.contains("several view offsets")) << data.title.toStdString();
+    const NamedResult a{"a", &table, false}, b{"b", &table, false};
+    EXPECT_EQ(polarData({a, b}, "intensity").curves[3].name, "b, elevation 30°");
+}
+
 TEST(ResultPlotTest, TurnsCounterClockwiseForTheOtherModes) {
     for (const auto* type : {"camera-elevation", "model-yaw"}) {
         const auto table = test::polarTable(type);
@@ -68,11 +100,12 @@ ResultTable tableOfSeries() {
     table.add(irsg::Quantity::range);
     double value = 1.0;
     std::vector<double> row = {100.0};
-    for (const char* object : {"", "near.", "far."})
+    for (const char* object : {"", "near.", "far."}) {
         for (const char* band : {"@3-5um", "@8-12um"}) {
             table.add(object + std::string("contrast_intensity") + band, "W sr-1");
             row.push_back(value++);
         }
+    }
     table.addRow(row);
     row[0] = 200.0;
     table.addRow(row);

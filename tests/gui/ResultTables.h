@@ -7,14 +7,17 @@ namespace smat::gui::test {
 /// A polar result of 36 angles, contrast intensity 100 + angle, at an elevation of 12 degrees.
 inline ResultTable polarTable(const std::string& type = "") {
     ResultTable table;
-    if (!type.empty())
+    if (!type.empty()) {
         table.provenance.add("polar.type", type);
+    }
     using irsg::Quantity;
     for (const auto quantity : {Quantity::angle, Quantity::azimuth, Quantity::elevation,
-                                Quantity::yaw, Quantity::intensity, Quantity::contrastIntensity})
+                                Quantity::yaw, Quantity::intensity, Quantity::contrastIntensity}) {
         table.add(quantity);
-    for (int angle = 0; angle < 360; angle += 10)
+    }
+    for (int angle = 0; angle < 360; angle += 10) {
         table.addRow({1.0 * angle, 1.0 * angle, 12.0, 0.0, 300.0 + angle, 100.0 + angle});
+    }
     return table;
 }
 
@@ -22,10 +25,13 @@ inline ResultTable polarTable(const std::string& type = "") {
 inline ResultTable rangeTable() {
     ResultTable table;
     using irsg::Quantity;
-    for (const auto quantity : {Quantity::range, Quantity::intensity, Quantity::contrastIntensity})
+    for (const auto quantity :
+         {Quantity::range, Quantity::intensity, Quantity::contrastIntensity}) {
         table.add(quantity);
-    for (double range = 500.0; range <= 8000.0; range += 500.0)
+    }
+    for (double range = 500.0; range <= 8000.0; range += 500.0) {
         table.addRow({range, 1.2e9 / (range * range), 1e9 / (range * range)});
+    }
     return table;
 }
 

@@ -28,8 +28,9 @@ class ResultsDockTest : public test::WindowFixture {
   protected:
     void SetUp() override {
         WindowFixture::SetUp();
-        if (!IsSkipped())
+        if (!IsSkipped()) {
             openSample();
+        }
     }
     QListWidget* list() const { return window->findChild<QListWidget*>("resultList"); }
     QAction* action(const char* name) const {
@@ -37,8 +38,9 @@ class ResultsDockTest : public test::WindowFixture {
     }
     void choose(const QList<int>& rows) {
         list()->clearSelection();
-        for (const int row : rows)
+        for (const int row : rows) {
             list()->item(row)->setSelected(true);
+        }
     }
     void settle() {
         ASSERT_TRUE(test::waitUntil([this] { return !workbench.isRunning(); }));
@@ -112,8 +114,9 @@ TEST_F(ResultsDockTest, ShowsTheCommandLineAndCopiesIt) {
         EXPECT_EQ(QApplication::clipboard()->text(), text);
         const auto* list = dialog.findChild<QTreeWidget*>("provenance");
         EXPECT_GT(list->topLevelItemCount(), 8);
-        for (const char* stage : {"Time: load", "Time: set up", "Time: analyse", "Time: sum"})
+        for (const char* stage : {"Time: load", "Time: set up", "Time: analyse", "Time: sum"}) {
             EXPECT_EQ(list->findItems(stage, Qt::MatchStartsWith).isEmpty(), false) << stage;
+        }
         test::keepScreenshot(dialog, "result-details");
         seen = true;
     };
@@ -122,8 +125,9 @@ TEST_F(ResultsDockTest, ShowsTheCommandLineAndCopiesIt) {
     // The stages leave nothing of the run out.
     const AnalysisData& data = *workbench.results().front().data;
     double sum_s = 0.0;
-    for (const auto& stage : data.stages)
+    for (const auto& stage : data.stages) {
         sum_s += stage.seconds;
+    }
     EXPECT_GE(sum_s, data.elapsed_s);
 }
 
@@ -136,10 +140,12 @@ TEST_F(ResultsDockTest, SavesInEveryFormAndOpensAsAResultAgain) {
         action("saveResult")->trigger();
         EXPECT_GT(std::filesystem::file_size(folder / name), 100U) << name;
     };
-    for (const char* name : {"p.csv", "p.json"})
+    for (const char* name : {"p.csv", "p.json"}) {
         saved(0, name);
-    for (const char* name : {"i.exr", "i.csv", "i.png", "i.json"})
+    }
+    for (const char* name : {"i.exr", "i.csv", "i.png", "i.json"}) {
         saved(1, name);
+    }
     for (const char* name : {"p.csv", "p.json", "i.exr", "i.csv"}) {
         chosen = path(name);
         action("openResult")->trigger();
@@ -178,8 +184,9 @@ TEST_F(ResultsDockTest, SubtractsTwoResultsOnOneAxis) {
     const auto& difference = workbench.results()[2].data->table;
     const auto& a = workbench.results()[0].data->table.find("contrast_intensity")->values;
     const auto& b = workbench.results()[1].data->table.find("contrast_intensity")->values;
-    for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t i = 0; i < a.size(); ++i) {
         EXPECT_DOUBLE_EQ(difference.find("difference_contrast_intensity")->values[i], a[i] - b[i]);
+    }
     const auto& shown = window->currentPage()->cartesianPlot()->data();
     EXPECT_EQ(shown.yTitle, "Difference of contrast intensity (W·sr⁻¹)");
     test::keepScreenshot(*window, "window-difference");
@@ -258,11 +265,12 @@ TEST_F(ResultsDockTest, LooksRightInTheDark) {
     const auto share = [](QWidget& widget, int least, int most) {
         const QImage picture = widget.grab().toImage();
         long found = 0;
-        for (int y = 0; y < picture.height(); ++y)
+        for (int y = 0; y < picture.height(); ++y) {
             for (int x = 0; x < picture.width(); ++x) {
                 const int lightness = picture.pixelColor(x, y).lightness();
                 found += lightness >= least && lightness <= most;
             }
+        }
         return static_cast<double>(found) / (picture.width() * picture.height());
     };
     const auto isDarkThere = [&](QWidget& widget) {

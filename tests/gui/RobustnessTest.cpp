@@ -57,7 +57,7 @@ TEST_F(RobustnessTest, ProjectsThatCannotBeReadAreToldAndNothingIsLost) {
           Row{"empty", "", "damaged.smat"},
           Row{"binary", std::string("\x00\x01\xff\xfe", 4), "damaged.smat"},
           Row{"other json", "[1, 2, 3]", "damaged.smat"},
-          Row{"wrong value", R"({"version": 1, "camera": {"range": "far"}})", "camera.range"}}) {
+          Row{"wrong value", R"({"version": 1, "camera": {"range": "far"}})", "Range: \"far\""}}) {
         std::ofstream(folder / "damaged.smat", std::ios::binary) << row.text;
         told.clear();
         answer = 1; // the changes of the one that is open may go, if the other can be opened
@@ -73,8 +73,9 @@ TEST_F(RobustnessTest, ProjectsThatCannotBeReadAreToldAndNothingIsLost) {
 
 TEST_F(RobustnessTest, AFullDiskLeavesTheOldFileWhole) {
     const test::SmallDisk disk("full-disk");
-    if (!disk.isThere())
+    if (!disk.isThere()) {
         GTEST_SKIP() << "a small disk can be mounted by root alone";
+    }
     const auto file = disk / "ship.smat";
     std::filesystem::copy_file(test::writeSampleProject(folder), file);
     const std::string before = readTextFile(file);
@@ -133,12 +134,14 @@ TEST_F(RobustnessTest, EveryFieldOfTheDocksIsReachedByTab) {
     QWidget* at = first;
     do {
         at = at->nextInFocusChain();
-        if (at->focusPolicy() & Qt::TabFocus)
+        if (at->focusPolicy() & Qt::TabFocus) {
             reached << at->objectName();
+        }
     } while (at != first);
     for (const auto* name : {"camera.azimuth", "camera.azimuth.slider", "camera.range",
-                             "target.roll", "state.mach", "sceneTree", "resultList"})
+                             "target.roll", "state.mach", "sceneTree", "resultList"}) {
         EXPECT_TRUE(reached.contains(name)) << name;
+    }
     // In the order in which they stand.
     EXPECT_LT(reached.indexOf("camera.elevation"), reached.indexOf("camera.range"));
     EXPECT_LT(reached.indexOf("target.yaw"), reached.indexOf("target.pitch"));

@@ -30,8 +30,9 @@ std::filesystem::path writeSampleProject(const std::filesystem::path& folder) {
 bool waitUntil(const std::function<bool()>& done, double seconds) {
     QElapsedTimer clock;
     clock.start();
-    while (!done() && static_cast<double>(clock.elapsed()) < seconds * 1000.0)
+    while (!done() && static_cast<double>(clock.elapsed()) < seconds * 1000.0) {
         QTest::qWait(5);
+    }
     return done();
 }
 

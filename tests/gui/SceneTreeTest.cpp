@@ -43,8 +43,9 @@ class SceneTreeTest : public test::WindowFixture {
     }
     QTreeWidgetItem* find(const QString& start) {
         for (QTreeWidgetItemIterator it(window->findChild<QTreeWidget*>("sceneTree")); *it; ++it) {
-            if ((*it)->text(0).startsWith(start))
+            if ((*it)->text(0).startsWith(start)) {
                 return *it;
+            }
         }
         return nullptr;
     }
@@ -59,8 +60,9 @@ TEST_F(SceneTreeTest, ShowsModelsIndicesSensorAirAndAnalyses) {
                               .database;
     const auto& [number, entry] = *database.temperatures.begin();
     EXPECT_NE(find(QString("%1  %2").arg(number).arg(QString::fromStdString(entry.name))), nullptr);
-    for (const auto* start : {"Sensor", "Atmosphere", "Sun", "Analyses", "polar", "Materials"})
+    for (const auto* start : {"Sensor", "Atmosphere", "Sun", "Analyses", "polar", "Materials"}) {
         EXPECT_NE(find(start), nullptr) << start;
+    }
     EXPECT_FALSE(window->tree().index().front().hasMissing());
     find("Temperatures")->setExpanded(true);
     find("Materials")->setExpanded(true);
@@ -139,8 +141,9 @@ TEST_F(SceneTreeTest, AnIndexIsSelectedInTheEditorAndItsFacesAreMarked) {
 TEST_F(SceneTreeTest, ShowsTheEntriesAsTheyAreEdited) {
     // A copy: editing writes beside the file.
     const auto ship = std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship";
-    for (const char* name : {"ship.flt", "ship.sigdb"})
+    for (const char* name : {"ship.flt", "ship.sigdb"}) {
         std::filesystem::copy_file(ship / name, folder / name);
+    }
     saveProject(projectOfModel(folder / "ship.flt", folder / "ship.sigdb"), folder / "ship.smat");
     ASSERT_TRUE(window->open(folder / "ship.smat"));
     wait();

@@ -21,8 +21,9 @@ namespace {
 class SceneViewTest : public ::testing::Test {
   protected:
     void SetUp() override {
-        if (test::lacksGl())
+        if (test::lacksGl()) {
             GTEST_SKIP() << "this desktop gives no OpenGL context";
+        }
     }
     SceneViewTest() : project(loadProject(test::writeSampleProject(test::freshFolder("view")))) {
         view.resize(480, 360);
@@ -70,8 +71,9 @@ Extent extentOf(int width, int height, const std::function<bool(int, int)>& cove
     long count = 0;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            if (!covered(x, y))
+            if (!covered(x, y)) {
                 continue;
+            }
             const double u = (x + 0.5) / width;
             const double v = (y + 0.5) / height;
             e.left = std::min(e.left, u);

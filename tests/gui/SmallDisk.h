@@ -17,8 +17,9 @@ class SmallDisk {
         : place_(freshFolder(name)),
           isMounted_(::mount("tmpfs", place_.c_str(), "tmpfs", 0, "size=1m") == 0) {}
     ~SmallDisk() {
-        if (isMounted_)
+        if (isMounted_) {
             ::umount2(place_.c_str(), MNT_DETACH);
+        }
     }
     SmallDisk(const SmallDisk&) = delete;
     SmallDisk& operator=(const SmallDisk&) = delete;
@@ -30,8 +31,9 @@ class SmallDisk {
     const std::filesystem::path& place() const { return place_; }
     void fill() const {
         std::ofstream filler(place_ / "filler", std::ios::binary);
-        for (int i = 0; i < 1200 && filler; ++i)
+        for (int i = 0; i < 1200 && filler; ++i) {
             filler << std::string(1024, 'x') << std::flush;
+        }
     }
     void empty() const { std::filesystem::remove(place_ / "filler"); }
 

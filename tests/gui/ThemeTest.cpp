@@ -45,20 +45,22 @@ TEST_F(ThemeTest, FollowsTheDesktopUnlessOneIsChosen) {
 TEST_F(ThemeTest, ButtonsOfMessagesAndDialogsHaveNoIcons) {
     QMessageBox box(QMessageBox::Warning, "title", "text",
                     QMessageBox::Ok | QMessageBox::Cancel | QMessageBox::Discard, window.get());
-    for (const auto* button : box.buttons())
+    for (const auto* button : box.buttons()) {
         EXPECT_TRUE(button->icon().isNull()) << button->text().toStdString();
+    }
 }
 
 /// Mean lightness of what an icon draws, 0 to 255; 128 for nothing.
 double lightnessOf(const QIcon& icon) {
     const QImage drawn = icon.pixmap(24).toImage();
     double sum = 0.0, weight = 0.0;
-    for (int y = 0; y < drawn.height(); ++y)
+    for (int y = 0; y < drawn.height(); ++y) {
         for (int x = 0; x < drawn.width(); ++x) {
             const QColor pixel = drawn.pixelColor(x, y);
             sum += pixel.alphaF() * pixel.lightnessF() * 255.0;
             weight += pixel.alphaF();
         }
+    }
     return weight > 0.0 ? sum / weight : 128.0;
 }
 
@@ -66,28 +68,37 @@ double lightnessOf(const QIcon& icon) {
 std::map<QString, QIcon> iconsOf(QWidget& window) {
     std::map<QString, QIcon> icons;
     const auto keep = [&](const QString& where, const QIcon& icon) {
-        if (!icon.isNull())
+        if (!icon.isNull()) {
             icons.emplace(where, icon);
+        }
     };
-    for (auto* button : window.findChildren<QAbstractButton*>())
-        if (button->isVisible())
+    for (auto* button : window.findChildren<QAbstractButton*>()) {
+        if (button->isVisible()) {
             keep("button " + button->objectName() + " " + button->text() + button->toolTip(),
                  button->icon());
-    for (auto* tabs : window.findChildren<QTabWidget*>())
-        for (int i = 0; i < tabs->count(); ++i)
+        }
+    }
+    for (auto* tabs : window.findChildren<QTabWidget*>()) {
+        for (int i = 0; i < tabs->count(); ++i) {
             keep("tab " + tabs->tabText(i), tabs->tabIcon(i));
-    for (auto* list : window.findChildren<QListWidget*>())
-        for (int i = 0; i < list->count(); ++i)
+        }
+    }
+    for (auto* list : window.findChildren<QListWidget*>()) {
+        for (int i = 0; i < list->count(); ++i) {
             keep("list " + list->item(i)->text(), list->item(i)->icon());
-    for (auto* action : window.findChildren<QAction*>())
+        }
+    }
+    for (auto* action : window.findChildren<QAction*>()) {
         keep("action " + action->objectName() + " " + action->text(), action->icon());
+    }
     return icons;
 }
 
 TEST_F(ThemeTest, EveryIconTurnsWithTheTheme) {
     openSample();
-    for (const char* word : {"image", "polar", "range"})
+    for (const char* word : {"image", "polar", "range"}) {
         runAnalysis(word);
+    }
     const auto& results = workbench.results();
     window->compareResults(results[0].id, results[0].id);
     auto* tabs = window->findChild<QTabWidget*>("tabs");
@@ -97,16 +108,18 @@ TEST_F(ThemeTest, EveryIconTurnsWithTheTheme) {
         applyTheme(*qApp, ThemeMode::light);
         QTest::qWait(20);
         std::map<QString, double> light;
-        for (const auto& [where, icon] : iconsOf(*window))
+        for (const auto& [where, icon] : iconsOf(*window)) {
             light[where] = lightnessOf(icon);
+        }
         applyTheme(*qApp, ThemeMode::dark);
         QTest::qWait(20);
         test::keepScreenshot(*window, "theme-dark-" + std::to_string(page));
         int drawn = 0;
         for (const auto& [where, icon] : iconsOf(*window)) {
             const auto before = light.find(where);
-            if (before == light.end() || before->second > 80.0)
+            if (before == light.end() || before->second > 80.0) {
                 continue; // has colours of its own
+            }
             EXPECT_GT(lightnessOf(icon), before->second + 30.0) << where.toStdString();
             ++drawn;
         }

@@ -35,8 +35,9 @@ TEST_F(UndoTest, StepsAreNamedAfterSettingValueAndUnit) {
 }
 
 TEST_F(UndoTest, TypingOneNumberIsOneStep) {
-    for (const auto* text : {"1", "12", "12.", "12.3"})
+    for (const auto* text : {"1", "12", "12.", "12.3"}) {
         workbench.set("camera.elevation", text);
+    }
     EXPECT_EQ(workbench.undoStack().count(), 1);
     EXPECT_EQ(next(), "Set elevation to 12.3°");
     workbench.closeStep();
@@ -50,8 +51,9 @@ TEST_F(UndoTest, ADragIsOneStepHoweverLongItTakes) {
     workbench.holdStep();
     for (int i = 0; i < 5; ++i) {
         workbench.setCamera({10.0 + i, i > 2 ? 20.0 : 15.0, 1000.0});
-        if (i == 2)
+        if (i == 2) {
             QTest::qWait(1700);
+        }
     }
     workbench.closeStep();
     EXPECT_EQ(workbench.undoStack().count(), 1);
@@ -119,12 +121,13 @@ TEST_F(UndoInWindowTest, TheEditMenuNamesTheStep) {
     EXPECT_EQ(field->text(), "1200");
 }
 
-TEST_F(UndoInWindowTest, TurningTheModelByTheMouseIsOneStep) {
+TEST_F(UndoInWindowTest, MovingTheSensorByTheMouseIsOneStep) {
     openSample();
     auto* view = window->sceneView();
-    QTest::mousePress(view, Qt::LeftButton, {}, {200, 200});
-    for (int i = 1; i < 6; ++i)
+    QTest::mousePress(view, Qt::LeftButton, Qt::ControlModifier, {200, 200});
+    for (int i = 1; i < 6; ++i) {
         QTest::mouseMove(view, {200 + 10 * i, 200 + 3 * i});
+    }
     QTest::mouseRelease(view, Qt::LeftButton, {}, {250, 215});
     EXPECT_NE(workbench.camera().azimuth_deg, 60.0);
     EXPECT_EQ(workbench.undoStack().count(), 1);

@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QGroupBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -60,41 +61,58 @@ class UserGuideTest : public test::WindowFixture {
     void openEverything() {
         openSample();
         onDialog = [this](QDialog& dialog) { collect(dialog); };
-        for (const char* analysis : {"polar", "range", "image"})
+        for (const char* analysis : {"polar", "range", "image"}) {
             runAnalysis(analysis);
+        }
         accept = false;
         for (const char* name :
              {"newProject", "projectProperties", "convertModel", "preferences", "options",
               "analysisSettings", "compareImages", "radiativeOutput", "temperatureProfile",
-              "monteCarlo", "menuLibrary", "showShortcuts", "findCommand", "showAbout"})
+              "monteCarlo", "menuLibrary", "showShortcuts", "findCommand", "showAbout"}) {
             trigger(name);
+        }
         auto* tabs = window->findChild<QTabWidget*>("tabs");
         emit tabs->tabBar()->customContextMenuRequested(tabs->tabBar()->tabRect(1).center());
         collect(*window);
-        if (auto* menu = window->findChild<QMenu*>("tabMenu"))
+        if (auto* menu = window->findChild<QMenu*>("tabMenu")) {
             menu->close();
+        }
     }
     void know(const QString& text) { words_.insert(folded(text)); }
     void collect(QWidget& within) {
-        for (const auto* action : within.findChildren<QAction*>())
+        for (const auto* action : within.findChildren<QAction*>()) {
             know(action->text());
-        for (const auto* button : within.findChildren<QAbstractButton*>())
+        }
+        for (const auto* button : within.findChildren<QAbstractButton*>()) {
             know(button->text());
-        for (const auto* label : within.findChildren<QLabel*>())
+        }
+        for (const auto* line : within.findChildren<QLineEdit*>()) {
+            know(line->placeholderText());
+        }
+        for (const auto* label : within.findChildren<QLabel*>()) {
             know(label->text());
-        for (const auto* group : within.findChildren<QGroupBox*>())
+        }
+        for (const auto* group : within.findChildren<QGroupBox*>()) {
             know(group->title());
-        for (const auto* dock : within.findChildren<QDockWidget*>())
+        }
+        for (const auto* dock : within.findChildren<QDockWidget*>()) {
             know(dock->windowTitle());
-        for (const auto* tabs : within.findChildren<QTabBar*>())
-            for (int i = 0; i < tabs->count(); ++i)
+        }
+        for (const auto* tabs : within.findChildren<QTabBar*>()) {
+            for (int i = 0; i < tabs->count(); ++i) {
                 know(tabs->tabText(i));
-        for (const auto* tree : within.findChildren<QTreeWidget*>())
-            for (int i = 0; i < tree->columnCount(); ++i)
+            }
+        }
+        for (const auto* tree : within.findChildren<QTreeWidget*>()) {
+            for (int i = 0; i < tree->columnCount(); ++i) {
                 know(tree->headerItem()->text(i));
-        for (const auto* box : within.findChildren<QComboBox*>())
-            for (int i = 0; i < box->count(); ++i)
+            }
+        }
+        for (const auto* box : within.findChildren<QComboBox*>()) {
+            for (int i = 0; i < box->count(); ++i) {
                 know(box->itemText(i));
+            }
+        }
     }
     bool isKnown(const QString& words) const { return words_.contains(folded(words)); }
 
@@ -104,11 +122,14 @@ class UserGuideTest : public test::WindowFixture {
         const QAction* found = nullptr;
         for (const QString& step : path) {
             found = nullptr;
-            for (const QAction* entry : entries)
-                if (plain(entry->text()) == step)
+            for (const QAction* entry : entries) {
+                if (plain(entry->text()) == step) {
                     found = entry;
-            if (found == nullptr)
+                }
+            }
+            if (found == nullptr) {
                 return nullptr;
+            }
             entries = found->menu() != nullptr ? found->menu()->actions() : QList<QAction*>();
         }
         return found;
@@ -120,11 +141,12 @@ class UserGuideTest : public test::WindowFixture {
 TEST_F(UserGuideTest, EveryQuotedMenuEntryIsThereUnderThatNameAndKey) {
     openSample();
     int paths = 0;
-    for (const char* folder : {"docs/user-guide", "docs"})
+    for (const char* folder : {"docs/user-guide", "docs"}) {
         for (const Quotation& one : quotationsIn(folder)) {
             const QStringList path = one.words.split(" → ");
-            if (path.size() < 2)
+            if (path.size() < 2) {
                 continue;
+            }
             ++paths;
             const QAction* entry = entryOf(path);
             ASSERT_NE(entry, nullptr) << one.page.toStdString() << ": " << one.words.toStdString();
@@ -135,6 +157,7 @@ TEST_F(UserGuideTest, EveryQuotedMenuEntryIsThereUnderThatNameAndKey) {
                     << one.keys.toStdString();
             }
         }
+    }
     EXPECT_GT(paths, 15);
 }
 
@@ -155,9 +178,10 @@ TEST_F(UserGuideTest, KeysInTablesAreThoseOfTheEntriesTheyStandBeside) {
                 const auto match = it.next();
                 ++rows;
                 bool isRight = false;
-                for (const auto* action : window->findChildren<QAction*>())
+                for (const auto* action : window->findChildren<QAction*>()) {
                     isRight |= folded(action->text()) == folded(match.captured(1)) &&
                                action->shortcuts().contains(QKeySequence(match.captured(2)));
+                }
                 EXPECT_TRUE(isRight)
                     << name.toStdString() << ": " << match.captured(0).toStdString();
             }
@@ -171,11 +195,13 @@ TEST_F(UserGuideTest, EveryQuotedWordStandsSomewhereInTheWindowsAndDialogs) {
     QStringList unknown;
     int count = 0;
     for (const Quotation& one : quotationsIn("docs/user-guide")) {
-        if (one.words.contains(" → "))
+        if (one.words.contains(" → ")) {
             continue;
+        }
         ++count;
-        if (!isKnown(one.words))
+        if (!isKnown(one.words)) {
             unknown << one.page + ": " + one.words;
+        }
     }
     EXPECT_TRUE(unknown.isEmpty()) << unknown.join('\n').toStdString();
     EXPECT_GT(count, 30);

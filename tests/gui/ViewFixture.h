@@ -20,8 +20,9 @@ namespace smat::gui::test {
 class ViewFixture : public ::testing::Test {
   protected:
     void SetUp() override {
-        if (lacksGl())
+        if (lacksGl()) {
             GTEST_SKIP() << "this desktop gives no OpenGL context";
+        }
     }
     static Project sample(const std::string& name) {
         const auto folder = std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / name;

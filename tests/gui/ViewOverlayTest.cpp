@@ -42,21 +42,25 @@ class ViewOverlayTest : public test::ViewFixture {
     static bool has(const QImage& picture, const QPointF& at, const QColor& color) {
         const double ratio = picture.devicePixelRatio();
         const int reach = static_cast<int>(std::ceil(ratio));
-        for (int dy = -reach; dy <= reach; ++dy)
+        for (int dy = -reach; dy <= reach; ++dy) {
             for (int dx = -reach; dx <= reach; ++dx) {
                 const QPoint pixel(static_cast<int>(std::floor(ratio * at.x())) + dx,
                                    static_cast<int>(std::floor(ratio * at.y())) + dy);
-                if (picture.rect().contains(pixel) && apart(picture.pixelColor(pixel), color) < 40)
+                if (picture.rect().contains(pixel) &&
+                    apart(picture.pixelColor(pixel), color) < 40) {
                     return true;
+                }
             }
+        }
         return false;
     }
     /// Parts of a line that have its colour, of 12; all for a line too short to tell.
     static int seenOf(const QImage& picture, const QPointF& from, const QPointF& to,
                       const QColor& color) {
         int seen = 0;
-        for (int i = 1; i <= 12; ++i)
+        for (int i = 1; i <= 12; ++i) {
             seen += has(picture, from + (to - from) * (0.2 + 0.75 * i / 12.0), color);
+        }
         return seen;
     }
     QImage picture() {

@@ -1,6 +1,7 @@
 #include <QApplication>
 
 #include "gui/Theme.h"
+#include "gui/image/ColorBar.h"
 #include "gui/view/ModelPage.h"
 #include "tests/gui/ViewFixture.h"
 
@@ -17,7 +18,7 @@ TEST_F(ViewScreenshotTest, EveryDisplayInBothThemes) {
     for (const auto mode : {ThemeMode::light, ThemeMode::dark}) {
         applyTheme(*qApp, mode);
         const std::string theme = mode == ThemeMode::dark ? "-dark" : "-light";
-        for (const std::string name : {"turboprop4", "ship", "sphere"}) {
+        for (const std::string name : {"turboprop4", "ship", "sphere", "heron", "corvette"}) {
             const auto folder = std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / name;
             const Project shown = loadProject(folder / (name + ".smat"));
             ModelPage page;
@@ -32,8 +33,9 @@ TEST_F(ViewScreenshotTest, EveryDisplayInBothThemes) {
             QTest::qWait(60);
             test::keepScreenshot(page, "view-visible-" + name + theme);
             const auto at = QPointF(seen.width() / 2.0, seen.height() / 2.0);
-            if (const auto hits = seen.facesAt(at); !hits.empty())
+            if (const auto hits = seen.facesAt(at); !hits.empty()) {
                 seen.setHighlighted({hits.front().codes.temperature, {}, {}});
+            }
             QTest::qWait(30);
             test::keepScreenshot(page, "view-marked-" + name + theme);
             seen.setDisplay(ViewDisplay::infrared);
@@ -90,11 +92,13 @@ TEST_F(ViewScreenshotTest, TheStripTheMenuAndTheKeysSayTheSame) {
 
     // No two entries share a key.
     QStringList keys;
-    for (const QAction* action : page.findChildren<QAction*>())
-        if (!action->shortcut().isEmpty())
+    for (const QAction* action : page.findChildren<QAction*>()) {
+        if (!action->shortcut().isEmpty()) {
             keys << action->shortcut().toString();
+        }
+    }
     EXPECT_EQ(QSet<QString>(keys.begin(), keys.end()).size(), keys.size());
-    EXPECT_EQ(keys.size(), 7);
+    EXPECT_EQ(keys.size(), 16);
 }
 
 } // namespace

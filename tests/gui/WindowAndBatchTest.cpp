@@ -27,8 +27,9 @@ namespace {
 std::vector<std::string> argumentsOf(const std::string& command) {
     std::istringstream words(command);
     std::vector<std::string> list;
-    for (std::string word; words >> word;)
+    for (std::string word; words >> word;) {
         list.push_back(word);
+    }
     list.erase(list.begin());
     return list;
 }
@@ -148,18 +149,32 @@ TEST_F(WindowAndBatchTest, EveryWayToComputeEqualsItsCommandLineByteForByte) {
 }
 
 TEST(ProcessCountsTest, CountThreadsButThoseOfPools) {
+    // What the first wait and the first pool of a process open for good is open before.
+    const auto fill = [](QThreadPool& pool, QSemaphore& leave) {
+        pool.setMaxThreadCount(3);
+        for (int i = 0; i < 3; ++i) {
+            pool.start([&leave] { leave.acquire(); });
+        }
+        EXPECT_TRUE(test::waitUntil([&] { return pool.activeThreadCount() == 3; }));
+    };
+    QSemaphore leave;
+    {
+        QThreadPool first;
+        fill(first, leave);
+        leave.release(3);
+    }
     const smat::test::ProcessCounts before = smat::test::processCounts();
     QThreadPool pool;
-    pool.setMaxThreadCount(3);
-    QSemaphore leave;
-    for (int i = 0; i < 3; ++i)
-        pool.start([&leave] { leave.acquire(); });
-    EXPECT_TRUE(test::waitUntil([&] { return pool.activeThreadCount() == 3; }));
-    QTest::qWait(20); // a thread begins before it has its name
-    EXPECT_EQ(smat::test::processCounts().threads, before.threads);
-    EXPECT_EQ(smat::test::processCounts().files, before.files);
+    fill(pool, leave);
+    // A thread begins before it has its name, and has its name before it opens its file.
+    const auto holds = [&before](int threads, int files) {
+        const smat::test::ProcessCounts now = smat::test::processCounts();
+        return now.threads == before.threads + threads && now.files == before.files + files;
+    };
+    EXPECT_TRUE(test::waitUntil([&] { return holds(0, 0); })) << smat::test::openFiles();
     std::jthread ours([&] { leave.acquire(); });
-    EXPECT_EQ(smat::test::processCounts().threads, before.threads + 1);
+    std::ifstream file("/proc/self/status");
+    EXPECT_TRUE(test::waitUntil([&] { return holds(1, 1); })) << smat::test::openFiles();
     leave.release(4);
 }
 
@@ -171,8 +186,9 @@ TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
          {std::pair("sensor.width", "24"), std::pair("sensor.height", "20"),
           std::pair("render.antialiasing", "0"), std::pair("polar.step", "90"),
           std::pair("range.points", "3"), std::pair("time.step", "5"),
-          std::pair("spectrum.resolution", "200")})
+          std::pair("spectrum.resolution", "200")}) {
         tiny.set(key, text);
+    }
     workbench.set(tiny);
     workbench.save(); // else a recovery copy is made on the way, with a lock of its own
     const auto runOne = [&](int number) {
@@ -189,8 +205,9 @@ TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
         workbench.removeResult(workbench.results().front().id);
     };
     // What is loaded once stays: a renderer, a model, a database.
-    for (int number = 0; number < 40; ++number)
+    for (int number = 0; number < 40; ++number) {
         runOne(number);
+    }
     QTest::qWait(50);
     const smat::test::ProcessCounts before = smat::test::processCounts();
     // Not counted is what Qt keeps of drawn buttons (up to 10 MB) and what the C library keeps of
@@ -206,12 +223,13 @@ TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
     EXPECT_GT(heldBefore.framebuffers, 0);
     EXPECT_GT(heldBefore.contexts, 0);
     const long before_kB = memory_kB();
-    for (int number = 0; number < 200; ++number)
+    for (int number = 0; number < 200; ++number) {
         runOne(number);
-    QTest::qWait(50);
-    const smat::test::ProcessCounts after = smat::test::processCounts();
-    EXPECT_LE(after.threads, before.threads);
-    EXPECT_LE(after.files, before.files);
+    }
+    EXPECT_TRUE(test::waitUntil([&before] {
+        const smat::test::ProcessCounts after = smat::test::processCounts();
+        return after.threads <= before.threads && after.files <= before.files;
+    })) << smat::test::openFiles();
     const irsg::test::HeldByContext heldAfter = irsg::test::heldByContext();
     EXPECT_LE(heldAfter.textures, heldBefore.textures);
     EXPECT_LE(heldAfter.buffers, heldBefore.buffers);

@@ -21,8 +21,9 @@ namespace smat::gui::test {
 class WindowFixture : public ::testing::Test {
   protected:
     void SetUp() override {
-        if (lacksGl())
+        if (lacksGl()) {
             GTEST_SKIP() << "this desktop gives no OpenGL context";
+        }
     }
     WindowFixture() {
         Dialogs dialogs;
@@ -35,8 +36,9 @@ class WindowFixture : public ::testing::Test {
         };
         dialogs.ask = [this](QWidget*, const QString& title, const QString&, const QStringList&) {
             asked << title;
-            if (answers.empty())
+            if (answers.empty()) {
                 return answer;
+            }
             const int next = answers.front();
             answers.pop_front();
             return next;
@@ -44,8 +46,9 @@ class WindowFixture : public ::testing::Test {
         dialogs.run = [this](QDialog& dialog) {
             dialog.show();
             QTest::qWait(20);
-            if (onDialog)
+            if (onDialog) {
                 onDialog(dialog);
+            }
             return accept;
         };
         people = dialogs;

@@ -72,8 +72,11 @@ TEST_F(WindowSizeTest, TheLayoutIsKeptForTheNextTime) {
     EXPECT_EQ(window->dockWidgetArea(dock("databaseDock")), Qt::RightDockWidgetArea);
     // As it was, for the tests that follow.
     QSettings memory(QSettings::IniFormat, QSettings::UserScope, "smat", "workbench");
-    memory.remove("layout");
-    memory.remove("geometry");
+    for (const QString& key : memory.allKeys()) {
+        if (key.startsWith("layout-") || key.startsWith("geometry-")) {
+            memory.remove(key);
+        }
+    }
 }
 
 TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingOnASmallScreen) {
@@ -86,13 +89,15 @@ TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingOnASmallScreen) {
         trigger(tool);
         QTest::qWait(30);
         EXPECT_LE(centre->widget()->minimumSizeHint().width(), centre->viewport()->width()) << tool;
-        for (auto* side :
-             window->findChild<QTabWidget*>("tabs")->currentWidget()->findChildren<QScrollArea*>())
+        for (auto* side : window->findChild<QTabWidget*>("tabs")
+                              ->currentWidget()
+                              ->findChildren<QScrollArea*>()) {
             if (side->isVisible() && side->widget() != nullptr) {
                 EXPECT_LE(side->widget()->minimumSizeHint().width(), side->viewport()->width())
                     << tool;
                 EXPECT_EQ(side->verticalScrollBar()->maximum(), 0) << tool;
             }
+        }
     }
 }
 
@@ -113,14 +118,16 @@ TEST_F(WindowSizeTest, TheDatabaseEditorNeedsNoScrollingOnASmallScreen) {
     for (int i = 0; i < editor.tabs()->count(); ++i) {
         editor.tabs()->setCurrentIndex(i);
         fitsEditor(editor.tabs()->tabText(i));
-        for (auto* inner : editor.tabs()->currentWidget()->findChildren<QTabWidget*>())
+        for (auto* inner : editor.tabs()->currentWidget()->findChildren<QTabWidget*>()) {
             for (int k = 0; k < inner->count(); ++k) {
-                if (!inner->isTabVisible(k))
+                if (!inner->isTabVisible(k)) {
                     continue;
+                }
                 inner->setCurrentIndex(k);
                 fitsEditor(editor.tabs()->tabText(i) + ", " + inner->tabText(k));
                 test::keepScreenshot(*window, "small-editor-" + std::to_string(++pages));
             }
+        }
     }
     EXPECT_GE(pages, 8);
 }

@@ -21,10 +21,11 @@ TEST(ApparentTemperature, OfABlackBodyIsItsTemperature) {
     for (const Band& band : bands) {
         const ApparentTemperatureTable table(band, bandRadiance_W_m2_sr(band, 150.0),
                                              bandRadiance_W_m2_sr(band, 6000.0));
-        for (double temperature_K = 150.0; temperature_K < 6000.0; temperature_K *= 1.0137)
+        for (double temperature_K = 150.0; temperature_K < 6000.0; temperature_K *= 1.0137) {
             EXPECT_NEAR(table.at(bandRadiance_W_m2_sr(band, temperature_K)), temperature_K,
                         1e-4 * std::max(1.0, temperature_K / 5000.0))
                 << band.name();
+        }
     }
 }
 
@@ -47,15 +48,17 @@ TEST(ApparentTemperature, OfOneRadianceAloneIsRight) {
 
 TEST(ApparentTemperature, OutsideTheTableIsSolvedForDirectly) {
     const ApparentTemperatureTable table(bands[0], 1.0, 2.0);
-    for (const double temperature_K : {120.0, 900.0})
+    for (const double temperature_K : {120.0, 900.0}) {
         EXPECT_NEAR(table.at(bandRadiance_W_m2_sr(bands[0], temperature_K)), temperature_K, 1e-5);
+    }
 }
 
 TEST(ApparentTemperature, HasNoValueWhereNoBlackBodyIsSo) {
     const ApparentTemperatureTable table(bands[0], 1.0, 2.0);
     for (const double radiance :
-         {0.0, -1.0, static_cast<double>(nanValue), static_cast<double>(infinity), 1e30})
+         {0.0, -1.0, static_cast<double>(nanValue), static_cast<double>(infinity), 1e30}) {
         EXPECT_TRUE(std::isnan(table.at(radiance))) << radiance;
+    }
 }
 
 TEST(ApparentTemperature, RefusesRangesThatAreNone) {
@@ -79,8 +82,9 @@ TEST(ApparentTemperature, IsAddedToAnImageWithTheCountOfItsHoles) {
     ASSERT_NE(plane, nullptr);
     EXPECT_EQ(plane->unit, "K");
     EXPECT_NEAR(plane->values[0], 300.0F, 1e-4F);
-    for (std::size_t i = 1; i < 6; ++i)
+    for (std::size_t i = 1; i < 6; ++i) {
         EXPECT_TRUE(std::isnan(plane->values[i])) << i;
+    }
     EXPECT_EQ(image.attributes.at("apparentTemperature.pixelsWithoutValue"), "5");
     EXPECT_EQ(image.attributes.at("apparentTemperature.band"), band.name());
     EXPECT_EQ(image.primary().name, "L");

@@ -44,9 +44,9 @@ TEST(AxisTicks, StandAtRoundValues) {
 }
 
 TEST(AxisTicks, LieInsideTheLimitsAndSayTheirValueAtAnyMagnitude) {
-    for (int power = -44; power <= 38; ++power)
-        for (const double low : {0.0, 1.0, -3.7, 99.2})
-            for (const double width : {0.013, 1.0, 7.3})
+    for (int power = -44; power <= 38; ++power) {
+        for (const double low : {0.0, 1.0, -3.7, 99.2}) {
+            for (const double width : {0.013, 1.0, 7.3}) {
                 for (const int most : {2, 5, 9}) {
                     const double unit = std::pow(10.0, power);
                     const DisplayLimits limits{low * unit, (low + width) * unit};
@@ -60,12 +60,16 @@ TEST(AxisTicks, LieInsideTheLimitsAndSayTheirValueAtAnyMagnitude) {
                         EXPECT_GE(ticks.values[i], limits.low);
                         EXPECT_LE(ticks.values[i], limits.high);
                         std::string label = ticks.labels[i];
-                        if (label.starts_with("\u2212"))
+                        if (label.starts_with("\u2212")) {
                             label.replace(0, 3, "-");
+                        }
                         EXPECT_NEAR(std::stod(label) * std::pow(10.0, ticks.exponent),
                                     ticks.values[i], 0.02 * width * unit);
                     }
                 }
+            }
+        }
+    }
 }
 
 TEST(AxisTicks, MarkTheEndsOfLimitsThatAreAsCloseAsNumbersGet) {
@@ -80,8 +84,9 @@ TEST(AxisTicks, MarkTheEndsOfLimitsThatAreAsCloseAsNumbersGet) {
 TEST(AxisTicks, RefuseLimitsThatAreNone) {
     const double inf = std::numeric_limits<double>::infinity();
     const DisplayLimits rows[] = {{1, 1}, {2, 1}, {0, inf}, {-inf, 0}, {std::nan(""), 1}};
-    for (const DisplayLimits& limits : rows)
+    for (const DisplayLimits& limits : rows) {
         EXPECT_THAT(inputErrorOf([&] { axisTicks(limits, 5); }), HasSubstr("two finite numbers"));
+    }
 }
 
 TEST(PrettyUnit, SetsExponentsAsSuperscripts) {
@@ -102,8 +107,9 @@ TEST(PrettyUnit, SetsExponentsAsSuperscripts) {
         {"m-", "m-"},
         {"10 dB", "10 dB"},
     };
-    for (const auto& row : rows)
+    for (const auto& row : rows) {
         EXPECT_EQ(prettyUnit(row.unit), row.pretty) << row.unit;
+    }
     EXPECT_EQ(superscript(-1234567890), "⁻¹²³⁴⁵⁶⁷⁸⁹⁰");
 }
 

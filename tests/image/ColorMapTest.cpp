@@ -71,10 +71,11 @@ TEST(ColorMap, LightnessRisesAllTheWayWhereOrderMatters) {
             EXPECT_GE(lightness(color), highest - 0.4) << name;
             highest = std::max(highest, lightness(color));
         }
-        for (int i = 0; i < 50; ++i)
+        for (int i = 0; i < 50; ++i) {
             EXPECT_LT(lightness(ColorMap::named(name).at(i / 50.0)),
                       lightness(ColorMap::named(name).at((i + 1) / 50.0)))
                 << name << " " << i;
+        }
     }
 }
 
@@ -99,8 +100,9 @@ TEST(ColorMap, SpecialColoursAreNotInTheMapAndNotAlike) {
         const Rgb special[] = {map.below(), map.above(), map.notANumber()};
         for (std::size_t i = 0; i < 3; ++i) {
             double nearest = 1e9;
-            for (const Rgb& color : map.table())
+            for (const Rgb& color : map.table()) {
                 nearest = std::min(nearest, distance(special[i], color));
+            }
             EXPECT_GT(nearest, 60.0) << name << " " << i;
             EXPECT_GT(distance(special[i], special[(i + 1) % 3]), 60.0) << name << " " << i;
         }
@@ -109,7 +111,7 @@ TEST(ColorMap, SpecialColoursAreNotInTheMapAndNotAlike) {
 
 TEST(ColorMap, PlacesValuesBetweenTheLimits) {
     const ColorMap& map = ColorMap::named("white-hot");
-    const DisplayLimits limits{10.0, 20.0};
+    const DisplayLimits limits{.low = 10.0, .high = 20.0, .marksOutside = true};
     const double inf = std::numeric_limits<double>::infinity();
     EXPECT_EQ(map.color(10.0, limits), map.at(0.0));
     EXPECT_EQ(map.color(20.0, limits), map.at(1.0));
@@ -119,6 +121,12 @@ TEST(ColorMap, PlacesValuesBetweenTheLimits) {
     EXPECT_EQ(map.color(20.001, limits), map.above());
     EXPECT_EQ(map.color(inf, limits), map.above());
     EXPECT_EQ(map.color(std::nan(""), limits), map.notANumber());
+    // By itself what is outside saturates; what is no number never does.
+    const DisplayLimits plain{10.0, 20.0};
+    EXPECT_EQ(map.color(9.999, plain), map.at(0.0));
+    EXPECT_EQ(map.color(-inf, plain), map.at(0.0));
+    EXPECT_EQ(map.color(inf, plain), map.at(1.0));
+    EXPECT_EQ(map.color(std::nan(""), plain), map.notANumber());
     EXPECT_EQ(map.at(-5.0), map.at(0.0));
     EXPECT_EQ(map.at(5.0), map.at(1.0));
     EXPECT_EQ(map.at(std::nan("")), map.notANumber());

@@ -171,8 +171,9 @@ TEST(CsvImage, CollectsDiagnosticsButNotWithoutEnd) {
         EXPECT_EQ(error.diagnostics().size(), 3U);
     }
     std::string text;
-    for (int i = 0; i < 1000; ++i)
+    for (int i = 0; i < 1000; ++i) {
         text += "1x,y\n";
+    }
     writeFileDurably(folder / "m.csv", text);
     try {
         readCsvImage(folder / "m.csv");
@@ -185,8 +186,9 @@ TEST(CsvImage, CollectsDiagnosticsButNotWithoutEnd) {
 TEST(CsvImage, ATableOfResultsIsRefusedInOneSentence) {
     const test::TemporaryFolder folder;
     std::string text = "step [m],L [W m-2 sr-1]\n";
-    for (int i = 0; i < 100; ++i)
+    for (int i = 0; i < 100; ++i) {
         text += "1,two\n";
+    }
     writeFileDurably(folder / "m.csv", text);
     try {
         readCsvImage(folder / "m.csv");
@@ -210,8 +212,9 @@ TEST(CsvImage, IsToldByItsFirstRowOrItsHeader) {
         {"{\"a\": 1}\n", false},
         {"# alone\n", false},
         {"", false}};
-    for (const auto& [text, isImage] : rows)
+    for (const auto& [text, isImage] : rows) {
         EXPECT_EQ(beginsAsCsvImage(text), isImage) << text;
+    }
 }
 
 TEST(CsvImage, RefusesMissingFilesAndFoldersThatCannotBeWritten) {

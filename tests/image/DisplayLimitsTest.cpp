@@ -8,6 +8,7 @@
 
 #include "irsg/image/AxisTicks.h"
 #include "irsg/image/ColorMap.h"
+#include "irsg/image/ImageStatistics.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace irsg {
@@ -18,8 +19,9 @@ DisplayLimits of(ColorScale scale, double low, double high, const std::vector<fl
 }
 
 TEST(ColorScale, HasTheNamesThatItIsFoundBy) {
-    for (const std::string& name : colorScaleNames())
+    for (const std::string& name : colorScaleNames()) {
         EXPECT_EQ(nameOf(colorScaleNamed(name)), name);
+    }
     try {
         colorScaleNamed("cubic");
         FAIL();
@@ -41,8 +43,9 @@ TEST(ColorScale, GivesEveryColourToAsManyValues) {
     // The squares of 0 to 256, in any order, and 2.25 many times: half of the values lie below
     // 128^2.
     std::vector<float> values(5000, 2.25F);
-    for (int i = 256; i >= 0; --i)
+    for (int i = 256; i >= 0; --i) {
         values.push_back(static_cast<float>(i * i));
+    }
     const DisplayLimits limits = of(ColorScale::equalized, 0, 256 * 256, values);
     EXPECT_NEAR(limits.position(128 * 128), 0.5, 0.005);
     EXPECT_NEAR(limits.position(64 * 64), 0.25, 0.005);
@@ -67,6 +70,28 @@ TEST(ColorScale, RisesFromEndToEndAndTurnsBack) {
     }
 }
 
+TEST(ColorScale, ByItselfLeavesColoursForWhatDoesNotGlow) {
+    // A background, a skin of 200 values and one pipe, hotter and hotter.
+    const auto chosenFor = [](float pipe) {
+        std::vector<float> values(300, 1.0F);
+        for (int i = 0; i < 200; ++i) {
+            values.push_back(1.0F + 0.01F * static_cast<float>(i));
+        }
+        values.push_back(pipe);
+        const DisplayLimits limits =
+            limitsFor(ColorScale::automatic, values).with(ColorScale::automatic, {values});
+        EXPECT_EQ(limits.high, pipe);
+        // The skin has a fifth of the colours at least.
+        EXPECT_GT(limits.position(3.0) - limits.position(1.0), 0.18) << pipe;
+        return limits.scale;
+    };
+    EXPECT_EQ(chosenFor(4.0F), ColorScale::linear);
+    EXPECT_EQ(chosenFor(40.0F), ColorScale::squareRoot);
+    EXPECT_EQ(chosenFor(500.0F), ColorScale::logarithmic);
+    // Nothing but a background, and nothing at all.
+    EXPECT_EQ(DisplayLimits{}.with(ColorScale::automatic, {}).scale, ColorScale::linear);
+}
+
 TEST(ColorScale, IsLinearWhereNothingIsShown) {
     const DisplayLimits limits = of(ColorScale::equalized, 0.0, 10.0);
     EXPECT_DOUBLE_EQ(limits.position(2.5), 0.25);
@@ -86,13 +111,15 @@ TEST(ColorScale, ColoursWhatIsDimBesideWhatGlows) {
     EXPECT_GE(apart(ColorScale::squareRoot), 3);
     EXPECT_GE(apart(ColorScale::logarithmic), 15);
     EXPECT_GE(apart(ColorScale::equalized), 80);
-    // What is outside of the limits keeps its own colours.
-    EXPECT_EQ(map.color(1001.0, of(ColorScale::logarithmic, 0.0, 1000.0)), map.above());
-    EXPECT_EQ(map.color(-1.0, of(ColorScale::logarithmic, 0.0, 1000.0)), map.below());
+    // What is outside of the limits keeps its marks with another scale.
+    DisplayLimits marking{.low = 0.0, .high = 1000.0, .marksOutside = true};
+    marking = marking.with(ColorScale::logarithmic, {});
+    EXPECT_EQ(map.color(1001.0, marking), map.above());
+    EXPECT_EQ(map.color(-1.0, marking), map.below());
 }
 
 TEST(ColorScale, TicksAreRoundRiseAndLieApart) {
-    for (const std::string& name : colorScaleNames())
+    for (const std::string& name : colorScaleNames()) {
         for (const double high : {2.0, 500.0, 3e7, 2e-5}) {
             const DisplayLimits limits =
                 of(colorScaleNamed(name), 0.1 * high, high,
@@ -114,6 +141,7 @@ TEST(ColorScale, TicksAreRoundRiseAndLieApart) {
                 }
             }
         }
+    }
 }
 
 } // namespace

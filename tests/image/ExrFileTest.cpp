@@ -249,9 +249,10 @@ TEST(ExrFile, NeverCrashesOnADamagedByte) {
 TEST(ExrFile, SaysTheRowWhereDataAreDamaged) {
     const test::TemporaryFolder folder;
     RadianceImage image(64, 64);
-    for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
         image.primary().values[i] = std::bit_cast<float>(
             static_cast<std::uint32_t>(0x3f800000U + (i * 2654435761U) % 8388607U));
+    }
     writeExr(image, folder / "a.exr");
     std::string bytes = readFile(folder / "a.exr");
     ASSERT_GT(bytes.size(), 8000U);

@@ -45,14 +45,16 @@ TEST(Histogram, KeepsWhatHasNoPlaceApart) {
 
 TEST(Histogram, EveryFiniteValueIsInTheBinWhoseEdgesHoldIt) {
     RadianceImage image(101, 7);
-    for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
         image.primary().values[i] = 0.1F * static_cast<float>(i % 97) - 3.0F;
+    }
     const Histogram histogram = imageHistogram(image, image.primary(), 37);
     std::vector<std::size_t> expected(37, 0);
     for (const float value : image.primary().values) {
         std::size_t bin = 0;
-        while (bin + 1 < expected.size() && value >= histogram.edges[bin + 1])
+        while (bin + 1 < expected.size() && value >= histogram.edges[bin + 1]) {
             ++bin;
+        }
         ++expected[bin];
     }
     EXPECT_EQ(histogram.counts, expected);

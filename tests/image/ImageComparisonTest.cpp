@@ -28,8 +28,9 @@ RadianceImage imageOf(int width, int height, std::vector<float> values,
 
 RadianceImage ramp(int width = 40, int height = 30) {
     RadianceImage image(width, height);
-    for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
         image.primary().values[i] = 1.0F + 0.01F * static_cast<float>(i);
+    }
     return image;
 }
 
@@ -49,8 +50,9 @@ TEST(ImageComparison, FindsOneChangedPixelWithSignAndPlaceAndBothValues) {
         EXPECT_EQ(compared.verdict, Verdict::failure);
         const ImageChannel plane =
             differencePlane(a.primary(), b.primary(), DifferenceMode::signedDifference);
-        for (std::size_t i = 0; i < plane.values.size(); ++i)
+        for (std::size_t i = 0; i < plane.values.size(); ++i) {
             EXPECT_EQ(plane.values[i] != 0.0F, i == a.offset(17, 22));
+        }
         EXPECT_EQ(plane.values[a.offset(17, 22)] > 0.0F, change > 0.0F);
     }
 }
@@ -122,8 +124,9 @@ class Thresholds : public testing::TestWithParam<Level> {};
 TEST_P(Thresholds, RejectAWrongPictureAndLetTheAllowedOnePass) {
     const RadianceImage b = imageOf(10, 10, std::vector<float>(100, 10.0F));
     RadianceImage a = b;
-    for (const std::size_t i : {3u, 40u, 41u, 77u})
+    for (const std::size_t i : {3u, 40u, 41u, 77u}) {
         a.primary().values[i] = 10.5F;
+    }
     a.primary().values[99] = 12.0F;
 
     ComparisonOptions options;
@@ -206,8 +209,9 @@ class Refusals : public testing::TestWithParam<Refused> {};
 
 TEST_P(Refusals, NameWhatIsWrongAndWhatWasExpected) {
     const std::string message = inputErrorOf(GetParam().attempt);
-    for (const std::string& word : GetParam().words)
+    for (const std::string& word : GetParam().words) {
         EXPECT_THAT(message, HasSubstr(word));
+    }
 }
 
 Refused badLevel(const char* name, const ComparisonLevel& level, const std::string& word,
@@ -327,8 +331,9 @@ TEST(ImageComparison, EveryKindOfDifferenceHasItsFormulaNameAndUnit) {
     EXPECT_EQ(values(DifferenceMode::relative).values[1], 0.0F);
     EXPECT_TRUE(std::isnan(values(DifferenceMode::ratio).values[1]));
     EXPECT_EQ(values(DifferenceMode::ratio).values[3], infinity);
-    for (const DifferenceMode mode : allDifferenceModes)
+    for (const DifferenceMode mode : allDifferenceModes) {
         EXPECT_TRUE(std::isnan(values(mode).values[2]));
+    }
     EXPECT_EQ(values(DifferenceMode::absolute).unit, "W m-2 sr-1");
     EXPECT_EQ(values(DifferenceMode::ratio).unit, "");
 }
@@ -354,8 +359,9 @@ TEST(ComparisonFigures, SayEverythingAndTheDifferenceImageKeepsIt) {
     }
     for (const char* key :
          {"mean_error", "mean_absolute_error", "rms_error", "psnr", "rel_mse", "max_relative_error",
-          "fail_pixels", "fail_percent", "warn_pixels", "nan_a", "infinite_b", "sum_difference"})
+          "fail_pixels", "fail_percent", "warn_pixels", "nan_a", "infinite_b", "sum_difference"}) {
         EXPECT_THAT(keys, HasSubstr(key));
+    }
     const RadianceImage image = differenceImage(a, b, compared, options);
     EXPECT_EQ(image.primary().name, "difference");
     EXPECT_EQ(image.find("A")->values, a.primary().values);

@@ -47,16 +47,18 @@ std::filesystem::path foreignExr(const std::string& channel, Imf::PixelType type
 
 TEST(ImageFile, ReadsAnySingleChannelOfAnyTypeFromAnyDataWindow) {
     for (const auto& [type, name] :
-         {std::pair(Imf::HALF, "Y"), {Imf::FLOAT, "radiance.mid wave"}, {Imf::UINT, "id"}})
+         {std::pair(Imf::HALF, "Y"), {Imf::FLOAT, "radiance.mid wave"}, {Imf::UINT, "id"}}) {
         for (const int offset : {0, 17, -5}) {
             const RadianceImage image = readImageFile(foreignExr(name, type, offset, -offset));
             ASSERT_EQ(image.width(), 3);
             ASSERT_EQ(image.height(), 2);
             std::vector<float> expected = values;
-            if (type == Imf::UINT)
+            if (type == Imf::UINT) {
                 expected[1] = 2.0F;
+            }
             EXPECT_EQ(chosenPlane(image, "", "it").values, expected) << name << " " << offset;
         }
+    }
 }
 
 struct Matrix {
@@ -92,8 +94,9 @@ TEST_P(BadFiles, AreRefusedWithTheirNameAndWhatIsWrong) {
     const auto file = writtenFile(ownFolder() / "bad.csv", GetParam().content);
     const std::string message = inputErrorOf([&] { readImageFile(file); });
     EXPECT_THAT(message, HasSubstr("bad.csv"));
-    for (const std::string& word : GetParam().words)
+    for (const std::string& word : GetParam().words) {
         EXPECT_THAT(message, HasSubstr(word));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -119,8 +122,9 @@ TEST(ImageFile, ChoosesLAmongMany) {
 
 TEST(ImageFile, OurCsvAndExrOfOneImageAreEqualPixelByPixel) {
     RadianceImage image(5, 4);
-    for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
         image.primary().values[i] = 1.0F / static_cast<float>(i + 3);
+    }
     image.channel("range_m", "m");
     writeExr(image, ownFolder() / "i.exr");
     writeCsvImage(image, ownFolder() / "i.csv");

@@ -46,16 +46,18 @@ inline const std::vector<float> hardValues = {0.0F,
 inline RadianceImage patternImage(int width, int height) {
     RadianceImage image(width, height);
     std::vector<float>& values = image.primary().values;
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = i % 3 == 0 ? hardValues[(i / 3) % hardValues.size()]
                                : 0.1F * static_cast<float>(i) + 1.0F;
+    }
     return image;
 }
 
 inline std::vector<std::uint32_t> bitsOf(const std::vector<float>& values) {
     std::vector<std::uint32_t> bits;
-    for (const float value : values)
+    for (const float value : values) {
         bits.push_back(std::bit_cast<std::uint32_t>(value));
+    }
     return bits;
 }
 

@@ -37,8 +37,9 @@ TEST(ImageFormats, HaveNamesAndExtensionsOfTheirOwnAndAWriter) {
 TEST(ImageFormats, ThatKeepValuesGiveThemBackByContent) {
     const RadianceImage image = patternImage(13, 9);
     for (const ImageFormat* format : imageFormats()) {
-        if (format->read == nullptr)
+        if (format->read == nullptr) {
             continue;
+        }
         const auto file = ownFolder() / ("image" + format->extensionList().front());
         writeImageFile(image, file);
         // Under a name that says nothing.
@@ -55,8 +56,9 @@ TEST(ImageFormats, RefuseAnotherExtensionNamingThoseThereAre) {
         inputErrorOf([] { writeImageFile(patternImage(2, 2), "image.jpeg"); });
     EXPECT_THAT(message, HasSubstr("image.jpeg"));
     EXPECT_THAT(message, HasSubstr(".jpeg"));
-    for (const std::string& extension : imageExtensions())
+    for (const std::string& extension : imageExtensions()) {
         EXPECT_THAT(message, HasSubstr(extension));
+    }
 }
 
 } // namespace

@@ -51,8 +51,9 @@ TEST(ImageStatistics, SumAMillionPixelsInDouble) {
 
 TEST(ImageStatistics, KeepASmallSpreadOnALargeMean) {
     std::vector<float> values(1000);
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = i % 2 == 0 ? 1e6F : 1e6F + 0.125F;
+    }
     const ImageStatistics s = imageStatistics(imageOf(100, 10, values));
     EXPECT_NEAR(s.standardDeviation, 0.0625, 1e-12);
 }
@@ -84,8 +85,9 @@ TEST(ImageStatistics, AreNaNWhereNothingIsFinite) {
     EXPECT_EQ(s.finite, 0U);
     EXPECT_EQ(s.sum, 0.0);
     EXPECT_EQ(s.minimumX, -1);
-    for (const double value : {s.minimum, s.maximum, s.mean, s.median, s.standardDeviation})
+    for (const double value : {s.minimum, s.maximum, s.mean, s.median, s.standardDeviation}) {
         EXPECT_TRUE(std::isnan(value));
+    }
 }
 
 TEST(ImageStatistics, OfARectangleSeeItsPixelsAlone) {
@@ -108,10 +110,11 @@ TEST(ImageStatistics, RefuseRectanglesThatAreNotInTheImage) {
     const PixelRectangle rows[] = {{0, 0, 0, 1},    {0, 0, 1, 0},    {-1, 0, 1, 1}, {0, -1, 1, 1},
                                    {0, 0, 8, 1},    {0, 0, 1, 6},    {7, 0, 1, 1},  {6, 0, 2, 1},
                                    {0, 0, most, 1}, {most, 0, 1, 1}, {0, 0, -3, 1}};
-    for (const PixelRectangle& r : rows)
+    for (const PixelRectangle& r : rows) {
         EXPECT_THAT(inputErrorOf([&] { imageStatistics(image, r); }),
                     HasSubstr("inside the image of 7 x 5"))
             << r.x << " " << r.y << " " << r.width << " " << r.height;
+    }
     EXPECT_THROW(imageStatistics(image, ImageChannel{"x", "", {1.0F}}), LogicError);
     EXPECT_THROW(imageStatistics(RadianceImage()), LogicError);
 }
@@ -121,8 +124,9 @@ TEST(Percentile, IsLinearBetweenRanks) {
     const struct {
         double percent, expected;
     } rows[] = {{0, 1}, {10, 1.4}, {25, 2}, {50, 3}, {62.5, 3.5}, {99, 4.96}, {100, 5}};
-    for (const auto& row : rows)
+    for (const auto& row : rows) {
         EXPECT_NEAR(percentile(values, row.percent), row.expected, 1e-12) << row.percent;
+    }
     EXPECT_EQ(percentile(std::vector<float>{7}, 33), 7.0);
     EXPECT_TRUE(std::isnan(percentile(std::vector<float>{nanValue}, 50)));
     EXPECT_TRUE(std::isnan(percentile({}, 50)));
@@ -130,8 +134,9 @@ TEST(Percentile, IsLinearBetweenRanks) {
 
 TEST(Percentile, RefusesWhatIsNoPercentage) {
     const std::vector<float> values = {1, 2};
-    for (const double percent : {-1.0, 100.1, static_cast<double>(nanValue)})
+    for (const double percent : {-1.0, 100.1, static_cast<double>(nanValue)}) {
         EXPECT_THAT(inputErrorOf([&] { percentile(values, percent); }), HasSubstr("0 to 100"));
+    }
     EXPECT_THAT(inputErrorOf([&] { percentileLimits(values, 50, 50); }), HasSubstr("lower one"));
     EXPECT_THAT(inputErrorOf([&] { percentileLimits(values, 90, 10); }), HasSubstr("lower one"));
 }
@@ -177,8 +182,9 @@ TEST(DisplayLimits, OfDifferencesAreSymmetric) {
 TEST(ObjectLimits, AreThoseOfTheTargetAndNotOfItsFewGlowingPixels) {
     // A background of 2, a body from 1 to 11 and three pixels of 1000.
     std::vector<float> values(20000, 2.0f);
-    for (int i = 0; i < 1000; ++i)
+    for (int i = 0; i < 1000; ++i) {
         values[static_cast<std::size_t>(i)] = 1.0f + 0.01f * static_cast<float>(i);
+    }
     values[0] = values[1] = values[2] = 1000.0f;
     const irsg::DisplayLimits limits = irsg::objectLimits(values);
     EXPECT_NEAR(limits.low, 1.08, 0.01);
@@ -187,12 +193,14 @@ TEST(ObjectLimits, AreThoseOfTheTargetAndNotOfItsFewGlowingPixels) {
 
 TEST(ObjectLimits, HoldTheBackgroundAlso) {
     std::vector<float> values(1000, 0.0f);
-    for (std::size_t i = 0; i < 100; ++i)
+    for (std::size_t i = 0; i < 100; ++i) {
         values[i] = 5.0f + 0.01f * static_cast<float>(i);
+    }
     EXPECT_EQ(irsg::objectLimits(values).low, 0.0);
     std::vector<float> even(100);
-    for (std::size_t i = 0; i < even.size(); ++i)
+    for (std::size_t i = 0; i < even.size(); ++i) {
         even[i] = static_cast<float>(i);
+    }
     EXPECT_NEAR(irsg::objectLimits(even).high, 98.01, 1e-4);
     EXPECT_LT(irsg::objectLimits(std::vector<float>(9, 3.0f)).low, 3.0);
     EXPECT_LT(irsg::objectLimits({}).low, irsg::objectLimits({}).high);

@@ -24,11 +24,12 @@ Canvas readPng(const std::filesystem::path& file) {
     std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(picture));
     EXPECT_NE(png_image_finish_read(&picture, nullptr, bytes.data(), 0, nullptr), 0);
     Canvas canvas(static_cast<int>(picture.width), static_cast<int>(picture.height));
-    for (int y = 0; y < canvas.height(); ++y)
+    for (int y = 0; y < canvas.height(); ++y) {
         for (int x = 0; x < canvas.width(); ++x) {
             const std::size_t i = 3 * static_cast<std::size_t>(y * canvas.width() + x);
             canvas.set(x, y, {bytes[i], bytes[i + 1], bytes[i + 2]});
         }
+    }
     return canvas;
 }
 
@@ -51,8 +52,9 @@ TEST(PngView, IsTheMapOfTheValuesTopRowFirst) {
     ASSERT_EQ(png.width(), 3);
     ASSERT_EQ(png.height(), 2);
     const std::uint8_t expected[] = {0, 51, 102, 153, 204, 255};
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 6; ++i) {
         EXPECT_EQ(png.at(i % 3, i / 3), (Rgb{expected[i], expected[i], expected[i]})) << i;
+    }
 }
 
 TEST(PngView, KeepsEverySizeThatAnImageCanHave) {
@@ -68,9 +70,9 @@ TEST(PngView, KeepsEverySizeThatAnImageCanHave) {
     }
 }
 
-TEST(PngView, ShowsWhatIsOutOfRangeInItsOwnColours) {
+TEST(PngView, WhatIsOutOfRangeSaturatesOrIsMarked) {
     PngViewOptions options = plain();
-    options.limits = DisplayLimits{0, 10};
+    options.limits = DisplayLimits{.low = 0, .high = 10, .marksOutside = true};
     const RadianceImage image = imageOf(6, 1, {-1, 0, 10, 11, nanValue, -infinity});
     const ColorMap& map = ColorMap::named("white-hot");
     Canvas view = renderView(image, image.primary(), options);
@@ -81,7 +83,7 @@ TEST(PngView, ShowsWhatIsOutOfRangeInItsOwnColours) {
     EXPECT_EQ(view.at(4, 0), map.notANumber());
     EXPECT_EQ(view.at(5, 0), map.below());
 
-    options.markOutOfRange = false;
+    options.limits->marksOutside = false;
     view = renderView(image, image.primary(), options);
     EXPECT_EQ(view.at(0, 0), map.at(0));
     EXPECT_EQ(view.at(3, 0), map.at(1));
@@ -96,9 +98,11 @@ TEST(PngView, EnlargesPixelsToSquares) {
     const Canvas view = renderView(image, image.primary(), options);
     ASSERT_EQ(view.width(), 6);
     ASSERT_EQ(view.height(), 3);
-    for (int y = 0; y < 3; ++y)
-        for (int x = 0; x < 6; ++x)
+    for (int y = 0; y < 3; ++y) {
+        for (int x = 0; x < 6; ++x) {
             EXPECT_EQ(view.at(x, y).red, x < 3 ? 0 : 255);
+        }
+    }
 }
 
 TEST(PngView, CentresDifferencesOnWhite) {
@@ -114,8 +118,9 @@ TEST(PngView, CentresDifferencesOnWhite) {
 /// The column of colours beside the picture: the rows between its frame lines.
 std::vector<Rgb> barColumn(const Canvas& view, int x) {
     std::vector<Rgb> column;
-    for (int y = 0; y < view.height(); ++y)
+    for (int y = 0; y < view.height(); ++y) {
         column.push_back(view.at(x, y));
+    }
     return column;
 }
 
@@ -132,25 +137,30 @@ TEST(PngView, DrawsTheWholeMapInItsBarBrightAtTheTop) {
     const std::vector<Rgb> column = barColumn(view, 16 + 64 + 20 + 9);
     const ColorMap& map = ColorMap::named("inferno");
     std::vector<Rgb> bar;
-    for (const Rgb& color : column)
-        if (std::ranges::find(map.table(), color) != map.table().end())
+    for (const Rgb& color : column) {
+        if (std::ranges::find(map.table(), color) != map.table().end()) {
             bar.push_back(color);
+        }
+    }
     ASSERT_EQ(bar.size(), 160U);
-    for (std::size_t i = 0; i < bar.size(); ++i)
+    for (std::size_t i = 0; i < bar.size(); ++i) {
         EXPECT_EQ(bar[i], map.at(1.0 - (static_cast<double>(i) + 0.5) / 160.0)) << i;
+    }
 }
 
 TEST(PngView, AddsSwatchesOnlyForWhatIsThere) {
     const ColorMap& map = ColorMap::named("white-hot");
     const auto hasBeyondPicture = [&](const RadianceImage& image, Rgb color) {
         PngViewOptions options;
-        options.limits = DisplayLimits{0, 10};
+        options.limits = DisplayLimits{.low = 0, .high = 10, .marksOutside = true};
         options.magnification = 1;
         const Canvas view = renderView(image, image.primary(), options);
         int pixels = 0;
-        for (int y = 0; y < view.height(); ++y)
-            for (int x = 16 + image.width() + 2; x < view.width(); ++x)
+        for (int y = 0; y < view.height(); ++y) {
+            for (int x = 16 + image.width() + 2; x < view.width(); ++x) {
                 pixels += view.at(x, y) == color ? 1 : 0;
+            }
+        }
         return pixels == 18 * 12;
     };
     const RadianceImage clean = imageOf(2, 1, {0, 10});
@@ -177,7 +187,7 @@ TEST(PngView, ShowsImagesWithoutAnyFiniteValue) {
     const RadianceImage image = imageOf(2, 1, {nanValue, infinity});
     const Canvas view = renderView(image, image.primary(), plain());
     EXPECT_EQ(view.at(0, 0), ColorMap::named("white-hot").notANumber());
-    EXPECT_EQ(view.at(1, 0), ColorMap::named("white-hot").above());
+    EXPECT_EQ(view.at(1, 0), ColorMap::named("white-hot").at(1.0));
 }
 
 TEST(PngView, RefusesOptionsThatCannotBe) {
@@ -196,10 +206,11 @@ TEST(PngView, RefusesOptionsThatCannotBe) {
         {"huge magnification", {.magnification = 65}, "magnification"},
         {"huge text", {.textScale = 9}, "text scale"},
     };
-    for (const auto& row : rows)
+    for (const auto& row : rows) {
         EXPECT_THAT(inputErrorOf([&] { renderView(image, image.primary(), row.options); }),
                     HasSubstr(row.says))
             << row.name;
+    }
 
     const RadianceImage wide(2000, 1);
     EXPECT_THAT(inputErrorOf([&] { renderView(wide, wide.primary(), {.magnification = 64}); }),

@@ -19,8 +19,9 @@ std::vector<std::string> drawn(const std::string& text, int scale) {
     std::vector<std::string> rows;
     for (int y = 0; y < canvas.height(); ++y) {
         rows.emplace_back();
-        for (int x = 0; x < canvas.width(); ++x)
+        for (int x = 0; x < canvas.width(); ++x) {
             rows.back() += canvas.at(x, y).red < 100 ? '#' : '.';
+        }
     }
     return rows;
 }
@@ -46,28 +47,34 @@ TEST(StrokeFont, DrawsAnLAsItLooks) {
 
 TEST(StrokeFont, TellsAllItsCharactersApart) {
     std::string text;
-    for (char c = '!'; c <= '~'; ++c)
+    for (char c = '!'; c <= '~'; ++c) {
         text += c;
+    }
     std::set<std::vector<std::string>> pictures;
     std::size_t count = 0;
     const auto add = [&](const std::string& character) {
         pictures.insert(drawn(character, 2));
         ++count;
     };
-    for (const char c : text)
+    for (const char c : text) {
         // These pairs are as alike in print as here.
-        if (c != 'l' && c != 'I')
+        if (c != 'l' && c != 'I') {
             add(std::string(1, c));
-    for (const char* other : {"−", "·", "°", "µ", "×", "±", "λ", "⁰", "¹", "²", "³", "⁴", "⁻", "∑"})
+        }
+    }
+    for (const char* other :
+         {"−", "·", "°", "µ", "×", "±", "λ", "⁰", "¹", "²", "³", "⁴", "⁻", "∑"}) {
         add(other);
+    }
     EXPECT_EQ(pictures.size(), count);
 }
 
 TEST(StrokeFont, HasAGlyphForAllOfPrintableAscii) {
     const StrokeGlyph& box = strokeGlyph(0x2211);
     EXPECT_EQ(box.code, 0U);
-    for (char32_t c = U' '; c <= U'~'; ++c)
+    for (char32_t c = U' '; c <= U'~'; ++c) {
         EXPECT_EQ(strokeGlyph(c).code, c);
+    }
 }
 
 TEST(StrokeFont, TakesBrokenUtf8AsBoxes) {
@@ -82,9 +89,11 @@ TEST(StrokeFont, WidthGrowsWithScaleAndHoldsAllInk) {
     EXPECT_NEAR(textWidth(text, 2), 2 * width, 10);
     Canvas canvas(width + 20, 30);
     drawText(canvas, 10, 20, text, 1, black);
-    for (int y = 0; y < canvas.height(); ++y)
-        for (const int x : {0, 5, 8, width + 12, width + 19})
+    for (int y = 0; y < canvas.height(); ++y) {
+        for (const int x : {0, 5, 8, width + 12, width + 19}) {
             EXPECT_EQ(canvas.at(x, y), white) << x << " " << y;
+        }
+    }
 }
 
 TEST(StrokeFont, IsCutAtTheEdgeOfTheCanvas) {

@@ -90,8 +90,9 @@ class HandMade {
 
   private:
     static void put(std::string& out, std::uint32_t value, int bytes) {
-        for (int i = 0; i < bytes; ++i)
+        for (int i = 0; i < bytes; ++i) {
             out += static_cast<char>((value >> (8 * i)) & 0xFFU);
+        }
     }
     std::vector<std::array<std::uint32_t, 4>> entries_;
     std::string pixels_;
@@ -166,10 +167,11 @@ TEST(TiffFile, ACutOrDamagedFileIsRefusedOrReadWhole) {
     const auto whole = ownFolder() / "whole.tif";
     writeTiff(imageWithEverything(40, 130), whole);
     const std::string bytes = readFile(whole);
-    for (std::size_t length = 0; length < bytes.size(); length += 1 + bytes.size() / 60)
+    for (std::size_t length = 0; length < bytes.size(); length += 1 + bytes.size() / 60) {
         EXPECT_THROW(readTiff(writtenFile(ownFolder() / "cut.tif", bytes.substr(0, length))),
                      InputError)
             << length;
+    }
     // Any one byte may change what is said, but never brings the program down.
     for (std::size_t at = 0; at < bytes.size(); at += 1 + bytes.size() / 400) {
         std::string damaged = bytes;

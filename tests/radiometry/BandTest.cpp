@@ -22,7 +22,7 @@ Band bandOf(const std::string& text) {
 
 } // namespace
 
-TEST(Band, topHatIsOneInsideAndZeroOutside) {
+TEST(Band, TopHatIsOneInsideAndZeroOutside) {
     const Band band = Band::topHat(3.0, 5.0);
     EXPECT_TRUE(band.isTopHat());
     EXPECT_EQ(band.responseAt(3.0), 1.0);
@@ -35,11 +35,11 @@ TEST(Band, topHatIsOneInsideAndZeroOutside) {
     EXPECT_FALSE(band == Band::topHat(3.0, 4.9));
 }
 
-TEST(Band, topHatTakesTheEndsOfTheSpectrum) {
+TEST(Band, TopHatTakesTheEndsOfTheSpectrum) {
     EXPECT_DOUBLE_EQ(Band::topHat(0.2, 40.0).area_um(), 39.8);
 }
 
-TEST(Band, responseIsZeroOutsideItsAxisWhateverItsSpectrumHolds) {
+TEST(Band, ResponseIsZeroOutsideItsAxisWhateverItsSpectrumHolds) {
     const Band band =
         Band::fromResponse({{3.0, 4.0, 5.0}, {0.5, 1.0, 0.5}, Spectrum::Outside::hold}, "filter");
     EXPECT_FALSE(band.isTopHat());
@@ -50,13 +50,13 @@ TEST(Band, responseIsZeroOutsideItsAxisWhateverItsSpectrumHolds) {
     EXPECT_DOUBLE_EQ(band.area_um(), 1.5);
 }
 
-TEST(Band, textOfTwoNumbersIsATopHat) {
+TEST(Band, TextOfTwoNumbersIsATopHat) {
     EXPECT_EQ(Band::fromText("3-5"), Band::topHat(3.0, 5.0));
     EXPECT_EQ(Band::fromText(" 8.0 - 12 "), Band::topHat(8.0, 12.0));
     EXPECT_EQ(Band::fromText("3e-1-4e1"), Band::topHat(0.3, 40.0));
 }
 
-TEST(Band, csvInMicrometresIsReadAsItStands) {
+TEST(Band, CsvInMicrometresIsReadAsItStands) {
     for (const char* header : {"um,response", "wavelength [um],response", "\"um\",R"}) {
         const Band band =
             bandOf("# a filter\r\n" + std::string(header) + "\r\n3.0,0\r\n4.0,0.8\r\n5.0,0\r\n");
@@ -66,7 +66,7 @@ TEST(Band, csvInMicrometresIsReadAsItStands) {
     }
 }
 
-TEST(Band, csvInWavenumbersIsLinearInWavenumbers) {
+TEST(Band, CsvInWavenumbersIsLinearInWavenumbers) {
     const Band band = bandOf("cm-1,response\n2000,0\n2500,1\n3000,0\n");
     EXPECT_DOUBLE_EQ(band.range().min_um, 1e4 / 3000.0);
     EXPECT_DOUBLE_EQ(band.range().max_um, 5.0);
@@ -93,7 +93,7 @@ std::string nameOf(const testing::TestParamInfo<BadBand>& row) {
 
 } // namespace
 
-TEST_P(BandCsvRefuses, withFilePlaceAndExpectation) {
+TEST_P(BandCsvRefuses, WithFilePlaceAndExpectation) {
     const std::filesystem::path path =
         smat::test::writtenFile(smat::test::ownFolder() / "bad.csv", GetParam().text);
     try {
@@ -138,11 +138,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadBand{"binary", std::string("um,r\n3,1\n\0\1", 11), "byte 9: found a NUL byte"}),
     nameOf);
 
-TEST(BandCsv, refusesAFileThatIsNotThere) {
+TEST(BandCsv, RefusesAFileThatIsNotThere) {
     EXPECT_THROW(Band::fromCsv("no/such/band.csv"), InputError);
 }
 
-TEST(BandCsv, namesEveryDiagnosticAtOnce) {
+TEST(BandCsv, NamesEveryDiagnosticAtOnce) {
     try {
         bandOf("um,r\n3,x\n2,1\n4,-1\n");
         FAIL() << "accepted";
@@ -153,7 +153,7 @@ TEST(BandCsv, namesEveryDiagnosticAtOnce) {
     }
 }
 
-TEST_P(BandTextRefuses, andSaysHowABandIsWritten) {
+TEST_P(BandTextRefuses, AndSaysHowABandIsWritten) {
     try {
         Band::fromText(GetParam().text);
         FAIL() << "accepted";
@@ -174,7 +174,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadBand{"unit", "3-5um", ""}),
     nameOf);
 
-TEST(Band, refusesTopHatsThatAreNoInterval) {
+TEST(Band, RefusesTopHatsThatAreNoInterval) {
     const double infinity = std::numeric_limits<double>::infinity();
     const double notANumber = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(Band::topHat(5.0, 3.0), InputError);
@@ -185,7 +185,7 @@ TEST(Band, refusesTopHatsThatAreNoInterval) {
     EXPECT_THROW(Band::topHat(notANumber, 4.0), InputError);
 }
 
-TEST(Band, refusesResponsesThatAreNegativeConstantOrOfNoArea) {
+TEST(Band, RefusesResponsesThatAreNegativeConstantOrOfNoArea) {
     EXPECT_THROW(Band::fromResponse({{3.0, 4.0, 5.0}, {0.0, -0.1, 1.0}}), InputError);
     EXPECT_THROW(Band::fromResponse({{3.0, 4.0}, {0.0, 0.0}}), InputError);
     EXPECT_THROW(Band::fromResponse(Spectrum::constant(1.0)), InputError);

@@ -25,7 +25,7 @@ class BlackbodyTableOf : public testing::TestWithParam<TableRow> {};
 
 } // namespace
 
-TEST_P(BlackbodyTableOf, isAtMostSevenTenThousandthsWrongAtMidNodes) {
+TEST_P(BlackbodyTableOf, IsAtMostSevenTenThousandthsWrongAtMidNodes) {
     const BlackbodyTable table(Band::topHat(GetParam().min_um, GetParam().max_um));
     double worst = 0.0;
     for (int i = 0; i + 1 < BlackbodyTable::nodes; ++i) {
@@ -39,7 +39,7 @@ TEST_P(BlackbodyTableOf, isAtMostSevenTenThousandthsWrongAtMidNodes) {
                 GetParam().min_um, GetParam().max_um, 100.0 * worst);
 }
 
-TEST_P(BlackbodyTableOf, isFarBetterThanTheStraightLineOfTheReport) {
+TEST_P(BlackbodyTableOf, IsFarBetterThanTheStraightLineOfTheReport) {
     const BlackbodyTable table(Band::topHat(GetParam().min_um, GetParam().max_um));
     double worst = 0.0;
     double worstLine = 0.0;
@@ -64,7 +64,7 @@ TEST_P(BlackbodyTableOf, isFarBetterThanTheStraightLineOfTheReport) {
                 worstLine_K);
 }
 
-TEST_P(BlackbodyTableOf, isExactAtItsNodes) {
+TEST_P(BlackbodyTableOf, IsExactAtItsNodes) {
     const BlackbodyTable table(Band::topHat(GetParam().min_um, GetParam().max_um));
     for (int i = 0; i < BlackbodyTable::nodes; i += 8) {
         const double node_K = BlackbodyTable::minimum_K + BlackbodyTable::step_K * i;
@@ -74,7 +74,7 @@ TEST_P(BlackbodyTableOf, isExactAtItsNodes) {
     }
 }
 
-TEST_P(BlackbodyTableOf, integratesDirectlyOutsideItsGrid) {
+TEST_P(BlackbodyTableOf, IntegratesDirectlyOutsideItsGrid) {
     const BlackbodyTable table(Band::topHat(GetParam().min_um, GetParam().max_um));
     for (const double temperature_K : {1.0, 150.0, 199.999, 2200.001, 3000.0, 1e5}) {
         const double truth = bandRadiance_W_m2_sr(table.band(), temperature_K);
@@ -89,14 +89,14 @@ INSTANTIATE_TEST_SUITE_P(Band, BlackbodyTableOf,
                                          TableRow{"1_9to2_9", 1.9, 2.9, 0.30}),
                          [](const auto& row) { return std::string(row.param.name); });
 
-TEST(BlackbodyTable, darkensToZeroAtAndBelowZeroKelvin) {
+TEST(BlackbodyTable, DarkensToZeroAtAndBelowZeroKelvin) {
     const BlackbodyTable table(Band::topHat(3.0, 5.0));
     for (const double temperature_K : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
         EXPECT_EQ(table.radiance_W_m2_sr(temperature_K), 0.0);
     }
 }
 
-TEST(BlackbodyTable, ofABandWhoseColdNodesAreDarkHoldsNoNaN) {
+TEST(BlackbodyTable, OfABandWhoseColdNodesAreDarkHoldsNoNaN) {
     // At 200 K and 0.05 um the exponent is 1439: the first nodes of the table are zero.
     const BlackbodyTable table(Band::topHat(0.05, 0.06));
     for (double temperature_K = 200.0; temperature_K <= 2200.0; temperature_K += 3.125) {

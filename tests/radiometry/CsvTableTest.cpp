@@ -26,7 +26,7 @@ using Texts = std::vector<std::string>;
 
 } // namespace
 
-TEST(CsvTable, keepsThePlaceOfEveryCell) {
+TEST(CsvTable, KeepsThePlaceOfEveryCell) {
     const CsvTable table = CsvTable::parse("# unit: W\n\na, b ,c\n1,2,3\n", "f.csv");
     ASSERT_EQ(table.rows().size(), 2u);
     EXPECT_EQ(table.file(), "f.csv");
@@ -36,7 +36,7 @@ TEST(CsvTable, keepsThePlaceOfEveryCell) {
     EXPECT_EQ(table.rows()[1].cells[2].column, 3);
 }
 
-TEST(CsvTable, keepsCommentsWithKeyValueAndLine) {
+TEST(CsvTable, KeepsCommentsWithKeyValueAndLine) {
     const CsvTable table =
         CsvTable::parse("#just text\nx,y\n#  sky temperature : 250 : K \n", "f.csv");
     ASSERT_EQ(table.comments().size(), 2u);
@@ -49,7 +49,7 @@ TEST(CsvTable, keepsCommentsWithKeyValueAndLine) {
     EXPECT_EQ(table.comment("air"), nullptr);
 }
 
-TEST(CsvTable, readsEveryLineEndingAndByteOrderMarkAlike) {
+TEST(CsvTable, ReadsEveryLineEndingAndByteOrderMarkAlike) {
     const auto rows = [](const char* text) {
         std::vector<Texts> all;
         const CsvTable table = CsvTable::parse(text, "f.csv");
@@ -68,19 +68,19 @@ TEST(CsvTable, readsEveryLineEndingAndByteOrderMarkAlike) {
               expected);
 }
 
-TEST(CsvTable, takesQuotedCellsWithCommasAndQuotesInThem) {
+TEST(CsvTable, TakesQuotedCellsWithCommasAndQuotesInThem) {
     const CsvTable table = CsvTable::parse("\"a, b\",\"say \"\"hi\"\"\" ,c\n", "f.csv");
     EXPECT_EQ(texts(table.rows()[0]), (Texts{"a, b", "say \"hi\"", "c"}));
 }
 
-TEST(CsvTable, keepsEmptyCellsAndRowsOfDifferentLength) {
+TEST(CsvTable, KeepsEmptyCellsAndRowsOfDifferentLength) {
     const CsvTable table = CsvTable::parse(",x,\n1\n", "f.csv");
     EXPECT_EQ(texts(table.rows()[0]), (Texts{"", "x", ""}));
     EXPECT_EQ(texts(table.rows()[1]), (Texts{"1"}));
     EXPECT_TRUE(CsvTable::parse("", "f.csv").rows().empty());
 }
 
-TEST(CsvTable, turnsABadCellIntoAnDiagnostic) {
+TEST(CsvTable, TurnsABadCellIntoAnDiagnostic) {
     const CsvTable table = CsvTable::parse("x\n1,abc\n2,\n", "f.csv");
     std::vector<Diagnostic> diagnostics;
     EXPECT_EQ(table.number(table.rows()[1].cells[0], diagnostics), 1.0);
@@ -93,7 +93,7 @@ TEST(CsvTable, turnsABadCellIntoAnDiagnostic) {
               "f.csv: line 3, column 2: found nothing, expected a temperature in K");
 }
 
-TEST(CsvTable, showsLongAndUnprintableTextInOneShortLine) {
+TEST(CsvTable, ShowsLongAndUnprintableTextInOneShortLine) {
     std::string text(200, 'a');
     text += ",b\x01\x7f"
             "c\n";
@@ -104,7 +104,7 @@ TEST(CsvTable, showsLongAndUnprintableTextInOneShortLine) {
     EXPECT_EQ(table.diagnostic(table.rows()[0].cells[1], "").value, "'b??c'");
 }
 
-TEST(CsvTable, refusesWhatIsNotAReadableTextTable) {
+TEST(CsvTable, RefusesWhatIsNotAReadableTextTable) {
     const std::filesystem::path folder = smat::test::ownFolder();
     EXPECT_THAT(smat::test::refusalOf([&] { CsvTable::read(folder / "absent.csv"); }),
                 HasSubstr("absent.csv: found no such file"));
@@ -117,7 +117,7 @@ TEST(CsvTable, refusesWhatIsNotAReadableTextTable) {
                                HasSubstr("f.csv: line 2"), testing::Not(HasSubstr("line 3"))));
 }
 
-TEST(CsvTable, readsAFileAsItReadsText) {
+TEST(CsvTable, ReadsAFileAsItReadsText) {
     const std::filesystem::path file =
         smat::test::writtenFile(smat::test::ownFolder() / "table.csv", "a,b\r\n1,2\r\n");
     const CsvTable table = CsvTable::read(file);
@@ -125,7 +125,7 @@ TEST(CsvTable, readsAFileAsItReadsText) {
     EXPECT_EQ(texts(table.rows()[1]), (Texts{"1", "2"}));
 }
 
-TEST(ParseNumber, takesFiniteNumbersWhole) {
+TEST(ParseNumber, TakesFiniteNumbersWhole) {
     EXPECT_EQ(parseNumber("1"), 1.0);
     EXPECT_EQ(parseNumber(" -2.5e3\t"), -2500.0);
     EXPECT_EQ(parseNumber("+4"), 4.0);
@@ -135,7 +135,7 @@ TEST(ParseNumber, takesFiniteNumbersWhole) {
     EXPECT_EQ(parseNumber("4.9e-324"), 4.9406564584124654e-324);
 }
 
-TEST(ParseNumber, refusesEverythingElse) {
+TEST(ParseNumber, RefusesEverythingElse) {
     for (const char* text :
          {"",     " ",   "-",   "+",    "+-1",      "--1",   "abc",    "1x", "1 2",    "1,5",
           "0x10", "nan", "inf", "-inf", "infinity", "1e400", "-1e400", "1e", "1e5000", "1;2"}) {

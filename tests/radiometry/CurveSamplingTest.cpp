@@ -31,7 +31,7 @@ double worstError(const Spectrum& spectrum, const std::function<double(double)>&
 
 } // namespace
 
-TEST(CurveSampling, followsPlanckFunctionsToAMillionth) {
+TEST(CurveSampling, FollowsPlanckFunctionsToAMillionth) {
     for (const double temperature_K : {100.0, 288.15, 1000.0, 5772.0}) {
         const Spectrum sampled = sampledPlanck(temperature_K, {0.2, 40.0}, 3.0);
         const double worst = worstError(sampled, [temperature_K](double wavelength_um) {
@@ -44,7 +44,7 @@ TEST(CurveSampling, followsPlanckFunctionsToAMillionth) {
     }
 }
 
-TEST(CurveSampling, followsSteepExponentialsDownToItsFloor) {
+TEST(CurveSampling, FollowsSteepExponentialsDownToItsFloor) {
     const auto curve = [](double x) { return std::exp(-1000.0 * (x - 3.0)); };
     const double kinks[] = {3.0, 5.0};
     const Spectrum sampled = sampledCurve(curve, kinks);
@@ -53,18 +53,18 @@ TEST(CurveSampling, followsSteepExponentialsDownToItsFloor) {
     EXPECT_EQ(sampled.at(3.0), 1.0);
 }
 
-TEST(CurveSampling, keepsKinksAndAddsNothingToStraightLines) {
+TEST(CurveSampling, KeepsKinksAndAddsNothingToStraightLines) {
     const double kinks[] = {3.0, 4.0, 5.0};
     const Spectrum sampled = sampledCurve([](double x) { return std::abs(x - 4.0) + 1.0; }, kinks);
     EXPECT_EQ(sampled, Spectrum({3.0, 4.0, 5.0}, {2.0, 1.0, 2.0}));
 }
 
-TEST(CurveSampling, ofNothingIsNothing) {
+TEST(CurveSampling, OfNothingIsNothing) {
     EXPECT_EQ(sampledPlanck(0.0, {3.0, 5.0}).maximum(), 0.0);
     EXPECT_EQ(sampledPlanck(1.0, {0.2, 1.0}).maximum(), 0.0);
 }
 
-TEST(CurveSampling, needsTwoWavelengths) {
+TEST(CurveSampling, NeedsTwoWavelengths) {
     const double one[] = {3.0};
     EXPECT_THROW((void)sampledCurve([](double) { return 1.0; }, one), LogicError);
 }

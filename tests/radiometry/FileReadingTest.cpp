@@ -54,8 +54,9 @@ TEST(FileReading, RefusesWhatHasNoEndOrIsNoFile) {
 /// For a process of its own: protection stays to the end.
 void protectAndWrite() {
     const TemporaryFolder folder;
-    for (const char* name : {"read", "changed", "noted", "other"})
+    for (const char* name : {"read", "changed", "noted", "other"}) {
         writeFileDurably(folder / name, "1");
+    }
     protectInputs();
     readFile(folder / "read");
     readFile(folder / "changed");
@@ -63,9 +64,10 @@ void protectAndWrite() {
     noteInput(folder / "noted");
     std::filesystem::create_hard_link(folder / "read", folder / "link");
     std::filesystem::create_symlink(folder / "read", folder / "arrow");
-    for (const char* name : {"read", "noted", "link", "arrow"})
+    for (const char* name : {"read", "noted", "link", "arrow"}) {
         EXPECT_THAT(refusalOf([&] { writeFileDurably(folder / name, "2"); }),
                     AllOf(HasSubstr(name), HasSubstr("an input as output")));
+    }
     EXPECT_EQ(readFile(folder / "read"), "1");
     writeFileDurably(folder / "changed", "2");
     writeFileDurably(folder / "other", "2");

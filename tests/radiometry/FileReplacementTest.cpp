@@ -26,8 +26,9 @@ using testing::HasSubstr;
 
 std::set<std::string> namesIn(const fs::path& folder) {
     std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder))
+    for (const auto& entry : fs::directory_iterator(folder)) {
         names.insert(entry.path().filename().string());
+    }
     return names;
 }
 
@@ -49,11 +50,13 @@ TEST(FileReplacement, LeavesTheFileAndNothingBesideIt) {
 
 TEST(FileReplacement, LeavesFilesOfOthersAlone) {
     const TemporaryFolder folder;
-    for (const char* name : {"x.part", ".x.part", "x.part1", ".x.abcdefghijkl.partly"})
+    for (const char* name : {"x.part", ".x.part", "x.part1", ".x.abcdefghijkl.partly"}) {
         writeFileDurably(folder / name, "mine");
+    }
     writeFileDurably(folder / "x", "1");
-    for (const char* name : {"x.part", ".x.part", "x.part1", ".x.abcdefghijkl.partly"})
+    for (const char* name : {"x.part", ".x.part", "x.part1", ".x.abcdefghijkl.partly"}) {
         EXPECT_EQ(readFile(folder / name), "mine") << name;
+    }
 }
 
 TEST(FileReplacement, RemovesWhatAKilledProgramLeft) {
@@ -100,10 +103,11 @@ TEST(FileReplacement, RefusesWithTheFileAndTheReason) {
                 {"a folder itself", folder.path(), "a folder"},
                 {"a protected file", folder / "protected", "write-protected"},
                 {"a full device", "/dev/full", "a full disk"}};
-    for (const auto& row : rows)
+    for (const auto& row : rows) {
         EXPECT_THAT(refusalOf([&] { writeFileDurably(row.path, "x"); }),
                     AllOf(HasSubstr(row.path.string()), HasSubstr(row.reason)))
             << row.name;
+    }
     writeFileDurably("/dev/null", "x");
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     FileReplacement again(folder / "file");
@@ -116,13 +120,16 @@ TEST(FileReplacement, RefusesWithTheFileAndTheReason) {
 TEST(FileReplacement, ManyWritersOfOneFileLeaveOneOfTheirs) {
     const TemporaryFolder folder;
     std::vector<std::thread> writers;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         writers.emplace_back([&, i] {
-            for (int round = 0; round < 20; ++round)
+            for (int round = 0; round < 20; ++round) {
                 writeFileDurably(folder / "x", std::string(5000, static_cast<char>('a' + i)));
+            }
         });
-    for (std::thread& writer : writers)
+    }
+    for (std::thread& writer : writers) {
         writer.join();
+    }
     const std::string content = readFile(folder / "x");
     ASSERT_EQ(content.size(), 5000u);
     EXPECT_EQ(content, std::string(5000, content[0]));

@@ -8,14 +8,14 @@
 
 using namespace irsg;
 
-TEST(GaussLegendre, theTwoPointRuleHasTheNodesOfTheBooks) {
+TEST(GaussLegendre, TheTwoPointRuleHasTheNodesOfTheBooks) {
     const GaussRule& rule = gaussLegendre(2);
     EXPECT_NEAR(rule.nodes[0], 0.5 - 0.5 / std::sqrt(3.0), 1e-16);
     EXPECT_NEAR(rule.nodes[1], 0.5 + 0.5 / std::sqrt(3.0), 2e-16);
     EXPECT_NEAR(rule.weights[0], 0.5, 1e-16);
 }
 
-TEST(GaussLegendre, integratesPolynomialsUpToItsDegreeExactly) {
+TEST(GaussLegendre, IntegratesPolynomialsUpToItsDegreeExactly) {
     for (int points = 1; points <= 32; ++points) {
         const GaussRule& rule = gaussLegendre(points);
         ASSERT_EQ(rule.nodes.size(), static_cast<std::size_t>(points));
@@ -29,7 +29,7 @@ TEST(GaussLegendre, integratesPolynomialsUpToItsDegreeExactly) {
     }
 }
 
-TEST(GaussLegendre, thereAreRulesOf1To32PointsOnly) {
+TEST(GaussLegendre, ThereAreRulesOf1To32PointsOnly) {
     EXPECT_THROW((void)gaussLegendre(0), LogicError);
     EXPECT_THROW((void)gaussLegendre(33), LogicError);
 }

@@ -27,8 +27,9 @@ TEST(ParallelFor, DoesEveryPieceOnceWhateverTheNumberOfThreads) {
         for (const std::size_t count : {0U, 1U, 2U, 7U, 1000U}) {
             std::vector<std::atomic<int>> done(count);
             parallelFor(count, [&](std::size_t i) { ++done[i]; });
-            for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t i = 0; i < count; ++i) {
                 EXPECT_EQ(done[i], 1) << i << " of " << count << " on " << threads;
+            }
         }
     }
 }
@@ -41,8 +42,9 @@ TEST(ParallelFor, WorksWithinItself) {
         parallelFor(parts.size(), [&](std::size_t k) { parts[k] = static_cast<int>(i * k); });
         sums[i] = std::accumulate(parts.begin(), parts.end(), 0);
     });
-    for (std::size_t i = 0; i < sums.size(); ++i)
+    for (std::size_t i = 0; i < sums.size(); ++i) {
         EXPECT_EQ(sums[i], static_cast<int>(45 * i));
+    }
 }
 
 TEST(ParallelFor, ThrowsWhatTheFirstPieceThrewAndGoesOnAfterwards) {
@@ -50,8 +52,9 @@ TEST(ParallelFor, ThrowsWhatTheFirstPieceThrewAndGoesOnAfterwards) {
     for (int again = 0; again < 20; ++again) {
         try {
             parallelFor(100, [](std::size_t i) {
-                if (i >= 3)
+                if (i >= 3) {
                     throw std::runtime_error(std::to_string(i));
+                }
             });
             FAIL() << "nothing was thrown";
         } catch (const std::runtime_error& error) {
@@ -64,8 +67,9 @@ TEST(ParallelFor, DividesASizeWithoutGaps) {
     for (const std::size_t size : {0U, 1U, 5U, 16U, 1001U}) {
         EXPECT_EQ(beginOfPart(0, 16, size), 0U);
         EXPECT_EQ(beginOfPart(16, 16, size), size);
-        for (std::size_t part = 0; part < 16; ++part)
+        for (std::size_t part = 0; part < 16; ++part) {
             EXPECT_LE(beginOfPart(part, 16, size), beginOfPart(part + 1, 16, size));
+        }
     }
 }
 
@@ -77,6 +81,7 @@ TEST(ParallelFor, KeepsToOneThreadWhereItIsAsked) {
         parallelFor(threads.size(),
                     [&](std::size_t i) { threads[i] = std::this_thread::get_id(); });
     }
-    for (const std::thread::id& thread : threads)
+    for (const std::thread::id& thread : threads) {
         EXPECT_EQ(thread, std::this_thread::get_id());
+    }
 }

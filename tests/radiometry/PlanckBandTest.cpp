@@ -34,7 +34,7 @@ std::string nameOf(const testing::TestParamInfo<NamedRange>& row) {
 
 } // namespace
 
-TEST_P(BandRadiance, agreesWithSimpsonsRuleInLongDouble) {
+TEST_P(BandRadiance, AgreesWithSimpsonsRuleInLongDouble) {
     const SpectralRange range = GetParam().range;
     const Band band = Band::topHat(range.min_um, range.max_um);
     double worst = 0.0;
@@ -53,7 +53,7 @@ TEST_P(BandRadiance, agreesWithSimpsonsRuleInLongDouble) {
                 range.max_um, worst);
 }
 
-TEST_P(BandRadiance, givesTheApparentTemperatureBack) {
+TEST_P(BandRadiance, GivesTheApparentTemperatureBack) {
     const SpectralRange range = GetParam().range;
     const Band band = Band::topHat(range.min_um, range.max_um);
     double worst = 0.0;
@@ -75,7 +75,7 @@ TEST_P(BandRadiance, givesTheApparentTemperatureBack) {
 
 INSTANTIATE_TEST_SUITE_P(Of, BandRadiance, testing::ValuesIn(ranges), nameOf);
 
-TEST(PlanckBand, overTheWholeSpectrumIsTheLawOfStefanAndBoltzmann) {
+TEST(PlanckBand, OverTheWholeSpectrumIsTheLawOfStefanAndBoltzmann) {
     // sigma = 2 pi^5 k^4 / 15 h^3 c^2; less than 1e-7 of it lies outside x = 1.4e-3 to 60.
     const double sigma = 2.0 * std::pow(std::numbers::pi, 5) * std::pow(boltzmannConstant_J_K, 4) /
                          (15.0 * std::pow(planckConstant_J_s, 3) * std::pow(speedOfLight_m_s, 2));
@@ -88,7 +88,7 @@ TEST(PlanckBand, overTheWholeSpectrumIsTheLawOfStefanAndBoltzmann) {
     }
 }
 
-TEST(PlanckBand, fractionBelowAWavelengthIsThePublishedBlackbodyFunction) {
+TEST(PlanckBand, FractionBelowAWavelengthIsThePublishedBlackbodyFunction) {
     // F(0 to lambda T) = 15 / pi^4 sum exp(-n x) / n (x^3 + 3 x^2 / n + 6 x / n^2 + 6 / n^3) (Chang
     // and Rhee, 1984). Printed tables (Siegel and Howell: 0.066728 at 2000 um K, 0.480877 at 4000,
     // 0.914199 at 10000) rest on older constants and differ by up to 5e-5.
@@ -112,7 +112,7 @@ TEST(PlanckBand, fractionBelowAWavelengthIsThePublishedBlackbodyFunction) {
     }
 }
 
-TEST(PlanckBand, weighsWithTheResponse) {
+TEST(PlanckBand, WeighsWithTheResponse) {
     // A triangle of three nodes is a sum of two linear flanks: integrate each with Simpson's rule.
     const Band triangle =
         Band::fromResponse({{3.0, 4.0, 5.0}, {0.0, 0.8, 0.0}, Spectrum::Outside::zero});
@@ -131,7 +131,7 @@ TEST(PlanckBand, weighsWithTheResponse) {
     }
 }
 
-TEST(PlanckBand, splittingABandInTwoGivesTheSum) {
+TEST(PlanckBand, SplittingABandInTwoGivesTheSum) {
     for (const double temperature_K : {20.0, 200.0, 300.0, 5000.0}) {
         const double whole = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), temperature_K);
         const double parts = bandRadiance_W_m2_sr(Band::topHat(3.0, 4.17), temperature_K) +
@@ -140,7 +140,7 @@ TEST(PlanckBand, splittingABandInTwoGivesTheSum) {
     }
 }
 
-TEST(PlanckBand, aResponseThatIsZeroInTheLongWavesStillSeesTheShortOnes) {
+TEST(PlanckBand, AResponseThatIsZeroInTheLongWavesStillSeesTheShortOnes) {
     // All the response lies where the black body is 1e-40 of what it is at the other end.
     const Band band = Band::fromResponse(
         {{3.0, 3.1, 3.2, 14.0}, {0.0, 1.0, 0.0, 0.0}, Spectrum::Outside::zero}, "short");
@@ -151,7 +151,7 @@ TEST(PlanckBand, aResponseThatIsZeroInTheLongWavesStillSeesTheShortOnes) {
     EXPECT_NEAR(bandRadiance_W_m2_sr(band, 40.0) / expected, 1.0, 1e-12);
 }
 
-TEST(PlanckBand, thereIsNoApparentTemperatureOfWhatNoBlackBodyGives) {
+TEST(PlanckBand, ThereIsNoApparentTemperatureOfWhatNoBlackBodyGives) {
     const Band band = Band::topHat(8.0, 12.0);
     const double infinity = std::numeric_limits<double>::infinity();
     const double tooHot = 1.01 * bandRadiance_W_m2_sr(band, 1e6);
@@ -165,7 +165,7 @@ TEST(PlanckBand, thereIsNoApparentTemperatureOfWhatNoBlackBodyGives) {
     EXPECT_TRUE(apparentTemperature_K(far, 1.01 * bandRadiance_W_m2_sr(far, 1.0)));
 }
 
-TEST(PlanckBand, bodiesAtOrBelowZeroKelvinAreDark) {
+TEST(PlanckBand, BodiesAtOrBelowZeroKelvinAreDark) {
     const Band band = Band::topHat(3.0, 5.0);
     EXPECT_EQ(bandRadiance_W_m2_sr(band, 0.0), 0.0);
     EXPECT_EQ(bandRadiance_W_m2_sr(band, -10.0), 0.0);

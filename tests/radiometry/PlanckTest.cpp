@@ -35,18 +35,18 @@ struct WorstCase {
 
 } // namespace
 
-TEST(Planck, radiationConstantsAreThoseOfTheExactSiUnits) {
+TEST(Planck, RadiationConstantsAreThoseOfTheExactSiUnits) {
     // CODATA 2018: c1L = 1.191042972397...e-16 W m2 sr-1, c2 = 1.438776877...e-2 m K.
     EXPECT_NEAR(firstRadiationConstant_W_um4_m2_sr, 1.191042972397e8, 1e-4);
     EXPECT_NEAR(secondRadiationConstant_um_K, 14387.76877, 1e-5);
 }
 
-TEST(Planck, radianceAt10MicrometresAnd300KelvinIsThePublishedValue) {
+TEST(Planck, RadianceAt10MicrometresAnd300KelvinIsThePublishedValue) {
     // 9.924 W m-2 sr-1 um-1: the value every table of thermal radiation prints.
     EXPECT_NEAR(planckRadiance_W_m2_sr_um(10.0, 300.0), 9.9240, 5e-4);
 }
 
-TEST(Planck, radianceIsWithin1e12OfLongDoubleFrom1To5000KelvinAnd02To40Micrometres) {
+TEST(Planck, RadianceIsWithin1e12OfLongDoubleFrom1To5000KelvinAnd02To40Micrometres) {
     WorstCase worst;
     for (int i = 0; i <= 400; ++i) {
         for (int k = 0; k <= 400; ++k) {
@@ -67,7 +67,7 @@ TEST(Planck, radianceIsWithin1e12OfLongDoubleFrom1To5000KelvinAnd02To40Micrometr
                 worst.error, worst.wavelength_um, worst.temperature_K);
 }
 
-TEST(Planck, radianceIsWithin1e12ForExponentsFrom1eMinus12To1e5) {
+TEST(Planck, RadianceIsWithin1e12ForExponentsFrom1eMinus12To1e5) {
     WorstCase worst;
     for (const double wavelength_um : {0.2, 1.0, 4.0, 10.0, 40.0}) {
         for (int i = 0; i <= 1700; ++i) {
@@ -89,7 +89,7 @@ TEST(Planck, radianceIsWithin1e12ForExponentsFrom1eMinus12To1e5) {
                 worst.error, worst.wavelength_um, worst.temperature_K);
 }
 
-TEST(Planck, radianceIsNeverNotANumber) {
+TEST(Planck, RadianceIsNeverNotANumber) {
     const double extremes[] = {-infinity, -300.0, -0.0,  0.0, 5e-324, 1e-300, 1e-60,    1e-10,
                                0.2,       40.0,   300.0, 1e5, 1e30,   1e300,  infinity, notANumber};
     for (const double wavelength_um : extremes) {
@@ -103,14 +103,14 @@ TEST(Planck, radianceIsNeverNotANumber) {
     }
 }
 
-TEST(Planck, radianceOfNothingColderThanZeroKelvinIsZero) {
+TEST(Planck, RadianceOfNothingColderThanZeroKelvinIsZero) {
     EXPECT_EQ(planckRadiance_W_m2_sr_um(10.0, 0.0), 0.0);
     EXPECT_EQ(planckRadiance_W_m2_sr_um(10.0, -5.0), 0.0);
     EXPECT_EQ(planckRadiance_W_m2_sr_um(4.0, 1.0), 0.0);
     EXPECT_EQ(planckDerivative_W_m2_sr_um_K(10.0, 0.0), 0.0);
 }
 
-TEST(Planck, radianceFollowsRayleighAndJeansWhereTheExponentIsSmall) {
+TEST(Planck, RadianceFollowsRayleighAndJeansWhereTheExponentIsSmall) {
     // L = 2 c k T / lambda^4 (1 - x / 2 + ...).
     const double wavelength_um = 40.0;
     const double temperature_K = 1e5;
@@ -121,7 +121,7 @@ TEST(Planck, radianceFollowsRayleighAndJeansWhereTheExponentIsSmall) {
                 1.0 - x / 2.0 + x * x / 12.0, 1e-12);
 }
 
-TEST(Planck, radiancePeaksWhereWiensDisplacementLawSays) {
+TEST(Planck, RadiancePeaksWhereWiensDisplacementLawSays) {
     // lambda_max T = 2897.771955 um K (CODATA 2018): the radiance falls to both sides of it.
     for (const double temperature_K : {77.0, 300.0, 1000.0, 5772.0}) {
         const double peak_um = 2897.771955 / temperature_K;
@@ -131,7 +131,7 @@ TEST(Planck, radiancePeaksWhereWiensDisplacementLawSays) {
     }
 }
 
-TEST(Planck, derivativeIsTheSlopeOfTheRadiance) {
+TEST(Planck, DerivativeIsTheSlopeOfTheRadiance) {
     for (const double wavelength_um : {0.2, 2.0, 4.0, 10.0, 40.0}) {
         for (const double temperature_K : {50.0, 200.0, 300.0, 1000.0, 1e5}) {
             // The central difference of the long double reference.
@@ -153,7 +153,7 @@ TEST(Planck, derivativeIsTheSlopeOfTheRadiance) {
     EXPECT_LT(relativeError(planckDerivative_W_m2_sr_um_K(10.0, 300.0), slope), 1e-8);
 }
 
-TEST(Planck, brightnessTemperatureGivesTheTemperatureBack) {
+TEST(Planck, BrightnessTemperatureGivesTheTemperatureBack) {
     double worst = 0.0;
     for (int k = 0; k <= 100; ++k) {
         for (int i = 0; i <= 100; ++i) {
@@ -170,7 +170,7 @@ TEST(Planck, brightnessTemperatureGivesTheTemperatureBack) {
     EXPECT_LT(worst, 1e-13);
 }
 
-TEST(Planck, brightnessTemperatureOfTheSmallestRadianceIsFinite) {
+TEST(Planck, BrightnessTemperatureOfTheSmallestRadianceIsFinite) {
     const auto found_K = brightnessTemperature_K(0.2, 5e-324);
     ASSERT_TRUE(found_K);
     // ln(2 h c^2 / lambda^5 / 5e-324) = 744.44 + 26.64: T = c2 / (0.2 um * 771.08).
@@ -185,7 +185,7 @@ struct NoTemperature {
 
 class PlanckHasNoInverse : public testing::TestWithParam<NoTemperature> {};
 
-TEST_P(PlanckHasNoInverse, brightnessTemperatureHasNoValue) {
+TEST_P(PlanckHasNoInverse, BrightnessTemperatureHasNoValue) {
     EXPECT_FALSE(brightnessTemperature_K(GetParam().wavelength_um, GetParam().radiance));
 }
 

@@ -20,7 +20,7 @@ const Band mwir = Band::topHat(3.0, 5.0);
 
 } // namespace
 
-TEST(SpectralQuadrature, ofOneIsTheAreaOfTheResponse) {
+TEST(SpectralQuadrature, OfOneIsTheAreaOfTheResponse) {
     const Band triangle = Band::fromResponse({{3.0, 4.0, 5.0}, {0.0, 0.8, 0.0}});
     for (const Band& band : {mwir, triangle}) {
         const SpectralQuadrature grid(band, {});
@@ -29,7 +29,7 @@ TEST(SpectralQuadrature, ofOneIsTheAreaOfTheResponse) {
     }
 }
 
-TEST(SpectralQuadrature, integratesProductsOfLinesExactly) {
+TEST(SpectralQuadrature, IntegratesProductsOfLinesExactly) {
     const Spectrum a({2.0, 3.7, 4.1, 6.0}, {0.0, 1.0, 0.2, 0.9});
     const Spectrum b({3.0, 3.3, 5.0}, {1.0, 0.5, 0.7});
     const Spectrum c({3.0, 4.4, 4.6, 5.0}, {0.1, 0.0, 1.0, 0.3});
@@ -43,7 +43,7 @@ TEST(SpectralQuadrature, integratesProductsOfLinesExactly) {
     EXPECT_NEAR(grid.integrate(values, grid.sample(c)), expected, 1e-15);
 }
 
-TEST(SpectralQuadrature, integratesPlanckFunctionsAsTheBandRadianceDoes) {
+TEST(SpectralQuadrature, IntegratesPlanckFunctionsAsTheBandRadianceDoes) {
     double worst = 0.0;
     for (const auto& [min_um, max_um] :
          {std::pair{1.9, 2.9}, {3.0, 5.0}, {8.0, 12.0}, {0.2, 40.0}}) {
@@ -61,7 +61,7 @@ TEST(SpectralQuadrature, integratesPlanckFunctionsAsTheBandRadianceDoes) {
                 worst);
 }
 
-TEST(SpectralQuadrature, integratesPlanckFunctionsTimesSteepLinesTo1e10) {
+TEST(SpectralQuadrature, IntegratesPlanckFunctionsTimesSteepLinesTo1e10) {
     // Truth: the same product cut into 64 times as many intervals.
     const Spectrum rising({3.0, 5.0}, {0.0, 1.0});
     const Spectrum falling({3.0, 5.0}, {1.0, 0.0});
@@ -86,13 +86,13 @@ TEST(SpectralQuadrature, integratesPlanckFunctionsTimesSteepLinesTo1e10) {
     }
 }
 
-TEST(SpectralQuadrature, needsFewNodesForAPlainBand) {
+TEST(SpectralQuadrature, NeedsFewNodesForAPlainBand) {
     EXPECT_LE(SpectralQuadrature(mwir, {}).size(), 40u);
     EXPECT_LE(SpectralQuadrature(Band::topHat(0.2, 40.0), {}).size(), 1000u);
     EXPECT_LE(SpectralQuadrature(Band::topHat(1e-6, 40.0), {}).size(), 10000u);
 }
 
-TEST(SpectralQuadrature, nodesAscendInsideTheBand) {
+TEST(SpectralQuadrature, NodesAscendInsideTheBand) {
     const SpectralQuadrature grid(mwir, {});
     EXPECT_TRUE(std::ranges::is_sorted(grid.wavelengths_um()));
     EXPECT_GT(grid.wavelengths_um().front(), 3.0);
@@ -102,7 +102,7 @@ TEST(SpectralQuadrature, nodesAscendInsideTheBand) {
     }
 }
 
-TEST(SpectralQuadrature, refusesValuesOfAnotherGrid) {
+TEST(SpectralQuadrature, RefusesValuesOfAnotherGrid) {
     const SpectralQuadrature grid(mwir, {});
     const std::vector<double> tooFew(grid.size() - 1);
     const std::vector<double> right(grid.size());

@@ -9,7 +9,7 @@
 
 using namespace irsg;
 
-TEST(Quantity, headersCarryTheUnitWhereThereIsOne) {
+TEST(Quantity, HeadersCarryTheUnitWhereThereIsOne) {
     EXPECT_EQ(columnHeader(Quantity::contrastIntensity), "contrast_intensity [W sr-1]");
     EXPECT_EQ(columnHeader(Quantity::wavelength), "wavelength [um]");
     EXPECT_EQ(columnHeader(Quantity::angle), "angle [deg]");
@@ -17,12 +17,12 @@ TEST(Quantity, headersCarryTheUnitWhereThereIsOne) {
     EXPECT_EQ(columnHeader(Quantity::pixels), "pixels");
 }
 
-TEST(Quantity, titlesCarryTheUnitAsPlotsWriteIt) {
+TEST(Quantity, TitlesCarryTheUnitAsPlotsWriteIt) {
     EXPECT_EQ(axisTitle(Quantity::contrastIntensity), "Contrast intensity (W·sr⁻¹)");
     EXPECT_EQ(axisTitle(Quantity::transmittance), "Transmittance");
 }
 
-TEST(Quantity, everyOneHasAKeyOfItsOwnAndALabel) {
+TEST(Quantity, EveryOneHasAKeyOfItsOwnAndALabel) {
     std::set<std::string_view> keys;
     for (int i = 0; i <= static_cast<int>(Quantity::dimensionless); ++i) {
         const QuantityInfo& entry = info(static_cast<Quantity>(i));

@@ -17,7 +17,7 @@ const SpectralRange mwir{3.0, 5.0};
 
 } // namespace
 
-TEST(SpectralPoints, haveWeightsOfOneAndTheValuesOfASpectrumThere) {
+TEST(SpectralPoints, HaveWeightsOfOneAndTheValuesOfASpectrumThere) {
     const SpectralPoints points({3.0, 3.5, 5.0});
     const Spectrum ramp({3.0, 5.0}, {1.0, 5.0});
     EXPECT_EQ(points.sampled(ramp), (std::vector<double>{1.0, 2.0, 5.0}));
@@ -27,7 +27,7 @@ TEST(SpectralPoints, haveWeightsOfOneAndTheValuesOfASpectrumThere) {
     EXPECT_EQ(points.planck(300.0)[1], planckRadiance_W_m2_sr_um(3.5, 300.0));
 }
 
-TEST(SpectralPoints, ofOneWavelengthStandForAnIntervalThatHoldsIt) {
+TEST(SpectralPoints, OfOneWavelengthStandForAnIntervalThatHoldsIt) {
     const SpectralPoints one({4.25});
     EXPECT_EQ(one.size(), 1u);
     EXPECT_LT(one.range().min_um, 4.25);
@@ -36,7 +36,7 @@ TEST(SpectralPoints, ofOneWavelengthStandForAnIntervalThatHoldsIt) {
     EXPECT_EQ(one.integrate(std::vector<double>{7.0}), 7.0);
 }
 
-TEST(SpectralPoints, refuseWhatIsNoSampling) {
+TEST(SpectralPoints, RefuseWhatIsNoSampling) {
     EXPECT_THROW(SpectralPoints({}), LogicError);
     EXPECT_THROW(SpectralPoints({4.0, 3.0}), LogicError);
     EXPECT_THROW(SpectralPoints({0.0, 3.0}), LogicError);
@@ -51,7 +51,7 @@ TEST(SpectralPoints, refuseWhatIsNoSampling) {
 // A gas that is black in half of a bin and clear in the other half: two nodes of one wavelength
 // that share its weight let half of the light through however often it passes, where the mean of
 // the bin would let a quarter through twice.
-TEST(SpectralPoints, mayHaveSeveralWeightedNodesAtOneWavelength) {
+TEST(SpectralPoints, MayHaveSeveralWeightedNodesAtOneWavelength) {
     const SpectralPoints bin({4.0, 4.0}, {0.05, 0.05}, {3.95, 4.05});
     const std::vector<double> through{1.0, 0.0};
     EXPECT_DOUBLE_EQ(bin.integrate(through) / bin.area_um(), 0.5);
@@ -59,7 +59,7 @@ TEST(SpectralPoints, mayHaveSeveralWeightedNodesAtOneWavelength) {
     EXPECT_EQ(bin.sampled(Spectrum({3.0, 5.0}, {3.0, 5.0})), (std::vector<double>{4.0, 4.0}));
 }
 
-TEST(SpectralGrid, isTheAxisOfASpectrumAndIntegratesItExactly) {
+TEST(SpectralGrid, IsTheAxisOfASpectrumAndIntegratesItExactly) {
     const Spectrum bent({2.0, 3.0, 3.7, 4.1, 6.0}, {0.0, 1.0, 4.0, 2.0, 8.0});
     const SpectralGrid grid(bent, {2.5, 5.0});
     EXPECT_EQ(grid.wavelengths_um(), (std::vector<double>{2.5, 3.0, 3.7, 4.1, 5.0}));
@@ -70,13 +70,13 @@ TEST(SpectralGrid, isTheAxisOfASpectrumAndIntegratesItExactly) {
     EXPECT_EQ(grid.range(), (SpectralRange{2.5, 5.0}));
 }
 
-TEST(SpectralGrid, ofAConstantHasTheEndsOfTheRange) {
+TEST(SpectralGrid, OfAConstantHasTheEndsOfTheRange) {
     const SpectralGrid grid(Spectrum::constant(3.0), mwir);
     EXPECT_EQ(grid.wavelengths_um(), (std::vector<double>{3.0, 5.0}));
     EXPECT_DOUBLE_EQ(grid.integrate(grid.sampled(Spectrum::constant(3.0))), 6.0);
 }
 
-TEST(SpectralQuadrature, isASamplingOfItsBand) {
+TEST(SpectralQuadrature, IsASamplingOfItsBand) {
     const Spectrum a({3.0, 4.0, 5.0}, {0.0, 1.0, 0.5});
     const Spectrum* const kinked[] = {&a};
     const SpectralQuadrature quadrature(Band::topHat(3.0, 5.0), kinked);
@@ -89,7 +89,7 @@ TEST(SpectralQuadrature, isASamplingOfItsBand) {
 }
 
 // The sum is taken in strands: as many nodes as leave each number over.
-TEST(SpectralSampling, addsUpAnyNumberOfNodes) {
+TEST(SpectralSampling, AddsUpAnyNumberOfNodes) {
     for (std::size_t count = 1; count <= 9; ++count) {
         std::vector<double> wavelengths_um(count), weights_um(count), values(count);
         std::iota(wavelengths_um.begin(), wavelengths_um.end(), 3.0);

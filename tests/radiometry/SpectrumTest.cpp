@@ -44,7 +44,7 @@ Spectrum randomSpectrum(std::mt19937& generator, const SpectralRange& range, int
 
 } // namespace
 
-TEST(Spectrum, isLinearBetweenItsNodesAndExactAtThem) {
+TEST(Spectrum, IsLinearBetweenItsNodesAndExactAtThem) {
     const Spectrum spectrum({3.0, 4.0, 5.0}, {1.0, 3.0, -1.0});
     EXPECT_EQ(spectrum.at(3.0), 1.0);
     EXPECT_EQ(spectrum.at(4.0), 3.0);
@@ -53,7 +53,7 @@ TEST(Spectrum, isLinearBetweenItsNodesAndExactAtThem) {
     EXPECT_DOUBLE_EQ(spectrum.at(4.75), 0.0);
 }
 
-TEST(Spectrum, holdsItsEndsOrIsZeroOutsideItsAxis) {
+TEST(Spectrum, HoldsItsEndsOrIsZeroOutsideItsAxis) {
     const Spectrum held({3.0, 5.0}, {1.0, 2.0}, Spectrum::Outside::hold);
     EXPECT_EQ(held.at(2.999), 1.0);
     EXPECT_EQ(held.at(50.0), 2.0);
@@ -64,7 +64,7 @@ TEST(Spectrum, holdsItsEndsOrIsZeroOutsideItsAxis) {
     EXPECT_EQ(zero.at(std::nextafter(5.0, 6.0)), 0.0);
 }
 
-TEST(Spectrum, thatIsConstantHoldsEverywhere) {
+TEST(Spectrum, ThatIsConstantHoldsEverywhere) {
     const Spectrum constant = Spectrum::constant(0.9);
     EXPECT_TRUE(constant.isConstant());
     EXPECT_EQ(constant.size(), 1u);
@@ -74,7 +74,7 @@ TEST(Spectrum, thatIsConstantHoldsEverywhere) {
     EXPECT_EQ(Spectrum().at(4.0), 0.0);
 }
 
-TEST(Spectrum, samplesInOneSweepWhatItGivesPointByPoint) {
+TEST(Spectrum, SamplesInOneSweepWhatItGivesPointByPoint) {
     std::mt19937 generator(1);
     const Spectrum spectrum = randomSpectrum(generator, {2.0, 6.0}, 50);
     std::vector<double> wavelengths;
@@ -88,7 +88,7 @@ TEST(Spectrum, samplesInOneSweepWhatItGivesPointByPoint) {
     EXPECT_THROW((void)spectrum.sample(std::vector{4.0, 3.0}), LogicError);
 }
 
-TEST(Spectrum, knowsItsExtremesAndWhatItCovers) {
+TEST(Spectrum, KnowsItsExtremesAndWhatItCovers) {
     const Spectrum spectrum({3.0, 4.0, 5.0}, {1.0, 3.0, -1.0});
     EXPECT_EQ(spectrum.minimum(), -1.0);
     EXPECT_EQ(spectrum.maximum(), 3.0);
@@ -97,7 +97,7 @@ TEST(Spectrum, knowsItsExtremesAndWhatItCovers) {
     EXPECT_FALSE(spectrum.covers({3.0, 5.001}));
 }
 
-TEST(Spectrum, mapsEveryValueAndKeepsItsNodes) {
+TEST(Spectrum, MapsEveryValueAndKeepsItsNodes) {
     const Spectrum spectrum({3.0, 4.0}, {1.0, 3.0}, Spectrum::Outside::zero);
     const Spectrum doubled = spectrum.mapped([](double value) { return 2.0 * value; });
     EXPECT_EQ(doubled, Spectrum({3.0, 4.0}, {2.0, 6.0}, Spectrum::Outside::zero));
@@ -105,7 +105,7 @@ TEST(Spectrum, mapsEveryValueAndKeepsItsNodes) {
               Spectrum::constant(0.75));
 }
 
-TEST(Spectrum, axesMergeIntoTheirUnionInsideTheRange) {
+TEST(Spectrum, AxesMergeIntoTheirUnionInsideTheRange) {
     const Spectrum a({2.0, 3.5, 4.0, 9.0}, {0, 0, 0, 0});
     const Spectrum b({3.0, 4.0, 4.5, 5.0}, {0, 0, 0, 0});
     const Spectrum c = Spectrum::constant(1.0);
@@ -116,7 +116,7 @@ TEST(Spectrum, axesMergeIntoTheirUnionInsideTheRange) {
     EXPECT_THROW(mergeAxes(all, {5.0, 3.0}), LogicError);
 }
 
-TEST(Spectrum, integralOfALineIsItsTrapezium) {
+TEST(Spectrum, IntegralOfALineIsItsTrapezium) {
     const Spectrum line({3.0, 5.0}, {1.0, 2.0});
     EXPECT_DOUBLE_EQ(integral({&line}, {3.0, 5.0}), 3.0);
     EXPECT_DOUBLE_EQ(integral({&line}, {4.0, 5.0}), 1.75);
@@ -126,7 +126,7 @@ TEST(Spectrum, integralOfALineIsItsTrapezium) {
     EXPECT_DOUBLE_EQ(integral({&zero}, {2.0, 6.0}), 3.0);
 }
 
-TEST(Spectrum, integralsOfProductsOfLinesAreExact) {
+TEST(Spectrum, IntegralsOfProductsOfLinesAreExact) {
     // t^n and t^n (1 - t) over 0 to 1 are 1 / (n + 1) and 1 / (n + 1)(n + 2).
     const SpectralRange unit{1.0, 2.0};
     const Spectrum rising({1.0, 2.0}, {0.0, 1.0});
@@ -141,7 +141,7 @@ TEST(Spectrum, integralsOfProductsOfLinesAreExact) {
     }
 }
 
-TEST(Spectrum, integralsOfProductsOnDifferentAxesAreExact) {
+TEST(Spectrum, IntegralsOfProductsOnDifferentAxesAreExact) {
     // A hat over 3, 4, 5 times a line that bends at 3.5: polynomials on four quarters, by hand.
     const Spectrum hat({3.0, 4.0, 5.0}, {0.0, 1.0, 0.0});
     const Spectrum bent({3.0, 3.5, 5.0}, {2.0, 1.0, 1.0});
@@ -149,7 +149,7 @@ TEST(Spectrum, integralsOfProductsOnDifferentAxesAreExact) {
     EXPECT_NEAR(integral({&hat, &bent}, {3.0, 5.0}), 1.0 / 4.0 - 1.0 / 12.0 + 7.0 / 8.0, 1e-15);
 }
 
-TEST(Spectrum, splittingARangeInTwoGivesTheSum) {
+TEST(Spectrum, SplittingARangeInTwoGivesTheSum) {
     std::mt19937 generator(7);
     const SpectralRange whole{3.0, 5.0};
     for (int trial = 0; trial < 50; ++trial) {
@@ -164,7 +164,7 @@ TEST(Spectrum, splittingARangeInTwoGivesTheSum) {
     }
 }
 
-TEST(Spectrum, constantFactorsScaleTheIntegral) {
+TEST(Spectrum, ConstantFactorsScaleTheIntegral) {
     const Spectrum hat({3.0, 4.0, 5.0}, {0.0, 1.0, 0.0});
     const Spectrum half = Spectrum::constant(0.5);
     EXPECT_DOUBLE_EQ(integral({&hat, &half, &half}, {3.0, 5.0}), 0.25);
@@ -172,7 +172,7 @@ TEST(Spectrum, constantFactorsScaleTheIntegral) {
     EXPECT_DOUBLE_EQ(integral({}, {3.0, 5.0}), 2.0);
 }
 
-TEST(Spectrum, sumsAndProductsFollowTheirPartsEverywhere) {
+TEST(Spectrum, SumsAndProductsFollowTheirPartsEverywhere) {
     std::mt19937 generator(3);
     const SpectralRange range{3.0, 5.0};
     const Spectrum a = randomSpectrum(generator, {2.5, 5.5}, 20);
@@ -186,7 +186,7 @@ TEST(Spectrum, sumsAndProductsFollowTheirPartsEverywhere) {
     }
 }
 
-TEST(Spectrum, productsStayWithinTheirRelativeTolerance) {
+TEST(Spectrum, ProductsStayWithinTheirRelativeTolerance) {
     const Spectrum rising({3.0, 5.0}, {1.0, 3.0});
     const Spectrum falling({3.0, 5.0}, {5.0, 2.0});
     const Spectrum squared = product(rising, falling, {3.0, 5.0}, 1e-6);
@@ -199,7 +199,7 @@ TEST(Spectrum, productsStayWithinTheirRelativeTolerance) {
     EXPECT_GT(worst, 1e-8);
 }
 
-TEST(Spectrum, sumsAndProductsKeepTheJumpAtTheEndOfAnEmission) {
+TEST(Spectrum, SumsAndProductsKeepTheJumpAtTheEndOfAnEmission) {
     const Spectrum emission({3.5, 4.5}, {2.0, 4.0}, Spectrum::Outside::zero);
     const Spectrum air({3.0, 5.0}, {0.5, 0.5});
     const SpectralRange range{3.0, 5.0};
@@ -215,7 +215,7 @@ TEST(Spectrum, sumsAndProductsKeepTheJumpAtTheEndOfAnEmission) {
     EXPECT_EQ(both.at(3.5), 2.5);
 }
 
-TEST(Spectrum, sumsAndProductsOfConstantsAreConstant) {
+TEST(Spectrum, SumsAndProductsOfConstantsAreConstant) {
     const Spectrum a = Spectrum::constant(0.5);
     const Spectrum b = Spectrum::constant(0.25);
     EXPECT_EQ(sum(a, b, {3.0, 5.0}), Spectrum::constant(0.75));
@@ -236,7 +236,7 @@ class SpectrumRefuses : public testing::TestWithParam<BadAxis> {};
 
 } // namespace
 
-TEST_P(SpectrumRefuses, theAxisAndNamesTheFirstBadNode) {
+TEST_P(SpectrumRefuses, TheAxisAndNamesTheFirstBadNode) {
     const BadAxis& row = GetParam();
     try {
         const Spectrum spectrum(row.wavelengths_um, row.values, Spectrum::Outside::hold, "paint");
@@ -268,7 +268,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadAxis{"infiniteValue", {3.0, 4.0}, {-infinity, 1}, "node 1", "-inf"}),
     [](const auto& row) { return std::string(row.param.name); });
 
-TEST(Spectrum, refusesAConstantThatIsNotFinite) {
+TEST(Spectrum, RefusesAConstantThatIsNotFinite) {
     EXPECT_THROW(Spectrum::constant(notANumber), InputError);
     EXPECT_THROW(Spectrum::constant(infinity), InputError);
 }

@@ -13,11 +13,12 @@ TEST(TaskThread, DoesWhatItIsGivenInOrderOnOneThread) {
     std::vector<std::thread::id> threads;
     {
         TaskThread thread;
-        for (int i = 0; i < 100; ++i)
+        for (int i = 0; i < 100; ++i) {
             thread.post([&, i] {
                 done.push_back(i);
                 threads.push_back(std::this_thread::get_id());
             });
+        }
     } // does what it was given first
     ASSERT_EQ(done.size(), 100u);
     for (int i = 0; i < 100; ++i) {

@@ -28,8 +28,9 @@ TEST(DamagedMtf, IsRefusedByNameAndByteOffset) {
 
 TEST(DamagedMtf, TellsEveryDiagnosticUpToTwenty) {
     std::string bytes = smallDatabase().bytes();
-    for (std::size_t at = 40; at < bytes.size(); at += 8)
+    for (std::size_t at = 40; at < bytes.size(); at += 8) {
         putDouble(bytes, at, -3.0);
+    }
     try {
         MtfDatabase::fromBytes(bytes, "haze.mtf");
         FAIL();

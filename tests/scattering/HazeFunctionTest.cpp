@@ -47,9 +47,11 @@ TEST(PixelHaze, AccountsForAllEnergy) {
         const KnownHaze known{20.0, 2.5};
         const PixelHaze haze(HazeFunction(known.curve()), 5e-4, support);
         double sum = 0.0;
-        for (int y = -support; y <= support; ++y)
-            for (int x = -support; x <= support; ++x)
+        for (int y = -support; y <= support; ++y) {
+            for (int x = -support; x <= support; ++x) {
                 sum += haze.at(x, y);
+            }
+        }
         EXPECT_NEAR(sum, haze.energy(), 1e-9) << support;
         EXPECT_NEAR(haze.energy() + haze.cut(), 2.5, 1e-9) << support;
         EXPECT_GT(haze.cut(), 0.0);

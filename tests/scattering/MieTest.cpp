@@ -64,8 +64,9 @@ const Case cases[] = {
 };
 
 void expectPrinted(double value, const Printed& printed, const char* what) {
-    if (printed.half < 0.0)
+    if (printed.half < 0.0) {
         return;
+    }
     EXPECT_NEAR(value, printed.value, printed.half * (1.0 + 1e-6)) << what;
 }
 
@@ -88,8 +89,9 @@ TEST(Mie, HasThePrintedAmplitudes) {
         {0.400212, 0.156643, -0.174875, -0.122959}, {0.362157, 0.149391, -0.305682, -0.143846},
         {0.348844, 0.146829, -0.348844, -0.146829}};
     std::vector<double> cosines;
-    for (int i = 0; i < 7; ++i)
+    for (int i = 0; i < 7; ++i) {
         cosines.push_back(std::cos(radians(30.0 * i)));
+    }
     const auto amplitudes = MieSphere({1.5, 1.0}, 1.0).amplitudes(cosines);
     for (std::size_t i = 0; i < 7; ++i) {
         SCOPED_TRACE(30 * i);
@@ -124,8 +126,9 @@ TEST(Mie, HasThePrintedPhaseFunctionOfBohrenAndHuffman) {
                                  {0.301676e-1, -0.196194},
                                  {0.383189e-1, 0.0}};
     std::vector<double> cosines;
-    for (int i = 0; i <= 20; ++i)
+    for (int i = 0; i <= 20; ++i) {
         cosines.push_back(std::cos(radians(9.0 * i)));
+    }
     const auto s = MieSphere({1.55, 0.0}, 2.0 * pi * 0.525 / 0.6328).amplitudes(cosines);
     const double forward = std::norm(s[0].across) + std::norm(s[0].along);
     for (std::size_t i = 0; i <= 20; ++i) {
@@ -162,14 +165,16 @@ TEST(Mie, SumsItsAnglesToItsEfficiency) {
     const MieSphere sphere({1.351, 0.0046}, 78.5);
     std::vector<double> cosines;
     constexpr int count = 20001;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         cosines.push_back(std::cos(pi * i / (count - 1)));
+    }
     const auto s = sphere.amplitudes(cosines);
     double sum = 0.0;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         sum += (std::norm(s[static_cast<std::size_t>(i)].across) +
                 std::norm(s[static_cast<std::size_t>(i)].along)) *
                std::sin(pi * i / (count - 1)) * pi / (count - 1);
+    }
     EXPECT_NEAR(sum / (78.5 * 78.5), sphere.efficiencies().scattering, 1e-5);
 }
 

@@ -64,8 +64,9 @@ TEST(MtfBuild, IsCancelledAndGoesOnWithTheSameResult) {
     ASSERT_TRUE(std::filesystem::exists(file));
     std::ifstream in(file);
     int lines = 0;
-    for (std::string line; std::getline(in, line);)
+    for (std::string line; std::getline(in, line);) {
         ++lines;
+    }
     EXPECT_GT(lines, 3);
     // A kill cuts the last line short.
     std::filesystem::resize_file(file, std::filesystem::file_size(file) - 9);

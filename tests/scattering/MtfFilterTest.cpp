@@ -35,16 +35,19 @@ std::vector<float> speckle(std::size_t count) {
 std::vector<double> direct(const PixelHaze& haze, const HazeWindow& object,
                            const std::vector<float>& values, const HazeWindow& to) {
     std::vector<double> sums;
-    for (int y = to.y; y < to.y + to.height; ++y)
+    for (int y = to.y; y < to.y + to.height; ++y) {
         for (int x = to.x; x < to.x + to.width; ++x) {
             double sum = 0.0;
-            for (int v = 0; v < object.height; ++v)
-                for (int u = 0; u < object.width; ++u)
+            for (int v = 0; v < object.height; ++v) {
+                for (int u = 0; u < object.width; ++u) {
                     sum += static_cast<double>(
                                values[static_cast<std::size_t>(v * object.width + u)]) *
                            haze.at(x - object.x - u, y - object.y - v);
+                }
+            }
             sums.push_back(sum);
         }
+    }
     return sums;
 }
 
@@ -79,8 +82,9 @@ TEST(MtfFilter, EqualsTheDirectSumForAllSizes) {
         const std::vector<double> expected = direct(filter.haze(), one.object, values, to);
         const double largest = *std::ranges::max_element(expected);
         double worst = 0.0;
-        for (std::size_t i = 0; i < sums.size(); ++i)
+        for (std::size_t i = 0; i < sums.size(); ++i) {
             worst = std::max(worst, std::abs(static_cast<double>(sums[i]) - expected[i]));
+        }
         EXPECT_LE(worst, 1e-5 * largest);
         RecordProperty(std::string("worst over largest, ") + one.name,
                        std::to_string(worst / largest));
@@ -96,10 +100,12 @@ TEST(MtfFilter, GivesTheEnergyOfTheMtfLessTheReportedCut) {
         std::vector<float> sums(to.size(), 0.0f);
         filter.addHaze(object, values, to, sums);
         double in = 0.0, out = 0.0;
-        for (const float value : values)
+        for (const float value : values) {
             in += static_cast<double>(value);
-        for (const float value : sums)
+        }
+        for (const float value : sums) {
             out += static_cast<double>(value);
+        }
         const double gained = (in + out) / in;
         EXPECT_NEAR(gained / (known.curve().gain() - filter.haze().cut()), 1.0, 1e-6) << gain;
     }
@@ -112,13 +118,15 @@ TEST(MtfFilter, NeverWraps) {
     std::vector<float> sums(all.size(), 0.0f);
     filter.addHaze(object, std::vector<float>(object.size(), 1.0f), all, sums);
     double right = 0.0, largest = 0.0;
-    for (int y = 0; y < 100; ++y)
+    for (int y = 0; y < 100; ++y) {
         for (int x = 0; x < 100; ++x) {
             const double value = static_cast<double>(sums[static_cast<std::size_t>(100 * y + x)]);
             largest = std::max(largest, value);
-            if (x >= 32)
+            if (x >= 32) {
                 right = std::max(right, std::abs(value));
+            }
         }
+    }
     EXPECT_LT(right, 1e-6 * largest);
 }
 
@@ -141,27 +149,31 @@ TEST(MtfFilter, SpreadsThePointRoundly) {
             sums[static_cast<std::size_t>((support + y) * size + support + x)]);
     };
     double worst = 0.0;
-    for (int y = -support; y <= support; ++y)
+    for (int y = -support; y <= support; ++y) {
         for (int x = -support; x <= support; ++x) {
             const double r = std::hypot(x, y);
-            if (r < 3.0 || r > haze->taperFrom_px() - 1.0)
+            if (r < 3.0 || r > haze->taperFrom_px() - 1.0) {
                 continue;
+            }
             worst =
                 std::max(worst, std::abs(at(x, y) / (function.density_sr(1e-3 * r) * 1e-6) - 1.0));
         }
+    }
     EXPECT_LE(worst, 0.01);
     const int equal[][4] = {{5, 0, 3, 4},    {7, 1, 5, 5},     {13, 0, 5, 12},  {25, 0, 7, 24},
                             {65, 0, 33, 56}, {65, 0, 52, -39}, {-50, 0, 30, 40}};
-    for (const auto& [x0, y0, x1, y1] : equal)
+    for (const auto& [x0, y0, x1, y1] : equal) {
         EXPECT_NEAR(at(x0, y0) / at(x1, y1), 1.0, 0.01) << x0 << ' ' << y0;
+    }
 }
 
 TEST(MtfFilter, ScalesAUniformPictureInPeriodicModeByTheGain) {
     const MtfCurve curve = KnownHaze{30.0, 1.5}.curve();
     for (const auto& [width, height] : {std::pair{64, 64}, {31, 17}, {1, 53}, {40, 1}, {1, 1}}) {
         const std::vector<float> image(static_cast<std::size_t>(width * height), 3.0f);
-        for (const float value : filteredPeriodically(curve, 1e-3, width, height, image))
+        for (const float value : filteredPeriodically(curve, 1e-3, width, height, image)) {
             ASSERT_NEAR(value, 7.5, 1e-5) << width << " x " << height;
+        }
     }
 }
 
@@ -170,8 +182,9 @@ TEST(MtfFilter, ScalesAWaveInPeriodicModeByItsMtf) {
     constexpr int size = 64;
     for (const int waves : {1, 2, 5}) {
         std::vector<float> image;
-        for (int i = 0; i < size * size; ++i)
+        for (int i = 0; i < size * size; ++i) {
             image.push_back(static_cast<float>(std::cos(2.0 * pi * waves * (i % size) / size)));
+        }
         const std::vector<float> out = filteredPeriodically(curve, 1e-3, size, size, image);
         EXPECT_NEAR(out.front() / curve.at(waves / (size * 1e-3)), 1.0, 1e-5);
     }
@@ -185,17 +198,20 @@ TEST(MtfFilter, IsTheSameFilterInPeriodicAndInLinearMode) {
     constexpr int size = 256;
     std::vector<float> image(size * size, 0.0f);
     // A smooth spot, so that pixels and points are alike.
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x)
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
             image[static_cast<std::size_t>(size * y + x)] = static_cast<float>(
                 std::exp(-0.5 * (std::pow(x - 128.0, 2) + std::pow(y - 128.0, 2)) / 36.0));
+        }
+    }
     const std::vector<float> periodic =
         filteredPeriodically(known.curve(), 1e-3, size, size, image);
     std::vector<float> linear = image;
     filter.addHaze({0, 0, size, size}, image, {0, 0, size, size}, linear);
-    for (const int x : {128, 130, 140, 160, 180})
+    for (const int x : {128, 130, 140, 160, 180}) {
         EXPECT_NEAR(periodic[static_cast<std::size_t>(size * 128 + x)],
                     linear[static_cast<std::size_t>(size * 128 + x)], 5e-3);
+    }
 }
 
 TEST(MtfFilter, PlansASizeOnceAndKeepsItsWisdom) {
@@ -205,8 +221,9 @@ TEST(MtfFilter, PlansASizeOnceAndKeepsItsWisdom) {
     const std::vector<float> values(object.size(), 1.0f);
     filter.addHaze(object, values, to, sums);
     const std::size_t planned = FftPlans::shared().planned();
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 5; ++i) {
         filter.addHaze(object, values, to, sums);
+    }
     EXPECT_EQ(FftPlans::shared().planned(), planned);
     if (!FftPlans::wisdomFile().empty()) {
         EXPECT_TRUE(std::filesystem::exists(FftPlans::wisdomFile()));

@@ -22,10 +22,11 @@ TEST(PhotonTracer, AgreesWithTheSmallAngleTheoryWhereAnglesAreSmall) {
             const PhotonTracer tracer(phase, layers, depth, frequencies);
             const PhotonEstimate traced = tracer.estimate(tracer.trace(7, 0, 40000));
             const MtfCurve expected = theory.curve(depth, frequencies);
-            for (std::size_t i = 0; i < frequencies.size(); ++i)
+            for (std::size_t i = 0; i < frequencies.size(); ++i) {
                 EXPECT_NEAR(traced.mtf[i], expected.values()[i],
                             4.0 * traced.standardError[i] + 2e-3 * expected.values()[i])
                     << depth << ", " << frequencies[i];
+            }
         }
     }
 }
@@ -44,24 +45,28 @@ double passedSlab(double depth) {
     const auto e1 = [](double x) { return -std::expint(-x); };
     const auto e2 = [&](double x) { return x > 0.0 ? std::exp(-x) - x * e1(x) : 1.0; };
     std::vector<double> order, all(cells, 0.0);
-    for (int i = 0; i < cells; ++i)
+    for (int i = 0; i < cells; ++i) {
         order.push_back(std::exp(-h * i) - std::exp(-h * (i + 1)));
+    }
     // From the middle of a cell into another one; into its own both ways.
     std::vector<double> reach{1.0 - e2(0.5 * h)};
-    for (int k = 1; k < cells; ++k)
+    for (int k = 1; k < cells; ++k) {
         reach.push_back(0.5 * (e2(h * (k - 0.5)) - e2(h * (k + 0.5))));
+    }
     for (int n = 0; n < 200; ++n) {
         std::vector<double> next(cells, 0.0);
         for (std::size_t i = 0; i < cells; ++i) {
             all[i] += order[i];
-            for (std::size_t j = 0; j < cells; ++j)
+            for (std::size_t j = 0; j < cells; ++j) {
                 next[j] += order[i] * reach[i > j ? i - j : j - i];
+            }
         }
         order = next;
     }
     double passed = std::exp(-depth);
-    for (int i = 0; i < cells; ++i)
+    for (int i = 0; i < cells; ++i) {
         passed += 0.5 * all[static_cast<std::size_t>(i)] * e2(h * (cells - i - 0.5));
+    }
     return passed;
 }
 

@@ -40,9 +40,10 @@ TEST(PhaseFunction, HasTheTransformOfANarrowExponential) {
     const double w = 0.01;
     const PhaseFunction phase = narrow(w);
     EXPECT_NEAR(phase.transform(0.0), 1.0, 1e-6);
-    for (const double k : {1e-4, 1.0, 5.0, 16.0, 50.0, 200.0})
+    for (const double k : {1e-4, 1.0, 5.0, 16.0, 50.0, 200.0}) {
         EXPECT_NEAR(phase.transform(k), std::pow(1.0 + std::pow(2.0 * pi * k * w, 2), -1.5), 3e-4)
             << k;
+    }
 }
 
 TEST(PhaseFunction, OfMieTheoryHasTheAsymmetryOfItsSeries) {
@@ -74,8 +75,9 @@ TEST(SmallAngleMtf, HasTheClosedFormOfAUniformPath) {
 TEST(SmallAngleMtf, OfEqualLayersIsThatOfOne) {
     const SmallAngleMtf one(narrow(0.01), {{}}, 1e3);
     const SmallAngleMtf three(narrow(0.01), {{1.0, 7.0}, {2.0, 7.0}, {5.0, 7.0}}, 1e3);
-    for (const double k : {0.0, 1.0, 10.0, 100.0})
+    for (const double k : {0.0, 1.0, 10.0, 100.0}) {
         EXPECT_NEAR(one.meanTransform(k), three.meanTransform(k), 1e-12);
+    }
 }
 
 TEST(SmallAngleMtf, BlursMoreWhereTheDropletsAreAtTheSensor) {

@@ -13,8 +13,9 @@ inline MtfDatabase smallDatabase() {
     std::vector<std::vector<double>> values;
     for (const double depth : {1.0, 2.0}) {
         values.emplace_back();
-        for (const double one : q)
+        for (const double one : q) {
             values.back().push_back(std::exp(depth * one));
+        }
     }
     return {{1.0, 1.0, 100e-6, 299792458.0 / 4e-6}, {0.0, 1.0, 10.0, 100.0}, {1.0, 2.0}, values};
 }

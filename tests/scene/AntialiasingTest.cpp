@@ -70,7 +70,7 @@ Errors errorsOverPhases(Irsg& irsg, const Mesh& mesh, double size_m, double size
     look(irsg, viewOf(size_m, size_px));
     const Attitude attitude{0, 0, roll_rad};
     Errors errors;
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < 16; ++i) {
         for (int j = 0; j < 16; ++j) {
             shift(irsg, std::fmod(i * 0.61803398875 + 0.1, 1.0),
                   std::fmod(j * 0.41421356237 + 0.3, 1.0), attitude);
@@ -82,6 +82,7 @@ Errors errorsOverPhases(Irsg& irsg, const Mesh& mesh, double size_m, double size
             errors.rms += error * error / 256.0;
             errors.worst = std::max(errors.worst, std::abs(error));
         }
+    }
     errors.rms = std::sqrt(errors.rms);
     return errors;
 }
@@ -109,7 +110,7 @@ TEST(AlignedZoom, KeepsTheIntensityOfASphereAtEveryPhaseFromAHundredPixelsToAHun
 
 TEST(AlignedZoom, KeepsTheIntensityOfALopsidedBodyThatIsTurned) {
     Irsg& irsg = generator();
-    for (double angle_deg : {5.0, 30.0, 45.0, 85.0})
+    for (double angle_deg : {5.0, 30.0, 45.0, 85.0}) {
         for (double size_px : sizes_px) {
             const Errors errors =
                 errorsOverPhases(irsg, lShape(), 2.0, size_px, radians(angle_deg));
@@ -118,6 +119,7 @@ TEST(AlignedZoom, KeepsTheIntensityOfALopsidedBodyThatIsTurned) {
             std::printf("L at %.0f deg, %6.2f px: RMS %.1e, largest %.1e\n", angle_deg, size_px,
                         errors.rms, errors.worst);
         }
+    }
 }
 
 /// With one lattice for all edges these turns had 0.24 to 0.47 % RMS.
@@ -163,8 +165,9 @@ TEST(AlignedZoom, SharesASmallObjectAmongThePixelsItTouches) {
 
     shift(irsg, 0.5, 0.5);
     const RadianceImage onCorner = irsg.render().image;
-    for (const auto& [right, down] : {std::pair{0, 0}, {1, 0}, {0, -1}, {1, -1}})
+    for (const auto& [right, down] : {std::pair{0, 0}, {1, 0}, {0, -1}, {1, -1}}) {
         EXPECT_NEAR(pixel(onCorner, right, down) / whole, 0.25, 2e-3);
+    }
 }
 
 TEST(AlignedZoom, CrossesItsThresholdsWithoutAJump) {
@@ -252,9 +255,10 @@ TEST(AlignedZoom, DrawsTheSameImageTwiceAndInAnyOrderOfObjects) {
     irsg.setEntities({far, box, ball});
     irsg.setViewpoint(camera);
     const RadianceImage other = irsg.render().image;
-    for (std::size_t i = 0; i < other.primary().values.size(); ++i)
+    for (std::size_t i = 0; i < other.primary().values.size(); ++i) {
         EXPECT_NEAR(other.primary().values[i], first.primary().values[i],
                     1e-6f * first.primary().values[i]);
+    }
 }
 
 TEST(AlignedZoom, ShowsWhatLeavesTheFrameStraddlesItOrStandsAroundTheCamera) {
@@ -291,8 +295,9 @@ TEST(AlignedZoom, NamesTheSurfaceOfAnObjectSmallerThanAPixel) {
     const std::size_t middle = image.offset(3, 3);
     EXPECT_EQ(image.find("temperature_index")->values[middle], 1.0f);
     float sum = 0.0f;
-    for (const char* term : {"thermal", "sun", "up", "down", "path", "background"})
+    for (const char* term : {"thermal", "sun", "up", "down", "path", "background"}) {
         sum += image.find(term)->values[middle];
+    }
     // The terms are a drawing of their own, in which a sample on the outline may fall differently.
     EXPECT_NEAR(sum / image.primary().values[middle], 1.0, 1e-4);
 }
@@ -323,8 +328,9 @@ TEST(PointSource, KeepsTheIntensityOfItsWindowAndIsDrawnOnce) {
     look(irsg, viewOf(2.0, 0.005));
     shift(irsg, 0.1, 0.1, body.pose.attitude);
     const double first = irsg.render().report.all.intensity_W_sr;
-    for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
+    for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
         EXPECT_NE(stage.name, "drawing");
+    }
     // Seen from elsewhere, it is drawn anew.
     View side = viewOf(2.0, 0.005);
     side.azimuth_rad = 0.5;
@@ -409,8 +415,9 @@ TEST(AlignedZoom, SharesTheMemoryOfItsWindows) {
         look(irsg, view);
         EXPECT_EQ(irsg.graphicsMemory_bytes(), 0u);
         const RenderReport report = irsg.render().report;
-        for (const ObjectRadiometry& object : report.objects)
+        for (const ObjectRadiometry& object : report.objects) {
             EXPECT_GT(object.coveredPixels, 100.0);
+        }
         return irsg.graphicsMemory_bytes();
     };
     for (double transmissivity : {0.0, 0.5}) {

@@ -39,8 +39,9 @@ double clearSky(double elevation_rad, double depth, double horizon_rad = 0.0) {
 
 TEST(FastAngle, IsTheArcTangentToOneInTenMillion) {
     const FastAngle angle;
-    for (double turn = -3.14; turn < 3.14; turn += 0.0117)
+    for (double turn = -3.14; turn < 3.14; turn += 0.0117) {
         EXPECT_NEAR(angle(3.0 * std::sin(turn), 3.0 * std::cos(turn)), turn, 1e-7);
+    }
     EXPECT_EQ(angle(0.0, 0.0), 0.0);
     EXPECT_EQ(angle(0.0, 2.0), 0.0);
     EXPECT_NEAR(angle(2.0, 0.0), 0.5 * pi, 1e-15);
@@ -74,19 +75,22 @@ TEST(Horizon, SharesAPixelByItsArea) {
         const FieldRays rays(sensor, view);
         const Horizon horizon(rays, radians(0.03));
         // The mean over a fine lattice of points in each pixel.
-        for (int y = 0; y < 9; ++y)
+        for (int y = 0; y < 9; ++y) {
             for (int x = 0; x < 9; ++x) {
                 int above = 0;
                 constexpr int n = 100;
-                for (int j = 0; j < n; ++j)
-                    for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) {
+                    for (int i = 0; i < n; ++i) {
                         above +=
                             elevationOf_rad(rays.at(rays.u(x + (i + 0.5) / n),
                                                     rays.v(y + (j + 0.5) / n))) > radians(0.03);
+                    }
+                }
                 EXPECT_NEAR(horizon.skyFraction(rays.u(x + 0.5), rays.v(y + 0.5)),
                             above / double{n * n}, 0.011)
                     << roll_deg << " deg, pixel " << x << ", " << y;
             }
+        }
     }
 }
 
@@ -132,8 +136,9 @@ TEST(BackgroundGrid, PutsARowOnEachSideOfTheHorizon) {
 TEST(BackgroundGrid, CarriesAConstantUnchanged) {
     const BackgroundGrid grid(sensorOf(65, 33, 60.0), looking(200.0, 3.0), 0.0, 16, 5,
                               [](const LineOfSight&) { return 123.25; });
-    for (const double value : grid.pixels())
+    for (const double value : grid.pixels()) {
         EXPECT_EQ(value, 123.25);
+    }
 }
 
 TEST(BackgroundGrid, IsExactForWhatIsBilinearInElevationAndAzimuthBetweenTwoRows) {
@@ -147,20 +152,22 @@ TEST(BackgroundGrid, IsExactForWhatIsBilinearInElevationAndAzimuthBetweenTwoRows
     const FieldRays rays(sensor, view);
     const BackgroundGrid grid(sensor, view, 0.0, 2, 3, plane);
     const std::vector<double> pixels = grid.pixels();
-    for (int y = 0; y < 30; ++y)
+    for (int y = 0; y < 30; ++y) {
         for (int x = 0; x < 40; ++x) {
             const Vec3 d = rays.at(rays.u(x + 0.5), rays.v(y + 0.5));
             const double expected = plane({0.0, elevationOf_rad(d), azimuthOf_rad(d)});
             EXPECT_NEAR(pixels[static_cast<std::size_t>(y * 40 + x)], expected, 1e-6);
             EXPECT_NEAR(grid.at(d), expected, 1e-12);
         }
+    }
 }
 
 TEST(BackgroundGrid, GoesAllAroundTheZenithWithoutASeam) {
     const auto around = [](const LineOfSight& sight) { return 3.0 + std::cos(sight.azimuth_rad); };
     const BackgroundGrid grid(sensorOf(32, 32, 30.0), looking(10.0, 88.0), 0.0, 8, 72, around);
-    for (double azimuth = 0.0; azimuth < 2 * pi; azimuth += 0.01)
+    for (double azimuth = 0.0; azimuth < 2 * pi; azimuth += 0.01) {
         EXPECT_NEAR(grid.at(direction(azimuth, radians(80.0))), around({0.0, 1.4, azimuth}), 1e-3);
+    }
 }
 
 TEST(BackgroundGrid, IsWithinHalfAPercentOfAClearSkyAtSixteenRows) {
@@ -201,8 +208,9 @@ TEST(BackgroundGrid, TakesAsManyRowsAsHalfAPercentNeeds) {
     // Air that ends at layers: radiances with kinks of the limb beside smooth ones.
     const auto layered = [](double elevation_rad) {
         double radiance = clearSky(elevation_rad, 0.1);
-        for (const double layer_deg : {0.7, 1.1, 2.4, 3.1})
+        for (const double layer_deg : {0.7, 1.1, 2.4, 3.1}) {
             radiance /= 1.0 + 0.7 * std::max(degrees(elevation_rad) - layer_deg, 0.0);
+        }
         return radiance;
     };
     const auto smooth = [](double elevation_rad) { return clearSky(elevation_rad, 0.3); };
@@ -253,12 +261,13 @@ TEST(BackgroundGrid, MixesSkyAndGroundOnlyInThePixelThatHoldsTheHorizon) {
     const std::vector<double> pixels = grid.pixels();
     const Horizon horizon(rays, 0.0);
     int mixed = 0;
-    for (int y = 0; y < 33; ++y)
+    for (int y = 0; y < 33; ++y) {
         for (int x = 0; x < 33; ++x) {
             const double sky = horizon.skyFraction(rays.u(x + 0.5), rays.v(y + 0.5));
             EXPECT_NEAR(pixels[static_cast<std::size_t>(y * 33 + x)], 5.0 - 4.0 * sky, 1e-12);
             mixed += sky > 0.0 && sky < 1.0;
         }
+    }
     EXPECT_EQ(mixed, 33) << "one pixel of every column";
 }
 

@@ -47,8 +47,9 @@ std::shared_ptr<const Terrain> wall(const Vec3& corner, double width_m, double h
 
 std::shared_ptr<const Skybox> plainSky(float texel) {
     std::array<TextureImage, 6> faces;
-    for (TextureImage& face : faces)
+    for (TextureImage& face : faces) {
         face = {2, 2, std::vector<float>(4, texel)};
+    }
     return std::make_shared<const Skybox>(faces);
 }
 
@@ -124,7 +125,7 @@ TEST_F(BackgroundScene, HidesTheObjectBehindAHillInEveryMode) {
     struct Mode {
         int zoomWindow, samplesPerAxis;
     };
-    for (const Mode& mode : {Mode{0, 1}, {0, 2}, {0, 4}, {128, 1}, {256, 1}, {512, 1}})
+    for (const Mode& mode : {Mode{0, 1}, {0, 2}, {0, 4}, {128, 1}, {256, 1}, {512, 1}}) {
         for (const double range_m : {100.0, 3000.0, 50000.0}) {
             settings.zoomWindow = mode.zoomWindow;
             settings.samplesPerAxis = mode.samplesPerAxis;
@@ -148,6 +149,7 @@ TEST_F(BackgroundScene, HidesTheObjectBehindAHillInEveryMode) {
             const double shown_sr = render().report.all.solidAngle_sr;
             EXPECT_NEAR(shown_sr, whole_sr, 1e-9 * whole_sr) << name;
         }
+    }
 }
 
 TEST_F(BackgroundScene, HidesTransparentSurfacesToo) {

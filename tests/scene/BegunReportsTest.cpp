@@ -73,8 +73,9 @@ TEST(BegunReports, AreThoseOfOneCallEachInWhateverOrderTheyAreFinished) {
             aim(irsg, azimuth_rad);
             begun.push_back(irsg.beginMeasure({}));
         }
-        for (const std::size_t i : order)
+        for (const std::size_t i : order) {
             EXPECT_EQ(numbersOf(irsg.finishMeasure(begun[i])), expected[i]) << i;
+        }
     }
 }
 
@@ -88,8 +89,9 @@ TEST(BegunReports, OfOneViewShareItsDrawing) {
     const auto second = irsg.beginMeasure({Band::topHat(3.5, 4.5)});
     const auto ofSecond = numbersOf(irsg.finishMeasure(second));
     const auto ofFirst = numbersOf(irsg.finishMeasure(first));
-    for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
+    for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
         EXPECT_TRUE(stage.name != "factor sums" || stage.calls == 1);
+    }
 
     Irsg alone = glazedBody();
     aim(alone, 0.4);
@@ -126,8 +128,9 @@ TEST(BegunReports, OfAPictureAreThoseOfASweepHoweverLarge) {
 
         // The pixels themselves are sampled more finely.
         double above_W_m2_sr = 0.0;
-        for (const float pixel : picture.image.primary().values)
+        for (const float pixel : picture.image.primary().values) {
             above_W_m2_sr += static_cast<double>(pixel) - picture.report.background_W_m2_sr;
+        }
         const double pitch = irsg.sensor().pixelPitch();
         const double ofPixels_W_sr = above_W_m2_sr * pitch * pitch * 80.0 * 80.0;
         EXPECT_NEAR(ofPixels_W_sr / swept.contrastIntensity_W_sr, 1.0, 0.01) << fieldOfView_deg;
@@ -152,12 +155,15 @@ TEST(WindowStream, TakesWindowsInOrderAndStreamsOneAfterTheOther) {
         };
         all.push_back(stream.start(engine, std::move(work)));
     }
-    for (auto& one : all)
+    for (auto& one : all) {
         one.get();
+    }
     std::vector<std::pair<int, std::size_t>> expected;
-    for (int number = 0; number < 3; ++number)
-        for (std::size_t window = 0; window < 5; ++window)
+    for (int number = 0; number < 3; ++number) {
+        for (std::size_t window = 0; window < 5; ++window) {
             expected.emplace_back(number, window);
+        }
+    }
     EXPECT_EQ(taken, expected);
 }
 
@@ -168,12 +174,14 @@ TEST(WindowStream, TellsWhatFailedAndGoesOn) {
         WindowStream::Work work;
         work.drawings = 4;
         work.draw = [=](std::size_t window, FactorSamples&, WindowStream::Seconds&) {
-            if (failsInDrawing && window == 2)
+            if (failsInDrawing && window == 2) {
                 throw std::runtime_error("drawing");
+            }
         };
         work.take = [=](std::size_t window, const FactorSamples&) {
-            if (failsInTaking && window == 1)
+            if (failsInTaking && window == 1) {
                 throw std::runtime_error("taking");
+            }
         };
         return stream.start(engine, std::move(work));
     };

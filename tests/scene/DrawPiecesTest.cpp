@@ -90,7 +90,7 @@ TEST(DrawPieces, ThatAWindowCannotShowAreNotMissed) {
     look(irsg, middle);
     const RadianceImage part = irsg.render().image;
     const float least = 0.1f * all.primary().values[all.offset(30, 30)];
-    for (int y = 0; y < 30; ++y)
+    for (int y = 0; y < 30; ++y) {
         for (int x = 0; x < 30; ++x) {
             EXPECT_GT(part.primary().values[part.offset(x, y)], least) << x << ' ' << y;
             EXPECT_NEAR(part.primary().values[part.offset(x, y)],
@@ -98,4 +98,5 @@ TEST(DrawPieces, ThatAWindowCannotShowAreNotMissed) {
                         1e-5f * all.primary().values[all.offset(30, 30)])
                 << x << ' ' << y;
         }
+    }
 }

@@ -35,11 +35,13 @@ std::vector<Visit> visitsOf(LayerWalk& walk, const std::vector<std::int32_t>& dr
     samples.factorCount = 3;
     samples.opaque = {0.0f, 0.0f, 0.0f, 0.0f};
     std::vector<float> list;
-    for (std::size_t i = drawn.size(); i-- > 0;)
+    for (std::size_t i = drawn.size(); i-- > 0;) {
         for (const float word :
              {std::bit_cast<float>(0u), 1.0f / static_cast<float>(i + 1),
-              static_cast<float>(drawn[i] + 1), distances_m[i], 0.0f, 0.0f, 0.0f, 0.0f})
+              static_cast<float>(drawn[i] + 1), distances_m[i], 0.0f, 0.0f, 0.0f, 0.0f}) {
             list.push_back(word);
+        }
+    }
     gatherFragments(list, samples);
     sortLayers(samples, 10);
     std::vector<Visit> visits;
@@ -63,10 +65,11 @@ TEST(FactorField, KeepsSumsByCellAndKindWhateverTheOrder) {
         sums[1] += 10.0 * cell;
     }
     std::vector<std::tuple<std::size_t, int, double, double>> found;
-    for (std::size_t cell = 0; cell < 3; ++cell)
+    for (std::size_t cell = 0; cell < 3; ++cell) {
         field.forEach(cell, [&](std::size_t kind, std::span<const double> numbers) {
             found.emplace_back(cell, static_cast<int>(kind), numbers[0], numbers[1]);
         });
+    }
     EXPECT_EQ(found, (std::vector<std::tuple<std::size_t, int, double, double>>{
                          {0, b, 2.0, 0.0}, {2, a, 2.0, 40.0}, {2, b, 1.0, 20.0}}));
 }

@@ -65,8 +65,9 @@ TEST_P(Damage, OfAnyLengthIsRefusedWithTheByteItEndsAt) {
     ASSERT_FALSE(bytes.empty());
     Mill mill;
     const std::size_t step = std::max<std::size_t>(1, bytes.size() / 150);
-    for (std::size_t length = 0; length < bytes.size(); length += step)
+    for (std::size_t length = 0; length < bytes.size(); length += step) {
         mill.grind(bytes.substr(0, length), "cut at " + std::to_string(length));
+    }
     EXPECT_EQ(mill.loaded, 0);
     EXPECT_EQ(mill.withByte, mill.refused);
 }
@@ -78,8 +79,9 @@ TEST_P(Damage, OfAnyBitsIsLoadedOrRefused) {
     for (int round = 0; round < rounds; ++round) {
         auto damaged = bytes;
         const int flips = 1 + round % 8;
-        for (int i = 0; i < flips; ++i)
+        for (int i = 0; i < flips; ++i) {
             damaged[random() % damaged.size()] ^= static_cast<char>(1u << random() % 8);
+        }
         mill.grind(damaged, "bits, round " + std::to_string(round));
     }
     EXPECT_GT(mill.loaded, 0);
@@ -112,10 +114,11 @@ TEST_P(Damage, OfMissingAndRepeatedPiecesIsLoadedOrRefused) {
         auto damaged = bytes;
         const auto at = random() % bytes.size() / 4 * 4;
         const auto length = std::min<std::size_t>(4 + random() % 200 / 4 * 4, bytes.size() - at);
-        if (round % 2 == 0)
+        if (round % 2 == 0) {
             damaged.erase(at, length);
-        else
+        } else {
             damaged.insert(random() % bytes.size() / 4 * 4, bytes.substr(at, length));
+        }
         mill.grind(damaged, "pieces, round " + std::to_string(round));
     }
 }

@@ -30,18 +30,23 @@ std::vector<IrCodes> oracleCodes(const fs::path& file) {
                          "  for g in f['faces']: print(g['irc'],g['irm'])\"";
     std::vector<IrCodes> codes;
     FILE* pipe = popen(command.c_str(), "r");
-    for (IrCodes pair; pipe && std::fscanf(pipe, "%d %d", &pair.temperature, &pair.material) == 2;)
+    for (IrCodes pair;
+         pipe && std::fscanf(pipe, "%d %d", &pair.temperature, &pair.material) == 2;) {
         codes.push_back(pair);
-    if (pipe)
+    }
+    if (pipe) {
         pclose(pipe);
+    }
     return codes;
 }
 
 std::vector<IrCodes> scannedCodes(const FlightScan& scan) {
     std::vector<IrCodes> codes;
-    for (const auto& file : scan.files)
-        for (const auto& face : file.faces)
+    for (const auto& file : scan.files) {
+        for (const auto& face : file.faces) {
             codes.push_back(face.codes);
+        }
+    }
     return codes;
 }
 
@@ -145,9 +150,10 @@ TEST(FlightScanner, SetsTheLightModeOfTheInfraredStreamByTheNormals) {
 
     SquareFile bare; // vertices without normals: 40 bytes each
     bare.vertices = "";
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
         bare.vertices +=
             record(flight::vertexC, zeros(4) + f64(i % 3) + f64(i / 2) + f64(0) + zeros(8));
+    }
     bare.palette = record(flight::vertexPalette, i32(8 + 4 * 40));
     bare.list = record(flight::vertexList, i32(8) + i32(48) + i32(88) + i32(128));
     EXPECT_EQ(scanFlightBytes(bare.bytes(), "x.flt")
@@ -202,9 +208,10 @@ TEST(FlightScanner, RefusesInstancesThatMultiplyWithoutEnd) {
     const auto refer = [](int n) { return record(flight::instanceReference, i16(0) + i16(n)); };
     std::string chain = record(flight::instanceDefinition, i16(0) + i16(0)) + push + file.face +
                         push + file.list + pop + pop;
-    for (int i = 1; i < 30; ++i)
+    for (int i = 1; i < 30; ++i) {
         chain += record(flight::instanceDefinition, i16(0) + i16(i)) + push + refer(i - 1) +
                  refer(i - 1) + pop;
+    }
     file.group = chain + refer(29) + file.group;
     try {
         scanFlightBytes(file.bytes(), "bomb.flt");
@@ -229,14 +236,17 @@ TEST(FlightScanner, ReportsEveryDiagnosticOfAFile) {
 }
 
 TEST(FlightScanner, ReportsTheCodesOfTheOracleOnEveryModel) {
-    if (sharedModels().empty())
+    if (sharedModels().empty()) {
         GTEST_SKIP() << "the models and the oracle are not beside the checkout";
-    if (oracleCodes(data / "tricky_1420.flt").empty())
+    }
+    if (oracleCodes(data / "tricky_1420.flt").empty()) {
         GTEST_SKIP() << "there is no python3 to run the oracle";
+    }
     int files = 0;
     for (const auto& entry : fs::recursive_directory_iterator(sharedModels())) {
-        if (entry.path().extension() != ".flt")
+        if (entry.path().extension() != ".flt") {
             continue;
+        }
         SCOPED_TRACE(entry.path().string());
         EXPECT_EQ(scannedCodes(scanFlight(entry.path())), oracleCodes(entry.path()));
         ++files;
@@ -275,8 +285,9 @@ std::string vertex(double x, std::size_t length = 56) {
 
 std::string matrix(float value, float last = 1.0f) {
     std::string payload;
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < 16; ++i) {
         payload += f32(i == 15 ? last : i % 5 == 0 ? value : 0.0f);
+    }
     return record(flight::matrix, payload);
 }
 
@@ -349,7 +360,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"SwitchMaskMissing", [](F& f) { f.group = switchRecord(0, 2, 1, 1); }, at(&F::group, 20), "2 switch masks"},
         BadFile{"SwitchMasksOverflow", [](F& f) { f.group = switchRecord(0, 0x10000, 0x10000, 1); }, at(&F::group, 20), "inside the record"},
         BadFile{"SwitchPresentMask", [](F& f) { f.group = switchRecord(3, 1, 1, 1); }, at(&F::group, 16), "switch mask 3"},
-        BadFile{"SwitchTooManyChildren", [](F& f) { f.group = switchRecord(0, 1, 1, 1); for (int i = 0; i < 33; ++i) f.pushGroup += f.object; }, at(&F::group), "bit for each"},
+        BadFile{"SwitchTooManyChildren", [](F& f) { f.group = switchRecord(0, 1, 1, 1); for (int i = 0; i < 33; ++i){ f.pushGroup += f.object;
+} }, at(&F::group), "bit for each"},
         BadFile{"InstanceUndefined", [](F& f) { f.object = record(flight::instanceReference, i16(0) + i16(4)) + f.object; }, at(&F::object, 6), "reference to instance 4"},
         BadFile{"ReferenceEmpty", [](F& f) { f.object = record(flight::externalReference, zeros(212)) + f.object; }, at(&F::object, 4), "without a path"}),
     [](const auto& info) { return std::string(info.param.name); });

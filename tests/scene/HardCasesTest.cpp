@@ -22,15 +22,18 @@ Environment darkness() {
 
 double total(const RadianceImage& image) {
     double sum = 0.0;
-    for (float value : image.primary().values)
+    for (float value : image.primary().values) {
         sum += static_cast<double>(value);
+    }
     return sum;
 }
 
 bool allFinite(const RadianceImage& image) {
-    for (float value : image.primary().values)
-        if (!std::isfinite(value))
+    for (float value : image.primary().values) {
+        if (!std::isfinite(value)) {
             return false;
+        }
+    }
     return true;
 }
 
@@ -111,8 +114,9 @@ TEST(Drawing, TurnsWithTargetAndSensorTogether) {
         look(stage.irsg, {.azimuth_rad = 0.6, .elevation_rad = 0.3, .fieldOfView_rad = 0.08});
         return stage.irsg.render().report.all.intensity_W_sr;
     };
-    for (double yaw : {0.5, 2.0, 4.0})
+    for (double yaw : {0.5, 2.0, 4.0}) {
         EXPECT_NEAR(intensity(yaw) / intensity(0.0), 1.0, 1e-3) << yaw;
+    }
 }
 
 TEST(Drawing, KeepsItsDigitsFarFromTheWorldsOrigin) {
@@ -214,21 +218,24 @@ TEST(Drawing, LeavesNothingBehindAfterAHundredAnalyses) {
     auto threads = [] {
         int count = 0;
         for ([[maybe_unused]] const auto& entry :
-             std::filesystem::directory_iterator("/proc/self/task"))
+             std::filesystem::directory_iterator("/proc/self/task")) {
             ++count;
+        }
         return count;
     };
     auto files = [] {
         int count = 0;
         for ([[maybe_unused]] const auto& entry :
-             std::filesystem::directory_iterator("/proc/self/fd"))
+             std::filesystem::directory_iterator("/proc/self/fd")) {
             ++count;
+        }
         return count;
     };
     Stage keepsTheContext;
     keepsTheContext.irsg.render();
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 5; ++i) {
         Stage().irsg.render();
+    }
     const int threadsBefore = threads(), filesBefore = files();
     const HeldByContext before = heldByContext();
     EXPECT_GT(before.textures, 0);

@@ -55,9 +55,11 @@ struct Spots {
                 continue;
             }
             Mesh moved = ball;
-            for (Triangle& triangle : moved)
-                for (Vec3& vertex : triangle.vertex)
+            for (Triangle& triangle : moved) {
+                for (Vec3& vertex : triangle.vertex) {
                     vertex = vertex + place;
+                }
+            }
             mesh = joined(mesh, moved);
             seen_m2 += convexSolidAngle_sr(ball, {0, far_m, 0}) * far_m * far_m;
         }
@@ -114,11 +116,12 @@ struct Errors {
 
 Errors errorsOf(Irsg& irsg, const Spots& spots) {
     Errors errors;
-    for (const double range_m : {2e3, 9e3, 4e4})
+    for (const double range_m : {2e3, 9e3, 4e4}) {
         for (int phase = 0; phase < 2; ++phase) {
             look(irsg, 0.0, 0.0, range_m, phase);
             errors.add(irsg.measure().all.intensity_W_sr / spots.truth_W_sr() - 1.0);
         }
+    }
     return errors;
 }
 
@@ -211,15 +214,17 @@ TEST(HotSpots, InPiecesWithoutEndShareBoxesThatHoldThemAll) {
     EXPECT_LE(boxes.size(), mostPieces);
     EXPECT_GT(boxes.size(), mostPieces / 4);
     double area_m2 = 0.0;
-    for (const BoundingBox& box : boxes)
+    for (const BoundingBox& box : boxes) {
         area_m2 += (box.max.x - box.min.x) * (box.max.z - box.min.z);
+    }
     EXPECT_LT(area_m2, 0.9 * 100.0 * 100.0);
-    for (const Triangle& triangle : mesh)
+    for (const Triangle& triangle : mesh) {
         EXPECT_TRUE(std::ranges::any_of(boxes, [&](const BoundingBox& box) {
             const Vec3 c = triangle.vertex[0];
             return c.x >= box.min.x - 1e-4 && c.x <= box.max.x + 1e-4 && c.z >= box.min.z - 1e-4 &&
                    c.z <= box.max.z + 1e-4;
         }));
+    }
 }
 
 TEST(HotAircraft, TurnsWithoutAJump) {
@@ -228,9 +233,11 @@ TEST(HotAircraft, TurnsWithoutAJump) {
     mesh = joined(mesh, plateMesh({}, {18.0, 0, 0}, {0, 2.0, 0}, skin));
     for (const double x : {-9.0, -5.0, 5.0, 9.0}) {
         Mesh pipe = boxMesh({0.15, 0.6, 0.1}, std::vector<IrCodes>(6, hot));
-        for (Triangle& triangle : pipe)
-            for (Vec3& vertex : triangle.vertex)
+        for (Triangle& triangle : pipe) {
+            for (Vec3& vertex : triangle.vertex) {
                 vertex = vertex + Vec3{x, -2.2, -0.4};
+            }
+        }
         mesh = joined(mesh, pipe);
     }
     Irsg& irsg = generator();
@@ -241,8 +248,9 @@ TEST(HotAircraft, TurnsWithoutAJump) {
         return irsg.measure().all.intensity_W_sr;
     };
     std::vector<double> truth_W_sr;
-    for (int degree = 82; degree < 92; ++degree)
+    for (int degree = 82; degree < 92; ++degree) {
         truth_W_sr.push_back(intensityAt(degree, 2048));
+    }
     for (const auto& [size, most] : {std::pair{128, 0.012}, {256, 0.005}, {512, 0.002}}) {
         Errors errors, steps;
         double before = 0.0;
@@ -274,8 +282,9 @@ TEST(LongThinBody, KeepsItsIntensityFromOneAspectToTheNext) {
                 radiance_W_m2_sr(skin_K) * convexSolidAngle_sr(mesh, away) * dot(away, away);
             const double error = irsg.measure().all.intensity_W_sr / truth - 1.0;
             errors.add(error);
-            if (step > 0)
+            if (step > 0) {
                 steps.add(error - before);
+            }
             before = error;
         }
         EXPECT_LT(errors.rms(), most) << thickness_m;

@@ -25,10 +25,12 @@ struct Fragment {
 
 std::vector<float> listOf(const std::vector<Fragment>& fragments) {
     std::vector<float> list;
-    for (const Fragment& f : fragments)
+    for (const Fragment& f : fragments) {
         for (const float word : {std::bit_cast<float>(f.sample), f.depth, f.row, f.distance_m,
-                                 f.factor, 0.0f, 0.0f, 0.0f})
+                                 f.factor, 0.0f, 0.0f, 0.0f}) {
             list.push_back(word);
+        }
+    }
     return list;
 }
 
@@ -61,8 +63,9 @@ std::vector<Fragment> someFragments(std::size_t count, std::uint32_t first, std:
 TEST(LayerSort, PutsFragmentsInOrderBySampleAndDepth) {
     constexpr std::size_t samples = 60;
     std::vector<Fragment> fragments = someFragments(900, 11, 47);
-    for (int i = 0; i < 100; ++i) // far more in one sample than in others
+    for (int i = 0; i < 100; ++i) { // far more in one sample than in others
         fragments.push_back({20, 1.0f / static_cast<float>(1 + (i * 37) % 100), 2.0f, 1.0f, 0.5f});
+    }
     std::vector<Fragment> expected = fragments;
     std::ranges::sort(expected, {}, &Fragment::key);
 
@@ -91,17 +94,20 @@ TEST(LayerSort, DoesNotDependOnTheOrderOfDrawing) {
     const FactorSamples other = sorted(fragments, 30, 100);
     EXPECT_EQ(one.ends, other.ends);
     EXPECT_EQ(one.words.size(), other.words.size());
-    for (std::size_t i = 0; i < one.words.size(); ++i)
+    for (std::size_t i = 0; i < one.words.size(); ++i) {
         ASSERT_EQ(std::bit_cast<std::uint32_t>(one.words[i]),
                   std::bit_cast<std::uint32_t>(other.words[i]));
+    }
 }
 
 TEST(LayerSort, LeavesTheFarthestOutAndCountsSuchSamples) {
     std::vector<Fragment> fragments;
-    for (std::uint32_t sample : {2u, 5u, 6u})
-        for (int i = 0; i < (sample == 5u ? 2 : 4); ++i)
+    for (std::uint32_t sample : {2u, 5u, 6u}) {
+        for (int i = 0; i < (sample == 5u ? 2 : 4); ++i) {
             fragments.push_back(
                 {sample, 1.0f / static_cast<float>(1 + i), static_cast<float>(i + 1), 1.0f, 0.0f});
+        }
+    }
     const FactorSamples result = sorted(fragments, 8, 3);
     EXPECT_EQ(result.layersLeftOver, 2);
     std::vector<int> rows;

@@ -20,8 +20,9 @@ std::vector<ModelEdge> edgesOf(const Mesh& mesh) {
 TEST(LongEdges, OfABoxAreItsTwelveAndNoDiagonals) {
     const auto edges = edgesOf(boxMesh({3.0, 2.0, 1.0}, std::vector(6, paint)));
     ASSERT_EQ(edges.size(), 12u);
-    for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t i = 0; i < edges.size(); ++i) {
         EXPECT_NEAR(length(edges[i].to_m - edges[i].from_m), i < 4 ? 6.0 : i < 8 ? 4.0 : 2.0, 1e-6);
+    }
 }
 
 TEST(LongEdges, PartPlanesOnlyWhereTheirCodesDiffer) {
@@ -37,9 +38,11 @@ TEST(LongEdges, AreNoneOnAFineMeshAndFewOnAnyOther) {
     Mesh boxes;
     for (int i = 0; i < 5; ++i) {
         Mesh box = boxMesh({1.0, 1.0, 1.0}, std::vector(6, paint));
-        for (Triangle& triangle : box)
-            for (Vec3& vertex : triangle.vertex)
+        for (Triangle& triangle : box) {
+            for (Vec3& vertex : triangle.vertex) {
                 vertex.x += 1.5 * i;
+            }
+        }
         boxes = joined(boxes, box);
     }
     EXPECT_EQ(edgesOf(boxes).size(), mostLongEdges);

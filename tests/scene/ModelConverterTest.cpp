@@ -83,8 +83,9 @@ TEST_P(Conversion, KeepsEveryCodeInTheUserDataOfDrawables) {
         EXPECT_EQ(reader.without, 0);
         EXPECT_EQ(reader.uncoloured, 0);
         std::set<IrCodes> expected;
-        for (const auto& [codes, faces] : loadGraph(in, LoadPurpose::visible).faces)
+        for (const auto& [codes, faces] : loadGraph(in, LoadPurpose::visible).faces) {
             expected.insert(codes);
+        }
         EXPECT_EQ(reader.codes, expected);
         EXPECT_EQ(polygonCounts(*graph), report.polygonsWritten);
     }
@@ -97,11 +98,12 @@ TEST_P(Conversion, GivesTheSameModelAsTheOriginal) {
     convertModel(in, out);
     const auto before = Model::load(in), after = Model::load(out);
     EXPECT_EQ(before->bounds(), after->bounds());
-    for (const auto& [codes, use] : before->codes())
+    for (const auto& [codes, use] : before->codes()) {
         if (use.area_m2 > 0.0) {
             ASSERT_TRUE(after->codes().contains(codes));
             EXPECT_NEAR(after->codes().at(codes).area_m2, use.area_m2, 1e-5 * use.area_m2);
         }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Conversion, testing::Values("osgt", "osgb", "ive", "osg", "osgx"),
@@ -113,8 +115,9 @@ TEST(ModelConverter, KeepsTheNumberOfFacesOfEachCode) {
         convertModel(source / "samples/turboprop4/turboprop4.flt", folder.path() / "t.osgb");
     EXPECT_EQ(report.polygonsRead, report.polygonsWritten);
     long faces = 0;
-    for (const auto& [codes, count] : report.polygonsWritten)
+    for (const auto& [codes, count] : report.polygonsWritten) {
         faces += count;
+    }
     EXPECT_EQ(faces, 862);
     EXPECT_EQ(report.drawablesRead, 862);
     EXPECT_LT(report.drawablesWritten, 50);
@@ -188,9 +191,10 @@ TEST(ModelConverter, RefusesWhatWouldLoseCodes) {
              {"itself", own, own, "the input itself"},
              {"missing input", folder.path() / "x.flt", folder.path() / "a.osgt", "no such file"},
              {"damaged input", folder.write("d.flt", readBytes(in).substr(0, 4600)),
-              folder.path() / "a.osgt", "truncated"}})
+              folder.path() / "a.osgt", "truncated"}}) {
         EXPECT_THAT(refusal([&] { convertModel(row.in, row.out); }), HasSubstr(row.says))
             << row.name;
+    }
 }
 
 TEST(ModelSummary, SaysWhatAFileHolds) {

@@ -66,9 +66,10 @@ TEST(Model, MakesNormalsThatAreMissingAndTurnsThoseThatPointAway) {
     const auto load = [](const std::vector<osg::Vec3>& normals) {
         auto geode = polygon(square, {1, 1});
         auto* geometry = geode->getDrawable(0)->asGeometry();
-        if (!normals.empty())
+        if (!normals.empty()) {
             geometry->setNormalArray(new osg::Vec3Array(normals.begin(), normals.end()),
                                      osg::Array::BIND_PER_VERTEX);
+        }
         return Model::fromGraph(geode, "square");
     };
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -80,8 +81,9 @@ TEST(Model, MakesNormalsThatAreMissingAndTurnsThoseThatPointAway) {
                                                                    {bad, up, up, up},
                                                                    {up, up}}) {
         const auto model = load(normals);
-        for (const auto& normal : array(drawable(*model, 0).getNormalArray()))
+        for (const auto& normal : array(drawable(*model, 0).getNormalArray())) {
             EXPECT_NEAR((normal - up).length(), 0.0, single);
+        }
     }
     EXPECT_THAT(load({})->remarks(), Contains(HasSubstr("normals of their own")));
     EXPECT_THAT(load({down, down, down, down})->remarks(), Contains(HasSubstr("turned")));
@@ -163,8 +165,9 @@ TEST(Model, CutsEveryKindOfPrimitiveIntoItsTriangles) {
         EXPECT_NEAR(model->codes().at({1, 1}).area_m2, row.area, single);
         const auto& geometry = drawable(*model, 0);
         EXPECT_LE(geometry.getPrimitiveSet(0)->getNumIndices() / 3, row.triangles);
-        for (unsigned int i = 0; i < geometry.getPrimitiveSet(0)->getNumIndices() / 3; ++i)
+        for (unsigned int i = 0; i < geometry.getPrimitiveSet(0)->getNumIndices() / 3; ++i) {
             EXPECT_GT(faceNormal(geometry, i).z(), 0.99f);
+        }
     }
 }
 

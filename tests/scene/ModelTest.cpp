@@ -65,11 +65,13 @@ TEST(Model, OfTheSphereHasTheAreaOfItsZones) {
     const auto& geometry = drawable(*model, 0);
     const auto& vertices = array(geometry.getVertexArray());
     const auto& normals = array(geometry.getNormalArray());
-    for (unsigned int i = 0; i < vertices.size(); ++i)
+    for (unsigned int i = 0; i < vertices.size(); ++i) {
         ASSERT_LT((vertices[i] - normals[i]).length(), single);
-    for (unsigned int i = 0; i < geometry.getPrimitiveSet(0)->getNumIndices() / 3; ++i)
+    }
+    for (unsigned int i = 0; i < geometry.getPrimitiveSet(0)->getNumIndices() / 3; ++i) {
         ASSERT_GT(faceNormal(geometry, i) * vertices[geometry.getPrimitiveSet(0)->index(3 * i)],
                   0.999);
+    }
 }
 
 TEST(Model, HoldsNothingButIndexedTrianglesCodesAndCulling) {
@@ -94,11 +96,13 @@ TEST(Model, HoldsNothingButIndexedTrianglesCodesAndCulling) {
             EXPECT_EQ(list->size(), 2u);
             const auto& state = *geometry.getStateSet();
             EXPECT_TRUE(state.getTextureAttributeList().empty());
-            for (const auto& [type, attribute] : state.getAttributeList())
+            for (const auto& [type, attribute] : state.getAttributeList()) {
                 EXPECT_TRUE(type.first == osg::StateAttribute::CULLFACE ||
                             type.first == osg::StateAttribute::POLYGONOFFSET);
-            for (const auto& normal : array(geometry.getNormalArray()))
+            }
+            for (const auto& normal : array(geometry.getNormalArray())) {
                 EXPECT_NEAR(normal.length(), 1.0, single);
+            }
         }
     }
 }
@@ -106,16 +110,20 @@ TEST(Model, HoldsNothingButIndexedTrianglesCodesAndCulling) {
 TEST(Model, HasTheCodesOfTheFileWithTheirFaces) {
     std::vector<fs::path> files{data / "tricky_1420.flt", data / "tricky_1540.flt",
                                 data / "tricky_1640.flt", data / "plate.flt"};
-    if (!sharedModels().empty())
-        for (const auto& entry : fs::recursive_directory_iterator(sharedModels()))
-            if (entry.path().extension() == ".flt")
+    if (!sharedModels().empty()) {
+        for (const auto& entry : fs::recursive_directory_iterator(sharedModels())) {
+            if (entry.path().extension() == ".flt") {
                 files.push_back(entry.path());
+            }
+        }
+    }
     for (const auto& file : files) {
         SCOPED_TRACE(file.string());
         const auto model = Model::load(file);
         std::map<IrCodes, int> faces;
-        for (const auto& [codes, use] : model->codes())
+        for (const auto& [codes, use] : model->codes()) {
             faces[codes] = use.faces;
+        }
         EXPECT_EQ(faces, scanFlight(file).faceCounts());
         EXPECT_TRUE(model->bounds().valid());
         EXPECT_GT(drawables(*model), 0u);
@@ -191,15 +199,17 @@ TEST(Model, KeepsTheNormalsOfUnlitFacesAndMakesThoseOfBareVertices) {
     file.lightMode = 0;
     file.remake();
     const std::string tilted = f32(0.6f) + f32(0) + f32(0.8f);
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < 4; ++i) {
         file.vertices.replace(56 * i + 32, 12, tilted);
+    }
     const auto unlit = Model::load(folder.write("unlit.flt", file.bytes()));
     EXPECT_NEAR(array(drawable(*unlit, 0).getNormalArray())[0].x(), 0.6, single);
 
     SquareFile bare;
     bare.vertices = "";
-    for (const auto& [x, z] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+    for (const auto& [x, z] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) {
         bare.vertices += record(flight::vertexC, zeros(4) + f64(x) + f64(0) + f64(z) + zeros(8));
+    }
     bare.palette = record(flight::vertexPalette, i32(8 + 4 * 40));
     bare.list = record(flight::vertexList, i32(8) + i32(48) + i32(88) + i32(128));
     const auto upright = Model::load(folder.write("bare.flt", bare.bytes()));

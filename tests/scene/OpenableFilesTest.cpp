@@ -38,8 +38,9 @@ class Witness : public osgDB::ReaderWriter {
   public:
     Witness() {
         for (const char* extension : {"lua", "js", "curl", "rot", "scale", "osga", "zip", "tgz",
-                                      "gz", "net", "path", "cfg"})
+                                      "gz", "net", "path", "cfg"}) {
             supportsExtension(extension, "counted");
+        }
         supportsProtocol("http", "counted");
         supportsProtocol("https", "counted");
         supportsProtocol("ftp", "counted");
@@ -75,8 +76,9 @@ class Witness : public osgDB::ReaderWriter {
     ReadResult saw(const std::string& name) const {
         // OpenSceneGraph asks every reader it has for every file.
         if (name.find("://") != name.npos ||
-            acceptsExtension(osgDB::getLowerCaseFileExtension(name)))
+            acceptsExtension(osgDB::getLowerCaseFileExtension(name))) {
             seen.push_back(name);
+        }
         return ReadResult::FILE_NOT_HANDLED;
     }
 };
@@ -167,16 +169,19 @@ TEST(OpenableFiles, AreJudgedByTheirNames) {
 TEST(OpenableFiles, AreThoseOfTheManual) {
     std::ifstream page(fs::path(SMAT_SOURCE_DIR) / "docs/formats-models.md");
     std::vector<std::string> lists;
-    for (std::string line; std::getline(page, line);)
-        if (line.starts_with("| ") && line.find("| .") != line.npos)
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with("| ") && line.find("| .") != line.npos) {
             lists.push_back(line.substr(line.find("| .") + 2));
+        }
+    }
     ASSERT_EQ(lists.size(), 4u);
     const FileKind kinds[] = {FileKind::model, FileKind::picture, FileKind::attributes,
                               FileKind::materials};
     for (std::size_t i = 0; i < 4; ++i) {
         std::string list;
-        for (const FileFormat& format : formatsOf(kinds[i]))
+        for (const FileFormat& format : formatsOf(kinds[i])) {
             list += "." + std::string(format.extension) + " ";
+        }
         EXPECT_EQ(lists[i], list + "|");
     }
 }
@@ -184,13 +189,15 @@ TEST(OpenableFiles, AreThoseOfTheManual) {
 TEST(OpenableFiles, NeedNoLibrariesButTheirOwn) {
     for (const char* name :
          {"osgPlugins-3.6.5/osgdb_openflight.so", "osgPlugins-3.6.5/osgdb_osg.so",
-          "osgPlugins-3.6.5/osgdb_serializers_osgsim.so", "osgdb_jpeg.so", "libosgSim.so"})
+          "osgPlugins-3.6.5/osgdb_serializers_osgsim.so", "osgdb_jpeg.so", "libosgSim.so"}) {
         EXPECT_TRUE(mayLoadLibrary(name)) << name;
+    }
     for (const char* name :
          {"osgPlugins-3.6.5/osgdb_lua.so", "osgPlugins-3.6.5/osgdb_curl.so",
           "osgPlugins-3.6.5/osgdb_tgz.so", "osgPlugins-3.6.5/osgdb_.so", "liblua.so",
-          "osgPlugins-3.6.5/osgdb_png/../../../tmp/osgdb_png.so", "/tmp/osgdb_png.so"})
+          "osgPlugins-3.6.5/osgdb_png/../../../tmp/osgdb_png.so", "/tmp/osgdb_png.so"}) {
         EXPECT_FALSE(mayLoadLibrary(name)) << name;
+    }
 }
 
 TEST_F(OpenedFiles, AreNoScriptsArchivesOrAddressesWhereAModelIsNamed) {
@@ -201,9 +208,10 @@ TEST_F(OpenedFiles, AreNoScriptsArchivesOrAddressesWhereAModelIsNamed) {
         const auto file = folder.write(name, script());
         for (const auto& act : std::vector<std::function<void()>>{
                  [&] { Model::load(file); }, [&] { loadGraph(file, LoadPurpose::visible); },
-                 [&] { Terrain::load(file, {}); }})
+                 [&] { Terrain::load(file, {}); }}) {
             EXPECT_THAT(refusalOf(act), AllOf(HasSubstr(name), HasSubstr("expected a model of "
                                                                          "type .flt, .osgt")));
+        }
         EXPECT_THAT(refusalOf([&] { readTexture(file); }),
                     AllOf(HasSubstr(name), HasSubstr("expected a picture of type .png")));
         nothingRan(name);
@@ -256,7 +264,7 @@ TEST_F(OpenedFiles, AreNoScriptsWhereOpenFlightNamesAnotherModel) {
 }
 
 TEST_F(OpenedFiles, AreNoScriptsArchivesOrAddressesWhereASceneRefersToAnother) {
-    for (const char* kind : {"osgt", "osgb", "osgx", "osg"})
+    for (const char* kind : {"osgt", "osgb", "osgx", "osg"}) {
         for (const char* name :
              {"evil.lua", "http://127.0.0.1:9/y.flt", "x.zip/y.flt", "model.flt.90,0,0.rot"}) {
             osg::ref_ptr<osg::ProxyNode> proxy = new osg::ProxyNode;
@@ -272,6 +280,7 @@ TEST_F(OpenedFiles, AreNoScriptsArchivesOrAddressesWhereASceneRefersToAnother) {
                 << kind;
             nothingRan(name + std::string(" in .") + kind);
         }
+    }
 }
 
 TEST_F(OpenedFiles, AreNoScriptsWhereAnIveRefersToAnother) {

@@ -24,15 +24,17 @@ namespace {
 
 double areaOf(const Model& model) {
     double area_m2 = 0.0;
-    for (const auto& [codes, use] : model.codes())
+    for (const auto& [codes, use] : model.codes()) {
         area_m2 += use.area_m2;
+    }
     return area_m2;
 }
 
 int facesOf(const Model& model) {
     int faces = 0;
-    for (const auto& [codes, use] : model.codes())
+    for (const auto& [codes, use] : model.codes()) {
         faces += use.faces;
+    }
     return faces;
 }
 
@@ -51,8 +53,9 @@ std::string tetrahedron(const char* name = "t") {
     std::string text = std::string("solid ") + name + "\n";
     for (const auto& facet : facets) {
         text += " facet normal 0 0 0\n  outer loop\n";
-        for (const char* corner : facet)
+        for (const char* corner : facet) {
             text += std::string("   vertex ") + corner + "\n";
+        }
         text += "  endloop\n endfacet\n";
     }
     return text + "endsolid " + name + "\n";
@@ -161,10 +164,11 @@ TEST(ObjReader, RefusesWhatIsWrongWithItsLine) {
         {"v 0 0 0\nf 1 1\n", "line 2", "2 corners"},
         {"v 0 0 0\nf 1 1 99999999999999999999\n", "line 2", "vertex"},
     };
-    for (const auto& row : rows)
+    for (const auto& row : rows) {
         EXPECT_THAT(refusalOf([&] { Model::load(folder.write("a.obj", row.text)); }),
                     AllOf(HasSubstr("a.obj"), HasSubstr(row.place), HasSubstr(row.value)))
             << row.text;
+    }
     EXPECT_THAT(refusalOf([&] { Model::load(folder.write("a.obj", std::string("v 0\0 0", 6))); }),
                 HasSubstr("byte 3"));
 }
@@ -187,11 +191,13 @@ TEST(StlReader, ReadsTextAndBinary) {
 
 TEST(StlReader, RefusesEveryCut) {
     const TemporaryFolder folder;
-    for (const std::string& whole : {tetrahedron(), binary(3)})
-        for (std::size_t size = 0; size + 2 < whole.size() - 8; ++size)
+    for (const std::string& whole : {tetrahedron(), binary(3)}) {
+        for (std::size_t size = 0; size + 2 < whole.size() - 8; ++size) {
             EXPECT_NE(refusalOf([&] { Model::load(folder.write("a.stl", whole.substr(0, size))); }),
                       "nothing was refused")
                 << size;
+        }
+    }
 }
 
 TEST(StlReader, RefusesWhatIsWrongWithItsPlace) {
@@ -212,9 +218,10 @@ TEST(StlReader, RefusesWhatIsWrongWithItsPlace) {
                 {changed("endfacet", "endface"), "line 8"},
                 {infinite, "byte 146: found an infinite number"},
                 {binary(3).replace(80, 1, "\x04"), "4 facets, expected at most 3"}};
-    for (const auto& row : rows)
+    for (const auto& row : rows) {
         EXPECT_THAT(refusalOf([&] { Model::load(folder.write("a.stl", row.bytes)); }),
                     HasSubstr(row.named));
+    }
 }
 
 TEST(OurReaders, ReadNumbersWithPointsInEveryLocale) {
@@ -223,8 +230,9 @@ TEST(OurReaders, ReadNumbersWithPointsInEveryLocale) {
     const auto stl = folder.write("a.stl", tetrahedron());
     for (const char* name : {"de_DE", "fr_CA"}) {
         const smat::test::DecimalCommas locale(name, folder.path());
-        if (!locale.isThere())
+        if (!locale.isThere()) {
             GTEST_SKIP() << "this system cannot make the locale " << name;
+        }
         EXPECT_NEAR(areaOf(*Model::load(obj)), 2.375, 1e-6) << name;
         EXPECT_NEAR(areaOf(*Model::load(stl)), 1.5 + std::sqrt(3.0) / 2, 1e-6) << name;
     }

@@ -27,22 +27,26 @@ std::vector<ImageRectangle> randomThings(std::size_t count, unsigned seed) {
 } // namespace
 
 TEST(Partition, HoldsAllThingsInRectanglesThatDoNotOverlap) {
-    for (const std::size_t count : {1u, 2u, 7u, 40u, 300u})
+    for (const std::size_t count : {1u, 2u, 7u, 40u, 300u}) {
         for (unsigned seed = 0; seed < 5; ++seed) {
             const std::vector<ImageRectangle> things = randomThings(count, seed);
             const std::vector<Enclosure> parts = partition(things, 1.25, 64);
             EXPECT_LE(parts.size(), 64u);
             std::vector<double> held_px2(count);
             for (std::size_t i = 0; i < parts.size(); ++i) {
-                for (std::size_t k = 0; k < i; ++k)
+                for (std::size_t k = 0; k < i; ++k) {
                     EXPECT_LT(area_px2(parts[i].rectangle.intersectedWith(parts[k].rectangle)),
                               1e-9);
-                for (const std::size_t thing : parts[i].things)
+                }
+                for (const std::size_t thing : parts[i].things) {
                     held_px2[thing] += area_px2(parts[i].rectangle.intersectedWith(things[thing]));
+                }
             }
-            for (std::size_t thing = 0; thing < count; ++thing)
+            for (std::size_t thing = 0; thing < count; ++thing) {
                 EXPECT_NEAR(held_px2[thing], area_px2(things[thing]), 1e-9) << thing;
+            }
         }
+    }
 }
 
 TEST(Partition, CutsOnlyWhereThatSparesEnough) {
@@ -62,9 +66,10 @@ TEST(Partition, KeepsToTheMostAndDoesNotMindTheOrder) {
     ASSERT_EQ(reversed.size(), parts.size());
     const auto sorted = [](const std::vector<Enclosure>& all) {
         std::vector<std::vector<double>> places;
-        for (const Enclosure& one : all)
+        for (const Enclosure& one : all) {
             places.push_back(
                 {one.rectangle.left, one.rectangle.top, one.rectangle.right, one.rectangle.bottom});
+        }
         std::ranges::sort(places);
         return places;
     };

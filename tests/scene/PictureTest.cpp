@@ -39,9 +39,11 @@ class PictureTest : public testing::Test {
         irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(database));
     }
     long callsOf(const char* stage) const {
-        for (const auto& known : irsg.stageTimes().stages)
-            if (known.name == stage)
+        for (const auto& known : irsg.stageTimes().stages) {
+            if (known.name == stage) {
                 return known.calls;
+            }
+        }
         return 0;
     }
     void expectThatOfRender(const char* what) {
@@ -92,8 +94,9 @@ TEST_F(PictureTest, DrawsAnewWhatAnEditMakesOfTheGeometry) {
 }
 
 TEST_F(PictureTest, FollowsTheViewTheFieldTheSunAndThePose) {
-    for (int twice = 0; twice < 2; ++twice)
+    for (int twice = 0; twice < 2; ++twice) {
         irsg.picture();
+    }
     Environment moved = brightAir();
     moved.sun.azimuth_rad = 2.0;
     irsg.setEnvironment(moved);
@@ -118,14 +121,16 @@ TEST_F(PictureTest, IsThatOfRenderWhateverTheAntialiasing) {
             settings.zoomWindow = zoomWindow;
             settings.zoomStrategy = strategy;
             irsg.setSettings(settings);
-            for (int times = 0; times < 3; ++times)
+            for (int times = 0; times < 3; ++times) {
                 expectThatOfRender("near");
+            }
         }
     }
     irsg.setSettings({});
     look(irsg, {.range_m = 1e6});
-    for (int times = 0; times < 3; ++times)
+    for (int times = 0; times < 3; ++times) {
         expectThatOfRender("a point");
+    }
 }
 
 } // namespace

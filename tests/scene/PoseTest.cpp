@@ -85,20 +85,24 @@ TEST(Attitude, TurnsTheAxesOfTheModelAsItsNamesSay) {
 }
 
 TEST(Attitude, IsARotationWhoseTransposeTakesItBack) {
-    for (double yaw = -3; yaw < 3; yaw += 0.7)
-        for (double pitch = -1.5; pitch < 1.5; pitch += 0.4)
+    for (double yaw = -3; yaw < 3; yaw += 0.7) {
+        for (double pitch = -1.5; pitch < 1.5; pitch += 0.4) {
             for (double roll = -3; roll < 3; roll += 0.9) {
                 const Rotation r = Attitude{yaw, pitch, roll}.rotation();
                 expectNear(r.transposed() * (r * Vec3{1, -2, 3}), {1, -2, 3});
                 expectNear((r.transposed() * r) * Vec3{1, -2, 3}, {1, -2, 3});
                 expectNear(cross(r * starboard, r * nose), r * top);
             }
+        }
+    }
 }
 
 TEST(Attitude, PitchOfTheNoseIsItsElevationWhateverYawAndRoll) {
-    for (const double yaw : {-2.0, 0.3, 3.0})
-        for (const double roll : {-1.0, 0.0, 2.5})
+    for (const double yaw : {-2.0, 0.3, 3.0}) {
+        for (const double roll : {-1.0, 0.0, 2.5}) {
             expectNear(Attitude{yaw, 0.4, roll}.rotation() * nose, direction(-yaw, 0.4));
+        }
+    }
 }
 
 TEST(Pose, PlacesModelPointsInTheWorld) {
@@ -151,7 +155,7 @@ TEST(CameraAbout, SeesTheSideThatItsAzimuthNames) {
 
 TEST(CameraAbout, LooksAtTheReferencePoint) {
     const Vec3 target{5, -7, 300};
-    for (double azimuth = 0; azimuth < 6.3; azimuth += 0.5)
+    for (double azimuth = 0; azimuth < 6.3; azimuth += 0.5) {
         for (double elevation = -1.5; elevation < 1.5; elevation += 0.3) {
             const Viewpoint view = Viewpoint::about(target, 0.8, azimuth, elevation, 1234.5);
             expectNear(view.position_m + view.forward() * 1234.5, target, 1e-12);
@@ -160,6 +164,7 @@ TEST(CameraAbout, LooksAtTheReferencePoint) {
             expectNear(same.right, view.right, 1e-12);
             expectNear(same.up, view.up, 1e-12);
         }
+    }
 }
 
 TEST(CameraAbout, TurnsWithTheModel) {
@@ -170,11 +175,14 @@ TEST(CameraAbout, TurnsWithTheModel) {
         const Vec3 offset = Pose{{0, 0, 0}, {yaw, 0, 0}}.toWorld(point) - view.position_m;
         return Vec3{dot(offset, view.right), dot(offset, view.up), dot(offset, view.backward)};
     };
-    for (const double azimuth : {0.0, 1.0, 4.0})
-        for (const double elevation : {-1.4, 0.2, radians(90)})
-            for (double yaw = -3; yaw < 3.2; yaw += 0.37)
+    for (const double azimuth : {0.0, 1.0, 4.0}) {
+        for (const double elevation : {-1.4, 0.2, radians(90)}) {
+            for (double yaw = -3; yaw < 3.2; yaw += 0.37) {
                 expectNear(inCamera(yaw, azimuth, elevation), inCamera(0.0, azimuth, elevation),
                            1e-13);
+            }
+        }
+    }
 }
 
 TEST(CameraAbout, YawOfTheModelAloneIsAnAzimuthOfTheCamera) {

@@ -122,20 +122,23 @@ TEST(EveryWayToANumber, GivesTheSameNumber) {
         const std::vector<float>& pixels = image.image.primary().values;
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             double sum = static_cast<double>(image.image.find("background")->values[i]);
-            for (const RadianceTerm& term : RadianceTerms::standard().terms)
+            for (const RadianceTerm& term : RadianceTerms::standard().terms) {
                 sum += static_cast<double>(image.image.find(term.name)->values[i]);
+            }
             ASSERT_NEAR(sum, static_cast<double>(pixels[i]), 2e-5 * static_cast<double>(pixels[i]));
         }
 
         // The spectrum integrates to the band.
         std::vector<double> wavenumbers_per_cm;
         constexpr int steps = 8000;
-        for (int i = 0; i < steps; ++i) // in the middle of steps, on whose borders the gas begins
+        for (int i = 0; i < steps; ++i) { // in the middle of steps, on whose borders the gas begins
             wavenumbers_per_cm.push_back(1e4 / (3.0 + 2.0 * (i + 0.5) / steps));
+        }
         const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_per_cm);
         double integral = 0.0;
-        for (const double intensity_W_sr_um : spectrum.intensity_W_sr_um)
+        for (const double intensity_W_sr_um : spectrum.intensity_W_sr_um) {
             integral += intensity_W_sr_um * 2.0 / steps;
+        }
         EXPECT_NEAR(integral / intensity, 1.0, 1e-5);
     }
 }
@@ -157,9 +160,11 @@ TEST(SeveralBands, AreThoseOfRunsOfTheirOwnAndAddUp) {
     irsg.resetStageTimes();
     const std::vector<RenderReport> together = irsg.measure(bands);
     long drawings = 0;
-    for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
-        if (stage.name == "factor sums")
+    for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
+        if (stage.name == "factor sums") {
             drawings = stage.calls;
+        }
+    }
     EXPECT_EQ(drawings, 1) << "one drawing serves all bands";
     ASSERT_EQ(together.size(), bands.size());
     EXPECT_NEAR((together[0].all.intensity_W_sr + together[1].all.intensity_W_sr) /
@@ -234,8 +239,9 @@ TEST(PlainShader, AddsUpWhatTheEvaluatorDoes) {
         const std::vector<float> evaluated =
             imageOf(joined(opaque, plateMesh({0, -0.5, 0}, {0.01, 0, 0}, {0, 0, 0.01}, gas)));
         const float brightest = *std::ranges::max_element(plain);
-        for (std::size_t i = 0; i < plain.size(); ++i)
+        for (std::size_t i = 0; i < plain.size(); ++i) {
             ASSERT_NEAR(plain[i], evaluated[i], 1e-6F * brightest) << i;
+        }
     }
 }
 
@@ -283,8 +289,9 @@ TEST(RadianceTerms, TakeAnotherTermFromOneRecord) {
         database.temperatures[2] = fixedTemperature(300.0);
         database.materials[2] = greyMaterial(0.1, 0.5);
         Mesh mesh = plateMesh({}, {5, 0, 0}, {0, 5, 0}, codes);
-        if (fromFactors)
+        if (fromFactors) {
             mesh = joined(mesh, plateMesh({4.9, 4.9, 0.01}, {0.01, 0, 0}, {0, 0.01, 0}, {2, 2}));
+        }
         Entity entity = entityOf(modelOf(mesh), database);
         entity.pose.position_m.z = standingAltitude_m;
         scene.entities = {entity};
@@ -392,8 +399,9 @@ TEST(AirAlongAnObject, IsTakenAlongAShipThatIsSeenFromItsBow) {
         sums.airError = rendered.report.all.airError;
         const std::vector<float>& ranges = rendered.image.channel("range", "m").values;
         for (std::size_t i = 0; i < ranges.size(); ++i) {
-            if (std::isnan(ranges[i]))
+            if (std::isnan(ranges[i])) {
                 continue;
+            }
             const auto range_m = static_cast<double>(ranges[i]);
             sums.nearest_m = std::min(sums.nearest_m, range_m);
             sums.farthest_m = std::max(sums.farthest_m, range_m);

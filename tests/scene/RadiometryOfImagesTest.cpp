@@ -68,7 +68,7 @@ TEST(GreySphere, HasTheIntensityOfItsMeshOverAllPixelPhases) {
     const double radiance = 0.9 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
     const Viewpoint camera = irsg.viewpoint();
     double squares = 0.0, worst = 0.0;
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < 16; ++i) {
         for (int j = 0; j < 16; ++j) {
             const double step_m = pixel_rad * range_m;
             const double u = std::fmod(i * 0.61803398875 + 0.1, 1.0) * step_m;
@@ -82,6 +82,7 @@ TEST(GreySphere, HasTheIntensityOfItsMeshOverAllPixelPhases) {
             squares += error * error;
             worst = std::max(worst, std::abs(error));
         }
+    }
     const double rms = std::sqrt(squares / 256.0);
     EXPECT_LE(rms, 1e-3);
     RecordProperty("rms", std::to_string(rms));
@@ -106,8 +107,9 @@ TEST(GreySphere, RadiatesTwoThirdsWithAnAngleFactorOfOne) {
     };
     const double lambert = intensity(0.0);
     // Over the disc of a distant sphere the mean of cos^N is 2 / (N + 2).
-    for (double n : {0.25, 1.0, 3.0, 50.0})
+    for (double n : {0.25, 1.0, 3.0, 50.0}) {
         EXPECT_NEAR(intensity(n) / lambert, 2.0 / (n + 2.0), 3e-4) << "N = " << n;
+    }
 }
 
 TEST(GreySphere, FollowsTheAngleFactorAlongItsRadius) {
@@ -280,8 +282,9 @@ TEST(Surface, ThatTransmitsEverythingIsExactlyTheBackground) {
         {entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), greyDatabase(0.0, 300.0, 0.0, 1.0))});
     look(irsg, {.range_m = 60.0});
     const RenderedImage rendered = irsg.render();
-    for (float value : rendered.image.primary().values)
+    for (float value : rendered.image.primary().values) {
         EXPECT_EQ(value, static_cast<float>(rendered.report.background_W_m2_sr));
+    }
     EXPECT_NEAR(rendered.report.background_W_m2_sr, 2.0 * 0.731, 1e-12);
     EXPECT_EQ(rendered.report.all.contrastIntensity_W_sr, 0.0);
 }
@@ -317,6 +320,7 @@ TEST(Surface, IsInvisibleInAnIsothermalEnclosure) {
         {entityOf(modelOf(sphereMesh(1.0, 64, 128, one)), greyDatabase(0.55, 300.0, 0.0, 0.0))});
     look(irsg, {.range_m = 60.0, .band = band});
     const RadianceImage image = irsg.render().image;
-    for (float value : image.primary().values)
+    for (float value : image.primary().values) {
         EXPECT_NEAR(static_cast<double>(value) / (black * band.area_um()), 1.0, 2e-7);
+    }
 }

@@ -56,8 +56,9 @@ Irsg generatorOf(std::vector<Entity> entities, int zoomWindow = 256) {
 
 std::vector<double> rangesFrom(double nearest_m, double times, int count) {
     std::vector<double> ranges_m;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         ranges_m.push_back(nearest_m * std::pow(times, static_cast<double>(i) / (count - 1)));
+    }
     return ranges_m;
 }
 
@@ -79,9 +80,11 @@ RenderReport along(Irsg& irsg) {
 }
 
 long drawings(const Irsg& irsg) {
-    for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
-        if (stage.name == "drawing")
+    for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
+        if (stage.name == "drawing") {
             return stage.calls;
+        }
+    }
     return 0;
 }
 
@@ -91,8 +94,9 @@ double rmsOf(const std::vector<double>& values) {
 }
 double worstOf(const std::vector<double>& values) {
     double worst = 0.0;
-    for (const double value : values)
+    for (const double value : values) {
         worst = std::max(worst, std::abs(value));
+    }
     return worst;
 }
 std::vector<double> steps(const std::vector<double>& values) {
@@ -121,15 +125,17 @@ TEST(RangeFactors, WeighFewNodesSoThatParabolasStayWhatTheyAre) {
         const double at = RangeFactors::nodes[node], step = 1e-7;
         const auto weights = [](double nearness) {
             std::vector<double> all(RangeFactors::nodes.size());
-            for (const auto& [i, weight] : RangeFactors::weightsAt(nearness))
+            for (const auto& [i, weight] : RangeFactors::weightsAt(nearness)) {
                 all[i] = weight;
+            }
             return all;
         };
         EXPECT_EQ(RangeFactors::weightsAt(at).size(), 1u);
         const std::vector<double> before = weights(at - step), here = weights(at),
                                   after = weights(at + step);
-        for (std::size_t i = 0; i < here.size(); ++i)
+        for (std::size_t i = 0; i < here.size(); ++i) {
             EXPECT_NEAR(after[i] - here[i], here[i] - before[i], 1e-9) << node << ' ' << i;
+        }
     }
 }
 
@@ -200,8 +206,9 @@ TEST(RangeCurve, OfAHotAircraftIsRightAndSmooth) {
         for (std::size_t i = 0; i < ranges_m.size(); ++i) {
             look(irsg, aspect, ranges_m[i]);
             fine.push_back(std::log(along(irsg).all.intensity_W_sr));
-            if (i % 10 == 0)
+            if (i % 10 == 0) {
                 ofNodes.push_back(fine.back() - std::log(irsg.measure().all.intensity_W_sr));
+            }
         }
         std::vector<double> errors, errorsOfDrawings;
         for (std::size_t i = 0; i < fine.size(); ++i) {
@@ -236,9 +243,11 @@ TEST(RangeCurve, TakesStrongAirAlongAnObjectAtEveryRange) {
     database.materials[2] = greyMaterial(0.3, 0.6);
     constexpr IrCodes glassCodes{1, 2};
     Mesh glass = boxMesh({0.8, 0.8, 0.8}, std::vector<IrCodes>(6, glassCodes));
-    for (Triangle& triangle : glass)
-        for (Vec3& vertex : triangle.vertex)
+    for (Triangle& triangle : glass) {
+        for (Vec3& vertex : triangle.vertex) {
             vertex = vertex + Vec3{0, 2.5, 0};
+        }
+    }
     const Mesh mesh = joined(joined(plateMesh({-2, 4, 0}, {0, 0, 2}, {1.5, 0, 0}, one),
                                     plateMesh({2, -4, 0}, {0, 0, 2}, {1.5, 0, 0}, one)),
                              glass);
@@ -337,8 +346,9 @@ TEST(RangeCurve, HasTheSameBitsForAnyNumberOfThreadsAndInAnyOrder) {
     const std::vector<double> curve = curveOf(1, false);
     EXPECT_EQ(curve, curveOf(3, false));
     const std::vector<double> reversed = curveOf(0, true);
-    for (std::size_t i = 0; i < curve.size(); ++i)
+    for (std::size_t i = 0; i < curve.size(); ++i) {
         EXPECT_NEAR(reversed[i] / curve[i], 1.0, 1e-12) << i;
+    }
 }
 
 TEST(RangeCurve, LeavesImagesAndOtherSweepsAsTheyAre) {

@@ -30,8 +30,9 @@ struct Case {
 };
 
 Mesh withCode(Mesh mesh, int code) {
-    for (Triangle& t : mesh)
+    for (Triangle& t : mesh) {
         t.codes = {code, code};
+    }
     return mesh;
 }
 
@@ -50,11 +51,13 @@ Mesh shards(int count) {
     for (int i = 0; i < count; ++i) {
         const Vec3 centre{random(), random(), random()};
         Triangle t;
-        for (Vec3& v : t.vertex)
+        for (Vec3& v : t.vertex) {
             v = centre + Vec3{random(), random(), random()} * 0.6;
+        }
         const Vec3 facet = normalized(cross(t.vertex[1] - t.vertex[0], t.vertex[2] - t.vertex[0]));
-        for (Vec3& n : t.normal)
+        for (Vec3& n : t.normal) {
             n = normalized(facet + Vec3{random(), random(), random()} * 0.2);
+        }
         t.codes = {1 + i % 3, 1 + i % 3};
         mesh.push_back(t);
     }
@@ -143,11 +146,12 @@ void expectTheCaster(const Case& c, EngineChoice engine) {
     look(irsg, view);
 
     rays.mesh = c.mesh;
-    for (Triangle& t : rays.mesh)
+    for (Triangle& t : rays.mesh) {
         for (int i = 0; i < 3; ++i) {
             t.vertex[i] = entity.pose.toWorld(t.vertex[i]);
             t.normal[i] = entity.pose.attitude.rotation() * t.normal[i];
         }
+    }
     rays.sunDirection = direction(sun.azimuth_rad, sun.elevation_rad);
     rays.background = air.backgroundValue * width_um;
     const std::vector<RayPixel> truth = castRays(rays, irsg.sensor(), irsg.viewpoint());
@@ -198,8 +202,9 @@ TEST_P(ShaderAgainstRays, AgreeWhereNeighboursHitTheSameFacets) {
 }
 
 TEST_P(RayEngineAgainstRays, AgreeWhereNeighboursHitTheSameFacets) {
-    if (!areRaysBuilt())
+    if (!areRaysBuilt()) {
         GTEST_SKIP() << whyNoRays();
+    }
     expectTheCaster(GetParam(), EngineChoice::rays);
 }
 

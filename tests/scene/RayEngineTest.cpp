@@ -26,8 +26,9 @@ namespace {
 class RayEngineTest : public testing::Test {
   protected:
     void SetUp() override {
-        if (!areRaysBuilt())
+        if (!areRaysBuilt()) {
             GTEST_SKIP() << whyNoRays();
+        }
     }
     void TearDown() override { setMostThreads(0); }
 };
@@ -74,14 +75,15 @@ std::vector<std::vector<std::pair<int, unsigned>>> facetsOf(const Irsg& irsg) {
     PreparedModel& model = prepared.of(entity);
     const RayMesh& mesh = *model.forRays();
     PieceUses uses(model.items.size());
-    for (std::size_t i = 0; i < model.items.size(); ++i)
+    for (std::size_t i = 0; i < model.items.size(); ++i) {
         uses.set(i, {true, !materialEntry(entity, model.items[i].codes.material)->isOpaque(),
                      model.items[i].cullsBackFaces, model.items[i].layer});
+    }
     const Sensor& sensor = irsg.sensor();
     const Viewpoint& eye = irsg.viewpoint();
     const double pitch = sensor.pixelPitch();
     std::vector<std::vector<std::pair<int, unsigned>>> met;
-    for (int y = 0; y < sensor.height_px; ++y)
+    for (int y = 0; y < sensor.height_px; ++y) {
         for (int x = 0; x < sensor.width_px; ++x) {
             const Vec3 along = eye.forward() +
                                eye.right * ((x + 0.5 - 0.5 * sensor.width_px) * pitch) +
@@ -91,23 +93,29 @@ std::vector<std::vector<std::pair<int, unsigned>>> facetsOf(const Irsg& irsg) {
                           toModel * normalized(along)};
             RayHit opaque;
             std::vector<RayHit> hits;
-            if (mesh.meet(ray, uses, pitch, opaque, hits))
+            if (mesh.meet(ray, uses, pitch, opaque, hits)) {
                 hits.push_back(opaque);
+            }
             std::ranges::sort(hits, {}, &RayHit::order_m);
             auto& own = met.emplace_back();
-            for (const RayHit& hit : hits)
+            for (const RayHit& hit : hits) {
                 own.emplace_back(hit.piece, hit.facet);
+            }
         }
+    }
     return met;
 }
 
 bool isInterior(const std::vector<std::vector<std::pair<int, unsigned>>>& met, int width, int x,
                 int y) {
     const auto at = [&](int i, int j) { return met[static_cast<std::size_t>(j * width + i)]; };
-    for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-            if (at(x + dx, y + dy) != at(x, y))
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            if (at(x + dx, y + dy) != at(x, y)) {
                 return false;
+            }
+        }
+    }
     return !at(x, y).empty();
 }
 
@@ -122,7 +130,7 @@ void expectAlike(const std::vector<Entity>& entities, const View& view, double t
     const int width = a.image.width(), height = a.image.height();
     double worst = 0.0;
     int compared = 0, others = 0, covered = 0;
-    for (int y = 1; y + 1 < height; ++y)
+    for (int y = 1; y + 1 < height; ++y) {
         for (int x = 1; x + 1 < width; ++x) {
             const std::size_t i = a.image.offset(x, y);
             const auto here = [&](const RenderedImage& made, const std::string& name) {
@@ -131,8 +139,9 @@ void expectAlike(const std::vector<Entity>& entities, const View& view, double t
             const bool isInside = isInterior(met, width, x, y);
             covered += !met[static_cast<std::size_t>(y * width + x)].empty();
             double most = 0.0;
-            for (const char* name : {"L", "thermal", "sun", "up", "down", "path"})
+            for (const char* name : {"L", "thermal", "sun", "up", "down", "path"}) {
                 most = std::max(most, std::abs(here(a, name) - here(b, name)) / here(a, "L"));
+            }
             if (isInside) {
                 worst = std::max(worst, most);
                 worst = std::max(worst, std::abs(here(b, "range") / here(a, "range") - 1.0));
@@ -142,6 +151,7 @@ void expectAlike(const std::vector<Entity>& entities, const View& view, double t
                 ++others;
             }
         }
+    }
     ASSERT_GT(compared, 50);
     EXPECT_LE(worst, tolerance);
     EXPECT_LE(others, 1 + covered / 100) << "samples on edges that fell to another facet";
@@ -169,10 +179,12 @@ osg::ref_ptr<osg::Geode> texturedSheet(const Vec3& corner, const Vec3& along, co
     geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
     const osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(16, 16, 1, GL_LUMINANCE, GL_FLOAT);
-    for (unsigned y = 0; y < 16; ++y)
-        for (unsigned x = 0; x < 16; ++x)
+    for (unsigned y = 0; y < 16; ++y) {
+        for (unsigned x = 0; x < 16; ++x) {
             *reinterpret_cast<float*>(image->data(x, y)) =
                 static_cast<float>((x * 7 + y * 13) % 17) / 17.0f;
+        }
+    }
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(geometry);
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
@@ -217,7 +229,7 @@ TEST_F(RayEngineTest, HasTheFactorsOfTheShaderUnderEverySetting) {
     Entity entity = entityOf(modelOf(sphereMesh(1.0, 12, 24, {1, 1})), database);
     entity.pose.position_m.z = standingAltitude_m;
     for (const ReflectionMode mode :
-         {ReflectionMode::off, ReflectionMode::approx, ReflectionMode::smart})
+         {ReflectionMode::off, ReflectionMode::approx, ReflectionMode::smart}) {
         for (const FluxWeights weights : {FluxWeights::viewFactor, FluxWeights::report}) {
             RenderSettings settings = plainPixels();
             settings.sun = settings.fluxes = mode;
@@ -226,6 +238,7 @@ TEST_F(RayEngineTest, HasTheFactorsOfTheShaderUnderEverySetting) {
             expectAlike({entity}, {.width_px = 200, .height_px = 200, .fieldOfView_rad = 0.025},
                         1e-5, settings);
         }
+    }
 }
 
 TEST_F(RayEngineTest, KeepsItsDigitsFarAwayAndFarFromTheOrigin) {
@@ -356,8 +369,9 @@ TEST_F(RayEngineTest, AsksForNoEgl) {
     EXPECT_GT(irsg.render().report.all.intensity_W_sr, 0.0);
     EXPECT_NE(irsg.rendererDescription().find("Embree"), std::string::npos);
     std::ifstream maps("/proc/self/maps");
-    for (std::string line; std::getline(maps, line);)
+    for (std::string line; std::getline(maps, line);) {
         EXPECT_EQ(line.find("libEGL"), std::string::npos) << line;
+    }
     // Without OpenGL auto takes rays, and OpenGL is refused.
     RenderSettings settings = irsg.settings();
     settings.engine = EngineChoice::automatic;
@@ -377,8 +391,9 @@ TEST_F(RayEngineTest, IsChosenByItselfAndSaysSo) {
     Irsg irsg = withEngine(EngineChoice::automatic, {}, {few}, {});
     const std::string drawn = irsg.render().report.renderer;
     EXPECT_NE(drawn.find("(auto: "), std::string::npos) << drawn;
-    if (drawn.find("llvmpipe") == std::string::npos)
+    if (drawn.find("llvmpipe") == std::string::npos) {
         GTEST_SKIP() << "a graphics card draws any scene";
+    }
     irsg.setEntities({many});
     const std::string traced = irsg.render().report.renderer;
     EXPECT_NE(traced.find("Embree"), std::string::npos) << traced;
@@ -386,8 +401,9 @@ TEST_F(RayEngineTest, IsChosenByItselfAndSaysSo) {
 }
 
 TEST(RaysAbsent, AreRefusedByName) {
-    if (areRaysBuilt())
+    if (areRaysBuilt()) {
         GTEST_SKIP() << "this build has rays";
+    }
     Entity entity =
         entityOf(modelOf(boxMesh({1, 1, 1}, {{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}})),
                  greyDatabase(0.5, 300.0));

@@ -26,6 +26,7 @@
 #include "irsg/scene/model/apart/GraphCoding.h"
 #include "irsg/scene/model/apart/ReaderService.h"
 #include "irsg/scene/model/apart/StateCoding.h"
+#include "irsg/scene/model/apart/WholeFile.h"
 #include "tests/support/FlightBytes.h"
 #include "tests/support/QuietListener.h"
 #include "tests/support/Refusal.h"
@@ -50,8 +51,9 @@ osg::ref_ptr<osg::Geometry> square(const IrCodes& codes = {}) {
     (*vertices)[3] = {0, 1, 0};
     geometry->setVertexArray(vertices);
     geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
-    if (codes != IrCodes{})
+    if (codes != IrCodes{}) {
         setCodes(*geometry, codes);
+    }
     return geometry;
 }
 
@@ -65,7 +67,8 @@ osg::ref_ptr<osg::Geode> geode(const IrCodes& codes = {}) {
 osg::ref_ptr<osg::Node> handedOver(osg::Node& graph, std::vector<std::string>& remarks) {
     ByteSink sink;
     putGraph(sink, graph, "a", remarks);
-    ByteSource source(sink.bytes());
+    const std::string bytes = sink.take();
+    ByteSource source(bytes);
     const auto back = getGraph(source, "a", remarks);
     EXPECT_TRUE(source.atEnd());
     return back;
@@ -170,8 +173,9 @@ TEST(GraphCoding, KeepsNodesStatesAndCodes) {
 TEST(GraphCoding, KeepsMaterialsAndPictures) {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(3, 2, 1, GL_RGB, GL_UNSIGNED_BYTE, 4);
-    for (unsigned int i = 0; i < image->getTotalSizeInBytes(); ++i)
+    for (unsigned int i = 0; i < image->getTotalSizeInBytes(); ++i) {
         image->data()[i] = static_cast<unsigned char>(i);
+    }
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::MIRROR);
     osg::ref_ptr<osg::Material> material = new osg::Material;
@@ -201,6 +205,33 @@ TEST(GraphCoding, KeepsMaterialsAndPictures) {
               0);
 }
 
+TEST(GraphCoding, HandsLargeModelsOverInPiecesThatAreNotCopied) {
+    const std::vector<std::uint32_t> numbers(700000, 7);
+    ByteSink large;
+    large.putBytes(numbers.data(), 4 * numbers.size());
+    const char* const place = large.pieces().front().data();
+    ByteSink sink;
+    sink.putText("head");
+    sink.append(std::move(large));
+    sink.putEach<std::uint16_t>(3, [](std::size_t i) { return 10 * i; });
+
+    ASSERT_EQ(sink.pieces().size(), 3u);
+    EXPECT_EQ(sink.pieces()[1].data(), place);
+    const std::size_t size = sink.size();
+    EXPECT_EQ(size, 8 + 4 + 4 * numbers.size() + 6);
+    const std::string bytes = sink.take();
+    ASSERT_EQ(bytes.size(), size);
+    ByteSource source(bytes);
+    EXPECT_EQ(source.getText(), "head");
+    EXPECT_EQ(
+        std::memcmp(source.getBytes(4 * numbers.size()).data(), numbers.data(), 4 * numbers.size()),
+        0);
+    for (const int number : {0, 10, 20}) {
+        EXPECT_EQ(source.get<std::uint16_t>(), number);
+    }
+    EXPECT_TRUE(source.atEnd());
+}
+
 TEST(GraphCoding, RefusesArraysOfNoTypeAndRefusalsOfNoWords) {
     ByteSink sink;
     std::vector<std::string> remarks;
@@ -209,7 +240,7 @@ TEST(GraphCoding, RefusesArraysOfNoTypeAndRefusalsOfNoWords) {
     putGraph(sink, *node, "a", remarks);
     const std::string good = sink.take();
     // Values of every byte, among them types and modes that there are not.
-    for (std::size_t i = 0; i < good.size(); ++i)
+    for (std::size_t i = 0; i < good.size(); ++i) {
         for (int value = 1; value < 256; value += 6) {
             std::string bytes = good;
             bytes[i] = static_cast<char>(value);
@@ -220,12 +251,17 @@ TEST(GraphCoding, RefusesArraysOfNoTypeAndRefusalsOfNoWords) {
             } catch (const InputError&) {
             }
         }
+    }
 
-    ByteSink refusal;
-    refusal.putCount(1);
-    for (int i = 0; i < 4; ++i)
-        refusal.putText("");
-    EXPECT_THROW(throwRefusal(refusal.bytes()), DamagedBytes);
+    // Without words, and with a place alone.
+    for (const char* place : {"", "a"}) {
+        ByteSink refusal;
+        refusal.putCount(1);
+        for (const char* text : {place, place, "", ""}) {
+            refusal.putText(text);
+        }
+        EXPECT_THROW(throwRefusal(refusal.take()), DamagedBytes);
+    }
     EXPECT_THROW(throwRefusal(std::string(8, '\0')), DamagedBytes);
 }
 
@@ -297,6 +333,23 @@ TEST(ReadingApart, HasNothingToSayOfNodesThatItKnows) {
     }
 }
 
+TEST(ReadingApart, RefusesChunksThatStandInEachOtherWithoutEnd) {
+    const TemporaryFolder folder;
+    const auto nested = [](std::uint32_t levels) {
+        std::string bytes;
+        for (std::uint32_t left = 6 * levels; left > 0; left -= 6) {
+            bytes += "\x4d\x4d";
+            for (int shift = 0; shift < 32; shift += 8) {
+                bytes += static_cast<char>(left >> shift & 0xff);
+            }
+        }
+        return bytes;
+    };
+    const auto file = folder.write("a.3ds", nested(300'000));
+    EXPECT_THAT(refusalOf([&] { checkWhole(file, "a.3ds"); }), HasSubstr("a chunk in 8 others"));
+    EXPECT_NO_THROW(checkWhole(folder.write("b.3ds", nested(8)), "b.3ds"));
+}
+
 TEST(ReadingApart, RefusesCutFilesWhereTheFormatCanTell) {
     const TemporaryFolder folder;
     osg::ref_ptr<osg::Group> root = new osg::Group;
@@ -354,12 +407,14 @@ TEST(ReadingApart, OpensNoConnectionAndRunsNothing) {
 
 TEST(ReadingApart, RefusesDamagedModelsByName) {
     const fs::path damaged = smat::test::sharedMaterial("data/damaged");
-    if (damaged.empty())
+    if (damaged.empty()) {
         GTEST_SKIP() << "the shared folder data/damaged is absent";
+    }
     int tried = 0;
     for (const auto& entry : fs::directory_iterator(damaged)) {
-        if (!entry.path().filename().string().starts_with("model-"))
+        if (!entry.path().filename().string().starts_with("model-")) {
             continue;
+        }
         ++tried;
         EXPECT_THAT(refusalOf([&] { Model::load(entry.path()); }),
                     AllOf(HasSubstr(entry.path().string()), HasSubstr("expected")));

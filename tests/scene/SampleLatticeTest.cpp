@@ -99,8 +99,9 @@ TEST(SampleLattice, HasOthersNearItOfWhichOneSuitsAnyEdge) {
         const std::vector<ImageEdge> edges = Bar{radians(angle_deg)}.edges();
         double best = varianceOfEdges_px4(window, edges);
         worst = std::max(worst, best);
-        for (const SampleWindow& lattice : lattices)
+        for (const SampleWindow& lattice : lattices) {
             best = std::min(best, varianceOfEdges_px4(lattice, edges));
+        }
         worstOfBest = std::max(worstOfBest, best);
     }
     EXPECT_LT(worstOfBest, worst / 16.0);

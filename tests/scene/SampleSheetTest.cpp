@@ -57,8 +57,9 @@ TEST(SampleSheet, HoldsEverySampleOfEveryWindowOnce) {
             placed.forEachRun([&](std::size_t first, int count, int, int, double) {
                 ASSERT_LE(first % placed.stride() + static_cast<std::size_t>(count),
                           placed.stride());
-                for (std::size_t i = first; i < first + static_cast<std::size_t>(count); ++i)
+                for (std::size_t i = first; i < first + static_cast<std::size_t>(count); ++i) {
                     ASSERT_EQ(++times.at(i), 1) << "window " << number;
+                }
                 counted += count;
             });
             EXPECT_EQ(counted, 6 * placed.tilesWide * placed.tilesHigh);
@@ -80,8 +81,9 @@ TEST(SampleSheet, LeavesALargeWindowAlone) {
 TEST(SampleSheet, IsNeverHigherThanADrawingMayBe) {
     // One wide window and many high ones do not fit on shelves.
     std::vector<SampleWindow> windows{window(50, 1)};
-    for (int i = 0; i < 12; ++i)
+    for (int i = 0; i < 12; ++i) {
         windows.push_back(window(40, 40));
+    }
     for (const SampleSheet& sheet : sheetsOf(windows, 128)) {
         EXPECT_LE(sheet.width, 128);
         EXPECT_LE(sheet.height, 128);
@@ -94,14 +96,16 @@ TEST(PixelAlignedStrategy, SpendsNoMoreOnTheSumOfAVeryLargeObjectThanItsPixels) 
         const PixelAlignedStrategy strategy(256);
         double samples = 0.0;
         for (const SampleWindow& one :
-             ofSums ? strategy.windowsOfSums({object}) : strategy.windows({object}))
+             ofSums ? strategy.windowsOfSums({object}) : strategy.windows({object})) {
             samples += one.rectangle().width() * one.rectangle().height() / one.share();
+        }
         return samples;
     };
     EXPECT_EQ(samplesOf(800, 300, false), 4 * 800 * 300);
     EXPECT_EQ(samplesOf(800, 300, true), 800 * 300);
     EXPECT_EQ(samplesOf(300, 150, true), 2 * 300 * 150); // 98,304 are enough, if they do
     // What takes no more than that is sampled as in a picture.
-    for (const double side_px : {0.3, 7.0, 60.0, 128.0, 150.0})
+    for (const double side_px : {0.3, 7.0, 60.0, 128.0, 150.0}) {
         EXPECT_EQ(samplesOf(side_px, side_px, true), samplesOf(side_px, side_px, false)) << side_px;
+    }
 }

@@ -21,10 +21,11 @@ ZoomEntityInfo object(int entity, double left, double top, double width, double 
 /// Area that the samples of windows add to each pixel, px.
 std::map<std::pair<int, int>, double> areas(const std::vector<SampleWindow>& windows) {
     std::map<std::pair<int, int>, double> area;
-    for (const SampleWindow& window : windows)
+    for (const SampleWindow& window : windows) {
         window.forEachRun([&](std::size_t, int count, int x, int y, double weight) {
             area[{x, y}] += count * weight * window.share();
         });
+    }
     return area;
 }
 
@@ -35,8 +36,9 @@ int drawnTimes(const std::vector<SampleWindow>& windows, double x, double y) {
         const auto holds = [&](const ImageRectangle& r) {
             return x >= r.left && x < r.right && y >= r.top && y < r.bottom;
         };
-        if (holds(window.region()) && std::ranges::none_of(window.leftOut, holds))
+        if (holds(window.region()) && std::ranges::none_of(window.leftOut, holds)) {
             ++times;
+        }
     }
     return times;
 }
@@ -79,8 +81,9 @@ TEST(SampleWindow, ShearsItsRowsAndKeepsTheirSamplesInEveryTile) {
     window.samplesAcross = window.samplesDown = 5;
     window.shearRows = 4;
     EXPECT_EQ(window.width(), 15 + 5);
-    for (const auto& [pixel, area] : areas({window}))
+    for (const auto& [pixel, area] : areas({window})) {
         EXPECT_DOUBLE_EQ(area, 1.0);
+    }
     // The sample of column c stands at (c + 1/2 - shift) fifths of a pixel, inside its pixel.
     window.forEachRun([&](std::size_t first, int count, int x, int y, double) {
         const int row = window.height() - 1 - static_cast<int>(first) / window.width();
@@ -107,8 +110,9 @@ TEST(SampleWindow, IsTheSameInPieces) {
     const auto whole = areas({window}), cut = areas(pieces);
     ASSERT_EQ(whole.size(), 33u);
     EXPECT_EQ(whole.count({6, 4}), 0u);
-    for (const auto& [pixel, area] : whole)
+    for (const auto& [pixel, area] : whole) {
         EXPECT_DOUBLE_EQ(cut.at(pixel), area);
+    }
 }
 
 TEST(PixelAlignedStrategy, SpendsItsSamplesOnTheObjectHoweverSmall) {
@@ -140,19 +144,21 @@ TEST(PixelAlignedStrategy, SpendsEqualSamplesHoweverPixelsDivideItsSize) {
         const auto windows =
             PixelAlignedStrategy(256).windows({object(0, 10, 10, size_px, size_px)});
         double samples = 0.0;
-        for (const SampleWindow& window : windows)
+        for (const SampleWindow& window : windows) {
             samples += size_px * window.rectangle().height() / window.share();
+        }
         EXPECT_NEAR(samples / (256.0 * 256.0), 0.93, 0.1) << size_px << " px";
-        for (const auto& [pixel, area] : areas(windows))
+        for (const auto& [pixel, area] : areas(windows)) {
             ASSERT_NEAR(area, 1.0, 1e-12) << pixel.first << ", " << pixel.second;
+        }
     }
 }
 
 TEST(PixelAlignedStrategy, SpendsItsSamplesWhateverTheShape) {
     // As long as no pixel needs more than two samples an axis, and no drawing more than 2048.
-    for (const int size : {128, 256, 512})
-        for (double long_px = 0.02; long_px < 0.35 * size; long_px *= 1.13)
-            for (const double slimness : {1.0, 2.0, 5.3, 21.0, 86.0, 300.0})
+    for (const int size : {128, 256, 512}) {
+        for (double long_px = 0.02; long_px < 0.35 * size; long_px *= 1.13) {
+            for (const double slimness : {1.0, 2.0, 5.3, 21.0, 86.0, 300.0}) {
                 for (const bool upright : {false, true}) {
                     const double short_px = long_px / slimness;
                     const auto windows = PixelAlignedStrategy(size).windows(
@@ -172,6 +178,9 @@ TEST(PixelAlignedStrategy, SpendsItsSamplesWhateverTheShape) {
                     EXPECT_LE(drawn, 1.2 * budget)
                         << size << ": " << long_px << " by " << short_px << upright;
                 }
+            }
+        }
+    }
 }
 
 TEST(PixelAlignedStrategy, SpendsItsSamplesSmoothlyAsAnExtentGrows) {
@@ -181,9 +190,10 @@ TEST(PixelAlignedStrategy, SpendsItsSamplesSmoothlyAsAnExtentGrows) {
         const auto windows =
             PixelAlignedStrategy(256).windows({object(0, 10.3, 10.7, 86.0, short_px)});
         double on = 0.0;
-        for (const SampleWindow& window : windows)
+        for (const SampleWindow& window : windows) {
             on += window.rectangle().intersectedWith({10.3, 10.7, 96.3, 10.7 + short_px}).height() *
                   86.0 / window.share();
+        }
         if (before > 0.0) {
             EXPECT_NEAR(on / before, 1.0, 0.25) << short_px;
         }
@@ -207,11 +217,13 @@ TEST(PixelAlignedStrategy, SharesWindowsAmongDetailsWithoutEnd) {
         EXPECT_GE(windows.size(), std::min<std::size_t>(static_cast<std::size_t>(count), 20u));
         EXPECT_LE(windows.size(), 520u);
         double samples = 0.0;
-        for (const SampleWindow& window : windows)
+        for (const SampleWindow& window : windows) {
             samples += window.width() * static_cast<double>(window.height());
+        }
         EXPECT_LE(samples, 4.0 * 256 * 256) << count;
-        for (const auto& [pixel, area] : areas(windows))
+        for (const auto& [pixel, area] : areas(windows)) {
             ASSERT_NEAR(area, 1.0, 1e-9) << pixel.first << ", " << pixel.second;
+        }
     }
 }
 
@@ -230,25 +242,31 @@ TEST(PixelAlignedStrategy, DrawsAPointNearALargeObjectFinelyAndEveryPointOnce) {
     for (int size : {128, 256, 512}) {
         const auto windows = PixelAlignedStrategy(size).windows(objects);
         EXPECT_GT(windows.size(), 3u);
-        for (const SampleWindow& window : windows)
+        for (const SampleWindow& window : windows) {
             EXPECT_EQ(window.entities, (std::vector<int>{0, 1, 2, 3}));
+        }
 
         // Over the point object the samples are dense; every point is drawn exactly once.
         double densest = 0.0;
-        for (const SampleWindow& window : windows)
-            if (window.rectangle().intersects(objects[1].extent))
+        for (const SampleWindow& window : windows) {
+            if (window.rectangle().intersects(objects[1].extent)) {
                 densest = std::max(densest, window.density());
+            }
+        }
         EXPECT_GE(densest * 0.02, size / 6.0);
         std::mt19937 random(7);
         std::uniform_real_distribution<double> u(0.0, 1.0);
-        for (const ZoomEntityInfo& part : objects)
-            for (int i = 0; i < 4000; ++i)
+        for (const ZoomEntityInfo& part : objects) {
+            for (int i = 0; i < 4000; ++i) {
                 EXPECT_EQ(drawnTimes(windows, part.extent.left + u(random) * part.extent.width(),
                                      part.extent.top + u(random) * part.extent.height()),
                           1);
+            }
+        }
         // Samples fill the pixels as their areas do: no sample lies across a border.
-        for (const auto& [pixel, area] : areas(windows))
+        for (const auto& [pixel, area] : areas(windows)) {
             EXPECT_NEAR(area, 1.0, 1e-12) << pixel.first << ", " << pixel.second;
+        }
     }
 }
 
@@ -263,17 +281,21 @@ TEST(PixelAlignedStrategy, CutsWindowsForDetailsAndDrawsEveryPointOnce) {
         ASSERT_GE(windows.size(), 4u);
         for (const ImageRectangle& detail : aircraft.details) {
             double densest = 0.0;
-            for (const SampleWindow& window : windows)
-                if (window.region().intersects(detail))
+            for (const SampleWindow& window : windows) {
+                if (window.region().intersects(detail)) {
                     densest = std::max(densest, window.density());
+                }
+            }
             EXPECT_GE(densest * detail.extent(), size / 8.0);
         }
         std::mt19937 random(11);
         std::uniform_real_distribution<double> u(0.0, 1.0);
-        for (int i = 0; i < 20000; ++i)
+        for (int i = 0; i < 20000; ++i) {
             EXPECT_EQ(drawnTimes(windows, 100.2 + 30.3 * u(random), 80.7 + 12.1 * u(random)), 1);
-        for (const auto& [pixel, area] : areas(windows))
+        }
+        for (const auto& [pixel, area] : areas(windows)) {
             EXPECT_NEAR(area, 1.0, 1e-12) << pixel.first << ", " << pixel.second;
+        }
     }
 }
 

@@ -27,8 +27,9 @@ std::vector<SampledWindow> windowsIn(const std::vector<Entity>& entities, double
     irsg.setEnvironment(environmentOf(ConstantAir{}));
     RenderSettings settings;
     settings.background = BackgroundMode::constant;
-    if (change)
+    if (change) {
         change(settings);
+    }
     irsg.setSettings(settings);
     irsg.setEntities(entities);
     irsg.setPose(0, {{entities[0].pose.position_m}, {}});

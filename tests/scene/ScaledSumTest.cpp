@@ -60,8 +60,9 @@ constexpr std::size_t before = 5, count = 2000; // nodes of another band, and of
 
 TEST(ScaledSum, IsTheSumOverTheBandAtAnyScales) {
     std::vector<double> wavelengths_um(before, 2.0);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
         wavelengths_um.push_back(3.0 + 2.0 * static_cast<double>(i) / count);
+    }
     PlanckTable planck(wavelengths_um);
     for (const Row& row : rows) {
         ScaledSurface surface;

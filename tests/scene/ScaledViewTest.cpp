@@ -52,25 +52,27 @@ const std::vector<ScalingInput> inputs{
 
 std::vector<double> draw(std::uint64_t number) {
     std::vector<double> scales;
-    for (const ScalingInput& input : inputs)
+    for (const ScalingInput& input : inputs) {
         scales.push_back(
             input.least +
             (input.most - input.least) *
                 unitOf(1, {static_cast<std::uint32_t>(input.kind), 0, input.index}, number));
+    }
     return scales;
 }
 
 Entity scaled(Entity entity, const std::vector<double>& scales) {
-    for (std::size_t i = 0; i < inputs.size(); ++i)
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
         (inputs[i].kind == ScalingKind::temperature ? entity.temperatureScale
                                                     : entity.emissivityScale)[inputs[i].index] =
             scales[i];
+    }
     return entity;
 }
 
 } // namespace
 
-TEST(ScaledView, saysWhatTheRendererSaysOfAScaledScene) {
+TEST(ScaledView, SaysWhatTheRendererSaysOfAScaledScene) {
     Irsg& irsg = generator();
     irsg.setEnvironment(brightAir());
     for (const Band& band : {Band::topHat(3.0, 5.0), Band::topHat(8.0, 12.0)}) {
@@ -96,7 +98,7 @@ TEST(ScaledView, saysWhatTheRendererSaysOfAScaledScene) {
     }
 }
 
-TEST(ScaledView, staysNearTheRendererWhereAScaledSpectrumIsCutInsideTheBand) {
+TEST(ScaledView, StaysNearTheRendererWhereAScaledSpectrumIsCutInsideTheBand) {
     // Where the scaled emissivity meets 1 - t between two nodes of the quadrature it has a kink
     // there that neither of the two knows of: what remains is the quadrature's error, not physics
     // (spectra agree wavelength by wavelength).
@@ -117,7 +119,7 @@ TEST(ScaledView, staysNearTheRendererWhereAScaledSpectrumIsCutInsideTheBand) {
     }
 }
 
-TEST(ScaledView, isTheUnscaledSceneAtScalesOfOne) {
+TEST(ScaledView, IsTheUnscaledSceneAtScalesOfOne) {
     Irsg& irsg = generator();
     irsg.setEnvironment(brightAir());
     irsg.setEntities({glazedSphere()});
@@ -130,7 +132,7 @@ TEST(ScaledView, isTheUnscaledSceneAtScalesOfOne) {
     EXPECT_NEAR(found.irradiance[0] / expected.irradiance_W_m2, 1.0, 1e-9);
 }
 
-TEST(ScaledView, scalesSpectraWavelengthByWavelength) {
+TEST(ScaledView, ScalesSpectraWavelengthByWavelength) {
     Irsg& irsg = generator();
     irsg.setEnvironment(brightAir());
     irsg.setEntities({glazedSphere()});
@@ -154,7 +156,7 @@ TEST(ScaledView, scalesSpectraWavelengthByWavelength) {
     }
 }
 
-TEST(Scalings, keepEmissivityAndReflectivityAndTransmissivityAtOne) {
+TEST(Scalings, KeepEmissivityAndReflectivityAndTransmissivityAtOne) {
     // In an enclosure whose fluxes are those of a black body at the surface's own temperature a
     // surface looks the same whatever its emissivity, if and only if the three add up to 1. In a
     // narrow band Planck's law is a number.
@@ -178,7 +180,7 @@ TEST(Scalings, keepEmissivityAndReflectivityAndTransmissivityAtOne) {
     }
 }
 
-TEST(Scalings, neverEmitMoreThanABlackBody) {
+TEST(Scalings, NeverEmitMoreThanABlackBody) {
     Irsg& irsg = generator();
     irsg.setEnvironment(environmentOf(ConstantAir{}));
     const auto intensityOf = [&](double emissivity, double scale) {
@@ -193,7 +195,7 @@ TEST(Scalings, neverEmitMoreThanABlackBody) {
     EXPECT_NEAR(intensityOf(0.9, 0.5) / intensityOf(0.45, 1.0), 1.0, 1e-12);
 }
 
-TEST(Scalings, multiplyTheTemperatureInKelvinAndTheEmissionOfASpectrumOnlyByEmissivity) {
+TEST(Scalings, MultiplyTheTemperatureInKelvinAndTheEmissionOfASpectrumOnlyByEmissivity) {
     Irsg& irsg = generator();
     irsg.setEnvironment(environmentOf(ConstantAir{}));
     const auto intensityOf = [&](Entity entity, double temperature, double emissivity) {

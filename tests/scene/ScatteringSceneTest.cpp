@@ -30,25 +30,29 @@ std::filesystem::path databaseFile(double fieldOfView_rad, double width_per_rad 
         std::filesystem::temp_directory_path() /
         ("haze-" + std::to_string(fieldOfView_rad) + "-" + std::to_string(width_per_rad) + ".mtf");
     std::vector<double> frequencies{0.0};
-    for (int i = 0; i < 120; ++i)
+    for (int i = 0; i < 120; ++i) {
         frequencies.push_back(1e-2 * width_per_rad * std::pow(1e4, i / 119.0));
+    }
     const std::vector<double> depths{0.5, 2.0, 6.0};
     std::string bytes;
     const auto put = [&](double value) {
         bytes.resize(bytes.size() + 8);
         putDouble(bytes, bytes.size() - 8, value);
     };
-    for (const double value : {fieldOfView_rad, 0.0, 0.0, 0.0})
+    for (const double value : {fieldOfView_rad, 0.0, 0.0, 0.0}) {
         put(value);
+    }
     bytes.resize(40);
     putInt(bytes, 32, static_cast<std::int32_t>(depths.size()));
     putInt(bytes, 36, static_cast<std::int32_t>(frequencies.size()));
-    for (const double frequency : frequencies)
+    for (const double frequency : frequencies) {
         put(frequency);
+    }
     for (const double depth : depths) {
         put(depth);
-        for (const double frequency : frequencies)
+        for (const double frequency : frequencies) {
             put(std::exp(depth * 0.9 / (1.0 + std::pow(frequency / width_per_rad, 2))));
+        }
     }
     std::ofstream(file, std::ios::binary) << bytes;
     return file;
@@ -86,8 +90,9 @@ RenderSettings scattering(bool isOn = true) {
 class ScatteringScene : public testing::Test {
   protected:
     void SetUp() override {
-        if (!isScatteringBuilt())
+        if (!isScatteringBuilt()) {
             GTEST_SKIP() << whyNoScattering();
+        }
     }
 
     Irsg& sphere(double temperature_K, const Environment& environment, const View& view,
@@ -105,8 +110,9 @@ class ScatteringScene : public testing::Test {
 
 double sumOf(const RadianceImage& image) {
     double sum = 0.0;
-    for (const float value : image.primary().values)
+    for (const float value : image.primary().values) {
         sum += static_cast<double>(value);
+    }
     return sum;
 }
 
@@ -125,7 +131,7 @@ TEST_F(ScatteringScene, LeavesAnObjectInvisibleThatShinesAsItsBackground) {
     settings.background = BackgroundMode::constant;
     settings.background_W_m2_sr =
         0.5 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 300.0) + 0.25 * 2.0;
-    for (const double coefficient_per_m : {0.001, 0.005, 0.02, 0.04, 0.06})
+    for (const double coefficient_per_m : {0.001, 0.005, 0.02, 0.04, 0.06}) {
         for (const double width_per_rad : {20.0, 200.0}) {
             const Environment hazy =
                 with(environmentOf(air), databaseFile(0.05, width_per_rad), coefficient_per_m);
@@ -134,6 +140,7 @@ TEST_F(ScatteringScene, LeavesAnObjectInvisibleThatShinesAsItsBackground) {
             EXPECT_GT(number(seen.image, "scattering.mesh.gain"), 1.05);
             EXPECT_LE((most - least) / most, 1e-5f) << coefficient_per_m;
         }
+    }
 }
 
 TEST_F(ScatteringScene, GivesItsLightTheGainOfTheMtfLessTheReportedCut) {
@@ -291,8 +298,9 @@ TEST_F(ScatteringScene, RefusesToScatterWithoutADatabase) {
 }
 
 TEST(ScatteringWithoutItsFloor, IsRefusedByName) {
-    if (isScatteringBuilt())
+    if (isScatteringBuilt()) {
         GTEST_SKIP() << "this build has irsg/scattering";
+    }
     Irsg irsg;
     irsg.setEnvironment(with(darkness(), "haze.mtf", 0.01));
     irsg.setSettings(scattering());

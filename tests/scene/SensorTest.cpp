@@ -22,9 +22,11 @@ Sensor sensorOf(int width, int height, double fieldOfView_deg) {
 
 double sumOfSolidAngles(const Sensor& sensor) {
     double sum = 0.0;
-    for (int y = 0; y < sensor.height_px; ++y)
-        for (int x = 0; x < sensor.width_px; ++x)
+    for (int y = 0; y < sensor.height_px; ++y) {
+        for (int x = 0; x < sensor.width_px; ++x) {
             sum += sensor.pixelSolidAngle_sr(x, y);
+        }
+    }
     return sum;
 }
 
@@ -49,11 +51,12 @@ TEST(Sensor, CornersOfNinetyDegreesHaveTheirClosedForm) {
     // Two pixels a side, pitch 1: the centres stand at (1/2, 1/2), cos^2 = 1 / 1.5.
     const Sensor sensor = sensorOf(2, 2, 90.0);
     EXPECT_NEAR(sensor.pixelPitch(), 1.0, 1e-15);
-    for (const int x : {0, 1})
+    for (const int x : {0, 1}) {
         for (const int y : {0, 1}) {
             EXPECT_NEAR(sensor.cosOffAxis(x, y), 1.0 / std::sqrt(1.5), 1e-15);
             EXPECT_NEAR(sensor.pixelSolidAngle_sr(x, y), std::pow(1.5, -1.5), 1e-15);
         }
+    }
 }
 
 TEST(Sensor, PitchIsThatOfTheWidthAndPixelsAreSquare) {
@@ -64,12 +67,13 @@ TEST(Sensor, PitchIsThatOfTheWidthAndPixelsAreSquare) {
 TEST(Sensor, IsSymmetricAboutItsAxis) {
     for (const auto& [width, height] : {std::pair{7, 5}, {8, 3}, {1, 9}, {64, 64}}) {
         const Sensor sensor = sensorOf(width, height, 70.0);
-        for (int y = 0; y < height; ++y)
+        for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
                 EXPECT_DOUBLE_EQ(sensor.cosOffAxis(x, y),
                                  sensor.cosOffAxis(width - 1 - x, height - 1 - y));
                 EXPECT_DOUBLE_EQ(sensor.cosOffAxis(x, y), sensor.cosOffAxis(width - 1 - x, y));
             }
+        }
     }
 }
 
@@ -103,8 +107,9 @@ TEST(Sensor, ConvergesAtSecondOrderWhenPixelsAreHalved) {
 
 TEST(Sensor, AcceptsWhatLiesWithinItsLimits) {
     for (const Sensor& sensor :
-         {Sensor{}, sensorOf(1, 1, 1e-9), sensorOf(16384, 16384, 179.999), sensorOf(1, 16384, 1)})
+         {Sensor{}, sensorOf(1, 1, 1e-9), sensorOf(16384, 16384, 179.999), sensorOf(1, 16384, 1)}) {
         EXPECT_NO_THROW(sensor.check());
+    }
 }
 
 TEST(Sensor, RefusesWhatNoCameraHas) {

@@ -37,8 +37,9 @@ class TwoSpheres : public testing::Test {
     void expectBoth(const RenderReport& report, double range_m) const {
         ASSERT_EQ(report.objects.size(), 2u);
         EXPECT_NEAR(report.objects[1].range_m, range_m - apart_m, 0.5);
-        for (const ObjectRadiometry& object : report.objects)
+        for (const ObjectRadiometry& object : report.objects) {
             EXPECT_NEAR(object.intensity_W_sr / intensity_W_sr(), 1.0, 5e-3) << object.name;
+        }
         EXPECT_NEAR(report.all.intensity_W_sr / (2.0 * intensity_W_sr()), 1.0, 5e-3);
         EXPECT_NEAR(report.all.contrastIntensity_W_sr / (report.objects[0].contrastIntensity_W_sr +
                                                          report.objects[1].contrastIntensity_W_sr),

@@ -34,8 +34,9 @@ ObjectTexture randomTexture(int side) {
 
 double mean(const std::vector<double>& values) {
     double sum = 0.0;
-    for (double value : values)
+    for (double value : values) {
         sum += value;
+    }
     return sum / static_cast<double>(values.size());
 }
 
@@ -62,7 +63,7 @@ std::pair<double, double> swing(Irsg& irsg) {
     const Viewpoint camera = irsg.viewpoint();
     const double step_m = pixel_rad * length(camera.position_m - Vec3{0, 0, standingAltitude_m});
     double least = 1e300, largest = 0.0, sum = 0.0;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         for (int j = 0; j < 8; ++j) {
             Pose pose{{0, 0, standingAltitude_m}, {}};
             pose.position_m = pose.position_m + camera.right * ((i / 8.0 + 0.03) * step_m) +
@@ -73,6 +74,7 @@ std::pair<double, double> swing(Irsg& irsg) {
             largest = std::max(largest, intensity);
             sum += intensity / 64.0;
         }
+    }
     return {least / sum, largest / sum};
 }
 
@@ -93,8 +95,9 @@ TEST(DownsamplingPass, KeepsTheMeanOfATexture) {
 TEST(MultipassComposer, LeadsFrom512To2InFourPasses) {
     std::vector<int> factors;
     const MultipassComposer composer(512, 2);
-    for (const DownsamplingPass& pass : composer.passes())
+    for (const DownsamplingPass& pass : composer.passes()) {
         factors.push_back(pass.factor());
+    }
     EXPECT_THAT(factors, testing::ElementsAre(4, 4, 4, 4));
     EXPECT_EQ(MultipassComposer(256, 2).passes().size(), 4u);
     EXPECT_EQ(MultipassComposer(128, 128).passes().size(), 0u);

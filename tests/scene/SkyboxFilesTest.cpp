@@ -45,8 +45,9 @@ void writePng(const fs::path& file, int width, int height, int format, const voi
 std::string tiff(int bits, const void* pixels, std::size_t count) {
     std::string bytes("II*\0", 4);
     const auto number = [&](std::uint32_t value, int size) {
-        for (int i = 0; i < size; ++i)
+        for (int i = 0; i < size; ++i) {
             bytes.push_back(static_cast<char>(value >> (8 * i) & 0xff));
+        }
     };
     number(static_cast<std::uint32_t>(8 + count), 4);
     bytes.append(static_cast<const char*>(pixels), count);
@@ -81,8 +82,9 @@ TEST(Texture, OfEightBitsIsItsNumbersOver255) {
         const TextureImage image = readTexture(folder / name);
         ASSERT_EQ(image.width_px, 3) << name;
         ASSERT_EQ(image.height_px, 2) << name;
-        for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t i = 0; i < 6; ++i) {
             EXPECT_EQ(image.values[i], static_cast<float>(values8[i]) / 255.0f) << name;
+        }
     }
 }
 
@@ -98,13 +100,15 @@ TEST(Texture, OfSixteenBitsKeepsThemAll) {
     const TemporaryFolder folder;
     write(folder / "grey.tiff", tiff(16, values16, sizeof values16));
     const TextureImage image = readTexture(folder / "grey.tiff");
-    for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t i = 0; i < 6; ++i) {
         EXPECT_FLOAT_EQ(image.values[i], static_cast<float>(values16[i]) / 65535.0f);
+    }
     // A picture that libpng calls linear is one of 16 bits with a gamma of 1.
     writePng(folder / "grey.png", 3, 2, PNG_FORMAT_LINEAR_Y, values16);
     const PngPlane plane = readPngPlane(folder / "grey.png");
-    for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t i = 0; i < 6; ++i) {
         EXPECT_EQ(plane.values[i], static_cast<float>(values16[i]) / 65535.0f);
+    }
 }
 
 TEST(Texture, OfFloatsIsTheFloats) {
@@ -128,8 +132,9 @@ TEST(Texture, OfAJpegIsWithinItsLoss) {
     const TemporaryFolder folder;
     const osg::ref_ptr<osg::Image> picture = new osg::Image;
     picture->allocateImage(16, 16, 1, GL_RGB, GL_UNSIGNED_BYTE);
-    for (int y = 0; y < 16; ++y)
+    for (int y = 0; y < 16; ++y) {
         std::memset(picture->data(0, static_cast<unsigned int>(y)), y < 8 ? 60 : 180, 48);
+    }
     ASSERT_TRUE(osgDB::writeImageFile(*picture, (folder / "p.jpg").string()));
     const TextureImage image = readTexture(folder / "p.jpg");
     EXPECT_NEAR(image.values[0], 180.0f / 255.0f, 0.02f) << "top row first";
@@ -162,8 +167,9 @@ TEST(Texture, ThatIsNoPictureIsRefused) {
 TEST(SkyboxFiles, AreFoundByTheirNames) {
     const TemporaryFolder folder;
     std::uint8_t value = 10;
-    for (const char* name : {"N.png", "south.png", "East.png", "w.png", "UP.png", "Down.png"})
+    for (const char* name : {"N.png", "south.png", "East.png", "w.png", "UP.png", "Down.png"}) {
         writeGrey(folder / name, 4, value++);
+    }
     write(folder / "README.md", "not a face");
     const auto sky = Skybox::load(folder.path());
     EXPECT_EQ(sky->faceSize(), 4);
@@ -174,8 +180,9 @@ TEST(SkyboxFiles, AreFoundByTheirNames) {
 
 TEST(SkyboxFiles, ThatAreMissingOrWrongAreNamed) {
     const TemporaryFolder folder;
-    for (const char* name : {"north.png", "south.png", "east.png", "down.png"})
+    for (const char* name : {"north.png", "south.png", "east.png", "down.png"}) {
         writeGrey(folder / name, 4, 1);
+    }
     const std::string missing = refusalOf([&] { Skybox::load(folder.path()); });
     EXPECT_NE(missing.find("face west"), std::string::npos) << missing;
     EXPECT_NE(missing.find("face up"), std::string::npos) << missing;

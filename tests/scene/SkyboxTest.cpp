@@ -39,10 +39,12 @@ std::array<TextureImage, 6> painted(int size, const std::function<double(const V
     std::array<TextureImage, 6> faces;
     for (std::size_t face = 0; face < 6; ++face) {
         faces[face].width_px = faces[face].height_px = size;
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x)
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
                 faces[face].values.push_back(static_cast<float>(colour(normalized(faceDirection(
                     face, (2.0 * x + 1.0) / size - 1.0, (2.0 * y + 1.0) / size - 1.0)))));
+            }
+        }
     }
     return faces;
 }
@@ -81,25 +83,29 @@ TEST(TextureScale, AddsNothingAtTheOffsetAndTheSlopeFromBlackToWhite) {
 
 TEST(Skybox, CarriesOneValueUnchangedAtEveryScale) {
     const Skybox sky(plain(37, 123.25f));
-    for (const double fieldOfView_deg : {0.01, 20.0, 150.0})
+    for (const double fieldOfView_deg : {0.01, 20.0, 150.0}) {
         for (const double elevation_deg : {0.0, 40.0, -90.0}) {
             const FieldRays rays(sensorOf(31, 17, fieldOfView_deg), looking(33.0, elevation_deg));
-            for (const double value : sky.pixels(rays, {}))
+            for (const double value : sky.pixels(rays, {})) {
                 EXPECT_EQ(value, 123.25);
+            }
         }
+    }
 }
 
 TEST(Skybox, AddsExactlyNothingWhereAllIsOffsetGrey) {
     const Skybox sky(plain(16, 128.0f / 255.0f));
     const FieldRays rays(sensorOf(31, 17, 90.0), looking(45.0, 35.0));
-    for (const double value : sky.pixels(rays, {50.0, 128.0 / 255.0}))
+    for (const double value : sky.pixels(rays, {50.0, 128.0 / 255.0})) {
         EXPECT_EQ(value, 0.0);
+    }
 }
 
 TEST(Skybox, ShowsEachFaceWhereItBelongs) {
     std::array<TextureImage, 6> faces;
-    for (std::size_t face = 0; face < 6; ++face)
+    for (std::size_t face = 0; face < 6; ++face) {
         faces[face] = {2, 2, std::vector<float>(4, static_cast<float>(face + 1))};
+    }
     const Skybox sky(faces);
     EXPECT_EQ(sky.at({0, 1, 0}), 1.0) << "north is +y";
     EXPECT_EQ(sky.at({0, -1, 0}), 2.0);
@@ -125,7 +131,7 @@ TEST(Skybox, IsContinuousAndCloseToWhatWasPaintedOverEdgesAndCorners) {
         }
     };
     // Over every edge, once obliquely, and through every corner.
-    for (const double x : {-1.0, 1.0})
+    for (const double x : {-1.0, 1.0}) {
         for (const double y : {-1.0, 1.0}) {
             walk({x, 0.3, 0.2}, {0.1, y, -0.4});
             walk({x, 0.3, 0.2 * y}, {0.3 * y, 0.1, x});
@@ -135,6 +141,7 @@ TEST(Skybox, IsContinuousAndCloseToWhatWasPaintedOverEdgesAndCorners) {
                 walk({x, 0.99 * y, 0.98 * z}, {0.97 * x, 0.98 * y, z});
             }
         }
+    }
     EXPECT_LT(worst, 6e-3) << "a texel is 1.8 degrees, over which the function changes by 0.06";
     EXPECT_LT(jump, 5e-4) << "a step is 1e-4";
 }
@@ -145,14 +152,17 @@ TEST(Skybox, AveragesTexelsThatAreSmallerThanPixels) {
     std::array<TextureImage, 6> faces;
     for (TextureImage& face : faces) {
         face.width_px = face.height_px = size;
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x)
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
                 face.values.push_back((x + y) % 2 ? 1.0f : 0.0f);
+            }
+        }
     }
     const Skybox sky(faces);
     const FieldRays coarse(sensorOf(24, 24, 90.0), looking(20.0, 10.0));
-    for (const double value : sky.pixels(coarse, {}))
+    for (const double value : sky.pixels(coarse, {})) {
         EXPECT_NEAR(value, 0.5, 0.01);
+    }
     const FieldRays fine(sensorOf(64, 64, 0.5), looking(20.0, 10.0));
     const std::vector<double> seen = sky.pixels(fine, {});
     EXPECT_GT(*std::ranges::max_element(seen), 0.9);
@@ -164,15 +174,18 @@ TEST(Skybox, KeepsTheMeanOfAFunctionInCoarsePixels) {
         painted(150, [](const Vec3& d) { return smooth(d) + 0.3 * std::sin(300.0 * d.x); }));
     const FieldRays rays(sensorOf(9, 9, 80.0), looking(10.0, 5.0));
     const std::vector<double> pixels = sky.pixels(rays, {});
-    for (int y = 0; y < 9; ++y)
+    for (int y = 0; y < 9; ++y) {
         for (int x = 0; x < 9; ++x) {
             double mean = 0.0;
             constexpr int n = 40;
-            for (int j = 0; j < n; ++j)
-                for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                for (int i = 0; i < n; ++i) {
                     mean += sky.at(rays.at(rays.u(x + (i + 0.5) / n), rays.v(y + (j + 0.5) / n)));
+                }
+            }
             EXPECT_NEAR(pixels[static_cast<std::size_t>(y * 9 + x)], mean / (n * n), 0.05);
         }
+    }
 }
 
 TEST(Skybox, FollowsTheEyeAndTurnsWithTheView) {
@@ -187,11 +200,12 @@ TEST(Skybox, FollowsTheEyeAndTurnsWithTheView) {
         drawn(background, sensor, looking(10, 5, {3e5, -2e5, 1000.0}), settings, report);
     const auto turned = drawn(background, sensor, looking(60, 5), settings, report);
     double difference = 0.0;
-    for (int y = 0; y < 30; ++y)
+    for (int y = 0; y < 30; ++y) {
         for (int x = 0; x < 40; ++x) {
             EXPECT_NEAR(there.at(x, y), here.at(x, y), 1e-9);
             difference = std::max(difference, std::abs(turned.at(x, y) - here.at(x, y)));
         }
+    }
     EXPECT_GT(difference, 0.5);
     const FieldRays rays(sensor, looking(10, 5));
     EXPECT_NEAR(here.at(0, 0), 2.0 * (smooth(normalized(rays.at(rays.u(0.5), rays.v(0.5)))) - 0.5),

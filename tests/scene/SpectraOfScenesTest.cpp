@@ -22,8 +22,9 @@ class TwoBandAir : public ConstantAir {
   protected:
     Spectrum nativeSpectrum(const AtmosphericQuery& question,
                             const SpectralRange& range) const override {
-        if (question.quantity != AtmosphereProperty::transmittance)
+        if (question.quantity != AtmosphereProperty::transmittance) {
             return ConstantAir::nativeSpectrum(question, range);
+        }
         const double t = std::exp(-1e-3 * question.path.range_m);
         return Spectrum({0.2, 4.0, 4.0001, 40.0}, {1.0, 1.0, t, t});
     }
@@ -43,10 +44,11 @@ Environment tabulatedAir(const std::vector<SpectralRange>& ranges) {
             run.geometry.sensorAltitude_m = path.sensorAltitude_m;
             run.geometry.targetAltitude_m = path.targetAltitude_m;
             run.geometry.range_m = path.range_m;
-            for (int i = 0; i <= 10; ++i)
+            for (int i = 0; i <= 10; ++i) {
                 run.wavenumbers_per_cm.push_back(
                     std::lerp(wavenumberFromWavelength_per_cm(range.max_um),
                               wavenumberFromWavelength_per_cm(range.min_um), i / 10.0));
+            }
             run.transmittance.assign(11, 0.5);
             run.pathRadiance_W_m2_sr_um.assign(11, 2.0);
             run.totalRadiance_W_m2_sr_um.assign(11, 3.0);
@@ -124,11 +126,12 @@ TEST(IntensitySpectrumOfAScene, IntegratesToItsInBandIntensity) {
     }
     const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_per_cm);
     double integral = 0.0;
-    for (std::size_t i = 1; i < wavelengths_um.size(); ++i)
+    for (std::size_t i = 1; i < wavelengths_um.size(); ++i) {
         integral +=
             0.5 *
             (spectrum.contrastIntensity_W_sr_um[i] + spectrum.contrastIntensity_W_sr_um[i - 1]) *
             (wavelengths_um[i] - wavelengths_um[i - 1]);
+    }
     EXPECT_NEAR(integral / irsg.measure().all.contrastIntensity_W_sr, 1.0, 1e-4);
 }
 
@@ -144,9 +147,10 @@ TEST(IntensitySpectrumOfAScene, ReachesTheEndsOfATable) {
         irsg.setSettings(settings);
 
         std::vector<double> wavenumbers_per_cm;
-        for (int i = 0; i <= 40; ++i)
+        for (int i = 0; i <= 40; ++i) {
             wavenumbers_per_cm.push_back(
                 wavenumberFromWavelength_per_cm(std::lerp(range.max_um, range.min_um, i / 40.0)));
+        }
         wavenumbers_per_cm.front() = 1e4 / range.max_um;
         wavenumbers_per_cm.back() = 1e4 / range.min_um;
         irsg.setEnvironment(Environment::vacuum());
@@ -155,17 +159,20 @@ TEST(IntensitySpectrumOfAScene, ReachesTheEndsOfATable) {
         const IntensitySpectrum all = irsg.measureSpectrum(wavenumbers_per_cm);
         const double area_m2 =
             bare.intensity_W_sr_um[0] / (0.9 * planckRadiance_W_m2_sr_um(range.max_um, 450.0));
-        for (std::size_t i = 0; i < wavenumbers_per_cm.size(); ++i)
+        for (std::size_t i = 0; i < wavenumbers_per_cm.size(); ++i) {
             EXPECT_NEAR(all.intensity_W_sr_um[i] /
                             (0.5 * bare.intensity_W_sr_um[i] + 2.0 * area_m2),
                         1.0, 1e-6)
                 << wavenumbers_per_cm[i];
+        }
 
         // One wavelength is a spectrum, too: at both ends and between.
-        for (const std::size_t i : {std::size_t{0}, std::size_t{17}, wavenumbers_per_cm.size() - 1})
+        for (const std::size_t i :
+             {std::size_t{0}, std::size_t{17}, wavenumbers_per_cm.size() - 1}) {
             EXPECT_NEAR(irsg.measureSpectrum({wavenumbers_per_cm[i]}).intensity_W_sr_um.at(0) /
                             all.intensity_W_sr_um[i],
                         1.0, 1e-6);
+        }
 
         // What lies beyond the end by more than rounding is refused as before.
         EXPECT_THROW(irsg.measureSpectrum({1e4 / (range.max_um * (1.0 + 1e-6))}), InputError);
@@ -258,9 +265,11 @@ TEST(ProjectedFactorsOfAScene, AreKeptWhileOnlySignaturesChange) {
     irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 320.0))});
     look(irsg, {});
     auto drawings = [&] {
-        for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
-            if (stage.name == "drawing")
+        for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
+            if (stage.name == "drawing") {
                 return stage.calls;
+            }
+        }
         return 0L;
     };
     const double before = irsg.measure().all.intensity_W_sr;
@@ -303,8 +312,9 @@ TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
     const std::vector<float>& radiance = image.primary().values;
     for (std::size_t i = 0; i < radiance.size(); ++i) {
         double sum = 0.0;
-        for (const char* term : {"thermal", "sun", "up", "down", "path", "background"})
+        for (const char* term : {"thermal", "sun", "up", "down", "path", "background"}) {
             sum += static_cast<double>(image.find(term)->values[i]);
+        }
         EXPECT_NEAR(sum, static_cast<double>(radiance[i]), 2e-6 * sum);
     }
     const std::size_t centre = image.offset(32, 32);
@@ -329,8 +339,9 @@ TEST(StageTimesOfAnImage, NameEveryStageThatTookTime) {
         EXPECT_EQ(stage.calls, 1) << stage.name;
     }
     for (const char* expected :
-         {"radiometry", "drawing", "read back", "layer sorting", "reduction", "composition"})
+         {"radiometry", "drawing", "read back", "layer sorting", "reduction", "composition"}) {
         EXPECT_TRUE(std::ranges::find(names, expected) != names.end()) << expected;
+    }
     irsg.resetStageTimes();
     EXPECT_TRUE(irsg.stageTimes().stages.empty());
 }

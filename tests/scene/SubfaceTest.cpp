@@ -22,10 +22,11 @@ std::string stackedSquares() {
     const auto base = file.face;
     file.vertices.clear();
     const auto add = [&](double from, double to) {
-        for (const auto& [x, y] : {std::pair{from, from}, {to, from}, {to, to}, {from, to}})
+        for (const auto& [x, y] : {std::pair{from, from}, {to, from}, {to, to}, {from, to}}) {
             file.vertices +=
                 record(flight::vertexCN, i16(0) + i16(0x2000) + f64(x) + f64(y) + f64(0) + f32(0) +
                                              f32(0) + f32(1) + i32(-1) + i32(-1) + i32(0));
+        }
     };
     add(-1.5, 1.5);
     add(-0.5, 0.5);
@@ -67,8 +68,8 @@ TEST(Subfaces, HideTheFaceTheyLieOnFromAnyDirectionAndRange) {
     settings.samplesPerAxis = 4;
     irsg.setSettings(settings);
     irsg.setEntities({entityOf(model, database)});
-    for (const double range_m : {20.0, 1000.0, 50000.0})
-        for (const double elevation_deg : {90.0, 50.0, 8.0})
+    for (const double range_m : {20.0, 1000.0, 50000.0}) {
+        for (const double elevation_deg : {90.0, 50.0, 8.0}) {
             for (const double azimuth_deg : {0.0, 33.0}) {
                 look(irsg, {.range_m = range_m,
                             .azimuth_rad = azimuth_deg * 0.0174533,
@@ -82,4 +83,6 @@ TEST(Subfaces, HideTheFaceTheyLieOnFromAnyDirectionAndRange) {
                 EXPECT_NEAR(irsg.measure().all.intensity_W_sr / expected, 1.0, 0.03)
                     << range_m << " m, " << elevation_deg << " deg, " << azimuth_deg << " deg";
             }
+        }
+    }
 }

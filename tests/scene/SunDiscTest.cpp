@@ -34,9 +34,10 @@ Sensor sensorWithDiscOf(double pixels, int side_px) {
 
 double sumOver(const Sensor& sensor, const SunDisc& disc) {
     double sum = 0.0;
-    for (const SunDisc::Pixel& pixel : disc.pixels())
+    for (const SunDisc::Pixel& pixel : disc.pixels()) {
         sum += disc.radiance_W_m2_sr(irradiance_W_m2) * pixel.coverage *
                sensor.pixelSolidAngle_sr(pixel.x, pixel.y);
+    }
     return sum;
 }
 
@@ -62,13 +63,14 @@ TEST(SunDisc, SumsToTheIrradianceAtEverySizeAndPixelPhase) {
     for (const double size : {0.1, 0.3, 1.0, 2.5, 7.0, 20.0, 50.0, 80.0}) {
         const Sensor sensor = sensorWithDiscOf(size, size > 10 ? 120 : 24);
         const FieldRays rays(sensor, looking(0, 0));
-        for (int i = 0; i < 16; ++i)
+        for (int i = 0; i < 16; ++i) {
             for (int j = 0; j < 16; ++j) {
                 const double u = (i / 16.0 + 0.013) * rays.pitch, v = (j / 16.0) * rays.pitch;
                 const SunDisc disc(rays, Horizon(rays, belowEverything_rad),
                                    normalized(rays.at(u, v)));
                 worst = std::max(worst, std::abs(sumOver(sensor, disc) / irradiance_W_m2 - 1.0));
             }
+        }
     }
     EXPECT_LT(worst, 1e-6);
     RecordProperty("largest_relative_error", std::to_string(worst));
@@ -136,9 +138,11 @@ TEST(SunDisc, IsInThePictureOnlyWhereItIsAskedFor) {
     const FrameBackground frame = background.draw(sensor, view, sky, settings, painter, report);
     ASSERT_FALSE(frame.isUniform());
     double sum = 0.0;
-    for (int y = 0; y < sensor.height_px; ++y)
-        for (int x = 0; x < sensor.width_px; ++x)
+    for (int y = 0; y < sensor.height_px; ++y) {
+        for (int x = 0; x < sensor.width_px; ++x) {
             sum += (frame.at(x, y) - 6.0) * sensor.pixelSolidAngle_sr(x, y);
+        }
+    }
     EXPECT_NEAR(sum, 10.0, 1e-9) << "E over the band, upon the background";
     EXPECT_EQ(frame.at(0, 0), 6.0);
     EXPECT_EQ(report.answeredBy, std::vector<std::string>{"solar disc: constant air"});
@@ -146,8 +150,9 @@ TEST(SunDisc, IsInThePictureOnlyWhereItIsAskedFor) {
     // It follows the eye, and turns with the view.
     view.position_m = {1e5, -3e4, 0.0};
     const FrameBackground moved = background.draw(sensor, view, sky, settings, painter, report);
-    for (int i = 0; i < sensor.width_px; ++i)
+    for (int i = 0; i < sensor.width_px; ++i) {
         EXPECT_EQ(moved.at(i, i), frame.at(i, i));
+    }
     EXPECT_TRUE(background.draw(sensor, looking(0.3 + pi, 0.2), sky, settings, painter, report)
                     .isUniform());
 }

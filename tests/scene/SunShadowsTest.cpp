@@ -48,9 +48,11 @@ struct SphereAbovePlate {
     Entity entity() const {
         Mesh mesh = plateMesh({}, {half_m, 0, 0}, {0, half_m, 0}, {1, 1});
         Mesh sphere = sphereMesh(radius_m, 90, 180, {2, 2});
-        for (Triangle& triangle : sphere)
-            for (Vec3& vertex : triangle.vertex)
+        for (Triangle& triangle : sphere) {
+            for (Vec3& vertex : triangle.vertex) {
                 vertex.z += height_m;
+            }
+        }
         SignatureDatabase database = greyDatabase(0.2, 200.0);
         database.temperatures[2] = fixedTemperature(200.0);
         database.materials[2] = greyMaterial(0.2);
@@ -69,13 +71,16 @@ struct SphereAbovePlate {
         const double own = std::asin(radius_m / length(towards));
         const Vec3 s = direction(sun.azimuth_rad, sun.elevation_rad);
         const double apart = std::atan2(length(cross(towards, s)), dot(towards, s));
-        if (discRadius_rad == 0.0)
+        if (discRadius_rad == 0.0) {
             return apart < own ? 0.0 : 1.0;
+        }
         const double a = discRadius_rad, b = own;
-        if (apart >= a + b)
+        if (apart >= a + b) {
             return 1.0;
-        if (apart <= std::abs(a - b))
+        }
+        if (apart <= std::abs(a - b)) {
             return a <= b ? 0.0 : 1.0 - b * b / (a * a);
+        }
         const double u = std::acos((apart * apart + a * a - b * b) / (2.0 * apart * a));
         const double v = std::acos((apart * apart + b * b - a * a) / (2.0 * apart * b));
         const double lens =
@@ -94,8 +99,9 @@ void lookDown(Irsg& irsg, const Vec3& middle_m, double range_m, double width_m, 
 class SunShadowsTest : public testing::TestWithParam<EngineChoice> {
   protected:
     void SetUp() override {
-        if (!areRaysBuilt())
+        if (!areRaysBuilt()) {
             GTEST_SKIP() << whyNoRays();
+        }
     }
     Irsg made(const std::vector<Entity>& entities, const RenderSettings& settings) const {
         Irsg irsg;
@@ -129,11 +135,12 @@ TEST_P(SunShadowsTest, OfASphereOnAPlateIsAnEllipse) {
         const double lit = 0.8 / pi * sunIrradiance * 2.0 * std::sin(sun.elevation_rad);
         double dark_m2 = 0.0;
         int wrong = 0;
-        for (int y = 0; y < pixels; ++y)
+        for (int y = 0; y < pixels; ++y) {
             for (int x = 0; x < pixels; ++x) {
                 const std::size_t i = image.offset(x, y);
-                if (material[i] != 1.0f)
+                if (material[i] != 1.0f) {
                     continue;
+                }
                 const double east = middle.x + (x + 0.5 - 0.5 * pixels) * width_m / pixels;
                 const double north = middle.y + (0.5 * pixels - y - 0.5) * width_m / pixels;
                 const double expected = scene.visibility(east, north, 0.0);
@@ -142,6 +149,7 @@ TEST_P(SunShadowsTest, OfASphereOnAPlateIsAnEllipse) {
                 EXPECT_NEAR(static_cast<double>(reflected[i]), lit * found, 1e-5 * lit);
                 dark_m2 += (1.0 - found) * width_m * width_m / (pixels * pixels);
             }
+        }
         EXPECT_LE(wrong, 60) << "pixels on the border of the shadow, range " << range_m;
         const double ellipse_m2 =
             pi * scene.radius_m * scene.radius_m / std::sin(sun.elevation_rad);
@@ -165,7 +173,7 @@ TEST_P(SunShadowsTest, OfADiscHaveThePenumbraOfTwoCircles) {
     const std::vector<float>& sees = image.find("sun_visibility")->values;
     double square = 0.0, sum = 0.0, expectedSum = 0.0, worst = 0.0;
     int between = 0;
-    for (int y = 0; y < pixels; ++y)
+    for (int y = 0; y < pixels; ++y) {
         for (int x = 0; x < pixels; ++x) {
             const double east = middle.x + (x + 0.5 - 0.5 * pixels) * width_m / pixels;
             const double north = middle.y + (0.5 * pixels - y - 0.5) * width_m / pixels;
@@ -177,6 +185,7 @@ TEST_P(SunShadowsTest, OfADiscHaveThePenumbraOfTwoCircles) {
             sum += 1.0 - found;
             expectedSum += 1.0 - expected;
         }
+    }
     EXPECT_GT(between, 1000);
     EXPECT_LE(std::sqrt(square / (pixels * pixels)), 0.01);
     EXPECT_LE(worst, 0.06); // of 64 rays
@@ -190,8 +199,9 @@ TEST_P(SunShadowsTest, OfGlassMultiplyItsTransmissivityNodeByNode) {
     Mesh mesh = joined(plateMesh({}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
                        plateMesh({0, 0, 30}, {60, 0, 0}, {0, 60, 0}, {2, 2}));
     for (const int panes : {1, 2}) {
-        if (panes == 2)
+        if (panes == 2) {
             mesh = joined(mesh, plateMesh({0, 0, 31}, {60, 0, 0}, {0, 60, 0}, {2, 2}));
+        }
         SignatureDatabase database = greyDatabase(0.2, 200.0);
         database.materials[1].emissivity = inHalves(0.2, 0.8);
         database.temperatures[2] = fixedTemperature(200.0);
@@ -228,7 +238,7 @@ TEST_P(SunShadowsTest, OfGlassMultiplyItsTransmissivityNodeByNode) {
 }
 
 TEST_P(SunShadowsTest, LeaveConvexBodiesAsTheyAre) {
-    for (const bool isSmooth : {true, false})
+    for (const bool isSmooth : {true, false}) {
         for (const double azimuth_rad : {0.0, 0.8, 2.0, 3.5}) {
             Entity entity = entityOf(modelOf(sphereMesh(1.0, 24, 48, {1, 1}, isSmooth)),
                                      greyDatabase(0.2, 200.0));
@@ -242,6 +252,7 @@ TEST_P(SunShadowsTest, LeaveConvexBodiesAsTheyAre) {
             EXPECT_NEAR(intensities[1] / intensities[0], 1.0, 5e-4)
                 << isSmooth << " " << azimuth_rad;
         }
+    }
 }
 
 TEST_P(SunShadowsTest, AreCastByOtherEntitiesAndTerrainAlsoFromOutsideTheFrame) {
@@ -260,9 +271,10 @@ TEST_P(SunShadowsTest, AreCastByOtherEntitiesAndTerrainAlsoFromOutsideTheFrame) 
         s * 300.0 - right * 20.0 - up * 20.0, s * 300.0 + right * 20.0 - up * 20.0,
         s * 300.0 + right * 20.0 + up * 20.0, s * 300.0 - right * 20.0 + up * 20.0};
     const osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-    for (const Vec3& v : corners)
+    for (const Vec3& v : corners) {
         vertices->push_back(
             osg::Vec3(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)));
+    }
     geometry->setVertexArray(vertices);
     geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
@@ -274,8 +286,9 @@ TEST_P(SunShadowsTest, AreCastByOtherEntitiesAndTerrainAlsoFromOutsideTheFrame) 
         RenderSettings settings = shadowSettings(GetParam(), SunShadowMode::point);
         settings.sun = reflection;
         Irsg irsg = made(entities, settings);
-        if (withTerrain)
+        if (withTerrain) {
             irsg.setTerrain(terrain);
+        }
         look(irsg, {.range_m = range_m, .azimuth_rad = 4.0, .elevation_rad = 0.9});
         return irsg.measure().objects.front().intensity_W_sr;
     };

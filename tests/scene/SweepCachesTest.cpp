@@ -37,8 +37,9 @@ class SensitiveAir : public Atmosphere {
         const auto& numbers = question.key(true).numbers;
         double depth = 0.0;
         const double weights[] = {3e-5, 2e-5, 3e-3, 0.2, 0.1, 0.3, 0.4};
-        for (std::size_t i = 0; i < numbers.size(); ++i)
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
             depth += weights[i] * numbers[i];
+        }
         const double value = question.quantity == AtmosphereProperty::transmittance
                                  ? std::exp(-density_ * depth)
                                  : 2.0 + std::sin(density_ * depth);
@@ -86,8 +87,9 @@ struct Case {
 Case first(bool inVacuum = false) {
     Case one;
     one.scene.environment = inVacuum ? Environment::vacuum() : Environment();
-    if (!inVacuum)
+    if (!inVacuum) {
         one.scene.environment.add(std::make_shared<SensitiveAir>());
+    }
     one.scene.environment.sun = {1.0, 0.6};
     Entity entity = entityOf(modelOf(joined(sphereMesh(1.0, 12, 24, body),
                                             boxMesh({3, 3, 3}, std::vector<IrCodes>(6, gas)))),
@@ -182,10 +184,11 @@ auto told(Renderer& renderer, const Case& one) {
         numbers.insert(numbers.end(), {report.totalIrradiance_W_m2, report.background_W_m2_sr});
         std::vector<ObjectRadiometry> objects = report.objects;
         objects.push_back(report.all);
-        for (const ObjectRadiometry& object : objects)
+        for (const ObjectRadiometry& object : objects) {
             numbers.insert(numbers.end(), {object.intensity_W_sr, object.contrastIntensity_W_sr,
                                            object.irradiance_W_m2, object.coveredPixels,
                                            object.solidAngle_sr, object.airError});
+        }
         lines.insert(lines.end(), report.answeredBy.begin(), report.answeredBy.end());
         lines.insert(lines.end(), report.warnings.begin(), report.warnings.end());
     }
@@ -257,8 +260,9 @@ TEST(SampledScenes, AreFoundAgainOnlyWhereTheAirIsTheSame) {
     EXPECT_NE(at(151.0, 0.3), one);
     EXPECT_EQ(sampled, 3);
     // However many there were, what is found is what was asked for.
-    for (int i = 0; i < 40; ++i)
+    for (int i = 0; i < 40; ++i) {
         at(200.0 + i, 0.3);
+    }
     const auto again = at(150.0, 0.3);
     ASSERT_EQ(again->bands.size(), 1u);
     EXPECT_EQ(again->bands[0].air.objects, one->bands[0].air.objects);
@@ -268,15 +272,18 @@ TEST(SampledScenes, AreFoundAgainOnlyWhereTheAirIsTheSame) {
 
 TEST(PlanckTable, HoldsWhatPlancksLawSaysHoweverMuchItForgets) {
     std::vector<double> wavelengths_um(200000);
-    for (std::size_t i = 0; i < wavelengths_um.size(); ++i)
+    for (std::size_t i = 0; i < wavelengths_um.size(); ++i) {
         wavelengths_um[i] = 3.0 + 1e-5 * static_cast<double>(i);
+    }
     PlanckTable table(wavelengths_um);
-    for (int turn = 0; turn < 2; ++turn)
+    for (int turn = 0; turn < 2; ++turn) {
         for (double temperature_K = 300.0; temperature_K < 350.0; temperature_K += 1.0) {
             const SharedValues values = table.at(temperature_K);
             ASSERT_EQ(values->size(), wavelengths_um.size());
-            for (const std::size_t i : {0, 777, 199999})
+            for (const std::size_t i : {0, 777, 199999}) {
                 ASSERT_EQ((*values)[i],
                           planckRadiance_W_m2_sr_um(wavelengths_um[i], temperature_K));
+            }
         }
+    }
 }

@@ -30,10 +30,12 @@ namespace {
 osg::ref_ptr<osg::Texture2D> textureOf(int side, const std::function<float(int, int)>& texel) {
     const osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(side, side, 1, GL_LUMINANCE, GL_FLOAT);
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
             *reinterpret_cast<float*>(image->data(static_cast<unsigned int>(x),
                                                   static_cast<unsigned int>(y))) = texel(x, y);
+        }
+    }
     return new osg::Texture2D(image);
 }
 
@@ -52,8 +54,9 @@ osg::ref_ptr<osg::Geode> sheet(const Vec3& corner, const Vec3& along, const Vec3
     geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(geometry);
-    if (texture)
+    if (texture) {
         geode->getOrCreateStateSet()->setTextureAttributeAndModes(0, texture);
+    }
     return geode;
 }
 
@@ -99,9 +102,11 @@ TEST(Terrain, ShowsItsTexelsUnchangedWhereItIsAndNothingElsewhere) {
     BackgroundReport report;
     const auto frame =
         drawn(background, sensorOf(64, 48, 40.0), north(), onBackground(0.0, {}), report);
-    for (int y = 0; y < 48; ++y)
-        for (int x = 0; x < 64; ++x)
+    for (int y = 0; y < 48; ++y) {
+        for (int x = 0; x < 64; ++x) {
             EXPECT_EQ(frame.at(x, y), x < 32 ? 0.0 : 123.25) << x << ", " << y;
+        }
+    }
 }
 
 TEST(Terrain, AddsNothingAtTheOffsetAndTheSlopeFromBlackToWhite) {
@@ -137,15 +142,17 @@ TEST(Terrain, StaysInTheWorldWhereTheSkyFollowsTheEye) {
         drawn(background, sensor, north({-20, 0, 1000}), onBackground(0.0, {}), report);
     const double edge = 32.0 + 0.2 / sensor.pixelPitch();
     double covered = 0.0;
-    for (int x = 0; x < 64; ++x)
+    for (int x = 0; x < 64; ++x) {
         covered += west.at(x, 4);
+    }
     EXPECT_NEAR(64.0 - covered, edge, 0.34) << "to a sample";
 }
 
 TEST(Terrain, HidesSkyboxAndSunWithoutMixingAndIsSharedOnItsEdge) {
     std::array<TextureImage, 6> faces;
-    for (TextureImage& face : faces)
+    for (TextureImage& face : faces) {
         face = {2, 2, std::vector<float>(4, 50.0f)};
+    }
     SceneBackground background;
     background.setSkybox(std::make_shared<const Skybox>(faces));
     background.setTerrain(wall(7.0f));
@@ -163,9 +170,10 @@ TEST(Terrain, HidesSkyboxAndSunWithoutMixingAndIsSharedOnItsEdge) {
     EXPECT_NEAR(frame.at(32, 0), edge * 7.0 + (1.0 - edge) * 50.0 + 2.0, 1e-9);
     // Each layer alone makes up the sum.
     const BackgroundLayers& layers = background.layers();
-    for (std::size_t i = 0; i < layers.sky.size(); ++i)
+    for (std::size_t i = 0; i < layers.sky.size(); ++i) {
         EXPECT_DOUBLE_EQ(frame.at(static_cast<int>(i % 65), static_cast<int>(i / 65)),
                          layers.terrain[i] + (1.0 - layers.coverage[i]) * layers.sky[i] + 2.0);
+    }
 }
 
 TEST(Terrain, ShowsTheTextureUprightAndAveragesWhatIsFine) {
@@ -187,9 +195,11 @@ TEST(Terrain, ShowsTheTextureUprightAndAveragesWhatIsFine) {
                textureOf(1024, [](int x, int y) { return (x + y) % 2 ? 1.0f : 0.0f; })),
         "chessboard"));
     const auto grey = drawn(background, sensor, north(), onBackground(0.0, {}), report);
-    for (int y = 0; y < 32; ++y)
-        for (int x = 0; x < 32; ++x)
+    for (int y = 0; y < 32; ++y) {
+        for (int x = 0; x < 32; ++x) {
             EXPECT_NEAR(grey.at(x, y), 0.5, 0.05);
+        }
+    }
 }
 
 TEST(Terrain, IsDrawnOverFramesLargerThanOneTarget) {
@@ -198,8 +208,9 @@ TEST(Terrain, IsDrawnOverFramesLargerThanOneTarget) {
     BackgroundReport report;
     const auto frame =
         drawn(background, sensorOf(1500, 40, 40.0), north(), onBackground(0.0, {}), report);
-    for (int x = 0; x < 1500; ++x)
+    for (int x = 0; x < 1500; ++x) {
         EXPECT_EQ(frame.at(x, 20), x < 750 ? 0.0 : 2.0) << x;
+    }
 }
 
 TEST(Terrain, OfDeepTransformsAndFarPlacesKeepsItsDigits) {
@@ -211,8 +222,9 @@ TEST(Terrain, OfDeepTransformsAndFarPlacesKeepsItsDigits) {
     BackgroundReport report;
     const auto frame = drawn(background, sensorOf(64, 8, 40.0), north({6.4e6, 0, 0}),
                              onBackground(0.0, {}), report);
-    for (int x = 0; x < 64; ++x)
+    for (int x = 0; x < 64; ++x) {
         EXPECT_EQ(frame.at(x, 4), x < 32 ? 0.0 : 4.0) << x;
+    }
 }
 
 TEST(Terrain, BehindTheCameraIsNotSeenAndAroundItIs) {
@@ -221,8 +233,9 @@ TEST(Terrain, BehindTheCameraIsNotSeenAndAroundItIs) {
     BackgroundReport report;
     const Sensor sensor = sensorOf(16, 16, 40.0);
     const auto empty = drawn(background, sensor, north(), onBackground(1.0, {}), report);
-    for (int x = 0; x < 16; ++x)
+    for (int x = 0; x < 16; ++x) {
         EXPECT_EQ(empty.at(x, 8), 1.0);
+    }
     // Ground under the camera that reaches behind it.
     background.setTerrain(Terrain::fromGraph(
         *sheet({-1e4, -1e4, -10}, {2e4, 0, 0}, {0, 2e4, 0}, plain(4.0f)), "ground"));
@@ -249,8 +262,9 @@ TEST(Terrain, IsReadFromFilesWithTheirTextures) {
     const TemporaryFolder folder;
     const osg::ref_ptr<osg::Image> picture = new osg::Image;
     picture->allocateImage(4, 4, 1, GL_RGB, GL_UNSIGNED_BYTE);
-    for (int y = 0; y < 4; ++y)
+    for (int y = 0; y < 4; ++y) {
         std::memset(picture->data(0, static_cast<unsigned int>(y)), 51, 12);
+    }
     ASSERT_TRUE(osgDB::writeImageFile(*picture, (folder / "ground.png").string()));
     std::ofstream(folder / "hill.mtl") << "newmtl ground\nmap_Kd ground.png\n";
     // The axes of OBJ files are y up, which OpenSceneGraph turns.

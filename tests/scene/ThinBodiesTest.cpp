@@ -48,8 +48,9 @@ struct Errors {
     void add(double error) {
         squares += error * error;
         worst = std::max(worst, std::abs(error));
-        if (count++ > 0)
+        if (count++ > 0) {
             step = std::max(step, std::abs(error - before));
+        }
         before = error;
     }
     double rms() const { return std::sqrt(squares / count); }
@@ -112,9 +113,9 @@ TEST(ThinBody, KeepsItsIntensityAtAnyInclinationAndLength) {
         {"rail", boxMesh({0.05, 5.0, 0.08}, sides), 10.0, 1.5e-3, 3e-3},
         {"plank", boxMesh({1.0, 7.0, 0.1}, sides), 14.0, 2e-3, 3e-3},
     };
-    for (const auto& [zoomWindow, finer] : {std::pair{128, 1.0}, {256, 0.5}})
-        for (const Body& body : bodies)
-            for (const double pitch_deg : {0.0, 0.4, 3.0, 27.0, 88.0, 90.0})
+    for (const auto& [zoomWindow, finer] : {std::pair{128, 1.0}, {256, 0.5}}) {
+        for (const Body& body : bodies) {
+            for (const double pitch_deg : {0.0, 0.4, 3.0, 27.0, 88.0, 90.0}) {
                 for (const double pixels : {140.0, 23.0, 0.7}) {
                     const Errors errors =
                         errorsOf(body.mesh, zoomWindow, pixels, body.length_m, pitch_deg);
@@ -129,4 +130,7 @@ TEST(ThinBody, KeepsItsIntensityAtAnyInclinationAndLength) {
                                 zoomWindow, body.name, pitch_deg, pixels, errors.rms(),
                                 errors.worst, errors.step);
                 }
+            }
+        }
+    }
 }

@@ -38,9 +38,11 @@ RenderReport measured(Irsg& irsg, CalculationMode mode,
 }
 
 long trainings(const Irsg& irsg) {
-    for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
-        if (stage.name == "wideband terms")
+    for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
+        if (stage.name == "wideband terms") {
             return stage.calls;
+        }
+    }
     return 0;
 }
 
@@ -126,8 +128,9 @@ TEST_P(WidebandScenes, ReflectAsIfMultipliedAtEveryNodeOfTheBand) {
                     {path.sensorAltitude_m, -0.1, 0.0}, terms);
         const std::vector<double> through = transfer.transmittance(nodes, path);
         auto reflected = [&](std::vector<double> light) {
-            for (std::size_t i = 0; i < light.size(); ++i)
+            for (std::size_t i = 0; i < light.size(); ++i) {
                 light[i] *= 0.4 / pi * through[i];
+            }
             const Spectrum means = transfer.spectrum(range, light);
             const Spectrum* factors[] = {&means};
             return integrateProduct(factors, range);

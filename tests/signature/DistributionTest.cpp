@@ -77,6 +77,8 @@ Reference referenceOf(Kind kind, const std::vector<double>& p, double min, doubl
         return referenceOf(bm::beta_distribution<>(p[2], p[3]), p[0], p[1]);
     case Kind::pareto:
         return referenceOf(bm::pareto(p[0], p[1]), 0.0, 1.0);
+    case Kind::triangular:
+        return referenceOf(bm::triangular(0.0, p[2], 1.0), p[0], p[1]);
     case Kind::poisson:
         break;
     }
@@ -97,8 +99,9 @@ Distribution made(const Row& row) {
 
 std::vector<double> draws(const Distribution& distribution, std::size_t count) {
     std::vector<double> values(count);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
         values[i] = distribution.at(unitOf(2026, {0, 0, static_cast<int>(distribution.kind())}, i));
+    }
     return values;
 }
 
@@ -136,6 +139,7 @@ const std::vector<Row> continuous{
     {"studentT", Kind::studentT, 0.9, 1.1},
     {"beta", Kind::beta, 0.8, 1.1},
     {"Pareto", Kind::pareto, 1.0, 1.5},
+    {"triangular", Kind::triangular, 0.9, 1.2},
     // Parameters of one's own, ends far from the middle, and shapes that are singular at an end.
     {"normalFarInItsTail", Kind::normal, 1.3, 1.4, {1.0, 0.01}},
     {"normalFarInItsLowerTail", Kind::normal, 0.65, 0.7, {1.0, 0.01}},
@@ -151,6 +155,9 @@ const std::vector<Row> continuous{
     {"FWithHeavyTail", Kind::fisherF, 10.0, 1e6, {0.0, 1.0, 1.0, 1.0}},
     {"studentTFarOut", Kind::studentT, 100.0, 1e4, {0.0, 1.0, 3.0}},
     {"betaInItsCorner", Kind::beta, 0.99, 1.0, {0.0, 1.0, 0.5, 0.5}},
+    {"triangularCutBesideItsMode", Kind::triangular, 1.0, 2.9, {0.0, 3.0, 0.3}},
+    {"triangularThatFalls", Kind::triangular, 0.0, 2.5, {0.0, 3.0, 0.0}},
+    {"triangularThatRises", Kind::triangular, -1.0, 2.0, {-1.0, 3.0, 1.0}},
     {"ParetoFarOut", Kind::pareto, 1e3, 1e5, {1.0, 2.5}},
 };
 
@@ -158,7 +165,7 @@ const std::vector<Row> continuous{
 
 class ContinuousDistribution : public testing::TestWithParam<Row> {};
 
-TEST_P(ContinuousDistribution, passesKolmogorovAndSmirnovAgainstBoostAtAHundredThousandDraws) {
+TEST_P(ContinuousDistribution, PassesKolmogorovAndSmirnovAgainstBoostAtAHundredThousandDraws) {
     const Row& row = GetParam();
     const Distribution distribution = made(row);
     const std::vector<double> values = draws(distribution, 100000);
@@ -172,7 +179,7 @@ TEST_P(ContinuousDistribution, passesKolmogorovAndSmirnovAgainstBoostAtAHundredT
     RecordProperty("sqrt_n_times_distance", std::to_string(found));
 }
 
-TEST_P(ContinuousDistribution, isTheInverseOfItsOwnProbability) {
+TEST_P(ContinuousDistribution, IsTheInverseOfItsOwnProbability) {
     const Distribution distribution = made(GetParam());
     double last = distribution.minimum();
     for (const double u : {1e-15, 1e-9, 1e-4, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0 - 1e-4, 1.0 - 1e-9}) {
@@ -191,14 +198,14 @@ TEST_P(ContinuousDistribution, isTheInverseOfItsOwnProbability) {
 INSTANTIATE_TEST_SUITE_P(All, ContinuousDistribution, testing::ValuesIn(continuous),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-TEST(LevyDistribution, passesKolmogorovAndSmirnovAgainstItsClosedForm) {
+TEST(LevyDistribution, PassesKolmogorovAndSmirnovAgainstItsClosedForm) {
     const Distribution levy(Kind::stable, 0.0, 50.0, {0.0, 1.0, 0.5, 1.0});
     const Reference reference{[](double x) { return std::erfc(std::sqrt(0.5 / x)); },
                               [](double x) { return std::erf(std::sqrt(0.5 / x)); }};
     EXPECT_LT(distance(draws(levy, 20000), reference, 1e-300, 50.0, 1), 1.95);
 }
 
-TEST(PoissonDistribution, passesChiSquaredAgainstBoostAtAHundredThousandDraws) {
+TEST(PoissonDistribution, PassesChiSquaredAgainstBoostAtAHundredThousandDraws) {
     const std::array<Row, 4> rows{{{"default", Kind::poisson, 0.0, 12.0},
                                    {"noninteger ends", Kind::poisson, 2.5, 9.9, {4.0}},
                                    {"far tail", Kind::poisson, 60.0, 90.0, {5.0}},
@@ -214,16 +221,18 @@ TEST(PoissonDistribution, passesChiSquaredAgainstBoostAtAHundredThousandDraws) {
             ++counts[static_cast<int>(value)];
         }
         double mass = 0.0;
-        for (int k = static_cast<int>(std::ceil(row.min)); k <= row.max; ++k)
+        for (int k = static_cast<int>(std::ceil(row.min)); k <= row.max; ++k) {
             mass += pdf(law, k);
+        }
         // Rare numbers share a class.
         double statistic = 0.0, expected = 0.0, found = 0.0;
         int classes = -1;
         for (int k = static_cast<int>(std::ceil(row.min)); k <= row.max; ++k) {
             expected += 1e5 * pdf(law, k) / mass;
             found += counts[k];
-            if (expected < 10.0 && k + 1 <= row.max)
+            if (expected < 10.0 && k + 1 <= row.max) {
                 continue;
+            }
             statistic +=
                 expected > 0.0 ? (found - expected) * (found - expected) / expected : found;
             ++classes;
@@ -234,7 +243,7 @@ TEST(PoissonDistribution, passesChiSquaredAgainstBoostAtAHundredThousandDraws) {
     }
 }
 
-TEST(Distribution, isFixedWhereItsEndsAreEqual) {
+TEST(Distribution, IsFixedWhereItsEndsAreEqual) {
     for (int k = 0; k < distributionKindCount; ++k) {
         const Distribution fixed(static_cast<Kind>(k), 1.0, 1.0);
         EXPECT_TRUE(fixed.isFixed());
@@ -244,7 +253,7 @@ TEST(Distribution, isFixedWhereItsEndsAreEqual) {
     EXPECT_EQ(Distribution().at(0.1), 1.0);
 }
 
-TEST(Distribution, givesTheSameBitsEverywhere) {
+TEST(Distribution, GivesTheSameBitsEverywhere) {
     // Made with g++ 12 -O0 and equal with -O3 -march=native and with clang++ 14.
     const std::array<std::array<std::uint64_t, 3>, distributionKindCount> golden{{
 #include "tests/signature/DistributionGolden.inc"
@@ -253,20 +262,21 @@ TEST(Distribution, givesTheSameBitsEverywhere) {
         const Kind kind = static_cast<Kind>(k);
         const Distribution distribution =
             kind == Kind::poisson ? Distribution(kind, 0.0, 20.0) : Distribution(kind, 0.9, 1.3);
-        for (std::uint64_t i = 0; i < 3; ++i)
+        for (std::uint64_t i = 0; i < 3; ++i) {
             EXPECT_EQ(std::bit_cast<std::uint64_t>(distribution.at(unitOf(1, {0, 0, k}, i))),
                       golden[static_cast<std::size_t>(k)][i])
                 << info(kind).name << ", draw " << i;
+        }
     }
 }
 
-TEST(Distribution, givesTheSameSequencesEverywhere) {
+TEST(Distribution, GivesTheSameSequencesEverywhere) {
     // Digests (FNV-1a) of ten thousand draws of each, a thousand of the stable law, made as above.
     constexpr std::array<std::uint64_t, distributionKindCount> golden{
         0x67faaa0095d05d8e, 0xbd954490cfafbc3f, 0x1782278b75ae2741, 0x1ee17537a8a248ee,
         0x6e7e07ac3d4aa883, 0xef43840adf9ae6b7, 0xd05a9b5bc46ffff6, 0x004b4f5b1e13b253,
         0x7e4d0f139a22c0ba, 0xbbc7044d7e1f6a43, 0x2199a085c0357f14, 0x2e8b55db4d8172f3,
-        0x360587f85c71ca57, 0x1993acd6f8a48669, 0xe5274d476b3cf1d9};
+        0x360587f85c71ca57, 0x1993acd6f8a48669, 0xe5274d476b3cf1d9, 0xcb261191f32b492c};
     for (int k = 0; k < distributionKindCount; ++k) {
         const Kind kind = static_cast<Kind>(k);
         const Distribution distribution =
@@ -285,7 +295,7 @@ TEST(Distribution, givesTheSameSequencesEverywhere) {
     }
 }
 
-TEST(Distribution, refusesNumbersThatCannotBe) {
+TEST(Distribution, RefusesNumbersThatCannotBe) {
     const double nan = std::nan("");
     const struct {
         const char* name;
@@ -297,12 +307,23 @@ TEST(Distribution, refusesNumbersThatCannotBe) {
         {"reversed ends", Kind::uniform, 1.1, 0.9, {}, "min 1.1, expected at most max, 0.9"},
         {"a min that is no number", Kind::uniform, nan, 1.0, {}, "min nan"},
         {"an infinite max", Kind::normal, 0.0, 1.0 / 0.0, {}, "max inf"},
-        {"no such distribution", static_cast<Kind>(15), 0.9, 1.1, {}, "a number from 0 to 14"},
+        {"no such distribution",
+         static_cast<Kind>(distributionKindCount),
+         0.9,
+         1.1,
+         {},
+         "a number from 0 to 1"},
         {"log-normal through 0", Kind::logNormal, 0.0, 1.0, {}, "more than 0"},
         {"Pareto from below 0", Kind::pareto, -1.0, 1.0, {}, "more than 0"},
         {"Poisson around 0", Kind::poisson, -1.0, 1.0, {}, "a mean of 0"},
         {"Poisson between whole numbers", Kind::poisson, 0.9, 0.99, {}, "no whole number"},
         {"Poisson below 0", Kind::poisson, -3.0, -1.0, {2.0}, "no whole number"},
+        {"a mode outside",
+         Kind::triangular,
+         0.9,
+         1.1,
+         {0.9, 0.2, 1.5},
+         "mode 1.5, expected a part"},
         {"no standard deviation", Kind::normal, 0.9, 1.1, {1.0, 0.0}, "standard deviation 0"},
         {"too few parameters", Kind::gamma, 0.9, 1.1, {1.0, 1.0}, "expected 3"},
         {"a parameter that is no number", Kind::normal, 0.9, 1.1, {nan, 1.0}, "mean nan"},
@@ -312,18 +333,20 @@ TEST(Distribution, refusesNumbersThatCannotBe) {
         {"skewed Cauchy", Kind::stable, 0.9, 1.1, {1.0, 0.1, 1.0, 0.5}, "0 where alpha is 1"},
         {"a shape of 0", Kind::fisherF, 0.9, 1.1, {0.0, 1.0, 0.0, 1.0}, "degrees of freedom 1"},
     };
-    for (const auto& row : rows)
+    for (const auto& row : rows) {
         EXPECT_THAT(smat::test::refusalOf([&] {
-                        if (row.parameters.empty())
+                        if (row.parameters.empty()) {
                             Distribution(row.kind, row.min, row.max);
-                        else
+                        } else {
                             Distribution(row.kind, row.min, row.max, row.parameters);
+                        }
                     }),
                     HasSubstr(row.says))
             << row.name;
+    }
 }
 
-TEST(Distribution, comparesByItsNumbers) {
+TEST(Distribution, ComparesByItsNumbers) {
     EXPECT_EQ(Distribution(Kind::normal, 0.9, 1.1), Distribution(Kind::normal, 0.9, 1.1));
     EXPECT_NE(Distribution(Kind::normal, 0.9, 1.1), Distribution(Kind::normal, 0.9, 1.2));
     EXPECT_TRUE(Distribution(Kind::normal, 0.9, 1.1).hasDefaultParameters());

@@ -170,7 +170,7 @@ const Row rows[] = {
     {"FactorNegative", [](auto& d) { factors(d)[0].constant = -0.1; }, error,
      "temperatures.2147483647.factors[0].constant", "-0.1", "at least 0"},
     {"FactorNotANumber", [](auto& d) { factors(d)[0].constant = nan; }, error,
-     "temperatures.2147483647.factors[0].constant", "nan", "finite"},
+     "temperatures.2147483647.factors[0].constant", "nan", "at least 0"},
     {"TimeFactorNegative",
      [](auto& d) {
          factors(d)[0].time = LookupTable({0, 1}, {1, -1});

@@ -7,7 +7,7 @@
 
 namespace irsg {
 
-TEST(Philox, givesThePublishedNumbers) {
+TEST(Philox, GivesThePublishedNumbers) {
     // The known answers that Salmon and others publish with the algorithm (Random123, kat_vectors).
     using Words = std::array<std::uint32_t, 4>;
     constexpr std::uint32_t ones = 0xFFFFFFFF;
@@ -20,19 +20,20 @@ TEST(Philox, givesThePublishedNumbers) {
         (Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
-TEST(Philox, makesUnitNumbersThatMeetNeitherEnd) {
+TEST(Philox, MakesUnitNumbersThatMeetNeitherEnd) {
     EXPECT_GT(unitFromBits(0), 0.0);
     EXPECT_LT(unitFromBits(~std::uint64_t{0}), 1.0);
     EXPECT_EQ(unitFromBits(std::uint64_t{1} << 63), 0.5 + 0x1p-53);
 }
 
-TEST(Philox, tellsSequencesApartByEachPartOfTheirName) {
+TEST(Philox, TellsSequencesApartByEachPartOfTheirName) {
     // Neighbouring names, seeds and draws: uncorrelated, each uniform.
     constexpr int count = 20000;
     const auto correlation = [](auto a, auto b) {
         double sum = 0.0;
-        for (std::uint64_t i = 0; i < count; ++i)
+        for (std::uint64_t i = 0; i < count; ++i) {
             sum += (a(i) - 0.5) * (b(i) - 0.5);
+        }
         return 12.0 * sum / count;
     };
     const StreamName base{0, 0, 1};

@@ -24,7 +24,7 @@ double relative(double found, double expected) {
 
 } // namespace
 
-TEST(PortableMath, agreesWithTheLibraryOfThisMachine) {
+TEST(PortableMath, AgreesWithTheLibraryOfThisMachine) {
     double worst = 0.0;
     for (std::uint64_t i = 0; i < 20000; ++i) {
         const double u = unitOf(5, {9, 0, 0}, i);
@@ -43,7 +43,7 @@ TEST(PortableMath, agreesWithTheLibraryOfThisMachine) {
     EXPECT_LT(worst, 2e-15);
 }
 
-TEST(PortableMath, knowsTheEndsOfItsFunctions) {
+TEST(PortableMath, KnowsTheEndsOfItsFunctions) {
     EXPECT_EQ(portable::exp(-infinity), 0.0);
     EXPECT_EQ(portable::exp(infinity), infinity);
     EXPECT_EQ(portable::exp(-744.0), std::exp(-744.0));
@@ -56,8 +56,8 @@ TEST(PortableMath, knowsTheEndsOfItsFunctions) {
     EXPECT_EQ(portable::log1mExp(0.0), -infinity);
 }
 
-TEST(LogTails, agreeWithBoostInBothTails) {
-    for (const double a : {0.05, 0.5, 2.0, 30.0, 3000.0})
+TEST(LogTails, AgreeWithBoostInBothTails) {
+    for (const double a : {0.05, 0.5, 2.0, 30.0, 3000.0}) {
         for (const double x :
              {1e-6 * a, 0.3 * a, 0.9 * a, a, 1.2 * a, a + 8.0 * std::sqrt(a) + 5.0}) {
             const LogTails tails = gammaTails(a, x);
@@ -66,8 +66,9 @@ TEST(LogTails, agreeWithBoostInBothTails) {
             EXPECT_LT(relative(std::exp(tails.upper), boost::math::gamma_q(a, x)), 1e-10)
                 << a << " " << x;
         }
-    for (const double a : {0.05, 0.7, 5.0, 400.0})
-        for (const double b : {0.05, 2.0, 70.0})
+    }
+    for (const double a : {0.05, 0.7, 5.0, 400.0}) {
+        for (const double b : {0.05, 2.0, 70.0}) {
             for (const double x : {1e-9, 0.1, 0.5, 0.93, 1.0 - 1e-9}) {
                 const LogTails tails = betaTails(a, b, x, 1.0 - x);
                 const double lower = boost::math::ibeta(a, b, x);
@@ -81,6 +82,8 @@ TEST(LogTails, agreeWithBoostInBothTails) {
                         << a << " " << b << " " << x;
                 }
             }
+        }
+    }
     const boost::math::normal normal;
     for (const double z : {-37.0, -5.0, -1e-3, 0.0, 0.7, 8.0, 37.0}) {
         EXPECT_LT(relative(std::exp(normalTails(z).lower), cdf(normal, z)), 2e-13) << z;
@@ -88,7 +91,7 @@ TEST(LogTails, agreeWithBoostInBothTails) {
     }
 }
 
-TEST(LogTails, goOnWhereTheProbabilityIsZeroInDoublePrecision) {
+TEST(LogTails, GoOnWhereTheProbabilityIsZeroInDoublePrecision) {
     // ln Q(z) = -z^2 / 2 - ln(z sqrt(2 pi)) + ln(1 - 1 / z^2 + 3 / z^4 - ...).
     for (const double z : {50.0, 1e3, 1e6}) {
         const double z2 = z * z;
@@ -98,7 +101,7 @@ TEST(LogTails, goOnWhereTheProbabilityIsZeroInDoublePrecision) {
     }
 }
 
-TEST(StableDistribution, isLevysOwnTheNormalAndTheCauchyDistributionInItsSpecialCases) {
+TEST(StableDistribution, IsLevysOwnTheNormalAndTheCauchyDistributionInItsSpecialCases) {
     const StableDistribution levy(0.5, 1.0), mirrored(0.5, -1.0), gauss(2.0, 0.0), cauchy(1.0, 0.0);
     const boost::math::normal normal(0.0, std::sqrt(2.0));
     for (const double z : {0.003, 0.05, 0.4, 1.0, 7.0, 1e4, 1e12}) {

@@ -100,7 +100,8 @@ TEST_P(Sample, HasTheSpectraOfItsCsvFiles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, Sample,
-                         testing::Values("sphere", "chessboard", "ship", "turboprop4", "box"),
+                         testing::Values("sphere", "chessboard", "ship", "turboprop4", "box",
+                                         "heron", "corvette"),
                          [](const auto& row) { return row.param; });
 
 /// A wall of a plume: its material, and the files of its gas and of its emission.

@@ -20,8 +20,9 @@ std::string scale(const std::string& index, const std::string& numbers,
                   const std::string& element = "vector3") {
     std::string text = "<parameter name=\"" + index + "\"><" + element + ">";
     std::istringstream stream(numbers);
-    for (std::string number; stream >> number;)
+    for (std::string number; stream >> number;) {
         text += "<double>" + number + "</double>";
+    }
     return text + "</" + element + "><documentation>d" + index + "</documentation></parameter>\n";
 }
 
@@ -41,13 +42,14 @@ SignatureDatabase small() {
 
 } // namespace
 
-TEST(ScalingXml, readsTheFilesThatBelongToTheReport) {
+TEST(ScalingXml, ReadsTheFilesThatBelongToTheReport) {
     const std::filesystem::path folder =
         std::getenv("SMAT_SHARED")
             ? std::filesystem::path(std::getenv("SMAT_SHARED")) / "data/karma"
             : "/none";
-    if (!std::filesystem::exists(folder))
+    if (!std::filesystem::exists(folder)) {
         GTEST_SKIP() << "the sample files of the report are not on this machine";
+    }
     const Scalings scalings = loadScalings(folder / "turboprop4.flt");
     ASSERT_THAT(scalings.temperatures, ElementsAre(Pair(1, testing::_), Pair(5, testing::_)));
     EXPECT_EQ(scalings.temperatures.at(1).distribution,
@@ -59,13 +61,13 @@ TEST(ScalingXml, readsTheFilesThatBelongToTheReport) {
     EXPECT_TRUE(scalings.emissivities.at(3).distribution.isFixed());
 }
 
-TEST(ScalingXml, namesTheFilesAfterTheModel) {
+TEST(ScalingXml, NamesTheFilesAfterTheModel) {
     EXPECT_EQ(scalingFile("a/ship.v2.flt", ScalingKind::temperature),
               "a/ship.v2(temperaturesScalings).xml");
     EXPECT_EQ(scalingFile("ship.osgb", ScalingKind::emissivity), "ship(emissivitiesScalings).xml");
 }
 
-TEST(ScalingXml, writesBothFilesOnceAndNeverTouchesOneThatIsThere) {
+TEST(ScalingXml, WritesBothFilesOnceAndNeverTouchesOneThatIsThere) {
     const TemporaryFolder folder;
     const std::filesystem::path model = folder / "ship.flt";
     EXPECT_FALSE(hasScalingFiles(model));
@@ -91,14 +93,14 @@ TEST(ScalingXml, writesBothFilesOnceAndNeverTouchesOneThatIsThere) {
     EXPECT_THAT(readBytes(kept), HasSubstr("<vector3>"));
 }
 
-TEST(ScalingXml, saysWhereAFileCannotBeWritten) {
+TEST(ScalingXml, SaysWhereAFileCannotBeWritten) {
     const TemporaryFolder folder;
     const auto diagnostics =
         refusalOf([&] { createScalingFiles(folder / "no" / "such" / "ship.flt", small()); });
     EXPECT_EQ(diagnostics.front().value, "a folder that does not exist");
 }
 
-TEST(ScalingXml, bringsParametersOfOnesOwnThroughTheFile) {
+TEST(ScalingXml, BringsParametersOfOnesOwnThroughTheFile) {
     ScalingTable table;
     table[1] = {Distribution(DistributionKind::normal, 0.8, 1.3, {1.0, 0.02}), "measured"};
     table[7] = {Distribution(DistributionKind::beta, 0.8, 1.3), ""};
@@ -109,7 +111,7 @@ TEST(ScalingXml, bringsParametersOfOnesOwnThroughTheFile) {
         table);
 }
 
-TEST(ScalingXml, refusesWhatNoScaleCanBeWithItsLine) {
+TEST(ScalingXml, RefusesWhatNoScaleCanBeWithItsLine) {
     const struct {
         const char* name;
         std::string parameters;
@@ -120,7 +122,7 @@ TEST(ScalingXml, refusesWhatNoScaleCanBeWithItsLine) {
         {"a negative index", scale("-3", "1 1 0"), ScalingKind::temperature, "the name '-3'"},
         {"a temperature of 0", scale("1", "0 1 0"), ScalingKind::temperature, "above 0"},
         {"a negative emissivity", scale("1", "-0.1 1 0"), ScalingKind::emissivity, "at least 0"},
-        {"distribution 15", scale("1", "0.9 1 15"), ScalingKind::emissivity, "distribution 15"},
+        {"distribution 16", scale("1", "0.9 1 16"), ScalingKind::emissivity, "distribution 16"},
         {"distribution 1.5", scale("1", "0.9 1 1.5"), ScalingKind::emissivity, "distribution 1.5"},
         {"reversed ends", scale("1", "1.1 0.9 0"), ScalingKind::emissivity, "min 1.1"},
         {"Poisson without a number", scale("1", "0.2 0.9 14"), ScalingKind::emissivity,
@@ -146,7 +148,7 @@ TEST(ScalingXml, refusesWhatNoScaleCanBeWithItsLine) {
               3u);
 }
 
-TEST(ScalingXml, drawsEveryIndexFromASequenceOfItsOwn) {
+TEST(ScalingXml, DrawsEveryIndexFromASequenceOfItsOwn) {
     ScalingTable table = read(scale("1", "0.9 1.1 0") + scale("5", "0.9 1.1 0"));
     const auto first = drawnScales(table, ScalingKind::temperature, 3, 0, 0);
     EXPECT_EQ(drawnScales(table, ScalingKind::temperature, 3, 0, 0), first);

@@ -63,10 +63,12 @@ std::set<std::string> namesAtRest(const fs::path& folder) {
     std::set<std::string> names;
     for (int i = 0; i < 1000; ++i) {
         names.clear();
-        for (const auto& entry : fs::directory_iterator(folder))
+        for (const auto& entry : fs::directory_iterator(folder)) {
             names.insert(entry.path().filename().string());
-        if (std::ranges::none_of(names, [](const auto& name) { return name.starts_with("."); }))
+        }
+        if (std::ranges::none_of(names, [](const auto& name) { return name.starts_with("."); })) {
             break;
+        }
         usleep(1000);
     }
     return names;

@@ -37,8 +37,9 @@ namespace {
 
 int doElsewhere(const std::function<void()>& work) {
     const pid_t child = fork();
-    if (child == 0)
+    if (child == 0) {
         workAndEnd(work);
+    }
     int status = 0;
     waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -117,27 +118,32 @@ void Watch::entersCall(pid_t process, user_regs_struct& registers) {
         letFail(process, registers, EOPNOTSUPP);
         return;
     }
-    if (!counting_)
+    if (!counting_) {
         return;
+    }
     ended_.callsOfOthers += process != worker_;
-    if (++ended_.calls != mishap_.call)
+    if (++ended_.calls != mishap_.call) {
         return;
+    }
     ended_.name = std::to_string(number);
     ended_.wasOther = process != worker_;
-    if (mishap_.kind == Mishap::killed)
+    if (mishap_.kind == Mishap::killed) {
         kill(worker_, SIGKILL);
-    else if (mishap_.kind == Mishap::callerKilled)
+    } else if (mishap_.kind == Mishap::callerKilled) {
         kill(process, SIGKILL);
+    }
     hasMet_ = mishap_.kind != Mishap::fails || never.contains(number);
-    if (!hasMet_)
+    if (!hasMet_) {
         letFail(process, registers, mishap_.error);
+    }
 }
 
 void Watch::meetsCall(pid_t process) {
     State& state = states_.at(process);
     user_regs_struct registers{};
-    if (state.entering || state.failing != 0)
+    if (state.entering || state.failing != 0) {
         ptrace(PTRACE_GETREGS, process, nullptr, &registers);
+    }
     if (state.entering) {
         entersCall(process, registers);
     } else if (state.failing != 0) {
@@ -172,15 +178,17 @@ Ended Watch::toTheEnd() {
     while (!states_.empty()) {
         int status = 0;
         const pid_t process = waitpid(-1, &status, __WALL);
-        if (process < 0)
+        if (process < 0) {
             break;
+        }
         if (WIFSTOPPED(status)) {
             meetsStop(process, status);
             continue;
         }
         states_.erase(process);
-        if (process == worker_)
+        if (process == worker_) {
             ended_.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        }
     }
     return ended_;
 }
@@ -190,8 +198,9 @@ Ended Watch::toTheEnd() {
 Ended doWatched(const std::function<void()>& what, const Mishap& mishap) {
     const pid_t child = fork();
     if (child == 0) {
-        if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0)
+        if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) {
             _exit(4);
+        }
         raise(SIGSTOP);
         workAndEnd(what);
     }

@@ -12,8 +12,9 @@ namespace {
 
 std::string bigEndian(std::uint64_t bits, std::size_t size) {
     std::string bytes;
-    for (std::size_t i = size; i-- > 0;)
+    for (std::size_t i = size; i-- > 0;) {
         bytes += static_cast<char>(bits >> (8 * i) & 0xFF);
+    }
     return bytes;
 }
 
@@ -68,10 +69,11 @@ SquareFile::SquareFile() {
 void SquareFile::remake() {
     header = record(flight::header, name("db") + i32(version) + zeros(46) + u8(unit) + zeros(257));
     vertices.clear();
-    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {size, 0.0}, {size, size}, {0.0, size}})
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {size, 0.0}, {size, size}, {0.0, size}}) {
         vertices +=
             record(flight::vertexCN, i16(0) + i16(0x2000) + f64(x) + f64(y) + f64(0) + f32(0) +
                                          f32(0) + f32(1) + i32(-1) + i32(-1) + i32(0));
+    }
     face = record(flight::face, name("face") + i32(temperature) + i16(0) + u8(drawType) + u8(0) +
                                     i16(-1) + i16(-1) + i16(0) + i16(-1) + i16(-1) + i16(-1) +
                                     i16(0) + i16(0) + i32(material) + i16(0) + i16(0) + i32(flags) +
@@ -81,16 +83,18 @@ void SquareFile::remake() {
 
 std::string SquareFile::bytes() const {
     std::string all;
-    for (const auto part : order)
+    for (const auto part : order) {
         all += this->*part;
+    }
     return all;
 }
 
 std::size_t SquareFile::offsetOf(std::string SquareFile::*wanted) const {
     std::size_t offset = 0;
     for (const auto part : order) {
-        if (part == wanted)
+        if (part == wanted) {
             return offset;
+        }
         offset += (this->*part).size();
     }
     return offset;
@@ -103,15 +107,17 @@ std::string SquareFile::positionOf(std::string SquareFile::*part, std::size_t wi
 std::string primitiveRecord(int type, int indexSize, std::uint32_t count,
                             const std::vector<int>& indices) {
     std::string payload = i16(type) + i16(indexSize) + i32(count);
-    for (const int index : indices)
+    for (const int index : indices) {
         payload += i16(index);
+    }
     return record(flight::meshPrimitive, payload);
 }
 
 std::string meshRecords(std::uint32_t count, std::uint32_t mask, const std::string& primitive) {
     std::string pool = i32(count) + i32(mask);
-    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) {
         pool += f64(x) + f64(y) + f64(0) + f32(0) + f32(0) + f32(1);
+    }
     const std::string mesh = name("mesh") + i32(0) + i32(7) + zeros(8) + zeros(2) +
                              std::string(6, '\xff') + i16(0) + i16(0) + i32(8) + i16(0) + i16(0) +
                              i32(0x10000000) + u8(2) + zeros(7) + i32(-1) + i32(0) + i16(-1) +

@@ -19,19 +19,23 @@ HeldByContext heldByContext() {
         GLuint next = 0;
         glGenTextures(1, &next);
         glDeleteTextures(1, &next);
-        for (GLuint name = 1; name < next; ++name)
+        for (GLuint name = 1; name < next; ++name) {
             held.textures += glIsTexture(name);
+        }
         gl->glGenBuffers(1, &next);
         gl->glDeleteBuffers(1, &next);
-        for (GLuint name = 1; name < next; ++name)
+        for (GLuint name = 1; name < next; ++name) {
             held.buffers += gl->glIsBuffer(name);
+        }
         GLboolean(GL_APIENTRY * isFramebuffer)(GLuint) = nullptr;
-        if (!osg::setGLExtensionFuncPtr(isFramebuffer, "glIsFramebuffer"))
+        if (!osg::setGLExtensionFuncPtr(isFramebuffer, "glIsFramebuffer")) {
             throw LogicError("no glIsFramebuffer");
+        }
         gl->glGenFramebuffers(1, &next);
         gl->glDeleteFramebuffers(1, &next);
-        for (GLuint name = 1; name < next; ++name)
+        for (GLuint name = 1; name < next; ++name) {
             held.framebuffers += isFramebuffer(name);
+        }
         held.contexts =
             static_cast<int>(osg::GraphicsContext::getAllRegisteredGraphicsContexts().size());
     });

@@ -21,8 +21,9 @@ class QuietListener {
         socklen_t size = sizeof address;
         auto* any = reinterpret_cast<sockaddr*>(&address);
         if (socket_ < 0 || bind(socket_, any, size) != 0 || listen(socket_, 8) != 0 ||
-            getsockname(socket_, any, &size) != 0)
+            getsockname(socket_, any, &size) != 0) {
             throw std::runtime_error("nothing can listen on loopback");
+        }
         port_ = ntohs(address.sin_port);
     }
     ~QuietListener() { close(socket_); }

@@ -19,8 +19,9 @@ bool intersect(const Triangle& t, const Vec3& origin, const Vec3& ray, Hit& hit)
     const Vec3 e1 = t.vertex[1] - t.vertex[0], e2 = t.vertex[2] - t.vertex[0];
     const Vec3 p = cross(ray, e2);
     const double determinant = dot(e1, p);
-    if (determinant == 0.0)
+    if (determinant == 0.0) {
         return false;
+    }
     const Vec3 s = origin - t.vertex[0];
     hit.u = dot(s, p) / determinant;
     const Vec3 q = cross(s, e1);
@@ -37,7 +38,7 @@ std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
     const double pitch = 2.0 * std::tan(0.5 * sensor.horizontalFieldOfView_rad) / sensor.width_px;
     std::vector<RayPixel> pixels;
     std::vector<std::vector<int>> order;
-    for (int y = 0; y < sensor.height_px; ++y)
+    for (int y = 0; y < sensor.height_px; ++y) {
         for (int x = 0; x < sensor.width_px; ++x) {
             const Vec3 ray =
                 normalized(viewpoint.forward() +
@@ -51,8 +52,9 @@ std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
                 hit.facet = static_cast<int>(i);
                 const Triangle& t = scene.mesh[i];
                 if (intersect(t, viewpoint.position_m, ray, hit) &&
-                    (hit.front || !t.cullsBackFaces))
+                    (hit.front || !t.cullsBackFaces)) {
                     hits.push_back(hit);
+                }
             }
             std::ranges::sort(hits, {}, &Hit::distance);
 
@@ -65,8 +67,9 @@ std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
                     scene.surfaces[static_cast<std::size_t>(t.codes.temperature)];
                 Vec3 n = normalized(t.normal[0] * (1.0 - hit.u - hit.v) + t.normal[1] * hit.u +
                                     t.normal[2] * hit.v);
-                if (!hit.front)
+                if (!hit.front) {
                     n = n * -1.0;
+                }
                 const double cosView = std::clamp(-dot(n, ray), 0.0, 1.0);
                 const double thermal =
                     s.nAngleFactor == 0.0 ? 1.0 : std::pow(cosView, s.nAngleFactor);
@@ -76,8 +79,9 @@ std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
                      std::max(0.0, dot(n, scene.sunDirection)) * s.sun + s.path);
                 passed *= s.transmissivity;
                 facets.push_back(hit.facet);
-                if (s.transmissivity == 0.0)
+                if (s.transmissivity == 0.0) {
                     break;
+                }
             }
             pixel.opacity = 1.0 - passed;
             pixel.radiance += passed * scene.background;
@@ -85,18 +89,22 @@ std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
             pixels.push_back(pixel);
             order.push_back(facets);
         }
+    }
 
     const int w = sensor.width_px, h = sensor.height_px;
-    for (int y = 1; y + 1 < h; ++y)
+    for (int y = 1; y + 1 < h; ++y) {
         for (int x = 1; x + 1 < w; ++x) {
             const auto centre = static_cast<std::size_t>(y * w + x);
             bool same = true;
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx)
+            for (int dy = -1; dy <= 1; ++dy) {
+                for (int dx = -1; dx <= 1; ++dx) {
                     same = same &&
                            order[static_cast<std::size_t>((y + dy) * w + x + dx)] == order[centre];
+                }
+            }
             pixels[centre].isInterior = same;
         }
+    }
     return pixels;
 }
 

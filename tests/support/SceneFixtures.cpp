@@ -21,19 +21,23 @@ Mesh sphereMesh(double radius_m, int latitudes, int longitudes, IrCodes codes, b
     auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
         const Vec3 facet = normalized(cross(b - a, c - a));
         Triangle t{{a * radius_m, b * radius_m, c * radius_m}, {a, b, c}, codes, false};
-        if (!smooth)
+        if (!smooth) {
             t.normal[0] = t.normal[1] = t.normal[2] = facet;
+        }
         mesh.push_back(t);
     };
-    for (int i = 0; i < latitudes; ++i)
+    for (int i = 0; i < latitudes; ++i) {
         for (int j = 0; j < longitudes; ++j) {
             const Vec3 a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1),
                        d = point(i, j + 1);
-            if (i + 1 < latitudes)
+            if (i + 1 < latitudes) {
                 add(a, b, c);
-            if (i > 0)
+            }
+            if (i > 0) {
                 add(a, c, d);
+            }
         }
+    }
     return mesh;
 }
 
@@ -49,8 +53,9 @@ Mesh boxMesh(const Vec3& half, const std::vector<IrCodes>& codes) {
     Mesh mesh = plateMesh(x, y, z, codes.at(0));
     for (const Mesh& side : {plateMesh(o - x, z, y, codes.at(1)), plateMesh(y, z, x, codes.at(2)),
                              plateMesh(o - y, x, z, codes.at(3)), plateMesh(z, x, y, codes.at(4)),
-                             plateMesh(o - z, y, x, codes.at(5))})
+                             plateMesh(o - z, y, x, codes.at(5))}) {
         mesh.insert(mesh.end(), side.begin(), side.end());
+    }
     return mesh;
 }
 
@@ -77,26 +82,29 @@ double solidAngle_sr(const Triangle& triangle, const Vec3& from) {
 
 double convexSolidAngle_sr(const Mesh& mesh, const Vec3& from) {
     double sum = 0.0;
-    for (const Triangle& triangle : mesh)
+    for (const Triangle& triangle : mesh) {
         sum += std::max(0.0, solidAngle_sr(triangle, from));
+    }
     return sum;
 }
 
 osg::ref_ptr<osg::Geode> graphOf(const Mesh& mesh) {
     std::map<std::pair<IrCodes, bool>, Mesh> parts;
-    for (const Triangle& triangle : mesh)
+    for (const Triangle& triangle : mesh) {
         parts[{triangle.codes, triangle.cullsBackFaces}].push_back(triangle);
+    }
 
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     for (const auto& [key, triangles] : parts) {
         osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
         osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
         osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
-        for (const Triangle& t : triangles)
+        for (const Triangle& t : triangles) {
             for (int i = 0; i < 3; ++i) {
                 vertices->push_back(osg::Vec3d(t.vertex[i].x, t.vertex[i].y, t.vertex[i].z));
                 normals->push_back(osg::Vec3d(t.normal[i].x, t.normal[i].y, t.normal[i].z));
             }
+        }
         geometry->setVertexArray(vertices);
         geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
         geometry->addPrimitiveSet(
@@ -105,9 +113,10 @@ osg::ref_ptr<osg::Geode> graphOf(const Mesh& mesh) {
         codes->push_back(osgSim::ShapeAttribute("IRColor", key.first.temperature));
         codes->push_back(osgSim::ShapeAttribute("IRMaterial", key.first.material));
         geometry->setUserData(codes);
-        if (key.second)
+        if (key.second) {
             geometry->getOrCreateStateSet()->setAttributeAndModes(
                 new osg::CullFace(osg::CullFace::BACK));
+        }
         geode->addDrawable(geometry);
     }
     return geode;

@@ -51,9 +51,11 @@ inline SceneRadiometry atTerms(const Environment& environment, const std::vector
 /// A term of a row of a scene as it arrives, by its name.
 inline std::vector<double> term(const SceneRadiometry& scene, int row, const std::string& name) {
     const auto& terms = RadianceTerms::standard().terms;
-    for (std::size_t k = 0; k < terms.size(); ++k)
-        if (terms[k].name == name)
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+        if (terms[k].name == name) {
             return apparentTerm(scene.surface(row), RadianceTerms::standard(), k, scene.air(row));
+        }
+    }
     throw LogicError("no term is called " + name);
 }
 

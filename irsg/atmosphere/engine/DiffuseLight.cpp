@@ -13,7 +13,6 @@ namespace irsg {
 namespace {
 
 constexpr std::size_t columnsAtOnce = 64; ///< layers of so many columns stay in the cache
-constexpr std::size_t elevationsKept = 3;
 
 /// Copies [level][few columns] into [level][all columns].
 void put(const std::vector<double>& part, std::size_t count, std::size_t first, std::size_t all,
@@ -181,17 +180,11 @@ std::shared_ptr<const TwoStreamFluxes> DiffuseLight::thermal() const {
 
 std::shared_ptr<const DiffuseLight::Sunlight> DiffuseLight::sunlight(const SunPaths& sun) const {
     const std::lock_guard lock(mutex_);
-    const auto known = std::ranges::find_if(sunlight_, [&](const auto& kept) {
-        return kept->elevation_rad == sun.elevation_rad() && kept->strength == sun.strength();
-    });
-    if (known != sunlight_.end()) {
-        sunlight_.splice(sunlight_.begin(), sunlight_, known);
-    } else {
-        sunlight_.push_front(std::make_shared<const Sunlight>(solveSunlight(sun)));
-        if (sunlight_.size() > elevationsKept)
-            sunlight_.pop_back();
-    }
-    return sunlight_.front();
+    return sunlight_.of(
+        [&](const auto& kept) {
+            return kept->elevation_rad == sun.elevation_rad() && kept->strength == sun.strength();
+        },
+        [&] { return std::make_shared<const Sunlight>(solveSunlight(sun)); });
 }
 
 void DiffuseLight::scattered(std::size_t level, const TwoStreamFluxes& thermal, const Sunlight* sun,

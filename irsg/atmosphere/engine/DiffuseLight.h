@@ -1,6 +1,5 @@
 #pragma once
 
-#include <list>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -9,6 +8,7 @@
 #include "irsg/atmosphere/engine/NodeColumn.h"
 #include "irsg/atmosphere/engine/SunPaths.h"
 #include "irsg/atmosphere/engine/TwoStream.h"
+#include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/radiometry/Spectrum.h"
 
 namespace irsg {
@@ -54,7 +54,8 @@ class DiffuseLight {
     std::vector<double> albedo_;
     mutable std::mutex mutex_;
     mutable std::shared_ptr<const TwoStreamFluxes> thermal_;
-    mutable std::list<std::shared_ptr<const Sunlight>> sunlight_; ///< the latest first
+    static constexpr std::size_t elevationsKept = 3;
+    mutable RecentlyUsed<std::shared_ptr<const Sunlight>> sunlight_{elevationsKept};
 };
 
 /// A row at an altitude from rows at all levels ([level][node]): cubic between levels, monotone

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <list>
 #include <mutex>
 #include <numbers>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "irsg/atmosphere/engine/PathIntegrator.h"
 #include "irsg/atmosphere/engine/SunPaths.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/RecentlyUsed.h"
 
 namespace irsg {
 
@@ -59,7 +59,7 @@ struct Block {
     mutable Once sunlessOnce;
     mutable std::optional<LevelSources> sunless;
     mutable std::mutex litMutex;
-    mutable std::list<std::shared_ptr<const LitSources>> lit; ///< the latest first
+    mutable RecentlyUsed<std::shared_ptr<const LitSources>> lit{litKept};
 };
 
 /// One of the parts that extinction is made of, m-1 at a node of a level of air.
@@ -114,65 +114,52 @@ struct RadiativeTransfer::State {
     AtmosphericColumn column;
     RayTracer tracer;
     std::mutex mutex;
-    std::list<std::shared_ptr<const Block>> blocks; ///< the latest first
-    std::list<std::shared_ptr<const SunPaths>> suns;
-    std::list<std::shared_ptr<const PathRay>> rays;
+    RecentlyUsed<std::shared_ptr<const Block>> blocks{blocksKept};
+    RecentlyUsed<std::shared_ptr<const SunPaths>> suns{sunsKept};
+    RecentlyUsed<std::shared_ptr<const PathRay>> rays{raysKept};
 
     std::shared_ptr<const Block> block(std::span<const std::uint32_t> nodes,
                                        std::span<const double> wavenumbers_per_cm) {
         const std::lock_guard lock(mutex);
-        const auto known = std::ranges::find_if(blocks, [&](const auto& kept) {
-            return std::ranges::equal(kept->column.nodes(), nodes) &&
-                   std::ranges::equal(kept->column.wavenumbers_per_cm(), wavenumbers_per_cm);
-        });
-        if (known != blocks.end()) {
-            blocks.splice(blocks.begin(), blocks, known);
-        } else {
-            blocks.push_front(std::make_shared<const Block>(
-                column, std::vector<std::uint32_t>(nodes.begin(), nodes.end()),
-                std::vector<double>(wavenumbers_per_cm.begin(), wavenumbers_per_cm.end()),
-                static_cast<double>(air.resolution_per_cm),
-                DiffuseLight::Ground{air.groundTemperature_K, air.groundAlbedo}));
-            if (blocks.size() > blocksKept)
-                blocks.pop_back();
-        }
-        return blocks.front();
+        return blocks.of(
+            [&](const auto& kept) {
+                return std::ranges::equal(kept->column.nodes(), nodes) &&
+                       std::ranges::equal(kept->column.wavenumbers_per_cm(), wavenumbers_per_cm);
+            },
+            [&] {
+                return std::make_shared<const Block>(
+                    column, std::vector<std::uint32_t>(nodes.begin(), nodes.end()),
+                    std::vector<double>(wavenumbers_per_cm.begin(), wavenumbers_per_cm.end()),
+                    static_cast<double>(air.resolution_per_cm),
+                    DiffuseLight::Ground{air.groundTemperature_K, air.groundAlbedo});
+            });
     }
 
     std::shared_ptr<const SunPaths> sunPaths(const SunPosition& sun) {
         const std::lock_guard lock(mutex);
-        const auto known = std::ranges::find_if(suns, [&](const auto& kept) {
-            return kept->elevation_rad() == sun.elevation_rad && kept->strength() == sun.strength();
-        });
-        if (known != suns.end()) {
-            suns.splice(suns.begin(), suns, known);
-        } else {
-            suns.push_front(std::make_shared<const SunPaths>(tracer, sun));
-            if (suns.size() > sunsKept)
-                suns.pop_back();
-        }
-        return suns.front();
+        return suns.of(
+            [&](const auto& kept) {
+                return kept->elevation_rad() == sun.elevation_rad &&
+                       kept->strength() == sun.strength();
+            },
+            [&] { return std::make_shared<const SunPaths>(tracer, sun); });
     }
 
     /// Transmittance, radiance and scattering of a path are usually asked for together.
     std::shared_ptr<const PathRay> ray(const AtmosphericPath& path) {
         const std::lock_guard lock(mutex);
-        const auto known = std::ranges::find_if(rays, [&](const auto& kept) {
-            return kept->path.sensorAltitude_m == path.sensorAltitude_m &&
-                   kept->path.targetAltitude_m == path.targetAltitude_m &&
-                   kept->path.range_m == path.range_m;
-        });
-        if (known != rays.end()) {
-            rays.splice(rays.begin(), rays, known);
-        } else {
-            RayPath traced = tracer.between(path);
-            std::vector<double> weights = levelWeights(traced, column.levelCount());
-            rays.push_front(std::make_shared<const PathRay>(
-                PathRay{path, std::move(traced), std::move(weights)}));
-            if (rays.size() > raysKept)
-                rays.pop_back();
-        }
-        return rays.front();
+        return rays.of(
+            [&](const auto& kept) {
+                return kept->path.sensorAltitude_m == path.sensorAltitude_m &&
+                       kept->path.targetAltitude_m == path.targetAltitude_m &&
+                       kept->path.range_m == path.range_m;
+            },
+            [&] {
+                RayPath traced = tracer.between(path);
+                std::vector<double> weights = levelWeights(traced, column.levelCount());
+                return std::make_shared<const PathRay>(
+                    PathRay{path, std::move(traced), std::move(weights)});
+            });
     }
 
     /// Calls `compute(block, values of the block)` for all nodes of a set.
@@ -233,17 +220,12 @@ struct RadiativeTransfer::State {
     litSources(const Block& block,
                const std::shared_ptr<const DiffuseLight::Sunlight>& light) const {
         const std::lock_guard lock(block.litMutex);
-        const auto known =
-            std::ranges::find_if(block.lit, [&](const auto& kept) { return kept->light == light; });
-        if (known != block.lit.end()) {
-            block.lit.splice(block.lit.begin(), block.lit, known);
-        } else {
-            block.lit.push_front(std::make_shared<const LitSources>(
-                block.column, light, scattered(block, light), beamOf(block, light)));
-            if (block.lit.size() > litKept)
-                block.lit.pop_back();
-        }
-        return block.lit.front();
+        return block.lit.of([&](const auto& kept) { return kept->light == light; },
+                            [&] {
+                                return std::make_shared<const LitSources>(block.column, light,
+                                                                          scattered(block, light),
+                                                                          beamOf(block, light));
+                            });
     }
 
     /// Sources depend on the level and the sun's elevation alone, and are kept.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/AtmosphericQuery.h"
+#include "irsg/atmosphere/Earth.h"
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/atmosphere/engine/RayLayers.h"
 
@@ -54,7 +55,7 @@ class RayTracer {
   public:
     /// LogicError for a grid that breaks the rule above or has fewer than two altitudes.
     RayTracer(const Profile& profile, std::vector<double> gridAltitudes_m,
-              double earthRadius_m = 6371.23e3);
+              double earthRadius_m = irsg::earthRadius_m);
 
     const std::vector<double>& gridAltitudes_m() const { return altitudes_m_; }
     double earthRadius_m() const { return earthRadius_m_; }

@@ -5,15 +5,12 @@
 namespace irsg {
 
 std::optional<Bracket> bracketOf(std::span<const double> axis, double value, double tolerance) {
-    if (axis.empty() || value < axis.front() - tolerance || value > axis.back() + tolerance) {
+    if (axis.empty() || value < axis.front() - tolerance || value > axis.back() + tolerance)
         return std::nullopt;
-    }
-    if (value <= axis.front()) {
+    if (value <= axis.front())
         return Bracket{0, 0, 0.0};
-    }
-    if (value >= axis.back()) {
+    if (value >= axis.back())
         return Bracket{axis.size() - 1, axis.size() - 1, 0.0};
-    }
     const std::size_t upper =
         static_cast<std::size_t>(std::ranges::upper_bound(axis, value) - axis.begin());
     const double weight = (value - axis[upper - 1]) / (axis[upper] - axis[upper - 1]);

@@ -49,9 +49,8 @@ std::vector<Block> blocksOf(const CsvTable& table) {
             }
             blocks.back().header.push_back(&row);
         } else if (isTerminator(row)) {
-            if (!blocks.back().rows.empty()) {
+            if (!blocks.back().rows.empty())
                 blocks.emplace_back();
-            }
         } else {
             blocks.back().rows.push_back(&row);
         }
@@ -65,17 +64,14 @@ std::vector<Block> blocksOf(const CsvTable& table) {
 std::optional<RunColumn> columnOf(const Block& block, std::size_t column) {
     std::string joined;
     for (const CsvRow* line : block.header) {
-        if (column >= line->cells.size()) {
+        if (column >= line->cells.size())
             continue;
-        }
         const std::string& text = line->cells[column].text;
-        if (const std::optional<RunColumn> known = runColumn(text)) {
+        if (const std::optional<RunColumn> known = runColumn(text))
             return known;
-        }
         joined += (joined.empty() ? "" : " ") + text;
-        if (const std::optional<RunColumn> known = runColumn(joined)) {
+        if (const std::optional<RunColumn> known = runColumn(joined))
             return known;
-        }
     }
     return std::nullopt;
 }
@@ -87,15 +83,12 @@ std::optional<SpectralUnit> unitOf(const Block& block) {
         std::ranges::transform(text, text.begin(), [](char c) {
             return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
         });
-        if (text.find("cm-1") != text.npos || text.find("cm^-1") != text.npos) {
+        if (text.find("cm-1") != text.npos || text.find("cm^-1") != text.npos)
             return SpectralUnit::wavenumber;
-        }
-        if (text.find("micron") != text.npos || text.find("[um]") != text.npos || text == "um") {
+        if (text.find("micron") != text.npos || text.find("[um]") != text.npos || text == "um")
             return SpectralUnit::micrometre;
-        }
-        if (text.find("nanom") != text.npos || text.find("[nm]") != text.npos || text == "nm") {
+        if (text.find("nanom") != text.npos || text.find("[nm]") != text.npos || text == "nm")
             return SpectralUnit::nanometre;
-        }
     }
     return std::nullopt;
 }
@@ -107,33 +100,27 @@ std::vector<ModtranCase> casesBeside(const std::filesystem::path& file) {
     std::vector<std::filesystem::path> documents;
     const std::filesystem::path twin = std::filesystem::path(file).replace_extension(".json");
     std::error_code problem;
-    if (std::filesystem::exists(twin, problem)) {
+    if (std::filesystem::exists(twin, problem))
         documents.push_back(twin);
-    }
     std::vector<std::filesystem::path> others;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, problem)) {
-        if (entry.path().extension() == ".json" && entry.path() != twin) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder, problem))
+        if (entry.path().extension() == ".json" && entry.path() != twin)
             others.push_back(entry.path());
-        }
-    }
     std::ranges::sort(others);
     documents.insert(documents.end(), others.begin(), others.end());
     for (const std::filesystem::path& document : documents) {
         const std::string text = readTextFile(document);
-        if (!isModtranJson(text)) {
+        if (!isModtranJson(text))
             continue;
-        }
         std::vector<ModtranCase> cases = parseModtranCases(text, document.string());
         const auto isOther = [&](const ModtranCase& one) {
             return std::filesystem::path(one.csvName).filename() != file.filename();
         };
-        if (document == twin && std::ranges::all_of(cases, isOther)) {
+        if (document == twin && std::ranges::all_of(cases, isOther))
             return cases;
-        }
         std::erase_if(cases, isOther);
-        if (!cases.empty()) {
+        if (!cases.empty())
             return cases;
-        }
     }
     return {};
 }
@@ -144,11 +131,9 @@ SpectralRun readBlock(const CsvTable& csv, const Block& block, const ModtranCase
     SpectralRun run;
     const std::size_t before = diagnostics.size();
     const int line = block.header.empty() ? 1 : block.header.front()->line;
-    for (const CsvComment& comment : csv.comments()) {
-        if (const std::optional<double> value = parseNumber(comment.value)) {
+    for (const CsvComment& comment : csv.comments())
+        if (const std::optional<double> value = parseNumber(comment.value))
             settings.cards[comment.key] = *value;
-        }
-    }
     const auto kind = settings.cards.find("IEMSCT");
     if (kind == settings.cards.end() || !settings.cards.contains("ITYPE")) {
         diagnostics.push_back(csv.diagnostic(
@@ -208,17 +193,15 @@ SpectralRun readBlock(const CsvTable& csv, const Block& block, const ModtranCase
         for (const auto& [column, place] : places) {
             const CsvCell& cell = row->cells[place];
             double value = std::numeric_limits<double>::quiet_NaN();
-            if (const std::optional<double> number = fortranNumber(cell.text)) {
+            if (const std::optional<double> number = fortranNumber(cell.text))
                 value = *number;
-            } else if (!cell.text.empty()) {
+            else if (!cell.text.empty())
                 diagnostics.push_back(csv.diagnostic(cell, "a finite number"));
-            }
             table.columns[column].push_back(value);
         }
     }
-    if (diagnostics.size() == before) {
+    if (diagnostics.size() == before)
         fillRun(run, table, diagnostics);
-    }
     return run;
 }
 
@@ -226,9 +209,8 @@ SpectralRun readBlock(const CsvTable& csv, const Block& block, const ModtranCase
 
 std::vector<SpectralRun> readModtranCsv(const std::filesystem::path& file) {
     const CsvTable csv = CsvTable::read(file);
-    if (csv.rows().empty()) {
+    if (csv.rows().empty())
         throw InputError({file.string(), "", "an empty table", "results of a MODTRAN run"});
-    }
     const std::vector<ModtranCase> cases = casesBeside(file);
     const std::vector<Block> blocks = blocksOf(csv);
     std::vector<Diagnostic> diagnostics;
@@ -245,9 +227,8 @@ std::vector<SpectralRun> readModtranCsv(const std::filesystem::path& file) {
         runs.back().source =
             file.filename().string() + (blocks.size() > 1 ? ", case " + which : "");
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
     return runs;
 }
 
@@ -260,15 +241,13 @@ bool isModtranCsv(std::string_view text) {
         return false;
     }
     const std::vector<Block> blocks = blocksOf(*table);
-    if (blocks.empty() || blocks.front().header.empty()) {
+    if (blocks.empty() || blocks.front().header.empty())
         return false;
-    }
     std::size_t known = 0;
     bool transmits = false;
     std::size_t columns = 0;
-    for (const CsvRow* header : blocks.front().header) {
+    for (const CsvRow* header : blocks.front().header)
         columns = std::max(columns, header->cells.size());
-    }
     for (std::size_t i = 0; i < columns; ++i) {
         const std::optional<RunColumn> column = columnOf(blocks.front(), i);
         known += column ? 1u : 0u;

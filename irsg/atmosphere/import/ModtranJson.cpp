@@ -9,7 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "irsg/atmosphere/Earth.h"
 #include "irsg/atmosphere/import/Tape7.h"
+#include "irsg/radiometry/JsonText.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -93,23 +95,14 @@ constexpr Key keys[] = {
     {"SPECTRAL", "DV", "DV"},          {"SPECTRAL", "FWHM", "FWHM"},
 };
 
+/// MODTRAN itself takes comments in its documents.
+const JsonForm form = {.expected = "a MODTRAN 6 document (JSON)", .mayComment = true};
+
 /// The document of one file and what is wrong with it.
 class Document {
   public:
-    Document(const std::string& text, const std::string& file) : file_(file) {
-        // The library takes a zero byte for the end of the text and says nothing of what follows.
-        if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
-            throw InputError(
-                {file, "byte " + std::to_string(zero + 1), "a zero byte", "a MODTRAN 6 document"});
-        }
-        try {
-            root_ = json::parse(text, nullptr, true, true);
-        } catch (const json::parse_error& error) {
-            throw InputError(
-                {file, "byte " + std::to_string(error.byte), "no JSON", "a MODTRAN 6 document"});
-        } catch (const json::out_of_range& error) {
-            throw InputError({file, "", error.what(), "a MODTRAN 6 document"});
-        }
+    Document(const std::string& text, const std::string& file)
+        : file_(file), root_(parseJson(text, file, form)), places_(text, form.mayComment) {
         if (!root_.is_object() || !root_.contains("MODTRAN") || !root_["MODTRAN"].is_array() ||
             root_["MODTRAN"].empty()) {
             throw InputError({file, "", "no array MODTRAN with cases in it",
@@ -120,13 +113,13 @@ class Document {
     const std::string& file() const { return file_; }
     const json& cases() const { return root_["MODTRAN"]; }
     std::vector<Diagnostic>& diagnostics() { return diagnostics_; }
-    void offend(std::string path, std::string value, std::string expected) {
-        diagnostics_.push_back({file_, std::move(path), std::move(value), std::move(expected)});
+    void offend(const std::string& path, std::string value, std::string expected) {
+        diagnostics_.push_back(
+            {file_, places_.position(path), std::move(value), std::move(expected)});
     }
     void throwIfAny() {
-        if (!diagnostics_.empty()) {
+        if (!diagnostics_.empty())
             throw InputError(std::move(diagnostics_));
-        }
     }
 
     /// The case of an index; `number` of its diagnostics begin with MODTRAN[number].
@@ -141,18 +134,16 @@ class Document {
         }
         const json& input = entry["MODTRANINPUT"];
         result.name = text(input, "NAME");
-        if (input.contains("FILEOPTIONS")) {
+        if (input.contains("FILEOPTIONS"))
             result.csvName = text(input["FILEOPTIONS"], "CSVPRNT");
-        }
         for (const Key& key : keys) {
             if (!input.contains(key.group) || !input[key.group].is_object() ||
                 !input[key.group].contains(key.key)) {
                 continue;
             }
             const std::string at = path + "." + key.group + "." + key.key;
-            if (const std::optional<double> value = numberOf(input[key.group][key.key], at)) {
+            if (const std::optional<double> value = numberOf(input[key.group][key.key], at))
                 result.cards[key.card] = *value;
-            }
         }
         if (input.contains("GEOMETRY") && input["GEOMETRY"].is_object() &&
             input["GEOMETRY"].contains("MLOS") && !input["GEOMETRY"]["MLOS"].empty()) {
@@ -182,25 +173,21 @@ class Document {
     }
 
     std::optional<double> numberOf(const json& value, const std::string& path) {
-        if (value.is_number() && std::isfinite(value.get<double>())) {
+        if (value.is_number() && std::isfinite(value.get<double>()))
             return value.get<double>();
-        }
-        if (value.is_boolean()) {
+        if (value.is_boolean())
             return value.get<bool>() ? 1.0 : 0.0;
-        }
         if (value.is_string()) {
             const std::string word = value.get<std::string>();
             const auto* found =
                 std::ranges::find_if(words, [&](const Word& known) { return word == known.word; });
-            if (found != std::end(words)) {
+            if (found != std::end(words))
                 return found->number;
-            }
             // Words that do not decide how a result is read are let through without a number.
-            if (path.ends_with("IVULCN") || path.ends_with("ICLD")) {
+            if (path.ends_with("IVULCN") || path.ends_with("ICLD"))
                 return std::nullopt;
-            }
         }
-        offend(path, value.dump(), "a finite number or a word of MODTRAN 6");
+        offend(path, shownJson(value), "a finite number or a word of MODTRAN 6");
         return std::nullopt;
     }
 
@@ -218,24 +205,20 @@ class Document {
     SpectralUnit unitOf(const json& input, const std::string& path) {
         const std::string flag =
             input.contains("SPECTRAL") ? text(input["SPECTRAL"], "XFLAG") : std::string();
-        if (flag == "M" || flag == "m") {
+        if (flag == "M" || flag == "m")
             return SpectralUnit::micrometre;
-        }
-        if (flag == "N" || flag == "n") {
+        if (flag == "N" || flag == "n")
             return SpectralUnit::nanometre;
-        }
-        if (!(flag.empty() || flag == " " || flag == "W" || flag == "w")) {
+        if (!(flag.empty() || flag == " " || flag == "W" || flag == "w"))
             offend(path + ".SPECTRAL.XFLAG", flag, "W, M or N");
-        }
         return SpectralUnit::wavenumber;
     }
 
     /// MODTRAN's case 2b: a zenith angle and a range lead to the end of the path.
     static void finishSlant(std::map<std::string, double>& cards) {
-        if (cards["ITYPE"] != 2.0 || !(cards["RANGE"] > 0.0) || !(cards["ANGLE"] > 0.0)) {
+        if (cards["ITYPE"] != 2.0 || !(cards["RANGE"] > 0.0) || !(cards["ANGLE"] > 0.0))
             return;
-        }
-        const double from = (cards["RO"] > 0.0 ? cards["RO"] : 6371.23) + cards["H1"];
+        const double from = (cards["RO"] > 0.0 ? cards["RO"] : 1e-3 * earthRadius_m) + cards["H1"];
         const double rise = cards["RANGE"] * std::cos(radians(cards["ANGLE"]));
         const double across = cards["RANGE"] * std::sin(radians(cards["ANGLE"]));
         cards["H2"] = cards["H1"] + std::hypot(from + rise, across) - from;
@@ -243,6 +226,7 @@ class Document {
 
     const std::string& file_;
     json root_;
+    JsonPlaces places_;
     std::vector<Diagnostic> diagnostics_;
 };
 
@@ -268,31 +252,28 @@ RunTable spectraOf(Document& document, std::size_t number, const ModtranCase& se
     std::optional<std::size_t> rows;
     for (const auto& [key, values] : entry[pointer].items()) {
         const std::optional<RunColumn> column = runColumn(key);
-        if (!column || !values.is_array()) {
+        if (!column || !values.is_array())
             continue;
-        }
         if (values.size() != rows.value_or(values.size())) {
             document.offend(path + "." + key, std::to_string(values.size()) + " values",
                             std::to_string(*rows) + " as in the arrays before");
             continue;
         }
         rows = values.size();
-        if (key == "PTH_THRML" || key == "SOL_SCAT") {
+        if (key == "PTH_THRML" || key == "SOL_SCAT")
             table.sumsIncluded = true;
-        }
         std::vector<double>& numbers = table.columns[*column];
         for (std::size_t i = 0; i < values.size(); ++i) {
             const bool finite = values[i].is_number() && std::isfinite(values[i].get<double>());
             if (!finite) {
-                document.offend(path + "." + key + "[" + std::to_string(i) + "]", values[i].dump(),
-                                "a finite number");
+                document.offend(path + "." + key + "[" + std::to_string(i) + "]",
+                                shownJson(values[i]), "a finite number");
             }
             numbers.push_back(finite ? values[i].get<double>() : 0.0);
         }
     }
-    for (std::size_t i = 0; i < rows.value_or(0); ++i) {
+    for (std::size_t i = 0; i < rows.value_or(0); ++i)
         table.positions.push_back(path + "[" + std::to_string(i) + "]");
-    }
     if (rows && !table.columns.contains(RunColumn::wavenumber)) {
         const auto card = [&](const char* name) {
             const auto found = settings.cards.find(name);
@@ -343,9 +324,8 @@ std::vector<SpectralRun> parseModtranJson(const std::string& text, const std::st
 std::vector<ModtranCase> parseModtranCases(const std::string& text, const std::string& file) {
     Document document(text, file);
     std::vector<ModtranCase> cases;
-    for (std::size_t i = 0; i < document.cases().size(); ++i) {
+    for (std::size_t i = 0; i < document.cases().size(); ++i)
         cases.push_back(document.readCase(i));
-    }
     document.throwIfAny();
     return cases;
 }

@@ -25,14 +25,12 @@ double emissivity(double depth, double range_m) {
 /// Depth at a range below the first node x[1]: a R / sqrt(1 + b R) through the first two nodes.
 double belowFirst(const std::vector<double>& x, const std::vector<double>& y, double range_m) {
     const double part = range_m / x[1];
-    if (x.size() < 3 || !(y[1] > 0.0) || !(y[2] > 0.0)) {
+    if (x.size() < 3 || !(y[1] > 0.0) || !(y[2] > 0.0))
         return y[1] * part;
-    }
     const double meanRatio = (y[1] / x[1]) / (y[2] / x[2]);
     const double q = meanRatio * meanRatio;
-    if (q >= x[2] / x[1]) {
+    if (q >= x[2] / x[1])
         return y[1] * std::sqrt(part);
-    }
     const double b = std::max(0.0, q - 1.0) / (x[2] - q * x[1]);
     return y[1] * part * std::sqrt((1.0 + b * x[1]) / (1.0 + b * range_m));
 }
@@ -46,11 +44,9 @@ std::string lengths(double lower, double upper) {
 template <typename Pairs, typename Member>
 std::vector<double> axisOf(const Pairs& pairs, Member member, const auto* without) {
     std::vector<double> axis;
-    for (const auto& pair : pairs) {
-        if (&pair != without) {
+    for (const auto& pair : pairs)
+        if (&pair != without)
             axis.push_back(pair.*member);
-        }
-    }
     std::ranges::sort(axis);
     const auto rest = std::ranges::unique(axis);
     axis.erase(rest.begin(), rest.end());
@@ -62,16 +58,13 @@ std::vector<double> axisOf(const Pairs& pairs, Member member, const auto* withou
 double betweenDepths(const std::vector<std::pair<double, double>>& depthsWithWeights) {
     constexpr double least = 1e-4;
     double largest = 0.0;
-    for (const auto& [depth, weight] : depthsWithWeights) {
+    for (const auto& [depth, weight] : depthsWithWeights)
         largest = std::max(largest, depth);
-    }
-    if (depthsWithWeights.size() == 1 || !(largest > 0.0)) {
+    if (depthsWithWeights.size() == 1 || !(largest > 0.0))
         return largest;
-    }
     double logarithm = 0.0;
-    for (const auto& [depth, weight] : depthsWithWeights) {
+    for (const auto& [depth, weight] : depthsWithWeights)
         logarithm += weight * std::log(std::max(depth, least * largest));
-    }
     return std::exp(logarithm);
 }
 
@@ -114,13 +107,11 @@ void PathTable::place(std::size_t index) {
     found->ranges_m.insert(after, node.path.range_m);
 
     // What is opaque continues the node before it; radiance becomes a source.
-    for (std::size_t i = 0; i < node.depth.size(); ++i) {
-        if (!node.source.empty() && std::isinf(node.depth[i])) {
+    for (std::size_t i = 0; i < node.depth.size(); ++i)
+        if (!node.source.empty() && std::isinf(node.depth[i]))
             node.source[i] /= emissivity(opaqueDepth, node.path.range_m);
-        } else if (!node.source.empty()) {
+        else if (!node.source.empty())
             node.source[i] /= emissivity(node.depth[i], node.path.range_m);
-        }
-    }
 }
 
 const PathTable::Pair* PathTable::pair(double sensor_m, double target_m) const {
@@ -135,19 +126,16 @@ std::vector<PathTable::Corner> PathTable::corners(double sensor_m, double target
     // Horizontal paths need nothing but horizontal ones.
     if (std::abs(sensor_m - target_m) <= altitudeTolerance_m) {
         std::vector<double> heights;
-        for (const Pair& one : pairs_) {
-            if (&one != without && one.sensor_m == one.target_m) {
+        for (const Pair& one : pairs_)
+            if (&one != without && one.sensor_m == one.target_m)
                 heights.push_back(one.sensor_m);
-            }
-        }
         std::ranges::sort(heights);
         if (const auto place =
                 bracketOf(heights, 0.5 * (sensor_m + target_m), altitudeTolerance_m)) {
             std::vector<Corner> ends = {
                 {pair(heights[place->lower], heights[place->lower]), 1.0 - place->weight}};
-            if (place->weight > 0.0) {
+            if (place->weight > 0.0)
                 ends.push_back({pair(heights[place->upper], heights[place->upper]), place->weight});
-            }
             return ends;
         }
     }
@@ -160,17 +148,15 @@ std::vector<PathTable::Corner> PathTable::between(double sensor_m, double target
     const std::vector<double> targets = axisOf(pairs_, &Pair::target_m, without);
     const auto s = bracketOf(sensors, sensor_m, altitudeTolerance_m);
     const auto t = bracketOf(targets, target_m, altitudeTolerance_m);
-    if (!s || !t) {
+    if (!s || !t)
         return {};
-    }
     std::vector<Corner> found;
     for (const auto& [i, ws] : {std::pair{s->lower, 1.0 - s->weight}, {s->upper, s->weight}}) {
         for (const auto& [j, wt] : {std::pair{t->lower, 1.0 - t->weight}, {t->upper, t->weight}}) {
             if (ws * wt > 0.0) {
                 const Pair* const one = pair(sensors[i], targets[j]);
-                if (!one || one == without) {
+                if (!one || one == without)
                     return {};
-                }
                 found.push_back({one, ws * wt});
             }
         }
@@ -190,9 +176,8 @@ double PathTable::depthAt(const Pair& pair, double range_m, std::size_t index, s
     x.assign(1, 0.0);
     y.assign(1, 0.0);
     for (std::size_t k = 0; k < pair.nodes.size(); ++k) {
-        if (pair.nodes[k] == without) {
+        if (pair.nodes[k] == without)
             continue;
-        }
         const double range = pair.ranges_m[k + 1];
         const double depth = nodes_[pair.nodes[k]].depth[index];
         y.push_back(std::isinf(depth)
@@ -200,9 +185,8 @@ double PathTable::depthAt(const Pair& pair, double range_m, std::size_t index, s
                         : depth);
         x.push_back(range);
     }
-    if (range_m < x[1]) {
+    if (range_m < x[1])
         return belowFirst(x, y, range_m);
-    }
     return std::max(0.0,
                     monotoneCubic(
                         std::span<const double>(x), [&](std::size_t k) { return y[k]; }, range_m));
@@ -219,9 +203,8 @@ double PathTable::sourceAt(const Pair& pair, double range_m, std::size_t index, 
             y.push_back(nodes_[pair.nodes[k]].source[index]);
         }
     }
-    if (x.size() == 1 || range_m <= x.front()) {
+    if (x.size() == 1 || range_m <= x.front())
         return y.front();
-    }
     return std::max(0.0,
                     monotoneCubic(
                         std::span<const double>(x), [&](std::size_t k) { return y[k]; }, range_m));
@@ -246,9 +229,8 @@ PathTable::Answer PathTable::blend(const std::vector<Corner>& corners, double ra
         }
         answer.depth[i - first] = betweenDepths(depths);
     }
-    for (std::size_t i = 0; i < source.size(); ++i) {
+    for (std::size_t i = 0; i < source.size(); ++i)
         answer.radiance.push_back(source[i] * emissivity(answer.depth[i], range_m));
-    }
     return answer;
 }
 
@@ -266,9 +248,8 @@ PathTable::Answer PathTable::at(const AtmosphericPath& path, std::size_t first, 
 }
 
 std::string PathTable::span() const {
-    if (nodes_.empty()) {
+    if (nodes_.empty())
         return "no path";
-    }
     const auto [lowSensor, highSensor] = std::ranges::minmax(pairs_, {}, &Pair::sensor_m);
     const auto [lowTarget, highTarget] = std::ranges::minmax(pairs_, {}, &Pair::target_m);
     const auto [shortest, longest] =
@@ -290,9 +271,8 @@ void PathTable::compare(const Answer& guess, const Node& node, ErrorSum& depth,
     }
     for (std::size_t i = 0; i < node.depth.size(); ++i) {
         depth.add(std::exp(-guess.depth[i]) - std::exp(-node.depth[i]));
-        if (largest > 0.0) {
+        if (largest > 0.0)
             radiance.add((guess.radiance[i] - truth[i]) / largest);
-        }
     }
     depth.endNode();
     radiance.endNode();
@@ -300,15 +280,13 @@ void PathTable::compare(const Answer& guess, const Node& node, ErrorSum& depth,
 
 std::vector<InterpolationError> PathTable::errors(const std::string& quantity) const {
     std::vector<InterpolationError> results;
-    if (nodes_.empty()) {
+    if (nodes_.empty())
         return results;
-    }
     const bool radiates = !nodes_.front().source.empty();
     const auto keep = [&](const ErrorSum& depth, const ErrorSum& radiance, const char* axis) {
         results.push_back(depth.result(quantity, axis));
-        if (radiates) {
+        if (radiates)
             results.push_back(radiance.result("path radiance", axis));
-        }
     };
 
     // Range: every node but the longest of its pair.
@@ -339,17 +317,14 @@ std::vector<InterpolationError> PathTable::errors(const std::string& quantity) c
         bool varies = false;
         for (const Pair& one : pairs_) {
             std::vector<double> heights;
-            for (const Pair& other : pairs_) {
-                if (&other != &one && isOnLine(one, other)) {
+            for (const Pair& other : pairs_)
+                if (&other != &one && isOnLine(one, other))
                     heights.push_back(heightOf(other));
-                }
-            }
             std::ranges::sort(heights);
             varies = varies || !heights.empty();
             const auto place = bracketOf(heights, heightOf(one), 0.0);
-            if (!place || place->weight == 0.0) {
+            if (!place || place->weight == 0.0)
                 continue;
-            }
             const std::vector<Corner> ends = {
                 {pairAt(one, heights[place->lower]), 1.0 - place->weight},
                 {pairAt(one, heights[place->upper]), place->weight}};
@@ -360,9 +335,8 @@ std::vector<InterpolationError> PathTable::errors(const std::string& quantity) c
                 }
             }
         }
-        if (varies) {
+        if (varies)
             keep(depthSum, radianceSum, axis);
-        }
     };
     leaveOut(
         "altitude of horizontal paths",

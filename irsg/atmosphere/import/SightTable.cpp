@@ -25,9 +25,8 @@ double rounded_deg(double elevation_rad) {
 
 void compare(const std::vector<double>& guess, const std::vector<double>& truth, ErrorSum& sum) {
     const double largest = *std::ranges::max_element(truth);
-    for (std::size_t i = 0; i < truth.size() && largest > 0.0; ++i) {
+    for (std::size_t i = 0; i < truth.size() && largest > 0.0; ++i)
         sum.add((guess[i] - truth[i]) / largest);
-    }
     sum.endNode();
 }
 
@@ -71,20 +70,17 @@ bool SightTable::blend(double altitude_m, double elevation_rad, const Row* witho
         }
     }
     const auto vertical = bracketOf(altitudes, altitude_m, altitudeTolerance_m);
-    if (!vertical) {
+    if (!vertical)
         return false;
-    }
     out.assign(last - first, 0.0);
     for (const auto& [index, weight] : {std::pair{vertical->lower, 1.0 - vertical->weight},
                                         {vertical->upper, vertical->weight}}) {
-        if (weight == 0.0) {
+        if (weight == 0.0)
             continue;
-        }
         const Row& row = *rows[index];
         const auto place = bracketOf(row.elevations_rad, elevation_rad, elevationTolerance_rad);
-        if (!place) {
+        if (!place)
             return false;
-        }
         for (std::size_t i = first; i < last; ++i) {
             out[i - first] += weight * ((1.0 - place->weight) * row.values[place->lower][i] +
                                         place->weight * row.values[place->upper][i]);
@@ -107,9 +103,8 @@ std::vector<double> SightTable::at(double altitude_m, double elevation_rad, std:
 }
 
 std::string SightTable::span() const {
-    if (rows_.empty()) {
+    if (rows_.empty())
         return "no direction";
-    }
     double lowest = rows_.front().elevations_rad.front();
     double highest = lowest;
     std::size_t count = 0;
@@ -135,27 +130,20 @@ std::vector<InterpolationError> SightTable::errors(const std::string& quantity) 
             const double weight = (row.elevations_rad[k] - row.elevations_rad[k - 1]) /
                                   (row.elevations_rad[k + 1] - row.elevations_rad[k - 1]);
             guess = row.values[k - 1];
-            for (std::size_t i = 0; i < guess.size(); ++i) {
+            for (std::size_t i = 0; i < guess.size(); ++i)
                 guess[i] = (1.0 - weight) * guess[i] + weight * row.values[k + 1][i];
-            }
             compare(guess, row.values[k], elevations);
         }
-        if (&row == &rows_.front() || &row == &rows_.back()) {
+        if (&row == &rows_.front() || &row == &rows_.back())
             continue;
-        }
-        for (std::size_t k = 0; k < row.elevations_rad.size(); ++k) {
-            if (blend(row.altitude_m, row.elevations_rad[k], &row, 0, row.values[k].size(),
-                      guess)) {
+        for (std::size_t k = 0; k < row.elevations_rad.size(); ++k)
+            if (blend(row.altitude_m, row.elevations_rad[k], &row, 0, row.values[k].size(), guess))
                 compare(guess, row.values[k], altitudes);
-            }
-        }
     }
-    if (severalElevations) {
+    if (severalElevations)
         results.push_back(elevations.result(quantity, "elevation"));
-    }
-    if (rows_.size() > 1) {
+    if (rows_.size() > 1)
         results.push_back(altitudes.result(quantity, "altitude"));
-    }
     return results;
 }
 

@@ -109,34 +109,27 @@ class Filler {
 
     void fill() {
         const std::size_t before = diagnostics_.size();
-        if (rows_ < 2) {
+        if (rows_ < 2)
             offend("", std::to_string(rows_) + " rows of numbers", "at least two wavenumbers");
-        }
         std::vector<RunColumn> required = {RunColumn::wavenumber, RunColumn::transmittance};
-        if (run_.kind == RunKind::sunlight) {
+        if (run_.kind == RunKind::sunlight)
             required.push_back(RunColumn::sunTransmitted);
-        } else if (run_.kind != RunKind::transmittance) {
+        else if (run_.kind != RunKind::transmittance)
             required.insert(required.end(), {RunColumn::thermal, RunColumn::total});
-        }
-        if (run_.kind == RunKind::solarRadiance) {
+        if (run_.kind == RunKind::solarRadiance)
             required.push_back(RunColumn::solarScatter);
-        }
-        for (const RunColumn column : required) {
+        for (const RunColumn column : required)
             require(column);
-        }
-        if (diagnostics_.size() != before) {
+        if (diagnostics_.size() != before)
             return;
-        }
         fillWavenumbers();
         fillTransmittance();
-        if (run_.kind == RunKind::thermalRadiance || run_.kind == RunKind::solarRadiance) {
+        if (run_.kind == RunKind::thermalRadiance || run_.kind == RunKind::solarRadiance)
             fillRadiances();
-        }
-        if (run_.kind == RunKind::sunlight) {
+        if (run_.kind == RunKind::sunlight)
             run_.solarIrradiance_W_m2_um = density(RunColumn::sunTransmitted);
-        } else if (run_.kind == RunKind::solarRadiance && whole(RunColumn::sunAtObserver)) {
+        else if (run_.kind == RunKind::solarRadiance && whole(RunColumn::sunAtObserver))
             run_.solarIrradiance_W_m2_um = density(RunColumn::sunAtObserver);
-        }
         fillScatteringDepth();
         if (table_.unit != SpectralUnit::wavenumber && diagnostics_.size() == before) {
             for (std::vector<double>* values :
@@ -205,18 +198,16 @@ class Filler {
         const std::vector<double>* depth = find(RunColumn::depth);
         for (std::size_t i = 0; i < rows_; ++i) {
             double tau = printed[i];
-            if (!(tau >= -1e-6 && tau <= 1.0 + 1e-4)) {
+            if (!(tau >= -1e-6 && tau <= 1.0 + 1e-4))
                 offend(table_.positions[i], "transmittance " + numberText(tau), "0 to 1");
-            }
             tau = std::clamp(tau, 0.0, 1.0);
             // The depth has more digits where the transmittance is small.
             if (depth && (*depth)[i] > 0.0 && table_.transmittanceRounding >= depthRounding * tau) {
                 const double fromDepth = std::exp(-(*depth)[i]);
                 const double slack =
                     1.01 * (table_.transmittanceRounding + 2 * depthRounding * tau);
-                if (std::abs(fromDepth - tau) <= slack) {
+                if (std::abs(fromDepth - tau) <= slack)
                     tau = fromDepth;
-                }
             }
             run_.transmittance.push_back(tau);
         }
@@ -254,9 +245,8 @@ class Filler {
         // The parts whose sum closes with TOTAL_RAD; what the version's names mean comes first.
         std::array<std::pair<double, double>, 4> parts = {
             {{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}}};
-        if (!table_.sumsIncluded) {
+        if (!table_.sumsIncluded)
             std::swap(parts[0], parts[1]);
-        }
         double best = std::numeric_limits<double>::infinity();
         for (const auto& [withThermalScatter, withSingle] : parts) {
             std::vector<double> path(rows_);
@@ -322,11 +312,9 @@ const char* name(RunKind kind) {
 
 std::optional<RunColumn> runColumn(std::string_view header) {
     std::string word;
-    for (const char c : header.substr(0, header.find('['))) {
-        if (std::isalnum(static_cast<unsigned char>(c))) {
+    for (const char c : header.substr(0, header.find('[')))
+        if (std::isalnum(static_cast<unsigned char>(c)))
             word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        }
-    }
     const auto found = std::ranges::find(aliases, word, &Alias::header);
     return found == aliases.end() ? std::nullopt : std::optional(found->column);
 }
@@ -341,14 +329,12 @@ std::optional<double> chord_m(double fromAltitude_m, double toAltitude_m, double
     const double rise = (toAltitude_m - fromAltitude_m) * (from + earthRadius_m + toAltitude_m);
     const double along = from * std::sin(elevation_rad);
     const double square = along * along + rise;
-    if (square < 0.0) {
+    if (square < 0.0)
         return std::nullopt;
-    }
     const double root = std::sqrt(square);
     const double near = -along - root;
-    if (near > 0.0 && !beyondTangent) {
+    if (near > 0.0 && !beyondTangent)
         return near;
-    }
     // A ray that goes down first must pass its lowest point above the ground.
     const bool hitsGround = along < 0.0 && from * std::cos(elevation_rad) < earthRadius_m;
     const double length = -along + root;

@@ -29,7 +29,7 @@ bool isTerminator(const std::string& line) {
     return value && *value == -9999.0;
 }
 
-std::vector<Column> words(const std::string& line) {
+std::vector<Column> columnsOf(const std::string& line) {
     std::vector<Column> found;
     for (std::size_t i = 0; i < line.size();) {
         if (line[i] == ' ') {
@@ -69,9 +69,8 @@ class Reader {
         }
         const std::size_t before = diagnostics_.size();
         run_.cards = tape7Cards(text_, first_, names_, diagnostics_);
-        if (diagnostics_.size() == before) {
+        if (diagnostics_.size() == before)
             readKind();
-        }
         if (diagnostics_.size() == before) {
             placeRun(run_, text_.file, "line " + std::to_string(names_ - 4), diagnostics_);
             readColumns();
@@ -81,16 +80,13 @@ class Reader {
             row = run_.kind == RunKind::transmittance ? names_ + 2 : names_ + 1;
             row = readRows(row);
         } else {
-            while (row < text_.lines.size() && !isTerminator(text_.lines[row])) {
+            while (row < text_.lines.size() && !isTerminator(text_.lines[row]))
                 ++row;
-            }
         }
-        if (diagnostics_.size() == before) {
+        if (diagnostics_.size() == before)
             fillRun(run_, table_, diagnostics_);
-        }
-        if (diagnostics_.size() == before) {
+        if (diagnostics_.size() == before)
             warnOfEnd(row < text_.lines.size());
-        }
         at = row + 1;
         return run_;
     }
@@ -110,9 +106,8 @@ class Reader {
     void readColumns() {
         const std::string& line = text_.lines[names_];
         table_.file = text_.file;
-        if (!field(line, 0, 10).starts_with("FREQ")) {
+        if (!field(line, 0, 10).starts_with("FREQ"))
             table_.unit = SpectralUnit::micrometre;
-        }
         table_.sumsIncluded = line.find("THRML_EM") == std::string::npos &&
                               line.find("MULT_SCAT") == std::string::npos;
         if (run_.kind == RunKind::sunlight) {
@@ -131,18 +126,17 @@ class Reader {
         if (run_.kind == RunKind::transmittance) {
             joinUnitsLine();
         } else {
-            columns_ = words(line);
+            columns_ = columnsOf(line);
             joinWords();
         }
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
+        for (std::size_t i = 0; i < columns_.size(); ++i)
             columns_[i].begin = i == 0 ? 0 : columns_[i - 1].end;
-        }
     }
 
     /// "H2O" over "CONT" is the column "H2O CONT". Long names touch, the words below them do not.
     void joinUnitsLine() {
         const bool isThere = names_ + 1 < text_.lines.size();
-        columns_ = isThere ? words(text_.lines[names_ + 1]) : std::vector<Column>();
+        columns_ = isThere ? columnsOf(text_.lines[names_ + 1]) : std::vector<Column>();
         if (columns_.empty() || columns_.front().name != "CM-1") {
             diagnostics_.push_back(
                 text_.diagnostic(names_ + 1, isThere ? text_.lines[names_ + 1] : "the end",
@@ -176,14 +170,12 @@ class Reader {
         for (const Column& column : columns_) {
             const std::optional<RunColumn> known = runColumn(column.name);
             places_.push_back(known && !table_.columns.contains(*known) ? known : std::nullopt);
-            if (places_.back()) {
+            if (places_.back())
                 table_.columns[*known] = {};
-            }
         }
         for (; row < text_.lines.size() && !isTerminator(text_.lines[row]); ++row) {
-            if (text_.lines[row].empty()) {
+            if (text_.lines[row].empty())
                 continue;
-            }
             if (isLastOfFile(row) && lacksCells(row)) {
                 run_.warnings.push_back("the last row is cut and was left out");
                 continue;
@@ -203,11 +195,9 @@ class Reader {
         const RunColumn last = run_.kind == RunKind::transmittance ? RunColumn::transmittance
                                : run_.kind == RunKind::sunlight    ? RunColumn::sunTransmitted
                                                                    : RunColumn::total;
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
-            if (places_[i] == last) {
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            if (places_[i] == last)
                 return text_.lines[row].size() < columns_[i].end;
-            }
-        }
         return false;
     }
 
@@ -215,9 +205,8 @@ class Reader {
         const std::string& line = text_.lines[row];
         table_.positions.push_back("line " + std::to_string(row + 1));
         for (std::size_t i = 0; i < columns_.size(); ++i) {
-            if (!places_[i]) {
+            if (!places_[i])
                 continue;
-            }
             const std::string_view cell =
                 field(line, columns_[i].begin, columns_[i].end - columns_[i].begin);
             double value = std::numeric_limits<double>::quiet_NaN();
@@ -273,20 +262,17 @@ std::vector<SpectralRun> parseTape7(const TextLines& text) {
     std::vector<SpectralRun> runs;
     std::size_t at = 0;
     while (true) {
-        while (at < text.lines.size() && text.lines[at].empty()) {
+        while (at < text.lines.size() && text.lines[at].empty())
             ++at;
-        }
-        if (at >= text.lines.size()) {
+        if (at >= text.lines.size())
             break;
-        }
         const std::string file = std::filesystem::path(text.file).filename().string();
         runs.push_back(
             Reader(text, diagnostics)
                 .read(at, runs.empty() ? file : file + ", run " + std::to_string(runs.size() + 1)));
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    }
     return runs;
 }
 

@@ -2,6 +2,7 @@
 #include <span>
 #include <string_view>
 
+#include "irsg/atmosphere/Earth.h"
 #include "irsg/atmosphere/import/Tape7.h"
 #include "irsg/radiometry/Units.h"
 
@@ -77,7 +78,7 @@ void placeRun(SpectralRun& run, const std::string& file, const std::string& posi
         return;
     }
     const double ground_m = 1e3 * cardOf(run, "GNDALT");
-    const double radius_m = cardOf(run, "RO") > 0.0 ? 1e3 * cardOf(run, "RO") : 6371.23e3;
+    const double radius_m = cardOf(run, "RO") > 0.0 ? 1e3 * cardOf(run, "RO") : earthRadius_m;
     const double zenith_deg = cardOf(run, "ANGLE");
     RunGeometry& geometry = run.geometry;
     geometry = {.path = static_cast<RunPath>(static_cast<int>(type)),
@@ -92,12 +93,10 @@ void placeRun(SpectralRun& run, const std::string& file, const std::string& posi
     } else if (zenith_deg < 0.0 || zenith_deg > 180.0) {
         offend("ANGLE " + numberText(zenith_deg), "a zenith angle of 0 to 180 deg");
     }
-    if (geometry.sensorAltitude_m < 0.0) {
+    if (geometry.sensorAltitude_m < 0.0)
         offend("H1 " + numberText(cardOf(run, "H1")), "at least GNDALT");
-    }
-    if (geometry.path == RunPath::slant && geometry.targetAltitude_m < 0.0) {
+    if (geometry.path == RunPath::slant && geometry.targetAltitude_m < 0.0)
         offend("H2 " + numberText(cardOf(run, "H2")), "at least GNDALT");
-    }
     if (geometry.path == RunPath::slant && !(geometry.range_m > 0.0)) {
         const std::optional<double> chord =
             chord_m(geometry.sensorAltitude_m, geometry.targetAltitude_m, geometry.elevation_rad,
@@ -113,11 +112,10 @@ void placeRun(SpectralRun& run, const std::string& file, const std::string& posi
                "a path of more than 0 km, or H1, H2 and ANGLE that make one");
     }
     if (run.kind == RunKind::sunlight) {
-        if (geometry.path == RunPath::toSpace) {
+        if (geometry.path == RunPath::toSpace)
             geometry.sunElevation_rad = geometry.elevation_rad;
-        } else {
+        else
             offend("ITYPE " + numberText(type), "3, a path to the sun, for IEMSCT 3");
-        }
     } else if (run.kind == RunKind::solarRadiance) {
         const double parameters = cardOf(run, "IPARM");
         if (parameters == 2.0 || parameters == 12.0) {

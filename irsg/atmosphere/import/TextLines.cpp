@@ -39,9 +39,8 @@ TextLines TextLines::parse(std::string_view text, std::string file) {
         result.lines.emplace_back(line);
         text.remove_prefix(std::min(end + 1, text.size()));
     }
-    if (std::ranges::all_of(result.lines, [](const std::string& line) { return line.empty(); })) {
+    if (std::ranges::all_of(result.lines, [](const std::string& line) { return line.empty(); }))
         throw InputError({result.file, "", "an empty file", "results of a run"});
-    }
     return result;
 }
 
@@ -55,9 +54,8 @@ std::string_view field(std::string_view line, std::size_t first, std::size_t col
 
 std::optional<double> fortranNumber(std::string_view text) {
     text = trimmed(text);
-    if (const std::optional<double> plain = parseNumber(text)) {
+    if (const std::optional<double> plain = parseNumber(text))
         return plain;
-    }
     std::string repaired(text);
     if (const std::size_t letter = repaired.find_first_of("dD"); letter != std::string::npos) {
         repaired[letter] = 'e';

@@ -130,18 +130,12 @@ DirectedLight PathTables::recent(const Key& key,
                                  const std::function<DirectedLight()>& compute) const {
     {
         const std::lock_guard lock(mutex_);
-        const auto known =
-            std::ranges::find_if(recent_, [&](const auto& kept) { return kept.first == key; });
-        if (known != recent_.end()) {
-            recent_.splice(recent_.begin(), recent_, known);
-            return recent_.front().second;
-        }
+        if (const auto* known = recent_.find([&](const auto& kept) { return kept.first == key; }))
+            return known->second;
     }
     DirectedLight light = compute();
     const std::lock_guard lock(mutex_);
-    recent_.emplace_front(key, light);
-    if (recent_.size() > recentKept)
-        recent_.pop_back();
+    recent_.add({key, light});
     return light;
 }
 

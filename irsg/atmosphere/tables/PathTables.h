@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -10,6 +9,7 @@
 
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
 #include "irsg/atmosphere/tables/AdaptiveTable.h"
+#include "irsg/radiometry/RecentlyUsed.h"
 
 namespace irsg {
 
@@ -66,7 +66,7 @@ class PathTables {
     mutable std::map<double, Horizon> horizons_;
     /// Light of the last geometries asked for one by one: another azimuth costs a phase function.
     static constexpr std::size_t recentKept = 32;
-    mutable std::list<std::pair<Key, DirectedLight>> recent_; ///< the latest first
+    mutable RecentlyUsed<std::pair<Key, DirectedLight>> recent_{recentKept};
 };
 
 } // namespace irsg

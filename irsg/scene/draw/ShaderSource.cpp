@@ -13,15 +13,13 @@ std::string shaderSource(const std::string& name) {
     // A copy on disk wins.
     if (const char* folder = std::getenv("IRSG_SHADER_DIR")) {
         std::ifstream file(std::filesystem::path(folder) / name, std::ios::binary);
-        if (file) {
+        if (file)
             return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-        }
     }
 
     const auto embedded = embeddedShaders().find(name);
-    if (embedded == embeddedShaders().end()) {
+    if (embedded == embeddedShaders().end())
         throw LogicError("no shader is named " + name);
-    }
     return embedded->second;
 }
 

@@ -323,8 +323,7 @@ void SurfacePass::drawFactors(osg::RenderInfo& info, const SheetScene& sheet, bo
     samples.height = height;
     samples.factorCount = factors.factorCount;
     samples.wordsPerFragment = static_cast<std::size_t>(4 * vectorsOf(factors));
-    samples.through.clear();
-    samples.sunVisibility.clear();
+    samples.forgetLight();
     Stopwatch watch(p.readSeconds);
     const auto read = [&](int plane, bool isThere, std::vector<float>& into) {
         if (isThere)

@@ -7,25 +7,25 @@ bool FlightValidator::visitNode(const FlightRecord& record) {
     switch (record.opcode) {
     case flight::group:
     case flight::object:
-        atLeast(record, 12);
-        open(record);
+        log_.atLeast(record, 12);
+        levels_.open(record);
         return true;
     case flight::degreeOfFreedom:
-        open(record);
-        if (atLeast(record, 380))
-            finite(record, 16, 9 + 36);
+        levels_.open(record);
+        if (log_.atLeast(record, 380))
+            log_.finite(record, 16, 9 + 36);
         return true;
     case flight::levelOfDetail:
-        open(record);
-        if (atLeast(record, 64))
-            finite(record, 16, 2), finite(record, 40, 3);
+        levels_.open(record);
+        if (log_.atLeast(record, 64))
+            log_.finite(record, 16, 2), log_.finite(record, 40, 3);
         return true;
     case flight::switchNode:
         switchNode(record);
         return true;
     case flight::instanceDefinition:
     case flight::instanceReference:
-        instance(record);
+        levels_.instance(record);
         return true;
     case flight::externalReference:
         external(record);
@@ -34,25 +34,26 @@ bool FlightValidator::visitNode(const FlightRecord& record) {
     case flight::lightPoint:
     case flight::indexedLightPoint:
     case flight::lightPointSystem:
-        remarkOnce("light", "light sources and light points have no infrared codes: not drawn");
-        open(record, FlightTreatment::asGroup).light = true;
+        log_.remarkOnce("light",
+                        "light sources and light points have no infrared codes: not drawn");
+        levels_.open(record, FlightTreatment::asGroup).light = true;
         return true;
     case flight::separatingPlane:
     case flight::extension:
     case flight::roadSegment:
     case flight::roadPath:
     case flight::roadConstruction:
-        open(record, FlightTreatment::asGroup);
+        levels_.open(record, FlightTreatment::asGroup);
         return true;
     case flight::sound:
     case flight::text:
     case flight::clipRegion:
     case flight::curve:
     case flight::continuouslyAdaptiveTerrain:
-        remarkOnce(std::to_string(record.opcode),
-                   "sounds, texts, clip regions, curves and adaptive "
-                   "terrain are not drawn");
-        open(record, FlightTreatment::asGroup).light = true;
+        log_.remarkOnce(std::to_string(record.opcode),
+                        "sounds, texts, clip regions, curves and adaptive "
+                        "terrain are not drawn");
+        levels_.open(record, FlightTreatment::asGroup).light = true;
         return true;
     default:
         return false;
@@ -60,50 +61,37 @@ bool FlightValidator::visitNode(const FlightRecord& record) {
 }
 
 void FlightValidator::switchNode(const FlightRecord& record) {
-    auto& node = open(record);
-    if (!atLeast(record, 28))
+    auto& node = levels_.open(record);
+    if (!log_.atLeast(record, 28))
         return;
     const std::uint32_t present = record.u32(16), masks = record.u32(20), words = record.u32(24);
     if (masks == 0 || words == 0 || masks > record.size() || words > record.size() ||
         std::size_t{masks} * words > (record.size() - 28) / 4)
-        return offend(record.offset + 20,
-                      std::to_string(masks) + " switch masks of " + std::to_string(words) +
-                          " words in a record of " + std::to_string(record.size()) + " bytes",
-                      "one mask of one word or more, all inside the record");
+        return log_.offend(record.offset + 20,
+                           std::to_string(masks) + " switch masks of " + std::to_string(words) +
+                               " words in a record of " + std::to_string(record.size()) + " bytes",
+                           "one mask of one word or more, all inside the record");
     if (present >= masks)
-        offend(record.offset + 16, "switch mask " + std::to_string(present),
-               "below " + std::to_string(masks));
+        log_.offend(record.offset + 16, "switch mask " + std::to_string(present),
+                    "below " + std::to_string(masks));
     node.childLimit = 32 * std::size_t{words};
 }
 
-void FlightValidator::instance(const FlightRecord& record) {
-    auto& node = open(record);
-    if (!atLeast(record, 8))
-        return;
-    node.number = record.u16(6);
-    if (record.opcode == flight::instanceDefinition)
-        return;
-    const auto found = instances_.find(node.number);
-    if (found == instances_.end())
-        return offend(record.offset + 6, "a reference to instance " + std::to_string(node.number),
-                      "its definition before it");
-    node.placements = found->second.placements;
-    node.height = found->second.height + 1;
-}
-
 void FlightValidator::external(const FlightRecord& record) {
-    auto& node = open(record);
-    if (!atLeast(record, 204))
+    auto& node = levels_.open(record);
+    if (!log_.atLeast(record, 204))
         return;
     const auto path = record.text(4, 200);
     if (path.empty())
-        return offend(record.offset + 4, "an external reference without a path", "a file name");
+        return log_.offend(record.offset + 4, "an external reference without a path",
+                           "a file name");
 
     // Bit 0 of the mask keeps the palette of the other file.
     const std::uint32_t mask = record.size() >= 212 ? record.u32(208) : 0xFFFFFFFF;
-    const bool own = (mask & 0x80000000) != 0 || file_.version == 1541 || file_.version < 1420;
-    node.placements[static_cast<int>(file_.externals.size())] = 1;
-    file_.externals.push_back({record.offset, path, {}, !own && colours_, 0});
+    const bool own =
+        (mask & 0x80000000) != 0 || log_.file().version == 1541 || log_.file().version < 1420;
+    node.placements[static_cast<int>(log_.file().externals.size())] = 1;
+    log_.file().externals.push_back({record.offset, path, {}, !own && geometry_.hasColours(), 0});
 }
 
 } // namespace irsg

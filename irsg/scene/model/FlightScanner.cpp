@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "irsg/radiometry/FileReading.h"
+#include "irsg/scene/model/FlightLevels.h"
 #include "irsg/scene/model/FlightValidator.h"
 #include "irsg/scene/model/OpenableFiles.h"
 
@@ -11,7 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double mostFaces = 20e6;
 constexpr int highest = 1024;
 constexpr std::size_t longestChain = 32;
 

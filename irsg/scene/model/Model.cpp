@@ -30,19 +30,6 @@ osg::Matrixd toModelAxes(NoseAxis nose) {
     return osg::Matrixd::identity();
 }
 
-void unite(BoundingBox& box, const BoundingBox& other) {
-    if (!box.valid()) {
-        box = other;
-        return;
-    }
-    box.min = {std::min(box.min.x, other.min.x), std::min(box.min.y, other.min.y),
-               std::min(box.min.z, other.min.z)};
-    box.max = {std::max(box.max.x, other.max.x), std::max(box.max.y, other.max.y),
-               std::max(box.max.z, other.max.z)};
-}
-
-constexpr BoundingBox nowhere{{1, 1, 1}, {-1, -1, -1}};
-
 } // namespace
 
 struct Model::Impl {
@@ -51,7 +38,7 @@ struct Model::Impl {
     osg::ref_ptr<osg::Group> graph;
     std::map<IrCodes, CodeUse> codes;
     std::map<IrCodes, BoundingBox> boxes;
-    BoundingBox bounds = nowhere;
+    BoundingBox bounds = BoundingBox::nowhere();
     std::vector<std::string> remarks;
 
     /// Fills everything from a loaded graph; `faces` are the file's own counts where it has some.
@@ -79,8 +66,8 @@ struct Model::Impl {
             use.area_m2 += part.area_m2;
             if (faces.empty())
                 use.faces += static_cast<int>(part.polygons);
-            unite(boxes.try_emplace(key.codes, nowhere).first->second, part.bounds);
-            unite(bounds, part.bounds);
+            boxes.try_emplace(key.codes, BoundingBox::nowhere()).first->second.include(part.bounds);
+            bounds.include(part.bounds);
         }
         remarkPrecision();
     }
@@ -142,10 +129,10 @@ const std::vector<std::string>& Model::remarks() const {
 }
 
 BoundingBox Model::boundsOf(const std::function<bool(const IrCodes&)>& wanted) const {
-    auto box = nowhere;
+    auto box = BoundingBox::nowhere();
     for (const auto& [codes, part] : impl_->boxes)
         if (wanted(codes))
-            unite(box, part);
+            box.include(part);
     return box;
 }
 

@@ -129,8 +129,10 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
 /// What a process of its own reads and hands over as bytes.
 LoadedGraph loadApart(const fs::path& place, const fs::path& file) {
     try {
-        const std::string answer = ReaderProcess().read(FileKind::model, place, file);
-        ByteSource source(answer);
+        ReaderProcess process;
+        const ReaderAnswer answer = process.read(FileKind::model, place, file);
+        process.dismiss();
+        ByteSource source(answer.bytes());
         LoadedGraph loaded;
         loaded.remarks.resize(source.getCount(8));
         for (std::string& remark : loaded.remarks)

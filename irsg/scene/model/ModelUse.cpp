@@ -10,11 +10,9 @@ ModelUse useOf(const Model& model) {
         use.materialFaces[codes.material] += carried.faces;
         use.temperaturesOfMaterial[codes.material].insert(codes.temperature);
     }
-    for (const std::string& remark : model.remarks()) {
-        if (remark.find("LOD") != std::string::npos) {
+    for (const std::string& remark : model.remarks())
+        if (remark.find("LOD") != std::string::npos)
             use.levelsOfDetail.push_back(remark);
-        }
-    }
     return use;
 }
 

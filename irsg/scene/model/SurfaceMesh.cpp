@@ -19,13 +19,6 @@ Vec3 asVec3(const osg::Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-void extend(BoundingBox& box, const Vec3& p) {
-    if (!box.valid())
-        box = {p, p};
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
-}
-
 /// A zero has one sign, so that equal places are one vertex.
 osg::Vec3 withOneZero(const osg::Vec3d& v) {
     const osg::Vec3 rounded(v);
@@ -88,7 +81,7 @@ unsigned int SurfaceMesh::VertexTable::index(Part& part, const PolygonCorner& co
     part.vertices.push_back(p);
     part.normals.push_back(n);
     part.colours.push_back(c);
-    extend(part.bounds, asVec3(p));
+    part.bounds.include(asVec3(p));
     slots_[slot] = static_cast<unsigned int>(part.vertices.size());
     return slots_[slot] - 1;
 }

@@ -28,7 +28,7 @@ class SurfaceMesh {
         std::vector<unsigned int> triangles;
         long polygons = 0;
         double area_m2 = 0.0;
-        BoundingBox bounds{{1, 1, 1}, {-1, -1, -1}};
+        BoundingBox bounds = BoundingBox::nowhere();
     };
 
     /// Adds a polygon in model axes, counter-clockwise from its front. A concave one is cut into

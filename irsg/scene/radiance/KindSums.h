@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "irsg/scene/radiance/FactorField.h"
+#include "irsg/scene/radiance/SceneLight.h"
 #include "irsg/scene/radiance/SurfaceRows.h"
 #include "irsg/scene/radiance/ViewFactors.h"
 #include "irsg/scene/view/FrameBackground.h"
@@ -22,10 +23,13 @@ class ViewKindSums {
   public:
     /// All must live as long. `share`: a sample's part of a pixel.
     ViewKindSums(const SurfaceRows& rows, const PixelGrid& grid,
-                 const std::vector<const FrameBackground*>& varying, double share)
+                 const std::vector<const FrameBackground*>& varying, const LightExchange* exchange,
+                 double share)
         : rows_(static_cast<std::size_t>(rows.size())),
+          surfaces_(rows),
           grid_(grid),
           varying_(varying),
+          exchange_(exchange),
           share_(share),
           behind_W_m2_sr_(varying.size()) {}
 
@@ -39,11 +43,18 @@ class ViewKindSums {
             behind_W_m2_sr_[k] = varying_[k]->at(x, y);
     }
 
-    void add(int front, const SurfaceRows::Between& between, const float* factors) {
+    void add(int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
         const std::size_t place =
             static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(between.row);
         if (place >= places_)
             grow(front);
+        const float* factors = layer.factors.data();
+        if (layer.place && layer.place->triangle != FactorSamples::Place::none) {
+            addReceivers(place, between.row, 1.0 - static_cast<double>(between.next), *layer.place);
+            if (between.next > 0.0f)
+                addReceivers(place + 1, between.row, static_cast<double>(between.next),
+                             *layer.place);
+        }
         addTo(place, 1.0 - static_cast<double>(between.next), factors,
               std::make_index_sequence<Factors>());
         if (between.next > 0.0f)
@@ -66,6 +77,16 @@ class ViewKindSums {
         addTo(sums_[place], 1.0 - static_cast<double>(between.next));
         if (between.next > 0.0f)
             addTo(sums_[place + 1], static_cast<double>(between.next));
+    }
+
+    /// What was seen of receivers of light.
+    LightSums lightSums() const {
+        LightSums sums;
+        for (std::size_t place = 0; place < receivers_.size(); ++place)
+            if (!receivers_[place].empty())
+                sums[{static_cast<int>(place / rows_), static_cast<int>(place % rows_)}] =
+                    receivers_[place];
+        return sums;
     }
 
     /// What was seen, of one cell.
@@ -116,6 +137,20 @@ class ViewKindSums {
         }
     }
 
+    void addReceivers(std::size_t place, int row, double weight, const FactorSamples::Place& at) {
+        if (place >= receivers_.size())
+            receivers_.resize(places_);
+        std::vector<double>& sums = receivers_[place];
+        if (sums.empty())
+            sums.resize(2 * exchange_->ofRow(surfaces_.drawnOf(row)).size());
+        exchange_->forEachReceiver(
+            at.triangle, at.u, at.v, [&](std::uint32_t receiver, float part) {
+                const std::size_t own = 2 * static_cast<std::size_t>(exchange_->localOf(receiver));
+                sums[own] += weight * omega_sr_ * static_cast<double>(part);
+                sums[own + 1] += weight * projected_sr_ * static_cast<double>(part);
+            });
+    }
+
     void grow(int front) {
         places_ = (static_cast<std::size_t>(front) + 1) * rows_;
         sums_.resize(places_);
@@ -123,8 +158,11 @@ class ViewKindSums {
     }
 
     std::size_t rows_, places_ = 0;
+    const SurfaceRows& surfaces_;
     const PixelGrid& grid_;
     const std::vector<const FrameBackground*>& varying_;
+    const LightExchange* exchange_;
+    std::vector<std::vector<double>> receivers_; // by front and row
     double share_;
     double part_ = 0.0, omega_sr_ = 0.0, projected_sr_ = 0.0; // of a sample in its pixel
     std::vector<double> behind_W_m2_sr_;                      // by varying background
@@ -137,13 +175,15 @@ class PixelKindSums {
   public:
     /// `pixels`: those of the part. `share`: a sample's part of a pixel.
     PixelKindSums(const SurfaceRows& rows, const PixelWindow& pixels, std::size_t factorCount,
-                  double share)
+                  const LightExchange* exchange, const ReceiverRows& receivers, double share)
         : rows_(static_cast<std::size_t>(rows.size())),
           pixels_(pixels),
           factorCount_(factorCount),
+          exchange_(exchange),
+          receivers_(receivers),
           share_(share),
-          field_(static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height),
-                 factorCount + 1) {}
+          field_(cellsOf(pixels), factorCount + 1),
+          light_(exchange ? cellsOf(pixels) : 0, 1) {}
 
     void goTo(int x, int y, double weight) {
         part_ = weight * share_;
@@ -151,11 +191,17 @@ class PixelKindSums {
                 static_cast<std::size_t>(x - pixels_.x);
     }
 
-    void add(int front, const SurfaceRows::Between& between, const float* factors) {
+    void add(int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
+        const float* factors = layer.factors.data();
         const auto next = static_cast<double>(between.next);
         addTo({front, between.row}, 1.0 - next, factors);
         if (next > 0.0)
             addTo({front, between.row + 1}, next, factors);
+        if (!layer.place || layer.place->triangle == FactorSamples::Place::none)
+            return;
+        addReceivers({front, between.row}, 1.0 - next, *layer.place);
+        if (next > 0.0)
+            addReceivers({front, between.row + 1}, next, *layer.place);
     }
 
     void addLight(int front, const SurfaceRows::Between& between, const float* factors) {
@@ -166,9 +212,22 @@ class PixelKindSums {
     }
 
     const FactorField<double>& field() const { return field_; }
+    /// Of receivers of light, whose kinds are numbered by ReceiverRows.
+    const FactorField<double>& light() const { return light_; }
     const PixelWindow& pixels() const { return pixels_; }
 
   private:
+    static std::size_t cellsOf(const PixelWindow& pixels) {
+        return static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
+    }
+    void addReceivers(const FactorKind& kind, double weight, const FactorSamples::Place& at) {
+        exchange_->forEachReceiver(
+            at.triangle, at.u, at.v, [&](std::uint32_t receiver, float part) {
+                const int number = receivers_.numberOf(kind.row, exchange_->localOf(receiver));
+                *light_.at(cell_, light_.kindOf({kind.front, number})) +=
+                    weight * part_ * static_cast<double>(part);
+            });
+    }
     void addTo(const FactorKind& kind, double weight, const float* factors, double coverage = 1.0) {
         const std::size_t place =
             static_cast<std::size_t>(kind.front) * rows_ + static_cast<std::size_t>(kind.row);
@@ -187,9 +246,12 @@ class PixelKindSums {
     std::size_t rows_;
     PixelWindow pixels_;
     std::size_t factorCount_;
+    const LightExchange* exchange_;
+    const ReceiverRows& receivers_;
     double share_;
     FactorField<double> field_; // float would round thousands of samples of a pixel
-    std::vector<int> numbers_;  // of the field, by front and row
+    FactorField<double> light_;
+    std::vector<int> numbers_; // of the field, by front and row
     double part_ = 0.0;
     std::size_t cell_ = 0;
 };

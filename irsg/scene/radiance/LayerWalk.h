@@ -92,7 +92,7 @@ class LayerWalk {
                                     const FactorSamples::Through& light) {
         light_.fill(0.0f);
         light_[light.factor] = light.value;
-        return {layer.row, layer.distance_m, {light_.data(), layer.factors.size()}, 0.0f};
+        return {layer.row, layer.distance_m, {light_.data(), layer.factors.size()}, 0.0f, nullptr};
     }
     int behindSet(int front, const std::vector<FrontMaterial>& set) {
         for (const FrontMaterial& material : set)

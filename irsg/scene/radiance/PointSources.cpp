@@ -1,6 +1,5 @@
 #include "irsg/scene/radiance/PointSources.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace irsg {
@@ -10,19 +9,15 @@ Vec3 PointSources::onGrid(const Vec3& direction, double step) {
     return normalized({rounded(direction.x), rounded(direction.y), rounded(direction.z)});
 }
 
-const FactorField<double>&
-PointSources::sums_sr_m2(int entity, const PointAspect& aspect,
-                         const std::function<FactorField<double>()>& draw) {
-    std::list<Kept>& kept = kept_[entity];
-    const auto found = std::ranges::find(kept, aspect, &Kept::aspect);
-    if (found != kept.end()) {
-        kept.splice(kept.begin(), kept, found);
-    } else {
-        kept.push_front({aspect, draw()});
-        if (kept.size() > mostKept)
-            kept.pop_back();
-    }
-    return kept.front().sums_sr_m2;
+const PointFactors& PointSources::of(int entity, const PointAspect& aspect,
+                                     const std::function<PointFactors()>& draw) {
+    RecentlyUsed<Kept>& kept = kept_.try_emplace(entity, mostKept).first->second;
+    return kept
+        .of([&](const Kept& known) { return known.aspect == aspect; },
+            [&] {
+                return Kept{aspect, draw()};
+            })
+        .factors;
 }
 
 } // namespace irsg

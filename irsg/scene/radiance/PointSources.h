@@ -2,14 +2,14 @@
 
 #include <cstddef>
 #include <functional>
-#include <list>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/scene/model/Model.h"
-#include "irsg/scene/radiance/FactorField.h"
+#include "irsg/scene/radiance/ViewFactors.h"
 
 namespace irsg {
 
@@ -41,21 +41,20 @@ class PointSources {
     /// The nearest direction on a grid.
     static Vec3 onGrid(const Vec3& direction, double step = directionStep);
 
-    /// Sums of an entity times the square of its distance, sr m2: coverage, then each drawn factor,
-    /// in the one cell of a field whose rows are those of the drawing. `draw` makes them where none
-    /// that are kept are of this aspect.
-    const FactorField<double>& sums_sr_m2(int entity, const PointAspect& aspect,
-                                          const std::function<FactorField<double>()>& draw);
+    /// Sums of an entity times the square of its distance, whose rows are those of the drawing.
+    /// `draw` makes them where none that are kept are of this aspect.
+    const PointFactors& of(int entity, const PointAspect& aspect,
+                           const std::function<PointFactors()>& draw);
 
   private:
     struct Kept {
         PointAspect aspect;
-        FactorField<double> sums_sr_m2;
+        PointFactors factors;
     };
     /// Aspects that are kept of an entity: one that moves a pixel to and fro is seen from the
     /// neighbours of a point of the grid in turn.
     static constexpr std::size_t mostKept = 16;
-    std::map<int, std::list<Kept>> kept_; // by entity, latest first
+    std::map<int, RecentlyUsed<Kept>> kept_; // by entity
 };
 
 } // namespace irsg

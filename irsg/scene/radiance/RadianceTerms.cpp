@@ -107,9 +107,15 @@ RadianceTerms makeStandard() {
     constexpr bool complement = true, passesAir = true;
     list.terms = {
         {"thermal", {view}, emission, std::nullopt, false, always},
-        {"sun", {sun}, reflectance, solarIrradiance, passesAir, withSun},
-        {"up", {sky, complement}, reflectance, upwardFlux, passesAir, withFluxes},
-        {"down", {sky}, reflectance, downwardFlux, passesAir, withFluxes},
+        {"sun", {sun}, reflectance, solarIrradiance, passesAir, withSun, LightOrigin::sun},
+        {"up",
+         {sky, complement},
+         reflectance,
+         upwardFlux,
+         passesAir,
+         withFluxes,
+         LightOrigin::ground},
+        {"down", {sky}, reflectance, downwardFlux, passesAir, withFluxes, LightOrigin::sky},
         {"path", {}, opacity, pathRadiance, false, always},
     };
     return list;

@@ -44,6 +44,10 @@ struct TermFactor {
     bool complement = false;
 };
 
+/// From where the light of a term comes, for what stands in its way and what it falls on: see
+/// SceneLight. Surfaces that reflect light of no origin do not light each other with it.
+enum class LightOrigin { none, sun, sky, ground };
+
 /// One way in which a surface sends light to the sensor. A sample's apparent spectral radiance is
 /// the sum over all terms of factor times surface quantity times light (times transmittance).
 struct RadianceTerm {
@@ -57,6 +61,7 @@ struct RadianceTerm {
     /// quantity, since a measured spectrum holds a part of its air already.)
     bool passesAir = false;
     std::function<bool(const RenderSettings&)> isOn;
+    LightOrigin origin = LightOrigin::none;
 };
 
 /// The one list of what a surface can send (report eqs. 1 to 3, corrected as docs/physics.md says).

@@ -39,7 +39,10 @@ void EvaluatedScene::turnTo(const std::vector<Entity>& entities,
     std::vector<double> aspects_rad = aspectsOf(geometry);
     if (aspects_rad == aspects_rad_)
         return;
-    radiances.turn(radiometry.turn(entities, geometry));
+    const std::vector<int> turned = radiometry.turn(entities, geometry);
+    radiances.turn(turned);
+    if (light && !turned.empty())
+        light->turn();
     aspects_rad_ = std::move(aspects_rad);
 }
 
@@ -52,23 +55,18 @@ RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entit
         key.entities.push_back(EntityKey::of(entities[e]));
         key.altitudes_m.push_back(geometry[e].path.targetAltitude_m);
     }
-    const auto known = std::ranges::find_if(kept_, [&](const Kept& kept) {
+    Kept* const known = kept_.find([&](const Kept& kept) {
         return kept.entities == key.entities && kept.altitudes_m == key.altitudes_m &&
                areAlike(*kept.sampled, *sampled);
     });
-    if (known != kept_.end()) {
-        kept_.splice(kept_.begin(), kept_, known);
-        Kept& kept = kept_.front();
-        kept.sampled = sampled; // which is found without a look at its values from now on
-        kept.scene->turnTo(entities, geometry);
-        return kept.scene;
+    if (known != nullptr) {
+        known->sampled = sampled; // which is found without a look at its values from now on
+        known->scene->turnTo(entities, geometry);
+        return known->scene;
     }
     key.sampled = sampled;
     key.scene = std::make_shared<EvaluatedScene>(terms, entities, geometry, sampled->bands, fronts);
-    kept_.push_front(std::move(key));
-    if (kept_.size() > mostKept)
-        kept_.pop_back();
-    return kept_.front().scene;
+    return kept_.add(std::move(key)).scene;
 }
 
 } // namespace irsg

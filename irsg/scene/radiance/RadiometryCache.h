@@ -1,13 +1,14 @@
 #pragma once
 
-#include <list>
 #include <memory>
 #include <vector>
 
+#include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/scene/radiance/EntityKey.h"
 #include "irsg/scene/radiance/KindRadiances.h"
 #include "irsg/scene/radiance/PlanckTable.h"
 #include "irsg/scene/radiance/SampledScene.h"
+#include "irsg/scene/radiance/SceneLight.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
 
 namespace irsg {
@@ -24,6 +25,8 @@ struct EvaluatedScene {
     SceneRadiometry radiometry;
     KindRadiances radiances;
     PlanckTable planck; ///< of scaled views
+    /// Between the surfaces of this scene, as the renderer set it; null for none.
+    std::shared_ptr<SceneLight> light;
 
   private:
     std::vector<double> aspects_rad_; // by entity
@@ -51,7 +54,7 @@ class RadiometryCache {
     };
     static constexpr std::size_t mostKept = 2;
 
-    std::list<Kept> kept_; // latest first
+    RecentlyUsed<Kept> kept_{mostKept};
 };
 
 } // namespace irsg

@@ -43,16 +43,12 @@ std::vector<RangeFactors::Weight> RangeFactors::weightsAt(double nearness) {
 
 const ViewFactors& RangeFactors::at(int entity, const PointAspect& aspect, std::size_t node,
                                     const std::function<ViewFactors()>& draw) {
-    std::list<Kept>& kept = kept_[entity];
-    const auto found = std::ranges::find(kept, aspect, &Kept::aspect);
-    if (found != kept.end()) {
-        kept.splice(kept.begin(), kept, found);
-    } else {
-        kept.push_front({aspect, {}});
-        if (kept.size() > mostKept)
-            kept.pop_back();
-    }
-    std::optional<ViewFactors>& own = kept.front().atNode[node];
+    Kept& kept = kept_.try_emplace(entity, mostKept)
+                     .first->second.of([&](const Kept& known) { return known.aspect == aspect; },
+                                       [&] {
+                                           return Kept{aspect, {}};
+                                       });
+    std::optional<ViewFactors>& own = kept.atNode[node];
     if (!own)
         own = draw();
     return *own;
@@ -64,17 +60,24 @@ void addAtRange(const ViewFactors& atUnitDistance, double weight, const SurfaceR
     const double scale = weight / (place.range_m * place.range_m);
     const ViewLayout& layout = view.layout;
     view.layersLeftOver = std::max(view.layersLeftOver, atUnitDistance.layersLeftOver);
-    atUnitDistance.field.forEach(0, [&](std::size_t number, std::span<const double> source) {
-        const FactorKind& kind = atUnitDistance.field.kinds()[number];
-        const int surface = drawn.drawnOf(kind.row);
+    // The rows of the view that one of the drawing is, and their parts of it.
+    const auto forEachRowOf = [&](int drawnRow, const auto& visit) {
+        const int surface = drawn.drawnOf(drawnRow);
         const auto entity =
             static_cast<std::size_t>(drawn.keys()[static_cast<std::size_t>(surface)].first);
         const SliceNodes& slices_m = drawn.slices()[entity];
         const double before_m =
             slices_m.empty() ? 0.0
-                             : slices_m[static_cast<std::size_t>(drawn.nodeOf(kind.row))] - drawn_m;
-        const auto distance_m = static_cast<float>(place.range_m + before_m);
-        rows.forEachRow(surface, distance_m, [&](int row, float part) {
+                             : slices_m[static_cast<std::size_t>(drawn.nodeOf(drawnRow))] - drawn_m;
+        rows.forEachRow(surface, static_cast<float>(place.range_m + before_m), visit);
+    };
+    for (const auto& [kind, sums] : atUnitDistance.light)
+        forEachRowOf(kind.second, [&](int row, float part) {
+            addLight({{{kind.first, row}, sums}}, scale * static_cast<double>(part), view.light);
+        });
+    atUnitDistance.field.forEach(0, [&](std::size_t number, std::span<const double> source) {
+        const FactorKind& kind = atUnitDistance.field.kinds()[number];
+        forEachRowOf(kind.row, [&](int row, float part) {
             double* sums = view.field.at(0, view.field.kindOf({kind.front, row}));
             const double share = scale * static_cast<double>(part);
             for (std::size_t i = 0; i < layout.pixels(); ++i)

@@ -3,12 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <list>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/scene/radiance/PointSources.h"
 #include "irsg/scene/radiance/SurfaceRows.h"
 #include "irsg/scene/radiance/ViewFactors.h"
@@ -55,7 +55,7 @@ class RangeFactors {
         std::array<std::optional<ViewFactors>, nodes.size()> atNode;
     };
     static constexpr std::size_t mostKept = 4; ///< aspects of an entity
-    std::map<int, std::list<Kept>> kept_;      // by entity, latest first
+    std::map<int, RecentlyUsed<Kept>> kept_;   // by entity
 };
 
 /// Where along its line of sight an object is seen.

@@ -22,10 +22,51 @@ double radianceOf(const KindRadiance& kind, const Real* numbers) {
     return sum;
 }
 
+double dotProduct(std::span<const double> a, std::span<const double> b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+std::vector<FactorKind> kindsOf(const LightSums& sums) {
+    std::vector<FactorKind> kinds;
+    for (const auto& [kind, numbers] : sums)
+        kinds.push_back({kind.first, kind.second});
+    return kinds;
+}
+
+/// Adds the light between surfaces to the sums over objects.
+void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows& rows,
+                     const std::vector<double>& ranges_m, std::vector<ObjectSums>& result) {
+    const std::vector<FactorKind> kinds = kindsOf(sums);
+    light.prepare(kinds);
+    std::vector<std::array<std::vector<double>, 2>> all(kinds.size());
+    parallelFor(kinds.size(), [&](std::size_t k) {
+        const std::vector<double>& own = sums.at({kinds[k].front, kinds[k].row});
+        for (const bool withCosine : {false, true})
+            all[k][withCosine ? 1 : 0] = light.contracted(kinds[k].row, own, withCosine);
+    });
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        const auto entity = static_cast<std::size_t>(
+            rows.keys()[static_cast<std::size_t>(rows.drawnOf(kinds[k].row))].first);
+        const double square_m2 = ranges_m[entity] * ranges_m[entity];
+        for (std::size_t output = 0; output < result.size(); ++output) {
+            const std::span<const double> integrals = light.integrals(kinds[k], output);
+            const double plain_W_m2 = dotProduct(all[k][0], integrals);
+            ObjectRadiometry& object = result[output].objects[entity];
+            object.intensity_W_sr += plain_W_m2 * square_m2;
+            object.contrastIntensity_W_sr += plain_W_m2 * square_m2;
+            object.irradiance_W_m2 += dotProduct(all[k][1], integrals);
+        }
+    }
+}
+
 } // namespace
 
 std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radiances,
-                                   const SurfaceRows& rows, const std::vector<double>& ranges_m,
+                                   SceneLight* light, const SurfaceRows& rows,
+                                   const std::vector<double>& ranges_m,
                                    const std::vector<int>& varying) {
     radiances.prepare(view.field.kinds());
     const ViewLayout& layout = view.layout;
@@ -76,6 +117,8 @@ std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radia
             for (std::size_t output = first; output < last; ++output)
                 add(one, output);
     });
+    if (light)
+        addLightBetween(view.light, *light, rows, ranges_m, result);
     for (ObjectSums& sums : result)
         for (const ObjectRadiometry& object : sums.objects) {
             sums.all.intensity_W_sr += object.intensity_W_sr;
@@ -87,8 +130,9 @@ std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radia
     return result;
 }
 
-SampleRadiances::SampleRadiances(const SurfaceRows& rows, Fronts& fronts, KindRadiances& radiances)
-    : rows_(rows), fronts_(fronts), radiances_(radiances) {}
+SampleRadiances::SampleRadiances(const SurfaceRows& rows, Fronts& fronts, KindRadiances& radiances,
+                                 SceneLight* light)
+    : rows_(rows), fronts_(fronts), radiances_(radiances), light_(light) {}
 
 void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& result) {
     const std::size_t count = samples.size();
@@ -103,6 +147,7 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
         LayerWalk walk;
         FactorField<double> kinds; // for its numbers of kinds alone
         std::vector<KindRadiance> radiances;
+        std::vector<const std::vector<SceneLight::AtReceiver>*> light; // null where it is no matter
     };
     std::vector<Part> all(parts, Part(rows_));
     parallelFor(parts, [&](std::size_t p) {
@@ -124,6 +169,14 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
     for (Part& part : all)
         for (const FactorKind& kind : part.kinds.kinds())
             part.radiances.push_back(radiances_.of(shared(part, kind)));
+    if (light_) {
+        light_->prepare(kinds);
+        for (Part& part : all)
+            for (const FactorKind& kind : part.kinds.kinds())
+                part.light.push_back(light_->matters(rows_.drawnOf(kind.row))
+                                         ? &light_->atReceivers(shared(part, kind))
+                                         : nullptr);
+    }
 
     parallelFor(parts, [&](std::size_t p) {
         Part& part = all[p];
@@ -133,10 +186,14 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
             part.walk.forEachLayer(
                 samples, i,
                 [&](const FactorKind& kind, float weight, const FactorSamples::Layer& layer) {
-                    const KindRadiance& radiance =
-                        part.radiances[static_cast<std::size_t>(part.kinds.kindOf(kind))];
+                    const auto number = static_cast<std::size_t>(part.kinds.kindOf(kind));
+                    const KindRadiance& radiance = part.radiances[number];
                     const auto coverage = static_cast<double>(layer.coverage);
                     double own = coverage * radiance.constant;
+                    if (light_ && part.light[number] && layer.place)
+                        for (const double of :
+                             lightAt(light_->exchange(), *part.light[number], *layer.place))
+                            own += of;
                     for (std::size_t f = 0; f < layer.factors.size(); ++f)
                         own += radiance.perFactor[f] * static_cast<double>(layer.factors[f]);
                     sent += static_cast<double>(weight) * own;
@@ -148,16 +205,23 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
     });
 }
 
-void addPixels(const FactorField<float>& pixels, int width_px, KindRadiances& radiances,
-               FrameReduction& frame) {
-    radiances.prepare(pixels.kinds());
+void addPixels(const PixelFactors& pixels, int width_px, KindRadiances& radiances,
+               SceneLight* light, FrameReduction& frame) {
+    radiances.prepare(pixels.field.kinds());
     std::vector<KindRadiance> known;
-    for (const FactorKind& kind : pixels.kinds())
+    for (const FactorKind& kind : pixels.field.kinds())
         known.push_back(radiances.of(kind));
-    for (std::size_t cell = 0; cell < pixels.cells(); ++cell) {
+    std::vector<double> ofReceivers;
+    if (light)
+        ofReceivers = radiancesOf(pixels.light.kinds(), pixels.receivers, *light);
+    for (std::size_t cell = 0; cell < pixels.field.cells(); ++cell) {
         double sent = 0.0, opacity = 0.0;
         bool isSeen = false;
-        pixels.forEach(cell, [&](std::size_t kind, std::span<const float> numbers) {
+        if (light)
+            pixels.light.forEach(cell, [&](std::size_t kind, std::span<const float> numbers) {
+                sent += ofReceivers[kind] * static_cast<double>(numbers[0]);
+            });
+        pixels.field.forEach(cell, [&](std::size_t kind, std::span<const float> numbers) {
             sent += radianceOf(known[kind], numbers.data());
             opacity += known[kind].opacity * static_cast<double>(numbers[0]);
             isSeen = true;
@@ -168,12 +232,29 @@ void addPixels(const FactorField<float>& pixels, int width_px, KindRadiances& ra
     }
 }
 
-void addPointToPixel(const FactorField<double>& atUnitDistance_sr_m2, const SurfaceRows& rows,
-                     const PointPlace& place, KindRadiances& radiances, FrameReduction& frame) {
+double lightOfPoint(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+                    SceneLight& light) {
+    double sent = 0.0;
+    for (const auto& [drawn, sums] : atUnitDistance.light_sr_m2) {
+        const FactorKind kind{drawn.first, rows.first(drawn.second)};
+        if (!light.matters(rows.drawnOf(kind.row)))
+            continue;
+        light.prepare({kind});
+        sent += dotProduct(light.contracted(kind.row, sums, false), light.integrals(kind, 0));
+    }
+    return sent;
+}
+
+void addPointToPixel(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+                     const PointPlace& place, KindRadiances& radiances, SceneLight* light,
+                     FrameReduction& frame) {
     const double scale = 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr);
     double sent = 0.0, opacity = 0.0;
-    atUnitDistance_sr_m2.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
-        const FactorKind& drawn = atUnitDistance_sr_m2.kinds()[number];
+    if (light)
+        sent += scale * lightOfPoint(atUnitDistance, rows, *light);
+    const FactorField<double>& field = atUnitDistance.sums_sr_m2;
+    field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
+        const FactorKind& drawn = field.kinds()[number];
         const FactorKind kind{drawn.front, rows.first(drawn.row)};
         radiances.prepare({kind});
         const KindRadiance radiance = radiances.of(kind);

@@ -23,29 +23,39 @@ struct ObjectSums {
 /// point. `varying`: by output, the number of its background in the view's layout, or -1 for one
 /// that is uniform; what objects hide of a background that varies over the frame is the sum over
 /// their own pixels.
+/// `light`: between surfaces, or null.
 std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radiances,
-                                   const SurfaceRows& rows, const std::vector<double>& ranges_m,
+                                   SceneLight* light, const SurfaceRows& rows,
+                                   const std::vector<double>& ranges_m,
                                    const std::vector<int>& varying);
 
 /// Samples as premultiplied radiance and opacity: what lies in front of a surface lets its light
 /// through node by node.
 class SampleRadiances {
   public:
-    SampleRadiances(const SurfaceRows& rows, Fronts& fronts, KindRadiances& radiances);
+    /// `light`: between surfaces, or null.
+    SampleRadiances(const SurfaceRows& rows, Fronts& fronts, KindRadiances& radiances,
+                    SceneLight* light);
     void evaluate(const FactorSamples& samples, RadianceSamples& result);
 
   private:
     const SurfaceRows& rows_;
     Fronts& fronts_;
     KindRadiances& radiances_;
+    SceneLight* light_;
 };
 
-/// Adds the pixels of a view to a frame.
-void addPixels(const FactorField<float>& pixels, int width_px, KindRadiances& radiances,
-               FrameReduction& frame);
+/// Adds the pixels of a view to a frame. `light`: between surfaces, or null.
+void addPixels(const PixelFactors& pixels, int width_px, KindRadiances& radiances,
+               SceneLight* light, FrameReduction& frame);
 
-/// Adds a point source of unit distance (see addPointToView) to its pixel.
-void addPointToPixel(const FactorField<double>& atUnitDistance_sr_m2, const SurfaceRows& rows,
-                     const PointPlace& place, KindRadiances& radiances, FrameReduction& frame);
+/// What light between surfaces gives a point source at unit distance, W sr-1.
+double lightOfPoint(const PointFactors& atUnitDistance, const SurfaceRows& rows, SceneLight& light);
+
+/// Adds a point source of unit distance (see addPointToView) to its pixel. `light`: between
+/// surfaces, or null.
+void addPointToPixel(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+                     const PointPlace& place, KindRadiances& radiances, SceneLight* light,
+                     FrameReduction& frame);
 
 } // namespace irsg

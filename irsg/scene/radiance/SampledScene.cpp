@@ -78,21 +78,17 @@ std::shared_ptr<const SampledScene> SampledScenes::of(AtmosphericQueryCache& ans
                                                       const std::vector<Band>& bands,
                                                       const Sampler& sample) {
     Key key = keyOf(answers.environment(), scene, bands);
-    const auto known =
-        std::ranges::find_if(kept_, [&](const Kept& kept) { return kept.key == key; });
-    if (known != kept_.end()) {
-        kept_.splice(kept_.begin(), kept_, known);
-        return kept_.front().scene;
-    }
+    if (const Kept* known = kept_.find([&](const Kept& kept) { return kept.key == key; }))
+        return known->scene;
     auto made = make(answers, scene, bands, sample);
     const std::size_t size = sizeOf(*made);
-    kept_.push_front({std::move(key), std::move(made), size});
-    std::size_t scenes = 0, numbers = 0;
-    std::erase_if(kept_, [&](const Kept& kept) {
+    const Kept& latest = kept_.add({std::move(key), std::move(made), size});
+    std::size_t numbers = 0;
+    kept_.letGo([&](const Kept& kept) {
         numbers += kept.size;
-        return ++scenes > 1 && (scenes > mostKept || numbers > mostNumbers);
+        return &kept != &latest && numbers > mostNumbers;
     });
-    return kept_.front().scene;
+    return latest.scene;
 }
 
 } // namespace irsg

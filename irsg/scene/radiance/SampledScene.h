@@ -1,12 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <list>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/scene/radiance/EntityKey.h"
 #include "irsg/scene/radiance/SceneSampling.h"
 
@@ -62,7 +62,7 @@ class SampledScenes {
                                                     const std::vector<Band>& bands,
                                                     const Sampler& sample);
 
-    std::list<Kept> kept_; // latest first
+    RecentlyUsed<Kept> kept_{mostKept};
 };
 
 } // namespace irsg

@@ -12,8 +12,8 @@
 namespace irsg {
 
 SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
-                                 const KindRadiances& radiances, PlanckTable& planck,
-                                 const std::vector<double>& ranges_m,
+                                 const KindRadiances& radiances, const SceneLight* light,
+                                 PlanckTable& planck, const std::vector<double>& ranges_m,
                                  std::pair<std::size_t, std::size_t> nodes,
                                  const std::vector<ScalingInput>& inputs, bool isSpectrum,
                                  ScaledValues nominal)
@@ -38,6 +38,8 @@ SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry&
         surfaces.push_back(std::move(surface));
     }
     gather(view, radiometry, radiances, ranges_m, surfaces);
+    if (light)
+        gatherLight(view, radiometry, radiances, *light, ranges_m, surfaces);
 
     // What no input reaches, or nobody sees, stays in the base; the others leave it.
     ScaledValues atOne;
@@ -119,6 +121,60 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
             }
         }
     });
+}
+
+void SceneScaledView::gatherLight(const ViewFactors& view, const SceneRadiometry& radiometry,
+                                  const KindRadiances& radiances, const SceneLight& light,
+                                  const std::vector<double>& ranges_m,
+                                  std::vector<Surface>& surfaces) const {
+    const std::size_t count = wavelengths_um_.size();
+    std::vector<double> falling(count), perEmission(count), perReflectivity(count);
+    for (const auto& [kind, sums] : view.light) {
+        const int drawn = radiometry.rows().drawnOf(kind.second);
+        if (!light.matters(drawn))
+            continue;
+        const double range_m = ranges_m[static_cast<std::size_t>(
+            radiometry.rows().keys()[static_cast<std::size_t>(drawn)].first)];
+        const std::vector<double>& reflectance = radiometry.surface(kind.second).reflectance;
+        const std::vector<double>& through = *radiometry.air(kind.second).transmittance;
+        std::vector<double> passed = radiances.passed(kind.first, nodes_);
+        for (std::size_t i = 0; i < count; ++i)
+            passed[i] *= through[nodes_.first + i];
+        for (const bool withCosine : {false, true}) {
+            const std::vector<double> contracted = light.contracted(kind.second, sums, withCosine);
+            const double scale = withCosine ? 1.0 : range_m * range_m;
+            const auto driveOf = [&](Surface::Drive& drive) -> std::vector<double>& {
+                drive.intensity.resize(count);
+                drive.irradiance.resize(count);
+                return withCosine ? drive.irradiance : drive.intensity;
+            };
+            light.fallsOn(kind.second, contracted, nodes_.first, falling);
+            std::vector<double>& own = driveOf(surfaces[static_cast<std::size_t>(drawn)].reflected);
+            for (std::size_t i = 0; i < count; ++i)
+                own[i] += scale * passed[i] / pi * falling[i];
+            for (std::size_t k = 0; k < surfaces.size(); ++k) {
+                Surface& sender = surfaces[k];
+                if (sender.temperatureInput < 0 && sender.emissivityInput < 0)
+                    continue;
+                light.sentBy(static_cast<int>(k), contracted, nodes_.first, perEmission,
+                             perReflectivity);
+                std::vector<double>& emitted = driveOf(sender.emitted);
+                std::vector<double>& reflected = driveOf(sender.reflected);
+                for (std::size_t i = 0; i < count; ++i) {
+                    const double unit = scale * passed[i] * reflectance[nodes_.first + i];
+                    double measured = 1.0;
+                    if (!(sender.temperature_K > 0.0)) {
+                        measured = 0.0;
+                        for (const SurfaceSpectra::Emission& part :
+                             radiometry.surfaces()[k].emission)
+                            measured += part.factor * part.radiance[nodes_.first + i];
+                    }
+                    emitted[i] += unit * perEmission[i] * measured;
+                    reflected[i] += unit * perReflectivity[i];
+                }
+            }
+        }
+    }
 }
 
 std::vector<double> SceneScaledView::unitOf(const SurfaceSpectra& surface, const RadianceTerm& term,

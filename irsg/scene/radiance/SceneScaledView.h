@@ -27,7 +27,7 @@ class SceneScaledView : public ScaledView {
     /// which every node is an output. `nominal` holds the values at scales of 1, which is what the
     /// radiometry must have been made at; `ranges_m` by entity.
     SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
-                    const KindRadiances& radiances, PlanckTable& planck,
+                    const KindRadiances& radiances, const SceneLight* light, PlanckTable& planck,
                     const std::vector<double>& ranges_m, std::pair<std::size_t, std::size_t> nodes,
                     const std::vector<ScalingInput>& inputs, bool isSpectrum, ScaledValues nominal);
 
@@ -51,6 +51,11 @@ class SceneScaledView : public ScaledView {
     void gather(const ViewFactors& view, const SceneRadiometry& radiometry,
                 const KindRadiances& radiances, const std::vector<double>& ranges_m,
                 std::vector<Surface>& surfaces) const;
+    /// The same of the light between surfaces, to the first order in the scales of those that it
+    /// comes from and falls on.
+    void gatherLight(const ViewFactors& view, const SceneRadiometry& radiometry,
+                     const KindRadiances& radiances, const SceneLight& light,
+                     const std::vector<double>& ranges_m, std::vector<Surface>& surfaces) const;
     /// By node, from what passes the materials in front: what multiplies the emissivity times
     /// Planck's law, the measured emission's scale or the reflectivity in a term.
     std::vector<double> unitOf(const SurfaceSpectra& surface, const RadianceTerm& term,

@@ -11,16 +11,20 @@ namespace {
 
 const char* const backgroundChannel = "background";
 const char* const sunVisibilityChannel = "sun_visibility";
+const char* const skyVisibilityChannel = "sky_visibility";
+const char* const interReflectionChannel = "inter_reflection";
 const char* const radianceUnit = "W m-2 sr-1";
 
 } // namespace
 
 TruthLayers::TruthLayers(const SceneRadiometry& radiometry, KindRadiances& radiances,
-                         Fronts& fronts, const FrameBackground& background, RadianceImage& image)
+                         Fronts& fronts, const FrameBackground& background, SceneLight* light,
+                         RadianceImage& image)
     : radiometry_(radiometry),
       radiances_(radiances),
       fronts_(fronts),
       background_(background),
+      light_(light),
       image_(image),
       walk_(radiometry.rows()) {
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
@@ -29,6 +33,8 @@ TruthLayers::TruthLayers(const SceneRadiometry& radiometry, KindRadiances& radia
     std::ranges::fill(image_.channel("range", "m").values, none);
     for (const RadianceTerm& term : radiometry.terms().terms)
         image_.channel(term.name, radianceUnit);
+    if (light_)
+        image_.channel(interReflectionChannel, radianceUnit);
     std::vector<float>& behind = image_.channel(backgroundChannel, radianceUnit).values;
     for (int y = 0; y < image_.height(); ++y)
         for (int x = 0; x < image_.width(); ++x)
@@ -42,6 +48,8 @@ const TruthLayers::KindTerms& TruthLayers::termsOf(const FactorKind& kind) {
         const FactorKind shared{fronts_.numberOf(walk_.fronts().materials(kind.front)), kind.row};
         radiances_.prepare({shared});
         terms_.push_back({radiances_.terms(shared), radiances_.of(shared).opacity});
+        if (light_ && light_->matters(radiometry_.rows().drawnOf(kind.row)))
+            terms_.back().light = &light_->atReceivers(shared);
     }
     return terms_[number];
 }
@@ -59,8 +67,14 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
     std::vector<std::vector<float>*> planes; // of the terms, then of the background
     for (const RadianceTerm& term : list)
         planes.push_back(&image_.channel(term.name).values);
+    const std::size_t ofOthers = planes.size();
+    if (light_)
+        planes.push_back(&image_.channel(interReflectionChannel).values);
     planes.push_back(&image_.channel(backgroundChannel).values);
 
+    std::vector<float>* skyVisibility = nullptr;
+    if (!samples.skyVisibility.empty())
+        skyVisibility = &image_.channel(skyVisibilityChannel).values;
     std::vector<float>* sunVisibility = nullptr;
     if (!samples.sunVisibility.empty())
         sunVisibility = &image_.channel(sunVisibilityChannel).values;
@@ -91,6 +105,17 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
                             drawn = coverage - drawn;
                         sums[k] += static_cast<double>(part) * drawn * known.terms[k];
                     }
+                    if (known.light && layer.place) {
+                        const SceneLight::AtReceiver at =
+                            lightAt(light_->exchange(), *known.light, *layer.place);
+                        if (light_->skyTerm() >= 0)
+                            sums[static_cast<std::size_t>(light_->skyTerm())] +=
+                                static_cast<double>(part) * at[0];
+                        if (light_->groundTerm() >= 0)
+                            sums[static_cast<std::size_t>(light_->groundTerm())] +=
+                                static_cast<double>(part) * at[1];
+                        sums[ofOthers] += static_cast<double>(part) * at[2];
+                    }
                     sums.back() -= static_cast<double>(part * layer.coverage) * known.opacity *
                                    background_.at(x, y);
                 });
@@ -112,6 +137,9 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
                 range[pixel] = nearest->distance_m;
             }
         }
+        for (std::size_t i = first; skyVisibility && i < last; ++i)
+            (*skyVisibility)[pixel] +=
+                static_cast<float>(weight * share) * samples.skyVisibility[i];
         for (std::size_t i = first; sunVisibility && i < last; ++i)
             (*sunVisibility)[pixel] +=
                 static_cast<float>(weight * share) * samples.sunVisibility[i];

@@ -6,6 +6,7 @@
 #include "irsg/image/RadianceImage.h"
 #include "irsg/scene/radiance/KindRadiances.h"
 #include "irsg/scene/radiance/LayerWalk.h"
+#include "irsg/scene/radiance/SceneLight.h"
 #include "irsg/scene/sampling/SampleWindow.h"
 #include "irsg/scene/view/FrameBackground.h"
 
@@ -15,14 +16,19 @@ namespace irsg {
 ///   temperature_index, material_index, range [m]  of the nearest surface at the sample closest to
 ///                                                 the pixel's middle among those that hit one,
 ///                                                 NaN where none does;
-///   a channel for each RadianceTerm, background   terms of the pixel's radiance [W m-2 sr-1],
+///   a channel for each RadianceTerm, inter_reflection (where surfaces light each other),
+///   background                                    terms of the pixel's radiance [W m-2 sr-1],
 ///                                                 averaged over its samples; their sum is the
-///                                                 pixel.
+///                                                 pixel;
+///   sun_visibility, sky_visibility                part of the sun, and of the hemisphere, that the
+///                                                 nearest surface sees, of the latter as far as
+///                                                 sky or ground are there.
 class TruthLayers {
   public:
     /// `image` must outlive this and have the size of the sensor, the others must live as long.
+    /// `light`: between surfaces, or null.
     TruthLayers(const SceneRadiometry& radiometry, KindRadiances& radiances, Fronts& fronts,
-                const FrameBackground& background, RadianceImage& image);
+                const FrameBackground& background, SceneLight* light, RadianceImage& image);
 
     /// Samples with the distances of their opaque surfaces.
     void add(const SampleWindow& window, const FactorSamples& samples);
@@ -31,6 +37,7 @@ class TruthLayers {
     struct KindTerms {
         std::vector<double> terms;
         double opacity = 0.0;
+        const std::vector<SceneLight::AtReceiver>* light = nullptr;
     };
     const KindTerms& termsOf(const FactorKind& kind);
 
@@ -38,6 +45,7 @@ class TruthLayers {
     KindRadiances& radiances_;
     Fronts& fronts_;
     const FrameBackground& background_;
+    SceneLight* light_;
     RadianceImage& image_;
     LayerWalk walk_;
     FactorField<double> kinds_;       // for its numbers of the walk's kinds alone

@@ -30,15 +30,15 @@ void addRows(const SampleWindow& window, const FactorSamples& samples, std::size
                               return;
                           sums.goTo(x, y, weight);
                           for (std::size_t i = first; i < last; ++i)
-                              walk.forEachPlace(
-                                  samples, i,
-                                  [&](int front, const SurfaceRows::Between& between,
-                                      const FactorSamples::Layer& layer) {
-                                      if (layer.coverage > 0.0f)
-                                          sums.add(front, between, layer.factors.data());
-                                      else
-                                          sums.addLight(front, between, layer.factors.data());
-                                  });
+                              walk.forEachPlace(samples, i,
+                                                [&](int front, const SurfaceRows::Between& between,
+                                                    const FactorSamples::Layer& layer) {
+                                                    if (layer.coverage > 0.0f)
+                                                        sums.add(front, between, layer);
+                                                    else
+                                                        sums.addLight(front, between,
+                                                                      layer.factors.data());
+                                                });
                       });
 }
 
@@ -64,22 +64,27 @@ std::vector<int> numbersOf(const Fronts& own, Fronts& common) {
 } // namespace
 
 FactorSums::FactorSums(const Sensor& sensor, const SurfaceRows& rows, Fronts& fronts,
-                       std::size_t factorCount, std::vector<const FrameBackground*> varying)
+                       std::size_t factorCount, std::vector<const FrameBackground*> varying,
+                       std::shared_ptr<const LightExchange> exchange)
     : width_px_(sensor.width_px),
       height_px_(sensor.height_px),
       grid_(sensor),
       rows_(rows),
       fronts_(fronts),
       layout_{factorCount, varying.size()},
-      varying_(std::move(varying)) {}
+      varying_(std::move(varying)),
+      exchange_(std::move(exchange)) {}
 
 ViewFactors FactorSums::emptyView() const {
-    return {layout_, FactorField<double>(1, layout_.width()), 0};
+    return {layout_, FactorField<double>(1, layout_.width()), {}, 0};
 }
 
-FactorField<float> FactorSums::emptyPixels() const {
-    return {static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_),
-            layout_.factorCount + 1};
+PixelFactors FactorSums::emptyPixels() const {
+    const std::size_t pixels =
+        static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_);
+    return {FactorField<float>(pixels, layout_.factorCount + 1),
+            FactorField<float>(exchange_ ? pixels : 0, 1),
+            exchange_ ? ReceiverRows(rows_, *exchange_) : ReceiverRows()};
 }
 
 template <std::size_t Factors>
@@ -88,17 +93,32 @@ void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSample
     const auto rows = static_cast<std::size_t>(window.height());
     std::vector<LayerWalk> walks(parts, LayerWalk(rows_));
     std::array<FactorField<double>, parts> fields;
+    std::array<LightSums, parts> lights;
     parallelFor(parts, [&](std::size_t p) {
-        ViewKindSums<Factors> sums(rows_, grid_, varying_, window.share());
+        ViewKindSums<Factors> sums(rows_, grid_, varying_, exchange_.get(), window.share());
         addRows(window, samples, beginOfPart(p, parts, rows), beginOfPart(p + 1, parts, rows),
                 walks[p], sums);
         fields[p] = sums.field(layout_);
+        lights[p] = sums.lightSums();
     });
     for (std::size_t p = 0; p < parts; ++p) {
         const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
         view.field.add(
             fields[p], [](std::size_t) { return std::size_t{0}; },
             [&](int front) { return fronts[static_cast<std::size_t>(front)]; });
+        LightSums own;
+        for (auto& [kind, sums] : lights[p])
+            own[{fronts[static_cast<std::size_t>(kind.first)], kind.second}] = std::move(sums);
+        addLight(own, 1.0, view.light);
+    }
+}
+
+void addLight(const LightSums& light, double scale, LightSums& to) {
+    for (const auto& [kind, sums] : light) {
+        std::vector<double>& own = to[kind];
+        own.resize(sums.size());
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            own[i] += scale * sums[i];
     }
 }
 
@@ -113,7 +133,7 @@ void FactorSums::addToView(const SampleWindow& window, const FactorSamples& samp
 }
 
 void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& samples,
-                             FactorField<float>& pixels) {
+                             PixelFactors& pixels) {
     const auto rows = static_cast<std::size_t>(window.height());
     std::vector<LayerWalk> walks(parts, LayerWalk(rows_));
     std::array<std::optional<PixelKindSums>, parts> sums;
@@ -129,7 +149,8 @@ void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& sa
         PixelWindow own = window.pixels();
         own.y = pixelRow(begin);
         own.height = pixelRow(end - 1) - own.y + 1;
-        sums[p].emplace(rows_, own, layout_.factorCount, window.share());
+        sums[p].emplace(rows_, own, layout_.factorCount, exchange_.get(), pixels.receivers,
+                        window.share());
         addRows(window, samples, begin, end, walks[p], *sums[p]);
     });
     for (std::size_t p = 0; p < parts; ++p) {
@@ -138,24 +159,32 @@ void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& sa
         const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
         const PixelWindow& own = sums[p]->pixels();
         const auto width = static_cast<std::size_t>(own.width);
-        pixels.add(
-            sums[p]->field(),
-            [&](std::size_t cell) {
-                return (static_cast<std::size_t>(own.y) + cell / width) *
-                           static_cast<std::size_t>(width_px_) +
-                       static_cast<std::size_t>(own.x) + cell % width;
-            },
-            [&](int front) { return fronts[static_cast<std::size_t>(front)]; });
+        const auto cellOf = [&](std::size_t cell) {
+            return (static_cast<std::size_t>(own.y) + cell / width) *
+                       static_cast<std::size_t>(width_px_) +
+                   static_cast<std::size_t>(own.x) + cell % width;
+        };
+        const auto frontOf = [&](int front) { return fronts[static_cast<std::size_t>(front)]; };
+        pixels.field.add(sums[p]->field(), cellOf, frontOf);
+        pixels.light.add(sums[p]->light(), cellOf, frontOf);
     }
 }
 
-void addPointToView(const FactorField<double>& atUnitDistance_sr_m2, const SurfaceRows& rows,
+void addPointToView(const PointFactors& atUnitDistance, const SurfaceRows& rows,
                     const PointPlace& place, const std::vector<const FrameBackground*>& varying,
                     ViewFactors& view) {
     const double scale = 1.0 / (place.distance_m * place.distance_m);
     const ViewLayout& layout = view.layout;
-    atUnitDistance_sr_m2.forEach(0, [&](std::size_t number, std::span<const double> source) {
-        const FactorKind& drawn = atUnitDistance_sr_m2.kinds()[number];
+    LightSums light;
+    for (const auto& [kind, sums] : atUnitDistance.light_sr_m2) {
+        std::vector<double>& own = light[{kind.first, rows.first(kind.second)}] = sums;
+        for (std::size_t i = 0; i < own.size(); i += 2)
+            own[i + 1] = own[i] * place.cosOffAxis;
+    }
+    addLight(light, scale, view.light);
+    const FactorField<double>& field = atUnitDistance.sums_sr_m2;
+    field.forEach(0, [&](std::size_t number, std::span<const double> source) {
+        const FactorKind& drawn = field.kinds()[number];
         double* sums = view.field.at(0, view.field.kindOf({drawn.front, rows.first(drawn.row)}));
         for (std::size_t i = 0; i <= layout.factorCount; ++i) {
             sums[i] += scale * source[i];

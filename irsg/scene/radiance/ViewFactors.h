@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "irsg/scene/radiance/FactorField.h"
 #include "irsg/scene/radiance/Fronts.h"
+#include "irsg/scene/radiance/SceneLight.h"
 #include "irsg/scene/radiance/SurfaceRows.h"
 #include "irsg/scene/sampling/SampleWindow.h"
 #include "irsg/scene/sampling/Samples.h"
@@ -35,7 +37,16 @@ struct ViewLayout {
 struct ViewFactors {
     ViewLayout layout;
     FactorField<double> field; ///< of one cell
+    LightSums light;           ///< of receivers of light, where surfaces light each other
     int layersLeftOver = 0;
+};
+
+/// The factors of each pixel: coverage and each drawn factor, as parts of a pixel, and the
+/// receivers of light in it.
+struct PixelFactors {
+    FactorField<float> field;
+    FactorField<float> light; ///< of width 1, its rows numbered by `receivers`
+    ReceiverRows receivers;
 };
 
 /// Sums the factors of a view, or of each of its pixels, on all cores; the sums do not depend on
@@ -44,7 +55,8 @@ class FactorSums {
   public:
     /// `varying`: backgrounds that are not uniform. All must live as long.
     FactorSums(const Sensor& sensor, const SurfaceRows& rows, Fronts& fronts,
-               std::size_t factorCount, std::vector<const FrameBackground*> varying = {});
+               std::size_t factorCount, std::vector<const FrameBackground*> varying = {},
+               std::shared_ptr<const LightExchange> exchange = nullptr);
 
     /// To the sums of the view.
     void addToView(const SampleWindow& window, const FactorSamples& samples, ViewFactors& view);
@@ -52,8 +64,8 @@ class FactorSums {
 
     /// To the sums of the pixels, row by row: coverage and each drawn factor, as parts of a pixel.
     void addToPixels(const SampleWindow& window, const FactorSamples& samples,
-                     FactorField<float>& pixels);
-    FactorField<float> emptyPixels() const;
+                     PixelFactors& pixels);
+    PixelFactors emptyPixels() const;
 
   private:
     template <std::size_t Factors>
@@ -66,7 +78,11 @@ class FactorSums {
     Fronts& fronts_;
     ViewLayout layout_;
     std::vector<const FrameBackground*> varying_;
+    std::shared_ptr<const LightExchange> exchange_;
 };
+
+/// Adds sums of receivers times a scale.
+void addLight(const LightSums& light, double scale, LightSums& to);
 
 /// The pixel of a point source and what it is to it.
 struct PointPlace {
@@ -74,9 +90,15 @@ struct PointPlace {
     double distance_m = 0.0, solidAngle_sr = 0.0, cosOffAxis = 1.0;
 };
 
-/// A field of one source at unit distance (coverage and factors in sr m2, by drawn row), seen from
-/// farther away in the middle of one pixel, added to a view.
-void addPointToView(const FactorField<double>& atUnitDistance_sr_m2, const SurfaceRows& rows,
+/// Factors of one source at unit distance: coverage and factors in sr m2, in the one cell of a
+/// field, and its receivers of light likewise, by drawn row.
+struct PointFactors {
+    FactorField<double> sums_sr_m2;
+    LightSums light_sr_m2;
+};
+
+/// Such a source, seen from farther away in the middle of one pixel, added to a view.
+void addPointToView(const PointFactors& atUnitDistance, const SurfaceRows& rows,
                     const PointPlace& place, const std::vector<const FrameBackground*>& varying,
                     ViewFactors& view);
 

@@ -46,9 +46,9 @@ struct ByPlace {
     }
 };
 
-BoundingBox united(const BoundingBox& a, const BoundingBox& b) {
-    return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
-            {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
+BoundingBox united(BoundingBox a, const BoundingBox& b) {
+    a.include(b);
+    return a;
 }
 
 bool meet(const BoundingBox& a, const BoundingBox& b) {
@@ -69,7 +69,7 @@ void gather(std::span<BoundingBox> pieces, std::size_t most, std::vector<Boundin
     }
     BoundingBox middles{pieces[0].centre(), pieces[0].centre()};
     for (const BoundingBox& piece : pieces)
-        middles = united(middles, {piece.centre(), piece.centre()});
+        middles.include(piece.centre());
     const Vec3 side = middles.max - middles.min;
     const auto along = [&](const BoundingBox& box) {
         const Vec3 c = box.centre();
@@ -121,7 +121,7 @@ std::vector<BoundingBox> connectedPieces(const std::vector<DrawItem>& items, con
         const BoundingBox point{place, place};
         const auto [box, isNew] = boxOf.try_emplace(sets.find(index), point);
         if (!isNew)
-            box->second = united(box->second, point);
+            box->second.include(point);
     }
     std::vector<BoundingBox> pieces;
     for (const auto& [set, box] : boxOf)

@@ -59,6 +59,29 @@ struct FactorSamples {
     /// asked for; what is transparent hides nothing of it.
     std::vector<float> sunVisibility;
 
+    /// Part of its hemisphere in which the nearest layer of each sample sees sky and ground, or
+    /// empty likewise.
+    std::vector<float> skyVisibility;
+
+    /// Where on its surface a layer is, for the light that surfaces send each other: a place as
+    /// LightExchange names it, and the weights of the second and third corner there.
+    struct Place {
+        static constexpr std::uint32_t none = 0xffffffffu;
+        std::uint32_t triangle = none;
+        float u = 0.0f, v = 0.0f;
+    };
+    std::vector<Place> opaquePlaces;   ///< by sample, or empty
+    std::vector<Place> fragmentPlaces; ///< by fragment, or empty
+
+    /// Nothing is known of shadows and of light between surfaces.
+    void forgetLight() {
+        through.clear();
+        sunVisibility.clear();
+        skyVisibility.clear();
+        opaquePlaces.clear();
+        fragmentPlaces.clear();
+    }
+
     std::size_t size() const { return opaque.size() / 4; }
     bool isOpaque(std::size_t sample) const { return opaque[4 * sample] > 0.0f; }
     bool isListed(std::size_t sample) const {
@@ -79,6 +102,7 @@ struct FactorSamples {
         std::span<const float> factors;
         /// 0 for light alone, which a layer that was visited already gets through something.
         float coverage = 1.0f;
+        const Place* place = nullptr; ///< null where light between surfaces is no matter
     };
     /// Calls visit(layer) for the layers of a sample, front to back and the opaque one last.
     template <typename Visit>
@@ -95,7 +119,8 @@ struct FactorSamples {
         Layer layer{static_cast<int>(first[0]) - 1,
                     distances_m.empty() ? 0.0f : distances_m[sample],
                     {first + 1, factorCount},
-                    1.0f};
+                    1.0f,
+                    opaquePlaces.empty() ? nullptr : &opaquePlaces[sample]};
         if (factorCount <= 3)
             return visit(layer);
         std::array<float, mostFactors> all{first[1], first[2], first[3]};
@@ -107,7 +132,11 @@ struct FactorSamples {
   private:
     Layer fragment(std::uint32_t number) const {
         const float* w = &words[number * wordsPerFragment];
-        return {static_cast<int>(w[2]) - 1, w[3], {w + 4, factorCount}, 1.0f};
+        return {static_cast<int>(w[2]) - 1,
+                w[3],
+                {w + 4, factorCount},
+                1.0f,
+                fragmentPlaces.empty() ? nullptr : &fragmentPlaces[number]};
     }
 };
 

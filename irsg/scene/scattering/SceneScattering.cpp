@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <list>
 #include <optional>
 #include <system_error>
 
+#include "irsg/radiometry/FileStamp.h"
 #include "irsg/radiometry/NewLines.h"
+#include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scattering/MtfFilter.h"
 
@@ -118,8 +119,7 @@ struct SceneScattering::Impl {
     /// A database with what tells whether its file is still the same.
     struct Loaded {
         std::filesystem::path file;
-        std::filesystem::file_time_type written;
-        std::uintmax_t size;
+        std::optional<FileStamp> stamp;
         MtfDatabase database;
     };
     struct Filter {
@@ -130,38 +130,31 @@ struct SceneScattering::Impl {
     };
 
     const MtfDatabase& load(const std::filesystem::path& file) {
-        std::error_code unknown;
-        const auto written = std::filesystem::last_write_time(file, unknown);
-        const auto size = std::filesystem::file_size(file, unknown);
-        if (!loaded || loaded->file != file || loaded->written != written || loaded->size != size) {
+        const auto stamp = stampOf(file);
+        if (!loaded || loaded->file != file || loaded->stamp != stamp) {
             filters.clear();
             loaded.reset();
-            loaded.emplace(Loaded{file, written, size, MtfDatabase::read(file)});
+            loaded.emplace(Loaded{file, stamp, MtfDatabase::read(file)});
         }
         return loaded->database;
     }
 
     Filter& filterOf(const MtfDatabase& database, double opticalDepth, const std::string& name,
                      double pitch_rad, int support_px) {
-        const auto known = std::ranges::find_if(filters, [&](const Filter& kept) {
+        Filter* const known = filters.find([&](const Filter& kept) {
             return kept.opticalDepth == opticalDepth && kept.pitch_rad == pitch_rad &&
                    kept.support_px == support_px;
         });
-        if (known != filters.end()) {
-            filters.splice(filters.begin(), filters, known);
-            return filters.front();
-        }
+        if (known != nullptr)
+            return *known;
         const MtfCurve curve = database.at(opticalDepth, "the path to '" + name + "'");
-        filters.push_front({opticalDepth, pitch_rad, support_px, curve.gain(), curve.direct(),
+        return filters.add({opticalDepth, pitch_rad, support_px, curve.gain(), curve.direct(),
                             MtfFilter(std::make_shared<const PixelHaze>(HazeFunction(curve),
                                                                         pitch_rad, support_px))});
-        if (filters.size() > mostFilters)
-            filters.pop_back();
-        return filters.front();
     }
 
     std::optional<Loaded> loaded;
-    std::list<Filter> filters; // latest first
+    RecentlyUsed<Filter> filters{mostFilters};
 };
 
 bool isScatteringBuilt() {

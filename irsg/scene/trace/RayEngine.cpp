@@ -37,8 +37,7 @@ void RayEngine::drawFactors(const SheetScene& sheet, bool withDistance, FactorSa
     samples.wordsPerFragment = 4 * (1 + (factorCount + 3) / 4);
     const std::size_t count =
         static_cast<std::size_t>(samples.width) * static_cast<std::size_t>(samples.height);
-    samples.through.clear();
-    samples.sunVisibility.clear();
+    samples.forgetLight();
     samples.opaque.assign(4 * count, 0.0f);
     samples.moreFactors.assign(factorCount > 3 ? 4 * count : 0, 0.0f);
     samples.distances_m.assign(withDistance ? count : 0, 0.0f);

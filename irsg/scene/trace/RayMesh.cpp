@@ -204,6 +204,21 @@ std::size_t RayMesh::pieces() const {
     return impl_->pieces.size();
 }
 
+std::size_t RayMesh::facetsOf(std::size_t piece) const {
+    return impl_->pieces[piece].triangles.size() / 3;
+}
+
+RayMesh::Facet RayMesh::facet(std::size_t piece, unsigned number) const {
+    const TracedPiece& traced = impl_->pieces[piece];
+    Facet found;
+    found.arrays = traced.corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        found.vertices[i] = traced.triangles[3 * static_cast<std::size_t>(number) + i];
+        found.corners_m[i] = traced.corners->vertex(found.vertices[i]);
+    }
+    return found;
+}
+
 RayHit RayMesh::onPlaneOf(const RayHit& hit, const Ray& ray) const {
     return impl_->refined(ray, {static_cast<unsigned>(hit.piece), hit.facet});
 }

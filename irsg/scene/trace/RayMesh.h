@@ -40,6 +40,7 @@ struct PieceUse {
     bool transparent = false;    ///< rays go on behind it; both sides of it count
     bool cullsBackFaces = false; ///< of an opaque one
     int layer = 0;               ///< of a subface, which lies in the plane of the layer below
+    bool operator==(const PieceUse&) const = default;
 };
 
 /// The same of all pieces of a mesh.
@@ -58,6 +59,7 @@ class PieceUses {
     int layers() const { return layers_; }
     /// The first facet of any piece ends a ray.
     bool arePlain() const { return isPlain_ && known_ == pieces_.size(); }
+    bool operator==(const PieceUses&) const = default;
 
   private:
     std::vector<PieceUse> pieces_;
@@ -81,6 +83,16 @@ class RayMesh {
 
     std::size_t facets() const;
     std::size_t pieces() const;
+
+    /// A facet by its corners, in the order of a hit's weights. Facets that continue each other
+    /// smoothly share corners: equal numbers in equal arrays.
+    struct Facet {
+        std::array<Vec3, 3> corners_m;
+        std::array<unsigned, 3> vertices{};
+        const void* arrays = nullptr;
+    };
+    std::size_t facetsOf(std::size_t piece) const;
+    Facet facet(std::size_t piece, unsigned number) const;
 
     /// The nearest opaque facet, if any, and every transparent one before it, in any order, in
     /// place of what `through` held. Subfaces that lie in one plane are met as their layers stand;

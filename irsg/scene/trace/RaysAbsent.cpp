@@ -32,6 +32,12 @@ std::size_t RayMesh::facets() const {
 std::size_t RayMesh::pieces() const {
     return 0;
 }
+std::size_t RayMesh::facetsOf(std::size_t) const {
+    return 0;
+}
+RayMesh::Facet RayMesh::facet(std::size_t, unsigned) const {
+    return {};
+}
 bool RayMesh::meet(const Ray&, const PieceUses&, double, RayHit&, std::vector<RayHit>&) const {
     return false;
 }

@@ -11,6 +11,7 @@
 
 #include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/trace/LightDirections.h"
 #include "irsg/scene/trace/WindowSamples.h"
 
 namespace irsg {
@@ -29,13 +30,6 @@ std::array<double, 2> onDisc(std::size_t i, std::size_t turn) {
     const double angle = golden * static_cast<double>(i) + 2.0 * pi * (turned - std::floor(turned));
     const double radius = std::sqrt((static_cast<double>(i) + 0.5) / raysOfDisc);
     return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
-/// Two unit vectors across a direction.
-std::pair<Vec3, Vec3> across(const Vec3& direction) {
-    const Vec3 other = std::abs(direction.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-    const Vec3 right = normalized(cross(direction, other));
-    return {right, cross(right, direction)};
 }
 
 /// Where light from the sun passes, in the order of some rows.
@@ -171,7 +165,7 @@ SunShadows::Shaded SunShadows::lightAt(const Place& place, const Vec3& towardsSu
     Vec3 right, up;
     double radius = 0.0;
     if (isDisc_) {
-        std::tie(right, up) = across(towardsSun);
+        std::tie(right, up) = acrossTo(towardsSun);
         radius = std::tan(discRadius_rad);
     }
     MaterialSet through;
@@ -196,6 +190,11 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
     samples.through.clear();
     samples.throughSets.clear();
     samples.sunVisibility.assign(withVisibility ? samples.size() : 0, 0.0f);
+    const bool withPlaces = !places_.matters.empty();
+    samples.skyVisibility.assign(withVisibility && withPlaces ? samples.size() : 0, 0.0f);
+    samples.opaquePlaces.assign(withPlaces ? samples.size() : 0, {});
+    samples.fragmentPlaces.assign(withPlaces ? samples.words.size() / samples.wordsPerFragment : 0,
+                                  {});
     std::vector<Source> sources;
     for (std::size_t w = 0; w < sheet.scenes.size(); ++w)
         sources.push_back(sourceOf(sheet.scenes[w], sheet.sheet.windows[w]));
@@ -216,14 +215,31 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
                 : 0;
         samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
             const std::uint32_t own = number++;
-            const bool isOfMatter = withVisibility || reflects_.empty() ||
-                                    reflects_[static_cast<std::size_t>(layer.row)];
+            const auto drawnRow = static_cast<std::size_t>(layer.row);
+            const bool isOfMatter = withVisibility || reflects_.empty() || reflects_[drawnRow];
             if (!isOfMatter)
                 return;
             std::optional<std::size_t> fragment;
             if (own < fragments)
                 fragment = firstFragment + own;
             std::optional<Place> place;
+            if (withVisibility && withPlaces && own == 0)
+                samples.skyVisibility[sample] = 1.0f;
+            if (withPlaces && places_.matters[drawnRow]) {
+                place =
+                    placeOf(source, eyeDirection, layer.row, static_cast<double>(layer.distance_m));
+                if (place->isFound) {
+                    FactorSamples::Place& told =
+                        fragment ? samples.fragmentPlaces[*fragment] : samples.opaquePlaces[sample];
+                    const LightMesh::Place on = places_.meshes[place->caster]->placeOf(place->hit);
+                    told = {2 * places_.firstTriangle[place->caster] + on.triangle, on.u, on.v};
+                    if (withVisibility && own == 0) {
+                        const std::array<float, 3> open = places_.openAt(told.triangle);
+                        samples.skyVisibility[sample] =
+                            (1.0f - on.u - on.v) * open[0] + on.u * open[1] + on.v * open[2];
+                    }
+                }
+            }
             for (const std::size_t f : source.shadowed) {
                 float* factor = factorOf(samples, sample, fragment, f);
                 if (!(*factor > 0.0f))

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -7,6 +9,7 @@
 
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/sampling/SurfaceScene.h"
+#include "irsg/scene/trace/LightMesh.h"
 #include "irsg/scene/trace/RayMesh.h"
 #include "irsg/scene/view/Pose.h"
 
@@ -28,13 +31,26 @@ class SunShadows {
         std::vector<int> rows;      ///< of the drawing, by piece; of the terrain none
         std::vector<int> materials; ///< indices, by piece
     };
+    /// For the light that surfaces send each other: the triangles that samples lie in.
+    struct LightPlaces {
+        std::vector<std::shared_ptr<const LightMesh>> meshes; ///< by caster that has rows
+        std::vector<std::uint32_t> firstTriangle;             ///< of a mesh among all
+        std::vector<bool> matters;                            ///< by row of the drawing
+        /// By twice the triangle, + 1 for the back: what its corners' receivers see of the sky and
+        /// the ground.
+        std::function<std::array<float, 3>(std::uint32_t)> openAt;
+    };
     /// Half the angle of the sun's disc, rad.
     static constexpr double discRadius_rad = 0.265 * pi / 180.0;
 
     /// `reflects`: by row of the drawing; light on others is left as it is. None: all do.
     SunShadows(std::vector<Caster> casters, std::vector<bool> reflects, bool isDisc);
 
+    /// Where samples lie is told from now on.
+    void setPlaces(LightPlaces places) { places_ = std::move(places); }
+
     const std::vector<bool>& reflects() const { return reflects_; }
+    const std::vector<Caster>& casters() const { return casters_; }
 
     /// Takes the light away from the sorted layers of a drawing that has distances. Fills in the
     /// visibility of the sun where it is wanted. The result does not depend on the number of
@@ -62,6 +78,7 @@ class SunShadows {
     std::vector<Rotation> toMesh_, toWorld_; // by caster
     std::vector<bool> reflects_;
     bool isDisc_;
+    LightPlaces places_;
 };
 
 } // namespace irsg

@@ -1,5 +1,6 @@
 #include "irsg/scene/view/Vec3.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "irsg/radiometry/Errors.h"
@@ -23,6 +24,23 @@ Vec3 normalized(const Vec3& v) {
     if (!(norm > 0.0) || !std::isfinite(norm))
         throw LogicError("a vector without length, or not finite, has no direction");
     return {v.x / norm, v.y / norm, v.z / norm};
+}
+
+void BoundingBox::include(const Vec3& place) {
+    include(BoundingBox{place, place});
+}
+
+void BoundingBox::include(const BoundingBox& other) {
+    if (!other.valid())
+        return;
+    if (!valid()) {
+        *this = other;
+        return;
+    }
+    min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y),
+           std::min(min.z, other.min.z)};
+    max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y),
+           std::max(max.z, other.max.z)};
 }
 
 } // namespace irsg

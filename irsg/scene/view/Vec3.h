@@ -20,6 +20,11 @@ Vec3 normalized(const Vec3& v);
 /// A box along the axes of its model or of the world.
 struct BoundingBox {
     Vec3 min, max;
+    /// Not valid until something is included.
+    static constexpr BoundingBox nowhere() { return {{1, 1, 1}, {-1, -1, -1}}; }
+    void include(const Vec3& place);
+    /// Both boxes; one that is not valid adds nothing.
+    void include(const BoundingBox& other);
     bool valid() const { return min.x <= max.x && min.y <= max.y && min.z <= max.z; }
     Vec3 centre() const { return (min + max) * 0.5; }
     double diagonal_m() const { return length(max - min); }

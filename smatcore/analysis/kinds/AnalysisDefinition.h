@@ -39,6 +39,9 @@ struct AnalysisDefinition {
     /// of the setting. Null of a tool.
     void (*plan)(AnalysisPlan& plan, const Project& project, const Settings& settings,
                  std::vector<irsg::Diagnostic>& diagnostics) = nullptr;
+    /// Keys of settings of the view that it takes no notice of, because it varies them or sets them
+    /// by itself. Null where there are none.
+    std::vector<std::string> (*ignored)(const Settings& settings) = nullptr;
 };
 
 /// Of sweeps: at most so many cases.

@@ -7,7 +7,8 @@
 namespace smat {
 
 extern const AnalysisDefinition imageAnalysis, spectrumAnalysis, polarAnalysis, timeAnalysis,
-    rangeAnalysis, radiativeTool, temperatureProfileTool, otherTable;
+    rangeAnalysis, radiativeTool, temperatureProfileTool, monteCarloTool, simulationTool,
+    otherTable;
 
 constinit const AnalysisKind AnalysisKind::image(imageAnalysis);
 constinit const AnalysisKind AnalysisKind::spectrum(spectrumAnalysis);
@@ -16,6 +17,8 @@ constinit const AnalysisKind AnalysisKind::time(timeAnalysis);
 constinit const AnalysisKind AnalysisKind::range(rangeAnalysis);
 constinit const AnalysisKind AnalysisKind::radiative(radiativeTool);
 constinit const AnalysisKind AnalysisKind::temperatureProfile(temperatureProfileTool);
+constinit const AnalysisKind AnalysisKind::monteCarlo(monteCarloTool);
+constinit const AnalysisKind AnalysisKind::simulation(simulationTool);
 constinit const AnalysisKind AnalysisKind::table(otherTable);
 
 std::string name(AnalysisKind kind) {
@@ -34,19 +37,16 @@ std::optional<AnalysisKind> analysisKindFromName(std::string_view text) {
 }
 
 AnalysisKind resultKindFromName(std::string_view text) {
-    for (const AnalysisKind tool : {AnalysisKind::radiative, AnalysisKind::temperatureProfile}) {
-        if (tool->name == text) {
+    for (const AnalysisKind tool : allTools())
+        if (tool->name == text)
             return tool;
-        }
-    }
     return analysisKindFromName(text).value_or(AnalysisKind::table);
 }
 
 std::string analysisKindNames() {
     std::vector<std::string> names;
-    for (const AnalysisKind kind : allAnalysisKinds()) {
+    for (const AnalysisKind kind : allAnalysisKinds())
         names.push_back(name(kind));
-    }
     return irsg::alternatives(names);
 }
 

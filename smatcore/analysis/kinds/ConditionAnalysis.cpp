@@ -26,7 +26,7 @@ std::vector<SettingInfo> settings() {
         number(key::conditionFrom, "--from", "From", "", 0, 1e6, "0",
                "First value, in the unit of what changes."),
         number(key::conditionTo, "--to", "To", "", 0, 1e6, "1", "Last value."),
-        integer(key::conditionPoints, "--points", "Points", "", 2, 100000, "11",
+        integer(key::conditionPoints, "--points", "Points", "", 2, 100000, "21",
                 "Number of values, both ends included."),
     };
 }
@@ -38,12 +38,10 @@ struct Condition {
     std::optional<double> AnalysisCase::*value;
 };
 Condition conditionNamed(const std::string& name) {
-    if (name == "power") {
+    if (name == "power")
         return {irsg::Quantity::power, key::statePower, &AnalysisCase::power};
-    }
-    if (name == "mach") {
+    if (name == "mach")
         return {irsg::Quantity::mach, key::stateMach, &AnalysisCase::mach};
-    }
     return {irsg::Quantity::altitude, key::targetAltitude, &AnalysisCase::altitude_m};
 }
 
@@ -70,9 +68,8 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
                                .expected = "a number above condition.from, which is " +
                                            settings.text(key::conditionFrom)});
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         return;
-    }
     const double step = (to - from) / (points - 1);
     for (int i = 0; i < points; ++i) {
         AnalysisCase one = standingCase(settings);
@@ -80,6 +77,10 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
         one.*condition.value = one.coordinate;
         plan.cases.push_back(one);
     }
+}
+
+std::vector<std::string> ignored(const Settings& settings) {
+    return {conditionNamed(settings.text(key::conditionOver)).setting};
 }
 
 } // namespace
@@ -90,6 +91,7 @@ extern constinit const AnalysisDefinition conditionAnalysis{
     .help = "Intensity over engine power, Mach number or altitude",
     .icon = "condition",
     .settings = settings,
-    .plan = plan};
+    .plan = plan,
+    .ignored = ignored};
 
 } // namespace smat

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 
 #include "irsg/radiometry/Units.h"
 #include "smatcore/analysis/AnalysisPlan.h"
@@ -11,7 +12,11 @@ namespace smat {
 namespace key {
 constexpr TextKey polarType{"polar.type"};
 constexpr RealKey polarStep{"polar.step"};
+constexpr RealKey polarFrom{"polar.from"};
+constexpr RealKey polarTo{"polar.to"};
 constexpr RealKey polarOffset{"polar.offset"};
+constexpr OptionalRealKey polarOffsetTo{"polar.offsetTo"};
+constexpr RealKey polarOffsetStep{"polar.offsetStep"};
 } // namespace key
 
 namespace {
@@ -26,10 +31,20 @@ std::vector<SettingInfo> settings() {
                      "plane (front, belly, tail, top), or the target itself "
                      "(counter-clockwise, level, the camera stays)."),
               {"camera azimuth", "camera elevation", "model yaw"}),
-        number(key::polarStep, "--step", "Step", "deg", 0.001, 180, "10",
+        number(key::polarStep, "--step", "Step", "deg", 0.001, 180, "5",
                "Angle between two cases. The sweep covers one turn from 0."),
+        number(key::polarFrom, "--from", "From", "deg", 0, 360, "0", "First angle, of a sector."),
+        number(key::polarTo, "--to", "To", "deg", 0, 360, "360",
+               "Last angle of a sector; from 0 to 360 it is a whole turn, whose end is its "
+               "beginning."),
         number(key::polarOffset, "--offset", "View offset", "deg", -90, 90, "0",
                "Elevation of the camera in a camera-azimuth plot."),
+        choiceOrNumber(key::polarOffsetTo, "--offset-to", "Last view offset", "deg", {"none"}, -90,
+                       90, "none",
+                       "Of several camera-azimuth curves, one for each elevation from the view "
+                       "offset on; none: one curve."),
+        number(key::polarOffsetStep, "--offset-step", "Step of the view offset", "deg", 0.1, 180,
+               "10", "Angle between two of these elevations."),
     };
 }
 
@@ -57,9 +72,8 @@ void placeCameraElevation(AnalysisCase& one, double angle_deg) {
     one.shownElevation_deg = isBehind            ? angle_deg - 180.0
                              : angle_deg <= 90.0 ? -angle_deg
                                                  : 360.0 - angle_deg;
-    if (one.shownElevation_deg == 0.0) {
+    if (one.shownElevation_deg == 0.0)
         one.shownElevation_deg = 0.0; // not -0
-    }
 }
 
 /// Model-Yaw: level target that turns counter-clockwise; at angle 0 its nose points at the camera,
@@ -74,34 +88,81 @@ void placeModelYaw(AnalysisCase& one, double angle_deg, const Settings& settings
     one.shownYaw_deg = wholeTurn_deg(facing_deg + angle_deg);
 }
 
+/// The angles of one turn or sector.
+std::vector<double> angles_deg(const Settings& settings) {
+    const double from_deg = settings[key::polarFrom], to_deg = settings[key::polarTo];
+    const double step_deg = settings[key::polarStep];
+    const bool isTurn = to_deg - from_deg >= 360.0;
+    std::vector<double> angles;
+    // The end of a turn is its beginning; that of a sector belongs to it.
+    const double slack = 1e-9;
+    const auto count = isTurn
+                           ? static_cast<std::size_t>(std::ceil(360.0 / step_deg - slack))
+                           : static_cast<std::size_t>((to_deg - from_deg) / step_deg + slack) + 1;
+    for (std::size_t i = 0; i < count; ++i)
+        angles.push_back(stepped(from_deg, i, step_deg));
+    if (!isTurn && angles.back() < to_deg - slack)
+        angles.push_back(to_deg);
+    return angles;
+}
+
+/// The elevations of camera-azimuth curves, from the first one on.
+std::vector<double> offsets_deg(const Settings& settings) {
+    const double first_deg = settings[key::polarOffset];
+    std::vector<double> offsets{first_deg};
+    const std::optional<double> last_deg = settings[key::polarOffsetTo];
+    const double step_deg = settings[key::polarOffsetStep];
+    for (std::size_t i = 1; last_deg && stepped(first_deg, i, step_deg) <= *last_deg + 1e-9; ++i)
+        offsets.push_back(stepped(first_deg, i, step_deg));
+    return offsets;
+}
+
+void check(const Settings& settings, std::vector<irsg::Diagnostic>& diagnostics) {
+    const auto refuse = [&](std::string_view key, const char* expected) {
+        diagnostics.push_back({.file = "",
+                               .position = std::string(key),
+                               .value = settings.text(key),
+                               .expected = expected});
+    };
+    const bool isAzimuth = settings.text(key::polarType) == "camera-azimuth";
+    if (!isAzimuth && settings[key::polarOffset] != 0.0)
+        refuse(key::polarOffset, "0: only a camera-azimuth plot has a view offset");
+    if (!isAzimuth && settings[key::polarOffsetTo])
+        refuse(key::polarOffsetTo, "none: only a camera-azimuth plot has view offsets");
+    if (settings[key::polarOffsetTo] && *settings[key::polarOffsetTo] < settings[key::polarOffset])
+        refuse(key::polarOffsetTo, "the view offset or more");
+    if (settings[key::polarTo] <= settings[key::polarFrom])
+        refuse(key::polarTo, "more than the first angle");
+}
+
 void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
           std::vector<irsg::Diagnostic>& diagnostics) {
+    check(settings, diagnostics);
     const std::string& type = settings.text(key::polarType);
-    const double step_deg = settings[key::polarStep];
-    const double offset_deg = settings[key::polarOffset];
-    if (type != "camera-azimuth" && offset_deg != 0.0) {
-        diagnostics.push_back({.file = "",
-                               .position = key::polarOffset,
-                               .value = settings.text(key::polarOffset),
-                               .expected = "0: only a camera-azimuth plot has a view offset"});
-    }
     plan.coordinate = irsg::Quantity::angle;
     plan.columns = {irsg::Quantity::angle, irsg::Quantity::azimuth, irsg::Quantity::elevation,
                     irsg::Quantity::yaw};
-    const auto count = static_cast<std::size_t>(std::ceil(360.0 / step_deg - 1e-9));
-    for (std::size_t i = 0; i < count; ++i) {
-        const double angle_deg = stepped(0.0, i, step_deg);
-        AnalysisCase one = standingCase(settings);
-        one.coordinate = angle_deg;
-        if (type == "camera-azimuth") {
-            placeCameraAzimuth(one, angle_deg, offset_deg);
-        } else if (type == "camera-elevation") {
-            placeCameraElevation(one, angle_deg);
-        } else {
-            placeModelYaw(one, angle_deg, settings);
+    if (!diagnostics.empty())
+        return;
+    for (const double offset_deg : offsets_deg(settings))
+        for (const double angle_deg : angles_deg(settings)) {
+            AnalysisCase one = standingCase(settings);
+            one.coordinate = angle_deg;
+            if (type == "camera-azimuth")
+                placeCameraAzimuth(one, angle_deg, offset_deg);
+            else if (type == "camera-elevation")
+                placeCameraElevation(one, angle_deg);
+            else
+                placeModelYaw(one, angle_deg, settings);
+            plan.cases.push_back(one);
         }
-        plan.cases.push_back(one);
-    }
+}
+
+std::vector<std::string> ignored(const Settings& settings) {
+    const std::string& type = settings.text(key::polarType);
+    if (type == "model-yaw")
+        return {key::targetYaw, key::targetPitch, key::targetRoll};
+    return {key::cameraAzimuth, key::cameraElevation};
 }
 
 } // namespace
@@ -112,6 +173,7 @@ extern constinit const AnalysisDefinition polarAnalysis{
     .help = "Intensity over one turn of camera or target",
     .icon = "polar",
     .settings = settings,
-    .plan = plan};
+    .plan = plan,
+    .ignored = ignored};
 
 } // namespace smat

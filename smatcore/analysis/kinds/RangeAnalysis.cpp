@@ -21,7 +21,7 @@ std::vector<SettingInfo> settings() {
     return {
         number(key::rangeFrom, "--from", "From", "m", 0, 1e8, "500", "First range."),
         number(key::rangeTo, "--to", "To", "m", 0, 1e8, "10000", "Last range."),
-        integer(key::rangePoints, "--points", "Points", "", 2, 100000, "20",
+        integer(key::rangePoints, "--points", "Points", "", 2, 100000, "100",
                 "Number of ranges, both ends included."),
         flag(key::rangeLog, "--log", "Logarithmic", false, "Spaces the ranges by equal ratios."),
     };
@@ -47,20 +47,22 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
                                .value = settings.text(key::rangeFrom),
                                .expected = "a number above 0 m, because range.log is true"});
     }
-    if (!diagnostics.empty()) {
+    if (!diagnostics.empty())
         return;
-    }
     for (int i = 0; i < points; ++i) {
         const double share = static_cast<double>(i) / (points - 1);
         AnalysisCase one = standingCase(settings);
         one.range_m = logarithmic ? from_m * std::pow(to_m / from_m, share)
                                   : from_m + (to_m - from_m) * share;
-        if (i == points - 1) {
+        if (i == points - 1)
             one.range_m = to_m;
-        }
         one.coordinate = one.range_m;
         plan.cases.push_back(one);
     }
+}
+
+std::vector<std::string> ignored(const Settings&) {
+    return {key::cameraRange};
 }
 
 } // namespace
@@ -72,6 +74,7 @@ extern constinit const AnalysisDefinition rangeAnalysis{
     .icon = "range",
     .settings = settings,
     .isAlongRange = true,
-    .plan = plan};
+    .plan = plan,
+    .ignored = ignored};
 
 } // namespace smat

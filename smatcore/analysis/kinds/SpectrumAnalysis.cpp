@@ -46,9 +46,8 @@ void plan(AnalysisPlan& plan, const Project& project, const Settings& settings,
             std::min(lowest_per_cm + static_cast<double>(i) * step_per_cm, highest_per_cm));
     }
     // The band ends at its end, also where the last step is shorter.
-    if (highest_per_cm - plan.wavenumbers_per_cm.back() > 1e-6 * step_per_cm) {
+    if (highest_per_cm - plan.wavenumbers_per_cm.back() > 1e-6 * step_per_cm)
         plan.wavenumbers_per_cm.push_back(highest_per_cm);
-    }
 }
 
 } // namespace

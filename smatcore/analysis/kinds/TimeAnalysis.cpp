@@ -22,7 +22,7 @@ std::vector<SettingInfo> settings() {
     return {
         number(key::timeFrom, "--from", "From", "s", -1e9, 1e9, "0", "First time."),
         number(key::timeTo, "--to", "To", "s", -1e9, 1e9, "10", "Last time, included."),
-        number(key::timeStep, "--step", "Step", "s", 1e-6, 1e9, "0.5", "Time between two cases."),
+        number(key::timeStep, "--step", "Step", "s", 1e-6, 1e9, "0.1", "Time between two cases."),
     };
 }
 
@@ -57,6 +57,10 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
     }
 }
 
+std::vector<std::string> ignored(const Settings&) {
+    return {key::stateTime};
+}
+
 } // namespace
 
 extern constinit const AnalysisDefinition timeAnalysis{.name = "time",
@@ -64,6 +68,7 @@ extern constinit const AnalysisDefinition timeAnalysis{.name = "time",
                                                        .help = "Intensity over time",
                                                        .icon = "time",
                                                        .settings = settings,
-                                                       .plan = plan};
+                                                       .plan = plan,
+                                                       .ignored = ignored};
 
 } // namespace smat

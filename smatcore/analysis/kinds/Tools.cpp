@@ -2,21 +2,36 @@
 
 namespace smat {
 
-// Tools make tables of their own accord; a name is what the provenance of such a table calls it, so
-// that none is taken for that of an analysis.
+// Tools make tables of their own accord: they are neither planned nor drawn as analyses are.
+// Command, menu entry and the kind of their results come from here. A new one is a definition here,
+// its name in the list TOOLS of smatcore/CMakeLists.txt, a command and a page.
 
-extern constinit const AnalysisDefinition radiativeTool{.name = "radiative",
-                                                        .title = "Radiative output",
-                                                        .help =
-                                                            "What the air gives over the spectrum",
-                                                        .icon = "radiative",
-                                                        .form = AnalysisForm::table};
+extern constinit const AnalysisDefinition radiativeTool{
+    .name = "radiative",
+    .title = "Radiative output",
+    .help = "Spectra of the air: transmittance, radiances, sun and fluxes",
+    .icon = "radiative",
+    .form = AnalysisForm::table};
 
 extern constinit const AnalysisDefinition temperatureProfileTool{
     .name = "temperature-profile",
     .title = "Temperature profile",
-    .help = "Temperature of the air over altitude",
+    .help = "Air temperature over altitude",
     .icon = "thermometer",
+    .form = AnalysisForm::table};
+
+extern constinit const AnalysisDefinition monteCarloTool{
+    .name = "montecarlo",
+    .title = "Monte Carlo",
+    .help = "An analysis repeated over the scaling files beside the model",
+    .icon = "montecarlo",
+    .form = AnalysisForm::table};
+
+extern constinit const AnalysisDefinition simulationTool{
+    .name = "simulate",
+    .title = "Simulation",
+    .help = "Frames of an engagement: several models, several sensors",
+    .icon = "time",
     .form = AnalysisForm::table};
 
 extern constinit const AnalysisDefinition otherTable{.name = "table",

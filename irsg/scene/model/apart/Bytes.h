@@ -1,12 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace irsg {
 
@@ -30,13 +33,53 @@ class ByteSink {
     }
     void putCount(std::size_t count) { put(static_cast<std::uint64_t>(count)); }
     void putBytes(const void* from, std::size_t size) {
-        bytes_.append(static_cast<const char*>(from), size);
+        room(size).append(static_cast<const char*>(from), size);
     }
-    const std::string& bytes() const { return bytes_; }
-    std::string take() { return std::move(bytes_); }
+    /// Many numbers, each as `Value`: number(i) for every i below `count`.
+    template <typename Value, typename Number>
+    void putEach(std::size_t count, const Number& number) {
+        std::string& piece = room(count * sizeof(Value));
+        const std::size_t begin = piece.size();
+        piece.resize(begin + count * sizeof(Value));
+        for (std::size_t i = 0; i < count; ++i) {
+            const Value value = static_cast<Value>(number(i));
+            std::memcpy(piece.data() + begin + i * sizeof value, &value, sizeof value);
+        }
+    }
+    /// All that another holds, without a copy of it.
+    void append(ByteSink other) {
+        pieces_.insert(pieces_.end(), std::make_move_iterator(other.pieces_.begin()),
+                       std::make_move_iterator(other.pieces_.end()));
+    }
+    /// What was put, in pieces, one behind the other: a large model is never moved as a whole.
+    const std::vector<std::string>& pieces() const { return pieces_; }
+    std::size_t size() const {
+        std::size_t sum = 0;
+        for (const std::string& piece : pieces_)
+            sum += piece.size();
+        return sum;
+    }
+    /// The same in one.
+    std::string take() {
+        std::string all;
+        all.reserve(size());
+        for (const std::string& piece : std::exchange(pieces_, {}))
+            all += piece;
+        return all;
+    }
 
   private:
-    std::string bytes_;
+    /// The last piece, with room for so many bytes more.
+    std::string& room(std::size_t size) {
+        constexpr std::size_t least = 1u << 12, most = 1u << 20;
+        if (pieces_.empty() || pieces_.back().capacity() - pieces_.back().size() < size) {
+            const std::size_t before = pieces_.empty() ? 0 : pieces_.back().capacity();
+            pieces_.emplace_back().reserve(std::max(size, std::clamp(2 * before, least, most)));
+        }
+        return pieces_.back();
+    }
+
+    std::vector<std::string> pieces_;
 };
 
 /// The same on the other side, which trusts none of it: throws DamagedBytes for whatever is not

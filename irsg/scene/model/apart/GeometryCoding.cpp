@@ -92,14 +92,16 @@ void putPrimitives(ByteSink& sink, const osg::PrimitiveSet& set) {
         sink.put(Form::lengths);
         sink.put(static_cast<std::int32_t>(lengths->getFirst()));
         sink.putCount(lengths->size());
-        for (const GLsizei length : *lengths)
-            sink.put(static_cast<std::int32_t>(length));
+        sink.putEach<std::int32_t>(lengths->size(), [&](std::size_t i) { return (*lengths)[i]; });
     } else {
         sink.put(Form::indices);
         const unsigned int count = set.getNumIndices();
         sink.putCount(count);
-        for (unsigned int i = 0; i < count; ++i)
-            sink.put(static_cast<std::uint32_t>(set.index(i)));
+        if (const auto* wide = dynamic_cast<const osg::DrawElementsUInt*>(&set))
+            sink.putBytes(wide->getDataPointer(), 4 * std::size_t{count});
+        else
+            sink.putEach<std::uint32_t>(
+                count, [&](std::size_t i) { return set.index(static_cast<unsigned int>(i)); });
     }
 }
 

@@ -1,4 +1,5 @@
 #include <map>
+#include <utility>
 
 #include <osg/Billboard>
 #include <osg/Camera>
@@ -101,9 +102,9 @@ class GraphEncoder {
     }
 
     void finish(ByteSink& sink, std::vector<std::string>& remarks) {
-        states_.put(sink);
+        states_.moveTo(sink);
         sink.putCount(numbers_.size());
-        sink.putBytes(sink_.bytes().data(), sink_.bytes().size());
+        sink.append(std::move(sink_));
         if (leftOut_ > 0)
             remarks.push_back(std::to_string(leftOut_) +
                               " texts, cameras and other drawables without polygons are left out");
@@ -188,9 +189,8 @@ class GraphEncoder {
         putNumbers(sink_, node.getAxis());
         putNumbers(sink_, node.getNormal());
         const auto& positions = node.getPositionList();
-        for (const auto place : places) {
+        for (const auto place : places)
             putNumbers(sink_, place < positions.size() ? osg::Vec3(positions[place]) : osg::Vec3());
-        }
     }
 
     const std::string& name_;

@@ -9,8 +9,8 @@ namespace irsg {
 osg::ref_ptr<osg::Image> readPictureApart(ReaderProcess& process,
                                           const std::filesystem::path& file) {
     try {
-        const std::string answer = process.read(FileKind::picture, file);
-        ByteSource source(answer);
+        const ReaderAnswer answer = process.read(FileKind::picture, file);
+        ByteSource source(answer.bytes());
         return getImage(source);
     } catch (const DamagedBytes& damage) {
         throw InputError(

@@ -48,7 +48,8 @@ fs::path findProgram() {
 
 /// Of our own surroundings what programs need to start. Numbers have points, messages are English.
 std::vector<std::string> surroundings() {
-    std::vector<std::string> kept = {"LC_ALL=C"};
+    // Large pages: a process that lives for one model spends much of its time in asking for memory.
+    std::vector<std::string> kept = {"LC_ALL=C", "GLIBC_TUNABLES=glibc.malloc.hugetlb=1"};
     for (const char* name : {"LD_LIBRARY_PATH", "ASAN_OPTIONS", "UBSAN_OPTIONS", "LSAN_OPTIONS"})
         if (const char* value = std::getenv(name))
             kept.push_back(std::string(name) + "=" + value);
@@ -148,6 +149,11 @@ class ReaderProcess::Child {
         return Received::all;
     }
 
+    /// Ends the process without waiting for that.
+    void stop() {
+        if (process_ > 0)
+            kill(process_, SIGKILL);
+    }
     /// Ends the process, and tells how it had ended before that: the status of waitpid.
     int end() {
         if (process_ < 0)
@@ -191,7 +197,7 @@ std::string endText(int status, const ReadingLimits& limits) {
            std::to_string(WEXITSTATUS(status)) + ")";
 }
 
-[[noreturn]] void refuse(const fs::path& file, FileKind kind, std::string value) {
+[[noreturn]] void refuseReading(const fs::path& file, FileKind kind, std::string value) {
     throw InputError({file.string(), "", std::move(value),
                       kind == FileKind::model ? "a whole model" : "a whole picture"});
 }
@@ -201,7 +207,12 @@ std::string endText(int status, const ReadingLimits& limits) {
 ReaderProcess::ReaderProcess() = default;
 ReaderProcess::~ReaderProcess() = default;
 
-std::string ReaderProcess::read(FileKind kind, const fs::path& place, const fs::path& name) {
+void ReaderProcess::dismiss() {
+    if (child_)
+        child_->stop();
+}
+
+ReaderAnswer ReaderProcess::read(FileKind kind, const fs::path& place, const fs::path& name) {
     const fs::path& file = name.empty() ? place : name;
     if (!child_)
         child_ = std::make_unique<Child>();
@@ -218,27 +229,28 @@ std::string ReaderProcess::read(FileKind kind, const fs::path& place, const fs::
     question.putBytes(file.native().data(), file.native().size());
 
     AnswerHead head;
-    std::string answer;
-    auto received = child_->send(question.bytes())
+    ReaderAnswer answer(0);
+    auto received = child_->send(question.take())
                         ? child_->receive(reinterpret_cast<char*>(&head), sizeof head, deadline)
                         : Child::Received::nothingMore;
     if (received == Child::Received::all) {
         if (head.size > limits.memory_B)
             received = Child::Received::nothingMore;
         else {
-            answer.resize(head.size);
-            received = child_->receive(answer.data(), answer.size(), deadline);
+            answer = ReaderAnswer(head.size);
+            received = child_->receive(answer.data(), head.size, deadline);
         }
     }
     if (received != Child::Received::all) {
         const std::unique_ptr<Child> child = std::move(child_);
         if (received == Child::Received::tooLate)
-            refuse(file, kind,
-                   "a file whose reading takes more than " + numberText(limits.wall_s()) + " s");
-        refuse(file, kind, endText(child->awaitEnd(), limits));
+            refuseReading(file, kind,
+                          "a file whose reading takes more than " + numberText(limits.wall_s()) +
+                              " s");
+        refuseReading(file, kind, endText(child->awaitEnd(), limits));
     }
     if (head.refused)
-        throwRefusal(answer);
+        throwRefusal(answer.bytes());
     return answer;
 }
 

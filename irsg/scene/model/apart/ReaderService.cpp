@@ -49,12 +49,12 @@ bool writeAll(int socket, const void* from, std::size_t size) {
     });
 }
 
-std::string answerTo(FileKind kind, const std::filesystem::path& place,
-                     const std::filesystem::path& file) {
+ByteSink answerTo(FileKind kind, const std::filesystem::path& place,
+                  const std::filesystem::path& file) {
     ByteSink sink;
     if (kind == FileKind::picture) {
         putImage(sink, *readPictureHere(file));
-        return sink.take();
+        return sink;
     }
     LoadedGraph loaded = readModelHere(place, file);
     ByteSink graph;
@@ -62,33 +62,32 @@ std::string answerTo(FileKind kind, const std::filesystem::path& place,
     sink.putCount(loaded.remarks.size());
     for (const std::string& remark : loaded.remarks)
         sink.putText(remark);
-    sink.putBytes(graph.bytes().data(), graph.bytes().size());
-    return sink.take();
+    sink.append(std::move(graph));
+    return sink;
 }
 
-std::string refusalText(const std::vector<Diagnostic>& diagnostics) {
+ByteSink refusalOf(const std::vector<Diagnostic>& diagnostics) {
     ByteSink sink;
     sink.putCount(diagnostics.size());
     for (const Diagnostic& diagnostic : diagnostics)
         for (const auto* text :
              {&diagnostic.file, &diagnostic.position, &diagnostic.value, &diagnostic.expected})
             sink.putText(*text);
-    return sink.take();
+    return sink;
 }
 
 /// The answer to one question; what is wrong with a file is an answer, too.
-std::string answer(FileKind kind, const std::string& place, const std::string& name,
-                   bool& refused) {
+ByteSink answer(FileKind kind, const std::string& place, const std::string& name, bool& refused) {
     const auto refuse = [&](const std::string& value) {
         refused = true;
-        return refusalText(
+        return refusalOf(
             {{name, "", value, kind == FileKind::model ? "a whole model" : "a whole picture"}});
     };
     try {
         return answerTo(kind, place, name);
     } catch (const InputError& error) {
         refused = true;
-        return refusalText(error.diagnostics());
+        return refusalOf(error.diagnostics());
     } catch (const std::bad_alloc&) {
         return refuse("a file whose reading takes more memory than a file of its size may");
     } catch (const std::exception& error) {
@@ -110,7 +109,7 @@ void throwRefusal(std::string_view answer) {
              {&diagnostic.file, &diagnostic.position, &diagnostic.value, &diagnostic.expected})
             *text = source.getText();
     if (diagnostics.empty() || std::ranges::any_of(diagnostics, [](const Diagnostic& diagnostic) {
-            return diagnostic.message().empty();
+            return diagnostic.value.empty() && diagnostic.expected.empty();
         }))
         throw DamagedBytes("a refusal without a reason");
     throw InputError(std::move(diagnostics));
@@ -129,12 +128,14 @@ void serveReadings(int socket) {
             return;
         AnswerHead head;
         bool refused = false;
-        const std::string bytes =
-            answer(static_cast<FileKind>(question.kind), place, name, refused);
+        const ByteSink bytes = answer(static_cast<FileKind>(question.kind), place, name, refused);
         head.refused = refused;
         head.size = bytes.size();
         stopClock();
-        if (!writeAll(socket, &head, sizeof head) || !writeAll(socket, bytes.data(), bytes.size()))
+        if (!writeAll(socket, &head, sizeof head) ||
+            !std::ranges::all_of(bytes.pieces(), [&](const std::string& piece) {
+                return writeAll(socket, piece.data(), piece.size());
+            }))
             return;
     }
 }

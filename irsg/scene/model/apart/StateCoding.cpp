@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "irsg/scene/model/apart/AttributeCoding.h"
 
@@ -95,7 +96,7 @@ void StateEncoder::putAttributes(ByteSink& sink, const osg::StateSet::AttributeL
             ++count;
         }
     sink.putCount(count);
-    sink.putBytes(known.bytes().data(), known.bytes().size());
+    sink.append(std::move(known));
 }
 
 namespace {
@@ -142,10 +143,10 @@ std::int32_t StateEncoder::number(const osg::StateSet* state) {
     return mine;
 }
 
-void StateEncoder::put(ByteSink& sink) const {
-    const auto section = [&](std::size_t count, const ByteSink& part) {
+void StateEncoder::moveTo(ByteSink& sink) {
+    const auto section = [&](std::size_t count, ByteSink& part) {
         sink.putCount(count);
-        sink.putBytes(part.bytes().data(), part.bytes().size());
+        sink.append(std::exchange(part, {}));
     };
     section(images_.size(), imageBytes_);
     section(static_cast<std::size_t>(written_), attributeBytes_);

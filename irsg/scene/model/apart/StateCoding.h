@@ -24,7 +24,8 @@ class StateEncoder {
   public:
     /// The number of this state, -1 for none.
     std::int32_t number(const osg::StateSet* state);
-    void put(ByteSink& sink) const;
+    /// Once all numbers are asked for.
+    void moveTo(ByteSink& sink);
     /// Kinds of attributes that were left out.
     const std::set<std::string>& leftOut() const { return leftOut_; }
 

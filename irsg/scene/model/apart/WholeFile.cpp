@@ -27,7 +27,7 @@ void checkBrackets(std::string_view text) {
     long open = 0;
     std::size_t last = 0;
     bool quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    for (std::size_t i = 0; i < text.size(); ++i)
         if (quoted && text[i] == '\\')
             ++i;
         else if (text[i] == '"')
@@ -36,7 +36,6 @@ void checkBrackets(std::string_view text) {
             ++open, last = i;
         else if (!quoted && text[i] == '}' && --open < 0)
             refuse(i, "a bracket \"}\" that nothing opened", "as many \"{\" before it");
-    }
     if (quoted)
         refuse(text.size(), "the end of the file in a text in quotation marks", "its end");
     if (open > 0)
@@ -62,8 +61,11 @@ std::size_t number(std::string_view bytes, std::size_t at, bool bigEndian) {
     return value;
 }
 
-/// Chunks of 3D Studio: two bytes of kind, four of length with all that is in it.
-void checkChunks(std::string_view bytes, std::size_t begin, std::size_t end) {
+/// Chunks of 3D Studio: two bytes of kind, four of length with all that is in it. Those that hold
+/// others stand in two levels, so that more of them are no model but a way to run out of stack.
+void checkChunks(std::string_view bytes, std::size_t begin, std::size_t end, int levels = 8) {
+    if (levels == 0 && begin < end)
+        refuse(begin, "a chunk in 8 others", "chunks in at most 7 others");
     for (std::size_t at = begin; at < end;) {
         if (end - at < 6)
             refuse(at, "a chunk of " + std::to_string(end - at) + " bytes", "6 bytes or more");
@@ -76,7 +78,7 @@ void checkChunks(std::string_view bytes, std::size_t begin, std::size_t end) {
                    "6 to " + std::to_string(end - at) + " bytes, which are left");
         // Those with chunks in them and nothing before.
         if (kind == 0x4D4D || kind == 0x3D3D || kind == 0x4100)
-            checkChunks(bytes, at + 6, at + length);
+            checkChunks(bytes, at + 6, at + length, levels - 1);
         at += length;
     }
 }

@@ -18,8 +18,6 @@ namespace irsg {
 
 namespace {
 
-constexpr std::size_t mostDiagnostics = 100;
-
 /// Words of the format that no surface of facets comes of.
 constexpr std::string_view otherWords[] = {
     "l",          "p",         "s",    "mg",     "vp",     "deg",   "bmat",  "step",     "cstype",
@@ -38,7 +36,7 @@ class ObjText {
             if (word[0] == '#')
                 continue;
             readLine(word);
-            if (diagnostics_.size() >= mostDiagnostics)
+            if (diagnostics_.size() >= mostModelDiagnostics)
                 break;
         }
         if (!diagnostics_.empty())

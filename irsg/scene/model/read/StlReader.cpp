@@ -18,7 +18,6 @@ namespace irsg {
 namespace {
 
 constexpr std::size_t headSize = 84, facetSize = 50;
-constexpr std::size_t mostDiagnostics = 100;
 
 /// The facets of one solid.
 struct Solid {
@@ -133,7 +132,7 @@ class TextReader {
     bool vector(std::size_t from, osg::Vec3& into) {
         double values[3];
         if (!words_.numbers(from, 3, values, diagnostics_)) {
-            if (diagnostics_.size() >= mostDiagnostics)
+            if (diagnostics_.size() >= mostModelDiagnostics)
                 throw InputError(std::move(diagnostics_));
             return false;
         }
@@ -189,12 +188,11 @@ LoadedGraph readStl(const std::filesystem::path& file) {
     const std::string bytes = readFile(file, largestModel_B);
     LoadedGraph loaded;
     osg::ref_ptr<osg::Group> group = new osg::Group;
-    if (isText(bytes)) {
+    if (isText(bytes))
         for (const Solid& solid : TextReader(bytes, file.string()).read())
             group->addChild(solid.node());
-    } else {
+    else
         group->addChild(readBinary(bytes, file.string(), loaded.remarks).node());
-    }
     loaded.node = group;
     return loaded;
 }

@@ -9,6 +9,9 @@
 
 namespace irsg {
 
+/// Readers of models stop after so many complaints about a file.
+inline constexpr std::size_t mostModelDiagnostics = 100;
+
 /// A text model line by line, as words between blanks. A line that ends in a backslash goes on.
 class TextWords {
   public:

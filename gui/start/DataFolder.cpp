@@ -1,0 +1,64 @@
+#include "gui/start/DataFolder.h"
+
+#include <array>
+#include <cstdlib>
+
+#include <QCoreApplication>
+
+namespace smat::gui {
+namespace {
+
+struct Named {
+    const char *folder, *title, *words;
+};
+constexpr std::array known{
+    Named{"heron", QT_TRANSLATE_NOOP("Samples", "Patrol aircraft"),
+          QT_TRANSLATE_NOOP("Samples", "Two turboprops low over the sea, 35,000 facets")},
+    Named{"corvette", QT_TRANSLATE_NOOP("Samples", "Corvette"),
+          QT_TRANSLATE_NOOP("Samples", "A warship with hot funnels and their plumes")},
+    Named{"turboprop4", QT_TRANSLATE_NOOP("Samples", "Transport aircraft"),
+          QT_TRANSLATE_NOOP("Samples", "The aircraft of the guide's first page")},
+    Named{"valley", QT_TRANSLATE_NOOP("Samples", "Over a valley"),
+          QT_TRANSLATE_NOOP("Samples", "Sky, terrain and sun in one picture")},
+    Named{"ship", QT_TRANSLATE_NOOP("Samples", "Ship"),
+          QT_TRANSLATE_NOOP("Samples", "A day at sea: night, noon and two crossovers")},
+    Named{"sphere", QT_TRANSLATE_NOOP("Samples", "Sphere"),
+          QT_TRANSLATE_NOOP("Samples", "Every number has a closed form")},
+};
+
+bool isFolder(const std::filesystem::path& path) {
+    std::error_code failure;
+    return std::filesystem::is_directory(path, failure);
+}
+
+} // namespace
+
+std::filesystem::path dataFolder(const std::filesystem::path& name) {
+    std::vector<std::filesystem::path> roots;
+    if (const char* given = std::getenv("SMAT_DATA"); given != nullptr && *given != '\0')
+        roots.emplace_back(given);
+    const std::filesystem::path program = QCoreApplication::applicationDirPath().toStdString();
+    roots.push_back(program / "../share/smat");
+    roots.push_back(program / "../../.."); // build/PRESET/bin
+    for (const auto& root : roots)
+        if (isFolder(root / name))
+            return (root / name).lexically_normal();
+    return {};
+}
+
+std::vector<Sample> samples() {
+    const std::filesystem::path folder = dataFolder("samples");
+    std::vector<Sample> list;
+    for (const Named& one : known) {
+        const std::filesystem::path own = folder / one.folder;
+        const std::filesystem::path project = own / (std::string(one.folder) + ".smat");
+        std::error_code failure;
+        if (!folder.empty() && std::filesystem::exists(project, failure))
+            list.push_back({QCoreApplication::translate("Samples", one.title),
+                            QCoreApplication::translate("Samples", one.words), project,
+                            own / "picture.png"});
+    }
+    return list;
+}
+
+} // namespace smat::gui

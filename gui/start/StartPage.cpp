@@ -1,0 +1,202 @@
+#include "gui/start/StartPage.h"
+
+#include <QEvent>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/Theme.h"
+#include "gui/start/DataFolder.h"
+
+namespace smat::gui {
+namespace {
+
+constexpr QSize cardPicture(170, 112);
+constexpr int columns = 3, mostRecent = 6;
+
+QLabel* heading(const QString& text, double scale, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    QFont font = label->font();
+    font.setPointSizeF(font.pointSizeF() * scale);
+    font.setBold(true);
+    label->setFont(font);
+    return label;
+}
+
+/// The part of a picture inside of the frame that exported pictures have, without title and colour
+/// bar; all of it where there is no frame.
+QPixmap withoutLegend(const QPixmap& picture) {
+    const QImage image = picture.toImage().convertToFormat(QImage::Format_RGB32);
+    const QRgb line = qRgb(96, 96, 96);
+    const auto isLine = [&](int x, int y) {
+        return image.valid(x, y) && image.pixel(x, y) == line;
+    };
+    const int middle = image.height() / 2;
+    int left = 0;
+    while (left < image.width() && !isLine(left, middle))
+        ++left;
+    int top = middle, bottom = middle, right = left;
+    while (isLine(left, top - 1))
+        --top;
+    while (isLine(left, bottom + 1))
+        ++bottom;
+    while (isLine(right + 1, top))
+        ++right;
+    const QRect inside(QPoint(left + 1, top + 1), QPoint(right - 1, bottom - 1));
+    return inside.width() > 40 && inside.height() > 40 ? picture.copy(inside) : picture;
+}
+
+QIcon cardIcon(const std::filesystem::path& file, double pixelRatio) {
+    QPixmap picture(QString::fromStdString(file.string()));
+    if (picture.isNull())
+        return icon("model");
+    const QSize wanted = cardPicture * pixelRatio;
+    picture = withoutLegend(picture).scaled(wanted, Qt::KeepAspectRatioByExpanding,
+                                            Qt::SmoothTransformation);
+    picture = picture.copy(QRect(
+        QPoint((picture.width() - wanted.width()) / 2, (picture.height() - wanted.height()) / 2),
+        wanted));
+    picture.setDevicePixelRatio(pixelRatio);
+    return picture;
+}
+
+QToolButton* plainButton(const QString& text, const char* name, const char* drawing,
+                         QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setObjectName(name);
+    button->setText(text);
+    button->setIcon(icon(drawing));
+    button->setIconSize(QSize(20, 20));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setAutoRaise(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
+}
+
+} // namespace
+
+StartPage::StartPage(QWidget* page) : QWidget(page) {
+    setObjectName("startPage");
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Base);
+    auto* body = new QWidget(this);
+    body->setBackgroundRole(QPalette::Base);
+    auto* grid = new QGridLayout(body);
+    grid->setContentsMargins(24, 18, 16, 18);
+    grid->setHorizontalSpacing(24);
+    grid->setVerticalSpacing(12);
+    grid->addWidget(heading(tr("Infrared signatures of 3-D models"), 1.5, body), 0, 0, 1, 2);
+    grid->addWidget(makeSamples(), 1, 0, 1, 2);
+    grid->addWidget(makeOwn(), 2, 0, Qt::AlignTop);
+    grid->addWidget(makeRecent(), 2, 1, Qt::AlignTop);
+    grid->setRowStretch(3, 1);
+    grid->setColumnStretch(1, 1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setBackgroundRole(QPalette::Base);
+    scroll->setWidget(body);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(scroll);
+    page->installEventFilter(this);
+    setGeometry(page->rect());
+    raise();
+}
+
+QWidget* StartPage::makeSamples() {
+    auto* part = new QWidget(this);
+    auto* grid = new QGridLayout(part);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(heading(tr("Samples"), 1.15, part), 0, 0, 1, columns);
+    int number = 0;
+    for (const Sample& sample : samples()) {
+        auto* card = new QToolButton(part);
+        card->setObjectName("sample-" + QString::fromStdString(sample.project.stem().string()));
+        card->setIcon(cardIcon(sample.picture, devicePixelRatioF()));
+        card->setIconSize(cardPicture);
+        card->setText(sample.title);
+        card->setToolTip(sample.words);
+        card->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        card->setAutoRaise(true);
+        card->setFocusPolicy(Qt::StrongFocus);
+        const QString file = QString::fromStdString(sample.project.string());
+        connect(card, &QToolButton::clicked, this, [this, file] { emit fileChosen(file); });
+        grid->addWidget(card, 1 + number / columns, number % columns, Qt::AlignLeft);
+        ++number;
+    }
+    if (number == 0)
+        grid->addWidget(new QLabel(tr("They are not beside this program; SMAT_DATA names the "
+                                      "folder that has them."),
+                                   part),
+                        1, 0);
+    grid->setColumnStretch(columns, 1);
+    grid->setRowStretch(grid->rowCount(), 1);
+    return part;
+}
+
+QWidget* StartPage::makeOwn() {
+    auto* part = new QWidget(this);
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 8);
+    column->setSpacing(2);
+    column->addWidget(heading(tr("Your own model"), 1.15, part));
+    auto* model = plainButton(tr("Open a model…"), "startModel", "model", part);
+    auto* project = plainButton(tr("New project…"), "startProject", "new", part);
+    auto* open = plainButton(tr("Open a project, result or image…"), "startOpen", "open", part);
+    auto* guide = plainButton(tr("The guide: your first signature"), "startGuide", "info", part);
+    connect(model, &QToolButton::clicked, this, &StartPage::modelWanted);
+    connect(project, &QToolButton::clicked, this, &StartPage::projectWanted);
+    connect(open, &QToolButton::clicked, this, &StartPage::openWanted);
+    connect(guide, &QToolButton::clicked, this, &StartPage::guideWanted);
+    for (QToolButton* button : {model, project, open, guide})
+        column->addWidget(button);
+    return part;
+}
+
+QWidget* StartPage::makeRecent() {
+    auto* part = new QWidget(this);
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(heading(tr("Recent"), 1.15, part));
+    recent_ = new QVBoxLayout;
+    recent_->setSpacing(0);
+    column->addLayout(recent_);
+    return part;
+}
+
+void StartPage::setRecentFiles(const QStringList& files) {
+    while (QLayoutItem* item = recent_->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    for (const QString& file : files) {
+        if (!QFileInfo::exists(file) || recent_->count() == mostRecent)
+            continue;
+        auto* button = plainButton(QFileInfo(file).fileName(), "recentFile", "recent", this);
+        button->setToolTip(file);
+        connect(button, &QToolButton::clicked, this, [this, file] { emit fileChosen(file); });
+        recent_->addWidget(button);
+    }
+    if (recent_->count() == 0) {
+        auto* none = new QLabel(tr("Nothing yet"), this);
+        none->setForegroundRole(QPalette::PlaceholderText);
+        recent_->addWidget(none);
+    }
+}
+
+bool StartPage::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == parent() && event->type() == QEvent::Resize) {
+        setGeometry(parentWidget()->rect());
+        raise();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace smat::gui

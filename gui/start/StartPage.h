@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+
+#include <QWidget>
+
+class QHBoxLayout;
+class QVBoxLayout;
+
+namespace smat::gui {
+
+/// What is seen while nothing is open: samples with their pictures, the projects of last time, and
+/// where to begin with a model of one's own. It lies over the page of the model.
+class StartPage : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// Covers `page`, whatever its size.
+    explicit StartPage(QWidget* page);
+
+    void setRecentFiles(const QStringList& files);
+
+  signals:
+    /// A sample or a recent file.
+    void fileChosen(const QString& file);
+    void modelWanted();
+    void projectWanted();
+    void openWanted();
+    void guideWanted();
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    QWidget* makeSamples();
+    QWidget* makeOwn();
+    QWidget* makeRecent();
+
+    QVBoxLayout* recent_ = nullptr;
+};
+
+} // namespace smat::gui

@@ -1,0 +1,104 @@
+#include "irsg/scene/radiance/LightSolution.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "irsg/radiometry/ParallelFor.h"
+
+namespace irsg {
+
+namespace {
+
+/// Pieces that receivers are divided into, whatever the number of cores.
+constexpr std::size_t parts = 16;
+constexpr int mostIterations = 20'000;
+
+double patternOf(const LightExchange& exchange, std::size_t receiver, LightPattern pattern) {
+    switch (pattern) {
+    case LightPattern::emission:
+        return 1.0;
+    case LightPattern::sun:
+        return exchange.sun(receiver);
+    case LightPattern::sky:
+        return exchange.sky(receiver);
+    case LightPattern::ground:
+        return exchange.ground(receiver);
+    }
+    return 0.0;
+}
+
+} // namespace
+
+LightSolution::LightSolution(const LightExchange& exchange, const std::vector<LightColumn>& columns,
+                             const std::vector<std::vector<double>>& knots, int bounces,
+                             double error)
+    : columns_(columns.size()), knots_(knots.size()), places_(exchange.receivers(), none) {
+    const std::size_t receivers = exchange.receivers();
+    for (std::size_t r = 0; r < receivers; ++r)
+        if (!exchange.pairs().isEmpty(r)) {
+            places_[r] = receiver_.size();
+            receiver_.push_back(r);
+        }
+    gathered_.resize(receiver_.size() * columns_ * knots_);
+    std::vector<double> sent(receivers * columns_);
+    for (std::size_t r = 0; r < receivers; ++r)
+        for (std::size_t c = 0; c < columns_; ++c)
+            if (exchange.isSender(r) && columns[c].row == exchange.rowOf(r))
+                sent[r * columns_ + c] = patternOf(exchange, r, columns[c].pattern);
+    for (std::size_t knot = 0; knot < knots_; ++knot)
+        solve(exchange, knot, knots[knot], sent, bounces, error);
+}
+
+void LightSolution::solve(const LightExchange& exchange, std::size_t knot,
+                          const std::vector<double>& reflectivities,
+                          const std::vector<double>& sent, int bounces, double error) {
+    const std::size_t width = columns_;
+    std::vector<double> leaving = sent, next = sent;
+    std::vector<double> arriving(receiver_.size() * width);
+    double before = 0.0;
+    for (int n = 1; n <= mostIterations; ++n) {
+        std::array<double, parts> changes{}, largest{};
+        parallelFor(parts, [&](std::size_t part) {
+            for (std::size_t p = beginOfPart(part, parts, receiver_.size());
+                 p < beginOfPart(part + 1, parts, receiver_.size()); ++p) {
+                const std::size_t r = receiver_[p];
+                double* own = &arriving[p * width];
+                std::fill_n(own, width, 0.0);
+                const auto [first, last] = exchange.pairs().of(r);
+                for (const LightPair* pair = first; pair != last; ++pair) {
+                    const double* from = &leaving[pair->sender * width];
+                    const auto factor = static_cast<double>(pair->factor);
+                    for (std::size_t c = 0; c < width; ++c)
+                        own[c] += factor * from[c];
+                }
+                if (!exchange.isSender(r))
+                    continue;
+                const double rho = reflectivities[static_cast<std::size_t>(exchange.rowOf(r))];
+                for (std::size_t c = 0; c < width; ++c) {
+                    const double now = sent[r * width + c] + rho * own[c];
+                    changes[part] = std::max(changes[part], std::abs(now - leaving[r * width + c]));
+                    largest[part] = std::max(largest[part], now);
+                    next[r * width + c] = now;
+                }
+            }
+        });
+        iterations_ = std::max(iterations_, n);
+        if (n == bounces)
+            break;
+        std::swap(leaving, next);
+        const double change = *std::ranges::max_element(changes);
+        const double scale = std::max(*std::ranges::max_element(largest), 1.0);
+        // What is still to come, if it goes on as from the last change to this.
+        const double ratio = before > 0.0 ? std::min(change / before, 0.999) : 0.0;
+        if (change == 0.0 || (n > 2 && change * ratio <= error * scale * (1.0 - ratio)))
+            break;
+        before = change;
+    }
+    for (std::size_t p = 0; p < receiver_.size(); ++p)
+        for (std::size_t c = 0; c < width; ++c)
+            gathered_[(p * knots_ + knot) * width + c] =
+                static_cast<float>(arriving[p * width + c]);
+}
+
+} // namespace irsg

@@ -1,0 +1,429 @@
+#include "irsg/scene/radiance/SceneLight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+/// Bands in which integrals are kept; a spectrum has too many outputs.
+constexpr std::size_t mostOutputsKept = 16;
+/// What reflects less, sr-1, is black.
+constexpr double leastReflectance_per_sr = 1e-9;
+
+LightPattern patternOf(LightOrigin origin) {
+    switch (origin) {
+    case LightOrigin::sun:
+        return LightPattern::sun;
+    case LightOrigin::sky:
+        return LightPattern::sky;
+    default:
+        return LightPattern::ground;
+    }
+}
+
+/// What a cos^N lobe sends on the whole, as a part of what it would for N = 0.
+double hemispherical(double nAngleFactor) {
+    return 2.0 / (2.0 + nAngleFactor);
+}
+
+/// Divides a curve of vectors at the fewest places between which it is straight.
+class CurveDivision {
+  public:
+    /// `curve[i]`: all of equal length. `off`: most distance from a straight line, `step`: most
+    /// change along one, in any coordinate.
+    CurveDivision(const std::vector<std::vector<double>>& curve, double off, double step)
+        : curve_(curve), off_(off), step_(step) {}
+
+    std::vector<std::size_t> places() {
+        places_.push_back(0);
+        if (curve_.size() > 1)
+            divide(0, curve_.size() - 1);
+        return std::move(places_);
+    }
+    /// Where between two points of the curve another lies, 0 to 1.
+    double partOf(std::size_t a, std::size_t b, std::size_t i) const {
+        double along = 0.0, square = 0.0;
+        for (std::size_t k = 0; k < curve_[a].size(); ++k) {
+            const double step = curve_[b][k] - curve_[a][k];
+            along += step * (curve_[i][k] - curve_[a][k]);
+            square += step * step;
+        }
+        return square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+    }
+
+  private:
+    void divide(std::size_t a, std::size_t b) {
+        double worst = 0.0, length = 0.0;
+        std::size_t at = a + (b - a) / 2;
+        for (std::size_t k = 0; k < curve_[a].size(); ++k)
+            length = std::max(length, std::abs(curve_[b][k] - curve_[a][k]));
+        for (std::size_t i = a + 1; i < b; ++i) {
+            const double part = partOf(a, b, i);
+            for (std::size_t k = 0; k < curve_[i].size(); ++k) {
+                const double line = curve_[a][k] + part * (curve_[b][k] - curve_[a][k]);
+                const double off = std::abs(curve_[i][k] - line);
+                if (off > worst) {
+                    worst = off;
+                    at = i;
+                }
+            }
+        }
+        if (b - a > 1 && (worst > off_ || length > step_)) {
+            if (worst <= off_)
+                at = a + (b - a) / 2;
+            divide(a, at);
+            divide(at, b);
+            return;
+        }
+        places_.push_back(b);
+    }
+
+    const std::vector<std::vector<double>>& curve_;
+    double off_, step_;
+    std::vector<std::size_t> places_;
+};
+
+} // namespace
+
+SceneLight::SceneLight(std::shared_ptr<const LightExchange> exchange,
+                       const SceneRadiometry& radiometry, const Fronts& fronts,
+                       const RenderSettings& settings)
+    : exchange_(std::move(exchange)),
+      radiometry_(radiometry),
+      fronts_(fronts),
+      bounces_(settings.bounces) {
+    findColumns();
+    findKnots(settings);
+    fillSources();
+    solution_ = std::make_unique<const LightSolution>(*exchange_, columns_, knots_,
+                                                      settings.bounces, 0.02 * settings.lightError);
+}
+
+bool SceneLight::matters(int drawn) const {
+    return static_cast<std::size_t>(drawn) < exchange_->rows() && exchange_->seesAnything(drawn) &&
+           std::ranges::any_of(radiometry_.surfaces()[static_cast<std::size_t>(drawn)].reflectance,
+                               [](double value) { return value > leastReflectance_per_sr; });
+}
+
+void SceneLight::findColumns() {
+    const std::vector<RadianceTerm>& terms = radiometry_.terms().terms;
+    for (int row = 0; row < static_cast<int>(exchange_->rows()); ++row) {
+        if (exchange_->ofRow(row).empty())
+            continue;
+        const bool sends = std::ranges::any_of(exchange_->ofRow(row), [&](std::uint32_t receiver) {
+            return exchange_->isSender(receiver);
+        });
+        const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(row)];
+        const AirSamples& air = radiometry_.air(radiometry_.rows().first(row));
+        for (std::size_t t = 0; t < terms.size(); ++t) {
+            if (terms[t].surface == SurfaceQuantity::emission && sends)
+                columns_.push_back({row, t, LightPattern::emission});
+            if (terms[t].origin == LightOrigin::none || !terms[t].light || !air.light[t])
+                continue;
+            if (terms[t].origin == LightOrigin::sky)
+                skyTerm_ = static_cast<int>(t);
+            if (terms[t].origin == LightOrigin::ground)
+                groundTerm_ = static_cast<int>(t);
+            const bool reflects = std::ranges::any_of(
+                surface.reflectance, [](double value) { return value > leastReflectance_per_sr; });
+            if (sends && reflects)
+                columns_.push_back({row, t, patternOf(terms[t].origin)});
+        }
+    }
+}
+
+void SceneLight::findKnots(const RenderSettings& settings) {
+    const std::size_t nodes = radiometry_.wavelengths_um().size();
+    between_.assign(nodes, {});
+    const std::vector<double> black(radiometry_.surfaces().size(), 0.0);
+    if (settings.bounces == 1) {
+        knots_.push_back(black);
+        return;
+    }
+    // Rows that light is reflected at on its way, and how much of what they send comes back at
+    // most.
+    std::vector<std::pair<std::size_t, double>> rows;
+    for (int row = 0; row < static_cast<int>(exchange_->rows()); ++row) {
+        double most = 0.0;
+        for (const std::uint32_t receiver : exchange_->ofRow(row))
+            if (exchange_->isSender(receiver))
+                most = std::max(most, exchange_->seen(receiver));
+        if (most > 0.0)
+            rows.emplace_back(static_cast<std::size_t>(row), std::min(most, 1.0));
+    }
+    const auto reflectivity = [&](std::size_t row, std::size_t node) {
+        return pi * radiometry_.surfaces()[row].reflectance[node];
+    };
+    std::vector<std::size_t> order(nodes);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {},
+                             [&](std::size_t i) { return radiometry_.wavelengths_um()[i]; });
+    // L grows as 1 / (1 - rho F): straight enough in the logarithm of that.
+    std::vector<std::vector<double>> curve;
+    std::vector<std::size_t> places(nodes), first;
+    for (const std::size_t node : order) {
+        std::vector<double> at;
+        for (const auto& [row, most] : rows)
+            at.push_back(-std::log(1.0 - std::min(reflectivity(row, node), 0.9999) * most));
+        if (curve.empty() || curve.back() != at) {
+            curve.push_back(std::move(at));
+            first.push_back(node);
+        }
+        places[node] = curve.size() - 1;
+    }
+    CurveDivision division(curve, 0.1 * settings.lightError, std::sqrt(settings.lightError));
+    const std::vector<std::size_t> divided = division.places();
+    std::vector<std::size_t> knotOf; // by division
+    for (const std::size_t place : divided) {
+        std::vector<double> own = black;
+        for (const auto& [row, most] : rows)
+            own[row] = reflectivity(row, first[place]);
+        const auto known = std::ranges::find(knots_, own);
+        knotOf.push_back(static_cast<std::size_t>(known - knots_.begin()));
+        if (known == knots_.end())
+            knots_.push_back(std::move(own));
+    }
+    for (std::size_t node = 0; node < nodes; ++node) {
+        const auto above = std::ranges::lower_bound(divided, places[node]);
+        const auto high = static_cast<std::size_t>(above - divided.begin());
+        const std::size_t low = high > 0 ? high - 1 : 0;
+        between_[node] = {knotOf[low], knotOf[high],
+                          division.partOf(divided[low], divided[high], places[node])};
+    }
+}
+
+const std::vector<double>& SceneLight::lightOn(int drawn, int term) const {
+    return *radiometry_.air(radiometry_.rows().first(drawn)).light[static_cast<std::size_t>(term)];
+}
+
+void SceneLight::fillSources() {
+    sources_W_m2_um_.assign(columns_.size(), {});
+    parallelFor(columns_.size(), [&](std::size_t c) {
+        const LightColumn& column = columns_[c];
+        const SurfaceSpectra& surface =
+            radiometry_.surfaces()[static_cast<std::size_t>(column.row)];
+        std::vector<double>& source = sources_W_m2_um_[c];
+        source.assign(radiometry_.wavelengths_um().size(), 0.0);
+        if (column.pattern == LightPattern::emission) {
+            const double whole = pi * hemispherical(surface.nAngleFactor);
+            for (const SurfaceSpectra::Emission& part : surface.emission)
+                for (std::size_t i = 0; i < source.size(); ++i)
+                    source[i] += whole * part.factor * part.radiance[i];
+            return;
+        }
+        const std::vector<double>& light = lightOn(column.row, static_cast<int>(column.term));
+        for (std::size_t i = 0; i < source.size(); ++i)
+            source[i] = pi * surface.reflectance[i] * light[i];
+    });
+}
+
+void SceneLight::turn() {
+    fillSources();
+    known_.clear();
+    atReceivers_.clear();
+}
+
+std::vector<double> SceneLight::integralsOf(const FactorKind& kind, std::size_t output) const {
+    const auto& [first, last] = radiometry_.outputs()[output];
+    const int drawn = radiometry_.rows().drawnOf(kind.row);
+    const std::vector<double>& own = radiometry_.surface(kind.row).reflectance;
+    const std::vector<double>& through = *radiometry_.air(kind.row).transmittance;
+    std::vector<double> base(radiometry_.weights_um().begin() + static_cast<std::ptrdiff_t>(first),
+                             radiometry_.weights_um().begin() + static_cast<std::ptrdiff_t>(last));
+    for (const auto& [entity, material] : fronts_.materials(kind.front)) {
+        const double* t = radiometry_.transmissivity(entity, material).data() + first;
+        for (std::size_t i = 0; i < base.size(); ++i)
+            base[i] *= t[i];
+    }
+    for (std::size_t i = 0; i < base.size(); ++i)
+        base[i] *= own[first + i] * through[first + i];
+
+    std::vector<double> sums(width(), 0.0);
+    for (const auto& [place, term] : {std::pair{0, skyTerm_}, std::pair{1, groundTerm_}}) {
+        if (term < 0)
+            continue;
+        const double* light = lightOn(drawn, term).data() + first;
+        for (std::size_t i = 0; i < base.size(); ++i)
+            sums[static_cast<std::size_t>(place)] -= base[i] * light[i];
+    }
+    const std::size_t columns = columns_.size();
+    for (std::size_t c = 0; c < columns; ++c) {
+        const double* source = sources_W_m2_um_[c].data() + first;
+        if (knots_.size() == 1) {
+            for (std::size_t i = 0; i < base.size(); ++i)
+                sums[2 + c] += base[i] * source[i];
+            continue;
+        }
+        for (std::size_t i = 0; i < base.size(); ++i) {
+            const Between& at = between_[first + i];
+            const double sent = base[i] * source[i];
+            sums[2 + at.low * columns + c] += (1.0 - at.part) * sent;
+            sums[2 + at.high * columns + c] += at.part * sent;
+        }
+    }
+    return sums;
+}
+
+void SceneLight::prepare(const std::vector<FactorKind>& kinds) {
+    const std::size_t outputs = radiometry_.outputs().size();
+    if (outputs > mostOutputsKept)
+        return;
+    std::vector<std::pair<FactorKind, std::vector<std::vector<double>>*>> missing;
+    for (const FactorKind& kind : kinds)
+        if (matters(radiometry_.rows().drawnOf(kind.row))) {
+            const auto [place, isNew] = known_.try_emplace({kind.front, kind.row});
+            if (isNew) {
+                place->second.resize(outputs);
+                missing.emplace_back(kind, &place->second);
+            }
+        }
+    parallelFor(missing.size() * outputs, [&](std::size_t i) {
+        auto& [kind, sums] = missing[i / outputs];
+        (*sums)[i % outputs] = integralsOf(kind, i % outputs);
+    });
+}
+
+std::span<const double> SceneLight::integrals(const FactorKind& kind, std::size_t output) {
+    if (radiometry_.outputs().size() > mostOutputsKept)
+        return passing_ = integralsOf(kind, output);
+    const auto known = known_.find({kind.front, kind.row});
+    if (known == known_.end())
+        throw LogicError("light between surfaces was asked for of a kind that was not prepared");
+    return known->second[output];
+}
+
+std::vector<double> SceneLight::contracted(int row, std::span<const double> sums,
+                                           bool withCosine) const {
+    std::vector<double> all(width(), 0.0);
+    const std::vector<std::uint32_t>& receivers = exchange_->ofRow(radiometry_.rows().drawnOf(row));
+    for (std::size_t n = 0; n < receivers.size(); ++n) {
+        const double weight = sums[2 * n + (withCosine ? 1 : 0)];
+        if (weight == 0.0)
+            continue;
+        const LightExchange::Loss& loss = exchange_->loss(receivers[n]);
+        all[0] += weight * loss.sky;
+        all[1] += weight * loss.ground;
+        const std::span<const float> gathered = solution_->of(receivers[n]);
+        for (std::size_t k = 0; k < gathered.size(); ++k)
+            all[2 + k] += weight * static_cast<double>(gathered[k]);
+    }
+    return all;
+}
+
+const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const FactorKind& kind) {
+    const auto [place, isNew] = atReceivers_.try_emplace({kind.front, kind.row});
+    if (!isNew)
+        return place->second;
+    prepare({kind});
+    const std::span<const double> sums = integrals(kind, 0);
+    const std::vector<std::uint32_t>& receivers =
+        exchange_->ofRow(radiometry_.rows().drawnOf(kind.row));
+    std::vector<AtReceiver>& all = place->second;
+    all.resize(receivers.size());
+    for (std::size_t n = 0; n < receivers.size(); ++n) {
+        const LightExchange::Loss& loss = exchange_->loss(receivers[n]);
+        const std::span<const float> gathered = solution_->of(receivers[n]);
+        double ofOthers = 0.0;
+        for (std::size_t k = 0; k < gathered.size(); ++k)
+            ofOthers += static_cast<double>(gathered[k]) * sums[2 + k];
+        all[n] = {loss.sky * sums[0], loss.ground * sums[1], ofOthers};
+    }
+    return all;
+}
+
+ReceiverRows::ReceiverRows(const SurfaceRows& rows, const LightExchange& exchange) {
+    first_.push_back(0);
+    for (int row = 0; row < rows.size(); ++row) {
+        const int drawn = rows.drawnOf(row);
+        const std::size_t own =
+            static_cast<std::size_t>(drawn) < exchange.rows() ? exchange.ofRow(drawn).size() : 0;
+        first_.push_back(first_.back() + static_cast<int>(own));
+    }
+}
+
+std::pair<int, std::size_t> ReceiverRows::receiverOf(int number) const {
+    const auto behind = std::ranges::upper_bound(first_, number);
+    const auto row = static_cast<int>(behind - first_.begin()) - 1;
+    return {row, static_cast<std::size_t>(number - first_[static_cast<std::size_t>(row)])};
+}
+
+std::vector<double> radiancesOf(const std::vector<FactorKind>& receivers, const ReceiverRows& rows,
+                                SceneLight& light) {
+    std::vector<double> all;
+    for (const FactorKind& kind : receivers) {
+        const auto [row, local] = rows.receiverOf(kind.row);
+        const SceneLight::AtReceiver& at = light.atReceivers({kind.front, row})[local];
+        all.push_back(at[0] + at[1] + at[2]);
+    }
+    return all;
+}
+
+SceneLight::AtReceiver lightAt(const LightExchange& exchange,
+                               const std::vector<SceneLight::AtReceiver>& atReceivers,
+                               const FactorSamples::Place& place) {
+    SceneLight::AtReceiver all{};
+    if (place.triangle == FactorSamples::Place::none)
+        return all;
+    exchange.forEachReceiver(
+        place.triangle, place.u, place.v, [&](std::uint32_t receiver, float part) {
+            const SceneLight::AtReceiver& at = atReceivers[exchange.localOf(receiver)];
+            for (std::size_t k = 0; k < all.size(); ++k)
+                all[k] += static_cast<double>(part) * at[k];
+        });
+    return all;
+}
+
+template <typename Visit>
+void SceneLight::forEachColumn(std::span<const double> contracted, std::size_t node,
+                               Visit visit) const {
+    const Between& at = between_[node];
+    const std::size_t columns = columns_.size();
+    for (std::size_t c = 0; c < columns; ++c)
+        visit(c, (1.0 - at.part) * contracted[2 + at.low * columns + c] +
+                     at.part * contracted[2 + at.high * columns + c]);
+}
+
+void SceneLight::fallsOn(int row, std::span<const double> contracted, std::size_t first,
+                         std::vector<double>& all_W_m2_um) const {
+    const int drawn = radiometry_.rows().drawnOf(row);
+    for (std::size_t i = 0; i < all_W_m2_um.size(); ++i) {
+        double sum = 0.0;
+        if (skyTerm_ >= 0)
+            sum -= contracted[0] * lightOn(drawn, skyTerm_)[first + i];
+        if (groundTerm_ >= 0)
+            sum -= contracted[1] * lightOn(drawn, groundTerm_)[first + i];
+        forEachColumn(contracted, first + i, [&](std::size_t c, double part) {
+            sum += part * sources_W_m2_um_[c][first + i];
+        });
+        all_W_m2_um[i] = sum;
+    }
+}
+
+void SceneLight::sentBy(int sender, std::span<const double> contracted, std::size_t first,
+                        std::vector<double>& perEmission,
+                        std::vector<double>& perReflectivity) const {
+    const double whole =
+        pi * hemispherical(radiometry_.surfaces()[static_cast<std::size_t>(sender)].nAngleFactor);
+    for (std::size_t i = 0; i < perEmission.size(); ++i) {
+        perEmission[i] = perReflectivity[i] = 0.0;
+        forEachColumn(contracted, first + i, [&](std::size_t c, double part) {
+            const LightColumn& column = columns_[c];
+            if (column.row != sender)
+                return;
+            if (column.pattern == LightPattern::emission)
+                perEmission[i] += whole * part;
+            else
+                perReflectivity[i] +=
+                    part * lightOn(sender, static_cast<int>(column.term))[first + i];
+        });
+    }
+}
+
+} // namespace irsg

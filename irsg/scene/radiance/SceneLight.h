@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "irsg/scene/RenderSettings.h"
+#include "irsg/scene/radiance/FactorField.h"
+#include "irsg/scene/radiance/Fronts.h"
+#include "irsg/scene/radiance/LightSolution.h"
+#include "irsg/scene/radiance/SceneRadiometry.h"
+#include "irsg/scene/sampling/Samples.h"
+
+namespace irsg {
+
+/// Sums of the weights of receivers, by kind: without and with the cosine off axis, for each
+/// receiver of the kind's drawn row. What the light between surfaces needs of a view; it knows
+/// neither wavelengths nor reflectivities.
+using LightSums = std::map<std::pair<int, int>, std::vector<double>>; // by front and row
+
+/// What inter-reflection changes of the radiance of surfaces: what they lose of sky and ground to
+/// what stands before them, and what that sends in its place. At a receiver, in terms of the light
+/// of its own row r and the columns c of sources of others (LightSolution), node by node,
+///   (rho_r / pi) tau [ pi sum_c S_c G_c - loss_sky E_sky - loss_ground E_ground ].
+/// The bracket is linear in geometry's numbers and in the spectra of senders, so that in a band it
+/// is a dot product: of the receiver's loss and G with integrals that the receivers of a row share.
+class SceneLight {
+  public:
+    /// All must live as long; `fronts` may grow.
+    SceneLight(std::shared_ptr<const LightExchange> exchange, const SceneRadiometry& radiometry,
+               const Fronts& fronts, const RenderSettings& settings);
+
+    const LightExchange& exchange() const { return *exchange_; }
+    int bounces() const { return bounces_; }
+    /// Whether light between surfaces changes anything of a drawn row.
+    bool matters(int drawn) const;
+    /// Forgets what follows from the emission of senders, which has become another.
+    void turn();
+
+    /// Radiances at the sensor where factors are 1, W m-2 sr-1: what the row's sky and ground give,
+    /// taken away, and what each column gives, knot by knot.
+    std::span<const double> integrals(const FactorKind& kind, std::size_t output);
+    void prepare(const std::vector<FactorKind>& kinds);
+
+    /// What sums of a kind make of the same numbers: of losses, and of columns.
+    std::vector<double> contracted(int row, std::span<const double> sums, bool withCosine) const;
+    /// In-band radiance in the first output at each receiver of a kind's drawn row: what is taken
+    /// of that by sky and by ground, and what others give.
+    using AtReceiver = std::array<double, 3>;
+    const std::vector<AtReceiver>& atReceivers(const FactorKind& kind);
+
+    /// Of what is contracted over receivers of a row, for nodes from `first` on, as many as the
+    /// vectors hold: all that falls on them, W m-2 um-1 times the unit of the sums.
+    void fallsOn(int row, std::span<const double> contracted, std::size_t first,
+                 std::vector<double>& all_W_m2_um) const;
+    /// What drawn row `sender` adds to that: of its emission at an emission of 1, and of what it
+    /// reflects at a reflectivity of 1.
+    void sentBy(int sender, std::span<const double> contracted, std::size_t first,
+                std::vector<double>& perEmission, std::vector<double>& perReflectivity) const;
+
+    const LightSolution& solution() const { return *solution_; }
+    /// Terms that light is taken away of, of sky and of ground; -1 for none.
+    int skyTerm() const { return skyTerm_; }
+    int groundTerm() const { return groundTerm_; }
+
+  private:
+    /// Knots about a node, and how far it is from the first of them.
+    struct Between {
+        std::size_t low = 0, high = 0;
+        double part = 0.0;
+    };
+    void findColumns();
+    void findKnots(const RenderSettings& settings);
+    void fillSources();
+    std::vector<double> integralsOf(const FactorKind& kind, std::size_t output) const;
+    std::size_t width() const { return 2 + columns_.size() * knots_.size(); }
+    /// By node.
+    const std::vector<double>& lightOn(int drawn, int term) const;
+    /// Calls visit(column, part of it) for what a node has of contracted columns.
+    template <typename Visit>
+    void forEachColumn(std::span<const double> contracted, std::size_t node, Visit visit) const;
+
+    std::shared_ptr<const LightExchange> exchange_;
+    const SceneRadiometry& radiometry_;
+    const Fronts& fronts_;
+    int bounces_;
+    int skyTerm_ = -1, groundTerm_ = -1;
+    std::vector<LightColumn> columns_;
+    std::vector<std::vector<double>> knots_;           // reflectivities by row
+    std::vector<Between> between_;                     // by node
+    std::vector<std::vector<double>> sources_W_m2_um_; // by column: pi times its radiance, by node
+    std::unique_ptr<const LightSolution> solution_;
+    std::map<std::pair<int, int>, std::vector<std::vector<double>>> known_; // by kind and output
+    std::vector<double> passing_; // integrals that are not kept
+    std::map<std::pair<int, int>, std::vector<AtReceiver>> atReceivers_; // of output 0
+};
+
+/// Numbers for the receivers of all rows of a radiometry, row by row.
+class ReceiverRows {
+  public:
+    ReceiverRows() = default;
+    ReceiverRows(const SurfaceRows& rows, const LightExchange& exchange);
+    int numberOf(int row, std::uint32_t local) const {
+        return first_[static_cast<std::size_t>(row)] + static_cast<int>(local);
+    }
+    /// The row of a number, and which of its receivers that is.
+    std::pair<int, std::size_t> receiverOf(int number) const;
+
+  private:
+    std::vector<int> first_; // by row, and behind the last
+};
+
+/// In-band radiance in the first output at the receivers that a field has entries of.
+std::vector<double> radiancesOf(const std::vector<FactorKind>& receivers, const ReceiverRows& rows,
+                                SceneLight& light);
+
+/// The same between the receivers about a sample's place; nothing where that is not known.
+SceneLight::AtReceiver lightAt(const LightExchange& exchange,
+                               const std::vector<SceneLight::AtReceiver>& atReceivers,
+                               const FactorSamples::Place& place);
+
+} // namespace irsg

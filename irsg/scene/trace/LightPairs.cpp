@@ -1,0 +1,72 @@
+#include "irsg/scene/trace/LightPairs.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "irsg/radiometry/ParallelFor.h"
+
+namespace irsg {
+
+namespace {
+
+/// Adds up what is equal of a sorted list and returns how much is left.
+template <typename Entry, typename IsEqual>
+std::size_t merge(Entry* list, std::size_t count, IsEqual isEqual) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (kept > 0 && isEqual(list[kept - 1], list[i]))
+            list[kept - 1].factor += list[i].factor;
+        else
+            list[kept++] = list[i];
+    return kept;
+}
+
+} // namespace
+
+void mergeParts(std::vector<LightPart>& parts) {
+    std::ranges::stable_sort(parts, [](const LightPart& a, const LightPart& b) {
+        return std::tie(a.receiver, a.sender) < std::tie(b.receiver, b.sender);
+    });
+    parts.resize(merge(parts.data(), parts.size(), [](const LightPart& a, const LightPart& b) {
+        return a.receiver == b.receiver && a.sender == b.sender;
+    }));
+    parts.shrink_to_fit();
+}
+
+LightPairs::LightPairs(std::size_t receivers, std::vector<std::vector<LightPart>> parts) {
+    std::vector<std::size_t> begin(receivers + 1), kept(receivers);
+    for (const std::vector<LightPart>& list : parts)
+        for (const LightPart& part : list)
+            ++begin[part.receiver + 1];
+    for (std::size_t r = 0; r < receivers; ++r)
+        begin[r + 1] += begin[r];
+    std::vector<LightPair> all(begin.back());
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+    for (std::vector<LightPart>& list : parts) {
+        for (const LightPart& part : list)
+            all[next[part.receiver]++] = {part.sender, part.factor};
+        list = {};
+    }
+    constexpr std::size_t atOnce = 64;
+    parallelFor((receivers + atOnce - 1) / atOnce, [&](std::size_t piece) {
+        for (std::size_t r = piece * atOnce; r < std::min(receivers, (piece + 1) * atOnce); ++r) {
+            LightPair* own = all.data() + begin[r];
+            const std::size_t count = begin[r + 1] - begin[r];
+            std::stable_sort(own, own + count, [](const LightPair& a, const LightPair& b) {
+                return a.sender < b.sender;
+            });
+            kept[r] = merge(own, count, [](const LightPair& a, const LightPair& b) {
+                return a.sender == b.sender;
+            });
+        }
+    });
+    first_.push_back(0);
+    for (const std::size_t count : kept)
+        first_.push_back(first_.back() + count);
+    pairs_.reserve(first_.back());
+    for (std::size_t r = 0; r < receivers; ++r)
+        pairs_.insert(pairs_.end(), all.begin() + static_cast<std::ptrdiff_t>(begin[r]),
+                      all.begin() + static_cast<std::ptrdiff_t>(begin[r] + kept[r]));
+}
+
+} // namespace irsg

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace irsg {
+
+/// What a receiver gets of others: receiver numbers of the senders, ascending, and view factors.
+struct LightPair {
+    std::uint32_t sender;
+    float factor;
+};
+
+/// A view factor, or a part of one.
+struct LightPart {
+    std::uint32_t receiver, sender;
+    float factor;
+};
+
+/// Puts equal pairs of a list together, in the order of receivers and senders.
+void mergeParts(std::vector<LightPart>& parts);
+
+/// Lists of pairs, one for each receiver.
+class LightPairs {
+  public:
+    LightPairs() = default;
+    /// Parts of factors that belong together are added in the order in which they come.
+    LightPairs(std::size_t receivers, std::vector<std::vector<LightPart>> parts);
+    std::size_t receivers() const { return first_.empty() ? 0 : first_.size() - 1; }
+    std::size_t size() const { return pairs_.size(); }
+    std::pair<const LightPair*, const LightPair*> of(std::size_t receiver) const {
+        return {pairs_.data() + first_[receiver], pairs_.data() + first_[receiver + 1]};
+    }
+    bool isEmpty(std::size_t receiver) const { return first_[receiver] == first_[receiver + 1]; }
+
+  private:
+    std::vector<std::size_t> first_;
+    std::vector<LightPair> pairs_;
+};
+
+} // namespace irsg

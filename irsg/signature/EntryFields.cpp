@@ -1,0 +1,347 @@
+#include "irsg/signature/EntryFields.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+/// Speed of sound in air of 288.15 K, m/s.
+constexpr double soundSpeed_m_s = 340.3;
+/// The highest Mach number and altitude axis in km that are taken for what they are.
+constexpr double highestMach = 30.0;
+constexpr double highestAltitude_km = 30.0;
+/// cos^N with a higher N sends everything along the normal.
+constexpr double steepestN = 100.0;
+
+using Terms = TemperatureTerms;
+constexpr double none = NumberRules::none;
+
+template <typename Entry>
+bool always(const Entry& /*entry*/) {
+    return true;
+}
+
+const std::array termRows = {
+    EntryField<Terms>{.key = "base_K",
+                      .column = "base_K",
+                      .member = &Terms::base_K,
+                      .label = "T0",
+                      .word = "T0",
+                      .unit = "K",
+                      .help = "T0: what does not depend on the air",
+                      .isRequired = always<Terms>},
+    EntryField<Terms>{.key = "ambientFactor",
+                      .column = "ambient_factor",
+                      .member = &Terms::ambientFactor,
+                      .label = "a",
+                      .word = "a",
+                      .help = "a: the part of the ambient temperature that counts",
+                      .number = {.likely = "a share of the air's temperature of at least 0",
+                                 .likelyLeast = 0.0,
+                                 .step = 0.05},
+                      .isRequired = always<Terms>},
+    EntryField<Terms>{
+        .key = "recoveryFactor",
+        .column = "recovery_factor",
+        .member = &Terms::recoveryFactor,
+        .label = "r",
+        .word = "r",
+        .help = "r: recovery factor of the heating by the air that passes, 0.85 laminar, 0.89 "
+                "turbulent, 1 on a stagnation line",
+        .number = {.likely = "a recovery factor from 0 to 1 (0.85 laminar, 0.89 turbulent)",
+                   .likelyLeast = 0.0,
+                   .likelyMost = 1.0,
+                   .mostPercent = 100.0,
+                   .step = 0.01}},
+    EntryField<Terms>{.key = "ambientOffset_K",
+                      .column = "ambient_offset_K",
+                      .member = &Terms::ambientOffset_K,
+                      .label = "ΔT",
+                      .word = "delta T",
+                      .unit = "K",
+                      .help = "ΔT: above or below the ambient temperature, times a"},
+    EntryField<Terms>{.key = "time_s",
+                      .column = "time_s",
+                      .member = &Terms::time,
+                      .label = "f(t)",
+                      .word = "f(time)",
+                      .unit = "K",
+                      .help = "What time adds",
+                      .table = {.axis = "time",
+                                .unit = "s",
+                                .value = "rise",
+                                .position = [](const EntityState& at) { return at.time_s; },
+                                .mayLoop = true}},
+    EntryField<Terms>{.key = "power",
+                      .column = "power",
+                      .member = &Terms::power,
+                      .label = "f(power)",
+                      .word = "f(power)",
+                      .unit = "K",
+                      .help = "What the engine's power adds",
+                      .table = {.axis = "power setting",
+                                .value = "rise",
+                                .position = [](const EntityState& at) { return at.power; },
+                                .step = 0.1}},
+    EntryField<Terms>{.key = "altitude_m",
+                      .column = "altitude_m",
+                      .member = &Terms::altitude,
+                      .label = "f(altitude)",
+                      .word = "f(altitude)",
+                      .unit = "K",
+                      .help = "What altitude adds",
+                      .table = {.axis = "altitude",
+                                .unit = "m",
+                                .value = "rise",
+                                .position = [](const EntityState& at) { return at.altitude_m; },
+                                .suspicion = {.low = 1e-3,
+                                              .high = highestAltitude_km,
+                                              .expected = "an altitude in m",
+                                              .remedy = "km taken for m? Multiply the axis by 1000",
+                                              .factor = 1e3},
+                                .step = 1000.0}},
+    EntryField<Terms>{
+        .key = "mach",
+        .column = "mach",
+        .member = &Terms::mach,
+        .label = "f(M)",
+        .word = "f(Mach)",
+        .unit = "K",
+        .help = "What speed adds",
+        .table = {.axis = "Mach number",
+                  .value = "rise",
+                  .position = [](const EntityState& at) { return at.mach; },
+                  .suspicion = {.low = highestMach,
+                                .high = none,
+                                .expected = "a Mach number of at most 30",
+                                .remedy = "m/s taken for Mach? Divide the axis by 340.3",
+                                .factor = 1.0 / soundSpeed_m_s},
+                  .step = 0.1}},
+    EntryField<Terms>{
+        .key = "ambient_K",
+        .column = "ambient_K",
+        .member = &Terms::ambient,
+        .label = "f(T_amb)",
+        .word = "f(ambient)",
+        .unit = "K",
+        .help =
+            "What the temperature of the air adds where a · T_amb is not enough: parts that are "
+            "heated, cooled or measured on several days",
+        .table = {.axis = "temperature of the air",
+                  .unit = "K",
+                  .value = "rise",
+                  .position = [](const EntityState& at) { return at.ambient_K; },
+                  .suspicion = {.low = -80.0,
+                                .high = 100.0,
+                                .expected = "temperatures of air in K",
+                                .remedy = "degrees Celsius taken for K? Add 273.15 to the axis",
+                                .factor = 1.0,
+                                .offset = 273.15},
+                  .step = 10.0},
+        .since = 2},
+};
+
+const std::array factorRows = {
+    EntryField<ComponentFactor>{.key = "component",
+                                .column = "component",
+                                .member = &ComponentFactor::component,
+                                .isRequired = always<ComponentFactor>},
+    EntryField<ComponentFactor>{
+        .key = "constant",
+        .column = "constant",
+        .member = &ComponentFactor::constant,
+        .label = "Constant",
+        .word = "constant factor",
+        .help = "Factor of this component; a table over time stands in its place",
+        .number = {.expected = "a factor of at least 0", .least = 0.0, .step = 0.1}},
+    EntryField<ComponentFactor>{
+        .key = "time_s",
+        .column = "time_s",
+        .member = &ComponentFactor::time,
+        .label = "over time",
+        .word = "time factor",
+        .help = "Factor over time, in place of the constant",
+        .table = {.axis = "time",
+                  .unit = "s",
+                  .value = "factor",
+                  .position = [](const EntityState& at) { return at.time_s; },
+                  .mayLoop = true,
+                  .leastValue = 0.0,
+                  .firstValue = 1.0}},
+    EntryField<ComponentFactor>{
+        .key = "angle_deg",
+        .column = "angle_deg",
+        .member = &ComponentFactor::angle,
+        .label = "over angle",
+        .word = "angle factor",
+        .help = "Factor over the angle from the nose, times the constant or that over time",
+        .table = {.axis = "angle from the nose",
+                  .unit = "deg",
+                  .value = "factor",
+                  .position = [](const EntityState& at) { return degrees(at.aspectAngle_rad); },
+                  .leastValue = 0.0,
+                  .leastPosition = 0.0,
+                  .mostPosition = 180.0,
+                  .suspicion = {.low = pi / 2.0 - 0.01,
+                                .high = pi + 0.01,
+                                .expected = "angles in degrees",
+                                .remedy =
+                                    "radians taken for degrees? Multiply the axis by 57.29578",
+                                .factor = degrees(1.0)},
+                  .step = 30.0,
+                  .firstValue = 1.0}},
+};
+
+const std::array temperatureRows = {
+    EntryField<TemperatureEntry>{.key = "name",
+                                 .column = "name",
+                                 .member = &TemperatureEntry::name,
+                                 .label = "Name",
+                                 .isRequired = always<TemperatureEntry>},
+    EntryField<TemperatureEntry>{.key = "mode",
+                                 .column = "mode",
+                                 .member = &TemperatureEntry::mode,
+                                 .label = "Mode",
+                                 .isRequired = always<TemperatureEntry>},
+    EntryField<TemperatureEntry>{
+        .key = "terms",
+        .column = "terms",
+        .member = &TemperatureEntry::terms,
+        .isRequired =
+            [](const TemperatureEntry& entry) { return entry.mode == EmissionMode::temperature; }},
+    EntryField<TemperatureEntry>{
+        .key = "factors", .column = "factors", .member = &TemperatureEntry::factors},
+    EntryField<TemperatureEntry>{.key = "userSpectrum",
+                                 .column = "user_spectrum",
+                                 .member = &TemperatureEntry::userSpectrum,
+                                 .label = "Spectrum"},
+    EntryField<TemperatureEntry>{
+        .key = "notes", .column = "notes", .member = &TemperatureEntry::notes, .label = "Notes"},
+};
+
+const std::array materialRows = {
+    EntryField<Material>{.key = "name",
+                         .column = "name",
+                         .member = &Material::name,
+                         .label = "Name",
+                         .isRequired = always<Material>},
+    EntryField<Material>{.key = "emissivity",
+                         .column = "emissivity",
+                         .member = &Material::emissivity,
+                         .label = "Emissivity",
+                         .word = "emissivity",
+                         .isRequired = always<Material>},
+    EntryField<Material>{.key = "transmissivity",
+                         .column = "transmissivity",
+                         .member = &Material::transmissivity,
+                         .label = "Transmissivity",
+                         .word = "transmissivity"},
+    EntryField<Material>{
+        .key = "nAngleFactor",
+        .column = "n_angle_factor",
+        .member = &Material::nAngleFactor,
+        .label = "N",
+        .word = "N angle factor",
+        .help = "N of cos^N: 0 emits alike in all directions, larger values along the normal. For "
+                "temperatures and for user-defined spectra",
+        .number = {.expected = "a number of at least 0",
+                   .least = 0.0,
+                   .likely = "N of at most 100: 0 is a diffuse emitter, 3 already a beam",
+                   .likelyMost = steepestN,
+                   .step = 0.25}},
+    EntryField<Material>{
+        .key = "notes", .column = "notes", .member = &Material::notes, .label = "Notes"},
+};
+
+const std::array spectrumRows = {
+    EntryField<UserSpectrum>{
+        .key = "referenceDistance_m",
+        .column = "reference_distance_m",
+        .member = &UserSpectrum::referenceDistance_m,
+        .label = "Reference distance",
+        .word = "reference distance",
+        .unit = "m",
+        .help = "The air between the source and this distance is inside the measurement already: a "
+                "nearer sensor sees it unchanged, a farther one through the rest of the air",
+        .number = {.expected = "a distance of at least 0 m", .least = 0.0}},
+    EntryField<UserSpectrum>{
+        .key = "importedUnit", .column = "imported_unit", .member = &UserSpectrum::importedUnit},
+    EntryField<UserSpectrum>{
+        .key = "notes", .column = "notes", .member = &UserSpectrum::notes, .label = "Notes"},
+};
+
+constexpr std::array<std::pair<EmissionMode, const char*>, 2> modes = {
+    {{EmissionMode::temperature, "temperature"}, {EmissionMode::userSpectrum, "userSpectrum"}}};
+
+template <typename Entry>
+int versionOf(const Entry& entry, std::span<const EntryField<Entry>> fields) {
+    int version = 1;
+    for (const EntryField<Entry>& field : fields)
+        if (field.saysSomething(entry))
+            version = std::max(version, field.since);
+    return version;
+}
+
+} // namespace
+
+std::span<const EntryField<TemperatureTerms>> termFields() {
+    return termRows;
+}
+
+std::span<const EntryField<ComponentFactor>> factorFields() {
+    return factorRows;
+}
+
+std::span<const EntryField<TemperatureEntry>> temperatureFields() {
+    return temperatureRows;
+}
+
+std::span<const EntryField<Material>> materialFields() {
+    return materialRows;
+}
+
+std::span<const EntryField<UserSpectrum>> spectrumFields() {
+    return spectrumRows;
+}
+
+int formatVersionOf(const SignatureDatabase& database) {
+    int version = 1;
+    const auto count = [&](const auto& entry, auto fields) {
+        version = std::max(version, versionOf(entry, fields));
+    };
+    for (const auto& [index, entry] : database.temperatures) {
+        count(entry, temperatureFields());
+        count(entry.terms, termFields());
+        for (const ComponentFactor& factor : entry.factors)
+            count(factor, factorFields());
+    }
+    for (const auto& [index, material] : database.materials)
+        count(material, materialFields());
+    for (const auto& [name, spectrum] : database.spectra)
+        count(spectrum, spectrumFields());
+    return version;
+}
+
+const char* nameOf(EmissionMode mode) {
+    return std::ranges::find(modes, mode, &std::pair<EmissionMode, const char*>::first)->second;
+}
+
+const EmissionMode* emissionModeNamed(const std::string& name) {
+    const auto* const found =
+        std::ranges::find(modes, name, [](const auto& row) { return std::string(row.second); });
+    return found == modes.end() ? nullptr : &found->first;
+}
+
+std::string emissionModesExpected() {
+    std::string text;
+    for (const auto& [mode, name] : modes)
+        text += (text.empty() ? "'" : " or '") + std::string(name) + "'";
+    return text;
+}
+
+} // namespace irsg

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <variant>
+
+#include "irsg/signature/EntityState.h"
+#include "irsg/signature/SignatureDatabase.h"
+
+namespace irsg {
+
+/// What a number may be. Outside of `least` to `most`, or not finite, it is an error; outside of
+/// `likelyLeast` to `likelyMost` a warning.
+struct NumberRules {
+    static constexpr double none = std::numeric_limits<double>::infinity();
+
+    const char* expected = "a finite number"; ///< of the error
+    double least = -none;
+    double most = none;
+    const char* likely = ""; ///< of the warning: what it was likely meant to be
+    double likelyLeast = -none;
+    double likelyMost = none;
+    /// Up to here, a number above `likelyMost` is a percentage; 0 where it never is.
+    double mostPercent = 0.0;
+    double step = 1.0; ///< of the arrow keys in a form
+};
+
+/// What an axis that ends between `low` and `high` was likely meant to be.
+struct AxisSuspicion {
+    double low = 0.0;
+    double high = 0.0;
+    const char* expected = "";
+    const char* remedy = "";
+    /// What makes of the axis what it was meant to be: times, and plus.
+    double factor = 1.0;
+    double offset = 0.0;
+};
+
+/// What a lookup table is over and what it may hold.
+struct TableRules {
+    const char* axis = "";  ///< "time", as forms name it
+    const char* unit = "";  ///< of the axis
+    const char* value = ""; ///< what its values are, as forms name it
+    /// Where on the axis an entity is in a state.
+    double (*position)(const EntityState& state) = nullptr;
+    bool mayLoop = false;
+    double leastValue = -NumberRules::none;
+    double leastPosition = -NumberRules::none;
+    double mostPosition = NumberRules::none;
+    AxisSuspicion suspicion = {};
+    double step = 1.0;       ///< of a new node along the axis
+    double firstValue = 0.0; ///< of a new table
+};
+
+/// One field of an entry of a signature database: the one description from which both forms of the
+/// file, the hash, the checks of ranges, the editor and `db info` know of it. A new field is a
+/// member of the struct and a row here.
+template <typename Entry>
+struct EntryField {
+    using Member =
+        std::variant<std::string Entry::*, double Entry::*, Spectrum Entry::*, LookupTable Entry::*,
+                     EmissionMode Entry::*, TemperatureTerms Entry::*, ComponentFactors Entry::*>;
+
+    const char* key; ///< in JSON and in places of findings: "ambientOffset_K"
+    /// In SQLite and in `db info`: "ambient_offset_K". Of a table or a spectrum, what tells its
+    /// nodes from those of others.
+    const char* column;
+    Member member;
+    const char* label = ""; ///< in a form: "ΔT"
+    const char* word = "";  ///< in the name of a step that can be undone: "delta T"
+    const char* unit = "";  ///< of the value
+    const char* help = "";
+    NumberRules number = {};
+    TableRules table = {};
+    /// Whether a JSON file has to say it; null where it never has to.
+    bool (*isRequired)(const Entry& entry) = nullptr;
+    /// The version of the file's format that brought it. What is of a later version than 1 is
+    /// written only where it says something, so that files and hashes of before stay what they are.
+    int since = 1;
+
+    /// The member where it is of this kind, else null.
+    template <typename Value>
+    Value Entry::*as() const {
+        const auto* const found = std::get_if<Value Entry::*>(&member);
+        return found == nullptr ? nullptr : *found;
+    }
+    bool saysSomething(const Entry& entry) const {
+        static const Entry silent;
+        return std::visit([&](auto of) { return !(entry.*of == silent.*of); }, member);
+    }
+};
+
+/// The rows, in the order of forms and columns.
+std::span<const EntryField<TemperatureTerms>> termFields();
+std::span<const EntryField<ComponentFactor>> factorFields();
+std::span<const EntryField<TemperatureEntry>> temperatureFields();
+std::span<const EntryField<Material>> materialFields();
+std::span<const EntryField<UserSpectrum>> spectrumFields();
+
+/// Calls `use(field, member)` for each field whose member is of this kind.
+template <typename Value, typename Entry, typename Use>
+void forEachField(std::span<const EntryField<Entry>> fields, Use use) {
+    for (const EntryField<Entry>& field : fields)
+        if (const auto member = field.template as<Value>())
+            use(field, member);
+}
+
+/// The least version of the file's format that holds all that the database says.
+int formatVersionOf(const SignatureDatabase& database);
+
+/// "temperature" and "userSpectrum", as both forms of the file name the modes.
+const char* nameOf(EmissionMode mode);
+/// Null where no mode has this name.
+const EmissionMode* emissionModeNamed(const std::string& name);
+/// "'temperature' or 'userSpectrum'".
+std::string emissionModesExpected();
+
+} // namespace irsg

@@ -1,0 +1,171 @@
+#include <fmt/format.h>
+
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/analysis/ResultFile.h"
+#include "smatcore/data/CheckedJson.h"
+#include "smatcore/support/TextFile.h"
+
+namespace smat {
+
+namespace {
+
+constexpr std::size_t drawsInRow = 4096;
+constexpr std::size_t mostDraws = 10'000'000;
+
+std::size_t rowsFor(std::size_t values) {
+    return (values + drawsInRow - 1) / drawsInRow;
+}
+
+Estimate estimateOf(const CheckedJson& json) {
+    return {json.at("value").numberOrNull(), json.at("standard_error").numberOrNull(),
+            json.at("low_95").numberOrNull(), json.at("high_95").numberOrNull()};
+}
+
+MonteCarloOptions optionsOf(const CheckedJson& json) {
+    MonteCarloOptions options;
+    const CheckedJson quantity = json.at("quantity"), statistic = json.at("statistic");
+    options.samples = json.at("samples").count(mostDraws);
+    options.sequence =
+        json.at("sequence").word({name(DrawSequence::plain), name(DrawSequence::sobol)}) == 0
+            ? DrawSequence::plain
+            : DrawSequence::sobol;
+    if (const auto known = monteCarloQuantity(quantity.text()))
+        options.quantity = *known;
+    else
+        quantity.refuse("a quantity of Monte Carlo analyses");
+    if (const auto known = statisticFromName(statistic.text()))
+        options.statistic = *known;
+    else
+        statistic.refuse("mean, standard-deviation or pN");
+    options.percentiles = json.at("percentiles").numbers();
+    options.phases = json.at("phases").index();
+    options.ranking = json.at("ranking").boolean();
+    options.rankingPairs = json.at("ranking_pairs").count(mostDraws);
+    if (json.has("standard_error"))
+        options.standardError = json.at("standard_error").number();
+    if (json.has("ranking_at"))
+        options.rankingAt = json.at("ranking_at").number();
+    json.judge([&] { options.check(); });
+    return options;
+}
+
+irsg::Distribution distributionOf(const CheckedJson& json) {
+    std::vector<std::string> words;
+    for (const irsg::DistributionInfo& one : irsg::distributionTable())
+        words.emplace_back(one.name);
+    const auto kind = irsg::distributionTable()[json.at("distribution").word(words)].kind;
+    const double least = json.at("min").number(), most = json.at("max").number();
+    const std::vector<double> parameters = json.at("parameters").numbers();
+    irsg::Distribution distribution;
+    json.judge([&] { distribution = irsg::Distribution(kind, least, most, parameters); });
+    return distribution;
+}
+
+SceneScaling scalingOf(const CheckedJson& json) {
+    SceneScaling scaling;
+    scaling.name = json.at("name").text();
+    scaling.input.entity = json.at("entity").index();
+    scaling.input.index = json.at("index").index();
+    scaling.input.kind = json.at("kind").word({"temperature", "emissivity"}) == 0
+                             ? irsg::ScalingKind::temperature
+                             : irsg::ScalingKind::emissivity;
+    scaling.distribution = distributionOf(json);
+    return scaling;
+}
+
+void takeColumns(MonteCarloData& data, const std::string& file) {
+    const ResultTable& table = data.analysis.table;
+    const auto column = [&](const std::string& key) {
+        const ResultColumn* found = table.find(key);
+        if (found == nullptr) {
+            throw irsg::InputError({.file = file,
+                                    .position = "columns",
+                                    .value = "no column " + key,
+                                    .expected = "those of a Monte Carlo analysis"});
+        }
+        return found->values;
+    };
+    data.abscissae = column(data.abscissaKey);
+    for (std::size_t band = 0; band < data.bands.size(); ++band) {
+        const auto append = [](std::vector<double>& all, const std::vector<double>& some) {
+            all.insert(all.end(), some.begin(), some.end());
+        };
+        append(data.nominal, column(data.columnKey("nominal", band)));
+        if (data.options.phases > 1)
+            append(data.numericalError, column(data.columnKey("error_numerical", band)));
+    }
+}
+
+void takeDraws(MonteCarloData& data, const CheckedJson& count, const irsg::RadianceImage& image) {
+    const std::size_t places = data.statistic.size(), draws = count.count(mostDraws);
+    // Both are bounded before they are multiplied: places by the file, draws by what may be asked.
+    if (image.empty() || image.width() != static_cast<int>(drawsInRow) ||
+        static_cast<std::size_t>(image.height()) != rowsFor(places * draws)) {
+        count.refuse(
+            fmt::format("{} x {} numbers beside it", image.width(), image.height()),
+            fmt::format("those of {} draws at {} places in rows of {}", draws, places, drawsInRow));
+    }
+    const std::vector<float>& flat = image.primary().values;
+    for (std::size_t place = 0; place < places; ++place) {
+        const auto first = flat.begin() + static_cast<std::ptrdiff_t>(place * draws);
+        data.values.emplace_back(first, first + static_cast<std::ptrdiff_t>(draws));
+    }
+}
+
+void takeRanking(MonteCarloData& data, const CheckedJson& list) {
+    for (const CheckedJson& one : list.list()) {
+        const CheckedJson scale = one.at("scale");
+        const std::size_t number = scale.count(mostDraws);
+        if (number >= data.scalings.size())
+            scale.refuse("the number of one of the scales, from 0");
+        data.ranking.push_back(
+            {number, estimateOf(one.at("first_order")), estimateOf(one.at("total"))});
+    }
+}
+
+/// Before anything is made of so many places: a file of some kB could name millions.
+void takeStatistic(MonteCarloData& data, const CheckedJson& list) {
+    for (const CheckedJson& one : list.list())
+        data.statistic.push_back(estimateOf(one));
+    const std::size_t rows = data.analysis.table.rowCount();
+    if (data.bands.empty() || data.statistic.size() != rows * data.bands.size()) {
+        list.refuse(fmt::format("{} estimates", data.statistic.size()),
+                    fmt::format("one for each of {} rows in {} bands", rows, data.bands.size()));
+    }
+}
+
+} // namespace
+
+irsg::RadianceImage drawsImage(const MonteCarloData& data) {
+    const std::size_t count = data.values.size() * data.draws();
+    irsg::RadianceImage image(static_cast<int>(drawsInRow), static_cast<int>(rowsFor(count)),
+                              "draws", data.unit);
+    auto to = image.primary().values.begin();
+    for (const std::vector<double>& values : data.values)
+        for (const double value : values)
+            *to++ = static_cast<float>(value);
+    return image;
+}
+
+MonteCarloData loadMonteCarlo(const std::filesystem::path& file, const irsg::RadianceImage& draws) {
+    const std::string fileName = file.string();
+    const CheckedJson json(readTextFile(file), fileName, "the JSON form of a Monte Carlo run");
+    MonteCarloData data;
+    data.analysis = resultOf(ResultTable::fromJson(json), fileName);
+    data.options = optionsOf(json.at("options"));
+    for (const CheckedJson& one : json.at("scales").list())
+        data.scalings.push_back(scalingOf(one));
+    data.abscissaKey = json.at("abscissa").at("name").text();
+    data.abscissaUnit = json.at("abscissa").at("unit").text();
+    data.unit = json.at("unit").text();
+    data.bands = json.at("bands").texts();
+    takeStatistic(data, json.at("statistic"));
+    takeRanking(data, json.at("ranking"));
+    data.reachedStandardError = json.at("reached_standard_error").boolean();
+    takeColumns(data, fileName);
+    takeDraws(data, json.at("draws"), draws);
+    return data;
+}
+
+} // namespace smat

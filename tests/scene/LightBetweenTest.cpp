@@ -1,0 +1,251 @@
+// Light between surfaces by every way through the renderer, and isothermal enclosures.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/radiometry/Units.h"
+#include "tests/support/LightScenes.h"
+#include "tests/support/RaysTest.h"
+#include "tests/support/RevolvedMeshes.h"
+
+using namespace irsg;
+using namespace irsg::test;
+
+namespace {
+
+class LightBetweenTest : public RaysTest {};
+
+/// Six walls and a ball inside, of six materials, grey and spectral, all of 400 K.
+Entity furnace(bool isBlack) {
+    Mesh mesh = reversed(boxMesh({2, 1.5, 1}, {{1, 1}, {1, 2}, {1, 3}, {1, 4}, {1, 5}, {1, 6}}));
+    mesh = joined(mesh, sphereMesh(0.5, 6, 10, {1, 7}));
+    SignatureDatabase database = greyDatabase(0.9, 400.0);
+    const auto spectral = [](double a, double b, double c) {
+        Material material;
+        material.emissivity = Spectrum({2.0, 3.5, 4.2, 6.0}, {a, b, c, a});
+        return material;
+    };
+    database.materials[2] = greyMaterial(0.5);
+    database.materials[3] = greyMaterial(0.1);
+    database.materials[4] = spectral(0.2, 0.9, 0.3);
+    database.materials[5] = spectral(0.7, 0.1, 0.6);
+    database.materials[6] = spectral(0.4, 0.4, 0.95);
+    database.materials[7] = spectral(0.05, 0.6, 0.2);
+    if (isBlack) {
+        for (int m = 1; m <= 7; ++m) {
+            database.materials[m] = greyMaterial(1.0);
+        }
+    }
+    Entity entity = entityOf(modelOf(mesh), database);
+    entity.pose.position_m.z = standingAltitude_m;
+    entity.referencePoint_m = Vec3{};
+    return entity;
+}
+
+} // namespace
+
+TEST_F(LightBetweenTest, AnIsothermalEnclosureIsBlack) {
+    for (const auto& [error, most] : {std::pair{0.005, 1e-3}, std::pair{0.002, 1e-4}}) {
+        double worst = 0.0, direct = 1e9;
+        for (const double yaw : {0.6}) {
+            std::array<RadianceImage, 3> images;
+            for (int i = 0; i < 3; ++i) {
+                Irsg irsg = rendererOf({furnace(i == 0)},
+                                       lightSettings(i == 1 ? convergedBounces : 0, error));
+                Sensor sensor = sensorOf(24, 20, 100.0);
+                sensor.band = Band::topHat(3.0, 5.0);
+                irsg.setSensor(sensor);
+                const Vec3 eye{1.6, 1.1, standingAltitude_m + 0.6};
+                irsg.setViewpoint(
+                    Viewpoint::lookAt(eye, eye + Vec3{-std::cos(yaw), -std::sin(yaw), -0.2}));
+                images[static_cast<std::size_t>(i)] = irsg.render().image;
+            }
+            const std::vector<float>& black = images[0].find("L")->values;
+            for (std::size_t p = 0; p < black.size(); ++p) {
+                const auto planck = static_cast<double>(black[p]);
+                worst = std::max(
+                    worst,
+                    std::abs(static_cast<double>(images[1].find("L")->values[p]) / planck - 1.0));
+                direct =
+                    std::min(direct, static_cast<double>(images[2].find("L")->values[p]) / planck);
+            }
+        }
+        std::printf("  lightError %g: worst pixel %.2e off, %.3f without inter-reflection\n", error,
+                    worst, direct);
+        EXPECT_LE(worst, most);
+        EXPECT_LE(direct, 0.5);
+    }
+}
+
+namespace {
+
+/// A sunlit floor with two walls, a step and a ball, in bright air.
+Entity corner(double wallEmissivity = 0.3) {
+    Mesh mesh = joined(plateMesh({}, {2, 0, 0}, {0, 2, 0}, {1, 1}),
+                       plateMesh({0, 2, 1}, {0, 0, 1}, {2, 0, 0}, {2, 2}));
+    mesh = joined(mesh, plateMesh({-2, 0, 1}, {0, 2, 0}, {0, 0, 1}, {3, 1}));
+    Mesh ball = sphereMesh(0.4, 24, 48, {2, 3});
+    for (Triangle& t : ball) {
+        for (Vec3& v : t.vertex) {
+            v = v + Vec3{0.3, -0.2, 0.6};
+        }
+    }
+    mesh = joined(mesh, ball);
+    SignatureDatabase database = greyDatabase(0.4, 300.0);
+    database.temperatures[2] = fixedTemperature(420.0);
+    database.temperatures[3] = fixedTemperature(330.0);
+    database.materials[2] = greyMaterial(wallEmissivity);
+    database.materials[3].emissivity = Spectrum({2.0, 3.5, 4.2, 6.0}, {0.2, 0.7, 0.3, 0.3});
+    Entity entity = entityOf(modelOf(mesh), database);
+    entity.pose.position_m.z = standingAltitude_m;
+    return entity;
+}
+
+RenderSettings brightSettings(EngineChoice engine, int bounces) {
+    RenderSettings settings;
+    settings.engine = engine;
+    settings.bounces = bounces;
+    settings.sunShadows = SunShadowMode::point;
+    return settings;
+}
+
+} // namespace
+
+TEST_F(LightBetweenTest, EveryWayGivesTheSame) {
+    for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
+        for (const int bounces : {1, convergedBounces}) {
+            Irsg irsg = rendererOf({corner()}, brightSettings(engine, bounces), brightAir());
+            View view;
+            view.azimuth_rad = 2.2;
+            view.elevation_rad = 0.7;
+            view.fieldOfView_rad = 0.08;
+            look(irsg, view);
+            const RenderedImage picture = irsg.render();
+            const double seen = picture.report.all.intensity_W_sr;
+            const double swept = irsg.measure().all.intensity_W_sr;
+            EXPECT_NEAR(seen / swept, 1.0, 2e-3);
+            // Both followed pictures: drawn, and as a sum of pixels.
+            const RadianceImage drawn = irsg.picture(), summed = irsg.picture();
+            for (std::size_t i = 0; i < drawn.find("L")->values.size(); ++i) {
+                ASSERT_NEAR(drawn.find("L")->values[i], summed.find("L")->values[i],
+                            2e-5f * std::abs(drawn.find("L")->values[i]) + 1e-6f);
+            }
+            // A spectrum adds up to the band, with bins of a top hat.
+            std::vector<double> wavenumbers;
+            for (int i = 0; i < 400; ++i) {
+                wavenumbers.push_back(1e4 / (3.0 + 2.0 * (i + 0.5) / 400));
+            }
+            const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers);
+            double sum = 0.0;
+            for (const double value : spectrum.intensity_W_sr_um) {
+                sum += value * 2.0 / 400;
+            }
+            EXPECT_NEAR(sum / swept, 1.0, 1e-3);
+            // A view as a function of scales.
+            const std::vector<ScalingInput> inputs{{0, ScalingKind::temperature, 2, 0.9, 1.1},
+                                                   {0, ScalingKind::emissivity, 2, 0.8, 1.2}};
+            const auto scaled = irsg.scaledView(inputs);
+            ScaledValues values;
+            for (const std::array<double, 2>& scales :
+                 {std::array{1.0, 1.0}, std::array{1.07, 1.0}, std::array{0.95, 1.1}}) {
+                scaled->evaluate(scales, values);
+                Entity other = corner();
+                other.temperatureScale[2] = scales[0];
+                other.emissivityScale[2] = scales[1];
+                Irsg there = rendererOf({other}, irsg.settings(), brightAir());
+                look(there, view);
+                const double expected = there.measure().all.intensity_W_sr;
+                // Products of changes of emissivity are left out.
+                const double most = scales[1] == 1.0 ? 2e-4 : 2e-3;
+                EXPECT_NEAR(values.intensity[0] / expected, 1.0, most) << scales[0];
+            }
+            // Nothing gets lost among several bands.
+            const auto bands = irsg.measure({Band::topHat(3.0, 5.0), Band::topHat(4.2, 4.5)});
+            EXPECT_NEAR(bands[0].all.intensity_W_sr / swept, 1.0, 1e-9);
+
+            RenderSettings truth = irsg.settings();
+            truth.truthLayers = true;
+            irsg.setSettings(truth);
+            const RadianceImage layers = irsg.render().image;
+            const std::vector<float>& whole = layers.find("L")->values;
+            double others = 0.0;
+            for (std::size_t i = 0; i < whole.size(); ++i) {
+                double parts = 0.0;
+                for (const char* name :
+                     {"thermal", "sun", "up", "down", "path", "inter_reflection", "background"}) {
+                    parts += static_cast<double>(layers.find(name)->values[i]);
+                }
+                others += static_cast<double>(layers.find("inter_reflection")->values[i]);
+                EXPECT_NEAR(parts, static_cast<double>(whole[i]), 2e-5 * std::abs(parts) + 1e-6);
+                EXPECT_LE(layers.find("sky_visibility")->values[i], 1.0001f);
+            }
+            EXPECT_GT(others, 0.0);
+        }
+    }
+}
+
+TEST_F(LightBetweenTest, ThreadsChangeNoBit) {
+    std::vector<float> first;
+    for (const unsigned threads : {1u, 3u, 0u}) {
+        setMostThreads(threads);
+        Irsg irsg = rendererOf({corner()}, brightSettings(EngineChoice::rays, convergedBounces),
+                               brightAir());
+        look(irsg, {.azimuth_rad = 2.2, .elevation_rad = 0.7, .fieldOfView_rad = 0.08});
+        const RadianceImage image = irsg.render().image;
+        if (first.empty()) {
+            first = image.find("L")->values;
+        }
+        EXPECT_EQ(image.find("L")->values, first);
+    }
+    setMostThreads(0);
+}
+
+TEST_F(LightBetweenTest, ConvexBodiesAreAsBefore) {
+    Entity entity = entityOf(modelOf(sphereMesh(1.0, 40, 80, {1, 1})), greyDatabase(0.5, 300.0));
+    entity.pose.position_m.z = standingAltitude_m;
+    std::vector<std::vector<float>> images;
+    for (const int bounces : {0, convergedBounces}) {
+        Irsg irsg = rendererOf({entity}, brightSettings(EngineChoice::rays, bounces), brightAir());
+        look(irsg, {});
+        images.push_back(irsg.render().image.find("L")->values);
+    }
+    EXPECT_EQ(images[0], images[1]);
+}
+
+TEST_F(LightBetweenTest, OthersLightAsOwnPartsDo) {
+    const Mesh floor = plateMesh({}, {2, 0, 0}, {0, 2, 0}, {1, 1});
+    Mesh ball = sphereMesh(0.8, 32, 64, {2, 2});
+    for (Triangle& t : ball) {
+        for (Vec3& v : t.vertex) {
+            v = v + Vec3{0, 0, 1.2};
+        }
+    }
+    SignatureDatabase database = greyDatabase(0.3, 300.0);
+    database.temperatures[2] = fixedTemperature(500.0);
+    database.materials[2] = greyMaterial(0.8);
+    std::array<double, 3> intensity{};
+    for (int i = 0; i < 3; ++i) {
+        std::vector<Entity> entities;
+        if (i == 0) {
+            entities.push_back(entityOf(modelOf(joined(floor, ball)), database));
+        } else {
+            entities = {entityOf(modelOf(floor), database), entityOf(modelOf(ball), database)};
+        }
+        for (Entity& entity : entities) {
+            entity.pose.position_m = {3, -2, standingAltitude_m};
+            entity.pose.attitude = {0.4, 0.2, -0.3};
+            entity.referencePoint_m = Vec3{};
+        }
+        RenderSettings settings = brightSettings(EngineChoice::rays, i == 2 ? 0 : convergedBounces);
+        settings.lightError = 0.002;
+        Irsg irsg = rendererOf(entities, settings, brightAir());
+        look(irsg, {.azimuth_rad = 0.5, .elevation_rad = 0.9, .fieldOfView_rad = 0.1});
+        intensity[static_cast<std::size_t>(i)] = irsg.measure().all.intensity_W_sr;
+    }
+    EXPECT_NEAR(intensity[1] / intensity[0], 1.0, 3e-3);
+    EXPECT_GT(std::abs(intensity[2] / intensity[0] - 1.0), 0.01);
+}
