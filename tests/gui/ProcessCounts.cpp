@@ -4,6 +4,8 @@
 #include <fstream>
 #include <string>
 
+#include <malloc.h>
+
 namespace smat::test {
 
 namespace fs = std::filesystem;
@@ -32,6 +34,11 @@ ProcessCounts processCounts() {
         }
     }
     return counts;
+}
+
+double allocated_kB() {
+    const auto heaps = mallinfo2();
+    return static_cast<double>(heaps.uordblks + heaps.hblkhd) / 1024.0;
 }
 
 std::string openFiles() {
