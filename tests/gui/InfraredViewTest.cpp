@@ -334,7 +334,7 @@ TEST_F(InfraredViewTest, GoesBackToTheSameVisiblePicture) {
 }
 
 struct Held {
-    double memory_kB = 0.0; ///< allocated and not freed
+    double memory_kB = 0.0;                   ///< allocated and not freed
     int textures = 0, buffers = 0, lists = 0; ///< alive in the context of the view
 };
 Held heldBy(SceneView& view) {
