@@ -72,6 +72,7 @@ struct Renderer::Impl {
         std::shared_ptr<const LightExchange> exchange;
     };
     std::vector<KnownExchange> exchanges;
+    LightSolutions lightSolutions;
     SceneScattering scattering;
 
     /// All that the factors of a view depend on.

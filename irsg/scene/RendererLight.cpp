@@ -123,7 +123,7 @@ std::shared_ptr<SceneLight> Renderer::Impl::lightOf(const Frame& frame,
         return nullptr;
     return timed("light between surfaces", [&] {
         return std::make_shared<SceneLight>(frame.exchange, radiometry, fronts,
-                                            frame.scene.settings);
+                                            frame.scene.settings, lightSolutions);
     });
 }
 

@@ -46,16 +46,20 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
         for (std::size_t c = 0; c < columns_; ++c)
             if (exchange.isSender(r) && columns[c].row == exchange.rowOf(r))
                 sent[r * columns_ + c] = patternOf(exchange, r, columns[c].pattern);
-    for (std::size_t knot = 0; knot < knots_; ++knot)
-        solve(exchange, knot, knots[knot], sent, bounces, error);
+    for (std::size_t knot = 0; knot < knots_; ++knot) {
+        const std::vector<float> all =
+            arriving(exchange, knots[knot], sent, columns_, bounces, error);
+        for (std::size_t p = 0; p < receiver_.size(); ++p)
+            std::copy_n(&all[p * columns_], columns_, &gathered_[(p * knots_ + knot) * columns_]);
+    }
 }
 
-void LightSolution::solve(const LightExchange& exchange, std::size_t knot,
-                          const std::vector<double>& reflectivities,
-                          const std::vector<double>& sent, int bounces, double error) {
-    const std::size_t width = columns_;
+std::vector<float> LightSolution::arriving(const LightExchange& exchange,
+                                           const std::vector<double>& reflectivities,
+                                           const std::vector<double>& sent, std::size_t width,
+                                           int bounces, double error) const {
     std::vector<double> leaving = sent, next = sent;
-    std::vector<double> arriving(receiver_.size() * width);
+    std::vector<double> arrives(receiver_.size() * width);
     double before = 0.0;
     for (int n = 1; n <= mostIterations; ++n) {
         std::array<double, parts> changes{}, largest{};
@@ -63,7 +67,7 @@ void LightSolution::solve(const LightExchange& exchange, std::size_t knot,
             for (std::size_t p = beginOfPart(part, parts, receiver_.size());
                  p < beginOfPart(part + 1, parts, receiver_.size()); ++p) {
                 const std::size_t r = receiver_[p];
-                double* own = &arriving[p * width];
+                double* own = &arrives[p * width];
                 std::fill_n(own, width, 0.0);
                 const auto [first, last] = exchange.pairs().of(r);
                 for (const LightPair* pair = first; pair != last; ++pair) {
@@ -83,7 +87,6 @@ void LightSolution::solve(const LightExchange& exchange, std::size_t knot,
                 }
             }
         });
-        iterations_ = std::max(iterations_, n);
         if (n == bounces)
             break;
         std::swap(leaving, next);
@@ -95,10 +98,29 @@ void LightSolution::solve(const LightExchange& exchange, std::size_t knot,
             break;
         before = change;
     }
-    for (std::size_t p = 0; p < receiver_.size(); ++p)
-        for (std::size_t c = 0; c < width; ++c)
-            gathered_[(p * knots_ + knot) * width + c] =
-                static_cast<float>(arriving[p * width + c]);
+    return {arrives.begin(), arrives.end()};
+}
+
+std::shared_ptr<const LightSolution>
+LightSolutions::of(const std::shared_ptr<const LightExchange>& exchange,
+                   const std::vector<LightColumn>& columns,
+                   const std::vector<std::vector<double>>& knots, int bounces, double error) {
+    return known_
+        .of(
+            [&](const Known& one) {
+                return one.exchange == exchange && one.columns == columns && one.knots == knots &&
+                       one.bounces == bounces && one.error == error;
+            },
+            [&] {
+                return Known{
+                    exchange,
+                    columns,
+                    knots,
+                    bounces,
+                    error,
+                    std::make_shared<const LightSolution>(*exchange, columns, knots, bounces, error)};
+            })
+        .solution;
 }
 
 } // namespace irsg

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/scene/trace/LightExchange.h"
 
 namespace irsg {
@@ -16,6 +18,7 @@ struct LightColumn {
     int row = 0;
     std::size_t term = 0; ///< of RadianceTerms
     LightPattern pattern = LightPattern::emission;
+    bool operator==(const LightColumn&) const = default;
 };
 
 /// What receivers get of each column, at a radiance of 1: directly, after some reflections, or
@@ -30,6 +33,10 @@ class LightSolution {
     LightSolution(const LightExchange& exchange, const std::vector<LightColumn>& columns,
                   const std::vector<std::vector<double>>& knots, int bounces, double error);
 
+    /// The number of a receiver among those that get anything; `none` for one that gets nothing.
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::size_t placeOf(std::size_t receiver) const { return places_[receiver]; }
+    std::size_t places() const { return receiver_.size(); }
     std::size_t columns() const { return columns_; }
     std::size_t knots() const { return knots_; }
     /// Of a receiver, columns of the first knot first; empty where it gets nothing.
@@ -38,20 +45,39 @@ class LightSolution {
         return at == none ? std::span<const float>()
                           : std::span(gathered_).subspan(at * columns_ * knots_, columns_ * knots_);
     }
-    /// Iterations that the slowest knot took.
-    int iterations() const { return iterations_; }
+    /// What arrives at the places, after `bounces` or after all, of columns that senders send, by
+    /// receiver; by place, columns first.
+    std::vector<float> arriving(const LightExchange& exchange,
+                                const std::vector<double>& reflectivities,
+                                const std::vector<double>& sent, std::size_t width, int bounces,
+                                double error) const;
 
   private:
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
-    void solve(const LightExchange& exchange, std::size_t knot,
-               const std::vector<double>& reflectivities, const std::vector<double>& sent,
-               int bounces, double error);
-
     std::size_t columns_, knots_;
     std::vector<std::size_t> places_;   // by receiver
     std::vector<std::size_t> receiver_; // by place
     std::vector<float> gathered_;
-    int iterations_ = 0;
+};
+
+/// Solutions that were asked for lately. They know neither bands nor temperatures: steps of time
+/// and edited temperatures find the last one.
+class LightSolutions {
+  public:
+    std::shared_ptr<const LightSolution> of(const std::shared_ptr<const LightExchange>& exchange,
+                                            const std::vector<LightColumn>& columns,
+                                            const std::vector<std::vector<double>>& knots,
+                                            int bounces, double error);
+
+  private:
+    struct Known {
+        std::shared_ptr<const LightExchange> exchange;
+        std::vector<LightColumn> columns;
+        std::vector<std::vector<double>> knots;
+        int bounces = 0;
+        double error = 0.0;
+        std::shared_ptr<const LightSolution> solution;
+    };
+    RecentlyUsed<Known> known_{4};
 };
 
 } // namespace irsg

@@ -94,7 +94,7 @@ class CurveDivision {
 
 SceneLight::SceneLight(std::shared_ptr<const LightExchange> exchange,
                        const SceneRadiometry& radiometry, const Fronts& fronts,
-                       const RenderSettings& settings)
+                       const RenderSettings& settings, LightSolutions& solutions)
     : exchange_(std::move(exchange)),
       radiometry_(radiometry),
       fronts_(fronts),
@@ -102,8 +102,8 @@ SceneLight::SceneLight(std::shared_ptr<const LightExchange> exchange,
     findColumns();
     findKnots(settings);
     fillSources();
-    solution_ = std::make_unique<const LightSolution>(*exchange_, columns_, knots_,
-                                                      settings.bounces, 0.02 * settings.lightError);
+    solution_ =
+        solutions.of(exchange_, columns_, knots_, settings.bounces, 0.02 * settings.lightError);
 }
 
 bool SceneLight::matters(int drawn) const {
@@ -228,6 +228,7 @@ void SceneLight::turn() {
     fillSources();
     known_.clear();
     atReceivers_.clear();
+    responses_.clear();
 }
 
 std::vector<double> SceneLight::integralsOf(const FactorKind& kind, std::size_t output) const {
@@ -380,50 +381,74 @@ SceneLight::AtReceiver lightAt(const LightExchange& exchange,
     return all;
 }
 
-template <typename Visit>
-void SceneLight::forEachColumn(std::span<const double> contracted, std::size_t node,
-                               Visit visit) const {
+double SceneLight::partOf(std::span<const double> contracted, std::size_t column,
+                          std::size_t node) const {
     const Between& at = between_[node];
     const std::size_t columns = columns_.size();
-    for (std::size_t c = 0; c < columns; ++c)
-        visit(c, (1.0 - at.part) * contracted[2 + at.low * columns + c] +
-                     at.part * contracted[2 + at.high * columns + c]);
+    return (1.0 - at.part) * contracted[2 + at.low * columns + column] +
+           at.part * contracted[2 + at.high * columns + column];
 }
 
-void SceneLight::fallsOn(int row, std::span<const double> contracted, std::size_t first,
-                         std::vector<double>& all_W_m2_um) const {
+SceneLight::Falling SceneLight::fallsOn(int row, std::span<const double> contracted,
+                                        std::size_t first, std::size_t count) const {
     const int drawn = radiometry_.rows().drawnOf(row);
-    for (std::size_t i = 0; i < all_W_m2_um.size(); ++i) {
-        double sum = 0.0;
-        if (skyTerm_ >= 0)
-            sum -= contracted[0] * lightOn(drawn, skyTerm_)[first + i];
-        if (groundTerm_ >= 0)
-            sum -= contracted[1] * lightOn(drawn, groundTerm_)[first + i];
-        forEachColumn(contracted, first + i, [&](std::size_t c, double part) {
-            sum += part * sources_W_m2_um_[c][first + i];
-        });
-        all_W_m2_um[i] = sum;
+    Falling falling;
+    falling.lost.assign(count, 0.0);
+    for (const auto& [place, term] : {std::pair{0, skyTerm_}, std::pair{1, groundTerm_}})
+        for (std::size_t i = 0; term >= 0 && i < count; ++i)
+            falling.lost[i] -=
+                contracted[static_cast<std::size_t>(place)] * lightOn(drawn, term)[first + i];
+    falling.emitted.resize(exchange_->rows());
+    falling.perReflectivity.resize(exchange_->rows());
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+        const LightColumn& column = columns_[c];
+        const bool isEmission = column.pattern == LightPattern::emission;
+        const std::vector<double>& source =
+            isEmission ? sources_W_m2_um_[c] : lightOn(column.row, static_cast<int>(column.term));
+        auto& byRow = isEmission ? falling.emitted : falling.perReflectivity;
+        std::vector<double>& sum = byRow[static_cast<std::size_t>(column.row)];
+        sum.resize(count, 0.0);
+        for (std::size_t i = 0; i < count; ++i)
+            sum[i] += source[first + i] * partOf(contracted, c, first + i);
     }
+    return falling;
 }
 
-void SceneLight::sentBy(int sender, std::span<const double> contracted, std::size_t first,
-                        std::vector<double>& perEmission,
-                        std::vector<double>& perReflectivity) const {
-    const double whole =
-        pi * hemispherical(radiometry_.surfaces()[static_cast<std::size_t>(sender)].nAngleFactor);
-    for (std::size_t i = 0; i < perEmission.size(); ++i) {
-        perEmission[i] = perReflectivity[i] = 0.0;
-        forEachColumn(contracted, first + i, [&](std::size_t c, double part) {
-            const LightColumn& column = columns_[c];
-            if (column.row != sender)
-                return;
-            if (column.pattern == LightPattern::emission)
-                perEmission[i] += whole * part;
-            else
-                perReflectivity[i] +=
-                    part * lightOn(sender, static_cast<int>(column.term))[first + i];
-        });
+std::vector<double> SceneLight::contractedEvenly(int drawn) const {
+    std::vector<double> all(width(), 0.0);
+    for (const std::uint32_t receiver : exchange_->ofRow(drawn)) {
+        const std::span<const float> gathered = solution_->of(receiver);
+        for (std::size_t k = 0; k < gathered.size(); ++k)
+            all[2 + k] += static_cast<double>(gathered[k]);
     }
+    return all;
+}
+
+void SceneLight::addFromOthers(std::span<const double> contracted, std::size_t first,
+                               std::vector<double>& all_W_m2_um) const {
+    for (std::size_t c = 0; c < columns_.size(); ++c)
+        for (std::size_t i = 0; i < all_W_m2_um.size(); ++i)
+            all_W_m2_um[i] += sources_W_m2_um_[c][first + i] * partOf(contracted, c, first + i);
+}
+
+std::vector<double> SceneLight::summedSources(std::span<const std::size_t> nodes) const {
+    std::vector<double> sums(width() - 2, 0.0);
+    for (std::size_t c = 0; c < columns_.size(); ++c)
+        for (const std::size_t i : nodes) {
+            const Between& at = between_[i];
+            const double sent = radiometry_.weights_um()[i] * sources_W_m2_um_[c][i];
+            sums[at.low * columns_.size() + c] += (1.0 - at.part) * sent;
+            sums[at.high * columns_.size() + c] += at.part * sent;
+        }
+    return sums;
+}
+
+const LightResponse& SceneLight::response(const std::vector<std::vector<int>>& reflectors,
+                                          std::pair<std::size_t, std::size_t> nodes) {
+    auto& kept = responses_[{reflectors, nodes}];
+    if (!kept)
+        kept = std::make_unique<const LightResponse>(*this, radiometry_, reflectors, nodes);
+    return *kept;
 }
 
 } // namespace irsg

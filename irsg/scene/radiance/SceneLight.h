@@ -11,6 +11,7 @@
 #include "irsg/scene/RenderSettings.h"
 #include "irsg/scene/radiance/FactorField.h"
 #include "irsg/scene/radiance/Fronts.h"
+#include "irsg/scene/radiance/LightResponse.h"
 #include "irsg/scene/radiance/LightSolution.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
 #include "irsg/scene/sampling/Samples.h"
@@ -30,9 +31,9 @@ using LightSums = std::map<std::pair<int, int>, std::vector<double>>; // by fron
 /// is a dot product: of the receiver's loss and G with integrals that the receivers of a row share.
 class SceneLight {
   public:
-    /// All must live as long; `fronts` may grow.
+    /// All must live as long; `fronts` may grow. Solutions are looked for among `solutions`.
     SceneLight(std::shared_ptr<const LightExchange> exchange, const SceneRadiometry& radiometry,
-               const Fronts& fronts, const RenderSettings& settings);
+               const Fronts& fronts, const RenderSettings& settings, LightSolutions& solutions);
 
     const LightExchange& exchange() const { return *exchange_; }
     int bounces() const { return bounces_; }
@@ -53,14 +54,28 @@ class SceneLight {
     using AtReceiver = std::array<double, 3>;
     const std::vector<AtReceiver>& atReceivers(const FactorKind& kind);
 
-    /// Of what is contracted over receivers of a row, for nodes from `first` on, as many as the
-    /// vectors hold: all that falls on them, W m-2 um-1 times the unit of the sums.
-    void fallsOn(int row, std::span<const double> contracted, std::size_t first,
-                 std::vector<double>& all_W_m2_um) const;
-    /// What drawn row `sender` adds to that: of its emission at an emission of 1, and of what it
-    /// reflects at a reflectivity of 1.
-    void sentBy(int sender, std::span<const double> contracted, std::size_t first,
-                std::vector<double>& perEmission, std::vector<double>& perReflectivity) const;
+    /// What falls on receivers of a row, by where it was emitted or first reflected: node by node,
+    /// W m-2 um-1 times the unit of the sums.
+    struct Falling {
+        std::vector<double> lost; ///< of sky and ground, at most 0
+        /// By the sender's drawn row, empty where there is none: of its emission, and of what it
+        /// reflects, at a reflectivity of 1.
+        std::vector<std::vector<double>> emitted, perReflectivity;
+    };
+    /// Of what is contracted, for `count` nodes from `first` on.
+    Falling fallsOn(int row, std::span<const double> contracted, std::size_t first,
+                    std::size_t count) const;
+
+    /// As `contracted`, with a weight of 1 for each receiver of a drawn row.
+    std::vector<double> contractedEvenly(int drawn) const;
+    /// Adds what others send to what is contracted, for as many nodes as the vector holds.
+    void addFromOthers(std::span<const double> contracted, std::size_t first,
+                       std::vector<double>& all_W_m2_um) const;
+    /// Sources summed over nodes with the weights of the band, by column of each knot, W m-2.
+    std::vector<double> summedSources(std::span<const std::size_t> nodes) const;
+    /// Of sets of drawn rows, in nodes `first` to before `last`; made when first asked for.
+    const LightResponse& response(const std::vector<std::vector<int>>& reflectors,
+                                  std::pair<std::size_t, std::size_t> nodes);
 
     const LightSolution& solution() const { return *solution_; }
     /// Terms that light is taken away of, of sky and of ground; -1 for none.
@@ -80,9 +95,8 @@ class SceneLight {
     std::size_t width() const { return 2 + columns_.size() * knots_.size(); }
     /// By node.
     const std::vector<double>& lightOn(int drawn, int term) const;
-    /// Calls visit(column, part of it) for what a node has of contracted columns.
-    template <typename Visit>
-    void forEachColumn(std::span<const double> contracted, std::size_t node, Visit visit) const;
+    /// What a node has of a contracted column.
+    double partOf(std::span<const double> contracted, std::size_t column, std::size_t node) const;
 
     std::shared_ptr<const LightExchange> exchange_;
     const SceneRadiometry& radiometry_;
@@ -93,9 +107,12 @@ class SceneLight {
     std::vector<std::vector<double>> knots_;           // reflectivities by row
     std::vector<Between> between_;                     // by node
     std::vector<std::vector<double>> sources_W_m2_um_; // by column: pi times its radiance, by node
-    std::unique_ptr<const LightSolution> solution_;
+    std::shared_ptr<const LightSolution> solution_;
     std::map<std::pair<int, int>, std::vector<std::vector<double>>> known_; // by kind and output
     std::vector<double> passing_; // integrals that are not kept
+    std::map<std::pair<std::vector<std::vector<int>>, std::pair<std::size_t, std::size_t>>,
+             std::unique_ptr<const LightResponse>>
+        responses_;
     std::map<std::pair<int, int>, std::vector<AtReceiver>> atReceivers_; // of output 0
 };
 

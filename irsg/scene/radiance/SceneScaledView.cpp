@@ -12,7 +12,7 @@
 namespace irsg {
 
 SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
-                                 const KindRadiances& radiances, const SceneLight* light,
+                                 const KindRadiances& radiances, SceneLight* light,
                                  PlanckTable& planck, const std::vector<double>& ranges_m,
                                  std::pair<std::size_t, std::size_t> nodes,
                                  const std::vector<ScalingInput>& inputs, bool isSpectrum,
@@ -30,16 +30,21 @@ SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry&
                 continue;
             if (inputs[i].kind == ScalingKind::temperature) {
                 if (inputs[i].index == codes.temperature && surface.temperature_K > 0.0)
-                    surface.temperatureInput = static_cast<int>(i);
+                    surface.inputs.temperatureInput = static_cast<int>(i);
             } else if (inputs[i].index == codes.material) {
-                surface.emissivityInput = static_cast<int>(i);
+                surface.inputs.emissivityInput = static_cast<int>(i);
             }
         }
         surfaces.push_back(std::move(surface));
     }
     gather(view, radiometry, radiances, ranges_m, surfaces);
-    if (light)
-        gatherLight(view, radiometry, radiances, *light, ranges_m, surfaces);
+    if (light) {
+        std::vector<ScaledRow> rows;
+        for (const Surface& surface : surfaces)
+            rows.push_back(surface.inputs);
+        light_.emplace(view, radiometry, radiances, *light, rows, ranges_m, nodes, inputs.size(),
+                       isSpectrum);
+    }
 
     // What no input reaches, or nobody sees, stays in the base; the others leave it.
     ScaledValues atOne;
@@ -48,7 +53,7 @@ SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry&
         column->resize(base_.intensity.size());
     for (Surface& surface : surfaces) {
         const bool isSeen = !surface.emitted.intensity.empty();
-        if (!isSeen || (surface.temperatureInput < 0 && surface.emissivityInput < 0))
+        if (!isSeen || (surface.inputs.temperatureInput < 0 && surface.inputs.emissivityInput < 0))
             continue;
         add(surface, 1.0, 1.0, atOne);
         if (!isSpectrum)
@@ -123,60 +128,6 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
     });
 }
 
-void SceneScaledView::gatherLight(const ViewFactors& view, const SceneRadiometry& radiometry,
-                                  const KindRadiances& radiances, const SceneLight& light,
-                                  const std::vector<double>& ranges_m,
-                                  std::vector<Surface>& surfaces) const {
-    const std::size_t count = wavelengths_um_.size();
-    std::vector<double> falling(count), perEmission(count), perReflectivity(count);
-    for (const auto& [kind, sums] : view.light) {
-        const int drawn = radiometry.rows().drawnOf(kind.second);
-        if (!light.matters(drawn))
-            continue;
-        const double range_m = ranges_m[static_cast<std::size_t>(
-            radiometry.rows().keys()[static_cast<std::size_t>(drawn)].first)];
-        const std::vector<double>& reflectance = radiometry.surface(kind.second).reflectance;
-        const std::vector<double>& through = *radiometry.air(kind.second).transmittance;
-        std::vector<double> passed = radiances.passed(kind.first, nodes_);
-        for (std::size_t i = 0; i < count; ++i)
-            passed[i] *= through[nodes_.first + i];
-        for (const bool withCosine : {false, true}) {
-            const std::vector<double> contracted = light.contracted(kind.second, sums, withCosine);
-            const double scale = withCosine ? 1.0 : range_m * range_m;
-            const auto driveOf = [&](Surface::Drive& drive) -> std::vector<double>& {
-                drive.intensity.resize(count);
-                drive.irradiance.resize(count);
-                return withCosine ? drive.irradiance : drive.intensity;
-            };
-            light.fallsOn(kind.second, contracted, nodes_.first, falling);
-            std::vector<double>& own = driveOf(surfaces[static_cast<std::size_t>(drawn)].reflected);
-            for (std::size_t i = 0; i < count; ++i)
-                own[i] += scale * passed[i] / pi * falling[i];
-            for (std::size_t k = 0; k < surfaces.size(); ++k) {
-                Surface& sender = surfaces[k];
-                if (sender.temperatureInput < 0 && sender.emissivityInput < 0)
-                    continue;
-                light.sentBy(static_cast<int>(k), contracted, nodes_.first, perEmission,
-                             perReflectivity);
-                std::vector<double>& emitted = driveOf(sender.emitted);
-                std::vector<double>& reflected = driveOf(sender.reflected);
-                for (std::size_t i = 0; i < count; ++i) {
-                    const double unit = scale * passed[i] * reflectance[nodes_.first + i];
-                    double measured = 1.0;
-                    if (!(sender.temperature_K > 0.0)) {
-                        measured = 0.0;
-                        for (const SurfaceSpectra::Emission& part :
-                             radiometry.surfaces()[k].emission)
-                            measured += part.factor * part.radiance[nodes_.first + i];
-                    }
-                    emitted[i] += unit * perEmission[i] * measured;
-                    reflected[i] += unit * perReflectivity[i];
-                }
-            }
-        }
-    }
-}
-
 std::vector<double> SceneScaledView::unitOf(const SurfaceSpectra& surface, const RadianceTerm& term,
                                             const AirSamples& air, std::size_t number,
                                             std::vector<double> passed) const {
@@ -205,13 +156,15 @@ std::vector<double> SceneScaledView::unitOf(const SurfaceSpectra& surface, const
 void SceneScaledView::close(Surface& surface, PlanckTable& planck,
                             const std::vector<ScalingInput>& inputs) const {
     ScaledSum::Range range;
-    if (surface.temperatureInput >= 0) {
-        const ScalingInput& input = inputs[static_cast<std::size_t>(surface.temperatureInput)];
+    if (surface.inputs.temperatureInput >= 0) {
+        const ScalingInput& input =
+            inputs[static_cast<std::size_t>(surface.inputs.temperatureInput)];
         range.least = input.least;
         range.most = input.most;
     }
-    if (surface.emissivityInput >= 0)
-        range.mostEmissivity = inputs[static_cast<std::size_t>(surface.emissivityInput)].most;
+    if (surface.inputs.emissivityInput >= 0)
+        range.mostEmissivity =
+            inputs[static_cast<std::size_t>(surface.inputs.emissivityInput)].most;
     surface.sum = ScaledSum::of(surface, planck, nodes_.first, range);
     if (!surface.sum)
         return;
@@ -264,8 +217,8 @@ void SceneScaledView::evaluate(std::span<const double> scales, ScaledValues& val
     };
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         const Surface& surface = surfaces_[i];
-        const double scaleT = scaleOf(surface.temperatureInput);
-        const double scaleE = scaleOf(surface.emissivityInput);
+        const double scaleT = scaleOf(surface.inputs.temperatureInput);
+        const double scaleE = scaleOf(surface.inputs.emissivityInput);
         if (known == nullptr || !surface.sum) {
             add(surface, scaleT, scaleE, values);
             continue;
@@ -283,6 +236,8 @@ void SceneScaledView::evaluate(std::span<const double> scales, ScaledValues& val
         values.contrastIntensity[0] += found->sum.intensity;
         values.irradiance[0] += found->sum.irradiance;
     }
+    if (light_)
+        light_->addTo(scales, values);
     if (order_.empty())
         return;
     for (std::vector<double>* column :

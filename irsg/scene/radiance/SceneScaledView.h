@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "irsg/scene/radiance/KindRadiances.h"
+#include "irsg/scene/radiance/ScaledLight.h"
 #include "irsg/scene/radiance/ScaledSum.h"
 #include "irsg/scene/radiance/ScaledView.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
@@ -27,7 +28,7 @@ class SceneScaledView : public ScaledView {
     /// which every node is an output. `nominal` holds the values at scales of 1, which is what the
     /// radiometry must have been made at; `ranges_m` by entity.
     SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
-                    const KindRadiances& radiances, const SceneLight* light, PlanckTable& planck,
+                    const KindRadiances& radiances, SceneLight* light, PlanckTable& planck,
                     const std::vector<double>& ranges_m, std::pair<std::size_t, std::size_t> nodes,
                     const std::vector<ScalingInput>& inputs, bool isSpectrum, ScaledValues nominal);
 
@@ -44,18 +45,13 @@ class SceneScaledView : public ScaledView {
 
   private:
     struct Surface : ScaledSurface {
-        int temperatureInput = -1, emissivityInput = -1;
+        ScaledRow inputs;
         std::optional<ScaledSum> sum;
     };
     Surface surfaceOf(const SceneRadiometry& radiometry, int drawn) const;
     void gather(const ViewFactors& view, const SceneRadiometry& radiometry,
                 const KindRadiances& radiances, const std::vector<double>& ranges_m,
                 std::vector<Surface>& surfaces) const;
-    /// The same of the light between surfaces, to the first order in the scales of those that it
-    /// comes from and falls on.
-    void gatherLight(const ViewFactors& view, const SceneRadiometry& radiometry,
-                     const KindRadiances& radiances, const SceneLight& light,
-                     const std::vector<double>& ranges_m, std::vector<Surface>& surfaces) const;
     /// By node, from what passes the materials in front: what multiplies the emissivity times
     /// Planck's law, the measured emission's scale or the reflectivity in a term.
     std::vector<double> unitOf(const SurfaceSpectra& surface, const RadianceTerm& term,
@@ -82,7 +78,8 @@ class SceneScaledView : public ScaledView {
     std::vector<double> wavelengths_um_;
     bool isSpectrum_;
     std::vector<Surface> surfaces_;
-    ScaledValues base_; ///< without what the surfaces with an input add
+    std::optional<ScaledLight> light_; ///< where surfaces light each other
+    ScaledValues base_;                ///< without what the surfaces with an input add
     std::vector<std::size_t> order_;
 };
 
