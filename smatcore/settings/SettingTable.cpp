@@ -205,7 +205,8 @@ void addRendering(std::vector<SettingInfo>& table) {
                      "have a penumbra."),
               {"off", "of a point", "of a disc, with penumbra"}));
     table.push_back(choiceOrNumber(
-        key::renderBounces, "--bounces", "Light between surfaces", "", {"converged"}, 0, 1000, "0",
+        key::renderBounces, "--bounces", "Light between surfaces", "", {"converged"}, 0, 1000,
+        "converged",
         "How often light goes from surface to surface before it goes to the sensor: 0 for never, "
         "a whole number, or converged for all of it. Where it does, what stands before a surface "
         "takes the light of sky and ground away from it and sends its own in its place: thermal, "
