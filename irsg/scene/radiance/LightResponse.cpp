@@ -57,7 +57,7 @@ LightResponse::LightResponse(const SceneLight& light, const SceneRadiometry& rad
             if (subBands_.of[i] == band)
                 own.push_back(nodes.first + i);
         const std::vector<double> sources = light.summedSources(own);
-        std::vector<double> sent(exchange.receivers() * width, 0.0), largest_W_m2(width, 0.0);
+        std::vector<float> sent(exchange.receivers() * width, 0.0f), largest_W_m2(width, 0.0f);
         for (std::size_t g = 0; g < width; ++g)
             for (const int row : reflectors_[g])
                 for (const std::uint32_t receiver : exchange.ofRow(row)) {
@@ -67,11 +67,11 @@ LightResponse::LightResponse(const SceneLight& light, const SceneRadiometry& rad
                     double falls_W_m2 = 0.0;
                     for (std::size_t k = 0; k < gathered.size(); ++k)
                         falls_W_m2 += static_cast<double>(gathered[k]) * sources[k];
-                    sent[receiver * width + g] = falls_W_m2;
-                    largest_W_m2[g] = std::max(largest_W_m2[g], falls_W_m2);
+                    sent[receiver * width + g] = static_cast<float>(falls_W_m2);
+                    largest_W_m2[g] = std::max(largest_W_m2[g], sent[receiver * width + g]);
                 }
         for (std::size_t i = 0; i < sent.size(); ++i)
-            if (largest_W_m2[i % width] > 0.0)
+            if (largest_W_m2[i % width] > 0.0f)
                 sent[i] /= largest_W_m2[i % width];
         std::vector<double> reflectivities;
         for (const SurfaceSpectra& surface : radiometry.surfaces())
@@ -87,7 +87,7 @@ LightResponse::LightResponse(const SceneLight& light, const SceneRadiometry& rad
             continue;
         more = light.solution().arriving(exchange, reflectivities, sent, width, bounces, error);
         for (std::size_t i = 0; i < more.size(); ++i)
-            more[i] *= static_cast<float>(largest_W_m2[i % width]);
+            more[i] *= largest_W_m2[i % width];
     }
 }
 

@@ -49,10 +49,17 @@ class LightSolution {
     /// receiver; by place, columns first.
     std::vector<float> arriving(const LightExchange& exchange,
                                 const std::vector<double>& reflectivities,
-                                const std::vector<double>& sent, std::size_t width, int bounces,
+                                const std::vector<float>& sent, std::size_t width, int bounces,
                                 double error) const;
 
   private:
+    /// The same, beginning with what leaves senders, unless it is empty; `leaving` is then what
+    /// leaves them in the end.
+    std::vector<float> arriving(const LightExchange& exchange,
+                                const std::vector<double>& reflectivities,
+                                const std::vector<float>& sent, std::size_t width, int bounces,
+                                double error, std::vector<float>& leaving) const;
+
     std::size_t columns_, knots_;
     std::vector<std::size_t> places_;   // by receiver
     std::vector<std::size_t> receiver_; // by place
