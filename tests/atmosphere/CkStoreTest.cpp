@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/ck/CkStore.h"
+#include "irsg/radiometry/FileReading.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace irsg {
@@ -52,7 +53,16 @@ TEST(CkStore, WhatIsDamagedIsNotThere) {
         EXPECT_FALSE(store.find("key")) << text;
     }
     store.keep("key", "terms");
-    EXPECT_EQ(store.find("key"), "terms");
+    ASSERT_EQ(store.find("key"), "terms");
+    const std::string whole = readFile(file);
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        std::string bad = whole;
+        bad[at] = static_cast<char>(bad[at] ^ 1);
+        std::ofstream(file) << bad;
+        EXPECT_FALSE(store.find("key")) << bad;
+        std::ofstream(file) << whole.substr(0, at);
+        EXPECT_FALSE(store.find("key")) << "cut to " << at;
+    }
 }
 
 TEST(CkStore, ForgetsWhatWasNotUsedForTheLongestTime) {

@@ -9,6 +9,8 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Quadrature.h"
+#include "tests/support/DecimalCommas.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace irsg {
 namespace {
@@ -184,6 +186,22 @@ TEST(SensorCkData, AreTheSameFromWhatWasKept) {
     EXPECT_EQ(read->range().min_um, made.range().min_um);
     const Spectrum slope({9.0, 11.0}, {0.2, 0.8});
     EXPECT_EQ(read->sampled(slope), made.sampled(slope));
+}
+
+TEST(SensorCkData, AreKeptWithPointsUnderDecimalCommas) {
+    const smat::test::TemporaryFolder folder;
+    const RadiativeTransfer transfer = airOf(ModelAtmosphere::usStandard1976);
+    CkRequest request;
+    request.band = Band::topHat(9.9, 10.2);
+    const SensorCkData made = SensorCkData::prepare(transfer, request);
+    const std::string kept = made.kept(), key = CkKey().add(0.5).text();
+    const smat::test::DecimalCommas locale("de_DE", folder.path());
+    if (!locale.isThere()) {
+        GTEST_SKIP() << "de_DE cannot be made here (package locales)";
+    }
+    EXPECT_EQ(made.kept(), kept);
+    EXPECT_EQ(CkKey().add(0.5).text(), key);
+    EXPECT_TRUE(SensorCkData::fromKept(transfer, request.band, kept));
 }
 
 TEST(SensorCkData, AreFoundByAllThatTheyDependOn) {

@@ -15,22 +15,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view magic = "wideband terms 1\n";
+constexpr std::string_view magic = "wideband terms 2\n";
 constexpr std::string_view suffix = ".ck";
 
-/// FNV-1a from a start of its own; two of them make a name.
-std::uint64_t hashOf(const std::string& text, std::uint64_t start) {
+/// FNV-1a from a start of its own.
+std::uint64_t hashOf(std::string_view text, std::uint64_t start) {
     for (const char c : text)
         start = (start ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
     return start;
 }
 
+/// Two of them tell texts apart.
+std::string digest(std::string_view text) {
+    char name[40];
+    std::snprintf(name, sizeof name, "%016llx%016llx",
+                  static_cast<unsigned long long>(hashOf(text, 0xcbf29ce484222325ULL)),
+                  static_cast<unsigned long long>(hashOf(text, 0x84222325cbf29ce4ULL)));
+    return name;
+}
+
+/// What stands before the content: a content with a digit changed would still be read.
+std::string headOf(const std::string& key, std::string_view content) {
+    return std::string(magic) + CkKey().add(key).add(digest(content)).text();
+}
+
 } // namespace
 
 CkKey& CkKey::add(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%a ", value);
-    text_ += text;
+    text_ += numberText(value) + " ";
     return *this;
 }
 
@@ -57,11 +69,7 @@ std::optional<CkStore> CkStore::ofUser() {
 }
 
 fs::path CkStore::fileOf(const std::string& key) const {
-    char name[40];
-    std::snprintf(name, sizeof name, "%016llx%016llx",
-                  static_cast<unsigned long long>(hashOf(key, 0xcbf29ce484222325ULL)),
-                  static_cast<unsigned long long>(hashOf(key, 0x84222325cbf29ce4ULL)));
-    return folder_ / (std::string(name) + std::string(suffix));
+    return folder_ / (digest(key) + std::string(suffix));
 }
 
 std::optional<std::string> CkStore::find(const std::string& key) const {
@@ -76,18 +84,18 @@ std::optional<std::string> CkStore::find(const std::string& key) const {
     } catch (const InputError&) {
         return std::nullopt; // taken away by another program, or not ours to read
     }
-    const std::string begin = std::string(magic) + CkKey().add(key).text();
-    if (!text.starts_with(begin))
+    const std::size_t head = headOf(key, {}).size();
+    if (text.size() < head || !text.starts_with(headOf(key, std::string_view(text).substr(head))))
         return std::nullopt;
     fs::last_write_time(file, fs::file_time_type::clock::now(), none);
-    return text.substr(begin.size());
+    return text.substr(head);
 }
 
 void CkStore::keep(const std::string& key, const std::string& content) const {
     std::error_code failed;
     fs::create_directories(folder_, failed);
     try {
-        writeFileDurably(fileOf(key), std::string(magic) + CkKey().add(key).text() + content);
+        writeFileDurably(fileOf(key), headOf(key, content) + content);
     } catch (const InputError&) {
         return;
     }

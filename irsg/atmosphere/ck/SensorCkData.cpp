@@ -4,10 +4,12 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 #include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SparseWeights.h"
+#include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/GaussLegendre.h"
 #include "irsg/radiometry/Planck.h"
@@ -422,11 +424,10 @@ std::optional<SensorCkData> SensorCkData::fromKept(const RadiativeTransfer& tran
     auto number = [&] {
         std::string word;
         words >> word;
-        char* end = nullptr;
-        const double value = std::strtod(word.c_str(), &end);
-        if (word.empty() || *end != '\0' || !std::isfinite(value))
+        const std::optional<double> value = parseNumber(word);
+        if (!value)
             words.setstate(std::ios::failbit);
-        return value;
+        return value.value_or(0.0);
     };
     SensorCkData data(band);
     const double count = number();
