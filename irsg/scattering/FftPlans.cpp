@@ -1,14 +1,14 @@
 #include "irsg/scattering/FftPlans.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <new>
 
 #include <fftw3.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/FileReplacement.h"
 #include "irsg/radiometry/ParallelFor.h"
 
@@ -22,6 +22,7 @@ constexpr int pieces = 4;
 /// Sizes are taken from as many in each octave, so that objects that move are not planned for anew
 /// at every step.
 constexpr int stepsOfOctave = 8;
+constexpr std::uint64_t largestWisdom_B = 16 << 20;
 
 fftwf_complex* raw(std::complex<float>* values) {
     return reinterpret_cast<fftwf_complex*>(values);
@@ -97,11 +98,18 @@ FftPlans::FftPlans() {
     if (fftwf_init_threads() == 0)
         throw LogicError("FFTW has no threads");
     fftwf_threads_set_callback(runPieces, nullptr);
-    std::ifstream in(wisdomFile(), std::ios::binary);
-    const std::string wisdom{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    // What another version of FFTW left is no use and no error.
-    if (!wisdom.empty())
+    const std::filesystem::path file = wisdomFile();
+    std::error_code none;
+    if (!std::filesystem::exists(file, none))
+        return;
+    try {
+        const std::string wisdom = readFile(file, largestWisdom_B);
+        // What another version of FFTW left is no use and no error.
         fftwf_import_wisdom_from_string(wisdom.c_str());
+        allowChange(file);
+    } catch (const InputError&) {
+        // It is a cache, and something else stands in its place.
+    }
 }
 
 FftPlans::~FftPlans() = default;

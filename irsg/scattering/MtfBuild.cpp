@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <fstream>
-#include <map>
 #include <mutex>
 #include <sstream>
-#include <string_view>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scattering/FinishedBatches.h"
 #include "irsg/scattering/PhotonTracer.h"
 #include "irsg/scattering/WaterIndex.h"
 
@@ -24,76 +22,6 @@ constexpr std::uint64_t photonsOfBatch = 20'000;
 /// Part of the progress that the optics of the droplets are.
 constexpr double shareOfOptics = 0.2;
 
-constexpr std::string_view firstWords = "smat mtf batches 1";
-
-using BatchKey = std::pair<std::size_t, std::uint64_t>;
-
-/// Finished batches in a text file: a line of the recipe, then one for each batch. A line that a
-/// kill cut short is no batch.
-class FinishedBatches {
-  public:
-    FinishedBatches(const std::optional<std::filesystem::path>& file, const std::string& signature,
-                    std::size_t width) {
-        if (!file)
-            return;
-        std::ifstream in(*file);
-        std::string line;
-        const bool isOurs = !std::getline(in, line) || line.starts_with(firstWords);
-        if (!isOurs)
-            throw InputError({file->string(), "line 1", "something else than batches of photons",
-                              "no such file, or what a build that was stopped left there"});
-        if (line == signature)
-            while (std::getline(in, line))
-                if (!in.eof())
-                    take(line, width);
-        // Written anew, so that a line cut short is gone before others follow it.
-        out_.open(*file, std::ios::trunc);
-        if (!out_)
-            throw InputError({file->string(), "", "cannot be written",
-                              "a file in a folder that exists and can be written"});
-        out_ << signature << '\n';
-        for (const auto& [key, sums] : done_)
-            write(key, sums);
-    }
-    const PhotonSums* find(const BatchKey& key) const {
-        const auto known = done_.find(key);
-        return known == done_.end() ? nullptr : &known->second;
-    }
-    void keep(const BatchKey& key, const PhotonSums& sums) {
-        const std::lock_guard lock(mutex_);
-        if (out_.is_open())
-            write(key, sums);
-    }
-
-  private:
-    void take(const std::string& line, std::size_t width) {
-        std::istringstream in(line);
-        BatchKey key;
-        PhotonSums sums;
-        in >> key.first >> key.second >> sums.photons;
-        for (std::vector<double>* numbers : {&sums.sums, &sums.squares})
-            for (std::size_t i = 0; i < width; ++i) {
-                std::string text;
-                in >> text;
-                numbers->push_back(std::strtod(text.c_str(), nullptr));
-            }
-        std::string end;
-        if (in >> end && end == ".")
-            done_[key] = std::move(sums);
-    }
-    void write(const BatchKey& key, const PhotonSums& sums) {
-        out_ << key.first << ' ' << key.second << ' ' << sums.photons << std::hexfloat;
-        for (const std::vector<double>* numbers : {&sums.sums, &sums.squares})
-            for (const double number : *numbers)
-                out_ << ' ' << number;
-        out_ << " .\n" << std::flush;
-    }
-
-    std::map<BatchKey, PhotonSums> done_;
-    std::ofstream out_;
-    std::mutex mutex_;
-};
-
 std::vector<PhotonEstimate> tracePhotons(const MtfRecipe& recipe, const PhaseFunction& phase,
                                          const std::vector<double>& frequencies,
                                          const std::function<bool(double)>& tell,
@@ -104,22 +32,25 @@ std::vector<PhotonEstimate> tracePhotons(const MtfRecipe& recipe, const PhaseFun
     std::vector<PhotonTracer> tracers;
     for (const double depth : recipe.opticalDepths)
         tracers.emplace_back(phase, recipe.layers, depth, frequencies);
-    FinishedBatches finished(resume, recipe.signature(), frequencies.size());
+    std::optional<FinishedBatches> finished;
+    if (resume)
+        finished.emplace(*resume, recipe.signature(), frequencies.size());
     std::vector<PhotonSums> sums(count);
     std::mutex telling;
     std::size_t done = 0;
     std::atomic<bool> stopped = false;
     parallelFor(count, [&](std::size_t i) {
-        const BatchKey key{i / batches, i % batches};
+        const FinishedBatches::Key key{i / batches, i % batches};
         if (stopped)
             return;
-        if (const PhotonSums* known = finished.find(key)) {
+        if (const PhotonSums* known = finished ? finished->find(key) : nullptr) {
             sums[i] = *known;
         } else {
             const std::uint64_t first = key.second * photonsOfBatch;
             sums[i] = tracers[key.first].trace(recipe.seed + (key.first << 32), key.second,
                                                std::min(photonsOfBatch, recipe.photons - first));
-            finished.keep(key, sums[i]);
+            if (finished)
+                finished->keep(key, sums[i]);
         }
         const std::lock_guard lock(telling);
         ++done;
@@ -184,9 +115,9 @@ void MtfRecipe::check() const {
 std::string MtfRecipe::signature() const {
     std::ostringstream out;
     out.precision(17);
-    out << firstWords << "; " << sizes.description() << "; " << wavelength_um << "; "
-        << fieldOfView_rad << "; " << lowestFrequency_per_rad << " " << highestFrequency_per_rad
-        << " " << frequencies << "; " << photons << " " << seed << ";";
+    out << FinishedBatches::firstWords << "; " << sizes.description() << "; " << wavelength_um
+        << "; " << fieldOfView_rad << "; " << lowestFrequency_per_rad << " "
+        << highestFrequency_per_rad << " " << frequencies << "; " << photons << " " << seed << ";";
     for (const double depth : opticalDepths)
         out << ' ' << depth;
     for (const ScatteringLayer& layer : layers)
