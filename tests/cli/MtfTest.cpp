@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 
 #include <gmock/gmock.h>
@@ -169,6 +170,25 @@ TEST_F(SmatBatchMtf, AnImageHasTheHazeThatIsAskedFor) {
     const Ran refused = smatBatch(without, folder.path());
     EXPECT_EQ(refused.exitCode, 2);
     EXPECT_THAT(refused.err, HasSubstr("an AtmosphereScatteringLUT or an MTF database"));
+}
+
+TEST_F(SmatBatchMtf, WhatStandsInPlaceOfPlansTakesNoMemory) {
+    std::filesystem::create_directories(folder / "smat");
+    write(folder / "smat/fftw-wisdom", "no wisdom");
+    std::filesystem::resize_file(folder / "smat/fftw-wisdom", std::uintmax_t{1} << 30);
+    const char* const before = std::getenv("XDG_CACHE_HOME");
+    const std::string kept = before ? before : "";
+    setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+    const Ran ran =
+        smatBatch({"image", sample("chessboard/chessboard.smat"), "--width", "64", "--height", "48",
+                   "--out", "hazy.exr", "--scattering", "--mtf", shipped / "advection-fog-mwir.mtf",
+                   "--scattering-coefficient", "20"},
+                  folder.path());
+    before ? setenv("XDG_CACHE_HOME", kept.c_str(), 1) : unsetenv("XDG_CACHE_HOME");
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    if (memoryIsTold()) {
+        EXPECT_LT(ran.peak_MB, 700.0);
+    }
 }
 
 } // namespace

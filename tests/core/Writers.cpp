@@ -20,6 +20,7 @@
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/simulate/ScenarioFile.h"
 #ifdef SMAT_HAS_SCATTERING
+#include "irsg/scattering/FinishedBatches.h"
 #include "irsg/scattering/MtfDatabase.h"
 #endif
 
@@ -199,6 +200,13 @@ const std::vector<Writer>& otherWriters() {
          false,
          {"a(emissivitiesScalings).xml"}},
 #ifdef SMAT_HAS_SCATTERING
+        {"FinishedBatches", "a.mtf.part",
+         [](const fs::path& file, bool second) {
+             std::string recipe(irsg::FinishedBatches::firstWords);
+             recipe += second ? "; second" : "; first";
+             const irsg::FinishedBatches batches(file, recipe, 2);
+         },
+         bytesOf},
         {"MtfDatabase", "a.mtf",
          [](const fs::path& file, bool second) {
              irsg::MtfDatabase({}, {0.0, 1.0}, {1.0}, {{second ? 2.0 : 1.5, 1.0}}).write(file);
