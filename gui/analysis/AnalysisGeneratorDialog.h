@@ -10,6 +10,7 @@
 class QDialogButtonBox;
 class QLabel;
 class QLineEdit;
+class QTabWidget;
 
 namespace smat::gui {
 
@@ -35,8 +36,7 @@ class AnalysisGeneratorDialog : public QDialog {
 
   private:
     QStringList problems() const;
-    void addPage(const QString& title, const std::vector<std::string>& sections,
-                 class QTabWidget* tabs);
+    void addPage(const QString& title, const std::vector<std::string>& sections, QTabWidget* tabs);
     void refresh();
     void showIgnored();
 
