@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QPen>
 #include <QwtPlotCanvas>
 #include <QwtPlotHistogram>
 #include <QwtPlotLayout>
