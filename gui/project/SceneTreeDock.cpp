@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QMenu>
 #include <QTreeWidget>

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPen>
 #include <QSlider>
 #include <QSplitter>
 #include <QVBoxLayout>
