@@ -212,7 +212,7 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
         {"stl", ".stl", [](File f) { irsg::Model::load(f); }, {}, {facet}},
     };
     static const bool isWhole = [] {
-        for (const auto& some : {packedReaders(), resultReaders()}) {
+        for (const auto& some : {packedReaders(), keptReaders(), resultReaders()}) {
             list.insert(list.end(), some.begin(), some.end());
         }
         return true;

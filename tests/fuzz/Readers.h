@@ -23,6 +23,8 @@ struct FuzzedReader {
 const std::vector<FuzzedReader>& fuzzedReaders();
 /// Those of them that read binary files and messages, and what other files name.
 std::vector<FuzzedReader> packedReaders();
+/// Those that read what programs keep for themselves.
+std::vector<FuzzedReader> keptReaders();
 /// Those that read what analyses gave.
 std::vector<FuzzedReader> resultReaders();
 
