@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
