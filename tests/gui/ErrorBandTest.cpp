@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <QBuffer>
+#include <QFile>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSvgGenerator>

@@ -1,4 +1,7 @@
 #include <QApplication>
+#include <QComboBox>
+#include <QMenu>
+#include <QToolButton>
 
 #include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
