@@ -53,6 +53,9 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     QStringList problems;
     preferences_ = Preferences::load(&problems);
     files_ = new ProjectFiles(workbench_, dialogs_, preferences_, this);
+    loading_ = new LoadingBar(this);
+    loading_->follow(files_->opening());
+    statusBar()->addPermanentWidget(loading_);
     makeCentre();
     makeDocks();
     makeMenus();
@@ -130,6 +133,9 @@ void MainWindow::makeDocks() {
 }
 
 void MainWindow::connectWorkbench() {
+    connect(&files_->opening(), &ModelWait::cancelled, this, [this](const QString& name) {
+        statusBar()->showMessage(tr("%1 was not opened").arg(name));
+    });
     connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::onProjectOpened);
     connect(&workbench_, &Workbench::projectChanged, this, &MainWindow::onProjectChanged);
     connect(&workbench_, &Workbench::modifiedChanged, this, &MainWindow::refreshTitle);
@@ -302,12 +308,13 @@ void MainWindow::showModel() {
 }
 
 bool MainWindow::isLoadingModel() const {
-    return databaseDock_->isReadingModel() || (loader_ != nullptr && loader_->isBusy());
+    return files_->opening().isBusy() || databaseDock_->isReadingModel() ||
+           (loader_ != nullptr && loader_->isBusy());
 }
 
 void MainWindow::makeLoader() {
     loader_ = new SceneLoader(workbench_.models(), this);
-    statusBar()->addPermanentWidget(new LoadingBar(*loader_, this));
+    loading_->follow(*loader_);
     connect(loader_, &SceneLoader::cancelled, this, [this](const QString& names) {
         statusBar()->showMessage(
             tr("%1 was not read; open the project again to see it").arg(names));

@@ -24,6 +24,7 @@ namespace smat::gui {
 
 class DatabaseDock;
 class ComparisonWindow;
+class LoadingBar;
 class ModelPage;
 class ProjectFiles;
 class ResultPage;
@@ -145,6 +146,7 @@ class MainWindow : public QMainWindow {
     QToolBar* bar_ = nullptr;
     ModelPage* page_ = nullptr;
     SceneView* view_ = nullptr; ///< of the page
+    LoadingBar* loading_ = nullptr;
     SceneLoader* loader_ = nullptr;
     StartPage* start_ = nullptr;
     WindowLayout* layout_ = nullptr;

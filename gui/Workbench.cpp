@@ -72,7 +72,7 @@ Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent,
     : QObject(parent),
       database_(std::make_unique<DatabaseSession>(undoStack_)),
       models_(std::move(models)),
-      jobs_(std::move(makeSource)) {
+      jobs_(std::move(makeSource), ModelStore::loader(models_)) {
     connect(&jobs_, &JobQueue::started, this,
             [this](int, const QString& title) { emit jobStarted(title); });
     connect(&jobs_, &JobQueue::progressed, this,

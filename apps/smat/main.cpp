@@ -9,6 +9,7 @@
 #include <QApplication>
 
 #include "apps/smat/PlotCommand.h"
+#include "gui/Leaving.h"
 #include "gui/MainWindow.h"
 #include "gui/Theme.h"
 #include "gui/Workbench.h"
@@ -61,6 +62,17 @@ class Application : public QApplication {
     smat::gui::MainWindow* window = nullptr;
 };
 
+int runMainWindow(Application& application, smat::gui::Workbench& workbench,
+                  const std::string& file) {
+    smat::gui::MainWindow window(workbench);
+    application.window = &window;
+    window.show();
+    window.begin(file);
+    const int code = QApplication::exec();
+    application.window = nullptr;
+    return code;
+}
+
 int runWindow(const std::string& file, std::optional<smat::gui::ThemeMode> theme, int argc,
               char** argv) {
     if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY") && !isSet("QT_QPA_PLATFORM"))
@@ -72,11 +84,9 @@ int runWindow(const std::string& file, std::optional<smat::gui::ThemeMode> theme
     QApplication::setApplicationName("smat");
     smat::gui::applyTheme(application, theme.value_or(smat::gui::Preferences::load().theme));
     smat::gui::Workbench workbench;
-    smat::gui::MainWindow window(workbench);
-    application.window = &window;
-    window.show();
-    window.begin(file);
-    return QApplication::exec();
+    const int code = runMainWindow(application, workbench, file);
+    smat::gui::leave(workbench, code);
+    return code;
 }
 
 /// Version with the GL renderer, where this machine has one.

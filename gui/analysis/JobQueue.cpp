@@ -4,9 +4,15 @@
 
 namespace smat::gui {
 
-JobQueue::JobQueue(ImageSourceFactory makeSource, QObject* parent)
-    : QObject(parent), engine_(std::make_shared<AnalysisEngine>()) {
-    engine_->makeSource = std::move(makeSource);
+JobQueue::JobQueue(ImageSourceFactory makeSource, SceneBuilder::ModelLoader models, QObject* parent)
+    : QObject(parent),
+      makeSource_(std::move(makeSource)),
+      models_(std::move(models)),
+      engine_(freshEngine()) {}
+
+std::shared_ptr<AnalysisEngine> JobQueue::freshEngine() const {
+    return std::make_shared<AnalysisEngine>(
+        AnalysisEngine{makeSource_, nullptr, SceneBuilder(models_)});
 }
 
 JobQueue::~JobQueue() {
@@ -31,6 +37,11 @@ int JobQueue::add(JobOrder order, SceneBuilder::DatabaseOverrides databases) {
     return number;
 }
 
+bool JobQueue::isWorking() const {
+    return (job_ && job_->isWorking()) ||
+           std::ranges::any_of(leaving_, [](const auto& job) { return job->isWorking(); });
+}
+
 bool JobQueue::holds(int number) const {
     return runningNumber() == number || std::ranges::any_of(waiting_, [number](const auto& one) {
                return one.number == number;
@@ -42,11 +53,8 @@ void JobQueue::begin(Waiting next) {
     const auto working = [this](const auto& job) {
         return job->isWorking() && job->engine() == engine_;
     };
-    if (std::ranges::any_of(leaving_, working)) {
-        auto fresh = std::make_shared<AnalysisEngine>();
-        fresh->makeSource = engine_->makeSource;
-        engine_ = std::move(fresh);
-    }
+    if (std::ranges::any_of(leaving_, working))
+        engine_ = freshEngine();
     // No job works with this builder: nobody else uses it.
     engine_->scenes.setDatabaseOverrides(std::move(next.databases));
     const int number = number_ = next.number;

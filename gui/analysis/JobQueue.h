@@ -22,12 +22,16 @@ class JobQueue : public QObject {
         SceneBuilder::DatabaseOverrides databases; ///< as they were edited when it was asked for
     };
 
-    explicit JobQueue(ImageSourceFactory makeSource, QObject* parent = nullptr);
+    /// Scenes have their models from `models`; without, each job reads them itself.
+    explicit JobQueue(ImageSourceFactory makeSource, SceneBuilder::ModelLoader models = {},
+                      QObject* parent = nullptr);
     ~JobQueue() override;
 
     /// Begins it at once where nothing runs. Returns its number, from 1.
     int add(JobOrder order, SceneBuilder::DatabaseOverrides databases);
     bool isBusy() const { return job_ != nullptr; }
+    /// Whether any thread is at work, if only to end the drawing of a job that was cancelled.
+    bool isWorking() const;
     /// Null while nothing runs.
     const AnalysisJob* running() const { return job_.get(); }
     /// Of the job that runs; 0 while nothing does.
@@ -53,11 +57,14 @@ class JobQueue : public QObject {
     void waitingChanged();
 
   private:
+    std::shared_ptr<AnalysisEngine> freshEngine() const;
     void begin(Waiting next);
     void end();
     void beginNext();
     void forget(AnalysisJob* job);
 
+    ImageSourceFactory makeSource_;
+    SceneBuilder::ModelLoader models_;
     std::shared_ptr<AnalysisEngine> engine_;
     std::deque<Waiting> waiting_;
     int number_ = 0, lastNumber_ = 0;

@@ -22,6 +22,7 @@
 #include "gui/database/QuestionDialog.h"
 #include "gui/database/SpectrumPanel.h"
 #include "gui/database/TemperaturePanel.h"
+#include "gui/start/DataFolder.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/Model.h"
 #include "irsg/signature/ScalingXml.h"
@@ -297,6 +298,10 @@ void DatabaseDock::save() {
     auto& session = context_.session();
     if (!session.isOpen())
         return;
+    if (isOfSample(session.file())) {
+        saveAs();
+        return;
+    }
     QStringList problem;
     if (!session.isChangedOnDisk()) {
         try {
@@ -335,7 +340,7 @@ void DatabaseDock::overwrite() {
 void DatabaseDock::createScalings() {
     // Each only where it is not there: what somebody wrote is never touched.
     const auto& models = context_.workbench().project().models;
-    if (models.empty())
+    if (models.empty() || isOfSample(context_.workbench().project().resolve(models.front().file)))
         return;
     attempt(tr("The scaling files cannot be written"), [&] {
         const auto& project = context_.workbench().project();
@@ -347,9 +352,14 @@ void DatabaseDock::saveAs() {
     auto& session = context_.session();
     if (!session.isOpen())
         return;
-    const QString file = context_.dialogs().saveFile(
-        context_.window, tr("Save the signature database as"), databaseFilters(),
-        QString::fromStdString(session.file().string()));
+    const auto& project = context_.workbench().project().file;
+    const bool besideProject =
+        isOfSample(session.file()) && !project.empty() && !isOfSample(project);
+    const auto suggestion = besideProject ? project.parent_path() / session.file().filename()
+                                          : ownPlaceOf(session.file());
+    const QString file =
+        context_.dialogs().saveFile(context_.window, tr("Save the signature database as"),
+                                    databaseFilters(), QString::fromStdString(suggestion.string()));
     if (!file.isEmpty())
         attempt(tr("This database cannot be saved"), [&] {
             context_.workbench().saveDatabaseAs(file.toStdString());

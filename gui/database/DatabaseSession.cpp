@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QUndoStack>
 
+#include "gui/start/DataFolder.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/FileReplacement.h"
@@ -201,7 +202,8 @@ void DatabaseSession::lock() {
     if (lock_ && lock_->isLocked())
         return;
     if (!lock_) {
-        lock_ = std::make_unique<QLockFile>(QString::fromStdString(file_.string() + ".lock"));
+        lock_ = std::make_unique<QLockFile>(
+            QString::fromStdString(placeForUnsaved(file_).string() + ".lock"));
         lock_->setStaleLockTime(0);
     }
     // A folder that takes no file does not take the database either: saving says so.
@@ -262,6 +264,7 @@ void DatabaseSession::saveAs(const fs::path& file) {
 }
 
 void DatabaseSession::writeTo(const fs::path& file) {
+    requireOwnPlace(file);
     // Another program may have saved since the last look at the file: its own then refuses.
     if (file == file_ && !isNew_)
         irsg::saveSignatureFile(*value_, file, *saved_);
@@ -333,13 +336,14 @@ void DatabaseSession::findRecoveries() {
     left_.clear();
     recovery_.clear();
     // Copies that an open window is keeping are not left ones.
-    QLockFile probe(QString::fromStdString(file_.string() + ".lock"));
+    const fs::path place = placeForUnsaved(file_);
+    QLockFile probe(QString::fromStdString(place.string() + ".lock"));
     probe.setStaleLockTime(0);
     if (!probe.tryLock(0) && probe.error() == QLockFile::LockFailedError)
         return;
-    const std::string beginning = file_.filename().string() + ".recovery";
+    const std::string beginning = place.filename().string() + ".recovery";
     std::error_code failure;
-    for (const auto& entry : fs::directory_iterator(file_.parent_path(), failure))
+    for (const auto& entry : fs::directory_iterator(place.parent_path(), failure))
         if (entry.is_regular_file(failure) &&
             entry.path().filename().string().starts_with(beginning))
             left_.push_back(entry.path());
@@ -380,7 +384,7 @@ void DatabaseSession::writeRecoveryNow() {
     // A copy that waits for a decision, and that of another window, stay as they are.
     if (recovery_.empty()) {
         const bool free = left_.empty() && access_ != Access::openElsewhere;
-        recovery_ = file_.string() + ".recovery" +
+        recovery_ = placeForUnsaved(file_).string() + ".recovery" +
                     (free ? "" : "-" + std::to_string(QCoreApplication::applicationPid()));
     }
     // A crash leaves the copy before or this one.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include <QApplication>
 #include <QDateTime>
 #include <QFileInfo>
+#include <QTimer>
 #include <QWidget>
 
 #include "gui/Readable.h"
@@ -11,6 +13,7 @@
 #include "gui/Workbench.h"
 #include "gui/project/NewProjectDialog.h"
 #include "gui/settings/Preferences.h"
+#include "gui/start/DataFolder.h"
 #include "irsg/scene/model/OpenableFiles.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -20,6 +23,18 @@ namespace {
 
 /// Models up to this size are read within a moment.
 constexpr std::uintmax_t quickModel_bytes = 4'000'000;
+/// How often a large model that was read looks whether the dialog in its way is gone.
+constexpr int dialogPause_ms = 100;
+
+/// Of a model; nothing for other files.
+std::optional<std::uintmax_t> modelBytes(const std::filesystem::path& file) {
+    std::error_code failure;
+    const auto bytes = std::filesystem::file_size(file, failure);
+    if (failure || file.extension() == ".smat" ||
+        irsg::refusalOf(file.string(), irsg::FileKind::model))
+        return std::nullopt;
+    return bytes;
+}
 
 std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::path& file) {
     std::error_code failure;
@@ -48,8 +63,18 @@ ProjectFiles::ProjectFiles(Workbench& workbench, Dialogs& dialogs, const Prefere
       dialogs_(dialogs),
       preferences_(preferences),
       window_(window),
-      recovery_(workbench, preferences.recoveryDelay_s) {
+      recovery_(workbench, preferences.recoveryDelay_s),
+      opening_(workbench.models()) {
     connect(&recovery_, &RecoveryCopy::failed, this, &ProjectFiles::said);
+    connect(&opening_, &ModelOpening::wasRead, this, &ProjectFiles::openRead);
+    connect(&opening_, &ModelOpening::failed, this, [this](const QStringList& sentences) {
+        dialogs_.tell(window_, tr("This file cannot be opened"), sentences);
+    });
+    // Who opens something else in the meantime has changed his mind.
+    connect(&workbench_, &Workbench::projectOpened, this, [this] {
+        opening_.cancel();
+        read_.clear();
+    });
 }
 
 QString ProjectFiles::modelPatterns() {
@@ -122,9 +147,13 @@ bool ProjectFiles::chooseModel() {
 }
 
 bool ProjectFiles::open(const std::filesystem::path& file) {
+    const auto absolute = std::filesystem::absolute(file).lexically_normal();
+    if (modelBytes(absolute).value_or(0) > quickModel_bytes) {
+        opening_.read(absolute);
+        return true;
+    }
     if (!settle())
         return false;
-    const auto absolute = std::filesystem::absolute(file).lexically_normal();
     if (absolute.extension() == ".smat") {
         if (RecoveryCopy::isInUse(absolute))
             emit said(tr("%1 has unsaved changes in another window").arg(textOf(absolute)));
@@ -154,11 +183,21 @@ bool ProjectFiles::load(const std::filesystem::path& file) {
     return true;
 }
 
+void ProjectFiles::openRead(const std::filesystem::path& file) {
+    read_ = file;
+    // A dialog may be at work on what is open.
+    if (QApplication::activeModalWidget() != nullptr)
+        QTimer::singleShot(dialogPause_ms, this, [this, file] {
+            if (read_ == file)
+                openRead(file);
+        });
+    else if (settle())
+        load(file);
+}
+
 void ProjectFiles::requireReadable(const std::filesystem::path& file) const {
-    std::error_code failure;
-    const auto bytes = std::filesystem::file_size(file, failure);
-    const bool isModel = !irsg::refusalOf(file.string(), irsg::FileKind::model);
-    if (failure || !isModel || file.extension() == ".smat" || bytes > quickModel_bytes)
+    const auto bytes = modelBytes(file);
+    if (!bytes || *bytes > quickModel_bytes)
         return;
     const Project opened = projectOfModel(file);
     workbench_.models()->model(ModelKey::of(opened, opened.models.front()));
@@ -259,7 +298,7 @@ bool ProjectFiles::save() {
     if (!workbench_.hasProject())
         return false;
     const auto file = workbench_.project().file;
-    if (file.empty())
+    if (file.empty() || isOfSample(file))
         return saveAs();
     const auto now = writtenAt(file);
     if (now && now != written_) {
@@ -280,13 +319,14 @@ bool ProjectFiles::saveAs() {
     std::filesystem::path suggestion = project.file;
     if (suggestion.empty() && !project.models.empty())
         suggestion = std::filesystem::path(project.models.front().file).replace_extension(".smat");
-    const QString file = dialogs_.saveFile(window_, tr("Save the project"),
-                                           {tr("Projects (*.smat)")}, textOf(suggestion));
+    const QString file = dialogs_.saveFile(
+        window_, tr("Save the project"), {tr("Projects (*.smat)")}, textOf(ownPlaceOf(suggestion)));
     return !file.isEmpty() && saveTo(file.toStdString());
 }
 
 bool ProjectFiles::saveTo(const std::filesystem::path& file) {
     try {
+        requireOwnPlace(file);
         workbench_.saveAs(file);
     } catch (const irsg::InputError& error) {
         dialogs_.tell(window_, tr("The project cannot be saved"), sentencesOf(error));

@@ -8,6 +8,7 @@
 #include <QObject>
 
 #include "gui/Dialogs.h"
+#include "gui/project/ModelOpening.h"
 #include "gui/project/RecoveryCopy.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -36,7 +37,10 @@ class ProjectFiles : public QObject {
     /// Each true where it was done.
     bool newProject();
     bool chooseModel();
+    /// True for a large model also while it is being read, beside what is open: it comes, or what
+    /// is wrong with it is told, when it was read. Only then unsaved changes are asked about.
     bool open(const std::filesystem::path& file);
+    ModelOpening& opening() { return opening_; }
     bool save();
     bool saveAs();
     /// What a start of the program does, with a file or without one: offers the new projects that
@@ -57,9 +61,11 @@ class ProjectFiles : public QObject {
 
   private:
     bool load(const std::filesystem::path& file);
-    /// Throws irsg::InputError for a damaged model, so that what is open stays; one that takes its
-    /// time to read is told of later. What was read serves the view.
+    /// Throws irsg::InputError for a damaged model, so that what is open stays; those that take
+    /// their time were read beside the window. What was read serves the view.
     void requireReadable(const std::filesystem::path& file) const;
+    /// A large model that was read takes the place of what is open.
+    void openRead(const std::filesystem::path& file);
     bool saveTo(const std::filesystem::path& file);
     /// What became of the copies of a project that a crash left behind.
     enum class Recovery { none, taken, left };
@@ -76,6 +82,8 @@ class ProjectFiles : public QObject {
     const Preferences& preferences_;
     QWidget* window_;
     RecoveryCopy recovery_;
+    ModelOpening opening_;
+    std::filesystem::path read_; ///< the large model that may be opened now
     std::vector<std::function<bool()>> settlers_;
     std::optional<std::filesystem::file_time_type>
         written_; ///< of the project's file, as we know it

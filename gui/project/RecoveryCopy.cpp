@@ -8,6 +8,7 @@
 
 #include "gui/Readable.h"
 #include "gui/Workbench.h"
+#include "gui/start/DataFolder.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/support/TextFile.h"
@@ -153,7 +154,7 @@ std::filesystem::path RecoveryCopy::pathFor(const std::filesystem::path& project
     const std::string suffix =
         (number > 1 ? "." + std::to_string(number) : std::string()) + ".recovery";
     if (!projectFile.empty())
-        return projectFile.string() + suffix;
+        return placeForUnsaved(projectFile).string() + suffix;
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
     return std::filesystem::path(folder.toStdString()) / "smat" / ("new-project.smat" + suffix);
 }
@@ -173,6 +174,8 @@ Project RecoveryCopy::read(const std::filesystem::path& copy,
                            const std::filesystem::path& projectFile) {
     // Paths of a copy that lies beside its project are those of the project.
     Project project = loadProject(copy);
+    if (!projectFile.empty() && copy.parent_path() != projectFile.parent_path())
+        return projectFromJson(projectToJson(project, projectFile), projectFile);
     if (projectFile.empty()) {
         for (auto& model : project.models) {
             model.file = project.resolve(model.file);

@@ -4,6 +4,9 @@
 #include <cstdlib>
 
 #include <QCoreApplication>
+#include <QStandardPaths>
+
+#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 namespace {
@@ -29,6 +32,17 @@ constexpr std::array known{
 bool isFolder(const std::filesystem::path& path) {
     std::error_code failure;
     return std::filesystem::is_directory(path, failure);
+}
+
+/// The file below the samples; empty for any other.
+std::filesystem::path insideSamples(const std::filesystem::path& file) {
+    const auto folder = dataFolder("samples");
+    if (folder.empty() || file.empty())
+        return {};
+    std::error_code failure;
+    const auto inside = std::filesystem::weakly_canonical(file, failure)
+                            .lexically_relative(std::filesystem::canonical(folder, failure));
+    return failure || inside.empty() || *inside.begin() == ".." ? std::filesystem::path() : inside;
 }
 
 } // namespace
@@ -59,6 +73,36 @@ std::vector<Sample> samples() {
                             own / "picture.png"});
     }
     return list;
+}
+
+bool isOfSample(const std::filesystem::path& file) {
+    return !insideSamples(file).empty();
+}
+
+void requireOwnPlace(const std::filesystem::path& file) {
+    if (isOfSample(file))
+        throw irsg::InputError({file.string(), "",
+                                "a place among the samples, which stay as they are",
+                                "a folder of your own"});
+}
+
+std::filesystem::path ownPlaceOf(const std::filesystem::path& file) {
+    if (!isOfSample(file))
+        return file;
+    const QString own = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return std::filesystem::path(own.toStdString()) / file.filename();
+}
+
+std::filesystem::path placeForUnsaved(const std::filesystem::path& file) {
+    const auto inside = insideSamples(file);
+    if (inside.empty())
+        return file;
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+    const auto place = std::filesystem::path(data.toStdString()) / "smat/samples" / inside;
+    // Where it cannot be made, keeping the copy says so.
+    std::error_code failure;
+    std::filesystem::create_directories(place.parent_path(), failure);
+    return place;
 }
 
 } // namespace smat::gui

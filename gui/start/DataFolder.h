@@ -22,4 +22,14 @@ struct Sample {
 /// Those that are there, the one to begin with first.
 std::vector<Sample> samples();
 
+/// Whether a file lies among the samples. They stay as they came: a save asks for another place.
+bool isOfSample(const std::filesystem::path& file);
+/// Throws irsg::InputError for a file that is to be written among the samples.
+void requireOwnPlace(const std::filesystem::path& file);
+/// Where a file may be saved: where it is; one of a sample among the person's documents.
+std::filesystem::path ownPlaceOf(const std::filesystem::path& file);
+/// What a copy and a lock of unsaved edits lie beside: the file; for one of a sample a name in the
+/// person's own data, whose folder is made.
+std::filesystem::path placeForUnsaved(const std::filesystem::path& file);
+
 } // namespace smat::gui

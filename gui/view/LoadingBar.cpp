@@ -7,14 +7,12 @@
 
 #include "gui/Theme.h"
 #include "gui/Widgets.h"
-#include "gui/view/SceneLoader.h"
 
 namespace smat::gui {
 
-LoadingBar::LoadingBar(SceneLoader& loader, QWidget* parent) : QWidget(parent) {
+LoadingBar::LoadingBar(QWidget* parent) : QWidget(parent), words_(new QLabel(this)) {
     setObjectName("loadingBar");
-    auto* words = new QLabel(this);
-    words->setObjectName("loadingWords");
+    words_->setObjectName("loadingWords");
     auto* busy = new QProgressBar(this);
     busy->setObjectName("loadingBusy");
     busy->setRange(0, 0);
@@ -27,13 +25,21 @@ LoadingBar::LoadingBar(SceneLoader& loader, QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
-    for (QWidget* widget :
-         {static_cast<QWidget*>(words), static_cast<QWidget*>(busy), static_cast<QWidget*>(cancel)})
+    for (QWidget* widget : std::initializer_list<QWidget*>{words_, busy, cancel})
         row->addWidget(widget);
     hide();
-    connect(cancel, &QToolButton::clicked, &loader, &SceneLoader::cancel);
-    connect(&loader, &SceneLoader::waiting, this, [this, words](const QString& sentence) {
-        words->setText(sentence);
+    connect(cancel, &QToolButton::clicked, this, [this] {
+        if (told_)
+            told_->cancel();
+    });
+}
+
+void LoadingBar::follow(ModelWait& wait) {
+    connect(&wait, &ModelWait::waiting, this, [this, &wait](const QString& sentence) {
+        if (sentence.isEmpty() && told_ != &wait)
+            return;
+        told_ = &wait;
+        words_->setText(sentence);
         setVisible(!sentence.isEmpty());
     });
 }

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <QElapsedTimer>
-#include <QObject>
 #include <QStringList>
-#include <QTimer>
 
 #include "gui/LatestTask.h"
+#include "gui/ModelWait.h"
 #include "gui/view/DisplayScene.h"
 
 namespace smat::gui {
@@ -14,7 +12,7 @@ namespace smat::gui {
 /// alive however large they are. A project that is asked for while another one is being read
 /// supersedes it: of the first nothing is heard any more. Nothing is drawn here, so no GL object
 /// comes to be.
-class SceneLoader : public QObject {
+class SceneLoader : public ModelWait {
     Q_OBJECT
 
   public:
@@ -22,27 +20,17 @@ class SceneLoader : public QObject {
 
     /// Returns at once; one of loaded and failed follows.
     void load(const Project& project, const Settings& settings);
-    bool isBusy() const { return task_.isBusy(); }
-    /// Nothing more is heard of what is being read but `cancelled`.
-    void cancel();
+    bool isBusy() const override { return task_.isBusy(); }
 
   signals:
-    /// "Reading ship.flt, 2.4 s", again and again; empty when there is nothing to wait for any
-    /// more. What is read within a moment is not told of.
-    void waiting(const QString& words);
     void loaded(std::shared_ptr<smat::gui::DisplayScene> scene);
     void failed(const QStringList& sentences);
-    /// With the names of the files.
-    void cancelled(const QString& names);
 
   private:
-    void tell();
+    void letGo() override { task_.cancel(); }
 
     std::shared_ptr<ModelStore> models_;
     LatestTask task_;
-    QTimer tick_;
-    QElapsedTimer clock_;
-    QString names_;
 };
 
 } // namespace smat::gui

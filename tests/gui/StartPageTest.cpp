@@ -11,6 +11,7 @@
 
 #include "gui/WindowLayout.h"
 #include "gui/image/ColorBar.h"
+#include "gui/project/SceneTreeDock.h"
 #include "gui/start/DataFolder.h"
 #include "gui/start/GuidePage.h"
 #include "gui/view/ModelPage.h"
@@ -119,6 +120,74 @@ TEST_F(StartPageTest, AnalysesThatCannotBeRunAreGreyAndSayWhy) {
     openSample();
     EXPECT_TRUE(polar.isEnabled());
     EXPECT_FALSE(polar.toolTip().contains("first")) << polar.toolTip().toStdString();
+}
+
+/// Larger than what is read within a moment.
+constexpr std::size_t large_bytes = 4'500'000;
+
+TEST_F(StartPageTest, ALargeDamagedModelLeavesWhatIsOpenUntouched) {
+    openSample();
+    workbench.set("camera.azimuth", "7");
+    answer = 1;
+    for (const char* ending : {".flt", ".obj", ".stl"}) {
+        const auto damaged = folder / (std::string("large") + ending);
+        std::ofstream(damaged, std::ios::binary) << std::string(large_bytes, 'x');
+        told.clear();
+        window->open(damaged);
+        ASSERT_TRUE(waitForModel());
+        ASSERT_FALSE(told.isEmpty()) << ending;
+        EXPECT_TRUE(told.front().contains("large")) << told.front().toStdString();
+        ASSERT_EQ(workbench.project().displayName(), "ship.smat") << ending;
+        EXPECT_EQ(workbench.settings().text("camera.azimuth"), "7");
+        EXPECT_EQ(workbench.undoStack().count(), 1);
+        EXPECT_TRUE(asked.isEmpty()) << "nothing is given up for a file that cannot be read";
+    }
+}
+
+/// A sound model of many equal triangles.
+void writeLargeModel(const std::filesystem::path& file) {
+    constexpr std::uint32_t facets = large_bytes / 50;
+    std::ofstream out(file, std::ios::binary);
+    const std::string head(80, ' ');
+    out << head;
+    out.write(reinterpret_cast<const char*>(&facets), sizeof facets);
+    const float corners[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    std::string facet(reinterpret_cast<const char*>(corners), sizeof corners);
+    facet.resize(50, '\0');
+    for (std::uint32_t i = 0; i < facets; ++i) {
+        out << facet;
+    }
+}
+
+TEST_F(StartPageTest, ALargeModelTakesThePlaceOfWhatIsOpenWhenItWasReadOnce) {
+    openSample();
+    workbench.set("camera.azimuth", "7");
+    const auto file = folder / "large.stl";
+    writeLargeModel(file);
+    answer = 2;
+    const long before = workbench.models()->readings();
+    EXPECT_TRUE(window->open(file));
+    EXPECT_EQ(workbench.project().displayName(), "ship.smat") << "while it is being read";
+    ASSERT_TRUE(waitForModel());
+    EXPECT_EQ(workbench.project().displayName(), "ship.smat") << "the answer was to stay";
+    ASSERT_EQ(asked.size(), 1);
+    answer = 1;
+    EXPECT_TRUE(opens(file));
+    EXPECT_EQ(workbench.project().models.front().file.filename(), "large.stl");
+    ASSERT_TRUE(test::waitUntil([&] { return !window->tree().isLoading(); }));
+    EXPECT_EQ(workbench.models()->readings() - before, 1);
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+}
+
+TEST_F(StartPageTest, WhoOpensSomethingElseIsNotSurprisedByALargeModel) {
+    const auto file = folder / "large.stl";
+    writeLargeModel(file);
+    EXPECT_TRUE(window->open(file));
+    openSample();
+    backgroundPool().waitForDone();
+    QTest::qWait(50);
+    EXPECT_EQ(workbench.project().displayName(), "ship.smat");
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
 }
 
 TEST_F(StartPageTest, ADamagedModelLeavesWhatIsOpenUntouched) {
