@@ -66,6 +66,14 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     layout_ = new WindowLayout(*this);
     layout_->restore();
     refreshActions();
+    for (auto* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        tabAsOneReads(*dock);
+    const auto readPage = [this] {
+        if (tabs_->currentWidget() != nullptr)
+            tabAsOneReads(*tabs_->currentWidget());
+    };
+    readPage();
+    connect(tabs_, &QTabWidget::currentChanged, this, readPage);
 }
 
 MainWindow::~MainWindow() = default;
@@ -297,6 +305,10 @@ void MainWindow::fillProjectAnalyses() {
 void MainWindow::refreshTitle() {
     if (workbench_.hasProject())
         setWindowTitle(QString::fromStdString(workbench_.project().displayName()) + "[*] – SMAT");
+    if (workbench_.hasProject() && page_ != nullptr)
+        page_->setTitle(QString::fromStdString(workbench_.project().title.empty()
+                                                   ? workbench_.project().displayName()
+                                                   : workbench_.project().title));
     setWindowModified(workbench_.hasProject() &&
                       (workbench_.isModified() || workbench_.resultStore().unsavedCount() > 0));
 }

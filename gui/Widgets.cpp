@@ -1,10 +1,15 @@
 #include "gui/Widgets.h"
 
 #include <cmath>
+#include <map>
 
 #include <QDockWidget>
+#include <QGridLayout>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
 
@@ -42,6 +47,69 @@ QToolButton* menuButton(const QString& text, const QString& objectName, const QS
     return button;
 }
 
+namespace {
+
+void listFields(QWidget* part, QWidgetList& fields);
+
+QList<QLayoutItem*> itemsAsOneReads(const QLayout& layout) {
+    QList<QLayoutItem*> items;
+    for (int i = 0; i < layout.count(); ++i)
+        items << layout.itemAt(i);
+    if (const auto* grid = qobject_cast<const QGridLayout*>(&layout)) {
+        std::map<std::pair<int, int>, QLayoutItem*> byPlace;
+        for (int i = 0; i < grid->count(); ++i) {
+            int row = 0, column = 0, rows = 0, columns = 0;
+            grid->getItemPosition(i, &row, &column, &rows, &columns);
+            byPlace.emplace(std::pair(row, column), grid->itemAt(i));
+        }
+        items = QList<QLayoutItem*>();
+        for (const auto& [place, item] : byPlace)
+            items << item;
+    }
+    return items;
+}
+
+void listFields(const QLayout& layout, QWidgetList& fields) {
+    for (QLayoutItem* item : itemsAsOneReads(layout))
+        if (item->widget() != nullptr)
+            listFields(item->widget(), fields);
+        else if (item->layout() != nullptr)
+            listFields(*item->layout(), fields);
+}
+
+void listFields(QWidget* part, QWidgetList& fields) {
+    // No stops of their own: what scrolls follows its fields, which Qt takes for a part of it, and
+    // tabs stand for their bar, to which Tab would jump from wherever they are in the line.
+    if (qobject_cast<QTabWidget*>(part) != nullptr)
+        part->setFocusProxy(nullptr);
+    if (qobject_cast<QTabWidget*>(part) != nullptr || qobject_cast<QScrollArea*>(part) != nullptr)
+        part->setFocusPolicy(Qt::NoFocus);
+    if ((part->focusPolicy() & Qt::TabFocus) != 0 && part->focusProxy() == nullptr)
+        fields << part;
+    if (auto* tabs = qobject_cast<QTabWidget*>(part)) {
+        listFields(tabs->tabBar(), fields);
+        for (int i = 0; i < tabs->count(); ++i)
+            listFields(tabs->widget(i), fields);
+    } else if (auto* splitter = qobject_cast<QSplitter*>(part)) {
+        for (int i = 0; i < splitter->count(); ++i)
+            listFields(splitter->widget(i), fields);
+    } else if (auto* scroll = qobject_cast<QScrollArea*>(part)) {
+        if (scroll->widget() != nullptr)
+            listFields(scroll->widget(), fields);
+    } else if (auto* dock = qobject_cast<QDockWidget*>(part)) {
+        if (dock->widget() != nullptr)
+            listFields(dock->widget(), fields);
+    } else if (part->layout() != nullptr) {
+        listFields(*part->layout(), fields);
+    } else {
+        for (auto* child : part->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+            if (!child->isWindow() && child->focusProxy() != part)
+                listFields(child, fields);
+    }
+}
+
+} // namespace
+
 void letShownPageAloneAskForRoom(QTabWidget& tabs) {
     const auto ask = [&tabs](int shown) {
         for (int i = 0; i < tabs.count(); ++i) {
@@ -60,6 +128,13 @@ void keepKeysFromHiddenTab(QDockWidget& dock) {
     policy.setRetainSizeWhenHidden(true);
     content->setSizePolicy(policy);
     QObject::connect(&dock, &QDockWidget::visibilityChanged, content, &QWidget::setVisible);
+}
+
+void tabAsOneReads(QWidget& page) {
+    QWidgetList fields;
+    listFields(&page, fields);
+    for (int i = 1; i < fields.size(); ++i)
+        QWidget::setTabOrder(fields[i - 1], fields[i]);
 }
 
 std::optional<double> numberIn(const QLineEdit* field) {

@@ -8,6 +8,7 @@ class QDockWidget;
 class QLineEdit;
 class QTabWidget;
 class QToolButton;
+class QWidget;
 
 namespace smat::gui {
 
@@ -22,6 +23,10 @@ void letShownPageAloneAskForRoom(QTabWidget& tabs);
 /// Takes the fields of a dock that lies behind another one out of reach of the keys: Qt leaves them
 /// shown beyond the edge of the window, with the focus that they had.
 void keepKeysFromHiddenTab(QDockWidget& dock);
+
+/// Makes Tab go through the fields of a page as one reads them: as they stand in its layouts, not
+/// as they were made.
+void tabAsOneReads(QWidget& page);
 
 /// The finite number that a field holds, as files have them; none for anything else.
 std::optional<double> numberIn(const QLineEdit* field);

@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QUndoStack>
 
+#include "gui/Sentences.h"
 #include "gui/start/DataFolder.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
@@ -392,7 +393,7 @@ void DatabaseSession::writeRecoveryNow() {
         irsg::writeFileDurably(recovery_, irsg::draftToJson(*value_));
         setRecoveryProblem(QString());
     } catch (const irsg::InputError& error) {
-        setRecoveryProblem(QString::fromStdString(error.what()));
+        setRecoveryProblem(sentencesOf(error).join(' '));
     }
 }
 

@@ -90,6 +90,7 @@ QWidget* EntryPanel::makeNotes() {
     auto* holder = new QWidget(this);
     notes_ = new QPlainTextEdit(holder);
     notes_->setObjectName("entryNotes");
+    notes_->setTabChangesFocus(true);
     notes_->setPlaceholderText(
         tr("Where the numbers come from: measurement, handbook, assumption; who, when, how sure"));
     auto* column = new QVBoxLayout(holder);

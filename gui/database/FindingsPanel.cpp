@@ -112,8 +112,7 @@ void FindingsPanel::look() {
     list_->setColumnWidth(1, std::min(list_->columnWidth(1), 160));
     list_->setColumnWidth(3, std::clamp(list_->columnWidth(3), 80, 150));
     summary_->setText(errors_ + warnings_ == 0
-                          ? tr("Nothing to find fault with: the physics closes in the band %1 to "
-                               "%2 µm.")
+                          ? tr("No findings in the band %1 to %2 µm.")
                                 .arg(context_.band().min_um)
                                 .arg(context_.band().max_um)
                           : tr("%1 and %2. A database with errors cannot be saved.")

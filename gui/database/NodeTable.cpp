@@ -124,7 +124,7 @@ QString NodeTableModel::problemOf(const QModelIndex& cell, const QString& text) 
         return {};
     const auto number = numberOf(text);
     if (!number)
-        return tr("'%1' is no number").arg(text);
+        return tr("'%1' is not a number").arg(text);
     const Nodes changed = with(cell, *number);
     const auto row = static_cast<std::size_t>(cell.row());
     if (cell.column() == 1)
@@ -227,9 +227,9 @@ void NodeTable::pasteAll() {
     if (!pasted.problem.isEmpty())
         return report(pasted.problem);
     if (pasted.rows.front().size() != 2)
-        return report(tr("found %1 columns, expected two: %2 and %3")
-                          .arg(pasted.rows.front().size())
-                          .arg(model_.rules().xName, model_.rules().yName));
+        return report(tr("two columns are needed, %1 and %2; these rows have %3")
+                          .arg(model_.rules().xName, model_.rules().yName)
+                          .arg(pasted.rows.front().size()));
     Nodes nodes;
     for (const auto& row : pasted.rows)
         nodes.push_back({row[0], row[1]});

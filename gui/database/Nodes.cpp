@@ -129,7 +129,7 @@ QString NodeRules::problemOf(const Nodes& nodes) const {
             column = 2;
         }
         if (!problem.isEmpty())
-            return tr("row %1, column %2: %3, found %4")
+            return tr("row %1, column %2: %3, not %4")
                 .arg(i + 1)
                 .arg(column)
                 .arg(problem, textOf(column == 1 ? nodes[i].x : nodes[i].y));
@@ -203,7 +203,7 @@ PastedRows rowsOf(const QString& text) {
         for (int column = 0; column < cells.size(); ++column) {
             const auto number = numberOf(cells[column]);
             if (!number) {
-                pasted.problem = tr("row %1, column %2: '%3' is no number")
+                pasted.problem = tr("row %1, column %2: '%3' is not a number")
                                      .arg(row)
                                      .arg(column + 1)
                                      .arg(cells[column].trimmed());

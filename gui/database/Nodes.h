@@ -66,7 +66,7 @@ QString textOf(double value);
 /// with a point or a comma in numbers. A first row without any number is a heading.
 struct PastedRows {
     std::vector<std::vector<double>> rows; ///< each as long as the first
-    QString problem;                       ///< "row 3, column 2: 'n/a' is no number", or empty
+    QString problem;                       ///< "row 3, column 2: 'n/a' is not a number", or empty
 };
 PastedRows rowsOf(const QString& text);
 

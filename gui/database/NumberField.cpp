@@ -39,7 +39,7 @@ void NumberField::onText(const QString& text) {
         before_ = value_;
     const auto number = numberOf(text);
     if (!number)
-        return mark(tr("'%1' is no number").arg(text));
+        return mark(tr("'%1' is not a number").arg(text));
     if (*number < minimum_ || *number > maximum_) {
         if (maximum_ == std::numeric_limits<double>::infinity())
             return mark(tr("has to be at least %1 %2").arg(textOf(minimum_), unit_).trimmed());

@@ -50,6 +50,7 @@ SpectrumPanel::SpectrumPanel(EditorContext& context, QWidget* parent)
     model_ = new SpectrumTableModel(this);
     table_ = new QTableView(tablePage);
     table_->setObjectName("spectrumTable");
+    table_->setTabKeyNavigation(false);
     table_->setModel(model_);
     table_->setAlternatingRowColors(true);
     table_->setShowGrid(false);

@@ -57,7 +57,7 @@ ColorBar::ColorBar(QWidget* parent, const QList<LimitMode>& modes) : QWidget(par
     high_ = new QLineEdit(this);
     high_->setObjectName("limitHigh");
     high_->setToolTip(tr("Value of the last colour, which brighter pixels have, too"));
-    scale_ = new Scale(this);
+    scale_ = new Scale(this, this);
     low_ = new QLineEdit(this);
     low_->setObjectName("limitLow");
     low_->setToolTip(tr("Value of the first colour, which darker pixels have, too"));
@@ -181,8 +181,14 @@ void ColorBar::hideScale() {
     colorScale_->hide();
 }
 
-QPixmap ColorBar::legend() const {
-    return scale_->grab();
+void ColorBar::drawLegend(QPainter& painter, QSize size, const PlotStyle& style,
+                          const QFont& font) const {
+    Scale twin(this, nullptr, style);
+    twin.setFont(font);
+    twin.resize(size);
+    painter.save();
+    twin.paint(painter);
+    painter.restore();
 }
 
 ColorRule ColorBar::rule() const {

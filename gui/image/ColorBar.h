@@ -14,8 +14,11 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLineEdit;
+class QPainter;
 
 namespace smat::gui {
+
+struct PlotStyle;
 
 /// The legend of a false-colour picture: the colours with their values and unit, the colours of
 /// what lies outside of the limits and of what is no number with their counts, the two limits as
@@ -47,9 +50,8 @@ class ColorBar : public QWidget {
     const irsg::ColorMap& map() const { return *map_; }
     LimitMode mode() const;
     void setMode(LimitMode mode);
-    /// The colours with title, unit, values and counts as they are drawn now, without what is
-    /// typed.
-    QPixmap legend() const;
+    /// Draws the colours with title, unit, values and counts, without what is typed.
+    void drawLegend(QPainter& painter, QSize size, const PlotStyle& style, const QFont& font) const;
     /// Percentiles of the rule `percentile`, the lower one first.
     std::pair<double, double> percentiles() const;
     void setPercentiles(double low, double high);

@@ -22,9 +22,14 @@ QString pixels(std::size_t count) {
 
 } // namespace
 
-ColorBar::Scale::Scale(ColorBar* bar) : QWidget(bar), bar_(bar) {
+ColorBar::Scale::Scale(const ColorBar* bar, QWidget* parent, std::optional<PlotStyle> style)
+    : QWidget(parent), bar_(bar), style_(std::move(style)) {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
     setMinimumHeight(90);
+}
+
+PlotStyle ColorBar::Scale::style() const {
+    return style_.value_or(PlotStyle::screen(palette()));
 }
 
 QList<ColorBar::Scale::Swatch> ColorBar::Scale::swatchesBelow() const {
@@ -39,7 +44,7 @@ QList<ColorBar::Scale::Swatch> ColorBar::Scale::swatchesBelow() const {
 }
 
 void ColorBar::Scale::drawSwatch(QPainter& painter, double top, const Swatch& swatch) const {
-    const auto style = PlotStyle::screen(palette());
+    const PlotStyle style = this->style();
     const QRectF box(left, top, stripWidth, swatchHeight);
     painter.fillRect(box, colorOf(swatch.color));
     painter.setPen(style.frame);
@@ -55,12 +60,12 @@ void ColorBar::Scale::drawStrip(QPainter& painter, const QRectF& strip) const {
     for (int i = 0; i < steps; ++i)
         painter.fillRect(QRectF(strip.left(), strip.top() + i, strip.width(), 1.0),
                          colorOf(bar_->map_->at(1.0 - (i + 0.5) / steps)));
-    painter.setPen(PlotStyle::screen(palette()).frame);
+    painter.setPen(style().frame);
     painter.drawRect(strip);
 }
 
 double ColorBar::Scale::drawTicks(QPainter& painter, const QRectF& strip) const {
-    const auto style = PlotStyle::screen(palette());
+    const PlotStyle style = this->style();
     const QFontMetricsF metrics(font());
     const auto& limits = bar_->limits_;
     const auto ticksEvery = [&](double lines) {
@@ -91,6 +96,11 @@ double ColorBar::Scale::drawTicks(QPainter& painter, const QRectF& strip) const 
 
 void ColorBar::Scale::paintEvent(QPaintEvent*) {
     QPainter painter(this);
+    paint(painter);
+}
+
+void ColorBar::Scale::paint(QPainter& painter) const {
+    painter.setFont(font());
     const QFontMetricsF metrics(font());
 
     // Swatches over and under the strip take their room from it.
@@ -114,7 +124,7 @@ void ColorBar::Scale::paintEvent(QPaintEvent*) {
     const double widest = drawTicks(painter, strip);
 
     // The title, upwards beside the ticks, cut where there is no room for it.
-    painter.setPen(PlotStyle::screen(palette()).text);
+    painter.setPen(style().text);
     painter.translate(std::min(strip.right() + 9.0 + widest + metrics.height(), width() - 4.0),
                       strip.center().y());
     painter.rotate(-90.0);

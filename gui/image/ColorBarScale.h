@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
 
 namespace smat::gui {
@@ -7,8 +10,11 @@ namespace smat::gui {
 /// The strip of colours with its ticks and its title, and swatches of what is outside of it.
 class ColorBar::Scale : public QWidget {
   public:
-    explicit Scale(ColorBar* bar);
+    /// In the colours of the screen, or in those of paper.
+    Scale(const ColorBar* bar, QWidget* parent, std::optional<PlotStyle> style = {});
     QSize sizeHint() const override { return {120, 240}; }
+
+    void paint(QPainter& painter) const;
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -23,7 +29,10 @@ class ColorBar::Scale : public QWidget {
     void drawStrip(QPainter& painter, const QRectF& strip) const;
     double drawTicks(QPainter& painter, const QRectF& strip) const;
 
-    ColorBar* bar_;
+    PlotStyle style() const;
+
+    const ColorBar* bar_;
+    std::optional<PlotStyle> style_;
 };
 
 } // namespace smat::gui

@@ -12,6 +12,9 @@
 #include "gui/image/FiguresTable.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageExport.h"
+#include "gui/image/PaperPicture.h"
+#include "smatcore/analysis/Conditions.h"
+#include <algorithm>
 
 namespace smat::gui {
 namespace {
@@ -122,8 +125,7 @@ void ComparisonWindow::dropEvent(QDropEvent* event) {
 void ComparisonWindow::copyPicture() const {
     if (!difference_)
         return;
-    QGuiApplication::clipboard()->setImage(
-        pictureOf(*difference_, difference_->primary(), pictureOptions()));
+    QGuiApplication::clipboard()->setImage(pictureOfDifference(*difference_));
 }
 
 void ComparisonWindow::copyCommand() const {
@@ -131,13 +133,16 @@ void ComparisonWindow::copyCommand() const {
         QGuiApplication::clipboard()->setText(command);
 }
 
-irsg::PngViewOptions ComparisonWindow::pictureOptions() const {
-    static const char* const labels[] = {"A - B", "|A - B|", "(A - B) / mean", "A / B"};
-    irsg::PngViewOptions view;
-    view.colorMap = panes_->differenceBar()->map().name();
-    view.limits = panes_->differenceBar()->limits();
-    view.label = labels[static_cast<int>(mode_)];
-    return view;
+QImage ComparisonWindow::pictureOfDifference(const irsg::RadianceImage& difference) const {
+    // The conditions that both images have.
+    std::vector<Condition> conditions = conditionsOf(*sides_[0].image);
+    const std::vector<Condition> ofB = conditionsOf(*sides_[1].image);
+    std::erase_if(conditions,
+                  [&](const Condition& one) { return std::ranges::find(ofB, one) == ofB.end(); });
+    const ColorBar& bar = *panes_->differenceBar();
+    return onPaper({enlargedPlane(difference, difference.primary(), bar),
+                    tr("%1 of two images").arg(differenceName(mode_)),
+                    QString::fromStdString(lineOf(conditions)), &bar});
 }
 
 } // namespace smat::gui

@@ -1,5 +1,6 @@
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFocusEvent>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -40,10 +41,14 @@ void ComparisonWindow::build() {
     column->addWidget(makeBar());
     column->addWidget(panes_, 1);
     column->addWidget(readout_);
-    setFocusProxy(panes_->canvas(0));
     for (int i = 0; i < 3; ++i)
         panes_->canvas(i)->installEventFilter(this);
     connectParts();
+}
+
+void ComparisonWindow::focusInEvent(QFocusEvent* event) {
+    // No proxy: Tab would jump over all that stands before it.
+    panes_->canvas(0)->setFocus(event->reason());
 }
 
 QWidget* ComparisonWindow::makeBar() {

@@ -78,8 +78,8 @@ void ComparisonWindow::swapSides() {
 void ComparisonWindow::openFiles(const QStringList& files, std::optional<int> side) {
     if (files.isEmpty() || files.size() > 2) {
         dialogs_.tell(this, tr("These files cannot be compared"),
-                      {tr("Found %1 files, expected two images, or one to put in the place of A "
-                          "or B")
+                      {tr("Two images are compared, or one takes the place of A or B; these are %1 "
+                          "files.")
                            .arg(files.size())});
         return;
     }
@@ -348,7 +348,10 @@ void ComparisonWindow::exportTo(const std::filesystem::path& file) const {
         throw irsg::InputError({file.string(), "", "no comparison", "two images of one size"});
     const irsg::RadianceImage image =
         irsg::differenceImage(*sides_[0].image, *sides_[1].image, *whole_, options_, mode_);
-    exportImage(image, image.primary().name, pictureOptions(), file);
+    if (irsg::requiredImageFormat(file).keeps == irsg::ImageFormat::Keeps::picture)
+        writePicture(pictureOfDifference(image), file);
+    else
+        exportImage(image, image.primary().name, {}, file);
 }
 
 void ComparisonWindow::askAndExport(const QString& filter) {

@@ -95,6 +95,7 @@ class ComparisonWindow : public QWidget, public Exportable {
     void nothingRead();
 
   protected:
+    void focusInEvent(QFocusEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -147,7 +148,8 @@ class ComparisonWindow : public QWidget, public Exportable {
     void showMarks();
     void showReadout(std::optional<QPoint> pixel);
 
-    irsg::PngViewOptions pictureOptions() const;
+    /// A difference as it is exported.
+    QImage pictureOfDifference(const irsg::RadianceImage& difference) const;
     void askForFile(int side);
     void askAndExport(const QString& filter);
 

@@ -1,4 +1,5 @@
 #include "gui/image/ImageView.h"
+#include "gui/image/PaperPicture.h"
 
 #include <algorithm>
 
@@ -255,14 +256,17 @@ QStringList ImageView::exportFilters() const {
     return imageFilters();
 }
 
-irsg::PngViewOptions ImageView::pictureOptions(bool withColorBar) const {
+QImage ImageView::picture(bool withColorBar) const {
+    if (showsColors())
+        return canvas_->picture();
+    if (withColorBar)
+        return onPaper(
+            {enlargedPlane(*image_, plane(), *colorBar_), title_, conditions_->text(), colorBar_});
     irsg::PngViewOptions options;
     options.colorMap = map_->name();
     options.limits = colorBar_->limits();
-    options.colorBar = withColorBar;
-    options.title = title_.toStdString();
-    options.conditions = conditions_->text().toStdString();
-    return options;
+    options.colorBar = false;
+    return pictureOf(*image_, plane(), options);
 }
 
 void ImageView::exportTo(const std::filesystem::path& file) const {
@@ -270,10 +274,10 @@ void ImageView::exportTo(const std::filesystem::path& file) const {
 }
 
 void ImageView::write(const std::filesystem::path& file, bool withColorBar) const {
-    if (showsColors() && irsg::requiredImageFormat(file).keeps == irsg::ImageFormat::Keeps::picture)
-        writePicture(canvas_->picture(), file);
+    if (irsg::requiredImageFormat(file).keeps == irsg::ImageFormat::Keeps::picture)
+        writePicture(picture(withColorBar), file);
     else
-        exportImage(*image_, shownChannel(), pictureOptions(withColorBar), file);
+        exportImage(*image_, shownChannel(), {}, file);
 }
 
 void ImageView::askAndExport(const QString& filter, bool withColorBar) {
@@ -290,9 +294,7 @@ void ImageView::askAndExport(const QString& filter, bool withColorBar) {
 }
 
 void ImageView::copyPicture(bool withColorBar) const {
-    QGuiApplication::clipboard()->setImage(
-        showsColors() ? canvas_->picture()
-                      : pictureOf(*image_, plane(), pictureOptions(withColorBar)));
+    QGuiApplication::clipboard()->setImage(picture(withColorBar));
 }
 
 void ImageView::copyValues() const {
@@ -333,19 +335,21 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
 }
 
 QList<std::pair<QString, QString>> imageKeys() {
-    return {{ImageView::tr("Wheel, + and −"), ImageView::tr("Zoom; values appear on the pixels")},
-            {ImageView::tr("Right drag, Ctrl+arrows"), ImageView::tr("Move the image")},
-            {ImageView::tr("F, A"), ImageView::tr("Fit the window; actual size")},
-            {ImageView::tr("Arrows"), ImageView::tr("Read pixels one by one")},
-            {ImageView::tr("Drag, Shift+arrows"), ImageView::tr("Rectangle with its statistics")},
-            {ImageView::tr("Esc"), ImageView::tr("No rectangle")},
-            {ImageView::tr("1 … 9"), ImageView::tr("Plane of the image")},
-            {ImageView::tr("M, Shift+M"), ImageView::tr("Next, previous colour map")},
-            {ImageView::tr("E, O (Shift: back)"), ImageView::tr("Exposure, offset of the colours")},
-            {ImageView::tr("N, L"), ImageView::tr("Limits of the colours automatic, locked")},
-            {ImageView::tr("H"), ImageView::tr("Histogram and statistics")},
-            {ImageView::tr("W"), ImageView::tr("Windows that were sampled by themselves")},
-            {ImageView::tr("Ctrl+C, Ctrl+Shift+C"), ImageView::tr("Copy picture, copy values")}};
+    return {
+        {ImageView::tr("Wheel, + and −"), ImageView::tr("Zoom; values appear on the pixels")},
+        {ImageView::tr("Right drag, Ctrl+arrows"), ImageView::tr("Move the image")},
+        {ImageView::tr("F, A"), ImageView::tr("Fit the window; actual size")},
+        {ImageView::tr("Arrows"), ImageView::tr("Read pixels one by one")},
+        {ImageView::tr("Drag, Shift+arrows"), ImageView::tr("Rectangle with its statistics")},
+        {ImageView::tr("Esc"), ImageView::tr("No rectangle")},
+        {ImageView::tr("1 … 9"), ImageView::tr("Plane of the image")},
+        {ImageView::tr("M, Shift+M"), ImageView::tr("Next, previous colour map")},
+        {ImageView::tr("E, O (Shift: back)"), ImageView::tr("Exposure, offset of the colours")},
+        {ImageView::tr("N, L"), ImageView::tr("Limits of the colours automatic, locked")},
+        {ImageView::tr("H"), ImageView::tr("Histogram and statistics")},
+        {ImageView::tr("W"),
+         ImageView::tr("Antialiasing windows: objects and hot parts with samples of their own")},
+        {ImageView::tr("Ctrl+C, Ctrl+Shift+C"), ImageView::tr("Copy picture, copy values")}};
 }
 
 } // namespace smat::gui

@@ -68,12 +68,14 @@ class ImageView : public QWidget, public Exportable {
     /// .exr with all planes, .csv with the one that is shown, .png as it is seen, with colour bar.
     void exportTo(const std::filesystem::path& file) const override;
     /// The shown plane in its colours and limits; with a bar, title and unit as well.
-    irsg::PngViewOptions pictureOptions(bool withColorBar) const;
+    /// With title, conditions and colour bar, as it is exported, or the plane alone.
+    QImage picture(bool withColorBar) const;
     void copyPicture(bool withColorBar) const;
     /// The values of the rectangle, or of the whole plane, as text.
     void copyValues() const;
 
   protected:
+    void focusInEvent(QFocusEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
   private:

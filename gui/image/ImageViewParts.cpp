@@ -1,4 +1,5 @@
 #include <QComboBox>
+#include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -60,8 +61,12 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     column->addWidget(splitter, 1);
     column->addWidget(readout_);
     column->addWidget(statistics_);
-    setFocusProxy(canvas_);
     connectParts();
+}
+
+void ImageView::focusInEvent(QFocusEvent* event) {
+    // No proxy: Tab would jump over all that stands before it.
+    canvas_->setFocus(event->reason());
 }
 
 QHBoxLayout* ImageView::makeBar() {

@@ -102,7 +102,7 @@ std::optional<irsg::ComparisonLevel> ThresholdForm::levelIn(std::size_t column,
     const qsizetype before = wrong.size();
     const auto refuse = [&](std::size_t row, const QString& expected) {
         const QString word = column == 0 ? tr("Failure") : tr("Warning");
-        wrong << tr("%1, %2: found “%3”, expected %4")
+        wrong << tr("%1, %2: “%3”, where %4 is needed")
                      .arg(word, names_[row]->text(), fields_[column][row]->text(), expected);
     };
     for (std::size_t r = absolute; r <= hard; ++r) {

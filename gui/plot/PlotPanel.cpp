@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "gui/FlowBar.h"
+#include "gui/Sentences.h"
 #include "gui/plot/AxisLimitsDialog.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotNavigator.h"
@@ -232,7 +233,7 @@ void PlotPanel::savePicture() {
     try {
         exportTo(file.toStdString());
     } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("This cannot be saved"), {QString::fromUtf8(error.what())});
+        dialogs_.tell(this, tr("This cannot be saved"), sentencesOf(error));
     }
 }
 
@@ -244,7 +245,7 @@ void PlotPanel::saveValues(PlotPart part) {
     try {
         writePlotFile(file.toStdString(), valuesOf(part, ',').toUtf8());
     } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("This cannot be saved"), {QString::fromUtf8(error.what())});
+        dialogs_.tell(this, tr("This cannot be saved"), sentencesOf(error));
     }
 }
 

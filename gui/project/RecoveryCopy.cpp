@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 
 #include "gui/Readable.h"
+#include "gui/Sentences.h"
 #include "gui/Workbench.h"
 #include "gui/start/DataFolder.h"
 #include "irsg/radiometry/Errors.h"
@@ -101,9 +102,10 @@ void RecoveryCopy::write() {
         writeTextFile(copy_, projectToJson(project, copy_));
         file_ = project.file;
         written_ = true;
-    } catch (const std::exception& problem) {
+    } catch (const std::exception&) {
         if (!std::exchange(told_, true))
-            emit failed(tr("No recovery copy is kept: %1").arg(problem.what()));
+            emit failed(tr("No recovery copy is kept: %1")
+                            .arg(sentencesOf(std::current_exception()).join(' ')));
     }
 }
 

@@ -55,7 +55,7 @@ Preferences Preferences::load(QStringList* problems) {
     Preferences preferences;
     const auto refuse = [&](const QString& key, const QString& expected) {
         if (problems != nullptr)
-            *problems << QStringLiteral("%1: %2: found %3, expected %4")
+            *problems << PreferencesDialog::tr("%1, %2: %3, where %4 is needed")
                              .arg(memory.fileName(), key, memory.value(key).toString(), expected);
     };
     if (const QString text = memory.value("theme", "system").toString(); themeNames.contains(text))

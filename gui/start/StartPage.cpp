@@ -191,6 +191,25 @@ void StartPage::setRecentFiles(const QStringList& files) {
     }
 }
 
+void StartPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    letKeysBelow(false);
+}
+
+void StartPage::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    // Hidden with the window it still lies above.
+    if (isHidden() && parentWidget() != nullptr)
+        letKeysBelow(true);
+}
+
+void StartPage::letKeysBelow(bool let) {
+    for (QWidget* below :
+         parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        if (below != this)
+            below->setEnabled(let);
+}
+
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
     if (watched == parent() && event->type() == QEvent::Resize) {
         setGeometry(parentWidget()->rect());

@@ -29,9 +29,13 @@ class StartPage : public QWidget {
     void guideWanted();
 
   protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    /// What lies below is not seen, and gets no keys.
+    void letKeysBelow(bool let);
     QWidget* makeSamples();
     QWidget* makeOwn();
     QWidget* makeRecent();

@@ -104,7 +104,7 @@ AirToolPage::AirToolPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     connect(&calculation_, &Calculation::started, this, &AirToolPage::refreshButtons);
     connect(&calculation_, &Calculation::ended, this, &AirToolPage::refreshButtons);
     connect(&calculation_, &Calculation::refused, this, [this](const QStringList& sentences) {
-        dialogs_.tell(this, tr("The air has no answer"), sentences);
+        dialogs_.tell(this, tr("The atmosphere gives no values here"), sentences);
     });
     tick_.setInterval(100);
     connect(&tick_, &QTimer::timeout, this, &AirToolPage::tellElapsed);

@@ -140,8 +140,9 @@ void MonteCarloPage::addWhat(QFormLayout* form) {
     percentiles_->setObjectName("percentiles");
     percentiles_->setToolTip(tr("Bands of the plot, in %: ascending numbers from 0 to 100"));
     phases_ = wholeNumber("phases", 1, 64, 4, this);
-    phases_->setToolTip(tr("Drawings of every case with the target at different places among the "
-                           "pixels: their spread is the error of the drawing itself. 1 for none."));
+    phases_->setToolTip(
+        tr("Renderings of each case with the target at different places among the "
+           "pixels: their spread is the error of the rendering itself. 1 for none."));
     form->addRow(tr("Analysis"), analysis_);
     form->addRow(tr("Quantity"), quantity_);
     form->addRow(tr("Percentiles (%)"), percentiles_);

@@ -334,7 +334,7 @@ void MonteCarloPage::connectJobs() {
 void MonteCarloPage::rest() {
     clockTick_.stop();
     progress_->setValue(0);
-    progress_->setFormat(cancelled_ ? tr("cancelled; what was drawn comes when the drawing ends")
+    progress_->setFormat(cancelled_ ? tr("cancelled; the draws so far follow in a moment")
                                     : QString());
     refresh();
     emit ended();

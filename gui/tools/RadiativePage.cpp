@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "gui/Readable.h"
+#include "gui/Sentences.h"
 #include "gui/Workbench.h"
 #include "gui/settings/SettingForm.h"
 #include "irsg/radiometry/Band.h"
@@ -211,7 +212,7 @@ void RadiativePage::useInProject() {
                     file.toStdString() + (before == "none" || before.empty() ? "" : ";" + before));
         workbench().set(changed, tr("Use radiative output"));
     } catch (const irsg::InputError& error) {
-        dialogs().tell(this, tr("These spectra cannot be used"), {QString::fromUtf8(error.what())});
+        dialogs().tell(this, tr("These spectra cannot be used"), sentencesOf(error));
     }
 }
 

@@ -56,6 +56,14 @@ int RankingBars::rowHeight() const {
                       30);
 }
 
+QString RankingBars::caption() const {
+    const bool hasBelow = std::ranges::any_of(bars_, [](const RankingBar& bar) {
+        return bar.firstOrder.value < 0.0 || bar.total.value < 0.0;
+    });
+    const QString words = tr("Sobol' index (% of the variance)");
+    return hasBelow ? words + tr("; estimates below 0 are 0 within their uncertainty") : words;
+}
+
 void RankingBars::paintEvent(QPaintEvent*) {
     const PlotStyle style = PlotStyle::screen(palette());
     QPainter painter(this);
@@ -64,7 +72,7 @@ void RankingBars::paintEvent(QPaintEvent*) {
     painter.setFont(plotFont(1.0, true));
     painter.setPen(style.text);
     painter.drawText(QRect(margin, margin, width() - 2 * margin, titleHeight), Qt::AlignCenter,
-                     tr("What the spread comes from"));
+                     tr("Share of the spread by scale"));
     painter.setFont(plotFont());
     if (bars_.empty()) {
         painter.setPen(style.faintText);
@@ -102,7 +110,7 @@ void RankingBars::paintEvent(QPaintEvent*) {
         painter.drawLine(QPointF(xOf(0.0), top), QPointF(xOf(0.0), bottom));
     }
     painter.drawText(QRectF(margin, bottom + 18, width() - 2.0 * margin, 18), Qt::AlignCenter,
-                     tr("Sobol' index (% of the variance)"));
+                     caption());
 
     for (int i = 0; i < rows; ++i) {
         const RankingBar& bar = bars_[static_cast<std::size_t>(i)];

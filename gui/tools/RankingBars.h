@@ -35,6 +35,8 @@ class RankingBars : public QWidget {
         double least, most, step;
     };
     Axis axis() const;
+    /// Below the axis: of what, and what an index below 0 means where there is one.
+    QString caption() const;
 
   protected:
     void paintEvent(QPaintEvent* event) override;

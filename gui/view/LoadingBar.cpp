@@ -28,13 +28,11 @@ LoadingBar::LoadingBar(QWidget* parent) : QWidget(parent), words_(new QLabel(thi
     for (QWidget* widget : std::initializer_list<QWidget*>{words_, busy, cancel})
         row->addWidget(widget);
     hide();
-    connect(cancel, &QToolButton::clicked, this, [this] {
-        if (told_)
-            told_->cancel();
-    });
 }
 
 void LoadingBar::follow(ModelWait& wait) {
+    connect(findChild<QToolButton*>("cancelLoading"), &QToolButton::clicked, &wait,
+            &ModelWait::cancel);
     connect(&wait, &ModelWait::waiting, this, [this, &wait](const QString& sentence) {
         if (sentence.isEmpty() && told_ != &wait)
             return;

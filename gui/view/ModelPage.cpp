@@ -18,7 +18,10 @@
 #include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageExport.h"
+#include "gui/image/PaperPicture.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/Conditions.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
@@ -336,22 +339,15 @@ void ModelPage::exportTo(const std::filesystem::path& file) const {
 }
 
 QImage ModelPage::pictureOfPage() const {
-    const QImage seen = const_cast<SceneView*>(view_)->grab().toImage();
-    if (view_->shownPicture() == nullptr)
-        return seen;
-    // The view with its legend at the right, on the colour of the page.
-    const QPixmap legend = bar_->legend();
-    const QSize view = view_->size(), scale = legend.size() / legend.devicePixelRatio();
-    constexpr int margin = 8;
-    const QSize size(view.width() + scale.width() + 2 * margin,
-                     std::max(view.height(), scale.height() + 2 * margin));
-    QImage page(size * seen.devicePixelRatio(), QImage::Format_RGB32);
-    page.setDevicePixelRatio(seen.devicePixelRatio());
-    page.fill(palette().color(QPalette::Window));
-    QPainter painter(&page);
-    painter.drawImage(QPoint(0, 0), seen);
-    painter.drawPixmap(QPoint(view.width() + margin, (size.height() - scale.height()) / 2), legend);
-    return page;
+    const bool infrared = view_->shownPicture() != nullptr;
+    std::vector<Condition> conditions = conditionsOf(view_->shownSettings());
+    // In visible colours neither band nor air is seen.
+    if (!infrared)
+        std::erase_if(conditions, [](const Condition& one) {
+            return one.key == key::sensorBand || one.key == key::environmentAtmospheres;
+        });
+    return onPaper({const_cast<SceneView*>(view_)->grab().toImage(), title_,
+                    QString::fromStdString(lineOf(conditions)), infrared ? bar_ : nullptr});
 }
 
 } // namespace smat::gui

@@ -32,11 +32,13 @@ class ModelPage : public QWidget, public Exportable {
     void addField(QWidget* field);
     /// Those that need a model.
     QList<QAction*> modelActions() const { return QList<QAction*>{fit_} + sides_; }
+    /// Of exported pictures: the name of what is open.
+    void setTitle(const QString& title) { title_ = title; }
     /// Displays, quantity, colour map, wireframe, axes, sun vector.
     void fillMenu(QMenu* menu);
 
-    /// .png: the view as it is seen, with the colour bar of the infrared display. Of that also the
-    /// values: .exr with all planes, .csv with the one that is shown.
+    /// .png: the view as it is seen, with its conditions and the colour bar of the infrared
+    /// display. Of that also the values: .exr with all planes, .csv with the one that is shown.
     QStringList exportFilters() const override;
     void exportTo(const std::filesystem::path& file) const override;
 
@@ -50,6 +52,7 @@ class ModelPage : public QWidget, public Exportable {
     void refreshBar();
     QImage pictureOfPage() const;
 
+    QString title_;
     SceneView* view_ = nullptr;
     ColorBar* bar_ = nullptr;
     QWidget* barHolder_ = nullptr;

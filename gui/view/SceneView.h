@@ -77,6 +77,8 @@ class SceneView : public QOpenGLWidget {
     const ColorRule& colorRule() const { return rule_; }
     /// Locks limits at these.
     void setLimits(const irsg::DisplayLimits& limits);
+    /// Those of the project, with the camera that is looked through.
+    Settings shownSettings() const;
     /// The infrared picture that is seen; null where there is none.
     const InfraredPicture* shownPicture() const;
 

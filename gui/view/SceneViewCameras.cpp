@@ -6,6 +6,7 @@
 
 #include "gui/view/SceneViewImpl.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
@@ -124,6 +125,16 @@ void SceneView::Impl::arrangeInset(bool visible) {
     inset->addChild(background);
     inset->addChild(scene.root);
     root->addChild(inset);
+}
+
+Settings SceneView::shownSettings() const {
+    Settings shown = settings_;
+    const OrbitCamera& camera = cameras_.camera();
+    const auto rounded = [](double value) { return QString::number(value, 'f', 2).toStdString(); };
+    shown.set(key::cameraAzimuth, rounded(camera.azimuth_deg));
+    shown.set(key::cameraElevation, rounded(camera.elevation_deg));
+    shown.set(key::cameraRange, rounded(camera.range_m));
+    return shown;
 }
 
 } // namespace smat::gui

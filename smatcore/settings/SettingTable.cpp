@@ -194,7 +194,7 @@ void addRendering(std::vector<SettingInfo>& table) {
     const std::vector<std::string> reflections = {"off", "approx", "smart"};
     table.push_back(named(choice(key::renderSun, "--sun", "Sun reflection", reflections, "smart",
                                  "Reflected sun: off, approx (independent of geometry: a quarter "
-                                 "everywhere) or smart (per pixel)."),
+                                 "everywhere) or smart (computed for each pixel)."),
                           {"off", "Approx. (a quarter everywhere)", "SMART (for each pixel)"}));
     table.push_back(
         named(choice(key::renderShadows, "--shadows", "Shadows of the sun",
@@ -220,7 +220,7 @@ void addRendering(std::vector<SettingInfo>& table) {
     table.push_back(
         named(choice(key::renderFluxes, "--fluxes", "Flux reflection", reflections, "smart",
                      "Reflected sky and ground: off, approx (independent of geometry: a half "
-                     "of each) or smart (per pixel)."),
+                     "of each) or smart (computed for each pixel)."),
               {"off", "Approx. (a half of each)", "SMART (for each pixel)"}));
     table.push_back(
         named(choice(key::renderFluxWeights, "--flux-weights", "Flux weights",

@@ -1,4 +1,5 @@
 #include "gui/image/ComparisonWindow.h"
+#include "gui/plot/PlotLook.h"
 
 #include <cmath>
 #include <fstream>
@@ -502,7 +503,8 @@ TEST_F(ComparisonTest, ExportsTheDifference) {
     window->exportTo(folder / "d.csv");
     EXPECT_EQ(irsg::readCsvImage(folder / "d.csv").primary().name, "absolute_difference");
     window->exportTo(folder / "d.png");
-    EXPECT_FALSE(QImage(QString::fromStdString((folder / "d.png").string())).isNull());
+    const QImage picture(QString::fromStdString((folder / "d.png").string()));
+    EXPECT_TRUE(test::holdsWords(picture, "|A − B| of two images", plotFont(1.1, true)));
     window->copyPicture();
     EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());
     EXPECT_THROW(window->exportTo("/nowhere/at/all.exr"), irsg::InputError);

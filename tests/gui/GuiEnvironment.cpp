@@ -1,11 +1,15 @@
 #include "tests/gui/GuiEnvironment.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <vector>
 
 #include <QApplication>
 #include <QDir>
+#include <QFontMetricsF>
 #include <QLockFile>
+#include <QPainter>
 #include <QSettings>
 #include <gtest/gtest.h>
 
@@ -78,6 +82,43 @@ bool showsColorAt(QWidget& widget, const QPointF& point, const QColor& wanted) {
 QColor colorAt(const QImage& picture, const QPointF& point) {
     const QPointF at = point * picture.devicePixelRatio();
     return picture.pixelColor(static_cast<int>(at.x()), static_cast<int>(at.y()));
+}
+
+bool holdsWords(const QImage& picture, const QString& words, const QFont& font) {
+    // What is dark of the words, in a box that is as large as they are.
+    const QSizeF size(QFontMetricsF(font).horizontalAdvance(words), QFontMetricsF(font).height());
+    const double ratio = picture.devicePixelRatio();
+    QImage wanted((size * ratio).toSize(), QImage::Format_RGB32);
+    wanted.setDevicePixelRatio(ratio);
+    wanted.fill(Qt::white);
+    QPainter painter(&wanted);
+    painter.setFont(font);
+    painter.drawText(QRectF(QPointF(0, 0), size), Qt::AlignLeft | Qt::AlignTop, words);
+    painter.end();
+    std::vector<QPoint> ink, blank;
+    for (int y = 0; y < wanted.height(); ++y) {
+        for (int x = 0; x < wanted.width(); ++x) {
+            const int grey = qGray(wanted.pixel(x, y));
+            if (grey < 40) {
+                ink.emplace_back(x, y);
+            } else if (grey > 250) {
+                blank.emplace_back(x, y);
+            }
+        }
+    }
+    const auto isInk = [&](const QPoint& at) { return qGray(picture.pixel(at)) < 160; };
+    const auto isBlank = [&](const QPoint& at) { return qGray(picture.pixel(at)) > 235; };
+    const int down = std::min(picture.height() - wanted.height(), 200);
+    for (int y = 0; y < down; ++y) {
+        for (int x = 0; x < picture.width() - wanted.width(); ++x) {
+            const QPoint corner(x, y);
+            if (std::ranges::all_of(ink, [&](const QPoint& p) { return isInk(corner + p); }) &&
+                std::ranges::all_of(blank, [&](const QPoint& p) { return isBlank(corner + p); })) {
+                return !ink.empty();
+            }
+        }
+    }
+    return false;
 }
 
 bool lacksGl() {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <QColor>
+#include <QFont>
 #include <QImage>
 #include <QPointF>
 #include <QWidget>
@@ -19,6 +20,9 @@ bool showsColorAt(QWidget& widget, const QPointF& point, const QColor& wanted);
 /// What a picture of a widget shows at a point of the widget, of which a high density screen makes
 /// several pixels.
 QColor colorAt(const QImage& picture, const QPointF& point);
+
+/// Whether a picture on paper has a text in a font, in whatever shade of grey.
+bool holdsWords(const QImage& picture, const QString& words, const QFont& font);
 
 /// Has the clipboard, which tests that run side by side on one display share, to this process until
 /// it ends. Called first by every test that copies or pastes.

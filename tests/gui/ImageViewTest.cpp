@@ -1,4 +1,5 @@
 #include "gui/image/ImageView.h"
+#include "gui/plot/PlotLook.h"
 
 #include <limits>
 #include <set>
@@ -429,6 +430,8 @@ TEST_F(ImageViewTest, StatisticsOfARectangleKnowItsContrastIntensity) {
 TEST_F(ImageViewTest, ExportsDataAndPicturesWithAndWithoutBar) {
     const auto folder = test::freshFolder("image-export");
     setMode(view, LimitMode::full);
+    view.setTitle("a scene of steps");
+    view.setConditions("3-5 µm · range 900 m");
     const auto write = [&](const QString& entry, const char* name) {
         chosen = QString::fromStdString((folder / name).string());
         menuEntry(view, "exportImage", entry)->trigger();
@@ -445,6 +448,8 @@ TEST_F(ImageViewTest, ExportsDataAndPicturesWithAndWithoutBar) {
     const QImage full(
         QString::fromStdString(write("Picture with colour bar…", "bar.png").string()));
     EXPECT_GT(full.width(), full.height());
+    EXPECT_TRUE(test::holdsWords(full, "a scene of steps", plotFont(1.1, true)));
+    EXPECT_TRUE(test::holdsWords(full, "3-5 µm", plotFont(0.9)));
     EXPECT_TRUE(told.isEmpty());
     chosen = "/nowhere/at/all.exr";
     menuEntry(view, "exportImage", "All planes as OpenEXR…")->trigger();

@@ -26,8 +26,9 @@ void leaveWhileReading(const std::function<void(Workbench&, MainWindow&)>& act) 
         window.show();
         act(workbench, window);
         QTest::qWait(100);
-        if (!window.close())
+        if (!window.close()) {
             _exit(1);
+        }
     }
     leave(workbench, 7);
     _exit(2); // it came back although somebody reads

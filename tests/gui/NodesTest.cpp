@@ -56,11 +56,11 @@ INSTANTIATE_TEST_SUITE_P(
         Paste{"oneColumn", "3\n4.2", {{3.0}, {4.2}}},
         Paste{"exponents", "3e0\t5E-1\n4.2\t7.5e-1", two},
         Paste{"unicodeMinus", "\u22123\t1\n", {{-3.0, 1.0}}},
-        Paste{"noNumber", "3\t0.5\n4.2\tn/a", {}, "row 2, column 2: 'n/a' is no number"},
-        Paste{"notFinite", "3\tnan\n", {}, "row 1, column 2: 'nan' is no number"},
-        Paste{"thousands", "3\t1,234.5\n", {}, "row 1, column 2: '1,234.5' is no number"},
+        Paste{"noNumber", "3\t0.5\n4.2\tn/a", {}, "row 2, column 2: 'n/a' is not a number"},
+        Paste{"notFinite", "3\tnan\n", {}, "row 1, column 2: 'nan' is not a number"},
+        Paste{"thousands", "3\t1,234.5\n", {}, "row 1, column 2: '1,234.5' is not a number"},
         Paste{"ragged", "3\t0.5\n4.2", {}, "row 2: 1 columns, but 2 in the rows before"},
-        Paste{"emptyCell", "3\t0.5\n\t0.75", {}, "row 2, column 1: '' is no number"},
+        Paste{"emptyCell", "3\t0.5\n\t0.75", {}, "row 2, column 1: '' is not a number"},
         Paste{"nothing", " \n", {}, "the clipboard holds no numbers"}),
     [](const auto& tested) { return tested.param.name; });
 
@@ -82,11 +82,11 @@ TEST(NodeRulesTest, SayRowColumnAndValueOfTheFirstDiagnostic) {
     EXPECT_EQ(rules.problemOf({{3, 0.5}, {5, 0.8}}), "");
     EXPECT_EQ(rules.problemOf({{3, 0.5}}), "at least 2 rows have to stay");
     EXPECT_EQ(rules.problemOf({{3, 0.5}, {3, 0.8}}),
-              "row 2, column 1: 3 has to be above 3, the value before: the axis ascends, found 3");
+              "row 2, column 1: 3 has to be above 3, the value before: the axis ascends, not 3");
     EXPECT_EQ(rules.problemOf({{3, 0.5}, {5, 0.9}}),
-              "row 2, column 2: emissivity can be at most 0.8 here, found 0.9");
+              "row 2, column 2: emissivity can be at most 0.8 here, not 0.9");
     EXPECT_EQ(rules.problemOf({{-3, 0.5}, {5, 0.5}}),
-              "row 1, column 1: wavelength has to be above 0, found -3");
+              "row 1, column 1: wavelength has to be above 0, not -3");
 }
 
 /// The real table and plot, shown.
@@ -173,14 +173,13 @@ TEST_F(NodeEditorTest, PastesFromTheCurrentCellDown) {
 
 TEST_F(NodeEditorTest, ABadPasteChangesNothingAndSaysWhere) {
     for (const auto& [text, sentence] :
-         {std::pair{"3\t0.5\n4\t1.5",
-                    "row 2, column 2: emissivity can be at most 1 here, found 1.5"},
-          std::pair{"3\t0.5\n4\tx", "row 2, column 2: 'x' is no number"},
+         {std::pair{"3\t0.5\n4\t1.5", "row 2, column 2: emissivity can be at most 1 here, not 1.5"},
+          std::pair{"3\t0.5\n4\tx", "row 2, column 2: 'x' is not a number"},
           std::pair{"3\t0.5\n5\t0.6\n4\t0.6",
                     "row 3, column 1: 4 has to be above 5, the value before: the axis ascends, "
-                    "found 4"},
-          std::pair{"3\t0.5\t1\n4\t0.5\t1", "found 3 columns, expected two: wavelength and "
-                                            "emissivity"}}) {
+                    "not 4"},
+          std::pair{"3\t0.5\t1\n4\t0.5\t1", "two columns are needed, wavelength and "
+                                            "emissivity; these rows have 3"}}) {
         paste(text);
         editor.table()->pasteAll();
         EXPECT_EQ(problem.toStdString(), sentence);

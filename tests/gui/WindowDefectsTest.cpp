@@ -111,11 +111,13 @@ TEST(RankingBars, AnIndexBelowZeroIsSeenAsWhatItIs) {
                   {"b", estimate(-0.08, -0.2, 0.04), estimate(-0.03, -0.1, 0.05)}});
     EXPECT_LE(bars.axis().least, -0.2);
     EXPECT_GE(bars.axis().most, 0.7);
+    EXPECT_TRUE(bars.caption().contains("below 0")) << bars.caption().toStdString();
     // Both marks of the second bar's interval lie inside of the axis.
     bars.resize(420, 260);
     test::keepScreenshot(bars, "ranking-negative");
     bars.setBars({{"a", estimate(0.6, 0.5, 0.7), estimate(0.7, 0.6, 0.8)}});
     EXPECT_EQ(bars.axis().least, 0.0);
+    EXPECT_FALSE(bars.caption().contains("below 0"));
 }
 
 } // namespace

@@ -1,0 +1,51 @@
+#include <filesystem>
+#include <map>
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "irsg/radiometry/FileReading.h"
+
+namespace smat::gui {
+namespace {
+
+/// The sources of the window, each as one text in which adjacent literals are joined.
+std::map<std::string, std::string> sources() {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(
+             std::filesystem::path(SMAT_SOURCE_DIR) / "gui")) {
+        if (entry.path().extension() == ".cpp") {
+            all[entry.path().filename().string()] = std::regex_replace(
+                irsg::readFile(entry.path()), std::regex("\"\\s*\n\\s*\""), "");
+        }
+    }
+    return all;
+}
+
+void expectNowhere(const std::string& pattern, const std::string& why) {
+    const std::regex wrong(pattern);
+    for (const auto& [file, text] : sources()) {
+        for (std::sregex_iterator it(text.begin(), text.end(), wrong), end; it != end; ++it) {
+            ADD_FAILURE() << file << ": " << it->str() << "\n" << why;
+        }
+    }
+}
+
+TEST(Words, NoSentenceOfTheWindowIsInTheFormOfTheTerminal) {
+    ASSERT_GT(sources().size(), 80U);
+    const std::string why = "a person is told \"%1, where %2 is needed\", see Sentences.h";
+    expectNowhere("\"[^\"\n]*([Ff]ound [\"“'%]|, found |, expected |expected %)[^\"\n]*\"", why);
+    expectNowhere("InputError& (\\w+)\\) \\{(?![^}]*LogicError)[^}]*\\b\\1\\.what\\(\\)[^}]*\\}", why);
+}
+
+TEST(Words, AnEngineerSaysIt) {
+    for (const char* odd :
+         {"none over", "over the failure\"", "Compute shows the answer", "smart, per pixel",
+          "Drawings of", "no number\"", "find fault", "physics closes", "has no answer",
+          "sampled by themselves", "Come nearer", "the drawing ends"}) {
+        expectNowhere("\"[^\"\n]*" + std::string(odd) + "[^\"\n]*\"?", "odd words");
+    }
+}
+
+} // namespace
+} // namespace smat::gui
