@@ -93,8 +93,9 @@ class Walker {
         const auto* button = qobject_cast<QAbstractButton*>(field);
         return button != nullptr && std::ranges::any_of(way, [&](const QWidget* one) {
                    const auto* other = qobject_cast<const QAbstractButton*>(one);
-                   if (other == nullptr)
+                   if (other == nullptr) {
                        return false;
+                   }
                    return button->group() != nullptr
                               ? button->group() == other->group() && button->group()->exclusive()
                               : button->autoExclusive() && other->autoExclusive() &&

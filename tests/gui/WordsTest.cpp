@@ -15,8 +15,8 @@ std::map<std::string, std::string> sources() {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(
              std::filesystem::path(SMAT_SOURCE_DIR) / "gui")) {
         if (entry.path().extension() == ".cpp") {
-            all[entry.path().filename().string()] = std::regex_replace(
-                irsg::readFile(entry.path()), std::regex("\"\\s*\n\\s*\""), "");
+            all[entry.path().filename().string()] =
+                std::regex_replace(irsg::readFile(entry.path()), std::regex("\"\\s*\n\\s*\""), "");
         }
     }
     return all;
@@ -35,7 +35,8 @@ TEST(Words, NoSentenceOfTheWindowIsInTheFormOfTheTerminal) {
     ASSERT_GT(sources().size(), 80U);
     const std::string why = "a person is told \"%1, where %2 is needed\", see Sentences.h";
     expectNowhere("\"[^\"\n]*([Ff]ound [\"“'%]|, found |, expected |expected %)[^\"\n]*\"", why);
-    expectNowhere("InputError& (\\w+)\\) \\{(?![^}]*LogicError)[^}]*\\b\\1\\.what\\(\\)[^}]*\\}", why);
+    expectNowhere("InputError& (\\w+)\\) \\{(?![^}]*LogicError)[^}]*\\b\\1\\.what\\(\\)[^}]*\\}",
+                  why);
 }
 
 TEST(Words, AnEngineerSaysIt) {
