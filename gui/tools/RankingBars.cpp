@@ -61,7 +61,7 @@ QString RankingBars::caption() const {
         return bar.firstOrder.value < 0.0 || bar.total.value < 0.0;
     });
     const QString words = tr("Sobol' index (% of the variance)");
-    return hasBelow ? words + tr("; estimates below 0 are 0 within their uncertainty") : words;
+    return hasBelow ? words + tr("; estimates of small ones may be below 0") : words;
 }
 
 void RankingBars::paintEvent(QPaintEvent*) {
