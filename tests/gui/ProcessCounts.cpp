@@ -24,14 +24,12 @@ std::string nameOf(const fs::path& task) {
 
 ProcessCounts processCounts() {
     ProcessCounts counts;
-    const fs::directory_iterator files("/proc/self/fd");
-    counts.files = static_cast<int>(std::distance(begin(files), end(files)));
+    for (const auto& file : fs::directory_iterator("/proc/self/fd")) {
+        std::error_code gone;
+        counts.files += fs::read_symlink(file.path(), gone) != "anon_inode:[eventfd]";
+    }
     for (const auto& task : fs::directory_iterator("/proc/self/task")) {
-        if (nameOf(task.path()) == "Thread (pooled)") {
-            --counts.files;
-        } else {
-            ++counts.threads;
-        }
+        counts.threads += nameOf(task.path()) != "Thread (pooled)";
     }
     return counts;
 }

@@ -4,8 +4,9 @@
 
 namespace smat::test {
 
-/// What this process holds, but for the threads of Qt's pools and the one file that each of them
-/// opens: a pool begins and ends its few threads when it likes.
+/// What this process holds, but for the threads of Qt's pools and for events, of which each thread
+/// opens one: a pool begins and ends its few threads when it likes, and a thread that has closed
+/// its event may be there for a moment more.
 struct ProcessCounts {
     int threads = 0;
     int files = 0;
