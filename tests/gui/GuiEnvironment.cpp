@@ -11,6 +11,8 @@
 #include <QLockFile>
 #include <QPainter>
 #include <QSettings>
+#include <QTest>
+#include <QWindow>
 #include <gtest/gtest.h>
 
 #include "gui/Theme.h"
@@ -137,12 +139,23 @@ std::filesystem::path freshFolder(const std::string& name) {
 }
 
 void keepClipboard() {
-    static QLockFile lock(QDir::temp().filePath("smat-tests-clipboard.lock"));
+    // Not in the folder for temporary files, of which each test has its own.
+    const QDir folder(QStringLiteral(SMAT_BINARY_DIR "/temporary"));
+    folder.mkpath(QStringLiteral("."));
+    static QLockFile lock(folder.filePath("clipboard.lock"));
     if (lock.isLocked()) {
         return;
     }
     lock.setStaleLockTime(0); // only that of a process that is gone
     ASSERT_TRUE(lock.lock());
+    // The display refuses an owner whose time, that of the last event it saw, is before that of the
+    // owner before: a window that gets another title sees an event now.
+    QWindow window;
+    window.create();
+    for (int i = 0; i < 3; ++i) {
+        window.setTitle(QString::number(i));
+        QTest::qWait(5);
+    }
 }
 
 } // namespace smat::gui::test

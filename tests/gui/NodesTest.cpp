@@ -109,7 +109,6 @@ class NodeEditorTest : public ::testing::Test {
     }
     void paste(const char* text) {
         test::keepClipboard();
-        // The display refuses one whose time is not later than that of the last owner.
         const QString wanted = QString::fromUtf8(text);
         ASSERT_TRUE(test::waitUntil([&] {
             QApplication::clipboard()->setText(wanted);
