@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <thread>
@@ -206,15 +208,16 @@ TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
     EXPECT_GT(heldBefore.buffers, 0);
     EXPECT_GT(heldBefore.framebuffers, 0);
     EXPECT_GT(heldBefore.contexts, 0);
-    // What is left behind grows in each hundred; what a cache fills up with does not.
-    double held_kB = memory_kB();
-    double growth_kB = std::numeric_limits<double>::infinity();
-    for (int hundred = 0; hundred < 2; ++hundred) {
+    // What is left behind stays in the least of a hundred: one plane of each image kept would be
+    // 10 MB. What a thread is still letting go comes and goes, 3.5 MB at the most.
+    std::array<double, 2> least_kB{};
+    for (double& least : least_kB) {
+        least = std::numeric_limits<double>::infinity();
         for (int number = 0; number < 100; ++number) {
             ASSERT_NO_FATAL_FAILURE(runOne(number));
+            QTest::qWait(10);
+            least = std::min(least, memory_kB());
         }
-        const double now_kB = memory_kB();
-        growth_kB = std::min(growth_kB, now_kB - std::exchange(held_kB, now_kB));
     }
     EXPECT_TRUE(test::waitUntil([&before] {
         const smat::test::ProcessCounts after = smat::test::processCounts();
@@ -225,7 +228,8 @@ TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
     EXPECT_LE(heldAfter.buffers, heldBefore.buffers);
     EXPECT_LE(heldAfter.framebuffers, heldBefore.framebuffers);
     EXPECT_LE(heldAfter.contexts, heldBefore.contexts);
-    EXPECT_LT(growth_kB, 1'000.0);
+    std::printf("  from %.0f to %.0f kB\n", least_kB[0], least_kB[1]);
+    EXPECT_LT(least_kB[1] - least_kB[0], 5'000.0);
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
 }
 
