@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/scene/PreparedEntities.h"
 #include "irsg/scene/Renderer.h"
 #include "irsg/scene/SceneCheck.h"
@@ -63,7 +64,7 @@ struct Renderer::Impl {
     PointSources pointSources;
     RangeFactors rangeFactors;
     std::shared_ptr<const Terrain> shadowingTerrain; ///< of what is kept of aspects
-    /// Light between the surfaces of scenes, by all that it depends on, latest last.
+    /// Light between the surfaces of scenes, by all that it depends on.
     struct KnownExchange {
         std::vector<double> numbers;
         std::vector<std::shared_ptr<const BodyLight>> bodies;
@@ -71,7 +72,7 @@ struct Renderer::Impl {
         std::vector<SurfaceKey> keys;
         std::shared_ptr<const LightExchange> exchange;
     };
-    std::vector<KnownExchange> exchanges;
+    RecentlyUsed<KnownExchange> exchanges{4};
     LightSolutions lightSolutions;
     SceneScattering scattering;
 

@@ -74,21 +74,15 @@ Renderer::Impl::exchangeOf(const Frame& frame, const std::vector<SunShadows::Cas
                         static_cast<double>(settings.fluxWeights)});
     key.terrain = frame.scene.terrain;
     key.keys = frame.surfaceRows().keys();
-    const auto known = std::ranges::find_if(exchanges, [&](const KnownExchange& one) {
+    const auto isAsked = [&](const KnownExchange& one) {
         return one.numbers == key.numbers && one.bodies == key.bodies &&
                one.terrain == key.terrain && one.keys == key.keys;
-    });
-    if (known != exchanges.end()) {
-        std::rotate(known, known + 1, exchanges.end());
-        return exchanges.back().exchange;
-    }
-    constexpr std::size_t mostKept = 4;
+    };
+    if (const KnownExchange* known = exchanges.find(isAsked))
+        return known->exchange;
     key.exchange = std::make_shared<const LightExchange>(std::move(bodies), casters, sources,
                                                          settings.lightError);
-    exchanges.push_back(std::move(key));
-    if (exchanges.size() > mostKept)
-        exchanges.erase(exchanges.begin());
-    return exchanges.back().exchange;
+    return exchanges.add(std::move(key)).exchange;
 }
 
 void Renderer::Impl::warnOfLight(const LightExchange& exchange, const Scene& scene,

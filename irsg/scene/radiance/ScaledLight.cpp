@@ -27,14 +27,14 @@ struct ScaledLight::Making {
     const std::vector<double>& ranges_m;
     std::pair<std::size_t, std::size_t> nodes;
 
-    std::vector<std::size_t> receiversOf;      // by drawn row
-    std::vector<int> senderOf;                 // by drawn row; -1 where no input scales it
-    std::vector<std::size_t> drawnOf;          // by sender
-    std::vector<std::vector<int>> reflectors;  // drawn rows of each input of emissivity
-    std::vector<std::size_t> firstOfReflector; // one sender for all of them
-    const LightResponse* response = nullptr;   // null without such inputs
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> shareOf; // by receivers and sender
-    std::vector<std::vector<double>> receiverWeights, senderWeights;    // by bin
+    std::vector<std::size_t> receiversOf{};      // by drawn row
+    std::vector<int> senderOf{};                 // by drawn row; -1 where no input scales it
+    std::vector<std::size_t> drawnOf{};          // by sender
+    std::vector<std::vector<int>> reflectors{};  // drawn rows of each input of emissivity
+    std::vector<std::size_t> firstOfReflector{}; // one sender for all of them
+    const LightResponse* response = nullptr;     // null without such inputs
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> shareOf{}; // by receivers and sender
+    std::vector<std::vector<double>> receiverWeights{}, senderWeights{};  // by bin
 
     const SurfaceSpectra& surface(std::size_t drawn) const { return radiometry.surfaces()[drawn]; }
 };
@@ -45,8 +45,7 @@ ScaledLight::ScaledLight(const ViewFactors& view, const SceneRadiometry& radiome
                          std::pair<std::size_t, std::size_t> nodes, std::size_t inputs,
                          bool isSpectrum)
     : isSpectrum_(isSpectrum) {
-    Making making{radiometry, radiances, light, rows,    ranges_m, nodes, {}, {},
-                  {},         {},        {},    nullptr, {},       {},    {}};
+    Making making{radiometry, radiances, light, rows, ranges_m, nodes};
     makeBins(making);
     for (const auto& [kind, sums] : view.light)
         gather(making, kind.first, kind.second, sums);
