@@ -112,6 +112,7 @@ std::shared_ptr<const SampledScene> Renderer::Impl::sample(const Frame& frame) {
 std::shared_ptr<const WidebandPoints> Renderer::Impl::wideband(const Scene& scene,
                                                                const Band& band) {
     WidebandSpectra spectra = widebandSpectraOf(scene.entities);
+    std::erase_if(widebandTerms, [](const auto& kept) { return kept->isGone(); });
     const auto found = std::ranges::find_if(widebandTerms, [&](const auto& kept) {
         return kept->areOf(scene.environment, band, spectra);
     });

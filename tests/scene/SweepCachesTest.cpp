@@ -6,11 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include "irsg/atmosphere/engine/GasTable.h"
+#include "irsg/atmosphere/engine/ResourceFile.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/scene/Renderer.h"
 #include "irsg/scene/radiance/PlanckTable.h"
 #include "irsg/scene/radiance/SampledScene.h"
 #include "tests/support/SceneFixtures.h"
+#include "tests/support/WidebandScenes.h"
 
 using namespace irsg;
 using namespace irsg::test;
@@ -268,6 +271,39 @@ TEST(SampledScenes, AreFoundAgainOnlyWhereTheAirIsTheSame) {
     EXPECT_EQ(again->bands[0].air.objects, one->bands[0].air.objects);
     EXPECT_EQ(again->slices_m, one->slices_m);
     EXPECT_EQ(*again->background, *one->background);
+}
+
+TEST(CachesOfASweep, LetAirGoThatNobodyHasAnyMore) {
+    Renderer renderer;
+    Case one = first();
+    // Computed air holds its table of gases, and so does whatever computes on after it.
+    const auto opened = [&](CalculationMode mode) {
+        auto gases = GasTable::read(atmosphereResource("gases.gastable"));
+        AtmosphereSmartParameters parameters;
+        one.scene.settings.mode = mode;
+        one.scene.environment = environmentOf(
+            std::make_shared<AtmosphereSmart>(parameters, "own", std::filesystem::path(), gases));
+        return std::weak_ptr<const GasTable>(gases);
+    };
+    const auto render = [&](double range_m) {
+        one.seeFrom(range_m, 0.4, 0.3);
+        renderer.render(one.scene, one.view, one.wanted);
+    };
+    one.wanted.bands = {Band::topHat(4.2, 4.3)};
+    std::vector<std::weak_ptr<const GasTable>> gone;
+    for (const auto mode : {CalculationMode::spectral, CalculationMode::wideband}) {
+        gone.push_back(opened(mode));
+        render(150.0);
+        render(160.0);
+    }
+    EXPECT_FALSE(gone.back().expired());
+    opened(CalculationMode::spectral);
+    // What was evaluated of the last two scenes is kept, whatever their air.
+    render(150.0);
+    render(160.0);
+    for (const auto& gases : gone) {
+        EXPECT_TRUE(gases.expired());
+    }
 }
 
 TEST(PlanckTable, HoldsWhatPlancksLawSaysHoweverMuchItForgets) {

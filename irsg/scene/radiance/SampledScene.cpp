@@ -27,7 +27,7 @@ std::size_t sizeOf(const SampledScene& scene) {
 SampledScenes::Key SampledScenes::keyOf(const Environment& environment, const AirScene& scene,
                                         const std::vector<Band>& bands) {
     const RenderSettings& settings = scene.settings;
-    Key key{environment.atmospheres(),
+    Key key{AirIdentity(environment),
             environment.defaultBackground,
             environment.defaultAmbient_K,
             airQuestions(environment, scene.terms, scene.geometry, settings, scene.centre),
@@ -77,6 +77,7 @@ std::shared_ptr<const SampledScene> SampledScenes::of(AtmosphericQueryCache& ans
                                                       const AirScene& scene,
                                                       const std::vector<Band>& bands,
                                                       const Sampler& sample) {
+    kept_.letGo([](const Kept& kept) { return kept.key.atmospheres.isGone(); });
     Key key = keyOf(answers.environment(), scene, bands);
     if (const Kept* known = kept_.find([&](const Kept& kept) { return kept.key == key; }))
         return known->scene;

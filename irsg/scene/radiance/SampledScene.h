@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "irsg/atmosphere/AirIdentity.h"
 #include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/scene/radiance/EntityKey.h"
 #include "irsg/scene/radiance/SceneSampling.h"
@@ -36,7 +37,7 @@ class SampledScenes {
 
   private:
     struct Key {
-        std::vector<std::shared_ptr<const Atmosphere>> atmospheres;
+        AirIdentity atmospheres;
         std::optional<Spectrum> defaultBackground;
         std::optional<double> defaultAmbient_K;
         std::vector<AtmosphericQueryKey> questions;

@@ -126,8 +126,9 @@ void SceneSampling::takeAir(AtmosphericQueryCache& answers, const AirScene& scen
 
 std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& environment,
                                                              const Band& band) {
+    std::erase_if(keptNodes_, [](const KeptNodes& kept) { return kept.atmospheres.isGone(); });
     const auto known = std::ranges::find_if(keptNodes_, [&](const KeptNodes& kept) {
-        return kept.band == band && kept.atmospheres == environment.atmospheres();
+        return kept.band == band && kept.atmospheres.isOf(environment);
     });
     if (known != keptNodes_.end()) {
         std::rotate(keptNodes_.begin(), known, known + 1);
@@ -138,7 +139,7 @@ std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& 
         return nullptr;
     if (keptNodes_.size() >= mostNodesKept)
         keptNodes_.pop_back();
-    keptNodes_.insert(keptNodes_.begin(), KeptNodes{band, environment.atmospheres(), made});
+    keptNodes_.insert(keptNodes_.begin(), KeptNodes{band, AirIdentity(environment), made});
     return made;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "irsg/atmosphere/AirIdentity.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/scene/radiance/SceneAir.h"
 #include "irsg/scene/radiance/WidebandPoints.h"
@@ -69,7 +70,7 @@ class SceneSampling {
     std::vector<Kept> kept_; // latest first
     struct KeptNodes {
         Band band;
-        std::vector<std::shared_ptr<const Atmosphere>> atmospheres;
+        AirIdentity atmospheres;
         std::shared_ptr<const SpectralSampling> sampling;
     };
     std::vector<KeptNodes> keptNodes_; // latest first

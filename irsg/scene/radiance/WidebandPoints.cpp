@@ -54,7 +54,7 @@ WidebandSpectra widebandSpectraOf(const std::vector<Entity>& entities) {
 
 WidebandPoints::WidebandPoints(const Environment& environment, const Band& band,
                                WidebandSpectra spectra)
-    : atmospheres_(environment.atmospheres()), sun_(environment.sun), spectra_(std::move(spectra)) {
+    : atmospheres_(environment), sun_(environment.sun), spectra_(std::move(spectra)) {
     auto answer = environment.prepareCk(requestOf(environment, band, spectra_));
     data_ = std::move(answer.value);
     answeredBy_ = std::move(answer.answeredBy);
@@ -66,8 +66,8 @@ WidebandPoints::WidebandPoints(const Environment& environment, const Band& band,
 
 bool WidebandPoints::areOf(const Environment& environment, const Band& band,
                            const WidebandSpectra& spectra) const {
-    return atmospheres_ == environment.atmospheres() && sun_ == environment.sun &&
-           data_->band() == band && spectra_ == spectra;
+    return atmospheres_.isOf(environment) && sun_ == environment.sun && data_->band() == band &&
+           spectra_ == spectra;
 }
 
 std::shared_ptr<const SpectralSampling> WidebandPoints::sampling() const {

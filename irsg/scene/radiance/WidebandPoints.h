@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "irsg/atmosphere/AirIdentity.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/scene/radiance/SceneAir.h"
 
@@ -31,6 +32,9 @@ class WidebandPoints {
     bool areOf(const Environment& environment, const Band& band,
                const WidebandSpectra& spectra) const;
 
+    /// That no environment will ever have the air of these terms again.
+    bool isGone() const { return atmospheres_.isGone(); }
+
     const SensorCkData& data() const { return *data_; }
     std::shared_ptr<const SpectralSampling> sampling() const;
     /// Means over the bins of the terms.
@@ -40,7 +44,7 @@ class WidebandPoints {
     std::string description() const;
 
   private:
-    std::vector<std::shared_ptr<const Atmosphere>> atmospheres_;
+    AirIdentity atmospheres_;
     SunPosition sun_;
     WidebandSpectra spectra_;
     std::shared_ptr<const SensorCkData> data_;
