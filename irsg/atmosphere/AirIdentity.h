@@ -21,11 +21,10 @@ class AirIdentity {
         return std::ranges::any_of(atmospheres_, [](const auto& air) { return air.expired(); });
     }
     bool operator==(const AirIdentity& other) const {
-        return std::ranges::equal(atmospheres_, other.atmospheres_,
-                                  [](const auto& one, const auto& another) {
-                                      return !one.owner_before(another) &&
-                                             !another.owner_before(one);
-                                  });
+        return std::ranges::equal(
+            atmospheres_, other.atmospheres_, [](const auto& one, const auto& another) {
+                return !one.owner_before(another) && !another.owner_before(one);
+            });
     }
 
   private:

@@ -11,7 +11,7 @@ namespace irsg {
 namespace {
 
 /// Pieces that receivers are divided into, whatever the number of cores.
-constexpr std::size_t parts = 16;
+constexpr std::size_t receiverParts = 16;
 constexpr int mostIterations = 20'000;
 
 double patternOf(const LightExchange& exchange, std::size_t receiver, LightPattern pattern) {
@@ -79,10 +79,10 @@ std::vector<float> LightSolution::arriving(const LightExchange& exchange,
     std::vector<float> next = leaving, arrives(receiver_.size() * width);
     double before = 0.0;
     for (int n = 1; n <= mostIterations; ++n) {
-        std::array<float, parts> changes{}, largest{};
-        parallelFor(parts, [&](std::size_t part) {
-            for (std::size_t p = beginOfPart(part, parts, receiver_.size());
-                 p < beginOfPart(part + 1, parts, receiver_.size()); ++p) {
+        std::array<float, receiverParts> changes{}, largest{};
+        parallelFor(receiverParts, [&](std::size_t part) {
+            for (std::size_t p = beginOfPart(part, receiverParts, receiver_.size());
+                 p < beginOfPart(part + 1, receiverParts, receiver_.size()); ++p) {
                 const std::size_t r = receiver_[p];
                 float* own = &arrives[p * width];
                 std::fill_n(own, width, 0.0f);

@@ -3,8 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+
+#include "irsg/scene/trace/LightBalance.h"
 
 namespace irsg {
+
+/// Facets as a sensor meets them, and with all their backs.
+struct BodyLight::Uses {
+    const PieceUses& own;
+    PieceUses withBacks = own.withBacks();
+};
 
 /// What a side of a patch has sent.
 struct BodyLight::Sending {
@@ -18,13 +27,57 @@ struct BodyLight::Sending {
     std::vector<double> weights; ///< by near node: its parts of the places where rays begin
     Moments moments{}, ofFirstHalf{};
 
-    /// Of the part of its hemisphere that it sees.
-    double error() const {
-        double most = 0.0;
-        for (std::size_t i = 0; i < moments.size(); ++i)
-            most = std::max(most, std::abs(2.0 * ofFirstHalf[i] - moments[i]) / sent);
-        return most;
+    /// The variances of a single ray's moments: of all of them, and the greatest. Never 0, however
+    /// few rays have met anything so far.
+    struct Variance {
+        double sum = 0.0, most = 0.0;
+    };
+    Variance variance() const {
+        Variance variance;
+        const double met = (moments[0] + 1.0) / (sent + 2.0);
+        for (std::size_t i = 0; i < moments.size(); ++i) {
+            const double mean = moments[i] / sent;
+            const bool isDirection = i > 0 && i < 4;
+            // A third of the squares of the coordinates of directions that go everywhere.
+            const double square = isDirection ? met / 3.0 : (moments[i] + 1.0) / (sent + 2.0);
+            const double own = std::max(square - mean * mean, 0.5 / sent);
+            variance.sum += own;
+            variance.most = std::max(variance.most, own);
+        }
+        return variance;
     }
+    /// Squares of what the halves of the rays differ by, of all moments.
+    double squareOfDifference() const {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < moments.size(); ++i)
+            sum += std::pow((2.0 * ofFirstHalf[i] - moments[i]) / sent, 2.0);
+        return sum;
+    }
+};
+
+/// What the mean of some rays is off by, as a part of what single ones are: by what the halves of
+/// all patches that have sent as many differ by. The halves of one may be equal by chance, and the
+/// rays that such a patch did not send would be missed, always on the same side.
+class BodyLight::Errors {
+  public:
+    void add(const Sending& sending) {
+        Pool& pool = pools_[sending.sent];
+        pool.differences += sending.squareOfDifference();
+        pool.variances += sending.variance().sum;
+    }
+    /// Square of the error of the part of its hemisphere that it sees.
+    double squareOf(const Sending& sending) const {
+        const auto pool = pools_.find(sending.sent);
+        return pool == pools_.end()
+                   ? 0.0
+                   : pool->second.differences / pool->second.variances * sending.variance().most;
+    }
+
+  private:
+    struct Pool {
+        double differences = 0.0, variances = 0.0;
+    };
+    std::map<std::uint32_t, Pool> pools_; // by rays sent
 };
 
 BodyLight::Rays::Rays(const LightNodes& nodes, std::uint32_t side)
@@ -40,15 +93,15 @@ BodyLight::LightStart BodyLight::Rays::at(std::uint32_t index) const {
 BodyLight::BodyLight(std::shared_ptr<const LightNodes> nodes, const PieceUses& uses, double error)
     : nodes_(std::move(nodes)) {
     std::vector<Sending> sendings(nodes_->receivers());
-    refine(sendings, uses, error);
+    refine(sendings, Uses{uses}, error);
     gather(sendings);
 }
 
-void BodyLight::refine(std::vector<Sending>& sendings, const PieceUses& uses, double error) {
+void BodyLight::refine(std::vector<Sending>& sendings, const Uses& uses, double error) {
     std::vector<std::uint32_t> active;
     double area_m2 = 0.0;
     for (std::uint32_t side = 0; side < sendings.size(); ++side) {
-        const PieceUse& use = uses[static_cast<std::size_t>(nodes_->pieceOf(side / 2))];
+        const PieceUse& use = uses.own[static_cast<std::size_t>(nodes_->pieceOf(side / 2))];
         const bool isSeen =
             use.isThere && (side % 2 == 0 || use.transparent || !use.cullsBackFaces);
         if (isSeen && nodes_->patchArea_m2(side / 2) > 0.0 && nodes_->seesAnything(side)) {
@@ -58,18 +111,22 @@ void BodyLight::refine(std::vector<Sending>& sendings, const PieceUses& uses, do
     }
     const std::vector<std::uint32_t> all = active;
     // A node has the mean of the patches near it, whose errors know nothing of each other.
+    Errors errors;
     const auto partsOfError_m2 = [&](std::uint32_t side) {
         double sum_m2 = 0.0;
         for (const LightNodes::Near& near : nodes_->near(side / 2))
             sum_m2 +=
                 std::pow(static_cast<double>(near.area_m2), 2.0) / nodes_->areaOf_m2(near.node);
-        return sum_m2 * std::pow(sendings[side].error(), 2.0);
+        return sum_m2 * errors.squareOf(sendings[side]);
     };
     while (!active.empty()) {
         forEachOf(active.size(), [&](std::uint32_t i) {
             Sending& sending = sendings[active[i]];
             send(sending, active[i], uses, std::max(fewestRays, 2 * sending.sent));
         });
+        errors = {};
+        for (const std::uint32_t side : all)
+            errors.add(sendings[side]);
         double squares_m2 = 0.0;
         allSent_ = 0;
         for (const std::uint32_t side : all) {
@@ -95,9 +152,11 @@ void BodyLight::refine(std::vector<Sending>& sendings, const PieceUses& uses, do
     }
 }
 
-void BodyLight::send(Sending& sending, std::uint32_t side, const PieceUses& uses,
+void BodyLight::send(Sending& sending, std::uint32_t side, const Uses& uses,
                      std::uint32_t wanted) const {
     const Rays rays(*nodes_, side);
+    const bool isTransparent =
+        uses.own[static_cast<std::size_t>(nodes_->pieceOf(side / 2))].transparent;
     RayHit hit;
     std::vector<RayHit> through;
     sending.weights.resize(nodes_->near(side / 2).size());
@@ -107,10 +166,15 @@ void BodyLight::send(Sending& sending, std::uint32_t side, const PieceUses& uses
             for (const LightNodes::Share& own : LightNodes::OfPlace(*nodes_, start.from.place))
                 sending.weights[nodes_->placeNear(side / 2, own.node)] +=
                     static_cast<double>(own.part);
-            if (!mesh().rays().meet(start.ray, uses, 0.0, hit, through))
+            bool isMet = mesh().rays().meet(start.ray, uses.withBacks, 0.0, hit, through);
+            const bool isCulled = isMet && uses.own.isCulled(hit);
+            if (isCulled)
+                isMet = mesh().rays().meet(start.ray, uses.own, 0.0, hit, through);
+            if (!isMet)
                 continue;
-            sending.hits.push_back(
-                {sending.sent, static_cast<float>(hit.distance_m), mesh().placeOf(hit)});
+            sending.hits.push_back({static_cast<std::uint16_t>(sending.sent),
+                                    isCulled || isTransparent, static_cast<float>(hit.distance_m),
+                                    mesh().placeOf(hit)});
             sending.moments[0] += 1.0;
             sending.moments[1] += start.ray.direction.x;
             sending.moments[2] += start.ray.direction.y;
@@ -128,11 +192,16 @@ void BodyLight::gather(std::vector<Sending>& sendings) {
     // The surface that a receiver's numbers come from: nodes that no ray has begun near are not
     // known there.
     std::vector<double> known_m2(nodes_->receivers(), 0.0);
+    raysFrom_.assign(nodes_->receivers(), 0.0);
     for (std::uint32_t side = 0; side < sendings.size(); ++side) {
         const auto near = nodes_->near(side / 2);
-        for (std::size_t i = 0; i < near.size(); ++i)
+        for (std::size_t i = 0; i < near.size(); ++i) {
+            const std::uint32_t receiver = 2 * near[i].node + side % 2;
             if (sendings[side].sent == 0 || sendings[side].weights[i] > 0.0)
-                known_m2[2 * near[i].node + side % 2] += static_cast<double>(near[i].area_m2);
+                known_m2[receiver] += static_cast<double>(near[i].area_m2);
+            if (sendings[side].sent > 0)
+                raysFrom_[receiver] += sendings[side].weights[i];
+        }
     }
     first_.push_back(0);
     firstScale_.push_back(0);
@@ -153,7 +222,7 @@ void BodyLight::gather(std::vector<Sending>& sendings) {
         }
         firstScale_.push_back(scales_.size());
     }
-    std::vector<std::vector<LightPart>> parts(sendings.size());
+    std::vector<std::vector<LightPart>> parts(sendings.size()), oneWay(sendings.size());
     forEachOf(sendings.size(), [&](std::uint32_t side) {
         const Rays rays(*nodes_, side);
         for (const LightRay& ray : raysOf(side)) {
@@ -163,14 +232,19 @@ void BodyLight::gather(std::vector<Sending>& sendings) {
                 const float scale =
                     own.part * scalesOf(side)[nodes_->placeNear(side / 2, own.node)];
                 for (const LightNodes::Share& sender : senders)
-                    parts[side].push_back({2 * own.node + side % 2,
-                                           2 * sender.node + ray.place.triangle % 2,
-                                           scale * sender.part});
+                    (ray.isOneWay ? oneWay : parts)[side].push_back(
+                        {2 * own.node + side % 2, 2 * sender.node + ray.place.triangle % 2,
+                         scale * sender.part});
             }
         }
         mergeParts(parts[side]);
+        mergeParts(oneWay[side]);
     });
-    pairs_ = LightPairs(nodes_->receivers(), std::move(parts));
+    std::vector<ReceiverRays> receivers;
+    for (std::uint32_t r = 0; r < nodes_->receivers(); ++r)
+        receivers.push_back({nodes_->areaOf_m2(r / 2), raysFrom_[r]});
+    pairs_ = balanced(LightPairs(nodes_->receivers(), std::move(parts)),
+                      LightPairs(nodes_->receivers(), std::move(oneWay)), receivers);
 }
 
 } // namespace irsg

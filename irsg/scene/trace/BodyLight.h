@@ -21,7 +21,10 @@ class BodyLight {
   public:
     /// A ray that meets the body.
     struct LightRay {
-        std::uint32_t index;
+        std::uint16_t index;
+        /// Not what a ray the other way would find: it went out through the back of a facet that
+        /// is seen from its front, or began on what is transparent.
+        bool isOneWay;
         float distance_m; ///< where it meets the place
         LightMesh::Place place;
     };
@@ -66,6 +69,8 @@ class BodyLight {
                                           firstScale_[side + 1] - firstScale_[side]);
     }
 
+    /// Rays that began on a receiver.
+    double raysFrom(std::uint32_t receiver) const { return raysFrom_[receiver]; }
     /// All rays that were sent, without those that find out what is near.
     std::size_t raysSent() const { return allSent_; }
     /// Of the part of its hemisphere that a node sees of the body, by what the two halves of the
@@ -76,9 +81,10 @@ class BodyLight {
 
   private:
     struct Sending;
-    void send(Sending& sending, std::uint32_t side, const PieceUses& uses,
-              std::uint32_t wanted) const;
-    void refine(std::vector<Sending>& sendings, const PieceUses& uses, double error);
+    class Errors;
+    struct Uses;
+    void send(Sending& sending, std::uint32_t side, const Uses& uses, std::uint32_t wanted) const;
+    void refine(std::vector<Sending>& sendings, const Uses& uses, double error);
     void gather(std::vector<Sending>& sendings);
 
     std::shared_ptr<const LightNodes> nodes_;
@@ -87,6 +93,7 @@ class BodyLight {
     std::vector<LightRay> rays_;
     std::vector<std::size_t> firstScale_; // by side
     std::vector<float> scales_;
+    std::vector<double> raysFrom_; // by receiver
     LightPairs pairs_;
     std::size_t allSent_ = 0;
     double error_ = 0.0;

@@ -13,15 +13,11 @@ namespace {
 
 using Digits = std::array<std::uint32_t, 5>;
 
-/// More points of one sequence lie no more evenly, so that others follow, each shifted by itself:
-/// halves of all then differ by as much as their mean is off.
-constexpr std::uint32_t pointsOfSequence = 1024;
-
 std::vector<Digits> sobolDigits() {
-    std::vector<Digits> all(pointsOfSequence);
+    std::vector<Digits> all(mostLightPoints);
     for (int dimension = 0; dimension < 5; ++dimension) {
         const std::array<std::uint32_t, 32>& directions = sobolDirections(dimension);
-        for (std::uint32_t index = 1; index < pointsOfSequence; ++index) {
+        for (std::uint32_t index = 1; index < mostLightPoints; ++index) {
             const auto lowest = static_cast<std::size_t>(std::countr_zero(index));
             const auto d = static_cast<std::size_t>(dimension);
             all[index][d] = all[index & (index - 1)][d] ^ directions[lowest];
@@ -47,14 +43,9 @@ LightPoints::LightPoints(std::uint32_t stream) {
 
 LightPoint LightPoints::at(std::uint32_t index) const {
     static const std::vector<Digits> digits = sobolDigits();
-    const std::uint64_t sequence = index / pointsOfSequence;
     LightPoint point;
-    for (std::size_t d = 0; d < point.size(); ++d) {
-        const std::uint32_t shift =
-            sequence == 0 ? shifts_[d] : mixed((sequence << 32) + shifts_[d]);
-        point[d] =
-            (static_cast<double>(digits[index % pointsOfSequence][d] ^ shift) + 0.5) * 0x1p-32;
-    }
+    for (std::size_t d = 0; d < point.size(); ++d)
+        point[d] = (static_cast<double>(digits[index][d] ^ shifts_[d]) + 0.5) * 0x1p-32;
     return point;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "irsg/radiometry/ParallelFor.h"
+#include "irsg/scene/trace/LightBalance.h"
 
 namespace irsg {
 
@@ -40,6 +41,7 @@ struct LightExchange::Making {
     /// m2, how much of it sees the sky, with published weights or without, and the sun.
     struct Told {
         double sky = 0.0, ground = 0.0;
+        double rays = 0.0; ///< that began there, of patches that see nothing of their own body
         double open_m2 = 0.0, weighted_m2 = 0.0, sun_m2 = 0.0, sunKnown_m2 = 0.0;
     };
     const std::vector<SunShadows::Caster>& casters;
@@ -51,8 +53,9 @@ struct LightExchange::Making {
     const SunShadows::Caster* terrain = nullptr;
     std::size_t terrainNumber = 0;
     std::uint32_t raysToOthers = 0;
-    std::vector<std::vector<LightPart>> parts{}; ///< by side of a patch
-    std::vector<std::vector<Told>> told{};       ///< by side of a patch and near node
+    std::vector<PieceUses> withBacks{};                    ///< by caster, see PieceUses
+    std::vector<std::vector<LightPart>> parts{}, oneWay{}; ///< by side of a patch
+    std::vector<std::vector<Told>> told{};                 ///< by side of a patch and near node
 
     /// Height of the highest place of the terrain, m.
     double terrainTop_m() const {
@@ -86,6 +89,7 @@ LightExchange::LightExchange(std::vector<Body> bodies,
     for (const SunShadows::Caster& caster : casters) {
         making.toWorld.push_back(caster.pose.attitude.rotation());
         making.toMesh.push_back(making.toWorld.back().transposed());
+        making.withBacks.push_back(caster.uses.withBacks());
         if (caster.entity < 0) {
             making.terrain = &caster;
             making.terrainNumber = making.toWorld.size() - 1;
@@ -163,7 +167,12 @@ std::array<float, 3> LightExchange::openAt(std::uint32_t triangle) const {
 void LightExchange::takePairs(Making& making) {
     losses_.resize(rows_.size());
     making.parts.resize(rows_.size());
+    making.oneWay.resize(rows_.size());
     making.told.resize(rows_.size());
+    std::vector<ReceiverRays> known;
+    for (const Body& body : bodies_)
+        for (std::uint32_t r = 0; r < body.light->nodes().receivers(); ++r)
+            known.push_back({body.light->nodes().areaOf_m2(r / 2), body.light->raysFrom(r)});
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const LightNodes& nodes = bodies_[b].light->nodes();
         forEachOf(nodes.receivers(), [&](std::uint32_t side) {
@@ -184,13 +193,16 @@ void LightExchange::takePairs(Making& making) {
                 Loss& loss = losses_[firstReceiver_[b] + 2 * near[i].node + side % 2];
                 loss.sky += told.sky;
                 loss.ground += told.ground;
+                known[firstReceiver_[b] + 2 * near[i].node + side % 2].rays += told.rays;
             }
         }
     }
     if (bodies_.size() == 1 && making.isAlone(0))
         pairs_ = {bodies_.front().light, &bodies_.front().light->pairs()};
     else
-        pairs_ = std::make_shared<const LightPairs>(rows_.size(), std::move(making.parts));
+        pairs_ = std::make_shared<const LightPairs>(
+            balanced(LightPairs(rows_.size(), std::move(making.parts)),
+                     LightPairs(rows_.size(), std::move(making.oneWay)), known));
     sees_.assign(ofRow_.size(), false);
     isSender_.assign(rows_.size(), false);
     for (std::size_t r = 0; r < rows_.size(); ++r) {
@@ -225,8 +237,18 @@ void LightExchange::copyPairs(Making& making, std::size_t body) const {
     for (std::uint32_t r = 0; r < pairs.receivers(); ++r) {
         const auto [first, last] = pairs.of(r);
         for (const LightPair* pair = first; pair != last; ++pair)
-            making.parts[before + r].push_back({before + r, before + pair->sender, pair->factor});
+            making.oneWay[before + r].push_back({before + r, before + pair->sender, pair->factor});
     }
+}
+
+bool LightExchange::leavesThroughBack(const Making& making, std::size_t body, Ray ray,
+                                      double upTo_m) {
+    const SunShadows::Caster& caster = making.casters[body];
+    ray.to_m = upTo_m;
+    RayHit hit;
+    std::vector<RayHit> through;
+    return caster.mesh->meet(ray, making.withBacks[body], 0.0, hit, through) &&
+           caster.uses.isCulled(hit);
 }
 
 void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32_t side) const {
@@ -243,12 +265,16 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
         for (std::uint32_t i = 0; i < count; ++i)
             for (const LightNodes::Share& own : LightNodes::OfPlace(nodes, rays.at(i).from.place))
                 weights[nodes.placeNear(side / 2, own.node)] += static_cast<double>(own.part);
-        for (std::size_t i = 0; i < near.size(); ++i)
+        for (std::size_t i = 0; i < near.size(); ++i) {
+            making.told[number][i].rays = weights[i];
             scales.push_back(static_cast<float>(
                 weights[i] > 0.0 ? static_cast<double>(near[i].area_m2) /
                                        (weights[i] * nodes.areaOf_m2(near[i].node))
                                  : 0.0));
+        }
     }
+    const bool isTransparent =
+        caster.uses[static_cast<std::size_t>(nodes.pieceOf(side / 2))].transparent;
     RayHit hit;
     std::vector<RayHit> through;
     auto met = light.raysOf(side).begin();
@@ -258,10 +284,13 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
         const Vec3 from_m = caster.pose.toWorld(start.ray.origin_m);
         const Vec3 along = making.toWorld[body] * start.ray.direction;
         double nearest_m = std::numeric_limits<double>::infinity();
+        double nearestBack_m = std::numeric_limits<double>::infinity();
         LightMesh::Place place;
         std::size_t metBody = body;
+        bool isOneWay = false;
         if (met != lastMet && met->index == i) {
             place = met->place;
+            isOneWay = met->isOneWay;
             nearest_m = static_cast<double>(met->distance_m);
             ++met;
         }
@@ -270,8 +299,12 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
             const Rotation& toMesh = making.toMesh[c];
             const Ray there{toMesh * (from_m - other.pose.position_m), toMesh * along, 0.0,
                             nearest_m};
-            return other.mesh->meet(there, other.uses, 0.0, hit, through) &&
-                   hit.distance_m < nearest_m;
+            bool isMet = other.mesh->meet(there, making.withBacks[c], 0.0, hit, through);
+            if (isMet && other.uses.isCulled(hit)) {
+                nearestBack_m = std::min(nearestBack_m, hit.distance_m);
+                isMet = other.mesh->meet(there, other.uses, 0.0, hit, through);
+            }
+            return isMet && hit.distance_m < nearest_m;
         };
         for (const std::size_t other : making.near[body])
             if (making.balls[other].isMetBy(from_m, along) && isBefore(other)) {
@@ -296,17 +329,21 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
         }
         if (place.triangle == LightMesh::none)
             continue;
+        if (metBody != body)
+            isOneWay = isTransparent || leavesThroughBack(making, body, start.ray, nearest_m);
+        isOneWay = isOneWay || nearestBack_m < nearest_m;
+        std::vector<LightPart>& parts = (isOneWay ? making.oneWay : making.parts)[number];
         const LightNodes::OfPlace senders(bodies_[metBody].light->nodes(), place);
         tell([&](std::uint32_t node, Making::Told& told, float part) {
             (along.z > 0.0 ? told.sky : told.ground) += static_cast<double>(part);
             for (const LightNodes::Share& sender : senders)
-                making.parts[number].push_back(
-                    {firstReceiver_[body] + 2 * node + side % 2,
-                     firstReceiver_[metBody] + 2 * sender.node + place.triangle % 2,
-                     part * sender.part});
+                parts.push_back({firstReceiver_[body] + 2 * node + side % 2,
+                                 firstReceiver_[metBody] + 2 * sender.node + place.triangle % 2,
+                                 part * sender.part});
         });
     }
     mergeParts(making.parts[number]);
+    mergeParts(making.oneWay[number]);
 }
 
 void LightExchange::takeLight(Making& making) {
@@ -342,6 +379,11 @@ void LightExchange::takeLight(Making& making) {
             const double weighted = sums[r].weighted_m2 / area_m2;
             // Published weights are those of what is seen, in the same ratio for what is not.
             Loss& loss = losses_[r];
+            // Its own rays tell where others stand, those of all how much of it they fill.
+            const double lost = loss.sky + loss.ground, more = seen(r) - lost;
+            const double up = lost > 1e-9 ? std::clamp(loss.sky / lost, 0.0, 1.0) : open;
+            loss.sky += up * more;
+            loss.ground += (1.0 - up) * more;
             loss.sky *= open > 0.0 ? weighted / open : 0.0;
             loss.ground *= open < 1.0 ? (1.0 - weighted) / (1.0 - open) : 0.0;
             if (!isSender_[r])
@@ -368,8 +410,8 @@ void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t si
     for (const LightNodes::Near& one : near) {
         const std::uint32_t receiver = firstReceiver_[body] + 2 * one.node + side % 2;
         isSender = isSender || isSender_[receiver];
-        isOfMatter = isOfMatter || isSender || losses_[receiver].sky != 0.0 ||
-                     losses_[receiver].ground != 0.0;
+        isOfMatter = isOfMatter || isSender || !pairs_->isEmpty(receiver) ||
+                     losses_[receiver].sky != 0.0 || losses_[receiver].ground != 0.0;
     }
     if (!isOfMatter)
         return;

@@ -96,6 +96,8 @@ class LightExchange {
     void takeOwn(Making& making, std::size_t body, std::uint32_t side) const;
     void copyPairs(Making& making, std::size_t body) const;
     void takeWithOthers(Making& making, std::size_t body, std::uint32_t side) const;
+    /// Whether a ray from a body, in its axes, meets one of its backs that are not there.
+    static bool leavesThroughBack(const Making& making, std::size_t body, Ray ray, double upTo_m);
     void takeLight(Making& making);
     /// Light that falls on the nodes near a patch's side.
     void lightSide(Making& making, std::size_t body, std::uint32_t side) const;

@@ -33,6 +33,13 @@ class LightPairs {
     std::pair<const LightPair*, const LightPair*> of(std::size_t receiver) const {
         return {pairs_.data() + first_[receiver], pairs_.data() + first_[receiver + 1]};
     }
+    /// Puts `factorOf(receiver, pair)` in the place of each factor.
+    template <typename FactorOf>
+    void scale(const FactorOf& factorOf) {
+        for (std::size_t r = 0; r < receivers(); ++r)
+            for (std::size_t i = first_[r]; i < first_[r + 1]; ++i)
+                pairs_[i].factor = factorOf(static_cast<std::uint32_t>(r), pairs_[i]);
+    }
     bool isEmpty(std::size_t receiver) const { return first_[receiver] == first_[receiver + 1]; }
 
   private:

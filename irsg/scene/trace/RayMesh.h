@@ -59,6 +59,21 @@ class PieceUses {
     int layers() const { return layers_; }
     /// The first facet of any piece ends a ray.
     bool arePlain() const { return isPlain_ && known_ == pieces_.size(); }
+    /// The same with the backs of all facets there.
+    PieceUses withBacks() const {
+        PieceUses same = *this;
+        same.isPlain_ = true;
+        for (PieceUse& use : same.pieces_) {
+            use.cullsBackFaces = false;
+            same.isPlain_ = same.isPlain_ && !use.transparent;
+        }
+        return same;
+    }
+    /// Whether a hit by `withBacks` is on a back that is not there.
+    bool isCulled(const RayHit& hit) const {
+        const PieceUse& use = pieces_[static_cast<std::size_t>(hit.piece)];
+        return use.cullsBackFaces && !use.transparent && !hit.isFront;
+    }
     bool operator==(const PieceUses&) const = default;
 
   private:
