@@ -9,7 +9,7 @@
 #include "apps/smat-batch/Streams.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
-#include "irsg/signature/Utf8.h"
+#include "irsg/radiometry/Utf8.h"
 #include "smatcore/analysis/ImageSource.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/support/FreedMemory.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QApplication>
+#include <QFontDatabase>
 #include <QFontInfo>
 #include <QwtLegend>
 #include <QwtPlot>
@@ -11,14 +12,38 @@
 #include <QwtScaleWidget>
 
 #include "irsg/image/AxisTicks.h"
+#include "irsg/image/PictureFont.h"
+#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 
+namespace {
+
+/// Makes the font of pictures known to Qt and tells its family.
+QString pictureFamily() {
+    QString family;
+    for (const auto weight : {irsg::FontWeight::bold, irsg::FontWeight::regular}) {
+        const std::string_view file = irsg::fontFile(weight);
+        const int id = QFontDatabase::addApplicationFontFromData(
+            QByteArray::fromRawData(file.data(), static_cast<qsizetype>(file.size())));
+        const QStringList families = QFontDatabase::applicationFontFamilies(id);
+        if (families.isEmpty())
+            throw irsg::LogicError("Qt cannot read the font of pictures");
+        family = families.front();
+    }
+    return family;
+}
+
+} // namespace
+
 QFont plotFont(double scale, bool bold) {
-    QFont font = QApplication::font();
+    static const QString family = pictureFamily();
+    const QFont words = QApplication::font();
+    QFont font(family);
     // In pixels, so that a painter of another resolution scales it like every other length.
-    font.setPixelSize(qRound(QFontInfo(font).pixelSize() * scale));
+    font.setPixelSize(qRound(QFontInfo(words).pixelSize() * scale));
     font.setBold(bold);
+    font.setHintingPreference(QFont::PreferVerticalHinting); // whatever the machine prefers
     return font;
 }
 

@@ -12,6 +12,8 @@ class QwtPlot;
 namespace smat::gui {
 
 /// What all plots look alike in: fonts, colours and spacing.
+/// The font of everything that is exported as a picture, that of irsg/image/PictureFont.h, in the
+/// size of the window's text.
 QFont plotFont(double scale = 1.0, bool bold = false);
 /// A title with a smaller line of conditions below it, where there are any.
 QwtText plotTitle(const QString& text, const QString& conditions, const PlotStyle& style);

@@ -9,6 +9,8 @@
 #include <QPainterPath>
 #include <QTextDocument>
 
+#include "gui/plot/PlotLook.h"
+
 namespace smat::gui {
 namespace {
 
@@ -82,6 +84,7 @@ const QColor axisColors[] = {QColor("#d64545"), QColor("#2f9e58"), QColor("#3b7b
 } // namespace
 
 void ViewHud::paint(QPainter& painter) const {
+    painter.setFont(plotFont()); // it is exported with the view
     if (!hasProject && !hasModel && busy.isEmpty() && problem.isEmpty()) {
         paintInvitation(painter);
         return;

@@ -6,7 +6,7 @@
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/AxisTicks.h"
 #include "irsg/image/ImageFormat.h"
-#include "irsg/image/StrokeFont.h"
+#include "irsg/image/PictureFont.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Quantity.h"
 
@@ -16,6 +16,8 @@ namespace {
 
 constexpr Rgb paper{255, 255, 255}, ink{38, 38, 38}, line{96, 96, 96};
 constexpr int comfortableHeight_px = 240;
+/// Of text at scale 1, px: as plots have it at 96 dots an inch.
+constexpr double titleSize_px = 13.0, conditionsSize_px = 11.0, barSize_px = 11.0;
 constexpr int largestSide_px = 65535;
 
 /// Values of a plane that the map has no place for.
@@ -76,8 +78,8 @@ void drawPlane(Canvas& canvas, int left, int top, int magnification, const Radia
 class ColorBar {
   public:
     ColorBar(const ColorMap& map, const DisplayLimits& limits, const OutOfRange& outOfRange,
-             int height, int scale)
-        : map_(map), limits_(limits), scale_(scale) {
+             int height, int scale, const PictureFont& font)
+        : map_(map), limits_(limits), scale_(scale), font_(font) {
         // Swatches of what is out of range above and below the bar.
         if (outOfRange.above > 0)
             addSwatch(map.above(), "above", outOfRange.above, true);
@@ -108,9 +110,9 @@ class ColorBar {
     int width() const {
         int widest = 0;
         for (const std::string& label : ticks_.labels)
-            widest = std::max(widest, textWidth(label, scale_));
+            widest = std::max(widest, font_.width(label));
         for (const Swatch& swatch : swatches_)
-            widest = std::max(widest, textWidth(swatch.label, scale_));
+            widest = std::max(widest, font_.width(swatch.label));
         return labelOffset() + widest;
     }
 
@@ -125,15 +127,15 @@ class ColorBar {
             const double t = limits_.position(ticks_.values[i]);
             const int y = top + bottom_ - static_cast<int>(std::lround(t * (bottom_ - top_)));
             canvas.fill(left + barWidth() + scale_, y - scale_ / 2, tickLength(), scale_, line);
-            drawText(canvas, left + labelOffset(), y + capHeight_px * scale_ / 2, ticks_.labels[i],
-                     scale_, ink);
+            font_.draw(canvas, left + labelOffset(), y + (font_.capHeight() + scale_) / 2,
+                       ticks_.labels[i], ink);
         }
         for (const Swatch& swatch : swatches_) {
             const int y = top + swatch.top;
             canvas.fill(left, y, barWidth(), swatchHeight(), swatch.color);
             canvas.frame(left, y, barWidth(), swatchHeight(), scale_, line);
-            drawText(canvas, left + labelOffset(), y + (swatchHeight() + capHeight_px * scale_) / 2,
-                     swatch.label, scale_, ink);
+            font_.draw(canvas, left + labelOffset(), y + (swatchHeight() + font_.capHeight()) / 2,
+                       swatch.label, ink);
         }
     }
 
@@ -157,6 +159,7 @@ class ColorBar {
     const ColorMap& map_;
     DisplayLimits limits_;
     int scale_;
+    const PictureFont& font_;
     int top_ = 0, bottom_ = 0; // of the gradient, from the top of the whole
     AxisTicks ticks_;
     std::vector<Swatch> swatches_;
@@ -210,24 +213,30 @@ Canvas renderView(const RadianceImage& image, const ImageChannel& plane,
     OutOfRange outOfRange = countOutOfRange(plane, limits);
     if (!limits.marksOutside)
         outOfRange.below = outOfRange.above = 0;
-    const ColorBar bar(map, limits, outOfRange, std::max(height, 160 * scale), scale);
+    const PictureFont titleFont(FontWeight::bold, titleSize_px * scale);
+    const PictureFont conditionsFont(FontWeight::regular, conditionsSize_px * scale);
+    const PictureFont barFont(FontWeight::regular, barSize_px * scale);
+    const ColorBar bar(map, limits, outOfRange, std::max(height, 160 * scale), scale, barFont);
     const std::string label = barLabel(plane, options, bar.exponent());
     const int margin = 16 * scale, lineHeight = 22 * scale;
     const int titleHeight = options.title.empty() ? 0 : lineHeight;
     const int conditionsHeight = options.conditions.empty() ? 0 : lineHeight;
     const int top = margin + titleHeight + conditionsHeight + lineHeight;
     const int barLeft = margin + width + 20 * scale;
-    const int right = std::max({barLeft + bar.width(), barLeft + textWidth(label, scale),
-                                margin + textWidth(options.title, scale),
-                                margin + textWidth(options.conditions, scale)});
+    const std::int64_t right =
+        std::max<std::int64_t>({barLeft + bar.width(), std::int64_t{barLeft} + barFont.width(label),
+                                std::int64_t{margin} + titleFont.width(options.title),
+                                std::int64_t{margin} + conditionsFont.width(options.conditions)});
     const int bottom = top + std::max(height, bar.height());
     checkSize(right + margin, bottom + margin);
 
-    Canvas canvas(right + margin, bottom + margin, paper);
-    const int baseline = margin + capHeight_px * scale;
-    drawText(canvas, margin, baseline, options.title, scale, ink);
-    drawText(canvas, margin, baseline + titleHeight, options.conditions, scale, line);
-    drawText(canvas, barLeft, baseline + titleHeight + conditionsHeight, label, scale, ink);
+    Canvas canvas(static_cast<int>(right) + margin, bottom + margin, paper);
+    int baseline = margin + 10 * scale;
+    titleFont.draw(canvas, margin, baseline, options.title, ink);
+    baseline += titleHeight;
+    conditionsFont.draw(canvas, margin, baseline, options.conditions, line);
+    baseline += conditionsHeight;
+    barFont.draw(canvas, barLeft, baseline, label, ink);
     drawPlane(canvas, margin, top, magnification, image, plane, map, limits);
     canvas.frame(margin, top, width, height, scale, line);
     bar.draw(canvas, barLeft, top);

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "irsg/signature/Utf8.h"
+#include "irsg/radiometry/Utf8.h"
 
 namespace irsg {
 

@@ -91,7 +91,7 @@ def write(name, panels):
     height = HEIGHT * len(panels)
     (ROOT / "docs" / "figures" / name).write_text(
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" '
-        f'font-family="sans-serif" font-size="12">\n'
+        f'font-family="DejaVu Sans, sans-serif" font-size="12">\n'
         f'<rect width="{WIDTH}" height="{height}" fill="#ffffff"/>\n{body}\n</svg>\n', encoding="utf-8")
 
 

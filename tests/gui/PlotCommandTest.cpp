@@ -14,12 +14,16 @@ struct Outcome {
     QString errors;
 };
 
-/// Runs `smat plot` as a person without any display would.
-Outcome runPlot(const QStringList& arguments) {
+/// Runs `smat plot` as a person without any display would, with the fonts of this machine or those
+/// that a configuration names.
+Outcome runPlot(const QStringList& arguments, const QString& fonts = {}) {
     QProcess process;
     auto environment = QProcessEnvironment::systemEnvironment();
     for (const auto* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
         environment.remove(name);
+    }
+    if (!fonts.isEmpty()) {
+        environment.insert("FONTCONFIG_FILE", fonts);
     }
     process.setProcessEnvironment(environment);
     process.start(QString(SMAT_BINARY_DIR) + "/bin/smat", QStringList{"plot"} + arguments);
@@ -52,6 +56,29 @@ TEST_F(PlotCommandTest, DrawsEveryKindOfFileWithoutADisplay) {
                   .code,
               0);
     EXPECT_FALSE(QImage(path("c.png")).isNull());
+}
+
+TEST_F(PlotCommandTest, DrawsTheSameWhereThereIsNoFont) {
+    QFile fonts(path("fonts.conf"));
+    ASSERT_TRUE(fonts.open(QIODevice::WriteOnly));
+    fonts.write(("<fontconfig><dir>" + path("none") + "</dir><cachedir>" + path("cache") +
+                 "</cachedir></fontconfig>")
+                    .toUtf8());
+    fonts.close();
+    EXPECT_EQ(runPlot({path("polar.csv"), "-o", path("with.png")}).code, 0);
+    EXPECT_EQ(runPlot({path("polar.csv"), "-o", path("without.png")}, path("fonts.conf")).code, 0);
+    const QImage with(path("with.png")), without(path("without.png"));
+    ASSERT_FALSE(with.isNull());
+    ASSERT_EQ(with.size(), without.size());
+    // A legend may stand a part of a pixel beside its place: some hundred pixels, where all words
+    // have ten thousand.
+    int different = 0;
+    for (int y = 0; y < with.height(); ++y) {
+        for (int x = 0; x < with.width(); ++x) {
+            different += with.pixel(x, y) != without.pixel(x, y) ? 1 : 0;
+        }
+    }
+    EXPECT_LT(different, 1000);
 }
 
 TEST_F(PlotCommandTest, RefusesWhatItCannotDrawWithOneSentenceAndExitCodeTwo) {

@@ -9,6 +9,9 @@ namespace irsg {
 /// surrogate, nothing above U+10FFFF.
 bool isUtf8(std::string_view text);
 
+/// The characters of a text; each byte that is part of none (see isUtf8) is one of U+FFFD.
+std::u32string charactersOf(std::string_view text);
+
 /// The text with every byte that is not a character of ASCII as \\xNN: fit for any message.
 std::string asciiText(std::string_view text);
 
