@@ -36,12 +36,6 @@ std::optional<std::uintmax_t> modelBytes(const std::filesystem::path& file) {
     return bytes;
 }
 
-std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::path& file) {
-    std::error_code failure;
-    const auto time = std::filesystem::last_write_time(file, failure);
-    return failure ? std::nullopt : std::optional(time);
-}
-
 QString whenWritten(const std::filesystem::path& file) {
     return QLocale::system().toString(QFileInfo(textOf(file)).lastModified(), QLocale::ShortFormat);
 }
@@ -291,7 +285,7 @@ bool ProjectFiles::offerRecentProject() {
 }
 
 void ProjectFiles::remember() {
-    written_ = writtenAt(workbench_.project().file);
+    written_ = irsg::stampOf(workbench_.project().file);
 }
 
 bool ProjectFiles::save() {
@@ -300,7 +294,7 @@ bool ProjectFiles::save() {
     const auto file = workbench_.project().file;
     if (file.empty() || isOfSample(file))
         return saveAs();
-    const auto now = writtenAt(file);
+    const auto now = irsg::stampOf(file);
     if (now && now != written_) {
         const int answer = dialogs_.ask(
             window_, tr("Changed by another program"),

@@ -11,6 +11,7 @@
 #include "gui/project/ModelOpening.h"
 #include "gui/project/RecoveryCopy.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileStamp.h"
 
 namespace smat::gui {
 
@@ -85,8 +86,7 @@ class ProjectFiles : public QObject {
     ModelOpening opening_;
     std::filesystem::path read_; ///< the large model that may be opened now
     std::vector<std::function<bool()>> settlers_;
-    std::optional<std::filesystem::file_time_type>
-        written_; ///< of the project's file, as we know it
+    std::optional<irsg::FileStamp> written_; ///< of the project's file, as we know it
 };
 
 } // namespace smat::gui

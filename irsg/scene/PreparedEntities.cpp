@@ -20,11 +20,10 @@ const std::shared_ptr<const RayMesh>& PreparedModel::forRays() {
 
 std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& uses, double error,
                                                              bool isAmongOthers) {
-    constexpr std::size_t mostKept = 2;
-    const auto known = std::ranges::find_if(light, [&](const KnownLight& one) {
+    const KnownLight* const known = light.find([&](const KnownLight& one) {
         return one.error == error && one.isAmongOthers == isAmongOthers && one.uses == uses;
     });
-    if (known != light.end())
+    if (known != nullptr)
         return known->light;
     // What is between nodes is off by the square of their distance.
     constexpr double usualError = 0.005;
@@ -35,9 +34,7 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
     auto mesh = std::make_shared<const LightMesh>(forRays(), uses, resolution);
     auto nodes = std::make_shared<const LightNodes>(std::move(mesh), resolution);
     auto made = std::make_shared<const BodyLight>(std::move(nodes), uses, error);
-    light.push_back({uses, error, isAmongOthers, made});
-    if (light.size() > mostKept)
-        light.erase(light.begin());
+    light.add({uses, error, isAmongOthers, made});
     return made;
 }
 

@@ -37,7 +37,7 @@ struct PreparedModel {
         bool isAmongOthers;
         std::shared_ptr<const BodyLight> light;
     };
-    std::vector<KnownLight> light{}; ///< latest last
+    RecentlyUsed<KnownLight> light{2};
 };
 
 /// Prepared models by their identity, and reference points by what they follow from. Those of the

@@ -11,9 +11,6 @@ namespace irsg {
 
 namespace {
 
-/// Sets of wideband terms that are kept, so that bands and samples can take turns.
-constexpr std::size_t mostTermsKept = 128;
-
 LineOfSight centreOf(const Viewpoint& viewpoint) {
     const Vec3 view = viewpoint.forward();
     LineOfSight sight;
@@ -112,22 +109,15 @@ std::shared_ptr<const SampledScene> Renderer::Impl::sample(const Frame& frame) {
 std::shared_ptr<const WidebandPoints> Renderer::Impl::wideband(const Scene& scene,
                                                                const Band& band) {
     WidebandSpectra spectra = widebandSpectraOf(scene.entities);
-    std::erase_if(widebandTerms, [](const auto& kept) { return kept->isGone(); });
-    const auto found = std::ranges::find_if(widebandTerms, [&](const auto& kept) {
-        return kept->areOf(scene.environment, band, spectra);
-    });
-    if (found != widebandTerms.end()) {
-        std::rotate(widebandTerms.begin(), found, found + 1);
-    } else {
-        auto made = timed("wideband terms", [&] {
-            return std::make_shared<const WidebandPoints>(scene.environment, band,
-                                                          std::move(spectra));
+    widebandTerms.letGo([](const auto& kept) { return kept->isGone(); });
+    return widebandTerms.of(
+        [&](const auto& kept) { return kept->areOf(scene.environment, band, spectra); },
+        [&] {
+            return timed("wideband terms", [&] {
+                return std::make_shared<const WidebandPoints>(scene.environment, band,
+                                                              std::move(spectra));
+            });
         });
-        widebandTerms.insert(widebandTerms.begin(), std::move(made));
-        if (widebandTerms.size() > mostTermsKept)
-            widebandTerms.pop_back();
-    }
-    return widebandTerms.front();
 }
 
 void Renderer::Impl::drawBackgrounds(Frame& frame, const std::vector<SampledBand>& bands) {

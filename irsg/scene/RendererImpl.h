@@ -58,7 +58,8 @@ struct Renderer::Impl {
     AtmosphericQueryCache air;
     SceneSampling sampling;
     SampledScenes sampledScenes;
-    std::vector<std::shared_ptr<const WidebandPoints>> widebandTerms; // latest first
+    /// So many that bands and samples can take turns.
+    RecentlyUsed<std::shared_ptr<const WidebandPoints>> widebandTerms{128};
     RadiometryCache radiometry;
     Fronts fronts;
     PointSources pointSources;

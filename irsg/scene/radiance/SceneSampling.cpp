@@ -98,22 +98,19 @@ SceneSampling::quadrature(AtmosphericQueryCache& answers, const AirScene& scene,
     std::vector<double> edges_um = mergeAxes(spectra, band.range());
     const double finest_K = coldest_K(answers, scene);
 
-    const auto known = std::ranges::find_if(kept_, [&](const Kept& kept) {
+    const Kept* const known = kept_.find([&](const Kept& kept) {
         return kept.band == band && kept.coldest_K == finest_K && kept.edges_um == edges_um;
     });
-    if (known != kept_.end()) {
-        std::rotate(kept_.begin(), known, known + 1);
-        return kept_.front().sampling;
-    }
+    if (known != nullptr)
+        return known->sampling;
     auto made = std::make_shared<const SpectralQuadrature>(band, spectra, finest_K);
-    kept_.insert(kept_.begin(), Kept{band, finest_K, std::move(edges_um), std::move(made)});
+    const Kept& latest = kept_.add({band, finest_K, std::move(edges_um), std::move(made)});
     std::size_t numbers = 0;
-    const auto isTooMuch = [&](const Kept& kept) {
+    kept_.letGo([&](const Kept& kept) {
         numbers += kept.edges_um.size() + kept.sampling->size();
-        return &kept != &kept_.front() && numbers > mostNumbers;
-    };
-    kept_.erase(std::ranges::find_if(kept_, isTooMuch), kept_.end());
-    return kept_.front().sampling;
+        return &kept != &latest && numbers > mostNumbers;
+    });
+    return latest.sampling;
 }
 
 void SceneSampling::takeAir(AtmosphericQueryCache& answers, const AirScene& scene,
@@ -126,20 +123,15 @@ void SceneSampling::takeAir(AtmosphericQueryCache& answers, const AirScene& scen
 
 std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& environment,
                                                              const Band& band) {
-    std::erase_if(keptNodes_, [](const KeptNodes& kept) { return kept.atmospheres.isGone(); });
-    const auto known = std::ranges::find_if(keptNodes_, [&](const KeptNodes& kept) {
+    keptNodes_.letGo([](const KeptNodes& kept) { return kept.atmospheres.isGone(); });
+    const KeptNodes* const known = keptNodes_.find([&](const KeptNodes& kept) {
         return kept.band == band && kept.atmospheres.isOf(environment);
     });
-    if (known != keptNodes_.end()) {
-        std::rotate(keptNodes_.begin(), known, known + 1);
-        return keptNodes_.front().sampling;
-    }
+    if (known != nullptr)
+        return known->sampling;
     auto made = environment.nodesOf(band);
-    if (!made)
-        return nullptr;
-    if (keptNodes_.size() >= mostNodesKept)
-        keptNodes_.pop_back();
-    keptNodes_.insert(keptNodes_.begin(), KeptNodes{band, AirIdentity(environment), made});
+    if (made)
+        keptNodes_.add({band, AirIdentity(environment), made});
     return made;
 }
 

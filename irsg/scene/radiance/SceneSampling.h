@@ -7,6 +7,7 @@
 
 #include "irsg/atmosphere/AirIdentity.h"
 #include "irsg/radiometry/Band.h"
+#include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/scene/radiance/SceneAir.h"
 #include "irsg/scene/radiance/WidebandPoints.h"
 
@@ -56,8 +57,9 @@ class SceneSampling {
     static void takeAir(AtmosphericQueryCache& answers, const AirScene& scene, SampledBand& band);
 
   private:
-    /// Nodes and edges that are kept: every range of a sweep through real air has its own.
-    static constexpr std::size_t mostNumbers = std::size_t{1} << 18;
+    /// Quadratures that are kept, and their nodes and edges: every range of a sweep through real
+    /// air has its own.
+    static constexpr std::size_t mostKept = 4096, mostNumbers = std::size_t{1} << 18;
     /// Nodes of the air itself, which are those of a band whatever the range.
     static constexpr std::size_t mostNodesKept = 256;
 
@@ -67,13 +69,13 @@ class SceneSampling {
         std::vector<double> edges_um; ///< of the panels: the kinks of all spectra
         std::shared_ptr<const SpectralSampling> sampling;
     };
-    std::vector<Kept> kept_; // latest first
+    RecentlyUsed<Kept> kept_{mostKept};
     struct KeptNodes {
         Band band;
         AirIdentity atmospheres;
         std::shared_ptr<const SpectralSampling> sampling;
     };
-    std::vector<KeptNodes> keptNodes_; // latest first
+    RecentlyUsed<KeptNodes> keptNodes_{mostNodesKept};
 };
 
 /// The surfaces of a scene, entity by entity, codes ascending; the rows of a drawing.

@@ -6,7 +6,7 @@
 
 namespace irsg {
 
-/// Sensor::pixelSolidAngle_sr and cosOffAxis for many pixels: what they share is computed once.
+/// Solid angles of pixels and cosines off the axis: what many pixels share is computed once.
 class PixelGrid {
   public:
     PixelGrid() = default;

@@ -6,6 +6,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/view/PixelGrid.h"
 
 namespace irsg {
 
@@ -37,16 +38,11 @@ double Sensor::pixelPitch() const {
 }
 
 double Sensor::cosOffAxis(int x, int y) const {
-    const double pitch = pixelPitch();
-    const double right = (x + 0.5 - 0.5 * width_px) * pitch;
-    const double down = (y + 0.5 - 0.5 * height_px) * pitch;
-    return 1.0 / std::hypot(1.0, right, down);
+    return PixelGrid(*this).at(x, y).cosOffAxis;
 }
 
 double Sensor::pixelSolidAngle_sr(int x, int y) const {
-    const double pitch = pixelPitch();
-    const double cosine = cosOffAxis(x, y);
-    return pitch * pitch * cosine * cosine * cosine;
+    return PixelGrid(*this).at(x, y).solidAngle_sr;
 }
 
 } // namespace irsg
