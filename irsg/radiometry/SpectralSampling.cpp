@@ -59,10 +59,8 @@ std::vector<double> SpectralSampling::sampled(const Spectrum& spectrum) const {
 }
 
 std::vector<double> SpectralSampling::planck(double temperature_K) const {
-    std::vector<double> radiances;
-    radiances.reserve(size());
-    for (const double wavelength_um : wavelengths_um_)
-        radiances.push_back(planckRadiance_W_m2_sr_um(wavelength_um, temperature_K));
+    std::vector<double> radiances(size());
+    planckRadiances_W_m2_sr_um(wavelengths_um_, temperature_K, radiances);
     return radiances;
 }
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/engine/TwoStream.h"
-#include "irsg/atmosphere/engine/VectorExp.h"
+#include "irsg/radiometry/VectorExp.h"
 
 namespace irsg {
 namespace {

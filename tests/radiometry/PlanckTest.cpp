@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "PlanckReference.h"
+#include "irsg/radiometry/Errors.h"
 
 using namespace irsg;
 
@@ -65,6 +67,24 @@ TEST(Planck, RadianceIsWithin1e12OfLongDoubleFrom1To5000KelvinAnd02To40Micrometr
     RecordProperty("largest_relative_error", std::to_string(worst.error * 1e15) + "e-15");
     std::printf("Planck, 1-5000 K, 0.2-40 um: largest relative error %.2e at %g um, %g K\n",
                 worst.error, worst.wavelength_um, worst.temperature_K);
+}
+
+TEST(Planck, RadiancesOfManyWavelengthsAreThoseOfEachToTheLastBit) {
+    std::vector<double> wavelengths_um{0.0, -1.0, notANumber, infinity};
+    for (int i = 0; i <= 1003; ++i) {
+        wavelengths_um.push_back(1e-3 * std::pow(1e9, i / 1003.0));
+    }
+    for (const double temperature_K :
+         {0.0, -5.0, notANumber, infinity, 1e-6, 0.1, 30.0, 293.15, 2200.0, 1e9}) {
+        std::vector<double> radiances(wavelengths_um.size(), 7.0);
+        planckRadiances_W_m2_sr_um(wavelengths_um, temperature_K, radiances);
+        for (std::size_t i = 0; i < radiances.size(); ++i) {
+            ASSERT_EQ(radiances[i], planckRadiance_W_m2_sr_um(wavelengths_um[i], temperature_K))
+                << wavelengths_um[i] << " um, " << temperature_K << " K";
+        }
+    }
+    std::vector<double> few(2);
+    EXPECT_THROW(planckRadiances_W_m2_sr_um(wavelengths_um, 300.0, few), LogicError);
 }
 
 TEST(Planck, RadianceIsWithin1e12ForExponentsFrom1eMinus12To1e5) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "irsg/atmosphere/engine/VectorClones.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/VectorClones.h"
 
 namespace irsg {
 

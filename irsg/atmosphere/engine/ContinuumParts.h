@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "irsg/atmosphere/engine/AtmosphericState.h"
-#include "irsg/atmosphere/engine/VectorExp.h"
+#include "irsg/radiometry/VectorExp.h"
 
 /// What the absorbers of Continuum.h have in common, and each of them; for Continuum.cpp alone.
 namespace irsg::continuum {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "irsg/atmosphere/engine/PathIntegrator.h"
-#include "irsg/atmosphere/engine/VectorClones.h"
-#include "irsg/atmosphere/engine/VectorExp.h"
+#include "irsg/radiometry/VectorClones.h"
+#include "irsg/radiometry/VectorExp.h"
 
 namespace irsg {
 

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "irsg/atmosphere/engine/SolarSpectrum.h"
-#include "irsg/atmosphere/engine/VectorClones.h"
-#include "irsg/atmosphere/engine/VectorExp.h"
 #include "irsg/radiometry/Planck.h"
 
 namespace irsg {
@@ -34,12 +32,6 @@ double henyeyGreenstein(double asymmetry, double cosine) {
     return (1.0 - g2) / (spread * std::sqrt(spread));
 }
 
-IRSG_VECTOR_CLONES void blackBodies(const double* factor, const double* line, double perTemperature,
-                                    std::size_t n, double* radiance) {
-    for (std::size_t i = 0; i < n; ++i)
-        radiance[i] = factor[i] / vectorExpm1(line[i] * perTemperature);
-}
-
 } // namespace
 
 NodeColumn::NodeColumn(const AtmosphericColumn& air, std::vector<std::uint32_t> nodes,
@@ -53,10 +45,7 @@ NodeColumn::NodeColumn(const AtmosphericColumn& air, std::vector<std::uint32_t> 
       continua_(smoothPoints_cm_),
       levels_(air.levelCount()) {
     for (const double wavenumber_per_cm : wavenumbers_cm_) {
-        const double perLength = wavenumber_per_cm * 1e-4;
-        planckFactor_.push_back(firstRadiationConstant_W_um4_m2_sr * std::pow(perLength, 5));
-        planckLine_.push_back(secondRadiationConstant_um_K * perLength);
-
+        wavelengths_um_.push_back(1e4 / wavenumber_per_cm);
         const auto above = std::ranges::upper_bound(smoothPoints_cm_, wavenumber_per_cm);
         const auto below = std::max<std::ptrdiff_t>(above - smoothPoints_cm_.begin() - 1, 0);
         const auto i = static_cast<std::size_t>(below);
@@ -168,8 +157,7 @@ std::span<const float> NodeColumn::forwardPeak(std::size_t level) const {
 }
 
 void NodeColumn::planckAt(double temperature_K, std::span<double> radiance) const {
-    blackBodies(planckFactor_.data(), planckLine_.data(), 1.0 / temperature_K, radiance.size(),
-                radiance.data());
+    planckRadiances_W_m2_sr_um(wavelengths_um_, temperature_K, radiance);
 }
 
 std::span<const double> NodeColumn::planck(std::size_t index) const {

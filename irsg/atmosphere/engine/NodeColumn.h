@@ -86,8 +86,7 @@ class NodeColumn {
     std::vector<double> wavenumbers_cm_;
     double sunWidth_cm_;
     NodeAbsorption absorption_;
-    std::vector<double> planckFactor_; ///< 2 h c^2 / lambda^5
-    std::vector<double> planckLine_;   ///< h c / (k lambda), K
+    std::vector<double> wavelengths_um_;
     std::vector<double> smoothPoints_cm_;
     ContinuumSpectrum continua_;             ///< at the smooth points
     std::vector<std::uint32_t> smoothBelow_; ///< smooth point at or below each node

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/atmosphere/engine/VectorClones.h"
-#include "irsg/atmosphere/engine/VectorExp.h"
+#include "irsg/radiometry/VectorClones.h"
+#include "irsg/radiometry/VectorExp.h"
 
 namespace irsg {
 

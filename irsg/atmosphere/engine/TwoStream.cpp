@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "irsg/atmosphere/engine/VectorClones.h"
-#include "irsg/atmosphere/engine/VectorExp.h"
+#include "irsg/radiometry/VectorClones.h"
+#include "irsg/radiometry/VectorExp.h"
 
 namespace irsg {
 

@@ -86,9 +86,11 @@ SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
     result.temperature_K = surfaceTemperature_K(surface);
     if (!(result.temperature_K > 0.0))
         throw LogicError("a surface temperature that is not positive reached the radiometry");
+    std::vector<double> emission(count);
+    planckRadiances_W_m2_sr_um(wavelengths_um, result.temperature_K, emission);
     for (std::size_t i = 0; i < count; ++i)
-        emissivity[i] *= planckRadiance_W_m2_sr_um(wavelengths_um[i], result.temperature_K);
-    result.emission.push_back({1.0, std::move(emissivity)});
+        emission[i] *= emissivity[i];
+    result.emission.push_back({1.0, std::move(emission)});
     return result;
 }
 

@@ -10,10 +10,8 @@ SharedValues PlanckTable::at(double temperature_K) {
         if (const auto known = kept_.find(temperature_K); known != kept_.end())
             return known->second;
     }
-    std::vector<double> radiance;
-    radiance.reserve(wavelengths_um_.size());
-    for (const double wavelength_um : wavelengths_um_)
-        radiance.push_back(planckRadiance_W_m2_sr_um(wavelength_um, temperature_K));
+    std::vector<double> radiance(wavelengths_um_.size());
+    planckRadiances_W_m2_sr_um(wavelengths_um_, temperature_K, radiance);
     const std::lock_guard lock(mutex_);
     if ((kept_.size() + 1) * wavelengths_um_.size() > mostKept)
         kept_.clear();
