@@ -52,15 +52,16 @@ std::string showQuantity(irsg::RadianceImage& image, const irsg::Sensor& sensor,
     return "";
 }
 
-void saveImage(const irsg::RadianceImage& image, const Settings& settings, const std::string& title,
-               const std::string& whose, const std::filesystem::path& file) {
+void saveImage(const irsg::RadianceImage& image, const Settings& settings,
+               const PictureWords& words, const std::string& whose,
+               const std::filesystem::path& file) {
     irsg::ImageWriting how;
     const irsg::ImageFormat& format = irsg::requiredImageFormat(file);
     if (format.keeps == irsg::ImageFormat::Keeps::picture) {
         how.view.colorMap = settings.text(key::displayColorMap);
         how.view.limits = limitsOf(image, settings, whose);
-        how.view.title = title;
-        how.view.conditions = lineOf(conditionsOf(settings));
+        how.view.title = words.title;
+        how.view.conditions = lineOf(words.conditions);
     }
     format.write(image, file, how);
 }

@@ -5,6 +5,7 @@
 
 #include "irsg/image/RadianceImage.h"
 #include "irsg/scene/view/Sensor.h"
+#include "smatcore/analysis/Conditions.h"
 #include "smatcore/settings/Settings.h"
 
 namespace smat {
@@ -14,11 +15,18 @@ namespace smat {
 std::string showQuantity(irsg::RadianceImage& image, const irsg::Sensor& sensor,
                          const Settings& settings);
 
+/// What stands above an image that is written as a picture.
+struct PictureWords {
+    std::string title;
+    std::vector<Condition> conditions; ///< on the line below
+};
+
 /// Writes an image in the format of its extension (irsg::ImageFormat), a picture with the colours
-/// of `display` and this title. `whose` is the file that errors about the settings name. Throws
+/// of `display` and these words. `whose` is the file that errors about the settings name. Throws
 /// InputError where the file cannot be written, for another extension and for limits of the colours
 /// that are not ascending.
-void saveImage(const irsg::RadianceImage& image, const Settings& settings, const std::string& title,
-               const std::string& whose, const std::filesystem::path& file);
+void saveImage(const irsg::RadianceImage& image, const Settings& settings,
+               const PictureWords& words, const std::string& whose,
+               const std::filesystem::path& file);
 
 } // namespace smat

@@ -51,7 +51,8 @@ void saveResult(const AnalysisData& data, const std::filesystem::path& file) {
                                                 .expected = "one that was not stopped"});
     } else {
         saveImage(data.image, data.settings,
-                  data.project.title.empty() ? data.name : data.project.title + ": " + data.name,
+                  {data.project.title.empty() ? data.name : data.project.title + ": " + data.name,
+                   conditionsOf(data.settings)},
                   data.project.displayName(), file);
     }
 }

@@ -10,6 +10,7 @@
 #include "irsg/radiometry/Wording.h"
 #include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/support/Folders.h"
 
@@ -177,8 +178,13 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
     const std::string heading =
         fmt::format("{}{}, {:.6g} s", title.empty() ? "" : title + ": ",
                     scenario_.scenario.sensors[frame.sensor].name, frame.time_s);
+    // Where entities are and when is the scenario's, not the settings'.
+    std::vector<Condition> conditions = conditionsOf(sensor.settings);
+    std::erase_if(conditions, [](const Condition& one) {
+        return one.key != key::sensorBand && one.key != key::environmentAtmospheres;
+    });
     for (const std::string& extension : extensions_) {
-        saveImage(image, sensor.settings, heading, scenario_.scenario.displayName(),
+        saveImage(image, sensor.settings, {heading, conditions}, scenario_.scenario.displayName(),
                   frameFile(frame.sensor, number, extension, frame.band));
     }
 }

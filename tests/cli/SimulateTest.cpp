@@ -186,6 +186,22 @@ TEST(SmatBatchSimulate, DrawsFramesInWhichNobodyIs) {
     EXPECT_GT(*std::max_element(there.begin(), there.end()), 1.6f);
 }
 
+TEST(SmatBatchSimulate, WritesOnlyBandAndAirAboveAPicture) {
+    const TemporaryFolder folder;
+    write(folder / "sphere.csv", spherePath);
+    write(folder / "s.json", passing(south));
+    const Ran ran =
+        simulated(folder, {"--to", "0", "--format", "png", "--width", "64", "--height", "64"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    // A range and an altitude of the settings, which are none of the scenario, would make it wider
+    // than plane and colour bar.
+    const std::string picture = contentOf(folder / "out/south/frame_000000.png");
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(picture.at(i)); };
+    const int width_px = byte(18) * 256 + byte(19);
+    EXPECT_GT(width_px, 256 + 100);
+    EXPECT_LT(width_px, 450);
+}
+
 TEST(SmatBatchSimulate, GivesTheSameBytesTwice) {
     const TemporaryFolder folder;
     for (const char* name : {"a", "b"}) {
