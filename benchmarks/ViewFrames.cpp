@@ -26,6 +26,7 @@
 #include "gui/Workbench.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/view/SceneView.h"
+#include "gui/view/ViewOverlay.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/ProjectFile.h"
 
@@ -175,7 +176,7 @@ void editInTheWindow(const std::filesystem::path& sample) {
     };
     for (const auto quantity :
          {InfraredQuantity::radiance, InfraredQuantity::apparentTemperature}) {
-        view->setQuantity(quantity);
+        view->infrared().setQuantity(quantity);
         waitFor(upToDate);
         const char* word = quantity == InfraredQuantity::radiance ? "radiance" : "temperature";
         print((std::string("key to screen, after a pause, ") + word).c_str(),
@@ -250,8 +251,8 @@ int main(int argc, char** argv) {
     drag(view, 20, isSwapped, begin);
     const auto dragged = [&] { return drag(view, 150, isSwapped, begin); };
     print("visible, dragging", dragged);
-    view.setModelAxesVisible(true);
-    view.setSunVectorVisible(true);
+    view.overlay().setModelAxesVisible(true);
+    view.overlay().setSunVectorVisible(true);
     print("visible, dragging, all axes and the sun", dragged);
     view.setWireframe(true);
     print("wireframe, dragging", dragged);
@@ -271,7 +272,7 @@ int main(int argc, char** argv) {
         const char* word = warm ? "apparent temperature" : "radiance";
         forget();
         clock.restart();
-        view.setQuantity(quantity);
+        view.infrared().setQuantity(quantity);
         view.setDisplay(ViewDisplay::infrared);
         waitFor(isFull);
         std::printf("infrared, %s, first picture %.0f ms\n", word, milliseconds(clock));

@@ -19,6 +19,7 @@
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/PaperPicture.h"
+#include "gui/view/ViewOverlay.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -74,8 +75,8 @@ ModelPage::ModelPage(QWidget* parent) : QWidget(parent) {
     column->addWidget(strip_);
     column->addLayout(middle, 1);
 
-    connect(bar_, &ColorBar::limitsEdited, view_, &SceneView::setLimits);
-    const auto takeRule = [this] { view_->setColorRule(bar_->rule()); };
+    connect(bar_, &ColorBar::limitsEdited, &view_->infrared(), &InfraredPictures::setLimits);
+    const auto takeRule = [this] { view_->infrared().setColorRule(bar_->rule()); };
     connect(bar_, &ColorBar::scaleChosen, view_, takeRule);
     connect(bar_, &ColorBar::modeChosen, view_, takeRule);
     connect(bar_, &ColorBar::marksChosen, view_, takeRule);
@@ -102,8 +103,9 @@ void ModelPage::makeStrip() {
     quantityBox_->setObjectName("viewQuantity");
     quantityBox_->addItems({tr("Radiance"), tr("Apparent temperature")});
     quantityBox_->setToolTip(tr("What the infrared display shows of a pixel"));
-    connect(quantityBox_, &QComboBox::activated, this,
-            [this](int index) { view_->setQuantity(static_cast<InfraredQuantity>(index)); });
+    connect(quantityBox_, &QComboBox::activated, this, [this](int index) {
+        view_->infrared().setQuantity(static_cast<InfraredQuantity>(index));
+    });
     mapBox_ = new QComboBox(this);
     mapBox_->setObjectName("viewColorMap");
     mapBox_->setIconSize(QSize(48, 14));
@@ -111,7 +113,7 @@ void ModelPage::makeStrip() {
     for (const QAction* action : maps_->actions())
         mapBox_->addItem(action->icon(), action->text());
     connect(mapBox_, &QComboBox::textActivated, this,
-            [this](const QString& name) { view_->setColorMap(name.toStdString()); });
+            [this](const QString& name) { view_->infrared().setColorMap(name.toStdString()); });
 
     sensorButton_ =
         switchButton(tr("Sensor"), "showSensor",
@@ -159,7 +161,7 @@ void ModelPage::addField(QWidget* field) {
 }
 
 QAction* ModelPage::toggle(const char* name, const QString& text, const QKeySequence& keys,
-                           const QString& tip, bool on, void (SceneView::*set)(bool)) {
+                           const QString& tip, bool on, const std::function<void(bool)>& set) {
     auto* action = new QAction(text, this);
     action->setObjectName(name);
     action->setCheckable(true);
@@ -185,7 +187,8 @@ void ModelPage::makeActions() {
     apparent_->setShortcut(QKeySequence(ctrlShift | Qt::Key_T));
     apparent_->setToolTip(tr("Shows apparent temperature instead of radiance"));
     connect(apparent_, &QAction::toggled, view_, [this](bool on) {
-        view_->setQuantity(on ? InfraredQuantity::apparentTemperature : InfraredQuantity::radiance);
+        view_->infrared().setQuantity(on ? InfraredQuantity::apparentTemperature
+                                         : InfraredQuantity::radiance);
     });
 
     maps_ = new QActionGroup(this);
@@ -196,7 +199,8 @@ void ModelPage::makeActions() {
         auto* action = maps_->addAction(swatch(map), QString::fromStdString(name));
         action->setCheckable(true);
         action->setObjectName(QStringLiteral("colorMap-") + QString::fromStdString(name));
-        connect(action, &QAction::triggered, view_, [this, name] { view_->setColorMap(name); });
+        connect(action, &QAction::triggered, view_,
+                [this, name] { view_->infrared().setColorMap(name); });
     }
     nextMap_ = new QAction(tr("&Next colour map"), this);
     nextMap_->setObjectName("nextColorMap");
@@ -207,24 +211,25 @@ void ModelPage::makeActions() {
         all.at((at + 1) % all.size())->trigger();
     });
 
-    auto* wireframe = toggle("wireframe", tr("&Wireframe"), ctrlShift | Qt::Key_W,
-                             tr("Edges of all faces"), false, &SceneView::setWireframe);
+    auto* wireframe =
+        toggle("wireframe", tr("&Wireframe"), ctrlShift | Qt::Key_W, tr("Edges of all faces"),
+               false, [this](bool on) { view_->setWireframe(on); });
     wireframe->setIcon(icon("wireframe"));
-    auto* viewAxes =
-        toggle("viewAxes", tr("&View axes"), ctrlShift | Qt::Key_A,
-               tr("East, north and up at the bottom left"), true, &SceneView::setViewAxesVisible);
+    auto* viewAxes = toggle("viewAxes", tr("&View axes"), ctrlShift | Qt::Key_A,
+                            tr("East, north and up at the bottom left"), true,
+                            [this](bool on) { view_->overlay().setViewAxesVisible(on); });
     viewAxes->setIcon(icon("axes"));
     auto* modelAxes = toggle("modelAxes", tr("M&odel axes"), ctrlShift | Qt::Key_M,
                              tr("Starboard, nose and up from the model's centre"), false,
-                             &SceneView::setModelAxesVisible);
+                             [this](bool on) { view_->overlay().setModelAxesVisible(on); });
     modelAxes->setIcon(icon("model-axes"));
     auto* sun = toggle("sunVector", tr("&Sun vector"), ctrlShift | Qt::Key_U,
                        tr("A yellow line from the model's centre towards the sun"), false,
-                       &SceneView::setSunVectorVisible);
+                       [this](bool on) { view_->overlay().setSunVectorVisible(on); });
     sun->setIcon(icon("sun-vector"));
-    auto* inset =
-        toggle("pictureInPicture", tr("Othe&r camera in a corner"), ctrlShift | Qt::Key_N,
-               tr("What the other camera sees, in a corner"), true, &SceneView::setInsetVisible);
+    auto* inset = toggle("pictureInPicture", tr("Othe&r camera in a corner"), ctrlShift | Qt::Key_N,
+                         tr("What the other camera sees, in a corner"), true,
+                         [this](bool on) { view_->setInsetVisible(on); });
     inset->setIcon(icon("detach"));
     toggles_ = {viewAxes, modelAxes, sun, wireframe, inset};
     makeCameraActions();
@@ -237,13 +242,13 @@ void ModelPage::makeCameraActions() {
     inspection_->setShortcut(Qt::Key_F7);
     inspection_->setToolTip(tr("Looks around without moving the sensor (F7)"));
     connect(inspection_, &QAction::toggled, view_, [this](bool on) {
-        view_->showCamera(on ? ViewCamera::inspection : ViewCamera::sensor);
+        view_->navigation().showCamera(on ? ViewCamera::inspection : ViewCamera::sensor);
     });
     fit_ = new QAction(icon("home"), tr("&Fit the model in the view"), this);
     fit_->setObjectName("fitModel");
     fit_->setShortcut(QKeySequence(Qt::ALT | Qt::Key_0));
     fit_->setToolTip(tr("Moves the inspection camera to where the whole model is seen (Alt+0)"));
-    connect(fit_, &QAction::triggered, view_, &SceneView::fit);
+    connect(fit_, &QAction::triggered, &view_->navigation(), &ViewNavigation::fit);
     const std::tuple<const char*, QString, ViewSide> sides[] = {
         {"lookAtFront", tr("&Front"), ViewSide::front},
         {"lookAtRear", tr("&Rear"), ViewSide::rear},
@@ -256,7 +261,8 @@ void ModelPage::makeCameraActions() {
         auto* action = new QAction(text, this);
         action->setObjectName(name);
         action->setShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(key++)));
-        connect(action, &QAction::triggered, view_, [this, side = side] { view_->lookAt(side); });
+        connect(action, &QAction::triggered, view_,
+                [this, side = side] { view_->navigation().lookAt(side); });
         sides_ << action;
     }
 }
@@ -281,8 +287,8 @@ void ModelPage::fillMenu(QMenu* menu) {
 
 void ModelPage::refresh() {
     const bool infrared = view_->display() == ViewDisplay::infrared;
-    const bool apparent = view_->quantity() == InfraredQuantity::apparentTemperature;
-    const QString map = QString::fromStdString(view_->colorMap().name());
+    const bool apparent = view_->infrared().quantity() == InfraredQuantity::apparentTemperature;
+    const QString map = QString::fromStdString(view_->infrared().colorMap().name());
     infrared_->setChecked(infrared);
     const bool inspecting = view_->cameras().isInspecting();
     inspection_->setChecked(inspecting);
@@ -296,10 +302,10 @@ void ModelPage::refresh() {
     for (QWidget* box :
          {static_cast<QWidget*>(quantityBox_), static_cast<QWidget*>(mapBox_), barHolder_})
         box->setVisible(infrared);
-    const ColorRule& rule = view_->colorRule();
+    const ColorRule& rule = view_->infrared().colorRule();
     bar_->setMode(rule.mode);
     // The colours that were chosen, also while there is no picture to take limits from.
-    bar_->setColors(view_->colorMap(), bar_->limits());
+    bar_->setColors(view_->infrared().colorMap(), bar_->limits());
     bar_->setScale(rule.scale);
     bar_->setMarksOutside(rule.marksOutside);
 }
@@ -311,7 +317,7 @@ void ModelPage::refreshBar() {
         return;
     const auto& plane = picture->plane();
     bar_->setTitle(QStringLiteral("%1 (%2)").arg(planeTitle(plane), readableUnit(plane.unit)));
-    bar_->setColors(view_->colorMap(), picture->limits);
+    bar_->setColors(view_->infrared().colorMap(), picture->limits);
 }
 
 QStringList ModelPage::exportFilters() const {

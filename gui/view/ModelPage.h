@@ -44,7 +44,7 @@ class ModelPage : public QWidget, public Exportable {
 
   private:
     QAction* toggle(const char* name, const QString& text, const QKeySequence& keys,
-                    const QString& tip, bool on, void (SceneView::*set)(bool));
+                    const QString& tip, bool on, const std::function<void(bool)>& set);
     void makeActions();
     void makeCameraActions();
     void makeStrip();

@@ -78,7 +78,7 @@ TEST_F(InfraredViewTest, TheWindowHasTheColoursOfThePixels) {
     for (int y = 0; y < seen.height(); ++y) {
         for (int x = 0; x < seen.width(); ++x) {
             const auto value = static_cast<double>(picture.image->at(x, y));
-            const irsg::Rgb color = view.colorMap().color(
+            const irsg::Rgb color = view.infrared().colorMap().color(
                 std::clamp(value, picture.limits.low, picture.limits.high), picture.limits);
             others += apart(seen.pixelColor(x, y), QColor(color.red, color.green, color.blue)) > 3;
             colors.insert(seen.pixel(x, y));
@@ -90,7 +90,7 @@ TEST_F(InfraredViewTest, TheWindowHasTheColoursOfThePixels) {
 
 TEST_F(InfraredViewTest, ShowsTheApparentTemperatureThatTheAnalysisGives) {
     ASSERT_NO_FATAL_FAILURE(show(sample("ship")));
-    view.setQuantity(InfraredQuantity::apparentTemperature);
+    view.infrared().setQuantity(InfraredQuantity::apparentTemperature);
     ASSERT_TRUE(showInfrared());
     set("image.quantity", "apparent-temperature");
     ASSERT_TRUE(waitForPicture());
@@ -134,7 +134,7 @@ TEST_F(InfraredViewTest, ShowsAnEditedDatabaseByTheComputedAmount) {
         black.settings.set(key, value);
     }
     ASSERT_NO_FATAL_FAILURE(show(black));
-    view.setQuantity(InfraredQuantity::apparentTemperature);
+    view.infrared().setQuantity(InfraredQuantity::apparentTemperature);
     const auto file = project.resolve(project.models.front().database);
     irsg::SignatureDatabase database = irsg::loadSignatureFile(file).database;
     for (auto& [index, material] : database.materials) {
@@ -250,14 +250,14 @@ TEST_F(InfraredViewTest, LimitsFollowTheTargetOrStayLocked) {
     ASSERT_TRUE(showInfrared());
     EXPECT_EQ(view.shownPicture()->limits,
               limitsBy(ColorRule{}, {&view.shownPicture()->plane().values}));
-    view.setLimits({1.0, 2.5});
+    view.infrared().setLimits({1.0, 2.5});
     ASSERT_TRUE(waitForPicture());
     ASSERT_TRUE(waitUntil([&] { return view.shownPicture()->limits.high == 2.5; }));
     set("camera.azimuth", "120");
     ASSERT_TRUE(waitForPicture());
     EXPECT_EQ(view.shownPicture()->limits.low, 1.0);
     EXPECT_EQ(view.shownPicture()->limits.high, 2.5);
-    view.setColorRule({.mode = LimitMode::full});
+    view.infrared().setColorRule({.mode = LimitMode::full});
     ASSERT_TRUE(waitUntil([&] {
         return view.shownPicture()->limits.high ==
                irsg::percentileLimits(view.shownPicture()->plane().values).high;
@@ -286,7 +286,7 @@ TEST_F(InfraredViewTest, ScalesHoldThePipesBesideTheSkin) {
         }
         return all.size();
     };
-    view.setColorRule({.mode = LimitMode::full, .scale = irsg::ColorScale::linear});
+    view.infrared().setColorRule({.mode = LimitMode::full, .scale = irsg::ColorScale::linear});
     ASSERT_TRUE(waitForPicture());
     ASSERT_TRUE(has(irsg::ColorScale::linear));
     const std::size_t linear = colors();
@@ -295,7 +295,8 @@ TEST_F(InfraredViewTest, ScalesHoldThePipesBesideTheSkin) {
     EXPECT_NE(view.shownPicture()->limits.levels, nullptr);
     EXPECT_GT(colors(), 2 * linear);
     test::keepScreenshot(view, "infrared-view-equalized");
-    view.setColorRule({.mode = view.colorRule().mode, .scale = irsg::ColorScale::linear});
+    view.infrared().setColorRule(
+        {.mode = view.infrared().colorRule().mode, .scale = irsg::ColorScale::linear});
     ASSERT_TRUE(has(irsg::ColorScale::linear));
     EXPECT_EQ(colors(), linear);
 }

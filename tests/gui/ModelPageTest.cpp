@@ -67,7 +67,7 @@ TEST_F(ModelPageTest, TheInfraredViewIsWrittenWithItsColourBarAndItsValues) {
               (QStringList{"OpenEXR image (*.exr)", "Values as text (*.csv)", "Picture (*.png)",
                            "TIFF image of 32-bit floats (*.tif *.tiff)"}));
     // None of its colours is that of paper.
-    page().view()->setColorMap("inferno");
+    page().view()->infrared().setColorMap("inferno");
     ASSERT_TRUE(showInfrared());
     const InfraredPicture& shown = *page().view()->shownPicture();
     page().exportTo(folder / "view.exr");
@@ -93,7 +93,7 @@ TEST_F(ModelPageTest, TheInfraredViewIsWrittenWithItsColourBarAndItsValues) {
     ASSERT_GT(picture.width(), edge + 60);
     int column = 0;
     const auto isColor = [&](int x, int y, double part) {
-        const irsg::Rgb color = page().view()->colorMap().at(part);
+        const irsg::Rgb color = page().view()->infrared().colorMap().at(part);
         const QColor found = picture.pixelColor(x, y);
         return std::abs(found.red() - color.red) + std::abs(found.green() - color.green) +
                    std::abs(found.blue() - color.blue) <
@@ -129,7 +129,7 @@ TEST_F(ModelPageTest, TheInfraredViewIsWrittenWithItsColourBarAndItsValues) {
     EXPECT_GT(column, edge) << "no colour bar";
 
     // Apparent temperature is what is seen, then.
-    page().view()->setQuantity(InfraredQuantity::apparentTemperature);
+    page().view()->infrared().setQuantity(InfraredQuantity::apparentTemperature);
     ASSERT_TRUE(test::waitUntil(
         [&] {
             const auto* now = page().view()->shownPicture();

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "gui/Theme.h"
+#include "gui/view/ViewOverlay.h"
 #include "irsg/atmosphere/import/EnvironmentXml.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/SceneBuilder.h"
@@ -91,7 +92,7 @@ TEST_F(ViewOverlayTest, TheSunVectorPointsToTheSunFromEightDirections) {
     shown.settings.set("environment.sunElevation", 40);
     shown.settings.set("target.altitude", 2000);
     ASSERT_NO_FATAL_FAILURE(show(shown));
-    view.setSunVectorVisible(true);
+    view.overlay().setSunVectorVisible(true);
     const double a = irsg::radians(135.0);
     const double e = irsg::radians(40.0);
     const Vec3 sun{std::sin(a) * std::cos(e), std::cos(a) * std::cos(e), std::sin(e)};
@@ -123,7 +124,7 @@ TEST_F(ViewOverlayTest, TheSunVectorPointsToTheSunOfAnEnvironmentFileAsThePictur
     shown.settings.set("camera.range", 700);
     shown.settings.set("target.altitude", 2000);
     ASSERT_NO_FATAL_FAILURE(show(shown));
-    view.setSunVectorVisible(true);
+    view.overlay().setSunVectorVisible(true);
     lookFrom(20, 10);
     const auto tipFor = [this](double azimuth_rad, double elevation_rad) {
         return seenAt(irsg::direction(azimuth_rad, elevation_rad) * (1.3 * axis_m()));
@@ -148,7 +149,7 @@ TEST_F(ViewOverlayTest, TheModelsAxesTurnWithItFromEightDirections) {
     shown.settings.set("target.altitude", 2000);
     shown.settings.set("target.yaw", 30);
     ASSERT_NO_FATAL_FAILURE(show(shown));
-    view.setModelAxesVisible(true);
+    view.overlay().setModelAxesVisible(true);
     const std::pair<Vec3, QColor> axes[] = {
         {{1, 0, 0}, red}, {{0, 1, 0}, green}, {{0, 0, 1}, blue}};
     for (const auto& [azimuth, elevation] : directions) {
@@ -204,9 +205,9 @@ TEST_F(ViewOverlayTest, EachOfTheThreeComesAndGoesForItself) {
     const QPointF nose = seenAt({0, axis_m(), 0});
     for (int bits = 0; bits < 8; ++bits) {
         SCOPED_TRACE(bits);
-        view.setViewAxesVisible((bits & 1) != 0);
-        view.setModelAxesVisible((bits & 2) != 0);
-        view.setSunVectorVisible((bits & 4) != 0);
+        view.overlay().setViewAxesVisible((bits & 1) != 0);
+        view.overlay().setModelAxesVisible((bits & 2) != 0);
+        view.overlay().setSunVectorVisible((bits & 4) != 0);
         const QImage seen = picture();
         EXPECT_EQ(seenOf(seen, origin, up, blue) >= 9, (bits & 1) != 0);
         EXPECT_EQ(seenOf(seen, centre(), nose, green) >= 9, (bits & 2) != 0);

@@ -6,6 +6,7 @@
 #include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
 #include "gui/view/ModelPage.h"
+#include "gui/view/ViewOverlay.h"
 #include "tests/gui/ViewFixture.h"
 
 namespace smat::gui {
@@ -31,8 +32,8 @@ TEST_F(ViewScreenshotTest, EveryDisplayInBothThemes) {
             seen.setScene(loadDisplayScene(shown, shown.settings));
             seen.setProject(shown, shown.settings);
             seen.showWholeModel();
-            seen.setModelAxesVisible(true);
-            seen.setSunVectorVisible(true);
+            seen.overlay().setModelAxesVisible(true);
+            seen.overlay().setSunVectorVisible(true);
             QTest::qWait(60);
             test::keepScreenshot(page, "view-visible-" + name + theme);
             const auto at = QPointF(seen.width() / 2.0, seen.height() / 2.0);
@@ -48,10 +49,10 @@ TEST_F(ViewScreenshotTest, EveryDisplayInBothThemes) {
             QTest::qWait(60);
             test::keepScreenshot(page, "view-infrared-marked-" + name + theme);
             seen.setHighlighted({});
-            seen.setModelAxesVisible(false);
-            seen.setSunVectorVisible(false);
-            seen.setQuantity(InfraredQuantity::apparentTemperature);
-            seen.setColorMap("white-hot");
+            seen.overlay().setModelAxesVisible(false);
+            seen.overlay().setSunVectorVisible(false);
+            seen.infrared().setQuantity(InfraredQuantity::apparentTemperature);
+            seen.infrared().setColorMap("white-hot");
             QTest::qWait(60);
             ASSERT_TRUE(test::waitUntil(ready));
             QTest::qWait(60);
@@ -82,13 +83,13 @@ TEST_F(ViewScreenshotTest, TheStripTheMenuAndTheKeysSayTheSame) {
 
     page.findChild<QAction*>("apparentTemperature")->trigger();
     EXPECT_EQ(page.findChild<QComboBox*>("viewQuantity")->currentIndex(), 1);
-    const auto before = page.view()->colorMap().name();
+    const auto before = page.view()->infrared().colorMap().name();
     page.findChild<QAction*>("nextColorMap")->trigger();
-    EXPECT_NE(page.view()->colorMap().name(), before);
+    EXPECT_NE(page.view()->infrared().colorMap().name(), before);
     EXPECT_EQ(page.findChild<QComboBox*>("viewColorMap")->currentText().toStdString(),
-              page.view()->colorMap().name());
+              page.view()->infrared().colorMap().name());
     // The bar has the colours at once, not first with the next picture.
-    EXPECT_EQ(page.colorBar()->map().name(), page.view()->colorMap().name());
+    EXPECT_EQ(page.colorBar()->map().name(), page.view()->infrared().colorMap().name());
     page.findChild<QToolButton*>("showVisible")->click();
     EXPECT_FALSE(infrared->isChecked());
     EXPECT_FALSE(page.colorBar()->isVisible());
