@@ -13,7 +13,7 @@
 #include "gui/DialogButtons.h"
 #include "gui/Theme.h"
 #include "gui/VerticalScrollArea.h"
-#include "gui/image/ComparisonWindow.h"
+#include "gui/image/ComparisonKeys.h"
 #include "gui/image/ImageView.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "smatcore/data/Provenance.h"

@@ -1,148 +1,120 @@
-#include <QCheckBox>
-#include <QClipboard>
-#include <QComboBox>
-#include <QDragEnterEvent>
-#include <QGuiApplication>
-#include <QKeyEvent>
-#include <QMimeData>
-#include <QTabWidget>
+#include "gui/image/ComparisonKeys.h"
 
+#include <QKeyEvent>
+
+#include "gui/image/ComparisonBar.h"
 #include "gui/image/ComparisonPanes.h"
+#include "gui/image/ComparisonReport.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/FiguresTable.h"
 #include "gui/image/ImageCanvas.h"
-#include "gui/image/ImageExport.h"
-#include "gui/image/PaperPicture.h"
-#include "smatcore/analysis/Conditions.h"
-#include <algorithm>
 
 namespace smat::gui {
 namespace {
 
 constexpr double exposureStep = 0.25, offsetStep = 0.05;
-constexpr int thresholdsTab = 1, histogramTab = 2;
 
 } // namespace
 
-void ComparisonWindow::keyPressEvent(QKeyEvent* event) {
-    const bool back = event->modifiers().testFlag(Qt::ShiftModifier);
-    if (event->matches(QKeySequence::Copy)) {
-        numbers_->copy();
-        return;
+ComparisonKeys::ComparisonKeys(ComparisonWindow* window, ComparisonBar& bar, ComparisonPanes& panes,
+                               ComparisonReport& report)
+    : QObject(window), bar_(bar), panes_(panes), report_(report) {
+    window->installEventFilter(this);
+    for (int i = 0; i < 3; ++i)
+        panes.canvas(i)->installEventFilter(this);
+}
+
+bool ComparisonKeys::eventFilter(QObject* watched, QEvent* event) {
+    // A key that is held while the focus goes elsewhere is let go unseen.
+    if (event->type() == QEvent::FocusOut && panes_.isFlickering())
+        panes_.setFlicker(false);
+    if (watched != parent())
+        return false;
+    if (event->type() == QEvent::KeyPress)
+        return press(static_cast<const QKeyEvent&>(*event));
+    if (event->type() != QEvent::KeyRelease)
+        return false;
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    const bool isFlicker = key.key() == Qt::Key_Space && !key.isAutoRepeat();
+    if (isFlicker)
+        panes_.setFlicker(false);
+    return isFlicker;
+}
+
+bool ComparisonKeys::press(const QKeyEvent& event) {
+    if (event.matches(QKeySequence::Copy)) {
+        report_.numbers()->copy();
+        return true;
     }
-    if (event->modifiers().testFlag(Qt::ControlModifier)) {
-        QWidget::keyPressEvent(event);
-        return;
-    }
-    switch (event->key()) {
+    if (event.modifiers().testFlag(Qt::ControlModifier))
+        return false;
+    switch (event.key()) {
     case Qt::Key_Space:
-        if (!event->isAutoRepeat())
-            panes_->setFlicker(true);
-        return;
+        if (!event.isAutoRepeat())
+            panes_.setFlicker(true);
+        return true;
     case Qt::Key_V:
-        panes_->setWipe(!panes_->isWiping());
-        return;
+        panes_.setWipe(!panes_.isWiping());
+        return true;
     case Qt::Key_W:
-        goToWorstPixel();
-        return;
+        emit bar_.worstWanted();
+        return true;
     case Qt::Key_X:
-        mark_->toggle();
-        return;
+        bar_.toggleMarks();
+        return true;
     case Qt::Key_S:
-        swapSides();
-        return;
-    case Qt::Key_M: {
-        const int step = back ? colors_->count() - 1 : 1;
-        colors_->setCurrentIndex((colors_->currentIndex() + step) % colors_->count());
-        return;
+        emit bar_.swapWanted();
+        return true;
+    case Qt::Key_H:
+        report_.toggle(ComparisonReport::histogramTab);
+        return true;
+    case Qt::Key_T:
+        report_.toggle(ComparisonReport::thresholdsTab);
+        return true;
+    default:
+        if (event.key() < Qt::Key_1 || event.key() > Qt::Key_4 || !panes_.canvas(2)->hasImage())
+            return pressOnColors(event);
+        emit bar_.modeChosen(irsg::allDifferenceModes[event.key() - Qt::Key_1]);
+        return true;
     }
+}
+
+bool ComparisonKeys::pressOnColors(const QKeyEvent& event) {
+    const bool back = event.modifiers().testFlag(Qt::ShiftModifier);
+    ColorBar& bar = *panes_.activeBar();
+    switch (event.key()) {
+    case Qt::Key_M:
+        bar_.changeColors(back);
+        return true;
     case Qt::Key_E:
-        panes_->activeBar()->changeExposure(back ? -exposureStep : exposureStep);
-        return;
+        bar.changeExposure(back ? -exposureStep : exposureStep);
+        return true;
     case Qt::Key_O:
-        if (!panes_->activeBar()->map().isDiverging())
-            panes_->activeBar()->changeOffset(back ? offsetStep : -offsetStep);
-        return;
+        if (!bar.map().isDiverging())
+            bar.changeOffset(back ? offsetStep : -offsetStep);
+        return true;
     case Qt::Key_N:
     case Qt::Key_L: {
-        ColorBar* bar = panes_->activeBar();
         const LimitMode automatic =
-            bar == panes_->sharedBar() ? LimitMode::target : LimitMode::full;
-        bar->setMode(event->key() == Qt::Key_N ? automatic : LimitMode::locked);
-        emit bar->modeChosen(bar->mode());
-        return;
-    }
-    case Qt::Key_H:
-    case Qt::Key_T: {
-        const int tab = event->key() == Qt::Key_H ? histogramTab : thresholdsTab;
-        tabs_->setCurrentIndex(tabs_->currentIndex() == tab ? 0 : tab);
-        return;
+            &bar == panes_.sharedBar() ? LimitMode::target : LimitMode::full;
+        bar.setMode(event.key() == Qt::Key_N ? automatic : LimitMode::locked);
+        emit bar.modeChosen(bar.mode());
+        return true;
     }
     default:
-        if (event->key() >= Qt::Key_1 && event->key() <= Qt::Key_4 && difference_)
-            setDifferenceMode(irsg::allDifferenceModes[event->key() - Qt::Key_1]);
-        else
-            QWidget::keyPressEvent(event);
+        return false;
     }
 }
 
-void ComparisonWindow::keyReleaseEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
-        panes_->setFlicker(false);
-    else
-        QWidget::keyReleaseEvent(event);
-}
-
-bool ComparisonWindow::eventFilter(QObject* watched, QEvent* event) {
-    // A key that is held while the focus goes elsewhere is let go unseen.
-    if (event->type() == QEvent::FocusOut && panes_->isFlickering())
-        panes_->setFlicker(false);
-    return QWidget::eventFilter(watched, event);
-}
-
-void ComparisonWindow::dragEnterEvent(QDragEnterEvent* event) {
-    const auto urls = event->mimeData()->urls();
-    const bool local =
-        std::all_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); });
-    if (!urls.isEmpty() && urls.size() <= 2 && local)
-        event->acceptProposedAction();
-}
-
-void ComparisonWindow::dropEvent(QDropEvent* event) {
-    QStringList files;
-    for (const QUrl& url : event->mimeData()->urls())
-        files << url.toLocalFile();
-    // One file takes the place of the image it is dropped on.
-    const QWidget* under = childAt(event->position().toPoint());
-    std::optional<int> side;
-    for (const int i : {0, 1})
-        if (under == panes_->canvas(i))
-            side = i;
-    event->acceptProposedAction();
-    openFiles(files, side);
-}
-
-void ComparisonWindow::copyPicture() const {
-    if (!difference_)
-        return;
-    QGuiApplication::clipboard()->setImage(pictureOfDifference(*difference_));
-}
-
-void ComparisonWindow::copyCommand() const {
-    if (const QString command = commandLine(); !command.isEmpty())
-        QGuiApplication::clipboard()->setText(command);
-}
-
-QImage ComparisonWindow::pictureOfDifference(const irsg::RadianceImage& difference) const {
-    // The conditions that both images have.
-    std::vector<Condition> conditions = conditionsOf(*sides_[0].image);
-    const std::vector<Condition> ofB = conditionsOf(*sides_[1].image);
-    std::erase_if(conditions,
-                  [&](const Condition& one) { return std::ranges::find(ofB, one) == ofB.end(); });
-    const ColorBar& bar = *panes_->differenceBar();
-    return onPaper({enlargedPlane(difference, difference.primary(), bar),
-                    tr("%1 of two images").arg(differenceName(mode_)),
-                    QString::fromStdString(lineOf(conditions)), &bar});
+QList<std::pair<QString, QString>> comparisonKeys() {
+    return {{ComparisonKeys::tr("Space, held"), ComparisonKeys::tr("B in the place of A")},
+            {ComparisonKeys::tr("V"), ComparisonKeys::tr("Wipe between A and B")},
+            {ComparisonKeys::tr("1 … 4"),
+             ComparisonKeys::tr("Signed, absolute, relative difference, ratio")},
+            {ComparisonKeys::tr("W"), ComparisonKeys::tr("Go to the worst pixel")},
+            {ComparisonKeys::tr("X"), ComparisonKeys::tr("Mark pixels over the thresholds")},
+            {ComparisonKeys::tr("S"), ComparisonKeys::tr("Exchange A and B")},
+            {ComparisonKeys::tr("H, T"), ComparisonKeys::tr("Histogram, thresholds")}};
 }
 
 } // namespace smat::gui

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QSlider>
 
+#include "gui/image/ComparedPair.h"
 #include "gui/image/ImageCanvas.h"
 
 namespace smat::gui {
@@ -56,20 +57,6 @@ class Beside : public QWidget {
 };
 
 } // namespace
-
-QString differenceName(irsg::DifferenceMode mode) {
-    switch (mode) {
-    case irsg::DifferenceMode::signedDifference:
-        return QStringLiteral("A − B");
-    case irsg::DifferenceMode::absolute:
-        return QStringLiteral("|A − B|");
-    case irsg::DifferenceMode::relative:
-        return QStringLiteral("(A − B) / ½(|A| + |B|)");
-    case irsg::DifferenceMode::ratio:
-        return QStringLiteral("A / B");
-    }
-    return {};
-}
 
 ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
     setObjectName("comparisonPanes");

@@ -106,7 +106,4 @@ class ComparisonPanes : public QWidget {
     LatestTask sharedTask_, differenceTask_;
 };
 
-/// "A − B", "|A − B|", "(A − B) / mean", "A / B".
-QString differenceName(irsg::DifferenceMode mode);
-
 } // namespace smat::gui

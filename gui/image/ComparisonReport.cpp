@@ -1,14 +1,16 @@
-#include <QCheckBox>
-#include <QComboBox>
+#include "gui/image/ComparisonReport.h"
+
+#include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
-#include <QToolButton>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QVBoxLayout>
 
 #include "gui/Readable.h"
-#include "gui/image/ComparisonPanes.h"
-#include "gui/image/ComparisonWindow.h"
+#include "gui/image/ComparisonCommand.h"
 #include "gui/image/FiguresTable.h"
-#include "gui/image/ImageExport.h"
+#include "gui/image/HistogramPlot.h"
+#include "gui/image/ImageInspector.h"
 #include "gui/image/ThresholdForm.h"
 #include "irsg/image/ComparisonFigures.h"
 
@@ -31,25 +33,91 @@ QString detail(const irsg::ComparisonFigure& figure, const irsg::Comparison& com
     return text;
 }
 
-} // namespace
-
-void ComparisonWindow::take(Answer answer) {
-    marks_ = std::move(answer.marks);
-    use(std::move(answer.whole), std::move(answer.part));
-    showMarks();
+/// Whether somebody has said what counts as a failure, or values are missing.
+bool isJudged(const ComparedPair& pair) {
+    const irsg::ComparisonLevel untouched;
+    const auto& whole = pair.whole();
+    const bool hasHoles = whole && (whole->nonFiniteA.nan + whole->nonFiniteA.infinite +
+                                    whole->nonFiniteB.nan + whole->nonFiniteB.infinite) > 0;
+    return pair.options().fail != untouched || pair.options().warn != untouched || hasHoles;
 }
 
-void ComparisonWindow::use(std::optional<irsg::Comparison> whole,
-                           std::optional<irsg::Comparison> part) {
-    whole_ = std::move(whole);
-    part_ = std::move(part);
-    thresholds_->setUnit(readableUnit(whole_->unit));
+} // namespace
 
-    const auto figures = irsg::comparisonFigures(*whole_, options_);
-    const auto ofPart =
-        part_ ? irsg::comparisonFigures(*part_, options_) : std::vector<irsg::ComparisonFigure>();
+ComparisonReport::ComparisonReport(QWidget* parent) : QWidget(parent) {
+    verdict_ = new QLabel(this);
+    verdict_->setObjectName("verdict");
+    verdict_->setAlignment(Qt::AlignCenter);
+    sentence_ = new QLabel(this);
+    sentence_->setObjectName("verdictSentence");
+    sentence_->setWordWrap(true);
+    sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    numbers_ = new FiguresTable(this);
+    numbers_->setObjectName("comparisonNumbers");
+    inspector_ = new ImageInspector(this);
+    inspector_->setTableBelow(true);
+    tabs_ = new QTabWidget(this);
+    tabs_->setObjectName("comparisonTabs");
+    tabs_->setDocumentMode(true);
+    tabs_->setStyleSheet("QTabBar::tab { padding: 7px 8px; }"); // beside narrow images, too
+    tabs_->addTab(numbers_, tr("Numbers"));
+    tabs_->addTab(makeThresholdsTab(), tr("Thresholds"));
+    tabs_->addTab(inspector_, tr("Histogram"));
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(10);
+    row->addWidget(verdict_, 0, Qt::AlignTop);
+    row->addWidget(sentence_, 1);
+    column->addLayout(row);
+    column->addWidget(tabs_, 1);
+}
+
+QWidget* ComparisonReport::makeThresholdsTab() {
+    auto* judged = new QWidget(this);
+    thresholds_ = new ThresholdForm(judged);
+    command_ = new ComparisonCommand(judged);
+    auto* below = new QVBoxLayout(judged);
+    below->setContentsMargins(0, 0, 0, 0);
+    below->setSpacing(0);
+    below->addWidget(thresholds_, 1);
+    below->addWidget(command_);
+    // Where the page is low it scrolls, and fields keep their height.
+    auto* scroll = new QScrollArea(this);
+    scroll->setObjectName("thresholdsScroll");
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(judged);
+    scroll->viewport()->setAutoFillBackground(false);
+    judged->setAutoFillBackground(false);
+    return scroll;
+}
+
+void ComparisonReport::toggle(Tab tab) {
+    tabs_->setCurrentIndex(tabs_->currentIndex() == tab ? numbersTab : tab);
+}
+
+void ComparisonReport::show(const ComparedPair& pair) {
+    showNumbers(pair);
+    showVerdict(pair);
+}
+
+void ComparisonReport::showNumbers(const ComparedPair& pair) {
+    const auto& whole = pair.whole();
+    const auto& part = pair.part();
+    if (!whole) {
+        numbers_->setFigures({}, {});
+        return;
+    }
+    thresholds_->setUnit(readableUnit(whole->unit));
+    const auto figures = irsg::comparisonFigures(*whole, pair.options());
+    const auto ofPart = part ? irsg::comparisonFigures(*part, pair.options())
+                             : std::vector<irsg::ComparisonFigure>();
     QStringList headings{tr("Figure"), tr("Image")};
-    if (part_)
+    if (part)
         headings << tr("Rectangle");
     headings << tr("Detail");
     QList<QStringList> rows;
@@ -57,61 +125,37 @@ void ComparisonWindow::use(std::optional<irsg::Comparison> whole,
         if (figures[i].label.empty()) {
             // A percentage belongs to the number of pixels above it.
             rows.back()[1] += " (" + cell(figures[i]) + ")";
-            if (part_)
+            if (part)
                 rows.back()[2] += " (" + cell(ofPart[i]) + ")";
             continue;
         }
         const QString label = QString::fromStdString(figures[i].label).replace(" - ", " − ");
         QStringList row{label, cell(figures[i])};
-        if (part_) {
+        if (part) {
             const bool hasPlace = ofPart[i].key.starts_with("max_") && ofPart[i].value != 0.0;
-            row << cell(ofPart[i]) + (hasPlace ? ", " + detail(ofPart[i], *part_) : QString());
+            row << cell(ofPart[i]) + (hasPlace ? ", " + detail(ofPart[i], *part) : QString());
         }
-        rows << (row << detail(figures[i], *whole_));
+        rows << (row << detail(figures[i], *whole));
     }
     numbers_->setFigures(headings, rows);
-    showVerdict();
 }
 
-void ComparisonWindow::showCommand() {
-    const QString command = commandLine();
-    const bool isThere = !command.isEmpty();
-    commandPart_->setVisible(sides_[0].image && sides_[1].image);
-    commandWords_->setText(isThere ? tr("The same from a terminal")
-                                   : tr("The same from a terminal: save each result as .exr first, "
-                                        "then compare them again."));
-    command_->setText(command);
-    command_->setToolTip(command);
-    command_->setCursorPosition(0);
-    for (QWidget* widget : {static_cast<QWidget*>(command_), static_cast<QWidget*>(copyCommand_)})
-        widget->setVisible(isThere);
-    copyCommandAction_->setEnabled(isThere);
-}
-
-void ComparisonWindow::showVerdict() {
-    showCommand();
-    const bool compared = whole_.has_value();
-    for (QWidget* button : {static_cast<QWidget*>(worst_), static_cast<QWidget*>(copy_),
-                            static_cast<QWidget*>(export_), static_cast<QWidget*>(mark_)})
-        button->setEnabled(compared);
-    swap_->setEnabled(sides_[0].image || sides_[1].image);
-    modeBox_->setEnabled(difference_ != nullptr);
-    plane_->setEnabled(plane_->count() > 1);
-    verdict_->setVisible(compared || !refusal_.isEmpty());
+void ComparisonReport::showVerdict(const ComparedPair& pair) {
+    const bool compared = pair.whole().has_value();
+    verdict_->setVisible(compared || !pair.refusal().isEmpty());
     if (!compared) {
-        numbers_->setFigures({}, {});
         verdict_->setText(tr("REFUSED"));
-        sentence_->setText(!refusal_.isEmpty() ? refusal_
-                           : compareTask_.isBusy()
+        sentence_->setText(!pair.refusal().isEmpty() ? pair.refusal()
+                           : pair.isComparing()
                                ? tr("Comparing …")
                                : tr("Open two images of the same size, or drop two files here: "
                                     "OpenEXR, CSV, or a matrix of numbers."));
     } else {
-        const irsg::Comparison& c = part_ ? *part_ : *whole_;
-        const bool isOther = c.verdict == irsg::Verdict::failure && !isJudged();
+        const irsg::Comparison& c = pair.part() ? *pair.part() : *pair.whole();
+        const bool isOther = c.verdict == irsg::Verdict::failure && !isJudged(pair);
         verdict_->setText(isOther ? tr("DIFFERENT")
                                   : QString::fromStdString(irsg::verdictWord(c.verdict)));
-        const QString where = part_ ? tr("Rectangle: ") : QString();
+        const QString where = pair.part() ? tr("Rectangle: ") : QString();
         QString text =
             isOther ? tr("%1%2 px (%3 %) differ. Thresholds say which difference is a failure.")
                           .arg(where)
@@ -137,43 +181,6 @@ void ComparisonWindow::showVerdict() {
                  : warning                                         ? "#b36b00"
                  : compared && verdict_->text() == tr("DIFFERENT") ? "#56657a"
                                                                    : "#c2283c"));
-}
-
-bool ComparisonWindow::isJudged() const {
-    const irsg::ComparisonLevel untouched;
-    const bool hasHoles = whole_ && (whole_->nonFiniteA.nan + whole_->nonFiniteA.infinite +
-                                     whole_->nonFiniteB.nan + whole_->nonFiniteB.infinite) > 0;
-    return options_.fail != untouched || options_.warn != untouched || hasHoles;
-}
-
-void ComparisonWindow::showMarks() {
-    panes_->setMarks(mark_->isChecked() && difference_ ? marks_ : std::vector<std::uint8_t>());
-}
-
-QString ComparisonWindow::readoutAt(int x, int y) const {
-    QString text = QStringLiteral("x %1   y %2").arg(x).arg(y);
-    std::array<double, 2> values{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const irsg::ImageChannel* plane = planeOf(i);
-        if (plane == nullptr || x >= sides_[i].image->width() || y >= sides_[i].image->height())
-            continue;
-        values[i] = static_cast<double>(plane->values[sides_[i].image->offset(x, y)]);
-        text += QStringLiteral("          %1  %2 %3")
-                    .arg(i == 0 ? "A" : "B", readableNumber(values[i]), readableUnit(plane->unit));
-    }
-    if (difference_ && !differenceTask_.isBusy())
-        text += QStringLiteral("          %1  %2 %3")
-                    .arg(differenceName(mode_),
-                         readableNumber(irsg::difference(values[0], values[1], mode_)),
-                         readableUnit(difference_->primary().unit));
-    return text.trimmed();
-}
-
-void ComparisonWindow::showReadout(std::optional<QPoint> pixel) {
-    pixel_ = pixel;
-    readout_->setText(pixel ? readoutAt(pixel->x(), pixel->y())
-                            : tr("Move the mouse over an image, or press the arrows, to read its "
-                                 "pixels. Hold Space to see B in the place of A."));
 }
 
 } // namespace smat::gui
