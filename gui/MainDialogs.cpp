@@ -1,75 +1,130 @@
+#include "gui/MainDialogs.h"
+
 #include <QApplication>
+#include <QMainWindow>
 #include <QStatusBar>
 
 #include "gui/HelpDialogs.h"
-#include "gui/MainWindow.h"
+#include "gui/PageTabs.h"
 #include "gui/Sentences.h"
+#include "gui/Theme.h"
+#include "gui/UnsavedNote.h"
+#include "gui/Workbench.h"
+#include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/project/ConvertModelDialog.h"
 #include "gui/project/NamedAnalyses.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/ProjectPropertiesDialog.h"
+#include "gui/settings/Preferences.h"
 #include "gui/settings/SettingsDialog.h"
-#include "gui/view/SceneView.h"
+#include "gui/start/GuidePage.h"
 
 namespace smat::gui {
 
-void MainWindow::convertModel() {
-    ConvertModelDialog dialog(dialogs_, this);
-    if (dialogs_.run(dialog) && !dialog.fileToOpen().isEmpty())
-        open(dialog.fileToOpen().toStdString());
+MainDialogs::MainDialogs(QMainWindow& window, Workbench& workbench, Dialogs& dialogs,
+                         Preferences& preferences, ProjectFiles& files, PageTabs& tabs)
+    : QObject(&window),
+      window_(window),
+      workbench_(workbench),
+      dialogs_(dialogs),
+      preferences_(preferences),
+      files_(files),
+      tabs_(tabs) {
+    connect(&workbench_, &Workbench::resultAdded, this, [this](int id) {
+        sceneRenderer_ = QString::fromStdString(workbench_.result(id)->data->renderer);
+    });
 }
 
-void MainWindow::showProjectProperties() {
+FileChooser MainDialogs::fileChooser() {
+    return [this](const QString& title, const QString& filter) {
+        return dialogs_.openFile(&window_, title, {filter});
+    };
+}
+
+void MainDialogs::say(const QString& sentence) {
+    window_.statusBar()->showMessage(sentence, 8000);
+}
+
+void MainDialogs::newAnalysis(AnalysisKind kind, const Settings& settings, const QString& name) {
     if (!workbench_.hasProject())
         return;
-    ProjectPropertiesDialog dialog(workbench_.project(), this);
+    AnalysisGeneratorDialog dialog(workbench_.project(), settings, kind, fileChooser(), &window_);
+    dialog.setName(name);
+    dialog.setUnsavedNote(unsavedNote(workbench_));
     if (dialogs_.run(dialog))
-        workbench_.edit(dialog.project(), tr("Change project properties"));
+        workbench_.start(dialog.data());
 }
 
-void MainWindow::keepShownAnalysis() {
-    const auto* page = currentPage();
+void MainDialogs::startAgain(const QString& name) {
+    if (const auto* analysis = workbench_.project().find(name.toStdString()))
+        newAnalysis(analysis->kind, workbench_.settings().with(analysis->settings), name);
+}
+
+void MainDialogs::keepShownAnalysis() {
+    const auto* page = tabs_.currentResult();
     const auto* entry = page != nullptr ? workbench_.result(page->resultIds().first()) : nullptr;
     if (entry == nullptr || !workbench_.hasProject())
         return;
     workbench_.edit(withAnalysis(workbench_.project(), workbench_.settings(), *entry->data),
                     tr("Keep an analysis"));
-    statusBar()->showMessage(tr("Kept; find it in the scene tree and under Analysis"), 8000);
+    say(tr("Kept; find it in the scene tree and under Analysis"));
 }
 
-void MainWindow::showPreferences() {
-    PreferencesDialog dialog(preferences_, this);
-    if (!dialogs_.run(dialog))
-        return;
-    preferences_ = dialog.preferences();
-    files_->recovery().setDelay(preferences_.recoveryDelay_s);
-    applyTheme(*qApp, preferences_.theme);
-    try {
-        preferences_.save();
-    } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("The preferences cannot be kept"), sentencesOf(error));
-    }
+void MainDialogs::removeAnalysis(const QString& name) {
+    workbench_.edit(withoutAnalysis(workbench_.project(), name.toStdString()),
+                    tr("Remove analysis %1").arg(name));
 }
 
-void MainWindow::showSettings(const QString& page) {
+void MainDialogs::convertModel() {
+    ConvertModelDialog dialog(dialogs_, &window_);
+    if (dialogs_.run(dialog) && !dialog.fileToOpen().isEmpty())
+        files_.open(dialog.fileToOpen().toStdString());
+}
+
+void MainDialogs::showProjectProperties() {
     if (!workbench_.hasProject())
         return;
-    SettingsDialog dialog(workbench_, fileChooser(), this);
+    ProjectPropertiesDialog dialog(workbench_.project(), &window_);
+    if (dialogs_.run(dialog))
+        workbench_.edit(dialog.project(), tr("Change project properties"));
+}
+
+void MainDialogs::showSettings(const QString& page) {
+    if (!workbench_.hasProject())
+        return;
+    SettingsDialog dialog(workbench_, fileChooser(), &window_);
     dialog.showPage(page);
     dialogs_.run(dialog);
 }
 
-void MainWindow::tellInternalError(const QString& what) {
-    files_->recovery().writeNow();
-    dialogs_.tell(this, tr("Internal error"),
-                  {what, tr("Your unsaved changes were kept in a recovery copy.")});
+void MainDialogs::showPreferences() {
+    PreferencesDialog dialog(preferences_, &window_);
+    if (!dialogs_.run(dialog))
+        return;
+    preferences_ = dialog.preferences();
+    files_.recovery().setDelay(preferences_.recoveryDelay_s);
+    applyTheme(*qApp, preferences_.theme);
+    try {
+        preferences_.save();
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(&window_, tr("The preferences cannot be kept"), sentencesOf(error));
+    }
 }
 
-void MainWindow::showAbout() {
-    AboutDialog dialog(view_ != nullptr ? view_->renderer() : tr("no OpenGL on this desktop"),
-                       sceneRenderer_, this);
+void MainDialogs::showAbout(const QString& viewRenderer) {
+    AboutDialog dialog(viewRenderer, sceneRenderer_, &window_);
     dialogs_.run(dialog);
+}
+
+void MainDialogs::showGuide() {
+    if (!GuidePage::isThere()) {
+        dialogs_.tell(&window_, tr("The guide"),
+                      {tr("It is not beside this program; SMAT_DATA names the folder that has "
+                          "docs/user-guide.")});
+        return;
+    }
+    tabs_.addPage(new GuidePage("first-signature.md"), icon("info"), tr("Guide"));
 }
 
 } // namespace smat::gui

@@ -1,47 +1,58 @@
+#include "gui/MainMenus.h"
 
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
-#include <QTabWidget>
+#include <QPointer>
 #include <QToolBar>
 
 #include "gui/CommandPalette.h"
 #include "gui/HelpDialogs.h"
-#include "gui/MainWindow.h"
+#include "gui/MainDialogs.h"
+#include "gui/PageTabs.h"
 #include "gui/Theme.h"
 #include "gui/WindowLayout.h"
+#include "gui/Workbench.h"
+#include "gui/analysis/MissingForAnalyses.h"
+#include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultsDock.h"
 #include "gui/database/DatabaseDock.h"
+#include "gui/image/ImagePages.h"
+#include "gui/project/FileOpening.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/settings/SettingsDialog.h"
 #include "gui/start/DataFolder.h"
 #include "gui/tools/AirTools.h"
 #include "gui/tools/MonteCarloPage.h"
 #include "gui/view/ModelPage.h"
-#include "gui/view/SceneView.h"
+#include "gui/view/ProjectView.h"
 #include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat::gui {
 
-void MainWindow::makeMenus() {
-    bar_ = addToolBar(tr("Tool bar"));
+MainMenus::MainMenus(const MainParts& parts) : QObject(&parts.window), with_(parts) {
+    bar_ = with_.window.addToolBar(tr("Tool bar"));
     bar_->setObjectName("toolBar");
     bar_->setIconSize(QSize(22, 22));
     bar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar_->setMovable(false);
 
-    makeFileMenu(menuBar()->addMenu(tr("&File")));
-    makeEditMenu(menuBar()->addMenu(tr("&Edit")));
-    makeViewMenu(menuBar()->addMenu(tr("&View")));
-    makeAnalysisMenu(menuBar()->addMenu(tr("&Analysis")));
-    auto* tools = menuBar()->addMenu(tr("&Tools"));
+    QMenuBar& menus = *with_.window.menuBar();
+    makeFileMenu(menus.addMenu(tr("&File")));
+    makeEditMenu(menus.addMenu(tr("&Edit")));
+    makeViewMenu(menus.addMenu(tr("&View")));
+    makeAnalysisMenu(menus.addMenu(tr("&Analysis")));
+    auto* tools = menus.addMenu(tr("&Tools"));
     makeToolsMenu(tools);
     tools->menuAction()->setVisible(!tools->isEmpty());
-    makeHelpMenu(menuBar()->addMenu(tr("&Help")));
+    makeHelpMenu(menus.addMenu(tr("&Help")));
 }
 
-QAction* MainWindow::addAction(QMenu* menu, const QString& name, const QString& drawing,
-                               const QString& text, const QKeySequence& keys,
-                               const std::function<void()>& act) {
+QAction* MainMenus::add(QMenu* menu, const QString& name, const QString& drawing,
+                        const QString& text, const QKeySequence& keys,
+                        const std::function<void()>& act) {
     auto* action = drawing.isEmpty() ? menu->addAction(text) : menu->addAction(icon(drawing), text);
     action->setObjectName(name);
     action->setShortcut(keys);
@@ -49,72 +60,74 @@ QAction* MainWindow::addAction(QMenu* menu, const QString& name, const QString& 
     return action;
 }
 
-void MainWindow::makeFileMenu(QMenu* menu) {
-    addAction(menu, "newProject", "new", tr("&New project…"), QKeySequence::New,
-              [this] { files_->newProject(); });
-    auto* open = addAction(menu, "openProject", "open", tr("&Open…"), QKeySequence::Open,
-                           [this] { chooseFile(); });
+void MainMenus::makeFileMenu(QMenu* menu) {
+    add(menu, "newProject", "new", tr("&New project…"), QKeySequence::New,
+        [this] { with_.files.newProject(); });
+    auto* open = add(menu, "openProject", "open", tr("&Open…"), QKeySequence::Open,
+                     [this] { with_.opening.choose(); });
     open->setToolTip(tr("Open a project, a model, a result or an image (Ctrl+O)"));
-    addAction(menu, "openModel", "model", tr("Open &model…"),
-              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), [this] { files_->chooseModel(); });
+    add(menu, "openModel", "model", tr("Open &model…"),
+        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), [this] { with_.files.chooseModel(); });
     auto* recent = menu->addMenu(icon("recent"), tr("Open &recent"));
     recent->setObjectName("recentFiles");
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
     auto* samplesMenu = menu->addMenu(icon("model"), tr("Sam&ples"));
     samplesMenu->setObjectName("samples");
     for (const Sample& sample : samples()) {
-        auto* action = samplesMenu->addAction(sample.title, this,
-                                              [this, file = sample.project] { this->open(file); });
+        auto* action = samplesMenu->addAction(
+            sample.title, this, [this, file = sample.project] { with_.files.open(file); });
         action->setToolTip(sample.words);
     }
     samplesMenu->setEnabled(!samplesMenu->isEmpty());
     menu->addSeparator();
-    auto* save = addAction(menu, "saveProject", "save", tr("&Save project"), QKeySequence::Save,
-                           [this] { files_->save(); });
+    auto* save = add(menu, "saveProject", "save", tr("&Save project"), QKeySequence::Save,
+                     [this] { with_.files.save(); });
     save->setIconText(tr("Save"));
     save->setToolTip(tr("Save the project (Ctrl+S)"));
     auto* saveAs =
-        addAction(menu, "saveProjectAs", {}, tr("Save project &as…"),
-                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { files_->saveAs(); });
-    ofProjectFile_ = {save, saveAs};
-    ofProjectFile_.append(addAction(menu, "projectProperties", {}, tr("Project proper&ties…"),
-                                    QKeySequence(Qt::ALT | Qt::Key_Return),
-                                    [this] { showProjectProperties(); }));
+        add(menu, "saveProjectAs", {}, tr("Save project &as…"),
+            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { with_.files.saveAs(); });
+    needProject_ = {save, saveAs};
+    needProject_.append(add(menu, "projectProperties", {}, tr("Project proper&ties…"),
+                            QKeySequence(Qt::ALT | Qt::Key_Return),
+                            [this] { with_.ask.showProjectProperties(); }));
     menu->addSeparator();
-    ofProjectFile_.append(addAction(menu, "openDatabase", "database", tr("Open &database…"), {},
-                                    [this] { databaseDock_->openDatabase(); }));
-    addAction(menu, "saveDatabase", {}, tr("Save data&base"),
-              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { databaseDock_->save(); });
-    addAction(menu, "saveDatabaseAs", {}, tr("Save database as…"), {},
-              [this] { databaseDock_->saveAs(); });
+    addDatabaseActions(menu);
     menu->addSeparator();
-    addAction(menu, "convertModel", "import", tr("&Import or convert a model…"),
-              QKeySequence(Qt::CTRL | Qt::Key_I), [this] { convertModel(); });
-    export_ = addAction(menu, "exportShown", "export", tr("&Export…"),
-                        QKeySequence(Qt::CTRL | Qt::Key_E), [this] { exportShown(); });
+    add(menu, "convertModel", "import", tr("&Import or convert a model…"),
+        QKeySequence(Qt::CTRL | Qt::Key_I), [this] { with_.ask.convertModel(); });
+    export_ = add(menu, "exportShown", "export", tr("&Export…"), QKeySequence(Qt::CTRL | Qt::Key_E),
+                  [this] { with_.tabs.exportShown(with_.dialogs); });
     export_->setIconText(tr("Export"));
     export_->setToolTip(tr("Write the page that is shown to a file (Ctrl+E)"));
     menu->addSeparator();
-    addAction(menu, "closeResult", {}, tr("&Close page"), QKeySequence(Qt::CTRL | Qt::Key_W),
-              [this] {
-                  if (tabs_->currentIndex() > 0)
-                      delete tabs_->currentWidget();
-              });
-    addAction(menu, "quit", "quit", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q),
-              [this] { close(); });
+    close_ = add(menu, "closeResult", {}, tr("&Close page"), QKeySequence(Qt::CTRL | Qt::Key_W),
+                 [this] { with_.tabs.closeShown(); });
+    add(menu, "quit", "quit", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q),
+        [this] { with_.window.close(); });
     bar_->addAction(open);
     bar_->addAction(save);
     bar_->addAction(export_);
     bar_->addSeparator();
 }
 
-void MainWindow::makeEditMenu(QMenu* menu) {
-    auto* undo = workbench_.undoStack().createUndoAction(this, tr("&Undo"));
+void MainMenus::addDatabaseActions(QMenu* menu) {
+    needProject_.append(add(menu, "openDatabase", "database", tr("Open &database…"), {},
+                            [this] { with_.database.openDatabase(); }));
+    saveDatabase_ =
+        add(menu, "saveDatabase", {}, tr("Save data&base"),
+            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { with_.database.save(); });
+    saveDatabaseAs_ = add(menu, "saveDatabaseAs", {}, tr("Save database as…"), {},
+                          [this] { with_.database.saveAs(); });
+}
+
+void MainMenus::makeEditMenu(QMenu* menu) {
+    auto* undo = with_.workbench.undoStack().createUndoAction(this, tr("&Undo"));
     undo->setObjectName("undo");
     undo->setIcon(icon("undo"));
     undo->setIconText(tr("Undo"));
     undo->setShortcut(QKeySequence::Undo);
-    auto* redo = workbench_.undoStack().createRedoAction(this, tr("&Redo"));
+    auto* redo = with_.workbench.undoStack().createRedoAction(this, tr("&Redo"));
     redo->setObjectName("redo");
     redo->setIcon(icon("redo"));
     redo->setIconText(tr("Redo"));
@@ -124,35 +137,37 @@ void MainWindow::makeEditMenu(QMenu* menu) {
     redo->setProperty("listedAs", tr("Redo"));
     menu->addActions({undo, redo});
     menu->addSeparator();
-    addAction(menu, "preferences", "preferences", tr("&Preferences…"),
-              QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] { showPreferences(); });
+    add(menu, "preferences", "preferences", tr("&Preferences…"),
+        QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] { with_.ask.showPreferences(); });
 }
 
-void MainWindow::makeViewMenu(QMenu* menu) {
-    if (view_ != nullptr) {
-        page_->fillMenu(menu);
+void MainMenus::makeViewMenu(QMenu* menu) {
+    if (with_.view != nullptr) {
+        with_.view->page()->fillMenu(menu);
         auto* whole = menu->addAction(icon("home"), tr("Show the whole &model"), this, [this] {
-            tabs_->setCurrentIndex(0);
-            view_->showWholeModel();
+            with_.tabs.setCurrentIndex(0);
+            with_.view->view()->showWholeModel();
         });
         whole->setObjectName("showWholeModel");
-        ofProjectFile_.append(whole);
-        ofProjectFile_.append(page_->modelActions());
+        needProject_.append(whole);
+        needProject_.append(with_.view->page()->modelActions());
         menu->addSeparator();
     }
-    for (auto* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
+    for (auto* dock :
+         with_.window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
         menu->addAction(dock->toggleViewAction());
-    addAction(menu, "collapseDocks", {}, tr("All docks away, or &back"), QKeySequence(Qt::Key_F6),
-              [this] { layout_->toggleDocks(); });
+    add(menu, "collapseDocks", {}, tr("All docks away, or &back"), QKeySequence(Qt::Key_F6),
+        [this] { with_.layout.toggleDocks(); });
 }
 
-void MainWindow::makeAnalysisMenu(QMenu* menu) {
+void MainMenus::makeAnalysisMenu(QMenu* menu) {
     menu->setToolTipsVisible(true);
     int number = 0;
     for (const AnalysisKind kind : allAnalysisKinds()) {
         const QString word = QString::fromStdString(name(kind));
-        auto* action = menu->addAction(icon(kind->icon), tr("New &%1 analysis…").arg(word), this,
-                                       [this, kind] { newAnalysis(kind, workbench_.settings()); });
+        auto* action = menu->addAction(
+            icon(kind->icon), tr("New &%1 analysis…").arg(word), this,
+            [this, kind] { with_.ask.newAnalysis(kind, with_.workbench.settings()); });
         action->setObjectName("new-" + word);
         action->setIconText(QString(word).replace(0, 1, word.left(1).toUpper()));
         action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + number++)));
@@ -165,49 +180,106 @@ void MainWindow::makeAnalysisMenu(QMenu* menu) {
     ofProject_->setObjectName("projectAnalyses");
     ofProject_->setToolTipsVisible(true);
     keepAnalysis_ =
-        addAction(menu, "keepAnalysis", {}, tr("&Keep the shown analysis in the project"),
-                  QKeySequence(Qt::CTRL | Qt::Key_K), [this] { keepShownAnalysis(); });
+        add(menu, "keepAnalysis", {}, tr("&Keep the shown analysis in the project"),
+            QKeySequence(Qt::CTRL | Qt::Key_K), [this] { with_.ask.keepShownAnalysis(); });
     menu->addSeparator();
-    ofProjectFile_.append(addAction(menu, "analysisSettings", "sun", tr("Analysis s&ettings…"),
-                                    QKeySequence(Qt::Key_F8),
-                                    [this] { showSettings(SettingsDialog::tr("Band and mode")); }));
+    needProject_.append(
+        add(menu, "analysisSettings", "sun", tr("Analysis s&ettings…"), QKeySequence(Qt::Key_F8),
+            [this] { with_.ask.showSettings(SettingsDialog::tr("Band and mode")); }));
 }
 
-void MainWindow::makeToolsMenu(QMenu* menu) {
-    addAction(menu, "compareImages", "compare", tr("&Compare images…"),
-              QKeySequence(Qt::CTRL | Qt::Key_D), [this] { compareImages(); });
-    addAirTools(*menu, workbench_, dialogs_,
+void MainMenus::makeToolsMenu(QMenu* menu) {
+    add(menu, "compareImages", "compare", tr("&Compare images…"),
+        QKeySequence(Qt::CTRL | Qt::Key_D), [this] { with_.images.compare(); });
+    addAirTools(*menu, with_.workbench, with_.dialogs,
                 [this](QWidget* page, const QIcon& picture, const QString& title) {
-                    addPage(page, picture, title);
+                    with_.tabs.addPage(page, picture, title);
                 });
-    addAction(menu, "monteCarlo", "montecarlo", tr("&Monte Carlo"), QKeySequence(), [this] {
+    add(menu, "monteCarlo", "montecarlo", tr("&Monte Carlo"), QKeySequence(), [this] {
         const AnalysisKind kind = AnalysisKind::monteCarlo;
-        addPage(new MonteCarloPage(workbench_, dialogs_), icon(kind->icon), tr(kind->title));
+        with_.tabs.addPage(new MonteCarloPage(with_.workbench, with_.dialogs), icon(kind->icon),
+                           tr(kind->title));
     });
     menu->addSeparator();
-    ofProjectFile_.append(addAction(menu, "options", "options", tr("&Options…"),
-                                    QKeySequence(Qt::Key_F9),
-                                    [this] { showSettings(SettingsDialog::tr("Antialiasing")); }));
+    needProject_.append(
+        add(menu, "options", "options", tr("&Options…"), QKeySequence(Qt::Key_F9),
+            [this] { with_.ask.showSettings(SettingsDialog::tr("Antialiasing")); }));
 }
 
-void MainWindow::makeHelpMenu(QMenu* menu) {
-    addAction(menu, "openGuide", "info", tr("User &guide"), QKeySequence(Qt::SHIFT | Qt::Key_F1),
-              [this] { openGuide(); });
-    auto* keys = addAction(menu, "showShortcuts", "keyboard", tr("&Keys and mouse"), {}, [this] {
-        ShortcutsDialog dialog(*menuBar(), results_->commands(), this);
-        dialogs_.run(dialog);
+void MainMenus::makeHelpMenu(QMenu* menu) {
+    add(menu, "openGuide", "info", tr("User &guide"), QKeySequence(Qt::SHIFT | Qt::Key_F1),
+        [this] { with_.ask.showGuide(); });
+    auto* keys = add(menu, "showShortcuts", "keyboard", tr("&Keys and mouse"), {}, [this] {
+        ShortcutsDialog dialog(*with_.window.menuBar(), with_.results.commands(), &with_.window);
+        with_.dialogs.run(dialog);
     });
     keys->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)});
-    addAction(menu, "findCommand", "find", tr("&Find a command…"),
-              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), [this] {
-                  CommandPalette palette(*menuBar(), this);
-                  QPointer<QAction> chosen;
-                  if (dialogs_.run(palette))
-                      chosen = palette.chosen();
-                  if (chosen != nullptr)
-                      chosen->trigger();
-              });
-    addAction(menu, "showAbout", "info", tr("&About SMAT"), {}, [this] { showAbout(); });
+    add(menu, "findCommand", "find", tr("&Find a command…"),
+        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), [this] {
+            CommandPalette palette(*with_.window.menuBar(), &with_.window);
+            QPointer<QAction> chosen;
+            if (with_.dialogs.run(palette))
+                chosen = palette.chosen();
+            if (chosen != nullptr)
+                chosen->trigger();
+        });
+    add(menu, "showAbout", "info", tr("&About SMAT"), {}, [this] {
+        with_.ask.showAbout(with_.view != nullptr ? with_.view->view()->renderer()
+                                                  : tr("no OpenGL on this desktop"));
+    });
+}
+
+void MainMenus::fillRecent(QMenu* menu) {
+    menu->clear();
+    int number = 1;
+    for (const auto& file : with_.workbench.recentFiles()) {
+        const bool exists = QFileInfo::exists(file);
+        auto* action = menu->addAction(
+            QStringLiteral("&%1  %2").arg(number++).arg(QString(file).replace('&', "&&")), this,
+            [this, file] { with_.files.open(file.toStdString()); });
+        action->setEnabled(exists);
+        if (!exists)
+            action->setText(action->text() + tr("  (not there)"));
+    }
+    if (menu->isEmpty())
+        menu->addAction(tr("No files yet"))->setEnabled(false);
+}
+
+void MainMenus::followProject() {
+    ofProject_->clear();
+    for (const auto& analysis : with_.workbench.project().analyses) {
+        const QString title = QString::fromStdString(analysis.name);
+        auto* action = ofProject_->addAction(
+            icon(analysis.kind->icon), title + "…", this, [this, analysis, title] {
+                with_.ask.newAnalysis(analysis.kind,
+                                      with_.workbench.settings().with(analysis.settings), title);
+            });
+        action->setToolTip(QString::fromStdString(analysis.notes));
+    }
+}
+
+void MainMenus::refresh() {
+    export_->setEnabled(with_.tabs.mayExportShown());
+    close_->setEnabled(with_.tabs.mayCloseShown());
+    const ResultPage* page = with_.tabs.currentResult();
+    keepAnalysis_->setEnabled(with_.workbench.hasProject() && page != nullptr &&
+                              page->resultIds().size() == 1);
+    for (auto* action : needProject_)
+        action->setEnabled(with_.workbench.hasProject());
+    const DatabaseSession& database = with_.workbench.database();
+    saveDatabase_->setEnabled(database.isOpen() && database.isDirty() &&
+                              database.access() == DatabaseSession::Access::edit);
+    saveDatabaseAs_->setEnabled(database.isOpen());
+    const bool ready = with_.workbench.hasProject();
+    const QString missing = missingForAnalyses(with_.workbench);
+    for (const auto& [kind, action] : analyses_) {
+        action->setEnabled(missing.isEmpty());
+        const QString tip = action->data().toString();
+        action->setToolTip(missing.isEmpty() ? tip : tip + "\n" + missing);
+        action->setStatusTip(missing);
+    }
+    ofProject_->menuAction()->setVisible(with_.workbench.hasProject() && !ofProject_->isEmpty());
+    ofProject_->setEnabled(ready);
 }
 
 } // namespace smat::gui

@@ -1,0 +1,105 @@
+#include "gui/image/ImagePages.h"
+
+#include <algorithm>
+
+#include <QFileInfo>
+
+#include "gui/PageTabs.h"
+#include "gui/Sentences.h"
+#include "gui/Theme.h"
+#include "gui/Workbench.h"
+#include "gui/image/ComparisonWindow.h"
+#include "gui/image/ImageView.h"
+#include "irsg/image/ImageFile.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/Conditions.h"
+
+namespace smat::gui {
+namespace {
+
+/// The band that an image names, where it is a range of wavelengths.
+std::optional<irsg::Band> bandOf(const irsg::RadianceImage& image) {
+    const auto low = image.attributes.find("band.min_um"),
+               high = image.attributes.find("band.max_um"),
+               name = image.attributes.find("band.name");
+    if (low == image.attributes.end() || high == image.attributes.end() ||
+        name == image.attributes.end())
+        return std::nullopt;
+    try {
+        const irsg::Band band = irsg::Band::fromText(low->second + "-" + high->second);
+        // A sampled response has a name of its own and is not told by its ends.
+        return band.name() == name->second ? std::optional(band) : std::nullopt;
+    } catch (const irsg::InputError&) {
+        return std::nullopt;
+    }
+}
+
+} // namespace
+
+ImagePages::ImagePages(const Workbench& workbench, Dialogs& dialogs, PageTabs& tabs)
+    : QObject(&tabs), workbench_(workbench), dialogs_(dialogs), tabs_(tabs) {}
+
+bool ImagePages::areImages(const QStringList& files) {
+    if (files.isEmpty() || files.size() > 2)
+        return false;
+    return std::ranges::all_of(files, [&](const QString& file) {
+        const QString suffix = QFileInfo(file).suffix().toLower();
+        if (suffix == "exr")
+            return true;
+        const bool mayBeMatrix =
+            suffix == "txt" || suffix == "dat" || (suffix == "csv" && files.size() == 2);
+        return mayBeMatrix && irsg::holdsImage(file.toStdString());
+    });
+}
+
+ComparisonWindow* ImagePages::compareResults(int a, int b) {
+    const ResultEntry* const first = workbench_.result(a);
+    const ResultEntry* const second = workbench_.result(b);
+    if (first == nullptr || second == nullptr || !first->isImage() || !second->isImage())
+        return nullptr;
+    auto* page = compare();
+    const auto sideOf = [](const ResultEntry& entry) {
+        return ComparisonSide{entry.image(), entry.title,
+                              QString::fromStdString(entry.file.string())};
+    };
+    page->setSides(sideOf(*first), sideOf(*second));
+    return page;
+}
+
+ComparisonWindow* ImagePages::compare(const QStringList& files) {
+    auto* page = new ComparisonWindow(nullptr, dialogs_);
+    tabs_.addPage(page, icon("compare"), tr("Compare images"));
+    connect(page, &ComparisonWindow::titleChanged, &tabs_,
+            [this, page](const QString& title) { tabs_.retitle(page, title); });
+    connect(page, &ComparisonWindow::nothingRead, page, &QObject::deleteLater);
+    if (!files.isEmpty())
+        page->openFiles(files);
+    return page;
+}
+
+void ImagePages::open(const QStringList& files) {
+    if (files.size() == 2) {
+        compare(files);
+        return;
+    }
+    using Image = std::shared_ptr<const irsg::RadianceImage>;
+    task_.run<Image>(
+        [file = files.front()] {
+            return std::make_shared<const irsg::RadianceImage>(
+                irsg::readImageFile(file.toStdString()));
+        },
+        [this, file = files.front()](const Image& image) {
+            auto* view = new ImageView(nullptr, dialogs_);
+            view->setAutoFillBackground(true);
+            view->setBackgroundRole(QPalette::Window);
+            view->setTitle(QFileInfo(file).completeBaseName());
+            view->setImage(image, bandOf(*image));
+            view->setConditions(QString::fromStdString(lineOf(conditionsOf(*image))));
+            tabs_.addPage(view, icon("image"), QFileInfo(file).fileName());
+        },
+        [this](const std::exception_ptr& thrown) {
+            dialogs_.tell(tabs_.window(), tr("This image cannot be read"), sentencesOf(thrown));
+        });
+}
+
+} // namespace smat::gui

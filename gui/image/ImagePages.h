@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QObject>
+
+#include "gui/Dialogs.h"
+#include "gui/LatestTask.h"
+
+namespace smat::gui {
+
+class ComparisonWindow;
+class PageTabs;
+class Workbench;
+
+/// Images as pages: one of a file, or two of files or results that are compared. Files are read off
+/// this thread.
+class ImagePages : public QObject {
+    Q_OBJECT
+
+  public:
+    ImagePages(const Workbench& workbench, Dialogs& dialogs, PageTabs& tabs);
+
+    /// Whether these are one or two images to be looked at: .exr by name, others by what they hold.
+    /// A single .csv is none: it comes back as a result, with its provenance.
+    static bool areImages(const QStringList& files);
+    /// One file as a page of its own, two as a comparison.
+    void open(const QStringList& files);
+    /// A page that compares two images: those of two files, or empty for somebody to fill. It goes
+    /// again where neither file can be read.
+    ComparisonWindow* compare(const QStringList& files = {});
+    /// The same of two results that are images; nothing for others.
+    ComparisonWindow* compareResults(int a, int b);
+
+  private:
+    const Workbench& workbench_;
+    Dialogs& dialogs_;
+    PageTabs& tabs_;
+    LatestTask task_;
+};
+
+} // namespace smat::gui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include <QObject>
+
+#include "gui/Dialogs.h"
+#include "smatcore/project/Project.h"
+
+class QWidget;
+
+namespace smat::gui {
+
+class LoadingBar;
+class ModelPage;
+class SceneLoader;
+class SceneView;
+class Workbench;
+
+/// The page of the model as the project is: its models are read beside the window, its settings
+/// followed, and where a person moves the sensor the project has it, a drag as one step to undo.
+class ProjectView : public QObject {
+    Q_OBJECT
+
+  public:
+    /// `pages` is to hold the page.
+    ProjectView(Workbench& workbench, Dialogs& dialogs, LoadingBar& loading, QWidget* pages);
+
+    ModelPage* page() const { return page_; }
+    SceneView* view() const;
+    /// Of exported pictures: that of the project.
+    void followTitle();
+    /// Reads the models of the project anew.
+    void showModels();
+    /// The same where they are others than those that are shown.
+    void followModels();
+    void followSettings();
+    bool isLoading() const;
+
+  signals:
+    /// For a moment, or until something else is said.
+    void said(const QString& sentence, int time_ms);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void connectLoader();
+
+    Workbench& workbench_;
+    Dialogs& dialogs_;
+    ModelPage* page_;
+    SceneLoader* loader_;
+    std::vector<ProjectModel> shown_;
+};
+
+} // namespace smat::gui
