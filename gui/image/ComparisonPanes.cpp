@@ -1,7 +1,6 @@
 #include "gui/image/ComparisonPanes.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -18,30 +17,6 @@ namespace {
 constexpr int wipeSteps = 1000;
 constexpr double closeZoom = 24.0;
 
-/// Limits at equal distances from 1, for a ratio.
-irsg::DisplayLimits aroundOne(const std::vector<float>& values, double percent) {
-    std::vector<float> distances;
-    distances.reserve(values.size());
-    for (const float value : values)
-        if (std::isfinite(value))
-            distances.push_back(value - 1.0F);
-    const irsg::DisplayLimits limits = irsg::symmetricLimits(distances, percent);
-    return {1.0 + limits.low, 1.0 + limits.high};
-}
-
-irsg::DisplayLimits differenceLimits(const std::vector<float>& values, irsg::DifferenceMode mode,
-                                     double percent) {
-    switch (mode) {
-    case irsg::DifferenceMode::absolute:
-        return {0.0, irsg::symmetricLimits(values, percent).high};
-    case irsg::DifferenceMode::ratio:
-        return aroundOne(values, percent);
-    default:
-        return irsg::symmetricLimits(values, percent);
-    }
-}
-
-constexpr double usualPercent = 99.5; ///< of the differences have colours of the map
 constexpr int leastCompanionWidth_px = 150;
 
 /// Takes the size it is given: what it holds would else make its column the wider one, and lines
@@ -60,16 +35,7 @@ class Beside : public QWidget {
 
 ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
     setObjectName("comparisonPanes");
-    map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
-    shared_ = new ColorBar(this);
-    shared_->setObjectName("sharedBar");
-    shared_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
-    // A few pixels at edges differ by much; the rest shows only where they do not set the limits.
-    difference_ = new ColorBar(this, {LimitMode::percentile, LimitMode::full, LimitMode::locked});
-    difference_->setObjectName("differenceBar");
-    difference_->setPercentiles(0.0, usualPercent);
-    difference_->askUpperPercentileAlone();
-    difference_->hideScale();
+    colors_ = new ComparisonColors(this);
     static const char* const names[] = {"canvasA", "canvasB", "canvasDifference"};
     for (std::size_t i = 0; i < canvases_.size(); ++i) {
         canvases_[i] = new ImageCanvas(this);
@@ -90,7 +56,7 @@ ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
     grid_->addWidget(makeTitle(1), 0, 1);
     grid_->addWidget(canvases_[0], 1, 0);
     grid_->addWidget(canvases_[1], 1, 1);
-    grid_->addWidget(shared_, 1, 2);
+    grid_->addWidget(sharedBar(), 1, 2);
     grid_->addWidget(makeTitle(2), 2, 0);
     grid_->addWidget(canvases_[2], 3, 0);
     for (const int row : {1, 3})
@@ -102,13 +68,26 @@ ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
 
     connect(wipe_, &QCheckBox::toggled, this, &ComparisonPanes::setWipe);
     connect(wipeAt_, &QSlider::valueChanged, this, [this] { setWipe(wipe_->isChecked()); });
-    connect(shared_, &ColorBar::limitsEdited, this, &ComparisonPanes::updateSharedColors);
-    connect(shared_, &ColorBar::modeChosen, this, &ComparisonPanes::updateSharedColors);
-    connect(shared_, &ColorBar::scaleChosen, this, &ComparisonPanes::updateSharedColors);
-    connect(shared_, &ColorBar::marksChosen, this, &ComparisonPanes::updateSharedColors);
-    connect(difference_, &ColorBar::marksChosen, this, &ComparisonPanes::updateDifferenceColors);
-    connect(difference_, &ColorBar::limitsEdited, this, &ComparisonPanes::updateDifferenceColors);
-    connect(difference_, &ColorBar::modeChosen, this, &ComparisonPanes::updateDifferenceColors);
+    followColors();
+}
+
+void ComparisonPanes::followColors() {
+    connect(colors_, &ComparisonColors::sharedAwaited, this, [this] {
+        for (std::size_t i = 0; i < planes_.size(); ++i)
+            if (planes_[i].values)
+                canvases_[i]->awaitColors();
+    });
+    connect(colors_, &ComparisonColors::sharedFound, this,
+            [this](const irsg::ColorMap& map, const irsg::DisplayLimits& limits) {
+                for (const int i : {0, 1})
+                    canvas(i)->setColors(map, limits);
+            });
+    connect(colors_, &ComparisonColors::differenceAwaited, canvases_[2], &ImageCanvas::awaitColors);
+    connect(colors_, &ComparisonColors::differenceFound, this,
+            [this](const irsg::ColorMap& map, const irsg::DisplayLimits& limits) {
+                canvases_[2]->setColors(map, limits);
+                emit differenceLimitsFound(limits);
+            });
 }
 
 QLabel* ComparisonPanes::makeTitle(int index) {
@@ -150,8 +129,8 @@ void ComparisonPanes::setCompanion(QWidget* companion) {
     auto* row = new QHBoxLayout(beside);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
-    difference_->setParent(beside);
-    row->addWidget(difference_);
+    differenceBar()->setParent(beside);
+    row->addWidget(differenceBar());
     row->addWidget(companion, 1);
     if (auto* before = grid_->itemAtPosition(3, 1); before != nullptr)
         delete before->widget();
@@ -201,117 +180,34 @@ void ComparisonPanes::setPlanes(const ComparedPlane& a, const ComparedPlane& b,
     wipe_->setEnabled(same);
     if (!same)
         setWipe(false);
-    shared_->setTitle(title);
     showTitles();
-    updateSharedColors();
+    colors_->setPlanes({a.values, b.values}, title);
 }
 
 void ComparisonPanes::setDifference(SharedValues values, irsg::DifferenceMode mode,
                                     const QString& title) {
-    differenceValues_ = std::move(values);
-    if (mode != mode_ && difference_->mode() == LimitMode::locked)
-        difference_->setMode(LimitMode::percentile); // limits of another quantity
+    hasDifference_ = values != nullptr;
     mode_ = mode;
-    difference_->setTitle(title);
-    if (!differenceValues_) {
-        differenceTask_.cancel();
-        canvases_[2]->clear();
-    } else {
-        canvases_[2]->setPlane(planes_[0].width, planes_[0].height, differenceValues_);
+    if (hasDifference_) {
+        canvases_[2]->setPlane(planes_[0].width, planes_[0].height, values);
         canvases_[2]->setView(canvases_[0]->view());
         canvases_[2]->setSelection(canvases_[0]->selection());
-        updateDifferenceColors();
+    } else {
+        canvases_[2]->clear();
     }
+    colors_->setDifference(std::move(values), mode, title);
     showTitles();
 }
 
 void ComparisonPanes::setMarks(std::vector<std::uint8_t> marks) {
-    if (differenceValues_)
+    if (hasDifference_)
         canvases_[2]->setMarks(std::move(marks));
 }
 
-void ComparisonPanes::setColorMap(const std::string& name) {
-    map_ = &irsg::ColorMap::named(name);
-    shared_->setColors(*map_, shared_->limits());
-    for (const int i : {0, 1})
-        canvas(i)->setColors(*map_, shared_->limits());
-    updateDifferenceColors();
-}
-
 bool ComparisonPanes::isBusy() const {
-    return sharedTask_.isBusy() || differenceTask_.isBusy() ||
+    return colors_->isBusy() ||
            std::any_of(canvases_.begin(), canvases_.end(),
                        [](const ImageCanvas* canvas) { return canvas->isBusy(); });
-}
-
-void ComparisonPanes::find(LatestTask& task, const std::vector<ImageCanvas*>& waiting,
-                           std::size_t pixels, const std::function<FoundLimits()>& work,
-                           const std::function<void(FoundLimits)>& use) {
-    task.cancel();
-    if (pixels <= quickPixels) {
-        use(work());
-        return;
-    }
-    for (ImageCanvas* canvas : waiting)
-        canvas->awaitColors();
-    task.run<FoundLimits>(work, use);
-}
-
-void ComparisonPanes::updateSharedColors() {
-    std::vector<SharedValues> planes;
-    std::vector<ImageCanvas*> waiting;
-    std::size_t pixels = 0;
-    for (std::size_t i = 0; i < planes_.size(); ++i) {
-        if (!planes_[i].values)
-            continue;
-        planes.push_back(planes_[i].values);
-        waiting.push_back(canvases_[i]);
-        pixels = std::max(pixels, planes_[i].values->size());
-    }
-    std::optional<irsg::DisplayLimits> known;
-    if (shared_->mode() == LimitMode::locked)
-        known = shared_->limits();
-    find(
-        sharedTask_, waiting, pixels,
-        [planes, known, rule = shared_->rule()] { return findLimits(rule, planes, known); },
-        [this](const FoundLimits& found) { useShared(found); });
-}
-
-void ComparisonPanes::useShared(const FoundLimits& found) {
-    shared_->setColors(*map_, found.limits);
-    shared_->setOutOfRange(found.outside);
-    for (const int i : {0, 1})
-        canvas(i)->setColors(*map_, found.limits);
-}
-
-void ComparisonPanes::updateDifferenceColors() {
-    if (!differenceValues_)
-        return;
-    std::optional<irsg::DisplayLimits> known;
-    if (difference_->mode() == LimitMode::locked)
-        known = difference_->limits();
-    const double percent =
-        difference_->mode() == LimitMode::percentile ? difference_->percentiles().second : 100.0;
-    find(
-        differenceTask_, {canvases_[2]}, differenceValues_->size(),
-        [values = differenceValues_, mode = mode_, known, percent,
-         marks = difference_->marksOutside()] {
-            irsg::DisplayLimits limits = known ? *known : differenceLimits(*values, mode, percent);
-            limits.scale = irsg::ColorScale::linear;
-            limits.marksOutside = marks;
-            return FoundLimits{limits, countOutOfRange(*values, limits)};
-        },
-        [this](const FoundLimits& found) { useDifference(found); });
-}
-
-void ComparisonPanes::useDifference(const FoundLimits& found) {
-    // What has a sign diverges from its middle; a size does not.
-    const irsg::ColorMap& map =
-        mode_ == irsg::DifferenceMode::absolute ? *map_ : irsg::ColorMap::named("diverging");
-    difference_->setColors(map, found.limits);
-    difference_->setOutOfRange(found.outside);
-    canvases_[2]->setColors(map, found.limits);
-    emit differenceLimitsFound(found.limits);
 }
 
 void ComparisonPanes::showTitles() {
@@ -337,7 +233,7 @@ void ComparisonPanes::showTitles() {
          : isWiping() ? a + " | " + b
                       : a);
     show(1, QStringLiteral("B"), b);
-    show(2, tr("Difference"), differenceValues_ ? differenceName(mode_) : QString());
+    show(2, tr("Difference"), hasDifference_ ? differenceName(mode_) : QString());
 }
 
 void ComparisonPanes::setFlicker(bool on) {
@@ -377,7 +273,7 @@ void ComparisonPanes::goTo(const QPoint& pixel) {
 }
 
 ColorBar* ComparisonPanes::activeBar() const {
-    return canvases_[2]->hasFocus() ? difference_ : shared_;
+    return canvases_[2]->hasFocus() ? differenceBar() : sharedBar();
 }
 
 std::optional<irsg::PixelRectangle> ComparisonPanes::selection() const {

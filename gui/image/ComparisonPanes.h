@@ -1,15 +1,12 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 
 #include <QWidget>
 
-#include "gui/LatestTask.h"
-#include "gui/image/ColorBar.h"
-#include "gui/image/ColoredPlane.h"
+#include "gui/image/ComparisonColors.h"
 #include "irsg/image/ImageComparison.h"
 
 class QCheckBox;
@@ -29,8 +26,8 @@ struct ComparedPlane {
 };
 
 /// Image A top left, B top right, their difference below, all at one zoom and one place, with one
-/// cursor and one rectangle. A and B share their colours; the difference has its own. What is
-/// beside the difference is somebody else's: companion().
+/// cursor and one rectangle. Their colours are ComparisonColors. What is beside the difference is
+/// somebody else's: companion().
 class ComparisonPanes : public QWidget {
     Q_OBJECT
 
@@ -42,7 +39,7 @@ class ComparisonPanes : public QWidget {
     /// Null where there is none.
     void setDifference(SharedValues values, irsg::DifferenceMode mode, const QString& title);
     void setMarks(std::vector<std::uint8_t> marks);
-    void setColorMap(const std::string& name);
+    void setColorMap(const std::string& name) { colors_->setColorMap(name); }
 
     /// B in the place of A, while a key is held.
     void setFlicker(bool on);
@@ -55,8 +52,8 @@ class ComparisonPanes : public QWidget {
     void goTo(const QPoint& pixel);
 
     ImageCanvas* canvas(int index) const { return canvases_[static_cast<std::size_t>(index)]; }
-    ColorBar* sharedBar() const { return shared_; }
-    ColorBar* differenceBar() const { return difference_; }
+    ColorBar* sharedBar() const { return colors_->shared(); }
+    ColorBar* differenceBar() const { return colors_->difference(); }
     /// The bar of the canvas that has the focus.
     ColorBar* activeBar() const;
     std::optional<irsg::PixelRectangle> selection() const;
@@ -64,8 +61,6 @@ class ComparisonPanes : public QWidget {
     QWidget* wipeControl() const { return wipeControl_; }
     /// Puts a widget beside the difference, below B.
     void setCompanion(QWidget* companion);
-    /// Colour bar and colours of the difference follow the limits' rule again.
-    void updateDifferenceColors();
     bool isBusy() const;
 
   signals:
@@ -81,29 +76,20 @@ class ComparisonPanes : public QWidget {
     QLabel* makeTitle(int index);
     void makeWipe();
     void link(ImageCanvas* canvas);
-    void updateSharedColors();
-    void useShared(const FoundLimits& found);
-    void useDifference(const FoundLimits& found);
-    /// At once for small planes, in another thread for large ones, whose canvases wait for it.
-    void find(LatestTask& task, const std::vector<ImageCanvas*>& waiting, std::size_t pixels,
-              const std::function<FoundLimits()>& work,
-              const std::function<void(FoundLimits)>& use);
+    void followColors();
     void showTitles();
 
     std::array<ImageCanvas*, 3> canvases_{};
     std::array<QLabel*, 3> titles_{};
     std::array<ComparedPlane, 2> planes_;
-    SharedValues differenceValues_;
+    bool hasDifference_ = false;
     irsg::DifferenceMode mode_ = irsg::DifferenceMode::signedDifference;
-    const irsg::ColorMap* map_ = nullptr;
-    ColorBar* shared_ = nullptr;
-    ColorBar* difference_ = nullptr;
+    ComparisonColors* colors_ = nullptr;
     QWidget* wipeControl_ = nullptr;
     QCheckBox* wipe_ = nullptr;
     QSlider* wipeAt_ = nullptr;
     QGridLayout* grid_ = nullptr;
     bool flickering_ = false;
-    LatestTask sharedTask_, differenceTask_;
 };
 
 } // namespace smat::gui
