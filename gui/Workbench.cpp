@@ -2,58 +2,14 @@
 
 #include <algorithm>
 
-#include "gui/Memory.h"
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/OpenableFiles.h"
-#include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/results/ResultFolder.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
-
-constexpr int keptFiles = 10;
-constexpr int stepPause_ms = 1500; ///< after which the same setting begins a new step
-constexpr int editCommandId = 0x100;
-
-/// "Set range to 1200 m".
-QString stepOf(const std::string& key, const std::string& value) {
-    const SettingInfo& info = settingInfo(key);
-    QString label = QString::fromStdString(info.label);
-    if (label.size() < 2 || !label.at(1).isUpper())
-        label.replace(0, 1, label.left(1).toLower());
-    QString text = QString::fromStdString(value.empty() ? "nothing" : value);
-    if (info.kind == SettingKind::boolean)
-        return (value == "true" ? Workbench::tr("Switch %1 on") : Workbench::tr("Switch %1 off"))
-            .arg(label);
-    if (const QString unit = readableUnit(info.unit); !unit.isEmpty())
-        text += (unit == "°" ? "" : " ") + unit;
-    return Workbench::tr("Set %1 to %2").arg(label, text.size() > 40 ? text.left(39) + "…" : text);
-}
-
-std::vector<std::string> keysThatDiffer(const Settings& one, const Settings& other) {
-    std::vector<std::string> keys;
-    for (const auto& info : settingTable())
-        if (one.text(info.key) != other.text(info.key))
-            keys.push_back(info.key);
-    return keys;
-}
-
-bool areOfCamera(const std::vector<std::string>& keys) {
-    return std::all_of(keys.begin(), keys.end(),
-                       [](const auto& key) { return key.starts_with("camera."); });
-}
-
-/// The name of a step between two states of the settings.
-QString stepBetween(const Settings& before, const Settings& after) {
-    const auto keys = keysThatDiffer(before, after);
-    return keys.size() == 1    ? stepOf(keys.front(), after.text(keys.front()))
-           : areOfCamera(keys) ? Workbench::tr("Move the camera")
-                               : Workbench::tr("Change %1 settings").arg(keys.size());
-}
 
 /// The same project with its relative paths told from another file's folder.
 Project movedTo(const Project& project, const std::filesystem::path& file) {
@@ -70,7 +26,8 @@ Project movedTo(const Project& project, const std::filesystem::path& file) {
 Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent,
                      std::shared_ptr<ModelStore> models)
     : QObject(parent),
-      database_(std::make_unique<DatabaseSession>(undoStack_)),
+      steps_(undoStack_, [this](const Project& edited) { apply(edited); }),
+      database_(undoStack_, [this](const auto& file) { nameDatabase(file); }),
       models_(std::move(models)),
       jobs_(std::move(makeSource), ModelStore::loader(models_)) {
     connect(&jobs_, &JobQueue::started, this,
@@ -93,9 +50,6 @@ Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent,
     connect(&results_, &ResultStore::addedQuietly, this, &Workbench::resultAdded);
     connect(&results_, &ResultStore::removed, this, &Workbench::resultRemoved);
     connect(&results_, &ResultStore::unsavedChanged, this, &Workbench::modifiedChanged);
-    stepEnd_.setSingleShot(true);
-    stepEnd_.setInterval(stepPause_ms);
-    connect(&stepEnd_, &QTimer::timeout, this, [this] { ++step_; });
 }
 
 Workbench::~Workbench() = default;
@@ -136,7 +90,7 @@ void Workbench::take(const Project& project, const Project& saved) {
     project_ = project;
     settings_ = project.settings;
     project_->settings = saved_.settings;
-    followDatabase(true);
+    database_.follow(databaseFile(), true);
     keepModels();
     results_.openProject(project.file, project.results);
     emit projectOpened();
@@ -200,51 +154,11 @@ void Workbench::saveAs(const std::filesystem::path& file) {
     saveProject(moved, absolute);
     project_ = saved_ = moved;
     settings_ = moved.settings;
-    followDatabase(false);
-    ++step_;
+    database_.follow(databaseFile(), false);
+    steps_.separate();
     rememberFile(absolute);
     emit projectChanged();
     emit modifiedChanged();
-}
-
-/// Everything before and after; the same setting changed again becomes one with the last change.
-class Workbench::EditCommand : public QUndoCommand {
-  public:
-    EditCommand(Workbench& workbench, Project before, Project after, std::string mergeKey)
-        : workbench_(workbench),
-          before_(std::move(before)),
-          after_(std::move(after)),
-          mergeKey_(std::move(mergeKey)),
-          step_(workbench.step_) {}
-    int id() const override { return editCommandId; }
-    void undo() override {
-        ++workbench_.step_;
-        workbench_.apply(before_);
-    }
-    void redo() override { workbench_.apply(after_); }
-    bool mergeWith(const QUndoCommand* command) override {
-        const auto* later = dynamic_cast<const EditCommand*>(command);
-        if (later == nullptr || later->step_ != step_ || later->mergeKey_ != mergeKey_)
-            return false;
-        after_ = later->after_;
-        setText(stepBetween(before_.settings, after_.settings));
-        setObsolete(before_ == after_);
-        return true;
-    }
-
-  private:
-    Workbench& workbench_;
-    Project before_, after_;
-    std::string mergeKey_;
-    int step_;
-};
-
-void Workbench::push(const Project& after, const QString& step, const std::string& mergeKey) {
-    auto command = std::make_unique<EditCommand>(*this, editedProject(), after, mergeKey);
-    command->setText(step);
-    undoStack_.push(command.release());
-    if (!stepHeld_)
-        stepEnd_.start();
 }
 
 void Workbench::apply(const Project& edited) {
@@ -255,7 +169,7 @@ void Workbench::apply(const Project& edited) {
     now.results = project_->results; // no step
     const bool projectDiffers = now != *project_;
     project_ = std::move(now);
-    followDatabase(false);
+    database_.follow(databaseFile(), false);
     if (projectDiffers) {
         keepModels();
         emit projectChanged();
@@ -263,17 +177,6 @@ void Workbench::apply(const Project& edited) {
     if (settingsDiffer)
         emit settingsChanged();
     emit modifiedChanged();
-}
-
-void Workbench::holdStep() {
-    ++step_;
-    stepHeld_ = true;
-    stepEnd_.stop();
-}
-
-void Workbench::closeStep() {
-    ++step_;
-    stepHeld_ = false;
 }
 
 void Workbench::set(const std::string& key, const std::string& text) {
@@ -296,22 +199,19 @@ void Workbench::set(const Settings& changed, const QString& step) {
     const QString text = step.isEmpty() ? stepBetween(settings_, changed) : step;
     Project after = editedProject();
     after.settings = changed;
-    if (!step.isEmpty())
-        ++step_;
-    push(after, text, stepHeld_ && areOfCamera(keys) ? "camera" : keys.front());
-    if (!step.isEmpty())
-        ++step_;
+    const std::string kind = steps_.isHeld() && areOfCamera(keys) ? "camera" : keys.front();
+    if (step.isEmpty())
+        steps_.push(editedProject(), after, text, kind);
+    else
+        steps_.pushAlone(editedProject(), after, text, kind);
 }
 
 void Workbench::edit(const Project& project, const QString& step) {
     Project after = project;
     after.file = this->project().file;
     after.settings = settings_;
-    if (after != editedProject()) {
-        ++step_;
-        push(after, step, "project");
-        ++step_;
-    }
+    if (const Project before = editedProject(); after != before)
+        steps_.pushAlone(before, after, step, "project");
 }
 
 std::filesystem::path Workbench::databaseFile() const {
@@ -320,72 +220,12 @@ std::filesystem::path Workbench::databaseFile() const {
     return project_->resolve(project_->models.front().database);
 }
 
-void Workbench::followDatabase(bool anew) {
-    const auto named = databaseFile();
-    const auto file = named.empty() ? named : std::filesystem::absolute(named).lexically_normal();
-    if (!anew && file == database_->file() && database_->isOpen())
-        return;
-    databaseProblem_.clear();
-    changedOutside_ = false;
-    if (file.empty()) {
-        database_->close();
-        return;
-    }
-    try {
-        database_->open(file);
-    } catch (const irsg::InputError& error) {
-        databaseProblem_ << sentencesOf(error);
-        try {
-            changedOutside_ = !irsg::loadSignatureFile(file, irsg::OutsideChanges::accept,
-                                                       irsg::LintErrors::accept)
-                                   .changedOutside.empty();
-        } catch (const irsg::InputError&) {
-            changedOutside_ = false;
-        }
-        database_->close();
-    }
-}
-
-void Workbench::acceptDatabaseChanges() {
-    database_->open(databaseFile(), irsg::OutsideChanges::accept);
-    databaseProblem_.clear();
-    changedOutside_ = false;
-}
-
 void Workbench::nameDatabase(const std::filesystem::path& file) {
     Project after = editedProject();
     if (after.models.empty())
         throw irsg::LogicError("a database for a project without models");
     after.models.front().database = file;
     edit(after, tr("Use database %1").arg(QString::fromStdString(file.filename().string())));
-}
-
-void Workbench::useDatabase(const std::filesystem::path& file) {
-    // Changes of another program are asked about and what is physically wrong is shown, once it is
-    // that of the target; what cannot be read is refused before anything changes.
-    irsg::loadSignatureFile(file, irsg::OutsideChanges::accept, irsg::LintErrors::accept);
-    nameDatabase(std::filesystem::absolute(file).lexically_normal());
-}
-
-void Workbench::useNewDatabase(const std::filesystem::path& file, irsg::SignatureDatabase value) {
-    const auto absolute = std::filesystem::absolute(file).lexically_normal();
-    database_->create(absolute, std::move(value));
-    databaseProblem_.clear();
-    changedOutside_ = false;
-    if (databaseFile() != absolute)
-        nameDatabase(absolute);
-}
-
-void Workbench::saveDatabaseAs(const std::filesystem::path& file) {
-    database_->saveAs(file);
-    if (std::filesystem::absolute(databaseFile()).lexically_normal() != database_->file())
-        nameDatabase(database_->file());
-}
-
-SceneBuilder::DatabaseOverrides Workbench::editedDatabases() const {
-    if (!database_->isOpen() || !database_->isDirty())
-        return {};
-    return {{databaseFile(), database_->snapshot()}};
 }
 
 OrbitCamera Workbench::camera() const {
@@ -404,11 +244,11 @@ void Workbench::setCamera(const OrbitCamera& camera) {
 }
 
 int Workbench::start(AnalysisData data) {
-    return jobs_.add({std::move(data)}, editedDatabases());
+    return jobs_.add({std::move(data)}, database_.edited());
 }
 
 int Workbench::start(const MonteCarloData& asked, QObject* asker) {
-    const int number = jobs_.add({asked.analysis, asked.options}, editedDatabases());
+    const int number = jobs_.add({asked.analysis, asked.options}, database_.edited());
     if (asker != nullptr)
         askers_[number] = asker;
     return number;
@@ -418,18 +258,6 @@ void Workbench::saveResults() {
     if (project().file.empty())
         throw irsg::LogicError("results are to be kept beside a project without a file");
     results_.saveWith(project().file, project().results);
-}
-
-QStringList Workbench::recentFiles() const {
-    return memory().value("recentFiles").toStringList();
-}
-
-void Workbench::rememberFile(const std::filesystem::path& file) {
-    QStringList files = recentFiles();
-    const QString name = QString::fromStdString(file.string());
-    files.removeAll(name);
-    files.prepend(name);
-    memory().setValue("recentFiles", QStringList(files.mid(0, keptFiles)));
 }
 
 } // namespace smat::gui

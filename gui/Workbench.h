@@ -9,13 +9,14 @@
 #include <QObject>
 #include <QPointer>
 #include <QStringList>
-#include <QTimer>
 #include <QUndoStack>
 
+#include "gui/EditSteps.h"
 #include "gui/ModelStore.h"
+#include "gui/RecentFiles.h"
 #include "gui/analysis/JobQueue.h"
 #include "gui/analysis/ResultStore.h"
-#include "gui/database/DatabaseSession.h"
+#include "gui/database/TargetDatabase.h"
 #include "gui/view/OrbitCamera.h"
 
 namespace smat::gui {
@@ -63,30 +64,18 @@ class Workbench : public QObject {
     /// Changes everything else of a project; its file and settings are not touched.
     void edit(const Project& project, const QString& step);
     /// Between the two, all changes of the same settings are one step, as long as a drag takes.
-    void holdStep();
-    void closeStep();
+    void holdStep() { steps_.hold(); }
+    void closeStep() { steps_.close(); }
     /// Every edit of this window: settings, project and signature database. Numbers that identify
     /// commands for merging begin with 0x100 for those of the workbench itself; others choose other
     /// ones.
     QUndoStack& undoStack() { return undoStack_; }
 
-    /// The signature database of the target, open where its file could be read.
-    DatabaseSession& database() { return *database_; }
-    /// Why it is not open, a sentence each; empty where the model names none.
-    const QStringList& databaseProblem() const { return databaseProblem_; }
-    /// Whether the problem is nothing but changes of another program.
-    bool canAcceptDatabaseChanges() const { return changedOutside_; }
-    /// Throws irsg::InputError.
-    void acceptDatabaseChanges();
-    /// Make another file, or a new database that is to become a file, that of the target, as a step
-    /// that can be undone. Throw irsg::InputError.
-    void useDatabase(const std::filesystem::path& file);
-    void useNewDatabase(const std::filesystem::path& file, irsg::SignatureDatabase value);
-    /// Saves under another name, which becomes that of the target. Throws irsg::InputError.
-    void saveDatabaseAs(const std::filesystem::path& file);
-    /// Databases with edits that are not saved, by the files that they stand in for: they take part
-    /// in view and analyses.
-    SceneBuilder::DatabaseOverrides editedDatabases() const;
+    /// The signature database of the target, and the session in which it is edited.
+    TargetDatabase& target() { return database_; }
+    DatabaseSession& database() { return database_.session(); }
+    /// See TargetDatabase::edited.
+    SceneBuilder::DatabaseOverrides editedDatabases() const { return database_.edited(); }
 
     /// The models of the project that is open; never null.
     const std::shared_ptr<ModelStore>& models() const { return models_; }
@@ -115,8 +104,7 @@ class Workbench : public QObject {
     /// where there is no file.
     void saveResults();
 
-    /// Files opened before, the last one first, at most ten.
-    QStringList recentFiles() const;
+    QStringList recentFiles() const { return gui::recentFiles(); }
 
   signals:
     void projectOpened();
@@ -134,28 +122,20 @@ class Workbench : public QObject {
     void jobFailed(const QStringList& sentences, bool ourFault);
 
   private:
-    class EditCommand;
-    void push(const Project& after, const QString& step, const std::string& mergeKey);
     void apply(const Project& edited);
     void take(const Project& project, const Project& saved);
     /// Lets go of models that the project no longer names.
     void keepModels();
     /// Path of the target's database; empty where it has none.
     std::filesystem::path databaseFile() const;
-    void followDatabase(bool anew);
     void nameDatabase(const std::filesystem::path& file);
-    void rememberFile(const std::filesystem::path& file);
 
     std::optional<Project> project_;
     Settings settings_;
     Project saved_;
     QUndoStack undoStack_;
-    std::unique_ptr<DatabaseSession> database_;
-    QStringList databaseProblem_;
-    bool changedOutside_ = false;
-    QTimer stepEnd_;
-    bool stepHeld_ = false;
-    int step_ = 0;
+    EditSteps steps_;
+    TargetDatabase database_;
     std::shared_ptr<ModelStore> models_;
     ResultStore results_;
     std::map<int, QPointer<QObject>> askers_; ///< of jobs, by number

@@ -85,12 +85,12 @@ void DatabaseBanner::refresh() {
         return;
     }
     if (!session.isOpen()) {
-        const QStringList problem = workbench.databaseProblem();
+        const QStringList problem = workbench.target().problem();
         say(problem.isEmpty() ? tr("This model has no signature database yet.")
                               : problem.join("\n"));
-        if (workbench.canAcceptDatabaseChanges())
+        if (workbench.target().canAcceptChanges())
             offer("acceptChanges", tr("Accept these changes"),
-                  [this] { attempt([this] { context_.workbench().acceptDatabaseChanges(); }); });
+                  [this] { attempt([this] { context_.workbench().target().acceptChanges(); }); });
         offer("newDatabase", tr("New database…"), [this] { emit newRequested(); });
         offer("chooseDatabase", tr("Open another…"), [this] { emit openRequested(); });
     } else if (const auto copies = session.recoveries(); copies > 0) {

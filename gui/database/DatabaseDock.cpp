@@ -259,7 +259,7 @@ void DatabaseDock::openDatabase() {
         context_.window, tr("Open a signature database"), databaseFilters());
     if (!file.isEmpty())
         attempt(tr("This database cannot be opened"),
-                [&] { context_.workbench().useDatabase(file.toStdString()); });
+                [&] { context_.workbench().target().use(file.toStdString()); });
 }
 
 void DatabaseDock::newDatabase() {
@@ -290,7 +290,7 @@ void DatabaseDock::newDatabase() {
             entry.terms = irsg::TemperatureTerms::ofAmbient();
             database.materials[pair.material].name = "material " + std::to_string(pair.material);
         }
-        workbench.useNewDatabase(file.toStdString(), std::move(database));
+        workbench.target().useNew(file.toStdString(), std::move(database));
     });
 }
 
@@ -362,7 +362,7 @@ void DatabaseDock::saveAs() {
                                     databaseFilters(), QString::fromStdString(suggestion.string()));
     if (!file.isEmpty())
         attempt(tr("This database cannot be saved"), [&] {
-            context_.workbench().saveDatabaseAs(file.toStdString());
+            context_.workbench().target().saveAs(file.toStdString());
             createScalings();
         });
 }

@@ -203,7 +203,7 @@ TEST_F(EveryActionTest, NoEntryOfTheMenusIsDead) {
         runAnalysis(analysis);
     }
     accept = false;
-    workbench.saveDatabaseAs(folder / "ship.sigdb"); // the sample stays as it is
+    workbench.target().saveAs(folder / "ship.sigdb"); // the sample stays as it is
     workbench.database().edit("name it", [](auto& database) { database.title = "another"; });
     const QStringList ran = chooseAll();
     dead.removeIf([&](const QString& path) { return !ran.contains(path); });
