@@ -18,17 +18,20 @@ LightPairs pairsOf(std::size_t receivers, const std::vector<LightPart>& parts) {
 
 double factor(const LightPairs& pairs, std::uint32_t receiver, std::uint32_t sender) {
     const auto [first, last] = pairs.of(receiver);
-    for (const LightPair* pair = first; pair != last; ++pair)
-        if (pair->sender == sender)
+    for (const LightPair* pair = first; pair != last; ++pair) {
+        if (pair->sender == sender) {
             return static_cast<double>(pair->factor);
+        }
+    }
     return 0.0;
 }
 
 double sum(const LightPairs& pairs, std::uint32_t receiver) {
     double all = 0.0;
     const auto [first, last] = pairs.of(receiver);
-    for (const LightPair* pair = first; pair != last; ++pair)
+    for (const LightPair* pair = first; pair != last; ++pair) {
         all += static_cast<double>(pair->factor);
+    }
     return all;
 }
 
@@ -50,6 +53,13 @@ TEST(LightBalance, HitsOfBothEndsCountForBoth) {
     EXPECT_NEAR(factor(dark, 1, 0), 0.9, 1e-6);
 }
 
+TEST(LightBalance, NothingIsMadeOfNothing) {
+    EXPECT_EQ(balanced(pairsOf(0, {}), pairsOf(0, {}), {}).receivers(), 0u);
+    const LightPairs dark = balanced(pairsOf(2, {}), pairsOf(2, {}), {{1.0, 64.0}, {0.0, 0.0}});
+    EXPECT_EQ(dark.receivers(), 2u);
+    EXPECT_EQ(dark.size(), 0u);
+}
+
 TEST(LightBalance, WhatIsSeenOneWayStaysAsItIs) {
     const std::vector<ReceiverRays> receivers{{1.0, 64.0}, {2.0, 64.0}, {3.0, 64.0}};
     const LightPairs alone =
@@ -59,8 +69,8 @@ TEST(LightBalance, WhatIsSeenOneWayStaysAsItIs) {
     EXPECT_TRUE(alone.isEmpty(1));
     EXPECT_TRUE(alone.isEmpty(2));
     // And fills a part of the hemisphere that nothing else can have.
-    const LightPairs mixed = balanced(pairsOf(3, {{0, 2, 0.4f}, {2, 0, 0.3f}}),
-                                      pairsOf(3, {{0, 1, 0.6f}}), receivers);
+    const LightPairs mixed =
+        balanced(pairsOf(3, {{0, 2, 0.4f}, {2, 0, 0.3f}}), pairsOf(3, {{0, 1, 0.6f}}), receivers);
     EXPECT_FLOAT_EQ(static_cast<float>(factor(mixed, 0, 1)), 0.6f);
     EXPECT_LE(sum(mixed, 0), 1.0 + 1e-6);
 }
@@ -77,14 +87,16 @@ TEST(LightBalance, AClosedRoomStaysClosedAndLightGoesEitherWay) {
     }
     std::uint64_t draw = 0;
     std::vector<LightPart> parts;
-    for (std::uint32_t i = 0; i < walls; ++i)
+    for (std::uint32_t i = 0; i < walls; ++i) {
         for (int ray = 0; ray < 256; ++ray) {
             double left_m2 = unitOf(7, {}, draw++) * area_m2;
             std::uint32_t met = 0;
-            while (met + 1 < walls && left_m2 > receivers[met].area_m2)
+            while (met + 1 < walls && left_m2 > receivers[met].area_m2) {
                 left_m2 -= receivers[met++].area_m2;
+            }
             parts.push_back({i, met, 1.0f / 256.0f});
         }
+    }
     const LightPairs rays = pairsOf(walls, parts);
     const LightPairs both = balanced(rays, pairsOf(walls, {}), receivers);
     double before = 0.0, after = 0.0;

@@ -96,6 +96,8 @@ LightPairs joined(const LightPairs& some, const LightPairs& others) {
 
 LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
                     const std::vector<ReceiverRays>& receivers) {
+    if (pairs.size() == 0)
+        return oneWay;
     LightPairs exchange = exchanged(pairs, receivers);
     std::vector<double> wanted_m2(receivers.size()), scale(receivers.size(), 1.0),
         next(receivers.size()), off(receivers.size());

@@ -20,7 +20,8 @@ struct ReceiverRays {
 /// of both ends over all rays per area of both. Sums over the senders of a receiver are brought to
 /// the mean of the sum so found and that of its own rays, each by its certainty: in a closed room
 /// every ray hits something, and the sum stays 1 to the last digit. What that takes is spread so
-/// that pairs stay reciprocal (van Leersum, Int. J. Heat and Fluid Flow 10, 83, 1989, has the same aim).
+/// that pairs stay reciprocal (van Leersum, Int. J. Heat and Fluid Flow 10, 83, 1989, has the same
+/// aim).
 ///
 /// `oneWay`: what is seen through the backs of facets that have none, from the inside of a body,
 /// from where the receiver is not seen; it stays as it is.
