@@ -44,7 +44,7 @@ class Profile {
 
     double operator()(const LineOfSight& sight) const {
         const Spectrum spectrum = air_.backgroundRadiance(sight, sun_, range_);
-        return quadrature_.integrate(quadrature_.sample(spectrum));
+        return quadrature_.integrate(quadrature_.sampled(spectrum));
     }
 
   private:

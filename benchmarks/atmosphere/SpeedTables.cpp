@@ -44,8 +44,8 @@ double apparentBySpectra(const RadiativeTransfer& transfer, const Band& band,
     const auto [transmittance, radiance] = spectra(transfer, path);
     const Spectrum* axes[] = {&transmittance, &radiance};
     const SpectralQuadrature quadrature(band, axes);
-    return quadrature.integrate(quadrature.planck(target_K), quadrature.sample(transmittance)) +
-           quadrature.integrate(quadrature.sample(radiance));
+    return quadrature.integrate(quadrature.planck(target_K), quadrature.sampled(transmittance)) +
+           quadrature.integrate(quadrature.sampled(radiance));
 }
 
 double apparentByTerms(const RadiativeTransfer& transfer, const SensorCkData& ck,

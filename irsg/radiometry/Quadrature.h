@@ -18,8 +18,6 @@ class SpectralQuadrature : public SpectralSampling {
     /// the response: integrate(f) is the integral of f R over the band.
     SpectralQuadrature(const Band& band, std::span<const Spectrum* const> breakpoints,
                        double coldest_K = 200.0);
-
-    std::vector<double> sample(const Spectrum& spectrum) const { return sampled(spectrum); }
 };
 
 } // namespace irsg

@@ -98,8 +98,8 @@ TEST_P(Wideband, GivesApparentRadianceWithinHalfAPercent) {
                 axes.push_back(&hot);
             }
             const SpectralQuadrature quadrature(band, axes);
-            const std::vector<double> tau = quadrature.sample(transmittance);
-            const double pathInBand = quadrature.integrate(quadrature.sample(radiance));
+            const std::vector<double> tau = quadrature.sampled(transmittance);
+            const double pathInBand = quadrature.integrate(quadrature.sampled(radiance));
 
             const std::vector<double> ckTau = transfer.transmittance(ck.nodes(), path);
             const double ckPath = ck.integrate(transfer.pathRadiance(ck.nodes(), path, sun));
@@ -121,7 +121,7 @@ TEST_P(Wideband, GivesApparentRadianceWithinHalfAPercent) {
                 compare(quadrature.planck(temperature_K), ck.planck(temperature_K), "grey");
             }
             if (hasPlume) {
-                compare(quadrature.sample(hot), hotTerms, "plume");
+                compare(quadrature.sampled(hot), hotTerms, "plume");
             }
         }
     }

@@ -36,11 +36,11 @@ TEST(SpectralQuadrature, IntegratesProductsOfLinesExactly) {
     const Band band = Band::fromResponse({{3.0, 4.0, 5.0}, {0.0, 0.8, 0.0}});
     const Spectrum* const breakpoints[] = {&a, &b, &c};
     const SpectralQuadrature grid(band, breakpoints);
-    std::vector<double> values = grid.sample(a);
-    std::ranges::transform(values, grid.sample(b), values.begin(), std::multiplies<>());
+    std::vector<double> values = grid.sampled(a);
+    std::ranges::transform(values, grid.sampled(b), values.begin(), std::multiplies<>());
     const Spectrum* const factors[] = {&a, &b, &c, &band.response()};
     const double expected = integrateProduct(factors, band.range());
-    EXPECT_NEAR(grid.integrate(values, grid.sample(c)), expected, 1e-15);
+    EXPECT_NEAR(grid.integrate(values, grid.sampled(c)), expected, 1e-15);
 }
 
 TEST(SpectralQuadrature, IntegratesPlanckFunctionsAsTheBandRadianceDoes) {
@@ -77,7 +77,7 @@ TEST(SpectralQuadrature, IntegratesPlanckFunctionsTimesSteepLinesTo1e10) {
         const auto integral = [&](const SpectralQuadrature& rule) {
             std::vector<double> values = rule.planck(temperature_K);
             for (const Spectrum* factor : {&rising, &falling, &rising}) {
-                std::ranges::transform(values, rule.sample(*factor), values.begin(),
+                std::ranges::transform(values, rule.sampled(*factor), values.begin(),
                                        std::multiplies<>());
             }
             return rule.integrate(values);

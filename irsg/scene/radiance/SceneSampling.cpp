@@ -25,6 +25,7 @@ double scaleOf(const std::map<int, double>& scales, int index) {
 double coldest_K(const AtmosphericQueryCache& answers, const AirScene& scene) {
     double coldest_K = 300.0;
     std::vector<double> ambient_K;
+    ambient_K.reserve(scene.geometry.size());
     for (const ObjectGeometry& object : scene.geometry)
         ambient_K.push_back(ambientOf(answers, object).value);
     for (const auto& [e, codes] : surfaceKeys(scene.entities)) {

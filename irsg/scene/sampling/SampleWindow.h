@@ -117,7 +117,8 @@ void SampleWindow::forEachRun(int firstRow, int lastRow, Visit visit) const {
                 visit(first, samplesAcross, x, y, 1.0);
                 continue;
             }
-            const auto* weight = &weights[static_cast<std::size_t>(tile * samplesAcross)];
+            const auto* weight =
+                &weights[static_cast<std::size_t>(tile) * static_cast<std::size_t>(samplesAcross)];
             for (int s = 0; s < samplesAcross;) {
                 int end = s + 1;
                 while (end < samplesAcross && weight[end] == weight[s])
