@@ -26,15 +26,6 @@ double factor(const LightPairs& pairs, std::uint32_t receiver, std::uint32_t sen
     return 0.0;
 }
 
-double sum(const LightPairs& pairs, std::uint32_t receiver) {
-    double all = 0.0;
-    const auto [first, last] = pairs.of(receiver);
-    for (const LightPair* pair = first; pair != last; ++pair) {
-        all += static_cast<double>(pair->factor);
-    }
-    return all;
-}
-
 } // namespace
 
 TEST(LightBalance, HitsOfBothEndsCountForBoth) {
@@ -72,7 +63,7 @@ TEST(LightBalance, WhatIsSeenOneWayStaysAsItIs) {
     const LightPairs mixed =
         balanced(pairsOf(3, {{0, 2, 0.4f}, {2, 0, 0.3f}}), pairsOf(3, {{0, 1, 0.6f}}), receivers);
     EXPECT_FLOAT_EQ(static_cast<float>(factor(mixed, 0, 1)), 0.6f);
-    EXPECT_LE(sum(mixed, 0), 1.0 + 1e-6);
+    EXPECT_LE(mixed.sumOf(0), 1.0 + 1e-6);
 }
 
 TEST(LightBalance, AClosedRoomStaysClosedAndLightGoesEitherWay) {
@@ -101,7 +92,7 @@ TEST(LightBalance, AClosedRoomStaysClosedAndLightGoesEitherWay) {
     const LightPairs both = balanced(rays, pairsOf(walls, {}), receivers);
     double before = 0.0, after = 0.0;
     for (std::uint32_t i = 0; i < walls; ++i) {
-        EXPECT_NEAR(sum(both, i), 1.0, 1e-5) << i;
+        EXPECT_NEAR(both.sumOf(i), 1.0, 1e-5) << i;
         for (std::uint32_t j = 0; j < walls; ++j) {
             const double exact = receivers[j].area_m2 / area_m2;
             if (receivers[i].area_m2 > 20.0 * receivers[j].area_m2) {

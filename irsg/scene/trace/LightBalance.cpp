@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/scene/trace/LightNodes.h"
 
 namespace irsg {
 
@@ -14,16 +14,6 @@ namespace {
 /// Until sums are right: of what is left each step takes half and more.
 constexpr int mostSteps = 40;
 constexpr double wellBalanced = 1e-5;
-constexpr std::size_t atOnce = 64;
-
-/// Of receivers, some at once.
-template <typename Work>
-void forEachReceiver(std::size_t receivers, const Work& work) {
-    parallelFor((receivers + atOnce - 1) / atOnce, [&](std::size_t part) {
-        for (std::size_t r = part * atOnce; r < std::min(receivers, (part + 1) * atOnce); ++r)
-            work(static_cast<std::uint32_t>(r));
-    });
-}
 
 /// Rays per area.
 double densityOf(const ReceiverRays& receiver) {
@@ -33,7 +23,7 @@ double densityOf(const ReceiverRays& receiver) {
 /// A F of all pairs from the hits of both ends.
 LightPairs exchanged(const LightPairs& pairs, const std::vector<ReceiverRays>& receivers) {
     std::vector<std::vector<LightPart>> parts(pairs.receivers());
-    forEachReceiver(pairs.receivers(), [&](std::uint32_t r) {
+    forEachOf(pairs.receivers(), [&](std::uint32_t r) {
         const double own = densityOf(receivers[r]);
         const auto [first, last] = pairs.of(r);
         for (const LightPair* pair = first; pair != last; ++pair) {
@@ -45,14 +35,6 @@ LightPairs exchanged(const LightPairs& pairs, const std::vector<ReceiverRays>& r
         }
     });
     return LightPairs(pairs.receivers(), std::move(parts));
-}
-
-double sumOf(const LightPairs& pairs, std::uint32_t receiver) {
-    double sum = 0.0;
-    const auto [first, last] = pairs.of(receiver);
-    for (const LightPair* pair = first; pair != last; ++pair)
-        sum += static_cast<double>(pair->factor);
-    return sum;
 }
 
 /// What a receiver sees of others, as an area: the mean of what its own rays say and of what the
@@ -72,7 +54,7 @@ double wantedSum_m2(const LightPairs& pairs, const LightPairs& exchange, double 
     }
     if (!(own.rays > 0.0))
         return std::min(sum_m2, most_m2);
-    const double seen = sumOf(pairs, receiver);
+    const double seen = pairs.sumOf(receiver);
     // None of so many rays may be one of the next.
     const double variance = (seen + 1.0 / own.rays) * std::max(1.0 - seen - oneWay, 0.0) / own.rays;
     const double area2_m4 = own.area_m2 * own.area_m2;
@@ -101,8 +83,8 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
     LightPairs exchange = exchanged(pairs, receivers);
     std::vector<double> wanted_m2(receivers.size()), scale(receivers.size(), 1.0),
         next(receivers.size()), off(receivers.size());
-    forEachReceiver(receivers.size(), [&](std::uint32_t r) {
-        wanted_m2[r] = wantedSum_m2(pairs, exchange, sumOf(oneWay, r), r, receivers);
+    forEachOf(receivers.size(), [&](std::uint32_t r) {
+        wanted_m2[r] = wantedSum_m2(pairs, exchange, oneWay.sumOf(r), r, receivers);
     });
     const auto sum_m2 = [&](std::uint32_t r) {
         double sum = 0.0;
@@ -112,7 +94,7 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
         return sum;
     };
     for (int step = 0; step < mostSteps; ++step) {
-        forEachReceiver(receivers.size(), [&](std::uint32_t r) {
+        forEachOf(receivers.size(), [&](std::uint32_t r) {
             const double sum = scale[r] * sum_m2(r);
             off[r] = sum > 0.0 ? std::abs(wanted_m2[r] / sum - 1.0) : 0.0;
             next[r] = sum > 0.0 ? scale[r] * std::sqrt(wanted_m2[r] / sum) : scale[r];
@@ -122,10 +104,9 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
             break;
     }
     // What is left of it, each receiver takes on itself.
-    forEachReceiver(receivers.size(), [&](std::uint32_t r) {
+    forEachOf(receivers.size(), [&](std::uint32_t r) {
         const double sum = sum_m2(r);
-        const double own = sum > 0.0 ? wanted_m2[r] / (sum * receivers[r].area_m2) : 0.0;
-        next[r] = own;
+        next[r] = sum > 0.0 ? wanted_m2[r] / (sum * receivers[r].area_m2) : 0.0;
     });
     exchange.scale([&](std::uint32_t receiver, const LightPair& pair) {
         return static_cast<float>(next[receiver] * scale[pair.sender] *

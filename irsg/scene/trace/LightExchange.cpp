@@ -458,12 +458,4 @@ void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t si
         }
 }
 
-double LightExchange::seen(std::size_t receiver) const {
-    const auto [first, last] = pairs_->of(receiver);
-    double sum = 0.0;
-    for (const LightPair* pair = first; pair != last; ++pair)
-        sum += static_cast<double>(pair->factor);
-    return sum;
-}
-
 } // namespace irsg

@@ -65,7 +65,7 @@ class LightExchange {
     double sun(std::size_t receiver) const { return sun_[receiver]; }
     bool isSender(std::size_t receiver) const { return isSender_[receiver]; }
     /// Part of the hemisphere of a receiver in which others stand.
-    double seen(std::size_t receiver) const;
+    double seen(std::size_t receiver) const { return pairs_->sumOf(receiver); }
 
     /// Triangles of a body's mesh begin at this number.
     std::uint32_t firstTriangle(std::size_t body) const { return firstTriangle_[body]; }

@@ -69,4 +69,12 @@ LightPairs::LightPairs(std::size_t receivers, std::vector<std::vector<LightPart>
                       all.begin() + static_cast<std::ptrdiff_t>(begin[r] + kept[r]));
 }
 
+double LightPairs::sumOf(std::size_t receiver) const {
+    const auto [first, last] = of(receiver);
+    double sum = 0.0;
+    for (const LightPair* pair = first; pair != last; ++pair)
+        sum += static_cast<double>(pair->factor);
+    return sum;
+}
+
 } // namespace irsg

@@ -33,6 +33,8 @@ class LightPairs {
     std::pair<const LightPair*, const LightPair*> of(std::size_t receiver) const {
         return {pairs_.data() + first_[receiver], pairs_.data() + first_[receiver + 1]};
     }
+    /// Of all factors of a receiver: the part of its hemisphere in which others stand.
+    double sumOf(std::size_t receiver) const;
     /// Puts `factorOf(receiver, pair)` in the place of each factor.
     template <typename FactorOf>
     void scale(const FactorOf& factorOf) {
