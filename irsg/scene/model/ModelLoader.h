@@ -9,6 +9,7 @@
 #include <osg/Node>
 #include <osg/ref_ptr>
 
+#include "irsg/scene/model/FileAxes.h"
 #include "irsg/scene/model/ModelValues.h"
 
 namespace irsg {
@@ -19,6 +20,7 @@ struct LoadedGraph {
     /// Face records per pair of codes where the file was OpenFlight, else empty.
     std::map<IrCodes, int> faces;
     std::vector<std::string> remarks;
+    FileAxes axes; ///< of `node`
 };
 
 /// What the graph is for: the infrared picture needs geometry, normals and codes; the visible
