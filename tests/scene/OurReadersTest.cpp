@@ -7,6 +7,7 @@
 #include <osg/Geometry>
 #include <osg/Material>
 
+#include "irsg/scene/model/MaterialNames.h"
 #include "irsg/scene/model/Model.h"
 #include "irsg/scene/model/ModelLoader.h"
 #include "tests/support/DecimalCommas.h"
@@ -132,7 +133,42 @@ TEST(ObjReader, PaintsWithItsMaterials) {
     ASSERT_TRUE(material);
     EXPECT_EQ(material->getDiffuse(osg::Material::FRONT), osg::Vec4(1, 0.25f, 0, 0.5f));
     EXPECT_EQ(state->getRenderingHint(), osg::StateSet::TRANSPARENT_BIN);
-    EXPECT_FALSE(group->getChild(1)->asGeode()->getDrawable(0)->getStateSet());
+    EXPECT_EQ(materialNameOf(*state), "red paint");
+    const auto* other = group->getChild(1)->asGeode()->getDrawable(0)->getStateSet();
+    ASSERT_TRUE(other) << "a material that no library describes has its name";
+    EXPECT_TRUE(other->getAttributeList().empty());
+    EXPECT_EQ(materialNameOf(*other), "none");
+}
+
+TEST(ObjReader, KeepsNamesOfObjectsGroupsAndMaterials) {
+    const TemporaryFolder folder;
+    const std::string face = "f 1 2 3\n";
+    const auto loaded = loadGraph(
+        folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + face + "o hull\n" + face +
+                                  "g port wing\nusemtl paint\n" + face + "usemtl glass\n" + face +
+                                  "g tail\n" + face + "o engine\n" + face + "g fan\n" + face),
+        LoadPurpose::infrared);
+    std::vector<std::string> found;
+    const auto say = [&](const std::string& above, osg::Geode& geode) {
+        for (unsigned int i = 0; i < geode.getNumDrawables(); ++i) {
+            const auto* state = geode.getDrawable(i)->getStateSet();
+            found.push_back(above + geode.getName() + ":" + (state ? materialNameOf(*state) : ""));
+        }
+    };
+    auto& root = *loaded.node->asGroup();
+    for (unsigned int i = 0; i < root.getNumChildren(); ++i) {
+        auto& child = *root.getChild(i)->asGroup();
+        if (child.asGeode()) {
+            say("", *child.asGeode());
+            continue;
+        }
+        for (unsigned int j = 0; j < child.getNumChildren(); ++j) {
+            say(child.getName() + "/", *child.getChild(j)->asGeode());
+        }
+    }
+    EXPECT_THAT(found,
+                testing::ElementsAre(":", "hull:", "hull/port wing:paint", "hull/port wing:glass",
+                                     "hull/tail:glass", "engine:glass", "engine/fan:glass"));
 }
 
 TEST(ObjReader, SaysWhatItLeavesOut) {

@@ -20,8 +20,10 @@
 
 #include "irsg/scene/background/TextureImage.h"
 #include "irsg/scene/model/IrCodes.h"
+#include "irsg/scene/model/MaterialNames.h"
 #include "irsg/scene/model/Model.h"
 #include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/apart/AxesCoding.h"
 #include "irsg/scene/model/apart/Bytes.h"
 #include "irsg/scene/model/apart/GraphCoding.h"
 #include "irsg/scene/model/apart/ReaderService.h"
@@ -180,8 +182,11 @@ TEST(GraphCoding, KeepsMaterialsAndPictures) {
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::MIRROR);
     osg::ref_ptr<osg::Material> material = new osg::Material;
     material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(0.25f, 0.5f, 0.75f, 1));
+    material->setName("red paint");
+    texture->setName("of the wall");
     const auto drawable = square();
     auto* state = drawable->getOrCreateStateSet();
+    state->setName("a state");
     state->setTextureAttributeAndModes(0, texture);
     state->setAttributeAndModes(material, osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
     state->setMode(GL_BLEND, osg::StateAttribute::ON);
@@ -197,12 +202,42 @@ TEST(GraphCoding, KeepsMaterialsAndPictures) {
         dynamic_cast<const osg::Material*>(read.getAttribute(osg::StateAttribute::MATERIAL));
     ASSERT_TRUE(paint);
     EXPECT_EQ(paint->getDiffuse(osg::Material::BACK), osg::Vec4(0.25f, 0.5f, 0.75f, 1));
+    EXPECT_EQ(read.getName(), "a state");
+    EXPECT_EQ(materialNameOf(read), "red paint");
     const auto* wall = dynamic_cast<const osg::Texture2D*>(
         read.getTextureAttribute(0, osg::StateAttribute::TEXTURE));
     ASSERT_TRUE(wall && wall->getImage());
     EXPECT_EQ(wall->getWrap(osg::Texture::WRAP_S), osg::Texture::MIRROR);
     EXPECT_EQ(std::memcmp(wall->getImage()->data(), image->data(), image->getTotalSizeInBytes()),
               0);
+}
+
+TEST(GraphCoding, KeepsWhatAFileSaysOfItsAxes) {
+    const FileAxes rows[] = {{},
+                             {0.0254, UpAxis::plusX, std::nullopt, "inches"},
+                             {std::nullopt, UpAxis::minusZ, UpAxis::plusY, ""},
+                             {1.0, std::nullopt, UpAxis::minusX, "metres"}};
+    for (const auto& axes : rows) {
+        ByteSink sink;
+        putAxes(sink, axes);
+        const std::string bytes = sink.take();
+        ByteSource source(bytes);
+        EXPECT_EQ(getAxes(source), axes);
+        EXPECT_TRUE(source.atEnd());
+    }
+    for (const double unit_m : {-1.0, HUGE_VAL, std::nan("")}) {
+        ByteSink sink;
+        putAxes(sink, {unit_m, {}, {}, ""});
+        const std::string bytes = sink.take();
+        ByteSource source(bytes);
+        EXPECT_THROW(getAxes(source), DamagedBytes) << unit_m;
+    }
+    ByteSink sink;
+    putAxes(sink, {1.0, UpAxis::plusZ, {}, ""});
+    std::string bytes = sink.take();
+    bytes[8] = 7;
+    ByteSource source(bytes);
+    EXPECT_THROW(getAxes(source), DamagedBytes);
 }
 
 TEST(GraphCoding, HandsLargeModelsOverInPiecesThatAreNotCopied) {

@@ -17,6 +17,7 @@
 #include "irsg/scene/model/OpenableFiles.h"
 #include "irsg/scene/model/OsgNotices.h"
 #include "irsg/scene/model/ProxyNodes.h"
+#include "irsg/scene/model/apart/AxesCoding.h"
 #include "irsg/scene/model/apart/Bytes.h"
 #include "irsg/scene/model/apart/GraphCoding.h"
 #include "irsg/scene/model/apart/PicturesApart.h"
@@ -137,6 +138,7 @@ LoadedGraph loadApart(const fs::path& place, const fs::path& file) {
         loaded.remarks.resize(source.getCount(8));
         for (std::string& remark : loaded.remarks)
             remark = source.getText();
+        loaded.axes = getAxes(source);
         loaded.node = getGraph(source, file.string(), loaded.remarks);
         return loaded;
     } catch (const DamagedBytes& damage) {

@@ -267,6 +267,7 @@ bool putAttribute(ByteSink& sink, const osg::StateAttribute& attribute, std::int
     if (known) {
         sink.put(static_cast<std::int32_t>(attribute.getType()));
         sink.put(values);
+        sink.putText(attribute.getName());
     }
     return known;
 }
@@ -275,13 +276,14 @@ osg::ref_ptr<osg::StateAttribute>
 getAttribute(ByteSource& source, const std::vector<osg::ref_ptr<osg::Image>>& images) {
     const auto kind = source.get<std::int32_t>();
     const auto values = source.get<Values>();
-    if (kind == Attribute::MATERIAL)
-        return materialOf(values);
-    if (kind == Attribute::TEXTURE)
-        return textureOf(values, images);
-    osg::ref_ptr<osg::StateAttribute> attribute = simpleOf(kind, values);
+    const std::string name = source.getText();
+    osg::ref_ptr<osg::StateAttribute> attribute = kind == Attribute::MATERIAL ? materialOf(values)
+                                                  : kind == Attribute::TEXTURE
+                                                      ? textureOf(values, images)
+                                                      : simpleOf(kind, values);
     if (auto* environment = dynamic_cast<osg::TexEnv*>(attribute.get()))
         environment->setColor(vec4(values.numbers));
+    attribute->setName(name);
     return attribute;
 }
 

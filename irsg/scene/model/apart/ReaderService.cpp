@@ -12,6 +12,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/OpenableFiles.h"
+#include "irsg/scene/model/apart/AxesCoding.h"
 #include "irsg/scene/model/apart/GraphCoding.h"
 #include "irsg/scene/model/apart/PluginReading.h"
 #include "irsg/scene/model/apart/StateCoding.h"
@@ -62,6 +63,7 @@ ByteSink answerTo(FileKind kind, const std::filesystem::path& place,
     sink.putCount(loaded.remarks.size());
     for (const std::string& remark : loaded.remarks)
         sink.putText(remark);
+    putAxes(sink, loaded.axes);
     sink.append(std::move(graph));
     return sink;
 }

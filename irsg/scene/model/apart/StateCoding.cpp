@@ -122,6 +122,7 @@ std::int32_t StateEncoder::number(const osg::StateSet* state) {
         return place->second;
     const std::int32_t mine = place->second;
     ByteSink& sink = stateBytes_;
+    sink.putText(state->getName());
     putModes(sink, state->getModeList());
     putAttributes(sink, state->getAttributeList());
     const auto& unitModes = state->getTextureModeList();
@@ -176,6 +177,7 @@ void getModes(ByteSource& source, const Each& each) {
 
 osg::ref_ptr<osg::StateSet> getState(ByteSource& source, const Attributes& all) {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->setName(source.getText());
     getModes(source, [&](GLenum mode, unsigned int value) { state->setMode(mode, value); });
     getAttributes(source, all, [&](osg::StateAttribute* attribute, unsigned int value) {
         if (attribute->isTextureAttribute())

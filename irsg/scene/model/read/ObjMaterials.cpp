@@ -87,7 +87,7 @@ void ObjMaterials::readText(const std::string& text, const std::string& file,
     std::vector<Diagnostic> diagnostics;
     const auto finish = [&] {
         if (any)
-            states_[name] = makeState(material, remarks);
+            states_[name] = makeState(name, material, remarks);
     };
     while (words.next()) {
         const std::string_view word = words.words()[0];
@@ -151,10 +151,13 @@ osg::ref_ptr<osg::Image> ObjMaterials::image(const std::string& name,
     return place->second;
 }
 
-osg::ref_ptr<osg::StateSet> ObjMaterials::makeState(const Material& material,
+osg::ref_ptr<osg::StateSet> ObjMaterials::makeState(const std::string& name,
+                                                    const Material& material,
                                                     std::vector<std::string>& remarks) {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     osg::ref_ptr<osg::Material> colours = new osg::Material;
+    state->setName(name);
+    colours->setName(name);
     const auto faces = osg::Material::FRONT_AND_BACK;
     colours->setAmbient(faces, colour(material.ambient, material.alpha));
     colours->setDiffuse(faces, colour(material.diffuse, material.alpha));
@@ -176,9 +179,13 @@ osg::ref_ptr<osg::StateSet> ObjMaterials::makeState(const Material& material,
     return state;
 }
 
-osg::ref_ptr<osg::StateSet> ObjMaterials::state(const std::string& name) const {
-    const auto found = states_.find(name);
-    return found == states_.end() ? nullptr : found->second;
+osg::ref_ptr<osg::StateSet> ObjMaterials::state(const std::string& name) {
+    auto& state = states_[name];
+    if (!state && !name.empty()) {
+        state = new osg::StateSet;
+        state->setName(name);
+    }
+    return state;
 }
 
 } // namespace irsg

@@ -19,8 +19,9 @@ class ObjMaterials {
 
     /// Reads a library. What cannot be read becomes a remark: faces have a place without it, too.
     void read(const std::string& name, std::vector<std::string>& remarks);
-    /// The state of a material; none for one that no library describes.
-    osg::ref_ptr<osg::StateSet> state(const std::string& name) const;
+    /// The state of a material: nothing but the name for one that no library describes, none where
+    /// there is no name.
+    osg::ref_ptr<osg::StateSet> state(const std::string& name);
 
   private:
     struct Material {
@@ -31,7 +32,7 @@ class ObjMaterials {
     };
     void readText(const std::string& text, const std::string& file,
                   std::vector<std::string>& remarks);
-    osg::ref_ptr<osg::StateSet> makeState(const Material& material,
+    osg::ref_ptr<osg::StateSet> makeState(const std::string& name, const Material& material,
                                           std::vector<std::string>& remarks);
     osg::ref_ptr<osg::Image> image(const std::string& name, std::vector<std::string>& remarks);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <tuple>
 
 #include <osg/Geode>
 #include <osg/Group>
@@ -66,8 +67,13 @@ class ObjText {
                 shape_.places.emplace_back();
         } else if (word == "f" || word == "fo") {
             readFace();
-        } else if (word == "g" || word == "o") {
-            name_ = words_.rest();
+        } else if (word == "o") {
+            // Its groups begin anew.
+            object_ = words_.rest();
+            group_.clear();
+            drawable_ = nullptr;
+        } else if (word == "g") {
+            group_ = words_.rest();
             drawable_ = nullptr;
         } else if (word == "usemtl") {
             material_ = words_.rest();
@@ -139,7 +145,7 @@ class ObjText {
 
     ObjDrawable& drawable() {
         if (!drawable_) {
-            const auto [at, added] = drawables_.try_emplace({name_, material_}, shape_);
+            const auto [at, added] = drawables_.try_emplace({object_, group_, material_}, shape_);
             drawable_ = &at->second;
             if (added)
                 order_.push_back(at);
@@ -149,14 +155,27 @@ class ObjText {
 
     LoadedGraph finish() {
         LoadedGraph loaded;
-        osg::ref_ptr<osg::Group> group = new osg::Group;
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        std::map<std::string, osg::Group*> objects;
         for (const auto& at : order_) {
+            const auto& [object, group, material] = at->first;
             osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-            geode->setName(at->first.first);
+            geode->setName(group.empty() ? object : group);
             const auto geometry = at->second.make();
-            geometry->setStateSet(materials_.state(at->first.second));
+            geometry->setStateSet(materials_.state(material));
             geode->addDrawable(geometry);
-            group->addChild(geode);
+            // A level of its own only where both have names.
+            if (object.empty() || group.empty()) {
+                root->addChild(geode);
+                continue;
+            }
+            osg::Group*& parent = objects[object];
+            if (!parent) {
+                parent = new osg::Group;
+                parent->setName(object);
+                root->addChild(parent);
+            }
+            parent->addChild(geode);
         }
         if (others_ > 0)
             remarks_.push_back(std::to_string(others_) +
@@ -164,7 +183,7 @@ class ObjText {
         if (unknown_ > 0)
             remarks_.push_back(firstUnknown_ + ", which the format does not have (" +
                                std::to_string(unknown_) + " lines like this are left out)");
-        loaded.node = group;
+        loaded.node = root;
         loaded.remarks = std::move(remarks_);
         return loaded;
     }
@@ -172,10 +191,11 @@ class ObjText {
     TextWords words_;
     ObjMaterials materials_;
     ObjShape shape_;
-    std::map<std::pair<std::string, std::string>, ObjDrawable> drawables_;
+    /// By object, group and material.
+    std::map<std::tuple<std::string, std::string, std::string>, ObjDrawable> drawables_;
     std::vector<decltype(drawables_)::iterator> order_;
-    ObjDrawable* drawable_ = nullptr; ///< of this name and material
-    std::string name_, material_;
+    ObjDrawable* drawable_ = nullptr; ///< of these names
+    std::string object_, group_, material_;
     std::vector<ObjCorner> face_;
     std::vector<Diagnostic> diagnostics_;
     std::vector<std::string> remarks_;
