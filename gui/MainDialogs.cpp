@@ -13,6 +13,7 @@
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/project/ConvertModelDialog.h"
+#include "gui/project/FirstSignatureDialog.h"
 #include "gui/project/NamedAnalyses.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/ProjectPropertiesDialog.h"
@@ -88,6 +89,20 @@ void MainDialogs::showProjectProperties() {
     ProjectPropertiesDialog dialog(workbench_.project(), &window_);
     if (dialogs_.run(dialog))
         workbench_.edit(dialog.project(), tr("Change project properties"));
+}
+
+void MainDialogs::makeFirstSignature() {
+    if (!workbench_.hasProject() || workbench_.project().models.empty())
+        return;
+    FirstSignatureDialog dialog(workbench_.project(), &window_);
+    if (!dialogs_.run(dialog))
+        return;
+    try {
+        workbench_.edit(dialog.write(), tr("Make a first signature"));
+        say(tr("Codes and database were written beside the model; refine them in the database"));
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(&window_, tr("The first signature cannot be written"), sentencesOf(error));
+    }
 }
 
 void MainDialogs::showSettings(const QString& page) {

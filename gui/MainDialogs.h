@@ -31,6 +31,8 @@ class MainDialogs : public QObject {
     void removeAnalysis(const QString& name);
     void convertModel();
     void showProjectProperties();
+    /// Codes and a database for a model that has none.
+    void makeFirstSignature();
     /// The settings of the project, at the page of this title.
     void showSettings(const QString& page);
     void showPreferences();

@@ -91,6 +91,11 @@ void MainMenus::makeFileMenu(QMenu* menu) {
     needProject_.append(add(menu, "projectProperties", {}, tr("Project proper&ties…"),
                             QKeySequence(Qt::ALT | Qt::Key_Return),
                             [this] { with_.ask.showProjectProperties(); }));
+    auto* first = add(menu, "firstSignature", "library", tr("First si&gnature from names…"), {},
+                      [this] { with_.ask.makeFirstSignature(); });
+    first->setToolTip(tr("Gives a model without codes materials and temperatures by the names in "
+                         "its file"));
+    needProject_.append(first);
     menu->addSeparator();
     addDatabaseActions(menu);
     menu->addSeparator();

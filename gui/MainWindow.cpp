@@ -135,6 +135,8 @@ void MainWindow::connectTree() {
             [this] { ask_->showSettings(SettingsDialog::tr("Sun and fluxes")); });
     connect(tree_, &SceneTreeDock::atmosphereActivated, this,
             [this] { ask_->showSettings(SettingsDialog::tr("Atmosphere")); });
+    connect(databaseDock_, &DatabaseDock::firstSignatureWanted, ask_,
+            &MainDialogs::makeFirstSignature);
     connect(tree_, &SceneTreeDock::propertiesWanted, ask_, &MainDialogs::showProjectProperties);
     connect(tree_, &SceneTreeDock::analysisActivated, ask_, &MainDialogs::startAgain);
     connect(tree_, &SceneTreeDock::removeAnalysisWanted, ask_, &MainDialogs::removeAnalysis);

@@ -6,20 +6,15 @@
 
 namespace smat::gui {
 
-ModelKey ModelKey::of(const Project& project, const ProjectModel& model) {
-    return {project.resolve(model.file), model.noseAxis, model.forceTwoSided};
-}
-
 ModelStore::ModelStore(Reader read) : read_(std::move(read)) {
     if (!read_)
         read_ = [](const ModelKey& key) {
-            return std::shared_ptr<const irsg::Model>(irsg::Model::load(
-                key.file, {.noseAxis = key.noseAxis, .forceTwoSided = key.forceTwoSided}));
+            return std::shared_ptr<const irsg::Model>(irsg::Model::load(key.file, key.options));
         };
 }
 
 std::shared_ptr<const irsg::Model> ModelStore::model(const ModelKey& key) {
-    const auto stamp = irsg::stampOf(key.file);
+    const auto stamp = irsg::modelStampOf(key.file);
     std::promise<std::shared_ptr<const irsg::Model>> promise;
     Answer answer;
     long mine = 0;
@@ -48,7 +43,7 @@ std::shared_ptr<const irsg::Model> ModelStore::model(const ModelKey& key) {
 }
 
 bool ModelStore::isThere(const ModelKey& key) const {
-    const auto stamp = irsg::stampOf(key.file);
+    const auto stamp = irsg::modelStampOf(key.file);
     const std::scoped_lock lock(mutex_);
     const auto kept = kept_.find(key);
     return kept != kept_.end() && kept->second.stamp == stamp &&
@@ -58,7 +53,7 @@ bool ModelStore::isThere(const ModelKey& key) const {
 SceneBuilder::ModelLoader ModelStore::loader(std::shared_ptr<ModelStore> store) {
     return [store = std::move(store)](const std::filesystem::path& file,
                                       const irsg::ModelOptions& options) {
-        return store->model({file, options.noseAxis, options.forceTwoSided});
+        return store->model({file, options});
     };
 }
 

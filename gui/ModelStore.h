@@ -9,21 +9,12 @@
 #include <optional>
 #include <vector>
 
-#include "irsg/radiometry/FileStamp.h"
 #include "irsg/scene/model/Model.h"
+#include "irsg/scene/model/ModelCodes.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
 
-/// A model as a project names it: its file, resolved, and how it is read.
-struct ModelKey {
-    std::filesystem::path file;
-    irsg::NoseAxis noseAxis = irsg::NoseAxis::plusY;
-    bool forceTwoSided = false;
-    auto operator<=>(const ModelKey&) const = default;
-
-    static ModelKey of(const Project& project, const ProjectModel& model);
-};
 using LoadedModels = std::map<ModelKey, std::shared_ptr<const irsg::Model>>;
 
 /// The infrared models of the project that is open, each read once however many parts of the
@@ -51,7 +42,7 @@ class ModelStore {
   private:
     using Answer = std::shared_future<std::shared_ptr<const irsg::Model>>;
     struct Kept {
-        std::optional<irsg::FileStamp> stamp;
+        irsg::ModelStamp stamp;
         long reading = 0; ///< the number of
         Answer answer;
     };

@@ -7,39 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/model/Model.h"
+#include "apps/samples/ModelWriter.h"
 
 namespace smat {
 
-/// A vertex of a model to be written, m.
-struct FlightVertex {
-    irsg::Vec3 position;
-    irsg::Vec3 normal;
-};
-
-/// A colour for the eye.
-struct Look {
-    std::uint8_t red = 200, green = 200, blue = 200;
-};
-
-/// How the faces and meshes that follow look to the eye and to the sensor.
-struct FlightSurface {
-    std::string name; ///< at most 7 characters
-    irsg::IrCodes codes;
-    bool twoSided = false;
-    Look look = {};
-};
-
-/// A run of triangles over the vertices of a mesh.
-struct FlightPrimitive {
-    enum class Kind : std::int16_t { strip = 1, fan = 2 };
-    Kind kind = Kind::strip;
-    std::vector<std::uint32_t> indices;
-};
-
 /// Writes OpenFlight 16.1: one group with one object that holds all faces and meshes, packed
 /// colours, a vertex normal everywhere, metres.
-class FlightWriter {
+class FlightWriter : public ModelWriter {
   public:
     explicit FlightWriter(const std::string& name);
 
@@ -48,7 +22,7 @@ class FlightWriter {
     /// A mesh over shared vertices; one pair of codes for all of it. A large one is written with
     /// continuation records.
     void addMesh(const FlightSurface& surface, std::span<const FlightVertex> vertices,
-                 std::span<const FlightPrimitive> primitives);
+                 std::span<const FlightPrimitive> primitives) override;
 
     /// The whole file.
     std::string bytes() const;

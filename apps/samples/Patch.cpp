@@ -95,7 +95,7 @@ std::vector<std::size_t> distinct(const std::vector<FlightVertex>& vertices,
 
 } // namespace
 
-void addPatch(FlightWriter& writer, const Shape& shape, std::span<const double> us,
+void addPatch(ModelWriter& writer, const Shape& shape, std::span<const double> us,
               std::span<const double> vs, const SurfaceAt& surfaceAt) {
     const double uSpan = us.back() - us.front(), vSpan = vs.back() - vs.front();
     const double uMiddle = 0.5 * (us.front() + us.back());
@@ -161,12 +161,12 @@ void addPatch(FlightWriter& writer, const Shape& shape, std::span<const double> 
         writer.addMesh(*surface, part.vertices, part.strips);
 }
 
-void addPatch(FlightWriter& writer, const Shape& shape, std::span<const double> us,
+void addPatch(ModelWriter& writer, const Shape& shape, std::span<const double> us,
               std::span<const double> vs, const FlightSurface& surface) {
     addPatch(writer, shape, us, vs, [&](double, double) { return &surface; });
 }
 
-void addEllipsoid(FlightWriter& writer, const Vec3& centre, const Vec3& radii,
+void addEllipsoid(ModelWriter& writer, const Vec3& centre, const Vec3& radii,
                   const FlightSurface& surface, int rings, int segments) {
     constexpr double pi = std::numbers::pi;
     const auto shape = [&](double u, double v) {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "apps/samples/FlightWriter.h"
+#include "apps/samples/ModelWriter.h"
 
 namespace smat {
 
@@ -37,14 +37,14 @@ using SurfaceAt = std::function<const FlightSurface*(double u, double v)>;
 
 /// Writes the cells of a surface between these edges, each kind of surface as a mesh of its own
 /// with the surface's true normals. Its front is on the side of du x dv.
-void addPatch(FlightWriter& writer, const Shape& shape, std::span<const double> us,
+void addPatch(ModelWriter& writer, const Shape& shape, std::span<const double> us,
               std::span<const double> vs, const SurfaceAt& surfaceAt);
 /// The same of one kind of surface.
-void addPatch(FlightWriter& writer, const Shape& shape, std::span<const double> us,
+void addPatch(ModelWriter& writer, const Shape& shape, std::span<const double> us,
               std::span<const double> vs, const FlightSurface& surface);
 
 /// Writes an ellipsoid with its poles on y, of so many rings and segments.
-void addEllipsoid(FlightWriter& writer, const irsg::Vec3& centre, const irsg::Vec3& radii,
+void addEllipsoid(ModelWriter& writer, const irsg::Vec3& centre, const irsg::Vec3& radii,
                   const FlightSurface& surface, int rings, int segments);
 
 } // namespace smat

@@ -1,10 +1,11 @@
 // smat-samples [FOLDER] writes what this project makes of formulas: the models of sphere, box,
-// heron and corvette and the sky and the terrain of the valley into FOLDER/samples, the plate of
-// the tests into FOLDER/tests/data/models. FOLDER is the present one.
+// heron, corvette and helicopter and the sky and the terrain of the valley into FOLDER/samples, the
+// plate of the tests into FOLDER/tests/data/models. FOLDER is the present one.
 
 #include <iostream>
 
 #include "apps/samples/SampleCorvette.h"
+#include "apps/samples/SampleHelicopter.h"
 #include "apps/samples/SampleHeron.h"
 #include "apps/samples/SampleModels.h"
 #include "apps/samples/SampleValley.h"
@@ -32,6 +33,10 @@ int main(int argc, char** argv) {
         write(smat::boxModel(), folder / "samples/box/box.flt");
         write(smat::heronModel(), folder / "samples/heron/heron.flt");
         write(smat::corvetteModel(), folder / "samples/corvette/corvette.flt");
+        const std::filesystem::path helicopter = folder / "samples/helicopter/helicopter.gltf";
+        std::cout << "writes " << helicopter.string() << std::endl;
+        std::filesystem::create_directories(helicopter.parent_path());
+        smat::helicopterModel().save(helicopter);
         const std::filesystem::path valley = folder / "samples/valley";
         std::cout << "writes " << valley.string() << std::endl;
         smat::writeCloudSkybox(valley / "sky");

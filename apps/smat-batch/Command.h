@@ -58,6 +58,7 @@ void addDatabaseCommand(CLI::App& app, Context& context);
 void addCompareCommand(CLI::App& app, Context& context);
 void addConvertCommand(CLI::App& app, Context& context);
 void addModelCommand(CLI::App& app, Context& context);
+void addModelCodesCommand(CLI::App& model, Context& context); ///< of `model`
 void addMonteCarloCommand(CLI::App& app, Context& context);
 void addMtfCommand(CLI::App& app, Context& context);
 void addAtmosphereCommand(CLI::App& app, Context& context);

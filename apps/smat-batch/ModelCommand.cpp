@@ -3,17 +3,34 @@
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/PlacingOptions.h"
 #include "irsg/scene/model/Model.h"
+#include "irsg/scene/model/PlacingGuess.h"
+#include "smatcore/project/JsonWriting.h"
 
 namespace smat::batch {
 
 namespace {
 
-int info(const std::string& file, Context& context) {
+nlohmann::ordered_json placingJson(const irsg::ModelPlacing& placing) {
+    nlohmann::json json;
+    writeModelOptions(json, {.placing = placing});
+    return json;
+}
+
+nlohmann::ordered_json guessJson(const irsg::PlacingGuess& guess) {
+    auto json = placingJson(guess.placing);
+    json["reasons"] = guess.reasons;
+    return json;
+}
+
+int info(const std::string& file, const irsg::ModelPlacing& placing, Context& context) {
     std::shared_ptr<irsg::Model> model;
+    irsg::PlacingGuess guess;
     {
         const StageTimer::Scope scope(&context.timer, "load");
-        model = irsg::Model::load(file);
+        model = irsg::Model::load(file, {.placing = placing});
+        guess = irsg::placingGuess(file);
     }
     const irsg::BoundingBox& box = model->bounds();
     if (context.json) {
@@ -29,6 +46,8 @@ int info(const std::string& file, Context& context) {
                                                    {"min_m", {box.min.x, box.min.y, box.min.z}},
                                                    {"max_m", {box.max.x, box.max.y, box.max.z}},
                                                    {"codes", codes},
+                                                   {"placing", placingJson(model->placing())},
+                                                   {"guess", guessJson(guess)},
                                                    {"remarks", model->remarks()}}));
         return done;
     }
@@ -47,6 +66,15 @@ int info(const std::string& file, Context& context) {
         area_m2 += use.area_m2;
     }
     fmt::print("  {:>25} {:>8} {:>14.6g}\n", "all", faces, area_m2);
+    const auto& axes = irsg::modelAxisNames();
+    const auto placed = [&](const irsg::ModelPlacing& as) {
+        return fmt::format("up {}, nose {}, unit {} m", axes[static_cast<std::size_t>(*as.up)],
+                           axes[static_cast<std::size_t>(*as.nose)], *as.unit_m);
+    };
+    fmt::print("  placed: {}\n", placed(model->placing()));
+    fmt::print("  guess: {}\n", placed(guess.placing));
+    for (const std::string& reason : guess.reasons)
+        fmt::print("    {}\n", reason);
     for (const std::string& remark : model->remarks())
         fmt::print("  note: {}\n", remark);
     return done;
@@ -60,8 +88,13 @@ void addModelCommand(CLI::App& app, Context& context) {
     CLI::App* infoCommand = command->add_subcommand("info", "Size, codes, faces and areas");
     auto file = std::make_shared<std::string>();
     infoCommand->add_option("FILE", *file, "Model")->required()->type_name("");
-    infoCommand->callback(
-        [&context, file] { context.work = [&context, file] { return info(*file, context); }; });
+    auto placing = std::make_shared<PlacingOptions>(*infoCommand);
+    infoCommand->callback([&context, file, placing] {
+        context.work = [&context, file, placing] {
+            return info(*file, placing->placing(), context);
+        };
+    });
+    addModelCodesCommand(*command, context);
 }
 
 } // namespace smat::batch

@@ -6,7 +6,7 @@
 
 namespace smat::batch {
 
-ProjectInput::ProjectInput(CLI::App& command) {
+ProjectInput::ProjectInput(CLI::App& command) : placing_(command) {
     command.add_option("PROJECT", file_, "Project file (.smat), or a model")
         ->required()
         ->type_name("");
@@ -16,14 +16,24 @@ ProjectInput::ProjectInput(CLI::App& command) {
 
 Project ProjectInput::load() const {
     const std::filesystem::path file(file_);
-    if (file.extension() != ".smat")
-        return projectOfModel(file, database_);
+    if (file.extension() != ".smat") {
+        Project project = projectOfModel(file, database_);
+        project.models.front().options.placing = placing_.placing();
+        return project;
+    }
     if (!database_.empty()) {
         throw irsg::InputError(
             irsg::Diagnostic{.file = "--database",
                              .position = "",
                              .value = database_,
                              .expected = "no database: a project names its own"});
+    }
+    if (!placing_.given().empty()) {
+        throw irsg::InputError(
+            irsg::Diagnostic{.file = placing_.given(),
+                             .position = "",
+                             .value = file_,
+                             .expected = "a bare model: a project places its own"});
     }
     Project project = loadProject(file);
     for (const std::string& key : unknownKeys(project))

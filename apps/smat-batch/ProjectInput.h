@@ -4,12 +4,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "apps/smat-batch/PlacingOptions.h"
 #include "smatcore/project/Project.h"
 
 namespace smat::batch {
 
 /// The project a command works on: a `.smat` file, or a bare model with the database of
-/// `--database` or the one that lies beside it.
+/// `--database` or the one that lies beside it, placed as PlacingOptions say.
 class ProjectInput {
   public:
     explicit ProjectInput(CLI::App& command);
@@ -21,6 +22,7 @@ class ProjectInput {
   private:
     std::string file_;
     std::string database_;
+    PlacingOptions placing_;
 };
 
 } // namespace smat::batch

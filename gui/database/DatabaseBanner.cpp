@@ -91,6 +91,8 @@ void DatabaseBanner::refresh() {
         if (workbench.target().canAcceptChanges())
             offer("acceptChanges", tr("Accept these changes"),
                   [this] { attempt([this] { context_.workbench().target().acceptChanges(); }); });
+        if (problem.isEmpty())
+            offer("firstSignature", tr("From names…"), [this] { emit firstSignatureRequested(); });
         offer("newDatabase", tr("New database…"), [this] { emit newRequested(); });
         offer("chooseDatabase", tr("Open another…"), [this] { emit openRequested(); });
     } else if (const auto copies = session.recoveries(); copies > 0) {

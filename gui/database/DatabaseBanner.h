@@ -21,6 +21,7 @@ class DatabaseBanner : public QFrame {
 
   signals:
     void newRequested();
+    void firstSignatureRequested();
     void openRequested();
     void saveAsRequested();
     void overwriteRequested();

@@ -17,7 +17,6 @@
 #include "gui/database/EntryList.h"
 #include "gui/database/FindingsPanel.h"
 #include "gui/database/ImportSpectrumDialog.h"
-#include "gui/database/MaterialLibrary.h"
 #include "gui/database/MaterialPanel.h"
 #include "gui/database/QuestionDialog.h"
 #include "gui/database/SpectrumPanel.h"
@@ -25,6 +24,7 @@
 #include "gui/start/DataFolder.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/Model.h"
+#include "irsg/signature/MaterialLibrary.h"
 #include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SpectrumCsv.h"
 
@@ -101,6 +101,8 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     connect(&context_.session(), &DatabaseSession::stateChanged, this, &DatabaseDock::refresh);
     connect(&context_.session(), &DatabaseSession::opened, this, &DatabaseDock::refresh);
     connect(banner_, &DatabaseBanner::newRequested, this, &DatabaseDock::newDatabase);
+    connect(banner_, &DatabaseBanner::firstSignatureRequested, this,
+            &DatabaseDock::firstSignatureWanted);
     connect(banner_, &DatabaseBanner::openRequested, this, &DatabaseDock::openDatabase);
     connect(banner_, &DatabaseBanner::saveAsRequested, this, &DatabaseDock::saveAs);
     connect(banner_, &DatabaseBanner::overwriteRequested, this, &DatabaseDock::overwrite);
@@ -382,7 +384,7 @@ void DatabaseDock::takeEntries(irsg::SignatureDatabase source, const QString& ti
 
 void DatabaseDock::addFromLibrary() {
     if (context_.session().isOpen())
-        takeEntries(materialLibrary(), tr("Library of materials and paints"),
+        takeEntries(irsg::materialLibrary(), tr("Library of materials and paints"),
                     tr("Add materials from the library"));
 }
 

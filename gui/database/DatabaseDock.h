@@ -54,6 +54,8 @@ class DatabaseDock : public QDockWidget {
   signals:
     /// The entry that is shown is another, or none.
     void currentChanged(const std::optional<smat::gui::EntryKey>& key);
+    /// Codes and entries are to be made from the names in the model.
+    void firstSignatureWanted();
 
   protected:
     void resizeEvent(QResizeEvent* event) override;

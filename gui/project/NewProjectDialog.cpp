@@ -1,6 +1,5 @@
 #include "gui/project/NewProjectDialog.h"
 
-#include <QComboBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -12,8 +11,8 @@
 
 #include "gui/DialogButtons.h"
 #include "gui/Theme.h"
+#include "gui/project/PlacingFields.h"
 #include "gui/project/ProjectFiles.h"
-#include "gui/project/ProjectPropertiesDialog.h"
 
 namespace smat::gui {
 
@@ -35,11 +34,7 @@ NewProjectDialog::NewProjectDialog(Dialogs& dialogs, QWidget* parent)
     title_ = new QLineEdit(this);
     title_->setObjectName("title");
     form->addRow(tr("&Title"), title_);
-    noseAxis_ = new QComboBox(this);
-    noseAxis_->setObjectName("noseAxis");
-    noseAxis_->addItems(noseAxisTitles());
-    noseAxis_->setCurrentIndex(static_cast<int>(irsg::NoseAxis::plusY));
-    form->addRow(tr("&Nose points to"), noseAxis_);
+    placing_ = new PlacingFields("placing", this);
     remark_ = new QLabel(this);
     remark_->setObjectName("remark");
     remark_->setForegroundRole(QPalette::PlaceholderText);
@@ -53,11 +48,12 @@ NewProjectDialog::NewProjectDialog(Dialogs& dialogs, QWidget* parent)
     column->setSpacing(14);
     column->addLayout(form);
     column->addWidget(remark_);
-    column->addStretch(1);
+    column->addWidget(placing_, 1);
     column->addWidget(buttons);
     setMinimumWidth(560);
     connect(model_, &QLineEdit::textChanged, this, &NewProjectDialog::onModelChanged);
     connect(database_, &QLineEdit::textChanged, this, &NewProjectDialog::refresh);
+    connect(placing_, &PlacingFields::changed, this, &NewProjectDialog::refresh);
     refresh();
 }
 
@@ -90,12 +86,14 @@ void NewProjectDialog::onModelChanged() {
         title_->setText(QString::fromStdString(proposal.title));
     if (!database_->isModified())
         database_->setText(QString::fromStdString(proposal.models.front().database.string()));
+    const QString file = model_->text().trimmed();
+    placing_->setFile(QFileInfo(file).isFile() ? file.toStdString() : std::string());
     refresh();
 }
 
 bool NewProjectDialog::isAcceptable() const {
     const QString database = database_->text().trimmed();
-    return QFileInfo(model_->text().trimmed()).isFile() &&
+    return QFileInfo(model_->text().trimmed()).isFile() && placing_->isRight() &&
            (database.isEmpty() || QFileInfo(database).isFile());
 }
 
@@ -120,7 +118,7 @@ Project NewProjectDialog::project() const {
     Project project = projectOfModel(absolute(model_->text().trimmed()));
     project.title = title_->text().trimmed().toStdString();
     project.models.front().database = absolute(database_->text().trimmed());
-    project.models.front().noseAxis = static_cast<irsg::NoseAxis>(noseAxis_->currentIndex());
+    project.models.front().options.placing = placing_->placing();
     return project;
 }
 

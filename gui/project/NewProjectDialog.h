@@ -5,7 +5,6 @@
 #include "gui/Dialogs.h"
 #include "smatcore/project/Project.h"
 
-class QComboBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
@@ -13,7 +12,10 @@ class QPushButton;
 
 namespace smat::gui {
 
-/// Begins a project from a model, its signature database, a title and the axis of its nose.
+class PlacingFields;
+
+/// Begins a project from a model, its signature database, a title and the placing of
+/// the model.
 class NewProjectDialog : public QDialog {
     Q_OBJECT
 
@@ -33,7 +35,7 @@ class NewProjectDialog : public QDialog {
     QLineEdit* model_ = nullptr;
     QLineEdit* database_ = nullptr;
     QLineEdit* title_ = nullptr;
-    QComboBox* noseAxis_ = nullptr;
+    PlacingFields* placing_ = nullptr;
     QLabel* remark_ = nullptr;
     QPushButton* create_ = nullptr;
 };

@@ -1,7 +1,8 @@
 #include "gui/project/ProjectPropertiesDialog.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -12,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "gui/DialogButtons.h"
+#include "gui/project/PlacingFields.h"
 
 namespace smat::gui {
 namespace {
@@ -43,13 +45,6 @@ std::optional<int> entryOf(const QSpinBox* box) {
 
 } // namespace
 
-QStringList noseAxisTitles() {
-    return {ProjectPropertiesDialog::tr("+X of the file"),
-            ProjectPropertiesDialog::tr("−X of the file"),
-            ProjectPropertiesDialog::tr("+Y of the file, as in OpenFlight"),
-            ProjectPropertiesDialog::tr("−Y of the file")};
-}
-
 ProjectPropertiesDialog::ProjectPropertiesDialog(const Project& project, QWidget* parent)
     : QDialog(parent), project_(project) {
     setObjectName("projectPropertiesDialog");
@@ -72,6 +67,13 @@ ProjectPropertiesDialog::ProjectPropertiesDialog(const Project& project, QWidget
         addModel(model, tabs);
 
     auto* buttons = okAndCancel(*this);
+    const auto judge = [this, buttons] {
+        buttons->button(QDialogButtonBox::Ok)
+            ->setEnabled(std::ranges::all_of(
+                models_, [](const ModelFields& fields) { return fields.placing->isRight(); }));
+    };
+    for (const ModelFields& fields : models_)
+        connect(fields.placing, &PlacingFields::changed, this, judge);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 12, 16, 14);
     column->addWidget(tabs, 1);
@@ -86,18 +88,17 @@ void ProjectPropertiesDialog::addModel(const ProjectModel& model, QTabWidget* ta
     fields.name = new QLineEdit(QString::fromStdString(model.name));
     fields.name->setObjectName("name." + number);
     fields.name->setPlaceholderText(QString::fromStdString(model.file.stem().string()));
-    fields.noseAxis = new QComboBox;
-    fields.noseAxis->setObjectName("noseAxis." + number);
-    fields.noseAxis->addItems(noseAxisTitles());
-    fields.noseAxis->setCurrentIndex(static_cast<int>(model.noseAxis));
+    fields.placing = new PlacingFields("placing." + number);
+    fields.placing->setPlacing(model.options.placing);
+    fields.placing->setFile(project_.resolve(model.file));
     fields.twoSided = new QCheckBox(tr("Faces show &both sides, whatever the file says"));
     fields.twoSided->setObjectName("twoSided." + number);
-    fields.twoSided->setChecked(model.forceTwoSided);
+    fields.twoSided->setChecked(model.options.forceTwoSided);
     fields.fallbackTemperature =
         entryField("fallbackTemperature." + number, model.fallbackTemperature);
     fields.fallbackMaterial = entryField("fallbackMaterial." + number, model.fallbackMaterial);
     form->addRow(tr("N&ame"), fields.name);
-    form->addRow(tr("Nose &points to"), fields.noseAxis);
+    form->addRow(fields.placing);
     form->addRow({}, fields.twoSided);
     auto* hint = new QLabel(tr("Entries of the database that stand in for codes without one:"));
     hint->setForegroundRole(QPalette::PlaceholderText);
@@ -119,8 +120,8 @@ Project ProjectPropertiesDialog::project() const {
         const ModelFields& fields = models_[i];
         ProjectModel& model = project.models[i];
         model.name = fields.name->text().trimmed().toStdString();
-        model.noseAxis = static_cast<irsg::NoseAxis>(fields.noseAxis->currentIndex());
-        model.forceTwoSided = fields.twoSided->isChecked();
+        model.options.placing = fields.placing->placing();
+        model.options.forceTwoSided = fields.twoSided->isChecked();
         model.fallbackTemperature = entryOf(fields.fallbackTemperature);
         model.fallbackMaterial = entryOf(fields.fallbackMaterial);
     }

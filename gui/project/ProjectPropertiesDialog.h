@@ -7,7 +7,6 @@
 #include "smatcore/project/Project.h"
 
 class QCheckBox;
-class QComboBox;
 class QLineEdit;
 class QPlainTextEdit;
 class QSpinBox;
@@ -15,7 +14,9 @@ class QTabWidget;
 
 namespace smat::gui {
 
-/// Title and notes of a project, and of each model its name, the axis of its nose, whether faces
+class PlacingFields;
+
+/// Title and notes of a project, and of each model its name, how it is placed, whether faces
 /// show both sides, and the entries that stand in for codes without one.
 class ProjectPropertiesDialog : public QDialog {
     Q_OBJECT
@@ -28,7 +29,7 @@ class ProjectPropertiesDialog : public QDialog {
   private:
     struct ModelFields {
         QLineEdit* name = nullptr;
-        QComboBox* noseAxis = nullptr;
+        PlacingFields* placing = nullptr;
         QCheckBox* twoSided = nullptr;
         QSpinBox* fallbackTemperature = nullptr;
         QSpinBox* fallbackMaterial = nullptr;
@@ -40,8 +41,5 @@ class ProjectPropertiesDialog : public QDialog {
     QPlainTextEdit* notes_ = nullptr;
     std::vector<ModelFields> models_;
 };
-
-/// Names of the axes of a file in the order of irsg::NoseAxis.
-QStringList noseAxisTitles();
 
 } // namespace smat::gui

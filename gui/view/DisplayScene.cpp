@@ -8,25 +8,11 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/ModelPlacing.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
 
 namespace smat::gui {
 namespace {
-
-/// The model axes (x starboard, y nose, z up) in terms of the file's.
-osg::Matrixd noseTurn(irsg::NoseAxis axis) {
-    switch (axis) {
-    case irsg::NoseAxis::plusX:
-        return osg::Matrixd::rotate(osg::PI_2, osg::Vec3d(0, 0, 1));
-    case irsg::NoseAxis::minusX:
-        return osg::Matrixd::rotate(-osg::PI_2, osg::Vec3d(0, 0, 1));
-    case irsg::NoseAxis::minusY:
-        return osg::Matrixd::rotate(osg::PI, osg::Vec3d(0, 0, 1));
-    case irsg::NoseAxis::plusY:
-        break;
-    }
-    return {};
-}
 
 /// Faces without normals cannot be lit: they show their own colour instead of black.
 class UnlitFaces : public osg::NodeVisitor {
@@ -86,7 +72,7 @@ void DisplayScene::findReference() {
     // The centre of what is opaque in the infrared, as the infrared renderer takes it; of all where
     // there is no database to tell.
     const DisplayModel& model = models.front();
-    const auto known = loaded.find({target_.file, target_.noseAxis, target_.forceTwoSided});
+    const auto known = loaded.find({target_.file, target_.options});
     if (target_.referencePoint_m)
         referenceInModel_m = *target_.referencePoint_m;
     if (target_.referencePoint_m || !model.signature || known == loaded.end())
@@ -128,19 +114,20 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
         model.name =
             QString::fromStdString(given.name.empty() ? given.file.stem().string() : given.name);
         model.pose = i == 0 ? targetPoseOf(settings) : given.pose;
-        osg::ref_ptr<osg::MatrixTransform> turned =
-            new osg::MatrixTransform(noseTurn(given.noseAxis));
+        // As the infrared has it; where it cannot read the model, about the file's own origin.
+        osg::ref_ptr<osg::MatrixTransform> turned = new osg::MatrixTransform(
+            irsg::turnAndScale(irsg::completed(given.options.placing, loaded.axes, key.file)));
+        attempt([&] {
+            const auto infrared = builder.model(key.file, key.options);
+            scene.loaded[key] = infrared;
+            turned->setMatrix(infrared->fromFile());
+            model.faces = std::make_shared<const ModelFaces>(*infrared);
+        });
         turned->addChild(loaded.node);
         model.placed = new osg::MatrixTransform(poseMatrix(model.pose));
         model.placed->addChild(turned);
         model.marks = new osg::MatrixTransform(poseMatrix(model.pose));
         scene.root->addChild(model.placed);
-        attempt([&] {
-            const auto infrared = builder.model(
-                key.file, {.noseAxis = key.noseAxis, .forceTwoSided = key.forceTwoSided});
-            scene.loaded[key] = infrared;
-            model.faces = std::make_shared<const ModelFaces>(*infrared);
-        });
         if (!given.database.empty()) {
             model.database = project.resolve(given.database);
             attempt([&] { model.signature = builder.database(model.database); });

@@ -38,8 +38,7 @@ const irsg::ImageChannel& InfraredPicture::plane() const {
 InfraredScene::InfraredScene()
     : builder_([this](const std::filesystem::path& file, const irsg::ModelOptions& options) {
           // What the window has loaded serves once: a file that changed is read.
-          if (const auto known = loaded_.extract({file, options.noseAxis, options.forceTwoSided});
-              !known.empty())
+          if (const auto known = loaded_.extract({file, options}); !known.empty())
               return known.mapped();
           ++modelsLoaded_;
           return std::shared_ptr<const irsg::Model>(irsg::Model::load(file, options));

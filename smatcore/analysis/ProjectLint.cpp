@@ -83,9 +83,8 @@ irsg::LintScope lintScopeOf(const Project& project, const std::filesystem::path&
     const std::vector<std::size_t> models = modelsWith(project, database);
     for (const std::size_t i : models) {
         const ProjectModel& model = project.models[i];
-        irsg::ModelUse use = irsg::useOf(
-            *builder.model(project.resolve(model.file),
-                           {.noseAxis = model.noseAxis, .forceTwoSided = model.forceTwoSided}));
+        irsg::ModelUse use =
+            irsg::useOf(*builder.model(project.resolve(model.file), model.options));
         use.fallbackTemperature = model.fallbackTemperature;
         use.fallbackMaterial = model.fallbackMaterial;
         scope.models.push_back(std::move(use));

@@ -22,8 +22,8 @@ bool isFileName(const std::string& name) {
     return !name.empty() && name.front() != '.' && name.find_first_of("/\\\n\r\t") == name.npos;
 }
 
-const std::vector<std::string>& noseAxisNames() {
-    static const std::vector<std::string> names = {"+x", "-x", "+y", "-y"};
+const std::vector<std::string>& modelOriginNames() {
+    static const std::vector<std::string> names = {"file", "centre", "base"};
     return names;
 }
 
@@ -212,18 +212,50 @@ std::optional<int> JsonFields::takeIndex(Json& json, const char* key, const std:
     return index;
 }
 
-irsg::NoseAxis JsonFields::takeNoseAxis(Json& json, const std::string& path) {
-    const auto found = json.find("noseAxis");
+std::optional<irsg::ModelAxis> JsonFields::takeAxis(Json& json, const char* key,
+                                                    const std::string& path) {
+    const auto found = json.find(key);
     if (found == json.end())
-        return irsg::NoseAxis::plusY;
+        return std::nullopt;
     const Json value = *found;
-    json.erase("noseAxis");
-    const auto& names = noseAxisNames();
+    json.erase(key);
+    const auto& names = irsg::modelAxisNames();
     for (std::size_t i = 0; i < names.size(); ++i)
         if (value == names[i])
-            return static_cast<irsg::NoseAxis>(i);
-    refuse(joinedKeyPath(path, "noseAxis"), value, "+x, -x, +y or -y");
-    return irsg::NoseAxis::plusY;
+            return static_cast<irsg::ModelAxis>(i);
+    refuse(joinedKeyPath(path, key), value, "+x, -x, +y, -y, +z or -z");
+    return std::nullopt;
+}
+
+std::optional<irsg::ModelOrigin> JsonFields::takeOrigin(Json& json, const std::string& path) {
+    const auto found = json.find("origin");
+    if (found == json.end())
+        return std::nullopt;
+    if (found->is_array()) {
+        const auto point = takePoint(json, "origin", path);
+        return point ? std::optional(irsg::ModelOrigin{irsg::ModelOrigin::At::point, *point})
+                     : std::nullopt;
+    }
+    const Json value = *found;
+    json.erase("origin");
+    const auto& names = modelOriginNames();
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (value == names[i])
+            return irsg::ModelOrigin{static_cast<irsg::ModelOrigin::At>(i), {}};
+    refuse(joinedKeyPath(path, "origin"), value,
+           "file, centre, base or three numbers [x, y, z] in the unit of the file");
+    return std::nullopt;
+}
+
+irsg::ModelOptions JsonFields::takeModelOptions(Json& json, const std::string& path) {
+    irsg::ModelOptions options;
+    options.placing.up = takeAxis(json, "upAxis", path);
+    options.placing.nose = takeAxis(json, "noseAxis", path);
+    if (json.contains("unit_m"))
+        options.placing.unit_m = takeNumber(json, "unit_m", path, 1e-6, 1e6);
+    options.placing.origin = takeOrigin(json, path);
+    options.forceTwoSided = takeBoolean(json, "twoSided", path);
+    return options;
 }
 
 void JsonFields::refuse(const std::string& path, const std::string& value,

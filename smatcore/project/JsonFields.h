@@ -46,7 +46,8 @@ class JsonFields {
     /// `yaw_deg`, `pitch_deg` and `roll_deg`.
     irsg::Attitude takeAttitude(Json& json, const std::string& path);
     std::optional<int> takeIndex(Json& json, const char* key, const std::string& path);
-    irsg::NoseAxis takeNoseAxis(Json& json, const std::string& path);
+    /// How a model is read: `upAxis`, `noseAxis`, `unit_m`, `origin` and `twoSided`.
+    irsg::ModelOptions takeModelOptions(Json& json, const std::string& path);
     /// Takes the sections of settings out of `json`; what is unknown in them stays.
     Settings takeSettings(Json& json, const std::string& path);
 
@@ -57,6 +58,8 @@ class JsonFields {
     void throwRefused() const;
 
   private:
+    std::optional<irsg::ModelAxis> takeAxis(Json& json, const char* key, const std::string& path);
+    std::optional<irsg::ModelOrigin> takeOrigin(Json& json, const std::string& path);
     void takeSetting(Settings& settings, const std::string& key, const Json& value,
                      const std::string& path);
 
@@ -70,7 +73,7 @@ class JsonFields {
 /// front.
 bool isFileName(const std::string& name);
 
-/// "+y" and so on, in the order of irsg::NoseAxis.
-const std::vector<std::string>& noseAxisNames();
+/// "file", "centre" and "base", in the order of irsg::ModelOrigin::At.
+const std::vector<std::string>& modelOriginNames();
 
 } // namespace smat

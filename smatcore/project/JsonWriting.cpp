@@ -4,6 +4,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/project/JsonFields.h"
 
 namespace smat {
 
@@ -80,6 +81,23 @@ void writeSettings(Json& json, const JsonPaths& paths, const Settings& settings,
         if (text != under.text(key))
             written.set(key, text);
     writeSettings(json, paths, written);
+}
+
+void writeModelOptions(Json& json, const irsg::ModelOptions& options) {
+    const auto writeAxis = [&](const char* key, const std::optional<irsg::ModelAxis>& axis) {
+        if (axis)
+            json[key] = irsg::modelAxisNames()[static_cast<std::size_t>(*axis)];
+    };
+    writeAxis("upAxis", options.placing.up);
+    writeAxis("noseAxis", options.placing.nose);
+    if (options.placing.unit_m)
+        json["unit_m"] = *options.placing.unit_m;
+    if (const auto& origin = options.placing.origin)
+        json["origin"] = origin->at == irsg::ModelOrigin::At::point
+                             ? pointJson(origin->point)
+                             : Json(modelOriginNames()[static_cast<std::size_t>(origin->at)]);
+    if (options.forceTwoSided)
+        json["twoSided"] = true;
 }
 
 Json pointJson(const irsg::Vec3& point) {

@@ -24,6 +24,10 @@ std::string Project::displayName() const {
     return title.empty() ? "new project" : title;
 }
 
+ModelKey ModelKey::of(const Project& project, const ProjectModel& model) {
+    return {project.resolve(model.file), model.options};
+}
+
 Project projectOfModel(const std::filesystem::path& model, const std::filesystem::path& database) {
     Project project;
     ProjectModel target;

@@ -19,8 +19,7 @@ struct ProjectModel {
     std::string name = {};          ///< the file's name where it is empty
     std::filesystem::path file;     ///< relative to the project file, or absolute
     std::filesystem::path database; ///< the same
-    irsg::NoseAxis noseAxis = irsg::NoseAxis::plusY;
-    bool forceTwoSided = false;
+    irsg::ModelOptions options = {};
     irsg::Pose pose = {}; ///< world: m east, north, altitude; not of the target
     /// In model axes; the centre of the bounding box where it is not set.
     std::optional<irsg::Vec3> referencePoint_m = {};
@@ -61,6 +60,15 @@ struct Project {
     /// "turboprop4.smat", or the title, or "new project".
     std::string displayName() const;
     bool operator==(const Project&) const = default;
+};
+
+/// A model as a project names it: its file, resolved, and how it is read.
+struct ModelKey {
+    std::filesystem::path file;
+    irsg::ModelOptions options = {};
+    auto operator<=>(const ModelKey&) const = default;
+
+    static ModelKey of(const Project& project, const ProjectModel& model);
 };
 
 /// A project of one model with defaults: what opening a bare model gives. A database of the same

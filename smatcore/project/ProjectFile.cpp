@@ -33,10 +33,7 @@ Json modelJson(const ProjectModel& model, const JsonPaths& paths) {
     json["file"] = paths.text(model.file);
     if (!model.database.empty())
         json["database"] = paths.text(model.database);
-    if (model.noseAxis != irsg::NoseAxis::plusY)
-        json["noseAxis"] = noseAxisNames()[static_cast<std::size_t>(model.noseAxis)];
-    if (model.forceTwoSided)
-        json["twoSided"] = true;
+    writeModelOptions(json, model.options);
     if (model.pose.position_m != irsg::Vec3{})
         json["position_m"] = pointJson(model.pose.position_m);
     writeAttitude(json, model.pose.attitude);

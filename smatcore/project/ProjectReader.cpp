@@ -76,8 +76,7 @@ ProjectModel ProjectReader::readModel(const Json& given, const std::string& path
     if (!hasFile || (model.file.empty() && given["file"].is_string()))
         refuse(joinedKeyPath(path, "file"), std::string("nothing"), "the file of the model");
     model.database = takeText(json, "database", path);
-    model.noseAxis = takeNoseAxis(json, path);
-    model.forceTwoSided = takeBoolean(json, "twoSided", path);
+    model.options = takeModelOptions(json, path);
     if (const auto position = takePoint(json, "position_m", path))
         model.pose.position_m = *position;
     model.pose.attitude = takeAttitude(json, path);

@@ -79,9 +79,7 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
         irsg::Entity entity;
         entity.name = given.name.empty() ? given.file.stem().string() : given.name;
         collect(diagnostics, [&] {
-            entity.model =
-                model(project.resolve(given.file),
-                      {.noseAxis = given.noseAxis, .forceTwoSided = given.forceTwoSided});
+            entity.model = model(project.resolve(given.file), given.options);
             addRemarks(scene.remarks, entity.model.get(), given.file);
         });
         if (given.database.empty()) {
@@ -113,10 +111,9 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
 
 std::shared_ptr<const irsg::Model> SceneBuilder::model(const std::filesystem::path& file,
                                                        const irsg::ModelOptions& options) {
-    const irsg::FileStamp stamp = stampOf(file, "a model");
-    const std::string key = file.string() + "|" +
-                            std::to_string(static_cast<int>(options.noseAxis)) +
-                            (options.forceTwoSided ? "|two-sided" : "");
+    stampOf(file, "a model");
+    const irsg::ModelStamp stamp = irsg::modelStampOf(file);
+    const ModelKey key{file, options};
     const auto kept = models_.find(key);
     std::shared_ptr<const irsg::Model> loaded;
     if (kept != models_.end() && kept->second.stamp == stamp) {

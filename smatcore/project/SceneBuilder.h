@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "irsg/radiometry/FileStamp.h"
+#include "irsg/scene/model/ModelCodes.h"
 #include "smatcore/analysis/ImageSource.h"
 #include "smatcore/project/Project.h"
 
@@ -41,15 +42,15 @@ class SceneBuilder {
     std::shared_ptr<const irsg::Terrain> terrain(const Project& project, const Settings& settings);
 
   private:
-    template <typename Value>
+    template <typename Value, typename Stamp = irsg::FileStamp>
     struct Kept {
-        irsg::FileStamp stamp;
+        Stamp stamp;
         Value value;
     };
     static irsg::FileStamp stampOf(const std::filesystem::path& file, const char* what);
 
     ModelLoader loader_;
-    std::map<std::string, Kept<std::shared_ptr<const irsg::Model>>> models_;
+    std::map<ModelKey, Kept<std::shared_ptr<const irsg::Model>, irsg::ModelStamp>> models_;
     std::map<std::string, Kept<std::shared_ptr<const irsg::SignatureDatabase>>> databases_;
     DatabaseOverrides overrides_;
     // The last ones, by all that names them and the stamps of their files.

@@ -88,8 +88,7 @@ class Loader {
             model.name = entity.name;
             model.file = entity.model;
             model.database = entity.database;
-            model.noseAxis = entity.noseAxis;
-            model.forceTwoSided = entity.forceTwoSided;
+            model.options = entity.options;
             model.referencePoint_m = entity.referencePoint_m;
             model.fallbackTemperature = entity.fallbackTemperature;
             model.fallbackMaterial = entity.fallbackMaterial;

@@ -16,8 +16,7 @@ struct ScenarioEntity {
     std::string name; ///< the model file's stem where the file gives none; unique
     std::filesystem::path model;
     std::filesystem::path database;
-    irsg::NoseAxis noseAxis = irsg::NoseAxis::plusY;
-    bool forceTwoSided = false;
+    irsg::ModelOptions options = {};
     std::optional<irsg::Vec3> referencePoint_m = {}; ///< model axes; box centre where it is not set
     std::optional<int> fallbackTemperature = {};
     std::optional<int> fallbackMaterial = {};

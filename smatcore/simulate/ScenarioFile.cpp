@@ -26,10 +26,7 @@ Json entityJson(const ScenarioEntity& entity, const JsonPaths& paths) {
     Json json = {{"name", entity.name},
                  {"model", paths.text(entity.model)},
                  {"database", paths.text(entity.database)}};
-    if (entity.noseAxis != irsg::NoseAxis::plusY)
-        json["noseAxis"] = noseAxisNames()[static_cast<std::size_t>(entity.noseAxis)];
-    if (entity.forceTwoSided)
-        json["twoSided"] = true;
+    writeModelOptions(json, entity.options);
     if (entity.referencePoint_m)
         json["referencePoint_m"] = pointJson(*entity.referencePoint_m);
     writeOptional(json, "fallbackTemperature", entity.fallbackTemperature);

@@ -85,8 +85,7 @@ ScenarioEntity ScenarioReader::readEntity(Json json, const std::string& path) {
     entity.database = requireText(json, "database", path, "a signature database (.sigdb)");
     if (entity.name.empty())
         entity.name = entity.model.stem().string();
-    entity.noseAxis = takeNoseAxis(json, path);
-    entity.forceTwoSided = takeBoolean(json, "twoSided", path);
+    entity.options = takeModelOptions(json, path);
     entity.referencePoint_m = takePoint(json, "referencePoint_m", path);
     entity.fallbackTemperature = takeIndex(json, "fallbackTemperature", path);
     entity.fallbackMaterial = takeIndex(json, "fallbackMaterial", path);

@@ -37,9 +37,7 @@ irsg::Vec3 targetReferencePoint(const Project& project, SceneBuilder& scenes) {
         return *target.referencePoint_m;
     try {
         irsg::Entity entity;
-        entity.model =
-            scenes.model(project.resolve(target.file),
-                         {.noseAxis = target.noseAxis, .forceTwoSided = target.forceTwoSided});
+        entity.model = scenes.model(project.resolve(target.file), target.options);
         entity.database = scenes.database(project.resolve(target.database));
         entity.fallbackMaterial = target.fallbackMaterial;
         const irsg::BoundingBox opaque = entity.model->boundsOf([&](const irsg::IrCodes& codes) {

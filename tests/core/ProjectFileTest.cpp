@@ -29,8 +29,8 @@ Project fullProject() {
     target.name = "ship";
     target.file = "ship.flt";
     target.database = "../common/ship.sigdb";
-    target.noseAxis = irsg::NoseAxis::minusX;
-    target.forceTwoSided = true;
+    target.options.placing.nose = irsg::ModelAxis::minusX;
+    target.options.forceTwoSided = true;
     target.referencePoint_m = irsg::Vec3{1, 2, 3};
     target.fallbackTemperature = 0;
     target.fallbackMaterial = -4;

@@ -15,9 +15,9 @@
 #include "gui/database/CopyEntriesDialog.h"
 #include "gui/database/DatabaseBanner.h"
 #include "gui/database/FindingsPanel.h"
-#include "gui/database/MaterialLibrary.h"
 #include "gui/project/SceneTreeDock.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/signature/MaterialLibrary.h"
 #include "irsg/signature/ScalingXml.h"
 #include "smatcore/analysis/ProjectLint.h"
 #include "tests/gui/DatabaseFixture.h"
@@ -265,7 +265,7 @@ TEST_F(DatabaseEditorTest, AddsFromTheLibraryAndResolvesClashes) {
     };
     find<QToolButton>("addFromLibrary")->click();
     onDialog = nullptr;
-    const auto& library = materialLibrary().materials;
+    const auto& library = irsg::materialLibrary().materials;
     EXPECT_EQ(session().value().materials.at(1), library.at(1));
     EXPECT_EQ(session().value().materials.at(40), library.at(7));
     EXPECT_EQ(session().value().materials.size(), before.materials.size() + 1);

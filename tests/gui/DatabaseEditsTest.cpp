@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "gui/database/MaterialLibrary.h"
 #include "irsg/signature/Lint.h"
+#include "irsg/signature/MaterialLibrary.h"
 
 namespace smat::gui {
 namespace {
@@ -51,7 +51,7 @@ TEST(DatabaseEditsTest, FindsTheEntryThatAPlaceLiesIn) {
 }
 
 TEST(MaterialLibraryTest, HoldsDocumentedMaterialsThatCloseTheirSum) {
-    const auto& library = materialLibrary();
+    const auto& library = irsg::materialLibrary();
     EXPECT_EQ(library.materials.size(), 30U);
     for (const auto& finding : irsg::lint(library)) {
         ADD_FAILURE() << finding.place << ": " << finding.value << ": " << finding.reason;

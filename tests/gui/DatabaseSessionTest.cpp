@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "gui/database/DatabaseEdits.h"
-#include "gui/database/MaterialLibrary.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/signature/MaterialLibrary.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/SampleProject.h"
 
@@ -89,8 +89,8 @@ TEST_F(DatabaseSessionTest, EveryKindOfStepIsExactInBothDirections) {
              removeEntry(d, {EntryKind::material, material});
          }},
         {"copy", [&](auto& d) {
-             copyEntries(materialLibrary(), {{{EntryKind::material, 1}, {EntryKind::material, 50}}},
-                         d);
+             copyEntries(irsg::materialLibrary(),
+                         {{{EntryKind::material, 1}, {EntryKind::material, 50}}}, d);
          }}};
     std::vector<irsg::SignatureDatabase> states = {before};
     for (const auto& [name, step] : steps) {

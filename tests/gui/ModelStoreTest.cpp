@@ -65,8 +65,8 @@ TEST(ModelStoreTest, AFileThatWasWrittenSinceIsReadAnew) {
 TEST(ModelStoreTest, TheSameFileReadInAnotherWayIsAnotherModel) {
     ModelStore store;
     const auto ahead = store.model({box});
-    EXPECT_NE(store.model({box, irsg::NoseAxis::plusX}), ahead);
-    EXPECT_NE(store.model({box, irsg::NoseAxis::plusY, true}), ahead);
+    EXPECT_NE(store.model({box, {.placing = {.nose = irsg::ModelAxis::plusX}}}), ahead);
+    EXPECT_NE(store.model({box, {.forceTwoSided = true}}), ahead);
     EXPECT_EQ(store.readings(), 3);
 }
 
@@ -88,7 +88,8 @@ TEST(ModelStoreTest, AFailureIsToldAndTheNextOneWhoAsksReadsAnew) {
 TEST(ModelStoreTest, LetsGoOfTheModelsOfAProjectThatWasClosed) {
     ModelStore store;
     std::weak_ptr<const irsg::Model> kept = store.model({box});
-    std::weak_ptr<const irsg::Model> gone = store.model({box, irsg::NoseAxis::plusX});
+    std::weak_ptr<const irsg::Model> gone =
+        store.model({box, {.placing = {.nose = irsg::ModelAxis::plusX}}});
     store.keepOnly({{box}});
     EXPECT_FALSE(kept.expired());
     EXPECT_TRUE(gone.expired());
@@ -145,7 +146,7 @@ TEST_F(SharedModelTest, AModelThatVanishesIsToldAndNoEditIsLost) {
     type("base_K", "345.5");
     fs::remove(folder / "ship.flt");
     Project project = workbench.project();
-    project.models.front().forceTwoSided = true;
+    project.models.front().options.forceTwoSided = true;
     workbench.edit(project, "Force two sides");
     ASSERT_TRUE(waitForModel());
     ASSERT_FALSE(told.isEmpty());

@@ -82,7 +82,7 @@ TEST_F(ProjectPropertiesTest, PropertiesAreChangedUndoneAndReopenedFromTheFile) 
     onDialog = [&](QDialog& dialog) {
         dialog.findChild<QLineEdit*>("title")->setText("Ship, painted");
         dialog.findChild<QPlainTextEdit*>("notes")->setPlainText("two\nlines");
-        dialog.findChild<QComboBox*>("noseAxis.0")->setCurrentIndex(0);
+        dialog.findChild<QComboBox*>("noseAxis.0")->setCurrentText("+X of the file");
         dialog.findChild<QCheckBox*>("twoSided.0")->click();
         auto* temperature = dialog.findChild<QSpinBox*>("fallbackTemperature.0");
         EXPECT_TRUE(temperature->text().contains("refused"));
@@ -97,13 +97,13 @@ TEST_F(ProjectPropertiesTest, PropertiesAreChangedUndoneAndReopenedFromTheFile) 
     Project saved = loadProject(folder / "ship.smat");
     EXPECT_EQ(saved.title, "Ship, painted");
     EXPECT_EQ(saved.notes, "two\nlines");
-    EXPECT_EQ(saved.models.front().noseAxis, irsg::NoseAxis::plusX);
-    EXPECT_TRUE(saved.models.front().forceTwoSided);
+    EXPECT_EQ(saved.models.front().options.placing.nose, irsg::ModelAxis::plusX);
+    EXPECT_TRUE(saved.models.front().options.forceTwoSided);
     EXPECT_EQ(saved.models.front().fallbackTemperature, 0);
     EXPECT_FALSE(saved.models.front().fallbackMaterial.has_value());
     trigger("undo");
     EXPECT_EQ(workbench.project().title, "Ship in the test basin");
-    EXPECT_EQ(workbench.project().models.front().noseAxis, irsg::NoseAxis::plusY);
+    EXPECT_FALSE(workbench.project().models.front().options.placing.nose.has_value());
 }
 
 } // namespace

@@ -18,17 +18,17 @@ using testing::HasSubstr;
 
 TEST(Model, IsTurnedSoThatItsNoseIsPlusY) {
     // The nose axis of the file at (2, 0) or so goes to (0, 2); z stays.
-    for (const auto& [axis, nose] : {std::pair{NoseAxis::plusX, osg::Vec3(2, 0, 0)},
-                                     {NoseAxis::minusX, osg::Vec3(-2, 0, 0)},
-                                     {NoseAxis::plusY, osg::Vec3(0, 2, 0)},
-                                     {NoseAxis::minusY, osg::Vec3(0, -2, 0)}}) {
+    for (const auto& [axis, nose] : {std::pair{ModelAxis::plusX, osg::Vec3(2, 0, 0)},
+                                     {ModelAxis::minusX, osg::Vec3(-2, 0, 0)},
+                                     {ModelAxis::plusY, osg::Vec3(0, 2, 0)},
+                                     {ModelAxis::minusY, osg::Vec3(0, -2, 0)}}) {
         const auto graph = polygon({osg::Vec3(0, 0, 0), nose, osg::Vec3(0, 0, 1)}, {1, 1});
-        const auto model = Model::fromGraph(graph, "arrow", {.noseAxis = axis});
+        const auto model = Model::fromGraph(graph, "arrow", {.placing = {.nose = axis}});
         EXPECT_EQ(model->bounds(), (BoundingBox{{0, 0, 0}, {0, 2, 1}}));
     }
     // A turn, not a reflection: starboard of a nose at +x is -y.
     const auto graph = polygon({osg::Vec3(0, 0, 0), osg::Vec3(0, -1, 0), osg::Vec3(0, 0, 1)}, {});
-    EXPECT_EQ(Model::fromGraph(graph, "wing", {.noseAxis = NoseAxis::plusX})->bounds(),
+    EXPECT_EQ(Model::fromGraph(graph, "wing", {.placing = {.nose = ModelAxis::plusX}})->bounds(),
               (BoundingBox{{0, 0, 0}, {1, 0, 1}}));
 }
 
@@ -185,7 +185,8 @@ TEST(Model, SaysWhenItLiesTooFarFromItsOriginForSinglePrecision) {
     osg::ref_ptr<osg::MatrixTransform> far =
         new osg::MatrixTransform(osg::Matrixd::translate(6.4e6, 0, 0));
     far->addChild(polygon(square, {1, 1}));
-    EXPECT_THAT(Model::fromGraph(far, "far")->remarks(), Contains(HasSubstr("single precision")));
+    EXPECT_THAT(Model::fromGraph(far, "far", {.placing = {.origin = ModelOrigin{}}})->remarks(),
+                Contains(HasSubstr("single precision")));
     EXPECT_TRUE(Model::fromGraph(polygon(square, {1, 1}), "near")->remarks().size() == 1u)
         << "its normals only";
 }

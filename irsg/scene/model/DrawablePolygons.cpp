@@ -147,6 +147,7 @@ class Polygons {
             throw InputError({name_, "", std::string("vertices of type ") + positions->className(),
                               "two to four numbers a vertex"});
         PolygonCorner corner;
+        corner.vertex = vertex;
         for (std::size_t i = 0; i < 3; ++i) {
             const double value = (*position)[i];
             if (!(std::abs(value) <= 1e9))

@@ -18,6 +18,7 @@ struct PolygonCorner {
     osg::Vec3d position;
     osg::Vec3d normal; ///< (0, 0, 0) where the file has none
     osg::Vec4 colour{1, 1, 1, 1};
+    unsigned int vertex = 0; ///< its place in the drawable's arrays
 };
 
 /// Calls `each` with the corners of every triangle, quad and polygon of a drawable,

@@ -3,17 +3,18 @@
 #include <optional>
 #include <string>
 
+#include "irsg/scene/model/ModelValues.h"
+
 namespace irsg {
 
-/// An axis of a file, for which way is up.
-enum class UpAxis { plusX, plusY, plusZ, minusX, minusY, minusZ };
+using UpAxis = ModelAxis;
 
 /// What a file says of itself, or its format of all files, about the numbers of the graph that is
 /// handed over. Nothing is turned or scaled because of it: that is for whoever places the model.
 struct FileAxes {
-    std::optional<double> unit_m; ///< one unit of the graph in metres, above 0
-    std::optional<UpAxis> up;     ///< which axis of the graph points up
-    std::optional<UpAxis> front;  ///< and which to the front, where a format has a word for that
+    std::optional<double> unit_m;   ///< one unit of the graph in metres, above 0
+    std::optional<ModelAxis> up;    ///< which axis of the graph points up
+    std::optional<ModelAxis> front; ///< and which to the front, where a format has a word for that
     std::string reason; ///< "the format glTF is in metres, y up"; empty where nothing is said
 
     bool operator==(const FileAxes&) const = default;

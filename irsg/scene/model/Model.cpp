@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include <osg/Geode>
@@ -10,24 +11,26 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/GeometryCollector.h"
 #include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/ModelPlacing.h"
 #include "irsg/scene/model/SurfaceMesh.h"
 
 namespace irsg {
 namespace {
 
-/// Turns the axis the nose points along onto +y; z stays up.
-osg::Matrixd toModelAxes(NoseAxis nose) {
-    switch (nose) {
-    case NoseAxis::plusX: // (x, y) -> (-y, x)
-        return {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    case NoseAxis::minusX: // (x, y) -> (y, -x)
-        return {0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    case NoseAxis::minusY:
-        return {-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    case NoseAxis::plusY:
-        break;
-    }
-    return osg::Matrixd::identity();
+/// Single precision places the vertices of a model at most so far off, of its diagonal.
+constexpr double leastPrecision = 1e-5;
+
+double stepAt_m(const BoundingBox& bounds) {
+    double farthest = 0.0;
+    for (const auto& corner : {bounds.min, bounds.max})
+        farthest = std::max({farthest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
+    return farthest * std::numeric_limits<float>::epsilon();
+}
+
+std::string shown(const Vec3& p) {
+    char text[96];
+    std::snprintf(text, sizeof text, "(%.10g, %.10g, %.10g)", p.x, p.y, p.z);
+    return text;
 }
 
 } // namespace
@@ -39,20 +42,37 @@ struct Model::Impl {
     std::map<IrCodes, CodeUse> codes;
     std::map<IrCodes, BoundingBox> boxes;
     BoundingBox bounds = BoundingBox::nowhere();
-    std::vector<std::string> remarks;
+    std::vector<std::string> remarks, notes;
+    ModelPlacing placing;
+    osg::Matrixd fromFile;
 
     /// Fills everything from a loaded graph; `faces` are the file's own counts where it has some.
-    void fill(osg::Node& loaded, const std::map<IrCodes, int>& faces, const ModelOptions& options) {
-        SurfaceMesh mesh;
-        GeometryCollector collector(mesh, toModelAxes(options.noseAxis),
-                                    file.empty() ? name : file.string(), options.forceTwoSided);
-        collector.collect(loaded);
-        const auto said = collector.remarks();
-        remarks.insert(remarks.end(), said.begin(), said.end());
-        if (mesh.parts().empty())
-            throw InputError({file.empty() ? name : file.string(), "",
-                              "a model without any visible face that has an area",
-                              "at least one triangle"});
+    void fill(osg::Node& loaded, const FileAxes& axes, const std::map<IrCodes, int>& faces,
+              const ModelOptions& options) {
+        const std::string said = file.empty() ? name : file.string();
+        placing = completed(options.placing, axes, said);
+        fromFile = turnAndScale(placing);
+        const auto origin = placing.origin.value_or(ModelOrigin{});
+        if (origin.at == ModelOrigin::At::point)
+            moveTo(osg::Vec3d(origin.point.x, origin.point.y, origin.point.z) * fromFile);
+        SurfaceMesh mesh = collected(loaded, said, options);
+        bool moves = origin.at == ModelOrigin::At::centre || origin.at == ModelOrigin::At::base;
+        if (!placing.origin && stepAt_m(bounds) > leastPrecision * bounds.diagonal_m()) {
+            remarks.push_back("the model lies far from its origin: its centre at " +
+                              shown(bounds.centre()) + " m becomes the origin");
+            moves = true;
+        }
+        // Far off the bounds are as coarse as single precision: what is left goes in a second step.
+        for (int step = 0; moves && step < 3; ++step) {
+            const Vec3 centre = bounds.centre();
+            const Vec3 to{centre.x, centre.y,
+                          origin.at == ModelOrigin::At::base ? bounds.min.z : centre.z};
+            if (length(to) <= std::numeric_limits<float>::epsilon() * bounds.diagonal_m())
+                break;
+            moveTo({to.x, to.y, to.z});
+            mesh = collected(loaded, said, options);
+        }
+        remarks.insert(remarks.end(), notes.begin(), notes.end());
 
         for (const auto& [key, count] : faces)
             codes[key].faces = count;
@@ -67,20 +87,33 @@ struct Model::Impl {
             if (faces.empty())
                 use.faces += static_cast<int>(part.polygons);
             boxes.try_emplace(key.codes, BoundingBox::nowhere()).first->second.include(part.bounds);
-            bounds.include(part.bounds);
         }
         remarkPrecision();
     }
 
+    void moveTo(const osg::Vec3d& origin) { fromFile.postMultTranslate(-origin); }
+
+    /// What is there, in model axes as they are now, its bounds and what there is to say of it.
+    SurfaceMesh collected(osg::Node& loaded, const std::string& said, const ModelOptions& options) {
+        SurfaceMesh mesh;
+        GeometryCollector collector(mesh, fromFile, said, options.forceTwoSided);
+        collector.collect(loaded);
+        notes = collector.remarks();
+        bounds = BoundingBox::nowhere();
+        for (const auto& [key, part] : mesh.parts())
+            bounds.include(part.bounds);
+        if (mesh.parts().empty())
+            throw InputError({said, "", "a model without any visible face that has an area",
+                              "at least one triangle"});
+        return mesh;
+    }
+
     /// Vertices are single precision: far from the origin little is left for the shape.
     void remarkPrecision() {
-        double farthest = 0.0;
-        for (const auto& corner : {bounds.min, bounds.max})
-            farthest =
-                std::max({farthest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
-        const double step_m = farthest * std::numeric_limits<float>::epsilon();
-        if (step_m > 1e-5 * bounds.diagonal_m())
-            remarks.push_back("the model lies " + std::to_string(farthest) +
+        const double step_m = stepAt_m(bounds);
+        if (step_m > leastPrecision * bounds.diagonal_m())
+            remarks.push_back("the model lies " +
+                              std::to_string(step_m / std::numeric_limits<float>::epsilon()) +
                               " m from its origin, where single precision places vertices to " +
                               std::to_string(step_m) + " m only");
     }
@@ -95,7 +128,7 @@ std::shared_ptr<Model> Model::load(const std::filesystem::path& file, const Mode
     parts->name = file.stem().string();
     parts->file = file;
     parts->remarks = std::move(loaded.remarks);
-    parts->fill(*loaded.node, loaded.faces, options);
+    parts->fill(*loaded.node, loaded.axes, loaded.faces, options);
     return std::shared_ptr<Model>(new Model(std::move(parts)));
 }
 
@@ -105,7 +138,7 @@ std::shared_ptr<Model> Model::fromGraph(osg::Node* graph, const std::string& nam
         throw LogicError("Model::fromGraph without a graph");
     auto parts = std::make_unique<Impl>();
     parts->name = name;
-    parts->fill(*graph, {}, options);
+    parts->fill(*graph, {}, {}, options);
     return std::shared_ptr<Model>(new Model(std::move(parts)));
 }
 
@@ -126,6 +159,13 @@ const BoundingBox& Model::bounds() const {
 }
 const std::vector<std::string>& Model::remarks() const {
     return impl_->remarks;
+}
+
+const ModelPlacing& Model::placing() const {
+    return impl_->placing;
+}
+const osg::Matrixd& Model::fromFile() const {
+    return impl_->fromFile;
 }
 
 BoundingBox Model::boundsOf(const std::function<bool(const IrCodes&)>& wanted) const {

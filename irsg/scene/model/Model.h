@@ -11,8 +11,9 @@
 #include "irsg/scene/view/Vec3.h"
 
 namespace osg {
+class Matrixd;
 class Node;
-}
+} // namespace osg
 
 namespace irsg {
 
@@ -48,6 +49,11 @@ class Model {
     BoundingBox boundsOf(const std::function<bool(const IrCodes&)>& wanted) const;
     /// What the loader had to do or could not keep: LODs overridden, normals made, files missing.
     const std::vector<std::string>& remarks() const;
+
+    /// As the model was read, up, nose and unit set; the origin where it was asked for.
+    const ModelPlacing& placing() const;
+    /// Leads from the axes and the unit of the file to model axes, p' = p M.
+    const osg::Matrixd& fromFile() const;
 
   private:
     struct Impl;

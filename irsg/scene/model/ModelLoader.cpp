@@ -11,6 +11,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "irsg/scene/model/CodedGraph.h"
 #include "irsg/scene/model/FlightScanner.h"
 #include "irsg/scene/model/GuardedReading.h"
 #include "irsg/scene/model/IrCodes.h"
@@ -156,7 +157,7 @@ std::mutex& osgRegistryMutex() {
     return mutex;
 }
 
-LoadedGraph loadGraph(const fs::path& file, LoadPurpose purpose) {
+LoadedGraph loadGraphAsIs(const fs::path& file, LoadPurpose purpose) {
     const auto refusal = refusalOf(file.string(), FileKind::model);
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored))
@@ -179,6 +180,17 @@ LoadedGraph loadGraph(const fs::path& file, LoadPurpose purpose) {
                            : PictureReading());
     }
     return loadApart(file, file);
+}
+
+LoadedGraph loadGraph(const fs::path& file, LoadPurpose purpose) {
+    LoadedGraph loaded = loadGraphAsIs(file, purpose);
+    const ModelCodes codes = readModelCodes(file);
+    if (codes.empty())
+        return loaded;
+    for (std::string& remark : giveCodes(loaded.node, codes, file.string()))
+        loaded.remarks.push_back(std::move(remark));
+    loaded.faces.clear();
+    return loaded;
 }
 
 LoadedGraph loadWritten(const std::string& bytes, const fs::path& name) {

@@ -36,6 +36,10 @@ std::mutex& osgRegistryMutex();
 /// finds them. What OpenSceneGraph prints becomes remarks, and so does every file that a model
 /// refers to and that OpenableFiles.h does not list: it stays closed. Throws InputError for a file
 /// that is missing, malformed, of a kind that is not opened, or empty.
+LoadedGraph loadGraphAsIs(const std::filesystem::path& file, LoadPurpose purpose);
+
+/// The same with the codes that a file beside the model gives it (ModelCodes), which win; what of
+/// them fits nothing becomes remarks. Faces are then not those of the file's records.
 LoadedGraph loadGraph(const std::filesystem::path& file, LoadPurpose purpose);
 
 /// What OpenSceneGraph reads of these bytes as those of a file of this name, .flt, .obj and .stl

@@ -1,6 +1,11 @@
 #pragma once
 
 #include <compare>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "irsg/scene/view/Vec3.h"
 
 namespace irsg {
 
@@ -12,7 +17,35 @@ struct IrCodes {
     auto operator<=>(const IrCodes&) const = default;
 };
 
-enum class NoseAxis { plusX, minusX, plusY, minusY };
+/// A direction along an axis of a file.
+enum class ModelAxis { plusX, minusX, plusY, minusY, plusZ, minusZ };
+/// "+x" and so on, in the order of ModelAxis.
+const std::vector<std::string>& modelAxisNames();
+
+/// Which point of a file becomes the origin of the model.
+struct ModelOrigin {
+    enum class At {
+        file,   ///< its own
+        centre, ///< of the bounding box
+        base,   ///< below the centre, at the lowest point
+        point
+    };
+    At at = At::file;
+    Vec3 point = {}; ///< of At::point, in the axes and the unit of the file
+    auto operator<=>(const ModelOrigin&) const = default;
+};
+
+/// How the axes and the unit of a file become those of this program: x starboard, y nose, z up, m.
+/// What is not set is as the file states it (FileAxes), or else: up +z; nose +y, and +z where up is
+/// +y or -y; 1 m; the file's origin, unless it lies so far off that single precision would bend the
+/// shape (then the centre, with a remark).
+struct ModelPlacing {
+    std::optional<ModelAxis> up = {};   ///< what of the file points up
+    std::optional<ModelAxis> nose = {}; ///< what of the file points forward
+    std::optional<double> unit_m = {};  ///< what one unit of the file is, m: 1e-6 to 1e6
+    std::optional<ModelOrigin> origin = {};
+    auto operator<=>(const ModelPlacing&) const = default;
+};
 
 /// What of a model carries one pair of codes.
 struct CodeUse {
@@ -25,8 +58,9 @@ struct CodeUse {
 };
 
 struct ModelOptions {
-    NoseAxis noseAxis = NoseAxis::plusY; ///< which axis of the file the nose points along
-    bool forceTwoSided = false;          ///< ignore draw type 0 (backface culling)
+    ModelPlacing placing = {};
+    bool forceTwoSided = false; ///< ignore draw type 0 (backface culling)
+    auto operator<=>(const ModelOptions&) const = default;
 };
 
 } // namespace irsg

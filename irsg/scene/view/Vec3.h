@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+
 namespace irsg {
 
 /// A vector of the world (x east, y north, z up) or of a model (x starboard, y nose, z up), m.
@@ -9,7 +11,7 @@ struct Vec3 {
     Vec3 operator+(const Vec3& o) const { return {x + o.x, y + o.y, z + o.z}; }
     Vec3 operator-(const Vec3& o) const { return {x - o.x, y - o.y, z - o.z}; }
     Vec3 operator*(double s) const { return {x * s, y * s, z * s}; }
-    bool operator==(const Vec3&) const = default;
+    auto operator<=>(const Vec3&) const = default;
 };
 double dot(const Vec3& a, const Vec3& b);
 Vec3 cross(const Vec3& a, const Vec3& b);

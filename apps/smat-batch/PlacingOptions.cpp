@@ -1,0 +1,113 @@
+#include "apps/smat-batch/PlacingOptions.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/project/JsonFields.h"
+
+namespace smat::batch {
+
+namespace {
+
+struct NamedUnit {
+    const char* name;
+    double unit_m;
+};
+constexpr NamedUnit units[] = {{"m", 1.0},     {"cm", 0.01},   {"mm", 0.001},
+                               {"in", 0.0254}, {"ft", 0.3048}, {"km", 1000.0}};
+
+[[noreturn]] void refuse(const char* option, const std::string& value, const char* expected) {
+    throw irsg::InputError(
+        irsg::Diagnostic{.file = option, .position = "", .value = value, .expected = expected});
+}
+
+std::optional<irsg::ModelAxis> axisOf(const char* option, const std::string& text) {
+    if (text.empty())
+        return std::nullopt;
+    const auto& names = irsg::modelAxisNames();
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (text == names[i] || "+" + text == names[i])
+            return static_cast<irsg::ModelAxis>(i);
+    refuse(option, text, "+x, -x, +y, -y, +z or -z");
+}
+
+std::optional<double> numberOf(const std::string& text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() && std::isfinite(value)
+               ? std::optional(value)
+               : std::nullopt;
+}
+
+irsg::ModelOrigin originOf(const std::string& text) {
+    const auto& names = modelOriginNames();
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (text == names[i])
+            return {static_cast<irsg::ModelOrigin::At>(i), {}};
+    std::array<double, 3> point{};
+    std::size_t begin = 0, count = 0;
+    for (; count < 3 && begin <= text.size(); ++count) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const auto number = numberOf(text.substr(begin, end - begin));
+        if (!number || std::abs(*number) > 1e9)
+            break;
+        point[count] = *number;
+        begin = end + 1;
+    }
+    if (count != 3 || begin != text.size() + 1)
+        refuse("--origin", text, "file, centre, base or x,y,z in the unit of the file");
+    return {irsg::ModelOrigin::At::point, {point[0], point[1], point[2]}};
+}
+
+} // namespace
+
+PlacingOptions::PlacingOptions(CLI::App& command) {
+    command
+        .add_option("--up-axis", up_,
+                    "What of a bare model's file points up; as the file says, else +z")
+        ->type_name("AXIS");
+    command
+        .add_option("--nose-axis", nose_,
+                    "What of it points forward (write --nose-axis=-x); as the file says, else +y")
+        ->type_name("AXIS");
+    command
+        .add_option("--unit", unit_,
+                    "What one unit of it is: m, cm, mm, in, ft, km or metres; "
+                    "as the file says, else m")
+        ->type_name("UNIT");
+    command
+        .add_option("--origin", origin_,
+                    "Which point of it becomes the origin: file, centre, base or x,y,z of the file")
+        ->type_name("POINT");
+}
+
+std::string PlacingOptions::given() const {
+    return !up_.empty()       ? "--up-axis"
+           : !nose_.empty()   ? "--nose-axis"
+           : !unit_.empty()   ? "--unit"
+           : !origin_.empty() ? "--origin"
+                              : "";
+}
+
+irsg::ModelPlacing PlacingOptions::placing() const {
+    irsg::ModelPlacing placing;
+    placing.up = axisOf("--up-axis", up_);
+    placing.nose = axisOf("--nose-axis", nose_);
+    if (!unit_.empty()) {
+        for (const NamedUnit& unit : units)
+            if (unit_ == unit.name)
+                placing.unit_m = unit.unit_m;
+        if (!placing.unit_m)
+            placing.unit_m = numberOf(unit_);
+        if (!placing.unit_m || !(*placing.unit_m >= 1e-6 && *placing.unit_m <= 1e6))
+            refuse("--unit", unit_, "m, cm, mm, in, ft, km or metres from 1e-6 to 1e6");
+    }
+    if (!origin_.empty())
+        placing.origin = originOf(origin_);
+    return placing;
+}
+
+} // namespace smat::batch

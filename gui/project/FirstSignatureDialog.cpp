@@ -1,0 +1,193 @@
+#include "gui/project/FirstSignatureDialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "gui/DialogButtons.h"
+#include "gui/Readable.h"
+#include "gui/Sentences.h"
+#include "gui/database/NumberField.h"
+#include "gui/project/PlacingFields.h"
+#include "irsg/signature/MaterialLibrary.h"
+#include "irsg/signature/SignatureFile.h"
+
+namespace smat::gui {
+namespace {
+
+using Kind = irsg::FirstTemperature::Kind;
+
+enum Column { nameColumn, facesColumn, materialColumn, temperatureColumn, columnCount };
+
+bool needsKelvin(Kind kind) {
+    return kind == Kind::aboveAir || kind == Kind::fixed;
+}
+
+QTableWidgetItem* readOnly(const QString& text, Qt::Alignment alignment = Qt::AlignLeft) {
+    auto* item = new QTableWidgetItem(text);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    item->setTextAlignment(alignment | Qt::AlignVCenter);
+    return item;
+}
+
+} // namespace
+
+FirstSignatureDialog::FirstSignatureDialog(const Project& project, QWidget* parent)
+    : QDialog(parent), project_(project), model_(project.resolve(project.models.front().file)) {
+    setObjectName("firstSignatureDialog");
+    setWindowTitle(tr("First signature of %1").arg(textOf(model_.filename())));
+    resize(820, 560);
+
+    auto* placingPage = new QWidget;
+    auto* placingColumn = new QVBoxLayout(placingPage);
+    placing_ = new PlacingFields("placing");
+    placingColumn->addWidget(placing_);
+
+    auto* surfacePage = new QWidget;
+    auto* surfaceColumn = new QVBoxLayout(surfacePage);
+    auto* hint =
+        new QLabel(tr("What each surface is made of and how warm it is, as its name in the "
+                      "file suggests. All of it can be refined in the database later."));
+    hint->setWordWrap(true);
+    table_ = new QTableWidget(0, columnCount);
+    table_->setObjectName("surfaces");
+    table_->setHorizontalHeaderLabels(
+        {tr("Name in the file"), tr("Faces"), tr("Material"), tr("Temperature")});
+    table_->verticalHeader()->hide();
+    table_->setSelectionMode(QAbstractItemView::NoSelection);
+    surfaceColumn->addWidget(hint);
+    surfaceColumn->addWidget(table_, 1);
+
+    tabs_ = new QTabWidget;
+    tabs_->addTab(surfacePage, tr("&Surfaces"));
+    tabs_->addTab(placingPage, tr("&Placing"));
+    said_ = new QLabel(tr("Reading the model ..."));
+    said_->setObjectName("said");
+    said_->setWordWrap(true);
+    said_->setForegroundRole(QPalette::PlaceholderText);
+    auto* buttons = okAndCancel(*this, tr("Create"));
+    create_ = buttons->button(QDialogButtonBox::Ok);
+    create_->setObjectName("create");
+    create_->setEnabled(false);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(tabs_, 1);
+    column->addWidget(said_);
+    column->addWidget(buttons);
+
+    const irsg::ModelPlacing given = project.models.front().options.placing;
+    placing_->setPlacing(given);
+    connect(placing_, &PlacingFields::changed, this,
+            [this] { create_->setEnabled(isReady_ && placing_->isRight()); });
+    // What the project says of its placing is not guessed at.
+    if (given == irsg::ModelPlacing{})
+        connect(placing_, &PlacingFields::wasRead, this, [this] {
+            if (placing_->guess() != nullptr)
+                placing_->takeGuess();
+        });
+    placing_->setFile(model_);
+    task_.run<irsg::ModelNames>(
+        [model = model_] { return irsg::namesOf(model, irsg::ModelCodes()); },
+        [this](const irsg::ModelNames& names) { fill(names); },
+        [this](const std::exception_ptr& thrown) {
+            said_->setText(sentencesOf(thrown).join("\n"));
+        });
+}
+
+void FirstSignatureDialog::fill(const irsg::ModelNames& names) {
+    suggested_ = irsg::suggestedSurfaces(names.names);
+    table_->setRowCount(static_cast<int>(suggested_.size()));
+    for (std::size_t i = 0; i < suggested_.size(); ++i) {
+        const irsg::FirstSurface& surface = suggested_[i];
+        const int row = static_cast<int>(i);
+        const QString number = QString::number(row);
+        auto* name = readOnly(surface.name.empty() ? tr("(no name)") : textOf(surface.name));
+        name->setToolTip(surface.because.empty()
+                             ? tr("No word of this name is known: taken for painted skin")
+                             : tr("Because of \"%1\" in its name").arg(textOf(surface.because)));
+        table_->setItem(row, nameColumn, name);
+        table_->setItem(row, facesColumn,
+                        readOnly(QString::number(surface.polygons), Qt::AlignRight));
+        Row widgets;
+        widgets.material = new QComboBox;
+        widgets.material->setObjectName("material." + number);
+        for (const auto& [index, material] : irsg::materialLibrary().materials)
+            widgets.material->addItem(textOf(material.name), index);
+        widgets.material->setCurrentIndex(widgets.material->findData(surface.libraryMaterial));
+        widgets.temperature = new QComboBox;
+        widgets.temperature->setObjectName("temperature." + number);
+        widgets.temperature->addItems({tr("as the air"), tr("warmer than the air by"),
+                                       tr("recovery temperature of the air"), tr("fixed at")});
+        widgets.kelvin = new NumberField(tr("K"));
+        widgets.kelvin->setObjectName("kelvin." + number);
+        const auto adapt = [widgets] {
+            const auto kind = static_cast<Kind>(widgets.temperature->currentIndex());
+            widgets.kelvin->setVisible(needsKelvin(kind));
+            widgets.kelvin->setRange(kind == Kind::fixed ? 1.0 : -150.0, 5000.0);
+            if (kind == Kind::fixed && widgets.kelvin->value() < 100.0)
+                widgets.kelvin->setValue(300.0);
+        };
+        widgets.kelvin->setValue(surface.temperature.kelvin);
+        widgets.temperature->setCurrentIndex(static_cast<int>(surface.temperature.kind));
+        adapt();
+        connect(widgets.temperature, &QComboBox::currentIndexChanged, this, adapt);
+        auto* cell = new QWidget;
+        auto* layout = new QHBoxLayout(cell);
+        layout->setContentsMargins(0, 0, 0, 0);
+        layout->addWidget(widgets.temperature, 1);
+        layout->addWidget(widgets.kelvin);
+        widgets.kelvin->setMaximumWidth(100);
+        table_->setCellWidget(row, materialColumn, widgets.material);
+        table_->setCellWidget(row, temperatureColumn, cell);
+        rows_.push_back(widgets);
+    }
+    table_->resizeColumnsToContents();
+    table_->resizeRowsToContents();
+    table_->setColumnWidth(nameColumn, std::clamp(table_->columnWidth(nameColumn), 160, 260));
+    table_->horizontalHeader()->setSectionResizeMode(temperatureColumn, QHeaderView::Stretch);
+    said_->setText(
+        tr("Create writes %1 and %2 beside the model.")
+            .arg(textOf(irsg::codesFileOf(model_).filename()), textOf(newDatabase().filename())));
+    isReady_ = true;
+    create_->setEnabled(placing_->isRight());
+}
+
+std::vector<irsg::FirstSurface> FirstSignatureDialog::surfaces() const {
+    std::vector<irsg::FirstSurface> surfaces = suggested_;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        surfaces[i].libraryMaterial = rows_[i].material->currentData().toInt();
+        const auto kind = static_cast<Kind>(rows_[i].temperature->currentIndex());
+        surfaces[i].temperature = {kind, needsKelvin(kind) ? rows_[i].kelvin->value() : 0.0};
+    }
+    return surfaces;
+}
+
+std::filesystem::path FirstSignatureDialog::newDatabase() const {
+    std::filesystem::path file = model_;
+    file.replace_extension(".sigdb");
+    for (int i = 2; std::filesystem::exists(file); ++i)
+        file.replace_filename(model_.stem().string() + "-" + std::to_string(i) + ".sigdb");
+    return file;
+}
+
+Project FirstSignatureDialog::write() const {
+    const auto first = irsg::firstSignatureOf(surfaces(), model_.stem().string());
+    irsg::ModelCodes codes = first.codes;
+    codes.painted = irsg::readModelCodes(model_).painted;
+    const auto database = newDatabase();
+    irsg::createSignatureFile(first.database, database);
+    irsg::saveModelCodes(codes, model_);
+    Project project = project_;
+    ProjectModel& target = project.models.front();
+    target.database =
+        target.file.is_absolute() ? database : target.file.parent_path() / database.filename();
+    target.options.placing = placing_->placing();
+    return project;
+}
+
+} // namespace smat::gui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <QDialog>
+
+#include "gui/LatestTask.h"
+#include "irsg/scene/model/FirstSignature.h"
+#include "smatcore/project/Project.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+class QTabWidget;
+
+namespace smat::gui {
+
+class NumberField;
+class PlacingFields;
+
+/// Takes a model without codes to its first infrared picture: what each of its surfaces, by the
+/// names in the file, is made of and how warm it is, and how the file is placed. Begins with what
+/// names and shape suggest.
+class FirstSignatureDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    /// Of the target of a project, which has a file.
+    explicit FirstSignatureDialog(const Project& project, QWidget* parent = nullptr);
+
+    /// Whether names and shape are there to be chosen from.
+    bool isReady() const { return isReady_; }
+    /// Writes the codes beside the model and a new database beside them; painted faces stay. Gives
+    /// the project with both. Throws irsg::InputError.
+    Project write() const;
+
+  private:
+    struct Row {
+        QComboBox* material = nullptr;
+        QComboBox* temperature = nullptr;
+        NumberField* kelvin = nullptr;
+    };
+    void fill(const irsg::ModelNames& names);
+    std::vector<irsg::FirstSurface> surfaces() const;
+    std::filesystem::path newDatabase() const;
+
+    Project project_;
+    std::filesystem::path model_;
+    std::vector<irsg::FirstSurface> suggested_;
+    std::vector<Row> rows_;
+    bool isReady_ = false;
+    QTabWidget* tabs_ = nullptr;
+    QTableWidget* table_ = nullptr;
+    PlacingFields* placing_ = nullptr;
+    QLabel* said_ = nullptr;
+    QPushButton* create_ = nullptr;
+    LatestTask task_;
+};
+
+} // namespace smat::gui

@@ -1,0 +1,242 @@
+#include "gui/project/PlacingFields.h"
+
+#include <cmath>
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "gui/Readable.h"
+#include "gui/Sentences.h"
+#include "gui/database/NumberField.h"
+#include "gui/project/PlacingPicture.h"
+#include "irsg/radiometry/Errors.h"
+
+namespace smat::gui {
+namespace {
+
+using Origin = irsg::ModelOrigin::At;
+
+struct NamedUnit {
+    double unit_m;
+    const char* name;
+};
+constexpr NamedUnit units[] = {{1.0, QT_TRANSLATE_NOOP("PlacingFields", "metres")},
+                               {0.01, QT_TRANSLATE_NOOP("PlacingFields", "centimetres")},
+                               {0.001, QT_TRANSLATE_NOOP("PlacingFields", "millimetres")},
+                               {0.0254, QT_TRANSLATE_NOOP("PlacingFields", "inches")},
+                               {0.3048, QT_TRANSLATE_NOOP("PlacingFields", "feet")},
+                               {1000.0, QT_TRANSLATE_NOOP("PlacingFields", "kilometres")}};
+
+QComboBox* axisBox(const QString& name) {
+    auto* box = new QComboBox;
+    box->setObjectName(name);
+    box->addItem(PlacingFields::tr("as the file says"));
+    for (const std::string& axis : irsg::modelAxisNames()) {
+        const QString sign = axis.front() == '-' ? QStringLiteral("−") : QStringLiteral("+");
+        box->addItem(PlacingFields::tr("%1%2 of the file")
+                         .arg(sign, QString::fromStdString(axis.substr(1)).toUpper()));
+    }
+    return box;
+}
+
+std::optional<irsg::ModelAxis> axisOf(const QComboBox* box) {
+    return box->currentIndex() == 0
+               ? std::nullopt
+               : std::optional(static_cast<irsg::ModelAxis>(box->currentIndex() - 1));
+}
+
+void setAxis(QComboBox* box, const std::optional<irsg::ModelAxis>& axis) {
+    box->setCurrentIndex(axis ? static_cast<int>(*axis) + 1 : 0);
+}
+
+} // namespace
+
+PlacingFields::PlacingFields(const QString& prefix, QWidget* parent) : QWidget(parent) {
+    up_ = axisBox(prefix + ".up");
+    nose_ = axisBox(prefix + ".nose");
+    unit_ = new QComboBox;
+    unit_->setObjectName(prefix + ".unit");
+    unit_->addItem(tr("as the file says"));
+    for (const NamedUnit& unit : units)
+        unit_->addItem(tr(unit.name));
+    unit_->addItem(tr("another"));
+    otherUnit_ = new NumberField(tr("m"));
+    otherUnit_->setObjectName(prefix + ".unit_m");
+    otherUnit_->setRange(1e-6, 1e6);
+    otherUnit_->setValue(1.0);
+    auto* unitRow = new QHBoxLayout;
+    unitRow->addWidget(unit_, 1);
+    unitRow->addWidget(otherUnit_);
+    origin_ = new QComboBox;
+    origin_->setObjectName(prefix + ".origin");
+    origin_->addItems({tr("that of the file, unless it is far away"), tr("that of the file"),
+                       tr("the centre of the model"), tr("below its centre, at its lowest point"),
+                       tr("a point of the file")});
+    pointRow_ = new QWidget;
+    auto* pointLayout = new QHBoxLayout(pointRow_);
+    pointLayout->setContentsMargins(0, 0, 0, 0);
+    const char* const names[] = {"x", "y", "z"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        point_[i] = new NumberField(names[i]);
+        point_[i]->setObjectName(prefix + ".origin." + names[i]);
+        point_[i]->setRange(-1e9, 1e9);
+        point_[i]->setValue(0.0);
+        pointLayout->addWidget(point_[i]);
+        connect(point_[i], &NumberField::edited, this, &PlacingFields::refresh);
+    }
+    guess_ = new QPushButton(tr("&Guess from the model"));
+    guess_->setObjectName(prefix + ".guess");
+    guess_->setEnabled(false);
+    said_ = new QLabel;
+    said_->setObjectName(prefix + ".said");
+    said_->setWordWrap(true);
+    said_->setForegroundRole(QPalette::PlaceholderText);
+    picture_ = new PlacingPicture;
+
+    auto* form = new QFormLayout;
+    form->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->setHorizontalSpacing(14);
+    form->setVerticalSpacing(8);
+    form->addRow(tr("&Up is"), up_);
+    form->addRow(tr("Nose &points to"), nose_);
+    form->addRow(tr("&One unit is"), unitRow);
+    form->addRow(tr("Or&igin is"), origin_);
+    form->addRow({}, pointRow_);
+    form->addRow({}, guess_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(form);
+    column->addWidget(said_);
+    column->addWidget(picture_, 1);
+
+    for (QComboBox* box : {up_, nose_, unit_, origin_})
+        connect(box, &QComboBox::currentIndexChanged, this, &PlacingFields::refresh);
+    connect(otherUnit_, &NumberField::edited, this, &PlacingFields::refresh);
+    connect(guess_, &QPushButton::clicked, this, &PlacingFields::takeGuess);
+    isMade_ = true;
+    refresh();
+}
+
+void PlacingFields::setFile(const std::filesystem::path& file) {
+    if (file == file_)
+        return;
+    file_ = file;
+    shape_.reset();
+    guess_->setEnabled(false);
+    task_.cancel();
+    if (file.empty())
+        return refresh();
+    picture_->showWord(tr("Reading the model ..."));
+    using Read = std::shared_ptr<const irsg::ModelShape>;
+    task_.run<Read>(
+        [file] { return std::make_shared<const irsg::ModelShape>(irsg::shapeOf(file)); },
+        [this](const Read& shape) {
+            shape_ = shape;
+            guess_->setEnabled(true);
+            refresh();
+            emit wasRead();
+        },
+        [this](const std::exception_ptr& thrown) {
+            picture_->showWord(sentencesOf(thrown).join("\n"));
+            emit wasRead();
+        });
+}
+
+void PlacingFields::setPlacing(const irsg::ModelPlacing& placing) {
+    setAxis(up_, placing.up);
+    setAxis(nose_, placing.nose);
+    int unit = 0;
+    if (placing.unit_m) {
+        unit = static_cast<int>(std::size(units)) + 1;
+        for (std::size_t i = 0; i < std::size(units); ++i)
+            if (units[i].unit_m == *placing.unit_m)
+                unit = static_cast<int>(i) + 1;
+        otherUnit_->setValue(*placing.unit_m);
+    }
+    unit_->setCurrentIndex(unit);
+    origin_->setCurrentIndex(placing.origin ? static_cast<int>(placing.origin->at) + 1 : 0);
+    if (placing.origin) {
+        point_[0]->setValue(placing.origin->point.x);
+        point_[1]->setValue(placing.origin->point.y);
+        point_[2]->setValue(placing.origin->point.z);
+    }
+    refresh();
+}
+
+irsg::ModelPlacing PlacingFields::placing() const {
+    irsg::ModelPlacing placing;
+    placing.up = axisOf(up_);
+    placing.nose = axisOf(nose_);
+    const auto unit = static_cast<std::size_t>(unit_->currentIndex());
+    if (unit > 0)
+        placing.unit_m = unit <= std::size(units) ? units[unit - 1].unit_m : otherUnit_->value();
+    if (origin_->currentIndex() > 0) {
+        placing.origin = irsg::ModelOrigin{static_cast<Origin>(origin_->currentIndex() - 1), {}};
+        if (placing.origin->at == Origin::point)
+            placing.origin->point = {point_[0]->value(), point_[1]->value(), point_[2]->value()};
+    }
+    return placing;
+}
+
+bool PlacingFields::isRight() const {
+    try {
+        irsg::completed(placing(), shape_ ? shape_->axes : irsg::FileAxes{}, "");
+        return true;
+    } catch (const irsg::InputError&) {
+        return false;
+    }
+}
+
+void PlacingFields::takeGuess() {
+    if (!shape_)
+        throw irsg::LogicError("a guess before the model is read");
+    setPlacing(shape_->guess.placing);
+    QStringList reasons;
+    for (const std::string& reason : shape_->guess.reasons)
+        reasons << QString::fromStdString(reason);
+    said_->setText(tr("Guessed: %1.").arg(reasons.join("; ")));
+    emit changed();
+}
+
+void PlacingFields::refresh() {
+    if (!isMade_)
+        return;
+    const bool isPoint = origin_->currentIndex() == static_cast<int>(Origin::point) + 1;
+    pointRow_->setVisible(isPoint);
+    otherUnit_->setVisible(unit_->currentIndex() == unit_->count() - 1);
+    if (shape_) {
+        try {
+            const auto whole = irsg::completed(placing(), shape_->axes, file_.filename().string());
+            picture_->show(shape_, whole);
+            osg::Vec3d low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = -low;
+            for (const osg::Vec3& corner : shape_->corners)
+                for (int axis = 0; axis < 3; ++axis) {
+                    low[axis] = std::min(low[axis], double(corner[axis]));
+                    high[axis] = std::max(high[axis], double(corner[axis]));
+                }
+            const osg::Vec3d size =
+                osg::Matrixd::transform3x3(high - low, irsg::turnAndScale(whole));
+            said_->setText(tr("%1 m long, %2 m wide, %3 m high%4")
+                               .arg(readableNumber(std::abs(size.y())),
+                                    readableNumber(std::abs(size.x())),
+                                    readableNumber(std::abs(size.z())),
+                                    shape_->axes.reason.empty()
+                                        ? QString()
+                                        : "; " + QString::fromStdString(shape_->axes.reason)));
+        } catch (const irsg::InputError&) {
+            picture_->showWord(
+                tr("Up and nose lie along one axis: choose another for one of them."));
+            said_->clear();
+        }
+    } else if (file_.empty()) {
+        picture_->showWord(tr("No model yet"));
+    }
+    emit changed();
+}
+
+} // namespace smat::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include <osg/Vec3d>
+
+#include "irsg/scene/model/ModelCodes.h"
+
+namespace irsg {
+
+/// Finds the painted triangle on which a point of a model's surface lies.
+class PaintedGrid {
+  public:
+    explicit PaintedGrid(const std::vector<PaintedSurface>& painted);
+
+    /// The surface whose triangle holds a point, of those that look the same way; the last one
+    /// where several do; -1 where there is none.
+    int find(const osg::Vec3d& point, const osg::Vec3d& normal) const;
+    bool empty() const { return triangles_.empty(); }
+
+  private:
+    struct Triangle {
+        osg::Vec3d corner, first, second, normal; ///< edges from the corner; unit normal
+        double area = 0.0;
+        int surface = 0;
+    };
+    std::uint64_t cellOf(const osg::Vec3d& point) const;
+
+    std::vector<Triangle> triangles_;
+    std::unordered_map<std::uint64_t, std::vector<unsigned int>> cells_;
+    osg::Vec3d low_;
+    double cell_ = 1.0, tolerance_ = 0.0;
+};
+
+} // namespace irsg
