@@ -82,7 +82,7 @@ TEST_F(ProjectPropertiesTest, PropertiesAreChangedUndoneAndReopenedFromTheFile) 
     onDialog = [&](QDialog& dialog) {
         dialog.findChild<QLineEdit*>("title")->setText("Ship, painted");
         dialog.findChild<QPlainTextEdit*>("notes")->setPlainText("two\nlines");
-        dialog.findChild<QComboBox*>("noseAxis.0")->setCurrentText("+X of the file");
+        dialog.findChild<QComboBox*>("placing.0.nose")->setCurrentIndex(1);
         dialog.findChild<QCheckBox*>("twoSided.0")->click();
         auto* temperature = dialog.findChild<QSpinBox*>("fallbackTemperature.0");
         EXPECT_TRUE(temperature->text().contains("refused"));
