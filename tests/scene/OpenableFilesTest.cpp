@@ -174,10 +174,10 @@ TEST(OpenableFiles, AreThoseOfTheManual) {
             lists.push_back(line.substr(line.find("| .") + 2));
         }
     }
-    ASSERT_EQ(lists.size(), 4u);
+    ASSERT_EQ(lists.size(), 5u);
     const FileKind kinds[] = {FileKind::model, FileKind::picture, FileKind::attributes,
-                              FileKind::materials};
-    for (std::size_t i = 0; i < 4; ++i) {
+                              FileKind::materials, FileKind::buffers};
+    for (std::size_t i = 0; i < 5; ++i) {
         std::string list;
         for (const FileFormat& format : formatsOf(kinds[i])) {
             list += "." + std::string(format.extension) + " ";

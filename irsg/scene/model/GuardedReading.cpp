@@ -144,13 +144,16 @@ class ReadGuard : public osgDB::ReadFileCallback {
         if (isReader() && !failure)
             allowMore(size);
     }
-    /// Formats that we have a reader of our own for.
+    /// Formats that no plug-in reads.
     static std::optional<LoadedGraph> readOurs(const std::string& file) {
-        const auto extension = osgDB::getLowerCaseFileExtension(file);
-        if (extension != "obj" && extension != "stl")
+        const FormatReader reader = modelReaderOf(file);
+        if (reader == FormatReader::plugin)
             return std::nullopt;
         try {
-            return extension == "stl" ? readStl(file) : readObj(file, readPictureHere);
+            if (reader == FormatReader::assimp)
+                return readModelHere(file, file);
+            return osgDB::getLowerCaseFileExtension(file) == "stl" ? readStl(file)
+                                                                   : readObj(file, readPictureHere);
         } catch (const InputError& error) {
             noteRefusal(error.what());
             return std::nullopt;

@@ -6,23 +6,50 @@
 namespace irsg {
 namespace {
 
+constexpr FileFormat by(const char* extension, const char* plugin) {
+    return {extension, FormatReader::plugin, plugin};
+}
+constexpr FileFormat byUs(const char* extension) {
+    return {extension, FormatReader::ours, ""};
+}
+constexpr FileFormat byAssimp(const char* extension) {
+    return {extension, FormatReader::assimp, ""};
+}
+
 constexpr FileFormat models[] = {
-    {"flt", "openflight"}, {"osgt", "osg"}, {"osgb", "osg"}, {"ive", "ive"}, {"osg", "osg"},
-    {"osgx", "osg"},       {"obj", ""},     {"3ds", "3ds"},  {"stl", ""},    {"ply", "ply"},
-    {"ac", "ac"},          {"dxf", "dxf"},  {"lwo", "lwo"},  {"x", "x"},
+    by("flt", "openflight"),
+    by("osgt", "osg"),
+    by("osgb", "osg"),
+    by("ive", "ive"),
+    by("osg", "osg"),
+    by("osgx", "osg"),
+    byAssimp("gltf"),
+    byAssimp("glb"),
+    byAssimp("fbx"),
+    byAssimp("dae"),
+    byUs("obj"),
+    by("3ds", "3ds"),
+    byUs("stl"),
+    by("ply", "ply"),
+    by("ac", "ac"),
+    by("dxf", "dxf"),
+    by("lwo", "lwo"),
+    by("x", "x"),
 };
 
 constexpr FileFormat pictures[] = {
-    {"png", "png"}, {"jpg", "jpeg"}, {"jpeg", "jpeg"}, {"tif", "tiff"}, {"tiff", "tiff"},
-    {"exr", ""},    {"hdr", "hdr"},  {"rgb", "rgb"},   {"rgba", "rgb"}, {"sgi", "rgb"},
-    {"int", "rgb"}, {"inta", "rgb"}, {"bw", "rgb"},    {"bmp", "bmp"},  {"tga", "tga"},
-    {"dds", "dds"}, {"gif", "gif"},  {"pnm", "pnm"},   {"ppm", "pnm"},  {"pgm", "pnm"},
-    {"pbm", "pnm"},
+    by("png", "png"), by("jpg", "jpeg"), by("jpeg", "jpeg"), by("tif", "tiff"), by("tiff", "tiff"),
+    byUs("exr"),      by("hdr", "hdr"),  by("rgb", "rgb"),   by("rgba", "rgb"), by("sgi", "rgb"),
+    by("int", "rgb"), by("inta", "rgb"), by("bw", "rgb"),    by("bmp", "bmp"),  by("tga", "tga"),
+    by("dds", "dds"), by("gif", "gif"),  by("pnm", "pnm"),   by("ppm", "pnm"),  by("pgm", "pnm"),
+    by("pbm", "pnm"),
 };
 
-constexpr FileFormat attributes[] = {{"attr", "openflight"}};
+constexpr FileFormat attributes[] = {by("attr", "openflight")};
 
-constexpr FileFormat materials[] = {{"mtl", ""}};
+constexpr FileFormat materials[] = {byUs("mtl")};
+
+constexpr FileFormat buffers[] = {byAssimp("bin")};
 
 std::string lowerCase(std::string text) {
     std::ranges::transform(text, text.begin(),
@@ -74,8 +101,18 @@ std::span<const FileFormat> formatsOf(FileKind kind) {
         return attributes;
     case FileKind::materials:
         return materials;
+    case FileKind::buffers:
+        return buffers;
     }
     return {};
+}
+
+FormatReader modelReaderOf(const std::string& name) {
+    const std::string extension = extensionOf(name);
+    for (const FileFormat& format : models)
+        if (extension == format.extension)
+            return format.reader;
+    return FormatReader::plugin;
 }
 
 std::optional<std::string> refusalOf(const std::string& name, FileKind kind) {
@@ -96,6 +133,7 @@ std::string expectationOf(FileKind kind) {
     std::string text = kind == FileKind::model       ? "a model of type "
                        : kind == FileKind::picture   ? "a picture of type "
                        : kind == FileKind::materials ? "a library of materials of type "
+                       : kind == FileKind::buffers   ? "numbers of a model, of type "
                                                      : "attributes of a picture, of type ";
     const auto formats = formatsOf(kind);
     for (std::size_t i = 0; i < formats.size(); ++i)

@@ -13,22 +13,30 @@ enum class FileKind {
     model,
     picture,
     attributes, ///< what OpenFlight keeps beside a picture, NAME.attr
-    materials   ///< what a Wavefront object is painted with
+    materials,  ///< what a Wavefront object is painted with
+    buffers     ///< numbers of a .gltf
 };
 
 /// A text model of 30 million facets.
 constexpr std::uint64_t largestModel_B = std::uint64_t{4} << 30;
 
-/// A format and the plug-in of OpenSceneGraph that reads it ("" where we read it ourselves).
+/// Who reads a format.
+enum class FormatReader { plugin, ours, assimp };
+
+/// A format and what reads it.
 struct FileFormat {
     const char* extension; ///< lower case, without its dot
-    const char* plugin;    ///< "openflight" for osgdb_openflight
+    FormatReader reader = FormatReader::plugin;
+    const char* plugin = ""; ///< of OpenSceneGraph, "openflight" for osgdb_openflight
 };
 
 /// The whole list of what is opened, first the formats that are named first to a user. Whatever is
 /// not in it stays closed, even where OpenSceneGraph has a plug-in for it: many of them run a
 /// script, call a shell, unpack an archive or fetch over a network.
 std::span<const FileFormat> formatsOf(FileKind kind);
+
+/// Who reads the models of this name.
+FormatReader modelReaderOf(const std::string& name);
 
 /// Why a name may not be opened as this kind of file, in words such as `a file of type ".lua"`;
 /// nothing where it may. Judges the name alone, upper and lower case alike.

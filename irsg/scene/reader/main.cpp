@@ -1,10 +1,17 @@
 #include <exception>
 
+#if SMAT_HAS_ASSIMP
+#include "irsg/scene/model/assimp/AssimpReading.h"
+#endif
+#include "irsg/scene/model/apart/PluginReading.h"
 #include "irsg/scene/model/apart/ReaderService.h"
 
 /// Reads models and pictures for another process, which asks through standard input (a socket).
 int main() {
     try {
+#if SMAT_HAS_ASSIMP
+        irsg::setAssimpReading(irsg::readWithAssimp);
+#endif
         irsg::serveReadings(0);
         return 0;
     } catch (const std::exception&) {

@@ -30,6 +30,21 @@ osgDB::ReaderWriter& readerOf(const fs::path& file, FileKind kind) {
     return *reader;
 }
 
+AssimpReading assimpReading = nullptr;
+
+LoadedGraph readByAssimp(const fs::path& place, const fs::path& file) {
+    if (!assimpReading)
+        throw InputError({file.string(), "",
+                          "a file of type \"." + osgDB::getLowerCaseFileExtension(file.string()) +
+                              "\" and a build without Assimp, which would read it",
+                          "a build with Assimp (package libassimp-dev), or another format"});
+    GuardedReading guard;
+    LoadedGraph loaded = assimpReading(place, file);
+    for (auto& refused : guard.take())
+        loaded.remarks.push_back(std::move(refused));
+    return loaded;
+}
+
 /// Calls what reads, and gives what it says in place of a result where it fails.
 template <typename Read>
 std::string complaintOf(const Read& read) {
@@ -54,11 +69,17 @@ std::string complaintOf(const Read& read) {
 
 } // namespace
 
+void setAssimpReading(AssimpReading reading) {
+    assimpReading = reading;
+}
+
 void preparePlugins() {
     osgDB::Registry::instance();
 }
 
 LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
+    if (modelReaderOf(file.string()) == FormatReader::assimp)
+        return readByAssimp(place, file);
     checkWhole(place, file);
     OsgNotices notices;
     GuardedReading guard;
