@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "irsg/scene/model/Model.h"
 #include "tests/support/FlightBytes.h"
 
 using namespace irsg;
@@ -202,6 +203,62 @@ TEST(FlightScanner, RefusesReferencesInACircle) {
     }
 }
 
+TEST(FlightScanner, ReadsLevelsThatNoNodeOpens) {
+    using Change = void (*)(SquareFile&);
+    const struct {
+        const char* name;
+        Change change;
+        const char* levels;
+    } rows[] = {
+        {"header, push, push, group",
+         [](SquareFile& f) {
+             f.push += f.push;
+             f.pop += f.pop;
+         },
+         "1 levels"},
+        {"three above an object",
+         [](SquareFile& f) {
+             f.pushGroup += f.push + f.push + f.push;
+             f.popGroup += f.pop + f.pop + f.pop;
+         },
+         "3 levels"},
+        {"between a face and its vertices",
+         [](SquareFile& f) {
+             f.pushFace += f.push;
+             f.popFace += f.pop;
+         },
+         "1 levels"},
+        {"a second one behind a node's own",
+         [](SquareFile& f) {
+             f.face = f.face + f.pushFace + f.list + f.popFace + f.push + f.face;
+             f.popFace += f.pop;
+         },
+         "1 levels"},
+        {"an empty one", [](SquareFile& f) { f.popFace += f.push + f.pop; }, "1 levels"},
+        {"within a switch of one child",
+         [](SquareFile& f) {
+             f.group = record(flight::switchNode,
+                              "switch" + zeros(2) + zeros(4) + i32(0) + i32(1) + i32(1) + i32(1));
+             f.pushGroup += f.push;
+             f.popGroup += f.pop;
+         },
+         "1 levels"},
+    };
+    const TemporaryFolder folder;
+    for (const auto& row : rows) {
+        SquareFile file;
+        row.change(file);
+        const auto path = folder.write("a.flt", file.bytes());
+        const auto scan = scanFlight(path);
+        EXPECT_THAT(scan.files.front().remarks, testing::Contains(HasSubstr(row.levels)))
+            << row.name;
+        const auto model = Model::load(path);
+        const double faces = static_cast<double>(scan.files.front().faces.size());
+        EXPECT_EQ(model->codes().at({1, 2}).faces, static_cast<int>(faces)) << row.name;
+        EXPECT_NEAR(model->codes().at({1, 2}).area_m2, faces, 1e-6) << row.name;
+    }
+}
+
 TEST(FlightScanner, RefusesInstancesThatMultiplyWithoutEnd) {
     SquareFile file;
     const auto push = record(flight::pushLevel), pop = record(flight::popLevel);
@@ -317,8 +374,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"PopMissing", [](F& f) { f.pop = ""; }, at(&F::trailer), "1 more pop level"},
         BadFile{"PopsMissing", [](F& f) { f.pop = f.popGroup = f.popObject = ""; }, at(&F::trailer), "3 more pop level"},
         BadFile{"PopFirst", [](F& f) { f.push = record(flight::popLevel); }, at(&F::push), "push level record before"},
-        BadFile{"PushTwice", [](F& f) { f.pushFace += f.push; f.popFace += f.pop; }, at(&F::pushFace, 4), "no children yet"},
-        BadFile{"PushAfterPop", [](F& f) { f.popFace += f.push + f.pop; }, at(&F::popFace, 4), "no children yet"},
         BadFile{"NodeOutside", [](F& f) { f.colours += f.group; }, [](const F& f) { return "byte " + std::to_string(f.offsetOf(&F::colours) + f.colours.size() - f.group.size()); }, "push level record before it"},
         BadFile{"TooDeep", [](F& f) { for (int i = 0; i < 300; ++i) { f.pushObject += f.group + f.push; f.popObject += f.pop; } }, [](const F& f) { return "byte " + std::to_string(f.offsetOf(&F::pushObject) + 4 + 253 * 48 + 44); }, "256 levels"},
         BadFile{"SubfacePopAlone", [](F& f) { f.popFace += record(flight::popSubface); }, at(&F::popFace, 4), "push subface"},

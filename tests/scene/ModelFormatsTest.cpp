@@ -103,7 +103,8 @@ void expectAsReference(const fs::path& file) {
 FbxWriter fbxBox() {
     FbxWriter fbx;
     fbx.corners = boxCorners(1, 2, 3);
-    fbx.polygons = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    fbx.polygons = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                    {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
     return fbx;
 }
 
@@ -135,11 +136,10 @@ TEST(ForeignFormats, GiveTheAreaTheNamesAndTheSharedPartsOfAGltf) {
     const TemporaryFolder folder;
     const GltfWriter gltf = smallAircraft();
     folder.write("numbers of it.bin", gltf.buffer());
-    for (const auto& [name, bytes] :
-         {std::pair<std::string, std::string>{"a.gltf", gltf.text()},
-          {"b.gltf", gltf.text("numbers of it.bin")},
-          {"c.gltf", gltf.text("numbers%20of%20it.bin")},
-          {"A.GLB", gltf.binary()}}) {
+    for (const auto& [name, bytes] : {std::pair<std::string, std::string>{"a.gltf", gltf.text()},
+                                      {"b.gltf", gltf.text("numbers of it.bin")},
+                                      {"c.gltf", gltf.text("numbers%20of%20it.bin")},
+                                      {"A.GLB", gltf.binary()}}) {
         const auto file = folder.write(name, bytes);
         if (name != "c.gltf") {
             expectAsReference(file);
@@ -149,10 +149,9 @@ TEST(ForeignFormats, GiveTheAreaTheNamesAndTheSharedPartsOfAGltf) {
         const Placed placed(*loaded.node);
         EXPECT_NEAR(placed.area, 34.0, 1e-5);
         EXPECT_EQ(placed.drawables.size(), 2u) << "two engines are one mesh";
-        EXPECT_THAT(placed.names,
-                    testing::IsSupersetOf({std::string("/wing/engine 1/engine mesh"),
-                                           std::string("/wing/engine 2/engine mesh"),
-                                           std::string("/hull/hull mesh")}));
+        EXPECT_THAT(placed.names, testing::IsSupersetOf({std::string("/wing/engine 1/engine mesh"),
+                                                         std::string("/wing/engine 2/engine mesh"),
+                                                         std::string("/hull/hull mesh")}));
         EXPECT_EQ(placed.areaOfMaterials.size(), 2u);
         EXPECT_NEAR(placed.areaOfMaterials.at("red paint"), 22.0, 1e-5);
         EXPECT_NEAR(placed.areaOfMaterials.at("blue"), 12.0, 1e-5);
@@ -163,8 +162,8 @@ TEST(ForeignFormats, GiveTheAreaTheNamesAndTheSharedPartsOfAGltf) {
         for (const auto* geometry : placed.drawables) {
             const auto& state = *geometry->getStateSet();
             const bool red = materialNameOf(state) == "red paint";
-            const auto& material =
-                dynamic_cast<const osg::Material&>(*state.getAttribute(osg::StateAttribute::MATERIAL));
+            const auto& material = dynamic_cast<const osg::Material&>(
+                *state.getAttribute(osg::StateAttribute::MATERIAL));
             EXPECT_EQ(material.getName(), red ? "red paint" : "blue");
             EXPECT_EQ(material.getDiffuse(osg::Material::FRONT),
                       red ? osg::Vec4(1, 0.25f, 0, 1) : osg::Vec4(1, 1, 1, 1));
@@ -182,8 +181,10 @@ TEST(ForeignFormats, ReadEveryKindOfFacesOfAGltf) {
         int mode, bytes;
         std::vector<unsigned int> indices;
         double area;
-    } rows[] = {{"strip", 5, 1, {0, 1, 2, 3}, 6.0},   {"strip without indices", 5, 0, {}, 6.0},
-                {"fan", 6, 2, {0, 1, 3, 2}, 6.0},     {"triangles", 4, 4, {0, 1, 2, 2, 1, 3}, 6.0},
+    } rows[] = {{"strip", 5, 1, {0, 1, 2, 3}, 6.0},
+                {"strip without indices", 5, 0, {}, 6.0},
+                {"fan", 6, 2, {0, 1, 3, 2}, 6.0},
+                {"triangles", 4, 4, {0, 1, 2, 2, 1, 3}, 6.0},
                 {"one triangle", 4, 1, {0, 1, 3}, 3.0}};
     for (const auto& row : rows) {
         GltfWriter gltf;
@@ -202,8 +203,9 @@ TEST(ForeignFormats, ReadEveryKindOfFacesOfAGltf) {
 TEST(ForeignFormats, KeepTheShapeOfAGltfFarFromTheOrigin) {
     const TemporaryFolder folder;
     GltfWriter gltf;
-    const auto box = gltf.mesh("box", {{"attributes", {{"POSITION", gltf.positions(boxCorners(1, 1, 1))}}},
-                                       {"indices", gltf.indices(boxTriangles())}});
+    const auto box =
+        gltf.mesh("box", {{"attributes", {{"POSITION", gltf.positions(boxCorners(1, 1, 1))}}},
+                          {"indices", gltf.indices(boxTriangles())}});
     gltf.node({{"name", "a"}, {"mesh", box}, {"translation", {4000000.1, 500000.2, 30.3}}});
     gltf.node({{"name", "b"}, {"mesh", box}, {"translation", {4000001.4, 500000.2, 30.3}}});
     const auto file = folder.write("a.gltf", gltf.text());
@@ -221,7 +223,8 @@ TEST(ForeignFormats, ReadPicturesInAGltfAndBesideIt) {
     }
     ASSERT_TRUE(osgDB::writeImageFile(*image, (folder / "a b.png").string()));
     const std::string png = readBytes(folder / "a b.png");
-    for (const std::string& uri : {std::string("a%20b.png"), "data:image/png;base64," + base64(png)}) {
+    for (const std::string& uri :
+         {std::string("a%20b.png"), "data:image/png;base64," + base64(png)}) {
         GltfWriter gltf = smallAircraft();
         gltf.json["images"] = {{{"uri", uri}, {"mimeType", "image/png"}}};
         gltf.json["textures"] = {{{"source", 0}}};
@@ -264,9 +267,11 @@ TEST(ForeignFormats, OpenNothingButWhatIsListed) {
         GltfWriter painted = smallAircraft();
         painted.json["images"] = {{{"uri", name}}};
         painted.json["textures"] = {{{"source", 0}}};
-        painted.json["materials"][1]["pbrMetallicRoughness"] = {{"baseColorTexture", {{"index", 0}}}};
-        EXPECT_THAT(load(folder.write("a.gltf", painted.text())).remarks,
-                    Contains(AllOf(HasSubstr(name), AnyOf(HasSubstr("not opened"), HasSubstr("missing")))));
+        painted.json["materials"][1]["pbrMetallicRoughness"] = {
+            {"baseColorTexture", {{"index", 0}}}};
+        EXPECT_THAT(
+            load(folder.write("a.gltf", painted.text())).remarks,
+            Contains(AllOf(HasSubstr(name), AnyOf(HasSubstr("not opened"), HasSubstr("missing")))));
     }
 }
 
@@ -279,8 +284,10 @@ TEST(ForeignFormats, RefuseAGltfThatDoesNotHoldTogether) {
         const char* position;
     } rows[] = {
         {"version 1", [](auto& g) { g["asset"]["version"] = "1.0"; }, "asset.version"},
-        {"a count beyond its view", [](auto& g) { g["accessors"][0]["count"] = 9; }, "accessors.0.count"},
-        {"a count below", [](auto& g) { g["accessors"][1]["count"] = 35; }, "meshes.0.primitives.0"},
+        {"a count beyond its view", [](auto& g) { g["accessors"][0]["count"] = 9; },
+         "accessors.0.count"},
+        {"a count below", [](auto& g) { g["accessors"][1]["count"] = 35; },
+         "meshes.0.primitives.0"},
         {"a view beyond its buffer", [](auto& g) { g["bufferViews"][1]["byteLength"] = 4000; },
          "bufferViews.1.byteLength"},
         {"a node below itself", [](auto& g) { g["nodes"][2]["children"] = {1}; }, "nodes."},
@@ -290,7 +297,9 @@ TEST(ForeignFormats, RefuseAGltfThatDoesNotHoldTogether) {
         {"an extension", [](auto& g) { g["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
          "extensionsRequired.0"},
         {"perspective",
-         [](auto& g) { g["nodes"][0]["matrix"] = {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; },
+         [](auto& g) {
+             g["nodes"][0]["matrix"] = {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+         },
          "nodes.0.matrix"},
         {"no scene", [](auto& g) { g.erase("scenes"); }, "scenes"},
     };
@@ -303,8 +312,9 @@ TEST(ForeignFormats, RefuseAGltfThatDoesNotHoldTogether) {
     }
     // An index that leads to no vertex.
     GltfWriter gltf;
-    gltf.node({{"mesh", gltf.mesh("m", {{"attributes", {{"POSITION", gltf.positions(boxCorners(1, 1, 1))}}},
-                                        {"indices", gltf.indices({0, 1, 8})}})}});
+    gltf.node({{"mesh",
+                gltf.mesh("m", {{"attributes", {{"POSITION", gltf.positions(boxCorners(1, 1, 1))}}},
+                                {"indices", gltf.indices({0, 1, 8})}})}});
     EXPECT_NE(refusalOf([&] { load(folder.write("a.gltf", gltf.text())); }), "nothing was refused");
 }
 
@@ -330,7 +340,8 @@ TEST(ForeignFormats, TellAxesAndUnitOfAnFbxAndTurnNothing) {
             ASSERT_TRUE(loaded.axes.unit_m);
             EXPECT_NEAR(*loaded.axes.unit_m, row.unit_cm / 100, 1e-9);
             EXPECT_EQ(loaded.axes.up, row.up);
-            EXPECT_THAT(loaded.axes.reason, AllOf(HasSubstr("UnitScaleFactor"), HasSubstr("UpAxis")));
+            EXPECT_THAT(loaded.axes.reason,
+                        AllOf(HasSubstr("UnitScaleFactor"), HasSubstr("UpAxis")));
             const Placed placed(*loaded.node);
             EXPECT_NEAR(placed.area, 22.0, 1e-5);
             EXPECT_NEAR((placed.bounds._min - osg::Vec3d(10, 20, 30)).length(), 0.0, 1e-5);
@@ -418,15 +429,17 @@ TEST(ForeignFormats, RefuseFilesOfWhichLessWasRead) {
     gltf.json["accessors"][1]["count"] = 30;
     gltf.json["nodes"][3]["meqh"] = 1;
     gltf.json["nodes"][3].erase("mesh");
-    EXPECT_THAT(load(folder.write("a.gltf", gltf.text())).remarks,
-                testing::UnorderedElementsAre("12 bytes of its buffers belong to nothing in the file",
-                                              "nodes.3.meqh is no word of the format"));
+    EXPECT_THAT(
+        load(folder.write("a.gltf", gltf.text())).remarks,
+        testing::UnorderedElementsAre("12 bytes of its buffers belong to nothing in the file",
+                                      "nodes.3.meqh is no word of the format"));
 }
 
 TEST(ForeignFormats, RefuseCutFiles) {
     const TemporaryFolder folder;
     for (const auto& sample : samples()) {
-        ASSERT_NEAR(Placed(*load(folder.write(sample.name, sample.bytes)).node).area, sample.area, 1e-4)
+        ASSERT_NEAR(Placed(*load(folder.write(sample.name, sample.bytes)).node).area, sample.area,
+                    1e-4)
             << sample.name;
         // The foot of a binary .fbx holds nothing.
         const std::size_t size = sample.bytes.size() - (sample.name == "b.fbx" ? 173 : 2);
@@ -478,9 +491,9 @@ TEST(ForeignFormats, LoseNothingInSilenceOfDamagedFiles) {
                     << sample.name << ", mutant " << i << ": " << placed.polygons << " polygons";
             } catch (const InputError& error) {
                 const std::string said = error.what();
-                ++result[said.find("crashes") != said.npos       ? "crashed"
+                ++result[said.find("crashes") != said.npos      ? "crashed"
                          : said.find("takes more") != said.npos ? "too much"
-                                                                 : "refused"];
+                                                                : "refused"];
             }
         }
     }

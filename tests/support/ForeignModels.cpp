@@ -28,7 +28,8 @@ std::string base64(const std::string& bytes) {
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         unsigned int held = 0;
         for (std::size_t j = 0; j < 3; ++j) {
-            held = held << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
+            held =
+                held << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
         }
         for (std::size_t j = 0; j < 4; ++j) {
             text += i + j > bytes.size() ? '=' : digits[held >> (18 - 6 * j) & 63];
@@ -134,17 +135,19 @@ const std::vector<unsigned int>& boxTriangles() {
 
 GltfWriter smallAircraft() {
     GltfWriter gltf;
-    const auto red = gltf.material(
-        {{"name", "red paint"},
-         {"doubleSided", true},
-         {"pbrMetallicRoughness", {{"baseColorFactor", {1.0, 0.25, 0.0, 1.0}}}}});
+    const auto red =
+        gltf.material({{"name", "red paint"},
+                       {"doubleSided", true},
+                       {"pbrMetallicRoughness", {{"baseColorFactor", {1.0, 0.25, 0.0, 1.0}}}}});
     const auto blue = gltf.material({{"name", "blue"}});
-    const auto hull = gltf.mesh("hull mesh", {{"attributes", {{"POSITION", gltf.positions(boxCorners(1, 2, 3))}}},
-                                              {"indices", gltf.indices(boxTriangles())},
-                                              {"material", red}});
-    const auto engine = gltf.mesh("engine mesh", {{"attributes", {{"POSITION", gltf.positions(boxCorners(1, 1, 1))}}},
-                                                  {"indices", gltf.indices(boxTriangles(), 4)},
-                                                  {"material", blue}});
+    const auto hull =
+        gltf.mesh("hull mesh", {{"attributes", {{"POSITION", gltf.positions(boxCorners(1, 2, 3))}}},
+                                {"indices", gltf.indices(boxTriangles())},
+                                {"material", red}});
+    const auto engine = gltf.mesh(
+        "engine mesh", {{"attributes", {{"POSITION", gltf.positions(boxCorners(1, 1, 1))}}},
+                        {"indices", gltf.indices(boxTriangles(), 4)},
+                        {"material", blue}});
     gltf.node({{"name", "hull"}, {"mesh", hull}});
     const auto wing = gltf.node({{"name", "wing"},
                                  {"rotation", {0.0, 0.0, 0.70710678118654752, 0.70710678118654752}},
@@ -184,10 +187,12 @@ std::string asText(const FbxRecord& record, const std::string& indent) {
             std::visit(
                 [&](const auto& values) {
                     if constexpr (requires { values.begin(); }) {
-                        if constexpr (!std::is_same_v<std::decay_t<decltype(values)>, std::string>) {
+                        if constexpr (!std::is_same_v<std::decay_t<decltype(values)>,
+                                                      std::string>) {
                             count = values.size();
                             for (const auto each : values) {
-                                list += (list.empty() ? "" : ",") + number(static_cast<double>(each));
+                                list +=
+                                    (list.empty() ? "" : ",") + number(static_cast<double>(each));
                             }
                         }
                     }
@@ -260,19 +265,18 @@ std::vector<FbxRecord> FbxWriter::records(bool binary) const {
         indices.insert(indices.end(), polygon.begin(), polygon.end());
         indices.back() = -indices.back() - 1;
     }
-    const FbxRecord settings{
-        "GlobalSettings",
-        {},
-        {{"Version", {1000}, {}},
-         {"Properties70",
-          {},
-          {property("UpAxis", "int", "Integer", {upAxis}),
-           property("UpAxisSign", "int", "Integer", {upSign}),
-           property("FrontAxis", "int", "Integer", {2}),
-           property("FrontAxisSign", "int", "Integer", {1}),
-           property("CoordAxis", "int", "Integer", {0}),
-           property("CoordAxisSign", "int", "Integer", {1}),
-           property("UnitScaleFactor", "double", "Number", {unit_cm})}}}};
+    const FbxRecord settings{"GlobalSettings",
+                             {},
+                             {{"Version", {1000}, {}},
+                              {"Properties70",
+                               {},
+                               {property("UpAxis", "int", "Integer", {upAxis}),
+                                property("UpAxisSign", "int", "Integer", {upSign}),
+                                property("FrontAxis", "int", "Integer", {2}),
+                                property("FrontAxisSign", "int", "Integer", {1}),
+                                property("CoordAxis", "int", "Integer", {0}),
+                                property("CoordAxisSign", "int", "Integer", {1}),
+                                property("UnitScaleFactor", "double", "Number", {unit_cm})}}}};
     const FbxRecord geometry{
         "Geometry",
         {id(100), named("Geometry", "hull mesh"), std::string("Mesh")},
@@ -292,29 +296,28 @@ std::vector<FbxRecord> FbxWriter::records(bool binary) const {
            {"LayerElement",
             {},
             {{"Type", {std::string("LayerElementMaterial")}, {}}, {"TypedIndex", {0}, {}}}}}}}};
-    const FbxRecord model{
-        "Model",
-        {id(200), named("Model", "hull"), std::string("Mesh")},
-        {{"Version", {232}, {}},
-         {"Properties70",
-          {},
-          {property("Lcl Translation", "Lcl Translation", "",
-                    {translation.x(), translation.y(), translation.z()})}}}};
-    const FbxRecord material{"Material",
-                             {id(300), named("Material", "red paint"), std::string()},
-                             {{"Version", {102}, {}},
-                              {"ShadingModel", {std::string("phong")}, {}},
-                              {"Properties70",
-                               {},
-                               {property("DiffuseColor", "Color", "", {1.0, 0.25, 0.0})}}}};
+    const FbxRecord model{"Model",
+                          {id(200), named("Model", "hull"), std::string("Mesh")},
+                          {{"Version", {232}, {}},
+                           {"Properties70",
+                            {},
+                            {property("Lcl Translation", "Lcl Translation", "",
+                                      {translation.x(), translation.y(), translation.z()})}}}};
+    const FbxRecord material{
+        "Material",
+        {id(300), named("Material", "red paint"), std::string()},
+        {{"Version", {102}, {}},
+         {"ShadingModel", {std::string("phong")}, {}},
+         {"Properties70", {}, {property("DiffuseColor", "Color", "", {1.0, 0.25, 0.0})}}}};
     const auto join = [&](std::int64_t child, std::int64_t parent) {
         return FbxRecord{"C", {std::string("OO"), id(child), id(parent)}, {}};
     };
-    return {{"FBXHeaderExtension", {}, {{"FBXHeaderVersion", {1003}, {}}, {"FBXVersion", {7400}, {}}}},
-            settings,
-            {"Definitions", {}, {{"Version", {100}, {}}, {"Count", {3}, {}}}},
-            {"Objects", {}, {geometry, model, material}},
-            {"Connections", {}, {join(200, 0), join(100, 200), join(300, 200)}}};
+    return {
+        {"FBXHeaderExtension", {}, {{"FBXHeaderVersion", {1003}, {}}, {"FBXVersion", {7400}, {}}}},
+        settings,
+        {"Definitions", {}, {{"Version", {100}, {}}, {"Count", {3}, {}}}},
+        {"Objects", {}, {geometry, model, material}},
+        {"Connections", {}, {join(200, 0), join(100, 200), join(300, 200)}}};
 }
 
 std::string FbxWriter::text() const {
@@ -350,11 +353,12 @@ std::string ColladaWriter::text() const {
     const auto length = [](std::size_t count) { return std::to_string(count); };
     std::string nodes;
     for (int i = 0; i < copies; ++i) {
-        nodes += "<node id=\"n" + std::to_string(i) + "\" name=\"hull " + std::to_string(i) +
-                 "\"><translate>" + std::to_string(10 * i) +
-                 " 0 0</translate><instance_geometry url=\"#mesh\"><bind_material><technique_common>"
-                 "<instance_material symbol=\"paint\" target=\"#red\"/></technique_common>"
-                 "</bind_material></instance_geometry></node>\n";
+        nodes +=
+            "<node id=\"n" + std::to_string(i) + "\" name=\"hull " + std::to_string(i) +
+            "\"><translate>" + std::to_string(10 * i) +
+            " 0 0</translate><instance_geometry url=\"#mesh\"><bind_material><technique_common>"
+            "<instance_material symbol=\"paint\" target=\"#red\"/></technique_common>"
+            "</bind_material></instance_geometry></node>\n";
     }
     return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
            "<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\">\n"
@@ -372,7 +376,8 @@ std::string ColladaWriter::text() const {
            length(corners.size()) +
            "\" stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/>"
            "<param name=\"Z\" type=\"float\"/></accessor></technique_common></source>\n"
-           "<vertices id=\"vertices\"><input semantic=\"POSITION\" source=\"#places\"/></vertices>\n"
+           "<vertices id=\"vertices\"><input semantic=\"POSITION\" "
+           "source=\"#places\"/></vertices>\n"
            "<polylist material=\"paint\" count=\"" +
            length(polygons.size()) +
            "\"><input semantic=\"VERTEX\" source=\"#vertices\" offset=\"0\"/><vcount>" + counts +

@@ -40,8 +40,8 @@ class GltfWriter {
 /// A box with 8 corners and 12 triangles, its least corner in the origin.
 std::vector<osg::Vec3d> boxCorners(double x, double y, double z);
 const std::vector<unsigned int>& boxTriangles();
-/// A hull of 1 x 2 x 3 in red, and two engines that share a mesh in blue, below a node that is turned:
-/// 22 + 2 * 6 m^2.
+/// A hull of 1 x 2 x 3 in red, and two engines that share a mesh in blue, below a node that is
+/// turned: 22 + 2 * 6 m^2.
 GltfWriter smallAircraft();
 
 std::string base64(const std::string& bytes);

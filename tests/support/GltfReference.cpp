@@ -92,7 +92,8 @@ class Reader {
         }
         const osg::Matrixd matrix = own * above;
         if (node.contains("mesh")) {
-            for (const auto& part : model_["meshes"][node["mesh"].get<std::size_t>()]["primitives"]) {
+            for (const auto& part :
+                 model_["meshes"][node["mesh"].get<std::size_t>()]["primitives"]) {
                 add(part, matrix);
             }
         }
@@ -122,7 +123,8 @@ class Reader {
     }
 
     void add(const json& part, const osg::Matrixd& matrix) {
-        const auto& positions = model_["accessors"][part["attributes"]["POSITION"].get<std::size_t>()];
+        const auto& positions =
+            model_["accessors"][part["attributes"]["POSITION"].get<std::size_t>()];
         std::vector<std::size_t> order;
         if (part.contains("indices")) {
             const auto& indices = model_["accessors"][part["indices"].get<std::size_t>()];

@@ -21,7 +21,7 @@ FlightLevels::Node& FlightLevels::open(const FlightRecord& record, FlightTreatme
 
     // Children of a face become children of the node above it; a switch has a bit for each child.
     const auto parent = std::find_if(levels_.rbegin(), levels_.rend(), [](const Node& node) {
-        return node.opcode != flight::face && node.opcode != flight::mesh;
+        return node.opcode != flight::face && node.opcode != flight::mesh && !node.anonymous;
     });
     const bool inGraph = record.opcode != flight::vertexList &&
                          record.opcode != flight::morphVertexList &&
@@ -35,23 +35,33 @@ FlightLevels::Node& FlightLevels::open(const FlightRecord& record, FlightTreatme
 }
 
 void FlightLevels::push(const FlightRecord& record) {
-    log_.keep(record);
-    if (!current_ || current_->pushed) {
-        // The level is opened nevertheless so that its pop finds it.
-        log_.offend(record.offset, "a push level record",
-                    "a node before it that has no children yet");
-        levels_.emplace_back(flight::group, record.offset);
-        current_.reset();
-        return;
-    }
     if (levels_.size() >= deepest)
         log_.offend(record.offset, "more than 256 levels", "at most 256");
+    if (!current_ || current_->pushed) {
+        if (levels_.empty())
+            log_.offend(record.offset, "a push level record",
+                        "a node before it that has no children yet");
+        closeCurrent();
+        // What is in a level without a node belongs to the node above, as if it were not there.
+        log_.keep(record, FlightTreatment::drop);
+        levels_.emplace_back(flight::group, record.offset).anonymous = true;
+        ++anonymous_;
+        return;
+    }
+    log_.keep(record);
     current_->pushed = true;
     levels_.push_back(*std::exchange(current_, std::nullopt));
 }
 
+FlightLevels::Node* FlightLevels::parent() {
+    const auto node = std::find_if(levels_.rbegin(), levels_.rend(),
+                                   [](const Node& each) { return !each.anonymous; });
+    return node == levels_.rend() ? nullptr : &*node;
+}
+
 void FlightLevels::pop(const FlightRecord& record) {
-    log_.keep(record);
+    const bool anonymous = !levels_.empty() && levels_.back().anonymous;
+    log_.keep(record, anonymous ? FlightTreatment::drop : FlightTreatment::keep);
     if (levels_.empty())
         return log_.offend(record.offset, "a pop level record", "a push level record before it");
     closeCurrent();
@@ -99,6 +109,9 @@ void FlightLevels::finish(std::size_t end) {
                     std::to_string(levels_.size()) +
                         " more pop level records: the file is truncated");
     closeCurrent();
+    if (anonymous_ > 0)
+        log_.remark(std::to_string(anonymous_) + " levels have no node of their own: what is in "
+                                                 "them belongs to the node above");
     if (emptyFaces_ > 0)
         log_.remark(std::to_string(emptyFaces_) + " faces have no vertices");
 }

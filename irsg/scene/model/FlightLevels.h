@@ -27,6 +27,7 @@ class FlightLevels {
         bool pushed = false;
         int subfaces = 0; ///< push subface records open among its children
         bool light = false;
+        bool anonymous = false; ///< a level that no node opens: it belongs to the one above
         std::optional<std::uint32_t> poolSize; ///< of a mesh
         std::size_t step = 0;
         std::size_t children = 0, childLimit = 0; ///< of a switch; 0 is no limit
@@ -51,7 +52,7 @@ class FlightLevels {
     /// The node read last at the present level; null where there is none.
     Node* current() { return current_ ? &*current_ : nullptr; }
     /// The node whose children are being read; null above the first level.
-    Node* parent() { return levels_.empty() ? nullptr : &levels_.back(); }
+    Node* parent();
 
   private:
     struct Instance {
@@ -66,6 +67,7 @@ class FlightLevels {
     std::optional<Node> current_;
     std::map<int, Instance> instances_;
     int emptyFaces_ = 0;
+    int anonymous_ = 0;
 };
 
 } // namespace irsg

@@ -65,8 +65,8 @@ class ColladaText {
 
   private:
     [[noreturn]] void refuse(std::string position, std::string value, std::string expected) const {
-        throw InputError({file_.string(), std::move(position), std::move(value),
-                          std::move(expected)});
+        throw InputError(
+            {file_.string(), std::move(position), std::move(value), std::move(expected)});
     }
     static std::string lineOf(const std::string& text, std::ptrdiff_t offset) {
         const auto end = text.begin() + std::clamp<std::ptrdiff_t>(
@@ -93,9 +93,8 @@ class ColladaText {
             said = "a unit of " + numberText(*length) + " m";
         }
         const std::string_view up = asset.child_value("up_axis");
-        for (const auto& [name, axis] : {std::pair{"X_UP", UpAxis::plusX},
-                                         {"Y_UP", UpAxis::plusY},
-                                         {"Z_UP", UpAxis::plusZ}})
+        for (const auto& [name, axis] :
+             {std::pair{"X_UP", UpAxis::plusX}, {"Y_UP", UpAxis::plusY}, {"Z_UP", UpAxis::plusZ}})
             if (up == name) {
                 axes.up = axis;
                 said += (said.empty() ? "" : ", ") + std::string(name);
@@ -156,8 +155,8 @@ class ColladaText {
         double sum = 0.0;
         for (const XmlNode& list : mesh.children()) {
             const std::string_view kind = list.name();
-            const std::string where = geometry.attribute("id").value() + std::string(", ") +
-                                      list.name();
+            const std::string where =
+                geometry.attribute("id").value() + std::string(", ") + list.name();
             const double count = list.attribute("count").as_double();
             if (kind == "triangles" || kind == "polylist") {
                 sum += polygonsOf(list, kind == "triangles", count, where);

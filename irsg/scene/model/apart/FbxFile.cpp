@@ -41,8 +41,8 @@ FileAxes axesOf(const Settings& settings) {
         const auto axis = static_cast<int>(*up);
         const bool down = number("UpAxisSign").value_or(1.0) < 0.0;
         axes.up = static_cast<UpAxis>(axis + (down ? 3 : 0));
-        said += (said.empty() ? "" : ", ") + std::string("UpAxis ") + (down ? "-" : "") +
-                "xyz"[axis];
+        said +=
+            (said.empty() ? "" : ", ") + std::string("UpAxis ") + (down ? "-" : "") + "xyz"[axis];
     }
     if (!said.empty())
         axes.reason = "GlobalSettings of the file: " + said;
@@ -70,8 +70,8 @@ class BinaryFbx {
 
   private:
     [[noreturn]] void refuse(std::size_t at, std::string value, std::string expected) const {
-        throw InputError({file_.string(), "byte " + std::to_string(at), std::move(value),
-                          std::move(expected)});
+        throw InputError(
+            {file_.string(), "byte " + std::to_string(at), std::move(value), std::move(expected)});
     }
     template <typename Number>
     Number number(std::size_t at) const {
@@ -90,7 +90,8 @@ class BinaryFbx {
     void readList(std::size_t begin, std::size_t end, int level, const std::string& above) {
         const std::size_t word = version_ < 7500 ? 4 : 8, head = 3 * word + 1;
         if (level > mostRecordLevels)
-            refuse(begin, "records in " + std::to_string(mostRecordLevels) + " others", "fewer levels");
+            refuse(begin, "records in " + std::to_string(mostRecordLevels) + " others",
+                   "fewer levels");
         for (std::size_t at = begin; at < end || level == 0;) {
             const std::uint64_t next = length(at), sizeOfProperties = length(at + 2 * word);
             const auto sizeOfName = number<std::uint8_t>(at + 3 * word);

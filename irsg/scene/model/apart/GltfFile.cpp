@@ -85,9 +85,9 @@ class GltfText {
             const std::size_t left = length - begin;
             if (left < 8 || littleEndian(bytes, begin) > left - 8)
                 refuse(at(begin),
-                       left < 8 ? "a chunk of " + std::to_string(left) + " bytes"
-                                : "a chunk of " + std::to_string(littleEndian(bytes, begin)) +
-                                      " bytes",
+                       left < 8
+                           ? "a chunk of " + std::to_string(left) + " bytes"
+                           : "a chunk of " + std::to_string(littleEndian(bytes, begin)) + " bytes",
                        "a head of 8 bytes and no more than is left");
             const std::size_t size = littleEndian(bytes, begin);
             const std::string_view kind = std::string_view(bytes).substr(begin + 4, 4);
@@ -320,8 +320,8 @@ class GltfText {
             accessor.count = needed(given, path, "count");
             accessor.type = needed(given, path, "componentType");
             const std::string shape = text(given, path, "type");
-            const auto* found = std::ranges::find(
-                shapes, shape, &std::pair<std::string_view, std::size_t>::first);
+            const auto* found =
+                std::ranges::find(shapes, shape, &std::pair<std::string_view, std::size_t>::first);
             if (found == std::end(shapes) || sizeOfType(accessor.type) == 0)
                 refuse(path, "numbers of type " + std::to_string(accessor.type) + ", " + shape,
                        "5120 to 5126, and SCALAR to MAT4");
@@ -368,8 +368,8 @@ class GltfText {
         remarkOtherWords(given, path, {"attributes", "indices", "material", "mode", "targets"});
         GltfFile::Primitive primitive;
         for (const auto& [name, value] : attributes->items()) {
-            const auto& accessor = accessors_[*index(*attributes, at, name.c_str(),
-                                                     accessors_.size())];
+            const auto& accessor =
+                accessors_[*index(*attributes, at, name.c_str(), accessors_.size())];
             if (name == "POSITION" || name == "NORMAL") {
                 if (accessor.type != 5126 || accessor.components != 3 || !accessor.stands)
                     refuse(joinedKeyPath(at, name), "numbers in another form",
@@ -477,8 +477,8 @@ class GltfText {
         const std::size_t shown = index(json_, "", "scene", scenes.size()).value_or(0);
         if (!scenes[shown].is_object())
             refuse("scenes." + std::to_string(shown), shownJson(scenes[shown]), "an object");
-        into_.roots = indices(scenes[shown], "scenes." + std::to_string(shown), "nodes",
-                              nodes.size());
+        into_.roots =
+            indices(scenes[shown], "scenes." + std::to_string(shown), "nodes", nodes.size());
         checkTree();
         if (scenes.size() > 1)
             into_.remarks.push_back("of " + std::to_string(scenes.size()) +
@@ -506,7 +506,7 @@ class GltfText {
     json json_;
     std::optional<std::size_t> chunk_; ///< length of the binary chunk of a .glb
     std::vector<std::pair<std::size_t, std::size_t>> views_; ///< length, stride
-    std::vector<std::size_t> used_; ///< bytes of each view
+    std::vector<std::size_t> used_;                          ///< bytes of each view
     std::vector<Accessor> accessors_;
     std::vector<std::size_t> placed_; ///< nodes of the scene that is shown
 };

@@ -1,5 +1,6 @@
 #include "irsg/scene/model/apart/ReaderProcess.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -15,8 +16,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <osgDB/FileNameUtils>
+
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
+#include "irsg/scene/model/OpenableFiles.h"
 #include "irsg/scene/model/apart/Bytes.h"
 #include "irsg/scene/model/apart/ReaderService.h"
 #include "irsg/scene/model/apart/ReadingLimits.h"
@@ -197,6 +201,23 @@ std::string endText(int status, const ReadingLimits& limits) {
            std::to_string(WEXITSTATUS(status)) + ")";
 }
 
+/// Bytes of a file; of a text of glTF with the numbers that may belong to it and lie beside it.
+std::uint64_t sizeOf(const fs::path& place, const fs::path& file) {
+    std::error_code failure;
+    const std::uintmax_t own = fs::file_size(place, failure);
+    std::uint64_t size = failure ? 0 : own;
+    if (osgDB::getLowerCaseFileExtension(file.string()) != "gltf")
+        return size;
+    for (fs::directory_iterator entry(file.parent_path().empty() ? "." : file.parent_path(),
+                                      failure);
+         !failure && entry != fs::directory_iterator(); entry.increment(failure))
+        if (std::error_code unknown; entry->is_regular_file(unknown) &&
+                                     !refusalOf(entry->path().string(), FileKind::buffers))
+            if (const std::uintmax_t beside = entry->file_size(unknown); !unknown)
+                size += std::min<std::uint64_t>(beside, largestModel_B);
+    return size;
+}
+
 [[noreturn]] void refuseReading(const fs::path& file, FileKind kind, std::string value) {
     throw InputError({file.string(), "", std::move(value),
                       kind == FileKind::model ? "a whole model" : "a whole picture"});
@@ -216,10 +237,9 @@ ReaderAnswer ReaderProcess::read(FileKind kind, const fs::path& place, const fs:
     const fs::path& file = name.empty() ? place : name;
     if (!child_)
         child_ = std::make_unique<Child>();
-    std::error_code failure;
-    const std::uintmax_t size = fs::file_size(place, failure);
     noteInput(place);
-    const ReadingLimits limits = ReadingLimits::of(failure ? 0 : size);
+    const ReadingLimits limits =
+        ReadingLimits::of(kind == FileKind::model ? sizeOf(place, file) : sizeOf(place, {}));
     const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                              std::chrono::duration<double>(limits.wall_s()));
     ByteSink question;

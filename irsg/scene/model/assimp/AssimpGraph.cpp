@@ -157,8 +157,7 @@ osg::ref_ptr<osg::Geometry> AssimpGraph::geometry(const aiMesh& mesh, double& po
         geometry->addPrimitiveSet(
             new osg::DrawElementsUInt(GL_TRIANGLES, triangles.begin(), triangles.end()));
     if (!quads.empty())
-        geometry->addPrimitiveSet(
-            new osg::DrawElementsUInt(GL_QUADS, quads.begin(), quads.end()));
+        geometry->addPrimitiveSet(new osg::DrawElementsUInt(GL_QUADS, quads.begin(), quads.end()));
     return geometry;
 }
 

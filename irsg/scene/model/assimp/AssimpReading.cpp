@@ -6,12 +6,12 @@
 #include <new>
 #include <string_view>
 
+#include <assimp/BaseImporter.h>
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
-#include <assimp/BaseImporter.h>
 #include <assimp/scene.h>
 #include <osgDB/FileNameUtils>
 
@@ -34,8 +34,8 @@ class Warnings {
   public:
     Warnings() {
         Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
-        Assimp::DefaultLogger::get()->attachStream(
-            new Stream(lines_), Assimp::Logger::Warn | Assimp::Logger::Err);
+        Assimp::DefaultLogger::get()->attachStream(new Stream(lines_),
+                                                   Assimp::Logger::Warn | Assimp::Logger::Err);
     }
     ~Warnings() { Assimp::DefaultLogger::kill(); }
     Warnings(const Warnings&) = delete;
@@ -55,8 +55,8 @@ class Warnings {
             if (const auto colon = line.find(": "); colon < 16)
                 line.erase(0, colon + 2);
             // Whether all was read is found out here; normals that are missing are told elsewhere.
-            for (const char* known : {"unsupported, newer format version",
-                                      "failed to resolve vertex layer element"})
+            for (const char* known :
+                 {"unsupported, newer format version", "failed to resolve vertex layer element"})
                 if (line.find(known) != line.npos)
                     return;
             if (lines.size() < most && !line.empty())
@@ -83,9 +83,9 @@ class OneImporter {
         // Axes and unit stay those of the file.
         importer_.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
         importer_.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
-        for (const char* unused : {AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS,
-                                   AI_CONFIG_IMPORT_FBX_READ_CAMERAS,
-                                   AI_CONFIG_IMPORT_FBX_READ_LIGHTS})
+        for (const char* unused :
+             {AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, AI_CONFIG_IMPORT_FBX_READ_CAMERAS,
+              AI_CONFIG_IMPORT_FBX_READ_LIGHTS})
             importer_.SetPropertyBool(unused, false);
     }
     Assimp::Importer& get() { return importer_; }
@@ -108,8 +108,8 @@ class AssimpModel {
         if (isGltf_)
             gltf_ = readGltfFile(place_, file_);
         else
-            stated_ = extension_ == "fbx" ? readFbxFile(place_, file_)
-                                          : readColladaFile(place_, file_);
+            stated_ =
+                extension_ == "fbx" ? readFbxFile(place_, file_) : readColladaFile(place_, file_);
         OneImporter importer(extension_);
         import(importer.get());
 
@@ -130,8 +130,8 @@ class AssimpModel {
 
   private:
     [[noreturn]] void refuse(std::string position, std::string value, std::string expected) const {
-        throw InputError({file_.string(), std::move(position), std::move(value),
-                          std::move(expected)});
+        throw InputError(
+            {file_.string(), std::move(position), std::move(value), std::move(expected)});
     }
 
     void import(Assimp::Importer& importer) {
@@ -247,7 +247,8 @@ class AssimpModel {
     void takeStated(FileAxes& axes) {
         axes = stated_.axes;
         addNew(remarks_, stated_.remarks);
-        // What Assimp turned and scales is what the outermost node does: files have no other for it.
+        // What Assimp turned and scales is what the outermost node does: files have no other for
+        // it.
         root().mTransformation = aiMatrix4x4();
         if (extension_ == "fbx")
             root().mName = aiString();

@@ -170,7 +170,7 @@ osg::ref_ptr<osg::Image> AssimpStates::embedded(const aiTexture& texture, const 
         return nullptr;
     }
     const std::string_view bytes(reinterpret_cast<const char*>(texture.pcData), texture.mWidth);
-    const std::string extension = bytes.starts_with("\x89PNG")       ? "png"
+    const std::string extension = bytes.starts_with("\x89PNG")        ? "png"
                                   : bytes.starts_with("\xFF\xD8\xFF") ? "jpg"
                                                                       : texture.achFormatHint;
     if (const auto refusal = refusalOf("picture." + extension, FileKind::picture)) {
