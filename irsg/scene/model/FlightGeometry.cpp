@@ -8,13 +8,6 @@ namespace {
 
 constexpr std::uint32_t packedColour = 0x10000000, hidden = 0x04000000;
 
-/// Bytes of one vertex of a local pool with these attributes: position, colour, normal, 8 layers.
-std::size_t poolStride(std::uint32_t mask) {
-    return (mask & 0x80000000 ? 24u : 0u) + (mask & 0x40000000 ? 4u : 0u) +
-           (mask & 0x20000000 ? 4u : 0u) + (mask & 0x10000000 ? 12u : 0u) +
-           8u * static_cast<std::size_t>(std::popcount(mask & 0x0FF00000));
-}
-
 /// The record with another payload, at most as long as its own.
 std::string withPayload(const FlightRecord& record, const std::string& payload) {
     std::string bytes(record.bytes.substr(0, 4));
@@ -25,6 +18,12 @@ std::string withPayload(const FlightRecord& record, const std::string& payload) 
 }
 
 } // namespace
+
+std::size_t flightPoolStride(std::uint32_t mask) {
+    return (mask & 0x80000000 ? 24u : 0u) + (mask & 0x40000000 ? 4u : 0u) +
+           (mask & 0x20000000 ? 4u : 0u) + (mask & 0x10000000 ? 12u : 0u) +
+           8u * static_cast<std::size_t>(std::popcount(mask & 0x0FF00000));
+}
 
 bool FlightGeometry::visit(const FlightRecord& record) {
     switch (record.opcode) {
@@ -144,7 +143,7 @@ void FlightGeometry::localVertexPool(const FlightRecord& record) {
     if (!log_.atLeast(record, 12))
         return;
     const std::uint32_t count = record.u32(4), mask = record.u32(8);
-    const std::size_t stride = poolStride(mask);
+    const std::size_t stride = flightPoolStride(mask);
     if ((mask & 0x80000000) == 0)
         return log_.offend(record.offset + 8, "a vertex pool without positions",
                            "bit 0 of its mask");

@@ -22,6 +22,8 @@ bool FlightLog::atLeast(const FlightRecord& record, std::size_t size) {
 void FlightLog::coordinate(const FlightRecord& record, std::size_t at) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double value = record.f64(at + 8 * axis);
+        file_.least[axis] = std::min(file_.least[axis], value);
+        file_.most[axis] = std::max(file_.most[axis], value);
         if (!(std::abs(value) * file_.unit_m <= 1e9))
             offend(record.offset + at + 8 * axis, "coordinate " + std::to_string(value),
                    "a finite number within 1e9 m");

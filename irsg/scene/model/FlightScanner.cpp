@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "irsg/radiometry/FileReading.h"
+#include "irsg/scene/model/FarOrigin.h"
 #include "irsg/scene/model/FlightLevels.h"
+#include "irsg/scene/model/FlightOrigin.h"
 #include "irsg/scene/model/FlightValidator.h"
 #include "irsg/scene/model/OpenableFiles.h"
 
@@ -151,7 +153,15 @@ std::string FlightFile::stream(Purpose purpose) const {
             out[out.size() - step.length + (step.lightModeOffset - step.offset)] =
                 static_cast<char>(step.lightMode);
     }
+    if (const auto from = origin(); from != std::array<double, 3>{})
+        takeOriginFrom(out, from);
     return out;
+}
+
+std::array<double, 3> FlightFile::origin() const {
+    const auto vec = [](const std::array<double, 3>& v) { return osg::Vec3d(v[0], v[1], v[2]); };
+    const auto origin = farOriginOf({vec(least), vec(most)}).value_or(osg::Vec3d());
+    return {origin.x(), origin.y(), origin.z()};
 }
 
 } // namespace irsg

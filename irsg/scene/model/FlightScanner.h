@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -52,12 +53,16 @@ struct FlightFile {
     std::vector<std::string> remarks; ///< what is read but not honoured
     double placedFaces = 0;           ///< with every instance, external references not included
     int height = 0;                   ///< levels from the header to the deepest node
+    std::array<double, 3> least{1e300, 1e300, 1e300}, most{-1e300, -1e300, -1e300}; ///< positions
 
     /// The bytes for the plug-in. For the infrared picture without records that only the visible
     /// display needs, and with the light mode of each face set so that its normals are kept exactly
     /// where all its vertices have one. For the visible display as the file has it.
     enum class Purpose { infrared, visible };
     std::string stream(Purpose purpose) const;
+    /// Where its positions are counted from in that stream, in the unit of the file: not from zero
+    /// where single precision, which is all the plug-in has, would spoil their shape.
+    std::array<double, 3> origin() const;
 
     std::string bytes; ///< of the whole file
     struct Step {      ///< one record of the stream

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "irsg/scene/model/CodedGraph.h"
+#include "irsg/scene/model/FarOrigin.h"
 #include "irsg/scene/model/FlightScanner.h"
 #include "irsg/scene/model/GuardedReading.h"
 #include "irsg/scene/model/IrCodes.h"
@@ -72,6 +73,10 @@ class FlightReader {
             throw InputError({path.string(), "", "a file that OpenSceneGraph cannot read",
                               "an OpenFlight file"});
 
+        // What was taken from the positions in double, outside what the plug-in keeps.
+        if (const auto [x, y, z] = file.origin(); x != 0.0 || y != 0.0 || z != 0.0)
+            moveBack(*node, osg::Vec3d(x, y, z) * file.unit_m);
+
         // Each external reference carries the palettes it lends; a file referred to twice is
         // shared.
         for (const auto& proxy : proxiesOf(*node)) {
@@ -101,6 +106,8 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
     const auto scan = scanFlight(file);
     LoadedGraph loaded;
     loaded.faces = scan.faceCounts();
+    loaded.axes = {1.0, UpAxis::plusZ, std::nullopt,
+                   "the format: OpenFlight has z up, and its units are read as metres"};
     for (const auto& scanned : scan.files)
         for (const auto& remark : scanned.remarks)
             loaded.remarks.push_back(scanned.path.filename().string() + ": " + remark);
@@ -150,6 +157,22 @@ LoadedGraph loadApart(const fs::path& place, const fs::path& file) {
     }
 }
 
+LoadedGraph loadOfType(const std::string& extension, const fs::path& file, LoadPurpose purpose) {
+    if (extension == "flt")
+        return loadFlight(file, purpose);
+    if (extension == "stl")
+        return readStl(file);
+    if (extension == "obj") {
+        // The infrared picture has no use for others.
+        ReaderProcess process;
+        return readObj(file,
+                       purpose == LoadPurpose::visible
+                           ? [&](const fs::path& name) { return readPictureApart(process, name); }
+                           : PictureReading());
+    }
+    return loadApart(file, file);
+}
+
 } // namespace
 
 std::mutex& osgRegistryMutex() {
@@ -166,20 +189,10 @@ LoadedGraph loadGraphAsIs(const fs::path& file, LoadPurpose purpose) {
                           refusal ? expectationOf(FileKind::model) : "a model file"});
     if (refusal)
         throw InputError({file.string(), "", *refusal, expectationOf(FileKind::model)});
-    const auto extension = osgDB::getLowerCaseFileExtension(file.string());
-    if (extension == "flt")
-        return loadFlight(file, purpose);
-    if (extension == "stl")
-        return readStl(file);
-    if (extension == "obj") {
-        // The infrared picture has no use for others.
-        ReaderProcess process;
-        return readObj(file,
-                       purpose == LoadPurpose::visible
-                           ? [&](const fs::path& name) { return readPictureApart(process, name); }
-                           : PictureReading());
-    }
-    return loadApart(file, file);
+    LoadedGraph loaded = loadOfType(osgDB::getLowerCaseFileExtension(file.string()), file, purpose);
+    if (auto remark = remarkOfRounding(*loaded.node))
+        loaded.remarks.push_back(std::move(*remark));
+    return loaded;
 }
 
 LoadedGraph loadGraph(const fs::path& file, LoadPurpose purpose) {

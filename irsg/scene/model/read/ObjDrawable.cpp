@@ -79,12 +79,13 @@ void ObjDrawable::add(const std::vector<ObjCorner>& face) {
     }
 }
 
-osg::ref_ptr<osg::Geometry> ObjDrawable::make() const {
+osg::ref_ptr<osg::Geometry> ObjDrawable::make(const osg::Vec3d& origin) const {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
     osg::ref_ptr<osg::Vec2Array> places = new osg::Vec2Array(osg::Array::BIND_PER_VERTEX);
     vertices->reserve(corners_.size());
     for (const ObjCorner& corner : corners_) {
-        vertices->push_back(osg::Vec3(shape_->vertices[static_cast<std::size_t>(corner.vertex)]));
+        vertices->push_back(
+            osg::Vec3(shape_->vertices[static_cast<std::size_t>(corner.vertex)] - origin));
         if (anyPlace_)
             places->push_back(
                 corner.place < 0

@@ -28,7 +28,8 @@ class ObjDrawable {
 
     /// Three corners or more. Where one has no normal all get that of the face.
     void add(const std::vector<ObjCorner>& face);
-    osg::ref_ptr<osg::Geometry> make() const;
+    /// With positions from an origin on.
+    osg::ref_ptr<osg::Geometry> make(const osg::Vec3d& origin) const;
 
   private:
     struct Hash {

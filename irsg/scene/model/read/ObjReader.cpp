@@ -7,9 +7,11 @@
 
 #include <osg/Geode>
 #include <osg/Group>
+#include <osg/MatrixTransform>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
+#include "irsg/scene/model/FarOrigin.h"
 #include "irsg/scene/model/OpenableFiles.h"
 #include "irsg/scene/model/read/ObjDrawable.h"
 #include "irsg/scene/model/read/ObjMaterials.h"
@@ -155,13 +157,20 @@ class ObjText {
 
     LoadedGraph finish() {
         LoadedGraph loaded;
-        osg::ref_ptr<osg::Group> root = new osg::Group;
+        // Positions far from zero are counted from near themselves, in double.
+        osg::BoundingBoxd bounds;
+        for (const osg::Vec3d& vertex : shape_.vertices)
+            bounds.expandBy(vertex);
+        const auto far = farOriginOf(bounds);
+        const osg::Vec3d origin = far.value_or(osg::Vec3d());
+        osg::ref_ptr<osg::Group> root =
+            far ? new osg::MatrixTransform(osg::Matrixd::translate(origin)) : new osg::Group;
         std::map<std::string, osg::Group*> objects;
         for (const auto& at : order_) {
             const auto& [object, group, material] = at->first;
             osg::ref_ptr<osg::Geode> geode = new osg::Geode;
             geode->setName(group.empty() ? object : group);
-            const auto geometry = at->second.make();
+            const auto geometry = at->second.make(origin);
             geometry->setStateSet(materials_.state(material));
             geode->addDrawable(geometry);
             // A level of its own only where both have names.
@@ -184,6 +193,8 @@ class ObjText {
             remarks_.push_back(firstUnknown_ + ", which the format does not have (" +
                                std::to_string(unknown_) + " lines like this are left out)");
         loaded.node = root;
+        loaded.axes = {std::nullopt, UpAxis::plusZ, std::nullopt,
+                       "the custom of .obj: y up, turned to z on reading"};
         loaded.remarks = std::move(remarks_);
         return loaded;
     }
