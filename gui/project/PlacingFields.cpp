@@ -104,7 +104,9 @@ PlacingFields::PlacingFields(const QString& prefix, QWidget* parent) : QWidget(p
     form->setVerticalSpacing(8);
     form->addRow(tr("&Up is"), up_);
     form->addRow(tr("Nose &points to"), nose_);
-    form->addRow(tr("&One unit is"), unitRow);
+    auto* unitLabel = new QLabel(tr("&One unit is"));
+    unitLabel->setBuddy(unit_);
+    form->addRow(unitLabel, unitRow);
     form->addRow(tr("Or&igin is"), origin_);
     form->addRow({}, pointRow_);
     form->addRow({}, guess_);

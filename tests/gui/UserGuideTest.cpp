@@ -66,9 +66,10 @@ class UserGuideTest : public test::WindowFixture {
         }
         accept = false;
         for (const char* name :
-             {"newProject", "projectProperties", "convertModel", "preferences", "options",
-              "analysisSettings", "compareImages", "radiativeOutput", "temperatureProfile",
-              "monteCarlo", "menuLibrary", "showShortcuts", "findCommand", "showAbout"}) {
+             {"newProject", "projectProperties", "firstSignature", "convertModel", "preferences",
+              "options", "analysisSettings", "compareImages", "radiativeOutput",
+              "temperatureProfile", "monteCarlo", "menuLibrary", "showShortcuts", "findCommand",
+              "showAbout"}) {
             trigger(name);
         }
         auto* tabs = window->findChild<QTabWidget*>("tabs");

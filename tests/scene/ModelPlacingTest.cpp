@@ -149,24 +149,36 @@ TEST(ModelPlacing, GuessesAnAircraftFromItsShape) {
         EXPECT_EQ(guess.placing.up, placing.up);
         EXPECT_EQ(guess.placing.nose, placing.nose);
         // A length alone does not tell inches from centimetres.
-        EXPECT_GE(guess.size_m.y, 1.0);
+        EXPECT_GE(guess.size_m.y, 0.5);
         EXPECT_LE(guess.size_m.y, 500.0);
         EXPECT_EQ(guess.reasons.size(), 4u);
     }
 }
 
 TEST(ModelPlacing, BelievesTheFileBeforeTheShapeAndSaysSo) {
-    const FileAxes stated{.unit_m = 0.01,
+    const FileAxes stated{.unit_m = 0.3048,
                           .up = ModelAxis::plusX,
                           .front = ModelAxis::plusY,
                           .reason = "the file's header"};
     const auto guess = guessPlacing(*aircraft(), stated, "aircraft");
     EXPECT_EQ(guess.placing.up, ModelAxis::plusX);
     EXPECT_EQ(guess.placing.nose, ModelAxis::plusY);
-    EXPECT_EQ(guess.placing.unit_m, 0.01);
-    for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_THAT(guess.reasons[i], HasSubstr("the file's header"));
+    EXPECT_EQ(guess.placing.unit_m, 0.3048);
+    EXPECT_EQ(guess.reasons[0], "the file's header");
+    for (std::size_t i = 1; i < 4; ++i) {
+        EXPECT_THAT(guess.reasons[i], HasSubstr("as stated"));
     }
+}
+
+TEST(ModelPlacing, AUnitThatMakesAGiantOfAnAircraftIsNotBelieved) {
+    const auto placing = whole(ModelAxis::plusY, ModelAxis::plusZ, 0.01);
+    const FileAxes stated{
+        .unit_m = 1.0, .up = ModelAxis::plusY, .front = ModelAxis::plusZ, .reason = "glTF"};
+    const auto guess = guessPlacing(*asFile(*aircraft(), placing), stated, "aircraft");
+    EXPECT_EQ(guess.placing.unit_m, 0.01);
+    EXPECT_EQ(guess.reasons[3],
+              "it is in centimetres, not as stated: it would be 1000 m long; so it is 10 m long");
+    EXPECT_NEAR(guess.size_m.y, 10.0, 1e-4);
 }
 
 TEST(ModelPlacing, ASphereSaysThatNothingTells) {

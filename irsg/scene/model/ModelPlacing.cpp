@@ -13,6 +13,8 @@ namespace irsg {
 namespace {
 
 constexpr double leastUnit_m = 1e-6, greatestUnit_m = 1e6;
+/// How long the things are that one models.
+constexpr double shortest_m = 0.5, longest_m = 500.0;
 
 const std::string& nameOf(ModelAxis axis) {
     return modelAxisNames()[static_cast<std::size_t>(axis)];
@@ -140,9 +142,11 @@ PlacingGuess guessOf(const SurfaceMesh& mesh, const FileAxes& axes, const std::s
                            std::min(asymmetry[static_cast<std::size_t>(second)],
                                     asymmetry[static_cast<std::size_t>(third)]);
 
+    if (!axes.reason.empty())
+        guess.reasons.push_back(axes.reason);
     if (axes.up) {
         placing.up = axes.up;
-        guess.reasons.push_back("up is " + nameOf(*axes.up) + ": " + axes.reason);
+        guess.reasons.push_back("up is " + nameOf(*axes.up) + ", as stated");
     } else if (tells) {
         const int lower = along(size, second) < along(size, third) ? second : third;
         placing.up = axisAlong(lower);
@@ -158,8 +162,7 @@ PlacingGuess guessOf(const SurfaceMesh& mesh, const FileAxes& axes, const std::s
     int noseLine = upLine == 1 ? 2 : 1;
     if (axes.front && lineOf(*axes.front) != upLine) {
         placing.nose = axes.front;
-        guess.reasons.push_back("the nose points along " + nameOf(*axes.front) + ": " +
-                                axes.reason);
+        guess.reasons.push_back("the nose points along " + nameOf(*axes.front) + ", as stated");
     } else {
         const int one = (upLine + 1) % 3, other = (upLine + 2) % 3;
         const double first = asymmetry[static_cast<std::size_t>(one)],
@@ -186,20 +189,23 @@ PlacingGuess guessOf(const SurfaceMesh& mesh, const FileAxes& axes, const std::s
     }
 
     const double longest = std::max({size.x, size.y, size.z});
-    if (axes.unit_m) {
-        placing.unit_m = axes.unit_m;
-        guess.reasons.push_back("it is in " + unitName(*axes.unit_m) + ": " + axes.reason +
-                                "; so it is " + shown(longest * *axes.unit_m) + " m long");
-    } else {
-        placing.unit_m = 1.0;
-        for (const Unit& unit : units)
-            if (longest * unit.metres >= 1.0 && longest * unit.metres <= 500.0) {
-                placing.unit_m = unit.metres;
-                break;
-            }
-        guess.reasons.push_back("it is in " + unitName(*placing.unit_m) + ": so it is " +
-                                shown(longest * *placing.unit_m) + " m long");
-    }
+    const auto isLikely = [&](double unit_m) {
+        return longest * unit_m >= shortest_m && longest * unit_m <= longest_m;
+    };
+    const auto likely =
+        std::ranges::find_if(units, [&](const Unit& unit) { return isLikely(unit.metres); });
+    const double stated_m = axes.unit_m.value_or(1.0);
+    // Files are often not in the unit that their format has.
+    placing.unit_m = isLikely(stated_m) || likely == std::end(units) ? stated_m : likely->metres;
+    const std::string so = "so it is " + shown(longest * *placing.unit_m) + " m long";
+    if (!axes.unit_m)
+        guess.reasons.push_back("it is in " + unitName(*placing.unit_m) + ": " + so);
+    else if (*placing.unit_m == stated_m)
+        guess.reasons.push_back("it is in " + unitName(stated_m) + ", as stated: " + so);
+    else
+        guess.reasons.push_back("it is in " + unitName(*placing.unit_m) +
+                                ", not as stated: it would be " + shown(longest * stated_m) +
+                                " m long; " + so);
 
     const double off = length(box.centre()), half = 0.5 * length(size);
     placing.origin = ModelOrigin{off > half ? ModelOrigin::At::centre : ModelOrigin::At::file, {}};
