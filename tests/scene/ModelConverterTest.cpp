@@ -121,6 +121,40 @@ TEST(ModelConverter, KeepsTheNumberOfFacesOfEachCode) {
     EXPECT_EQ(faces, 862);
     EXPECT_EQ(report.drawablesRead, 862);
     EXPECT_LT(report.drawablesWritten, 50);
+
+    // As whoever reads the file counts them: a disc of many corners is a face still.
+    const auto before = Model::load(source / "samples/turboprop4/turboprop4.flt"),
+               after = Model::load(folder.path() / "t.osgb");
+    for (const auto& [codes, use] : before->codes()) {
+        EXPECT_EQ(after->codes().at(codes).faces, use.faces);
+    }
+}
+
+TEST(ModelConverter, CutsAFaceThatIsNotConvexAndNoOther) {
+    const TemporaryFolder folder;
+    SquareFile file;
+    file.vertices.clear();
+    const std::pair<double, double> corners[] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+    for (const auto& [x, y] : corners) {
+        file.vertices +=
+            record(flight::vertexCN, i16(0) + i16(0x2000) + f64(x) + f64(y) + f64(0) + f32(0) +
+                                         f32(0) + f32(1) + i32(-1) + i32(-1) + i32(0));
+    }
+    file.palette = record(flight::vertexPalette, i32(8 + 6 * 56));
+    const auto written = [&](const std::vector<int>& order) {
+        std::string list;
+        for (const int vertex : order) {
+            list += i32(8 + 56 * vertex);
+        }
+        file.list = record(flight::vertexList, list);
+        const auto report =
+            convertModel(folder.write("a.flt", file.bytes()), folder.path() / "a.osgb");
+        const auto model = Model::load(folder.path() / "a.osgb");
+        return std::pair(model->codes().at({1, 2}).faces, model->codes().at({1, 2}).area_m2);
+    };
+    EXPECT_EQ(written({0, 1, 2, 3, 4, 5}), std::pair(4, 3.0)) << "an L";
+    EXPECT_EQ(written({0, 2, 3, 4}), std::pair(2, 1.0)) << "an arrow of four corners";
+    EXPECT_EQ(written({0, 1, 2, 4, 5}), std::pair(1, 3.5)) << "convex";
 }
 
 TEST(ModelConverter, ConvertsAConvertedFileAgain) {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <set>
+#include <vector>
 
 #include <osg/Geode>
 #include <osg/Geometry>
@@ -10,6 +11,7 @@
 #include <osgUtil/Optimizer>
 
 #include "irsg/scene/model/IrCodes.h"
+#include "irsg/scene/model/Triangulation.h"
 
 namespace irsg {
 namespace {
@@ -36,6 +38,63 @@ bool removeMisfits(osg::Geometry& geometry) {
             geometry.setTexCoordArray(unit, nullptr), removed = true;
     }
     return removed;
+}
+
+/// Numbers of vertices of each polygon of a set of quads or polygons.
+std::vector<std::vector<unsigned int>> polygonsOf(const osg::PrimitiveSet& set) {
+    std::vector<unsigned int> lengths;
+    if (const auto* several = dynamic_cast<const osg::DrawArrayLengths*>(&set))
+        lengths.assign(several->begin(), several->end());
+    else if (set.getMode() == GL_QUADS)
+        lengths.assign(set.getNumIndices() / 4, 4);
+    else
+        lengths.push_back(set.getNumIndices());
+    std::vector<std::vector<unsigned int>> polygons;
+    unsigned int at = 0;
+    for (const unsigned int length : lengths) {
+        polygons.emplace_back();
+        for (unsigned int i = 0; i < length; ++i)
+            polygons.back().push_back(set.index(at++));
+    }
+    return polygons;
+}
+
+/// Cuts quads and polygons that are not convex into triangles: a viewer would draw them wrongly.
+/// The others stay whole, so that a face stays a face.
+void cutConcave(osg::Geometry& geometry) {
+    const auto* places = dynamic_cast<const osg::Vec3Array*>(geometry.getVertexArray());
+    if (!places)
+        return;
+    osg::Geometry::PrimitiveSetList sets;
+    std::vector<PolygonCorner> corners;
+    for (const auto& set : geometry.getPrimitiveSetList()) {
+        if (set->getMode() != GL_QUADS && set->getMode() != GL_POLYGON) {
+            sets.push_back(set);
+            continue;
+        }
+        osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+        osg::Geometry::PrimitiveSetList whole;
+        for (const auto& polygon : polygonsOf(*set)) {
+            corners.clear();
+            for (const auto vertex : polygon)
+                corners.emplace_back().position =
+                    vertex < places->size() ? osg::Vec3d((*places)[vertex]) : osg::Vec3d();
+            if (const auto cut = triangulate(corners); cut.convex || cut.folded)
+                whole.push_back(
+                    new osg::DrawElementsUInt(set->getMode(), polygon.begin(), polygon.end()));
+            else
+                for (const auto& triangle : cut.triangles)
+                    for (const auto corner : triangle)
+                        triangles->push_back(polygon[corner]);
+        }
+        if (triangles->empty()) {
+            sets.push_back(set);
+            continue;
+        }
+        sets.insert(sets.end(), whole.begin(), whole.end());
+        sets.push_back(triangles);
+    }
+    geometry.setPrimitiveSetList(sets);
 }
 
 /// Visits each drawable once, hidden ones and unused levels of detail too.
@@ -70,6 +129,8 @@ class Tagger : public DrawableVisitor {
         if (!merge_)
             return setCodes(drawable, codes);
 
+        if (auto* geometry = drawable.asGeometry())
+            cutConcave(*geometry);
         auto& uniform = uniforms_[codes];
         if (!uniform)
             uniform = new osg::Uniform(uniformName, codes.temperature, codes.material);
@@ -130,7 +191,6 @@ MergeCounts mergeKeepingCodes(osg::Group& graph, bool merge, int& misfits) {
     osgUtil::Optimizer optimizer;
     optimizer.optimize(&graph, osgUtil::Optimizer::STATIC_OBJECT_DETECTION |
                                    osgUtil::Optimizer::SHARE_DUPLICATE_STATE |
-                                   osgUtil::Optimizer::TESSELLATE_GEOMETRY |
                                    osgUtil::Optimizer::MERGE_GEODES |
                                    osgUtil::Optimizer::MERGE_GEOMETRY);
 

@@ -121,6 +121,7 @@ Triangulation triangulate(const std::vector<PolygonCorner>& corners) {
         const auto plane = project(corners, cut.normal);
         if (!isConvex(plane, thinnest * extent * extent)) {
             triangles.clear();
+            cut.convex = false;
             if (!cutEars(plane, triangles)) {
                 cut.folded = true;
                 fan();

@@ -12,6 +12,7 @@ struct Triangulation {
     std::vector<std::array<std::size_t, 3>> triangles; ///< none for a polygon without area
     osg::Vec3d normal;                                 ///< unit, Newell's
     double area = 0.0;                                 ///< of the triangles
+    bool convex = true;  ///< a fan about any of its corners is the same surface
     bool folded = false; ///< crosses itself, or has too many corners: a fan was all it gave
 };
 

@@ -36,17 +36,6 @@ osg::ref_ptr<osg::Vec3Array> arrayOf(const aiVector3D* values, unsigned int coun
     return array;
 }
 
-/// Whether a polygon of four corners, cut anywhere, gives the same surface.
-bool isConvex(const std::vector<PolygonCorner>& corners, const osg::Vec3d& normal) {
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const auto &a = corners[i].position, &b = corners[(i + 1) % corners.size()].position,
-                   &c = corners[(i + 2) % corners.size()].position;
-        if (((b - a) ^ (c - b)) * normal < 0.0)
-            return false;
-    }
-    return true;
-}
-
 } // namespace
 
 osg::ref_ptr<osg::Group> AssimpGraph::make() {
@@ -143,7 +132,7 @@ osg::ref_ptr<osg::Geometry> AssimpGraph::geometry(const aiMesh& mesh, double& po
             continue;
         }
         const auto cut = triangulate(corners);
-        if (face.mNumIndices == 4 && !cut.folded && isConvex(corners, cut.normal)) {
+        if (face.mNumIndices == 4 && cut.convex) {
             add(quads);
             continue;
         }
