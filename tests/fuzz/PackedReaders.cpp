@@ -18,8 +18,11 @@
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/scene/model/IrCodes.h"
 #include "irsg/scene/model/Model.h"
+#include "irsg/scene/model/apart/AxesCoding.h"
+#include "irsg/scene/model/apart/GltfFile.h"
 #include "irsg/scene/model/apart/GraphCoding.h"
 #include "irsg/scene/model/apart/ReaderService.h"
+#include "irsg/scene/model/apart/StatedModel.h"
 #include "irsg/scene/model/apart/WholeFile.h"
 #include "irsg/scene/model/read/ObjReader.h"
 #include "irsg/scene/scattering/SceneScattering.h"
@@ -132,7 +135,7 @@ void readMaterials(File file) {
 
 /// The looks at other programs' models before their plug-ins: the bytes as each kind of them.
 void readWhole(File file) {
-    for (const char* name : {"a.osg", "a.osgx", "a.3ds", "a.lwo", "a.dxf"}) {
+    for (const char* name : {"a.osg", "a.osgx", "a.3ds", "a.lwo", "a.dxf", "a.ac"}) {
         try {
             irsg::checkWhole(file, name);
         } catch (const irsg::InputError&) {
@@ -145,6 +148,80 @@ std::string studioBytes() {
     // A main piece of 12 bytes with the version in it.
     return "\x4d\x4d\x10\0\0\0\2\0\x0a\0\0\0\3\0\0\0"s;
 }
+
+void readAxes(File file) {
+    const std::string bytes = irsg::readFile(file);
+    irsg::ByteSource source(bytes);
+    try {
+        irsg::getAxes(source);
+    } catch (const irsg::DamagedBytes&) {
+    }
+}
+
+std::string axesBytes() {
+    irsg::ByteSink sink;
+    irsg::putAxes(sink, {0.01, irsg::UpAxis::plusZ, irsg::UpAxis::minusX, "a file"});
+    return sink.take();
+}
+
+const char* const objectOfAc = "AC3Db\nOBJECT world\nkids 1\nOBJECT poly\nnumvert 3\n0 0 0\n"
+                               "1 0 0\n0 1 0\nnumsurf 1\nSURF 0x0\nrefs 3\n0 0 0\n1 0 0\n"
+                               "2 0 0\nkids 0\n";
+
+/// A triangle, its corners in base64.
+const std::string gltf =
+    R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"name":"a","mesh":0,"rotation":[0,0,0,1],"children":[1]},{"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],
+"materials":[{"name":"m"}],
+"meshes":[{"name":"t","primitives":[{"attributes":{"POSITION":0},"mode":4,"material":0}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36,"byteOffset":0}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)" +
+    std::string(48, 'A') + "\"}]}\n";
+
+std::string glbBytes() {
+    const auto word = [](std::size_t value) {
+        const auto number = static_cast<std::uint32_t>(value);
+        return std::string(reinterpret_cast<const char*>(&number), 4);
+    };
+    std::string text = gltf;
+    text.replace(text.find(",\"uri\""), text.rfind("\"}]}") - text.find(",\"uri\"") + 1, "");
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    return "glTF" + word(2) + word(28 + text.size() + 36) + word(text.size()) + "JSON" + text +
+           word(36) + std::string("BIN\0", 4) + std::string(36, '\0');
+}
+
+const char* const fbx =
+    "; FBX 7.4.0\nGlobalSettings: {\n\tProperties70: {\n\t\tP: \"UpAxis\", \"int\", \"Integer\", "
+    "\"\",1\n\t\tP: \"UnitScaleFactor\", \"double\", \"Number\", \"\",2.54\n\t}\n}\nObjects: {\n"
+    "\tGeometry: 1, \"Geometry::a\", \"Mesh\" {\n\t\tPolygonVertexIndex: *3 {\n\t\t\ta: 0,1,-3\n"
+    "\t\t}\n\t}\n}\nConnections: {\n}\n";
+
+/// A record of settings in three levels, and the record of zeros that ends the file.
+std::string fbxBytes() {
+    const auto word = [](std::size_t value) {
+        const auto number = static_cast<std::uint32_t>(value);
+        return std::string(reinterpret_cast<const char*>(&number), 4);
+    };
+    const auto text = [&](const std::string& value) { return "S" + word(value.size()) + value; };
+    const std::string zeros(13, '\0');
+    const std::string values =
+        text("UpAxis") + text("int") + text("Integer") + text("") + "I" + word(2);
+    const std::size_t first = 27 + 13 + 14, second = first + 13 + 12,
+                      end = second + 13 + 1 + values.size();
+    return std::string("Kaydara FBX Binary  \0\x1a\0", 23) + word(7400) + word(end + 26) + word(0) +
+           word(0) + "\x0eGlobalSettings" + word(end + 13) + word(0) + word(0) +
+           "\x0cProperties70" + word(end) + word(5) + word(values.size()) + "\x01P" + values +
+           zeros + zeros + zeros;
+}
+
+const char* const collada =
+    "<COLLADA><asset><unit meter=\"0.01\"/><up_axis>Z_UP</up_axis></asset><library_geometries>"
+    "<geometry id=\"g\"><mesh><polylist count=\"1\"><input semantic=\"VERTEX\" offset=\"0\"/>"
+    "<vcount>4</vcount><p>0 1 2 3</p></polylist></mesh></geometry></library_geometries>"
+    "<library_visual_scenes><visual_scene id=\"s\"><node id=\"n\"><instance_geometry url=\"#g\"/>"
+    "</node></visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#s\"/>"
+    "</scene></COLLADA>\n";
 
 const char* const line =
     " 21  667.661000 3.000E-19 1.523E+00.07890.099  100.25000.74-.000510       0 1 1 01\n";
@@ -180,7 +257,15 @@ std::vector<FuzzedReader> packedReaders() {
         {"graph", ".graph", readGraph, {}, {graphBytes()}},
         {"refusal", ".refusal", readRefusal, {}, {std::string(8, '\0')}},
         {"mtl", ".mtl", readMaterials, {}, {materials}},
-        {"whole", ".whole", readWhole, {}, {"a { \"b}\" { } }\n", "<a><b/></a>\n", studioBytes()}},
+        {"whole",
+         ".whole",
+         readWhole,
+         {},
+         {"a { \"b}\" { } }\n", "<a><b/></a>\n", studioBytes(), objectOfAc}},
+        {"gltf", ".gltf", [](File f) { irsg::readGltfFile(f, f); }, {}, {gltf, glbBytes()}},
+        {"fbx", ".fbx", [](File f) { irsg::readFbxFile(f, f); }, {}, {fbx, fbxBytes()}},
+        {"collada", ".dae", [](File f) { irsg::readColladaFile(f, f); }, {}, {collada}},
+        {"axes", ".axes", readAxes, {}, {axesBytes()}},
     };
 }
 

@@ -181,6 +181,18 @@ TEST(ObjReader, SaysWhatItLeavesOut) {
     EXPECT_THAT(loaded.remarks, Contains(AllOf(HasSubstr("line 13"), HasSubstr("\"fff\""))));
 }
 
+TEST(ObjReader, SaysThatTheFormatCannotTellWhetherItIsWhole) {
+    const TemporaryFolder folder;
+    const auto whole = loadGraph(folder.write("a.obj", twoFaces), LoadPurpose::infrared);
+    EXPECT_THAT(whole.remarks, testing::ElementsAre(AllOf(HasSubstr("6 vertices and 2 faces"),
+                                                          HasSubstr("cannot tell"))));
+    const auto cut = loadGraph(folder.write("a.obj", twoFaces.substr(0, twoFaces.rfind("f "))),
+                               LoadPurpose::infrared);
+    EXPECT_THAT(cut.remarks,
+                testing::ElementsAre(AllOf(HasSubstr("6 vertices and 1 faces"),
+                                           HasSubstr("3 vertices belong to no face"))));
+}
+
 TEST(ObjReader, RefusesWhatIsWrongWithItsLine) {
     const TemporaryFolder folder;
     const struct {

@@ -404,6 +404,24 @@ TEST(ReadingApart, RefusesCutFilesWhereTheFormatCanTell) {
     }
 }
 
+TEST(ReadingApart, RefusesAnAcThatIsCut) {
+    const TemporaryFolder folder;
+    const std::string vertices = "numvert 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    const std::string surface = "SURF 0x0\nmat 1\nrefs 4\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n";
+    const std::string object = "OBJECT poly\nname \"hull\"\ndata 9\nnumvert 7\n" + vertices +
+                               "numsurf 2\n" + surface + surface + "kids 0\n";
+    const std::string colours = "rgb 1 0 0 amb 1 0 0 emis 0 0 0 spec 0 0 0 shi 1 trans 0\n";
+    const std::string bytes = "AC3Db\nMATERIAL \"first\" " + colours + "MATERIAL \"red paint\" " +
+                              colours + "OBJECT world\nkids 2\n" + object + object;
+    const auto loaded = loadGraph(folder.write("a.ac", bytes), LoadPurpose::visible);
+    EXPECT_EQ(polygonCounts(*loaded.node).at({}), 4);
+    for (std::size_t size = 1; size < bytes.size() - 3; size += 5) {
+        EXPECT_NE(refusalOf([&] { Model::load(folder.write("b.ac", bytes.substr(0, size))); }),
+                  "nothing was refused")
+            << size << " of " << bytes.size() << " bytes";
+    }
+}
+
 TEST(ReadingApart, OpensNoConnectionAndRunsNothing) {
     const TemporaryFolder folder;
     const QuietListener listener;

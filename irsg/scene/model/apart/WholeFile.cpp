@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/scene/model/OpenableFiles.h"
@@ -107,6 +108,59 @@ void checkDrawing(std::string_view text) {
         refuse(text.size(), "the end of the file", "EOF, which ends a drawing");
 }
 
+/// Objects with so many others in them, lines of vertices and of corners, surfaces: as many of each
+/// as an AC3D file says.
+void checkObjects(std::string_view text) {
+    double objects = 1.0, surfaces = 0.0;
+    long open = 0; ///< objects whose last line, "kids", has not come
+    std::size_t at = 0, lastCount = 0;
+    const auto line = [&] {
+        const std::size_t begin = at;
+        at = std::min(text.find('\n', at), text.size() - 1) + 1;
+        return text.substr(begin, at - begin);
+    };
+    while (at < text.size()) {
+        const std::size_t begin = at;
+        const std::string_view whole = line();
+        const auto space = whole.find(' ');
+        const std::string_view word = whole.substr(0, std::min(space, whole.find_first_of("\r\n")));
+        std::string_view rest = space == whole.npos ? "" : whole.substr(space);
+        rest = rest.substr(std::min(rest.find_first_not_of(' '), rest.size()));
+        rest = rest.substr(0, rest.find_first_of(" \t\r\n"));
+        const double count = parseNumber(rest).value_or(0.0);
+        if (word == "OBJECT") {
+            objects -= 1.0;
+            ++open;
+            lastCount = begin;
+        } else if (word == "SURF") {
+            surfaces -= 1.0;
+        } else if (word == "kids" || word == "numsurf") {
+            (word == "kids" ? objects : surfaces) += count;
+            open -= word == "kids";
+            lastCount = begin;
+        } else if (word == "data") {
+            at = count < static_cast<double>(text.size() - at)
+                     ? at + static_cast<std::size_t>(std::max(count, 0.0))
+                     : text.size();
+        } else if (word == "numvert" || word == "refs") {
+            double found = 0.0;
+            while (found < count && at < text.size()) {
+                line();
+                ++found;
+            }
+            if (found < count || (count > 0.0 && text.back() != '\n' && at >= text.size()))
+                refuse(begin, "the end of the file within " + numberText(count) + " lines",
+                       "all of them");
+        }
+    }
+    if (surfaces > 0.0 || objects > 0.0 || open > 0)
+        refuse(lastCount,
+               "the end of the file before " + (surfaces > 0.0  ? numberText(surfaces) + " surfaces"
+                                                : objects > 0.0 ? numberText(objects) + " objects"
+                                                                : "the end of an object"),
+               "a whole file");
+}
+
 struct Check {
     const char* extension;
     void (*check)(std::string_view);
@@ -116,7 +170,7 @@ struct Check {
 constexpr Check checks[] = {
     {".osg", checkBrackets, true}, {".osgt", checkBrackets, true}, {".x", checkBrackets, true},
     {".osgx", checkTags, true},    {".3ds", checkStudio, false},   {".lwo", checkForm, false},
-    {".dxf", checkDrawing, true},
+    {".dxf", checkDrawing, true},  {".ac", checkObjects, true},
 };
 
 } // namespace

@@ -141,8 +141,13 @@ class ObjText {
                 return;
             face_.push_back(corner);
         }
-        if (face_.size() >= 3)
-            drawable().add(face_);
+        if (face_.size() < 3)
+            return;
+        drawable().add(face_);
+        ++faces_;
+        used_.resize(shape_.vertices.size(), false);
+        for (const ObjCorner& corner : face_)
+            used_[static_cast<std::size_t>(corner.vertex)] = true;
     }
 
     ObjDrawable& drawable() {
@@ -186,6 +191,13 @@ class ObjText {
             }
             parent->addChild(geode);
         }
+        const auto unused = std::ranges::count(used_, false) +
+                            static_cast<std::ptrdiff_t>(shape_.vertices.size() - used_.size());
+        remarks_.push_back(
+            std::to_string(shape_.vertices.size()) + " vertices and " + std::to_string(faces_) +
+            " faces were read to the end of the file, " +
+            (unused > 0 ? std::to_string(unused) + " vertices belong to no face, " : "") +
+            "and the format cannot tell whether it is whole");
         if (others_ > 0)
             remarks_.push_back(std::to_string(others_) +
                                " lines, points and free forms have no facets and are left out");
@@ -210,7 +222,8 @@ class ObjText {
     std::vector<ObjCorner> face_;
     std::vector<Diagnostic> diagnostics_;
     std::vector<std::string> remarks_;
-    long others_ = 0, unknown_ = 0;
+    std::vector<bool> used_; ///< vertices by faces
+    long faces_ = 0, others_ = 0, unknown_ = 0;
     std::string firstUnknown_;
 };
 
