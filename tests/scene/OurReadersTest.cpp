@@ -111,9 +111,9 @@ TEST(ObjReader, ReadsFacesInAllTheirForms) {
 TEST(ObjReader, HasYUp) {
     const TemporaryFolder folder;
     const auto model =
-        Model::load(folder.write("a.obj", "v 1 20 300\nv 2 20 300\nv 2 21 300\nf 1 2 3\n"));
-    EXPECT_EQ(model->bounds().min, (Vec3{1, -300, 20}));
-    EXPECT_EQ(model->bounds().max, (Vec3{2, -300, 21}));
+        Model::load(folder.write("a.obj", "v 1 20 30\nv 2 20 30\nv 2 21 30\nf 1 2 3\n"));
+    EXPECT_EQ(model->bounds().min, (Vec3{1, -30, 20}));
+    EXPECT_EQ(model->bounds().max, (Vec3{2, -30, 21}));
 }
 
 TEST(ObjReader, PaintsWithItsMaterials) {
