@@ -1,4 +1,4 @@
-#include <array>
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstring>
