@@ -33,7 +33,7 @@ option(SMAT_PRECOMPILE "Precompile the Qt, OpenSceneGraph and GoogleTest headers
 # Files that are compiled together read the headers they share once, which halves the time of a whole
 # build; a build in which single files change is quicker without. What stands in an unnamed namespace
 # then meets that of other files: a name that is taken is an error of the compiler.
-option(SMAT_UNITY "Compile eight source files at a time" OFF)
+option(SMAT_UNITY "Compile sixteen source files at a time" OFF)
 
 # Applies the house rules to one target of ours.
 function(smat_configure_target target)
@@ -41,7 +41,7 @@ function(smat_configure_target target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion
                                              $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
     if(SMAT_UNITY)
-        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
         # An Impl whose members have types of its file's unnamed namespace is of that file alone.
         target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     endif()

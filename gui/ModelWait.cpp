@@ -3,7 +3,7 @@
 namespace smat::gui {
 namespace {
 
-constexpr int tick_ms = 100, patience_ms = 250;
+constexpr int tick_ms = 100, silent_ms = 250;
 
 } // namespace
 
@@ -32,7 +32,7 @@ void ModelWait::cancel() {
 }
 
 void ModelWait::tell() {
-    if (clock_.elapsed() < patience_ms)
+    if (clock_.elapsed() < silent_ms)
         return;
     emit waiting(tr("Reading %1, %2 s")
                      .arg(names_)

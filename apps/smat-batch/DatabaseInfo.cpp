@@ -145,7 +145,7 @@ void print(const irsg::SignatureDatabase& database) {
     }
 }
 
-int info(const InfoOptions& options, Context& context) {
+int databaseInfo(const InfoOptions& options, Context& context) {
     const irsg::SignatureDatabase database =
         loadedDatabase(options.file, options.acceptChanges, context);
     if (context.json) {
@@ -171,7 +171,7 @@ void addDatabaseInfo(CLI::App& database, Context& context) {
     command->add_flag("--accept-changes", options->acceptChanges,
                       "Take entries that were changed outside this program");
     command->callback([&context, options] {
-        context.work = [&context, options] { return info(*options, context); };
+        context.work = [&context, options] { return databaseInfo(*options, context); };
     });
 }
 

@@ -24,7 +24,7 @@ nlohmann::ordered_json guessJson(const irsg::PlacingGuess& guess) {
     return json;
 }
 
-int info(const std::string& file, const irsg::ModelPlacing& placing, Context& context) {
+int modelInfo(const std::string& file, const irsg::ModelPlacing& placing, Context& context) {
     std::shared_ptr<irsg::Model> model;
     irsg::PlacingGuess guess;
     {
@@ -91,7 +91,7 @@ void addModelCommand(CLI::App& app, Context& context) {
     auto placing = std::make_shared<PlacingOptions>(*infoCommand);
     infoCommand->callback([&context, file, placing] {
         context.work = [&context, file, placing] {
-            return info(*file, placing->placing(), context);
+            return modelInfo(*file, placing->placing(), context);
         };
     });
     addModelCodesCommand(*command, context);

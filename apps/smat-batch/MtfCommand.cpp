@@ -27,7 +27,7 @@ nlohmann::ordered_json mtfAsJson(const std::string& file) {
 
 namespace {
 
-int info(const std::string& file, const Context& context) {
+int mtfInfo(const std::string& file, const Context& context) {
     if (context.json) {
         fmt::print("{}\n", jsonText(mtfAsJson(file)));
         return done;
@@ -48,7 +48,7 @@ void addMtfCommand(CLI::App& app, Context& context) {
     auto file = std::make_shared<std::string>();
     infoCommand->add_option("FILE", *file, "MTF database")->required()->type_name("");
     infoCommand->callback(
-        [&context, file] { context.work = [&context, file] { return info(*file, context); }; });
+        [&context, file] { context.work = [&context, file] { return mtfInfo(*file, context); }; });
     addMtfBuildCommand(*command, context);
 }
 

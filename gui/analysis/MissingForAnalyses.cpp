@@ -8,20 +8,21 @@
 namespace smat::gui {
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("smat::gui::MissingForAnalyses", text);
-}
+struct Missing {
+    Q_DECLARE_TR_FUNCTIONS(smat::gui::MissingForAnalyses)
+};
 
 } // namespace
 
 QString missingForAnalyses(Workbench& workbench) {
     if (!workbench.hasProject())
-        return tr("Open a project, a sample or a model first.");
+        return Missing::tr("Open a project, a sample or a model first.");
     if (workbench.project().models.empty())
-        return tr("The project has no model: open one.");
+        return Missing::tr("The project has no model: open one.");
     if (workbench.project().models.front().database.empty() && !workbench.database().isOpen())
-        return tr("The model has no signature database: make or open one in the dock Signature "
-                  "database.");
+        return Missing::tr(
+            "The model has no signature database: make or open one in the dock Signature "
+            "database.");
     return {};
 }
 

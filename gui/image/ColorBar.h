@@ -59,6 +59,8 @@ class ColorBar : public QWidget {
     void askUpperPercentileAlone();
     /// Locks these limits as if they had been typed in. LogicError unless low < high, both finite.
     void edit(const irsg::DisplayLimits& limits);
+    /// What one press of the keys of exposure and offset changes.
+    static constexpr double exposureStep = 0.25, offsetStep = 0.05;
     /// Multiplies the exposure by 2^stops: the upper limit comes nearer to the lower one, or both
     /// limits to 0 where the map is diverging.
     void changeExposure(double stops);

@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 
+#include "gui/image/ColorBar.h"
 #include "gui/image/ComparisonBar.h"
 #include "gui/image/ComparisonPanes.h"
 #include "gui/image/ComparisonReport.h"
@@ -10,12 +11,6 @@
 #include "gui/image/ImageCanvas.h"
 
 namespace smat::gui {
-namespace {
-
-constexpr double exposureStep = 0.25, offsetStep = 0.05;
-
-} // namespace
-
 ComparisonKeys::ComparisonKeys(ComparisonWindow* window, ComparisonBar& bar, ComparisonPanes& panes,
                                ComparisonReport& report)
     : QObject(window), bar_(bar), panes_(panes), report_(report) {
@@ -87,11 +82,11 @@ bool ComparisonKeys::pressOnColors(const QKeyEvent& event) {
         bar_.changeColors(back);
         return true;
     case Qt::Key_E:
-        bar.changeExposure(back ? -exposureStep : exposureStep);
+        bar.changeExposure(back ? -ColorBar::exposureStep : ColorBar::exposureStep);
         return true;
     case Qt::Key_O:
         if (!bar.map().isDiverging())
-            bar.changeOffset(back ? offsetStep : -offsetStep);
+            bar.changeOffset(back ? ColorBar::offsetStep : -ColorBar::offsetStep);
         return true;
     case Qt::Key_N:
     case Qt::Key_L: {

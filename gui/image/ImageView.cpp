@@ -24,8 +24,6 @@
 namespace smat::gui {
 namespace {
 
-constexpr double exposureStep = 0.25, offsetStep = 0.05;
-
 QRectF rectangleOf(const irsg::SampledWindow& window) {
     return QRectF(QPointF(window.left_px, window.top_px),
                   QPointF(window.right_px, window.bottom_px));
@@ -313,9 +311,9 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
     } else if (event->modifiers().testFlag(Qt::ControlModifier)) {
         QWidget::keyPressEvent(event);
     } else if (key == Qt::Key_E) {
-        colorBar_->changeExposure(back ? -exposureStep : exposureStep);
+        colorBar_->changeExposure(back ? -ColorBar::exposureStep : ColorBar::exposureStep);
     } else if (key == Qt::Key_O) {
-        colorBar_->changeOffset(back ? offsetStep : -offsetStep);
+        colorBar_->changeOffset(back ? ColorBar::offsetStep : -ColorBar::offsetStep);
     } else if (key == Qt::Key_N || key == Qt::Key_L) {
         colorBar_->setMode(key == Qt::Key_N ? LimitMode::target : LimitMode::locked);
         updateColors();

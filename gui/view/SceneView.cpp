@@ -168,21 +168,6 @@ void SceneView::setTargetPose(const irsg::Pose& pose) {
     sceneChanged();
 }
 
-void SceneView::setCamera(const OrbitCamera& camera, double targetYaw_rad) {
-    if (camera == cameras().sensor() && targetYaw_rad == subject_.targetYaw_rad())
-        return;
-    navigation_->setSensor(camera);
-    subject_.setTargetYaw(targetYaw_rad);
-    sceneChanged();
-}
-
-void SceneView::setFrame(const ViewFrame& frame) {
-    if (frame == subject_.frame())
-        return;
-    subject_.setFrame(frame);
-    sceneChanged();
-}
-
 void SceneView::setEditedDatabase(const std::filesystem::path& file,
                                   std::shared_ptr<const irsg::SignatureDatabase> database) {
     const bool hasMoved = subject_.setEditedDatabase(file, std::move(database));

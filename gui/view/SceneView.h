@@ -41,9 +41,6 @@ class SceneView : public QOpenGLWidget {
     /// that of setScene.
     void setProject(const Project& project, const Settings& settings);
     void setTargetPose(const irsg::Pose& pose);
-    /// That of the sensor.
-    void setCamera(const OrbitCamera& camera, double targetYaw_rad);
-    void setFrame(const ViewFrame& frame);
     /// A database that is being edited stands in for a file, by its resolved path; null for the
     /// file again. Drawn at once.
     void setEditedDatabase(const std::filesystem::path& file,

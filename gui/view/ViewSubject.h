@@ -23,9 +23,6 @@ class ViewSubject {
     bool isOf(const Project& project, const Settings& settings) const;
     void setProject(const Project& project, const Settings& settings);
     const ViewFrame& frame() const { return frame_; }
-    void setFrame(const ViewFrame& frame) { frame_ = frame; }
-    double targetYaw_rad() const { return targetYaw_rad_; }
-    void setTargetYaw(double yaw_rad) { targetYaw_rad_ = yaw_rad; }
     /// Null for the file again. Whether the point that cameras turn about moved with it.
     bool setEditedDatabase(const std::filesystem::path& file,
                            std::shared_ptr<const irsg::SignatureDatabase> database);

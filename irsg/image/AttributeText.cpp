@@ -6,11 +6,9 @@ namespace irsg {
 
 namespace {
 
-constexpr std::string_view escapePrefix = "attribute.";
-
-bool isReserved(std::string_view key) {
+bool isReservedKey(std::string_view key) {
     static const std::set<std::string, std::less<>> keys = {"channel", "unit", "width", "height"};
-    return keys.contains(key) || key.starts_with(escapePrefix);
+    return keys.contains(key) || key.starts_with(attributePrefix);
 }
 
 std::string escaped(std::string_view text, bool isKey) {
@@ -52,8 +50,9 @@ std::string attributeLine(std::string_view key, std::string_view value) {
 }
 
 std::string imageAttributeLine(std::string_view key, std::string_view value) {
-    return attributeLine(
-        isReserved(key) ? std::string(escapePrefix) + std::string(key) : std::string(key), value);
+    return attributeLine(isReservedKey(key) ? std::string(attributePrefix) + std::string(key)
+                                            : std::string(key),
+                         value);
 }
 
 void AttributeText::read(std::string_view line) {
@@ -64,10 +63,10 @@ void AttributeText::read(std::string_view line) {
     std::string_view value = line.substr(colon + 1);
     if (value.starts_with(' '))
         value.remove_prefix(1);
-    if (key.starts_with(escapePrefix))
-        attributes[key.substr(escapePrefix.size())] = unescaped(value);
+    if (key.starts_with(attributePrefix))
+        attributes[key.substr(attributePrefix.size())] = unescaped(value);
     else
-        (isReserved(key) ? plane : attributes)[key] = unescaped(value);
+        (isReservedKey(key) ? plane : attributes)[key] = unescaped(value);
 }
 
 } // namespace irsg

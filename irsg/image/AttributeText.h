@@ -6,6 +6,9 @@
 
 namespace irsg {
 
+/// In front of an attribute that a file would otherwise take for a word of its own.
+inline constexpr std::string_view attributePrefix = "attribute.";
+
 /// What a file that holds one plane says of it as text, a line each: "channel", "unit", "width" and
 /// "height" of the plane (`plane`), and the attributes of its image.
 struct AttributeText {

@@ -20,6 +20,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfStringVectorAttribute.h>
 
+#include "irsg/image/AttributeText.h"
 #include "irsg/image/ExrHeader.h"
 #include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
@@ -32,11 +33,10 @@ namespace {
 
 constexpr std::string_view exrSignature = "\x76\x2f\x31\x01";
 constexpr std::string_view unitPrefix = "unit.";
-constexpr std::string_view escapePrefix = "attribute.";
 const std::string orderName = "channelOrder";
 constexpr std::uint64_t largestValueCount = std::uint64_t{1} << 30;
 
-bool isReserved(std::string_view name) {
+bool isReservedName(std::string_view name) {
     static const std::set<std::string, std::less<>> names = {"channels",
                                                              "chunkCount",
                                                              "compression",
@@ -53,7 +53,8 @@ bool isReserved(std::string_view name) {
                                                              "version",
                                                              "view",
                                                              orderName};
-    return names.contains(name) || name.starts_with(unitPrefix) || name.starts_with(escapePrefix);
+    return names.contains(name) || name.starts_with(unitPrefix) ||
+           name.starts_with(attributePrefix);
 }
 
 /// Bytes in memory as a stream that OpenEXR reads: the file was read once, with our own errors.
@@ -113,15 +114,15 @@ void readAttributes(const Imf::Header& header, RadianceImage& image) {
         const std::optional<std::string> text = textOf(it.attribute());
         if (!text)
             continue;
-        if (name.starts_with(escapePrefix)) {
-            image.attributes[std::string(name.substr(escapePrefix.size()))] = *text;
+        if (name.starts_with(attributePrefix)) {
+            image.attributes[std::string(name.substr(attributePrefix.size()))] = *text;
         } else if (name.starts_with(unitPrefix)) {
             const std::string channelName(name.substr(unitPrefix.size()));
             const auto channel =
                 std::ranges::find(image.channels, channelName, &ImageChannel::name);
             if (channel != image.channels.end())
                 channel->unit = *text;
-        } else if (!isReserved(name)) {
+        } else if (!isReservedName(name)) {
             image.attributes[std::string(name)] = *text;
         }
     }
@@ -225,7 +226,7 @@ void writeExr(const RadianceImage& image, const std::filesystem::path& file) {
     }
     header.insert(orderName, Imf::StringVectorAttribute(order));
     for (const auto& [name, value] : image.attributes)
-        header.insert(isReserved(name) ? std::string(escapePrefix) + name : name,
+        header.insert(isReservedName(name) ? std::string(attributePrefix) + name : name,
                       Imf::StringAttribute(value));
 
     Imf::StdOSStream bytes;

@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t longestQuote = 80;
+constexpr std::size_t longestValue = 80;
 
 /// The words of a JSON text, one behind the other.
 class Words {
@@ -235,8 +235,8 @@ json parseJson(const std::string& text, const std::string& file, const JsonForm&
 
 std::string shownJson(const json& value) {
     std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-    if (text.size() > longestQuote)
-        text = text.substr(0, longestQuote - 3) + "...";
+    if (text.size() > longestValue)
+        text = text.substr(0, longestValue - 3) + "...";
     return text;
 }
 

@@ -137,6 +137,14 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work
         work(i);
 }
 
+void parallelForSmall(std::size_t count, const std::function<void(std::uint32_t)>& work) {
+    constexpr std::size_t atOnce = 16;
+    parallelFor((count + atOnce - 1) / atOnce, [&](std::size_t piece) {
+        for (std::size_t i = piece * atOnce; i < std::min(count, (piece + 1) * atOnce); ++i)
+            work(static_cast<std::uint32_t>(i));
+    });
+}
+
 void setMostThreads(unsigned threads) {
     const std::lock_guard lock(shared().mutex);
     shared().wanted = threads;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 namespace irsg {
@@ -10,6 +11,10 @@ namespace irsg {
 /// that follows from its number. Where another call of this function is under way, this one works
 /// on the calling thread alone. Throws what the call of the lowest number threw.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// parallelFor of work so small that handing out its numbers would take a part of the time: sixteen
+/// at once. Numbers have 32 bits, as indices into meshes have.
+void parallelForSmall(std::size_t count, const std::function<void(std::uint32_t)>& work);
 
 /// While it lives parallelFor works on the calling thread alone where it is called from that
 /// thread: for what goes on beside other work, which would otherwise get in each other's way.

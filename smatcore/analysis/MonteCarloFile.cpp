@@ -17,27 +17,28 @@ namespace smat {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json jsonOf(const Estimate& estimate) {
+OrderedJson jsonOf(const Estimate& estimate) {
     return {{"value", estimate.value},
             {"standard_error", estimate.standardError},
             {"low_95", estimate.low95},
             {"high_95", estimate.high95}};
 }
 
-Json jsonOf(const std::vector<Estimate>& estimates) {
-    Json list = Json::array();
+OrderedJson jsonOf(const std::vector<Estimate>& estimates) {
+    OrderedJson list = OrderedJson::array();
     for (const Estimate& one : estimates)
         list.push_back(jsonOf(one));
     return list;
 }
 
-Json jsonOf(const MonteCarloOptions& options) {
-    Json json = {{"samples", options.samples},           {"sequence", name(options.sequence)},
-                 {"quantity", name(options.quantity)},   {"percentiles", options.percentiles},
-                 {"statistic", name(options.statistic)}, {"phases", options.phases},
-                 {"ranking", options.ranking},           {"ranking_pairs", options.rankingPairs}};
+OrderedJson jsonOf(const MonteCarloOptions& options) {
+    OrderedJson json = {
+        {"samples", options.samples},           {"sequence", name(options.sequence)},
+        {"quantity", name(options.quantity)},   {"percentiles", options.percentiles},
+        {"statistic", name(options.statistic)}, {"phases", options.phases},
+        {"ranking", options.ranking},           {"ranking_pairs", options.rankingPairs}};
     if (options.standardError)
         json["standard_error"] = *options.standardError;
     if (options.rankingAt)
@@ -227,8 +228,8 @@ std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
                                 .value = file.has_extension() ? extension : "no extension",
                                 .expected = "a file that ends in .csv or .json"});
     }
-    Json json = Json::parse(data.analysis.table.toJson());
-    Json scales = Json::array();
+    OrderedJson json = OrderedJson::parse(data.analysis.table.toJson());
+    OrderedJson scales = OrderedJson::array();
     for (const SceneScaling& scaling : data.scalings) {
         scales.push_back({{"name", scaling.name},
                           {"entity", scaling.input.entity},
@@ -247,7 +248,7 @@ std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
     json["bands"] = data.bands;
     json["statistic"] = jsonOf(data.statistic);
     json["reached_standard_error"] = data.reachedStandardError;
-    Json ranking = Json::array();
+    OrderedJson ranking = OrderedJson::array();
     for (const RankedScaling& one : data.ranking) {
         ranking.push_back({{"name", data.scalings[one.scaling].name},
                            {"scale", one.scaling},

@@ -10,23 +10,23 @@ namespace smat {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 } // namespace
 
 std::string ResultTable::toJson() const {
-    Json provenanceJson = Json::array();
+    OrderedJson provenanceJson = OrderedJson::array();
     for (const auto& [key, value] : provenance.entries)
         provenanceJson.push_back({{"key", key}, {"value", value}});
-    Json columnsJson = Json::array();
+    OrderedJson columnsJson = OrderedJson::array();
     for (const ResultColumn& column : columns_) {
-        Json values = Json::array();
+        OrderedJson values = OrderedJson::array();
         for (const double value : column.values)
-            values.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
+            values.push_back(std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr));
         columnsJson.push_back({{"name", column.key}, {"unit", column.unit}, {"values", values}});
     }
-    return Json{{"provenance", provenanceJson}, {"columns", columnsJson}}.dump(
-               1, ' ', false, Json::error_handler_t::replace) +
+    return OrderedJson{{"provenance", provenanceJson}, {"columns", columnsJson}}.dump(
+               1, ' ', false, OrderedJson::error_handler_t::replace) +
            "\n";
 }
 

@@ -28,11 +28,17 @@ class SceneViewTest : public ::testing::Test {
     SceneViewTest() : project(loadProject(test::writeSampleProject(test::freshFolder("view")))) {
         view.resize(480, 360);
         view.setScene(loadDisplayScene(project, project.settings));
-        view.setFrame({10.0 * std::numbers::pi / 180.0, 64, 48});
-        view.setCamera({60.0, 15.0, 1000.0}, 0.0);
+        lookFrom(60.0, 1000.0);
         view.show();
         view.showWholeModel();
         QTest::qWait(50);
+    }
+    /// Through the sensor of the project, standing there.
+    void lookFrom(double azimuth_deg, double range_m) {
+        Settings settings = project.settings;
+        settings.set("camera.azimuth", azimuth_deg);
+        settings.set("camera.range", range_m);
+        view.setProject(project, settings);
     }
     Project project;
     SceneView view;
@@ -57,7 +63,7 @@ TEST_F(SceneViewTest, DrawsOnDemandOnly) {
     const long before = view.frameCount();
     QTest::qWait(200);
     EXPECT_EQ(view.frameCount(), before);
-    view.setCamera({61.0, 15.0, 1000.0}, 0.0);
+    lookFrom(61.0, 1000.0);
     QTest::qWait(50);
     EXPECT_GT(view.frameCount(), before);
 }
@@ -110,8 +116,7 @@ TEST_F(SceneViewTest, ShowsWhatTheSensorSeesFromTheSameSide) {
 
     view.resize(640, 480);
     view.setScene(loadDisplayScene(project, settings));
-    view.setFrame({10.0 * std::numbers::pi / 180.0, 320, 240});
-    view.setCamera({60.0, 15.0, 900.0}, 25.0 * std::numbers::pi / 180.0);
+    lookFrom(60.0, 900.0);
     QTest::qWait(100);
     const QImage picture = view.grabFramebuffer();
     const Extent seen = extentOf(picture.width(), picture.height(), [&](int x, int y) {
@@ -150,13 +155,14 @@ TEST_F(SceneViewTest, AnalysesAndRedrawsLeaveEachOthersPicturesRight) {
     };
     const auto firstImage = render();
     const QImage firstView = view.grabFramebuffer();
+    const double shown_m = view.camera().range_m;
     const int threads = smat::test::processCounts().threads;
     for (int i = 0; i < 10; ++i) {
-        view.setCamera({60.0 + i, 15.0, view.camera().range_m}, 0.0);
+        lookFrom(60.0 + i, shown_m);
         QTest::qWait(5);
         ASSERT_EQ(render(), firstImage) << i;
     }
-    view.setCamera({60.0, 15.0, view.camera().range_m}, 0.0);
+    lookFrom(60.0, shown_m);
     QTest::qWait(20);
     EXPECT_EQ(view.grabFramebuffer(), firstView);
     EXPECT_LE(smat::test::processCounts().threads, threads);

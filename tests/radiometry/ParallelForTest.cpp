@@ -24,11 +24,12 @@ struct Threads {
 TEST(ParallelFor, DoesEveryPieceOnceWhateverTheNumberOfThreads) {
     for (const unsigned threads : {1U, 2U, 5U}) {
         const Threads limited(threads);
-        for (const std::size_t count : {0U, 1U, 2U, 7U, 1000U}) {
+        for (const std::size_t count : {0U, 1U, 2U, 7U, 16U, 17U, 1000U}) {
             std::vector<std::atomic<int>> done(count);
             parallelFor(count, [&](std::size_t i) { ++done[i]; });
+            parallelForSmall(count, [&](std::uint32_t i) { ++done[i]; });
             for (std::size_t i = 0; i < count; ++i) {
-                EXPECT_EQ(done[i], 1) << i << " of " << count << " on " << threads;
+                EXPECT_EQ(done[i], 2) << i << " of " << count << " on " << threads;
             }
         }
     }

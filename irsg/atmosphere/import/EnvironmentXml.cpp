@@ -22,9 +22,9 @@ constexpr std::array known = {azimuthName, elevationName, wavelengthsName, value
 constexpr double fullTurn_rad = 6.2832;
 constexpr double quarterTurn_rad = 1.5708;
 
-class Reader {
+class EnvironmentReader {
   public:
-    explicit Reader(const KarmaXml& document) : document_(document) {}
+    explicit EnvironmentReader(const KarmaXml& document) : document_(document) {}
 
     EnvironmentReading read() {
         if (document_.typeName() != "Environment")
@@ -139,7 +139,7 @@ bool isEnvironmentXml(const std::filesystem::path& file) {
 }
 
 EnvironmentReading environmentFromKarma(const KarmaXml& document) {
-    return Reader(document).read();
+    return EnvironmentReader(document).read();
 }
 
 void toKarma(const EnvironmentParameters& parameters, KarmaXml& document) {

@@ -44,9 +44,9 @@ std::vector<Column> columnsOf(const std::string& line) {
 }
 
 /// One run on its way from lines to columns.
-class Reader {
+class Tape7Reader {
   public:
-    Reader(const TextLines& text, std::vector<Diagnostic>& diagnostics)
+    Tape7Reader(const TextLines& text, std::vector<Diagnostic>& diagnostics)
         : text_(text), diagnostics_(diagnostics) {}
 
     /// Reads the run that begins at line `at` and moves `at` behind it.
@@ -268,7 +268,7 @@ std::vector<SpectralRun> parseTape7(const TextLines& text) {
             break;
         const std::string file = std::filesystem::path(text.file).filename().string();
         runs.push_back(
-            Reader(text, diagnostics)
+            Tape7Reader(text, diagnostics)
                 .read(at, runs.empty() ? file : file + ", run " + std::to_string(runs.size() + 1)));
     }
     if (!diagnostics.empty())

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "irsg/radiometry/ParallelFor.h"
 #include "irsg/scene/trace/LightBalance.h"
 
 namespace irsg {
@@ -120,7 +121,7 @@ void BodyLight::refine(std::vector<Sending>& sendings, const Uses& uses, double 
         return sum_m2 * errors.squareOf(sendings[side]);
     };
     while (!active.empty()) {
-        forEachOf(active.size(), [&](std::uint32_t i) {
+        parallelForSmall(active.size(), [&](std::uint32_t i) {
             Sending& sending = sendings[active[i]];
             send(sending, active[i], uses, std::max(fewestRays, 2 * sending.sent));
         });
@@ -223,7 +224,7 @@ void BodyLight::gather(std::vector<Sending>& sendings) {
         firstScale_.push_back(scales_.size());
     }
     std::vector<std::vector<LightPart>> parts(sendings.size()), oneWay(sendings.size());
-    forEachOf(sendings.size(), [&](std::uint32_t side) {
+    parallelForSmall(sendings.size(), [&](std::uint32_t side) {
         const Rays rays(*nodes_, side);
         for (const LightRay& ray : raysOf(side)) {
             const LightNodes::OfPlace senders(*nodes_, ray.place);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "irsg/radiometry/ParallelFor.h"
 #include "irsg/scene/trace/LightNodes.h"
 
 namespace irsg {
@@ -23,7 +24,7 @@ double densityOf(const ReceiverRays& receiver) {
 /// A F of all pairs from the hits of both ends.
 LightPairs exchanged(const LightPairs& pairs, const std::vector<ReceiverRays>& receivers) {
     std::vector<std::vector<LightPart>> parts(pairs.receivers());
-    forEachOf(pairs.receivers(), [&](std::uint32_t r) {
+    parallelForSmall(pairs.receivers(), [&](std::uint32_t r) {
         const double own = densityOf(receivers[r]);
         const auto [first, last] = pairs.of(r);
         for (const LightPair* pair = first; pair != last; ++pair) {
@@ -83,7 +84,7 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
     LightPairs exchange = exchanged(pairs, receivers);
     std::vector<double> wanted_m2(receivers.size()), scale(receivers.size(), 1.0),
         next(receivers.size()), off(receivers.size());
-    forEachOf(receivers.size(), [&](std::uint32_t r) {
+    parallelForSmall(receivers.size(), [&](std::uint32_t r) {
         wanted_m2[r] = wantedSum_m2(pairs, exchange, oneWay.sumOf(r), r, receivers);
     });
     const auto sum_m2 = [&](std::uint32_t r) {
@@ -94,7 +95,7 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
         return sum;
     };
     for (int step = 0; step < mostSteps; ++step) {
-        forEachOf(receivers.size(), [&](std::uint32_t r) {
+        parallelForSmall(receivers.size(), [&](std::uint32_t r) {
             const double sum = scale[r] * sum_m2(r);
             off[r] = sum > 0.0 ? std::abs(wanted_m2[r] / sum - 1.0) : 0.0;
             next[r] = sum > 0.0 ? scale[r] * std::sqrt(wanted_m2[r] / sum) : scale[r];
@@ -104,7 +105,7 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
             break;
     }
     // What is left of it, each receiver takes on itself.
-    forEachOf(receivers.size(), [&](std::uint32_t r) {
+    parallelForSmall(receivers.size(), [&](std::uint32_t r) {
         const double sum = sum_m2(r);
         next[r] = sum > 0.0 ? wanted_m2[r] / (sum * receivers[r].area_m2) : 0.0;
     });

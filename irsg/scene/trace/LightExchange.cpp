@@ -175,7 +175,7 @@ void LightExchange::takePairs(Making& making) {
             known.push_back({body.light->nodes().areaOf_m2(r / 2), body.light->raysFrom(r)});
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const LightNodes& nodes = bodies_[b].light->nodes();
-        forEachOf(nodes.receivers(), [&](std::uint32_t side) {
+        parallelForSmall(nodes.receivers(), [&](std::uint32_t side) {
             making.told[firstReceiver_[b] + side].resize(nodes.near(side / 2).size());
             if (!making.isSeen(bodies_[b], b, side))
                 return;
@@ -354,7 +354,7 @@ void LightExchange::takeLight(Making& making) {
     std::vector<Making::Told> sums(rows_.size());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const LightNodes& nodes = bodies_[b].light->nodes();
-        forEachOf(nodes.receivers(), [&](std::uint32_t side) {
+        parallelForSmall(nodes.receivers(), [&](std::uint32_t side) {
             if (making.isSeen(bodies_[b], b, side))
                 lightSide(making, b, side);
         });

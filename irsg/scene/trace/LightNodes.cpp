@@ -227,12 +227,4 @@ LightNodes::Start LightNodes::start(std::uint32_t side, double which, double a, 
     return start;
 }
 
-void forEachOf(std::size_t count, const std::function<void(std::uint32_t)>& work) {
-    constexpr std::size_t atOnce = 16;
-    parallelFor((count + atOnce - 1) / atOnce, [&](std::size_t part) {
-        for (std::size_t i = part * atOnce; i < std::min(count, (part + 1) * atOnce); ++i)
-            work(static_cast<std::uint32_t>(i));
-    });
-}
-
 } // namespace irsg

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -98,8 +97,5 @@ class LightNodes {
     std::vector<std::uint32_t> firstNear_;         // by patch
     std::vector<Near> near_;
 };
-
-/// parallelFor of small work: some numbers at once.
-void forEachOf(std::size_t count, const std::function<void(std::uint32_t)>& work);
 
 } // namespace irsg

@@ -47,18 +47,15 @@ LightPairs::LightPairs(std::size_t receivers, std::vector<std::vector<LightPart>
             all[next[part.receiver]++] = {part.sender, part.factor};
         list = {};
     }
-    constexpr std::size_t atOnce = 64;
-    parallelFor((receivers + atOnce - 1) / atOnce, [&](std::size_t piece) {
-        for (std::size_t r = piece * atOnce; r < std::min(receivers, (piece + 1) * atOnce); ++r) {
-            LightPair* own = all.data() + begin[r];
-            const std::size_t count = begin[r + 1] - begin[r];
-            std::stable_sort(own, own + count, [](const LightPair& a, const LightPair& b) {
-                return a.sender < b.sender;
-            });
-            kept[r] = merge(own, count, [](const LightPair& a, const LightPair& b) {
-                return a.sender == b.sender;
-            });
-        }
+    parallelForSmall(receivers, [&](std::uint32_t r) {
+        LightPair* own = all.data() + begin[r];
+        const std::size_t count = begin[r + 1] - begin[r];
+        std::stable_sort(own, own + count, [](const LightPair& a, const LightPair& b) {
+            return a.sender < b.sender;
+        });
+        kept[r] = merge(own, count, [](const LightPair& a, const LightPair& b) {
+            return a.sender == b.sender;
+        });
     });
     first_.push_back(0);
     for (const std::size_t count : kept)
