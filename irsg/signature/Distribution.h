@@ -27,9 +27,10 @@ enum class DistributionKind {
     beta,
     pareto,
     poisson,
-    triangular
+    triangular,
+    trapezoidal
 };
-inline constexpr int distributionKindCount = static_cast<int>(DistributionKind::triangular) + 1;
+inline constexpr int distributionKindCount = static_cast<int>(DistributionKind::trapezoidal) + 1;
 
 /// What a distribution is called and what its numbers mean.
 struct DistributionInfo {

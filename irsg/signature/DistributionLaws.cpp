@@ -107,6 +107,32 @@ double triangularAt(double mode, const TailTarget& target) {
     return lower < mode ? std::sqrt(mode * lower) : 1.0 - std::sqrt((1.0 - mode) * upper);
 }
 
+/// On 0 to 1 with sides of this width, 0 to 1/2, and level between them.
+LogTails trapezoidalTails(double side, double z) {
+    if (z <= 0.0)
+        return nothingBelow;
+    if (z >= 1.0)
+        return nothingAbove;
+    const double sides = portable::log(2.0 * side * (1.0 - side));
+    if (z < side)
+        return tailsFromLower(2.0 * portable::log(z) - sides);
+    if (1.0 - z < side)
+        return tailsFromUpper(2.0 * portable::log1p(-z) - sides);
+    const double level = portable::log1p(-side);
+    return {portable::log(z - 0.5 * side) - level, portable::log(1.0 - z - 0.5 * side) - level};
+}
+
+double trapezoidalAt(double side, const TailTarget& target) {
+    const double lower = target.isUpper ? -portable::expm1(target.log) : portable::exp(target.log);
+    const double upper = target.isUpper ? portable::exp(target.log) : -portable::expm1(target.log);
+    const double ofSide = 0.5 * side / (1.0 - side);
+    if (lower < ofSide)
+        return std::sqrt(2.0 * side * (1.0 - side) * lower);
+    if (upper < ofSide)
+        return 1.0 - std::sqrt(2.0 * side * (1.0 - side) * upper);
+    return 0.5 * side + (1.0 - side) * lower;
+}
+
 // The kinds, in the order of their numbers.
 
 const DistributionLaw uniform{
@@ -388,9 +414,32 @@ const DistributionLaw triangular{
     .closedForm = [](const StandardForm& form,
                      const TailTarget& target) { return triangularAt(form.a, target); }};
 
+const DistributionLaw trapezoidal{
+    .info = {DistributionKind::trapezoidal,
+             "trapezoidal",
+             {"least value", "width", "top, as a part of the width"},
+             "min, max - min, 0.5"},
+    .defaults = [](double min, double max) -> Numbers {
+        return {min, max - min, 0.5};
+    },
+    .check =
+        [](ParameterCheck& check, const Numbers& p) {
+            positive(check, "width", p[1]);
+            check.require(p[2] >= 0.0 && p[2] <= 1.0, "top", p[2], "a part from 0 to 1");
+        },
+    .standard = originScaleShapes,
+    .tails = [](const StandardForm& form) -> Tails {
+        return [side = 0.5 * (1.0 - form.a)](double z) { return trapezoidalTails(side, z); };
+    },
+    .closedForm =
+        [](const StandardForm& form, const TailTarget& target) {
+            return trapezoidalAt(0.5 * (1.0 - form.a), target);
+        }};
+
 const DistributionLaw* const laws[] = {
-    &uniform, &normal,     &exponential, &laplace,  &cauchy, &rayleigh, &logNormal, &stable,
-    &gamma,   &chiSquared, &fisherF,     &studentT, &beta,   &pareto,   &poisson,   &triangular};
+    &uniform,   &normal, &exponential, &laplace,    &cauchy,     &rayleigh,
+    &logNormal, &stable, &gamma,       &chiSquared, &fisherF,    &studentT,
+    &beta,      &pareto, &poisson,     &triangular, &trapezoidal};
 static_assert(std::size(laws) == distributionKindCount);
 
 } // namespace

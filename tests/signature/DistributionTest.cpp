@@ -46,6 +46,22 @@ Reference symmetricStable(double alpha, double origin, double scale) {
     return {lower, [=](double x) { return 1.0 - lower(x); }};
 }
 
+/// What the sum of two uniform distributions has whose half-widths are (1 + top)/4 and (1 - top)/4.
+Reference trapezoid(double top, double origin, double scale) {
+    const double wide = 0.25 * (1.0 + top), narrow = 0.25 * (1.0 - top);
+    const auto lower = [=](double x) {
+        const double z = (x - origin) / scale - 0.5;
+        if (narrow == 0.0) {
+            return std::clamp(z + 0.5, 0.0, 1.0);
+        }
+        const auto square = [](double y) { return y > 0.0 ? y * y : 0.0; };
+        return (square(z + wide + narrow) - square(z + wide - narrow) - square(z - wide + narrow) +
+                square(z - wide - narrow)) /
+               (8.0 * wide * narrow);
+    };
+    return {lower, [=](double x) { return lower(2.0 * origin + scale - x); }};
+}
+
 Reference referenceOf(Kind kind, const std::vector<double>& p, double min, double max) {
     namespace bm = boost::math;
     switch (kind) {
@@ -79,6 +95,8 @@ Reference referenceOf(Kind kind, const std::vector<double>& p, double min, doubl
         return referenceOf(bm::pareto(p[0], p[1]), 0.0, 1.0);
     case Kind::triangular:
         return referenceOf(bm::triangular(0.0, p[2], 1.0), p[0], p[1]);
+    case Kind::trapezoidal:
+        return trapezoid(p[2], p[0], p[1]);
     case Kind::poisson:
         break;
     }
@@ -140,6 +158,7 @@ const std::vector<Row> continuous{
     {"beta", Kind::beta, 0.8, 1.1},
     {"Pareto", Kind::pareto, 1.0, 1.5},
     {"triangular", Kind::triangular, 0.9, 1.2},
+    {"trapezoidal", Kind::trapezoidal, 0.9, 1.2},
     // Parameters of one's own, ends far from the middle, and shapes that are singular at an end.
     {"normalFarInItsTail", Kind::normal, 1.3, 1.4, {1.0, 0.01}},
     {"normalFarInItsLowerTail", Kind::normal, 0.65, 0.7, {1.0, 0.01}},
@@ -158,6 +177,9 @@ const std::vector<Row> continuous{
     {"triangularCutBesideItsMode", Kind::triangular, 1.0, 2.9, {0.0, 3.0, 0.3}},
     {"triangularThatFalls", Kind::triangular, 0.0, 2.5, {0.0, 3.0, 0.0}},
     {"triangularThatRises", Kind::triangular, -1.0, 2.0, {-1.0, 3.0, 1.0}},
+    {"trapezoidalCutOnOneSide", Kind::trapezoidal, 0.2, 2.5, {0.0, 3.0, 0.7}},
+    {"trapezoidalThatIsATent", Kind::trapezoidal, -1.0, 2.0, {-1.0, 3.0, 0.0}},
+    {"trapezoidalThatIsLevel", Kind::trapezoidal, -0.5, 1.0, {-1.0, 3.0, 1.0}},
     {"ParetoFarOut", Kind::pareto, 1e3, 1e5, {1.0, 2.5}},
 };
 
@@ -276,7 +298,8 @@ TEST(Distribution, GivesTheSameSequencesEverywhere) {
         0x67faaa0095d05d8e, 0xbd954490cfafbc3f, 0x1782278b75ae2741, 0x1ee17537a8a248ee,
         0x6e7e07ac3d4aa883, 0xef43840adf9ae6b7, 0xd05a9b5bc46ffff6, 0x004b4f5b1e13b253,
         0x7e4d0f139a22c0ba, 0xbbc7044d7e1f6a43, 0x2199a085c0357f14, 0x2e8b55db4d8172f3,
-        0x360587f85c71ca57, 0x1993acd6f8a48669, 0xe5274d476b3cf1d9, 0xcb261191f32b492c};
+        0x360587f85c71ca57, 0x1993acd6f8a48669, 0xe5274d476b3cf1d9, 0xcb261191f32b492c,
+        0xd5653dd77f567488};
     for (int k = 0; k < distributionKindCount; ++k) {
         const Kind kind = static_cast<Kind>(k);
         const Distribution distribution =
@@ -324,6 +347,12 @@ TEST(Distribution, RefusesNumbersThatCannotBe) {
          1.1,
          {0.9, 0.2, 1.5},
          "mode 1.5, expected a part"},
+        {"a top wider than its foot",
+         Kind::trapezoidal,
+         0.9,
+         1.1,
+         {0.9, 0.2, 1.5},
+         "top 1.5, expected a part"},
         {"no standard deviation", Kind::normal, 0.9, 1.1, {1.0, 0.0}, "standard deviation 0"},
         {"too few parameters", Kind::gamma, 0.9, 1.1, {1.0, 1.0}, "expected 3"},
         {"a parameter that is no number", Kind::normal, 0.9, 1.1, {nan, 1.0}, "mean nan"},
