@@ -21,15 +21,15 @@ namespace smat::gui {
 namespace {
 
 /// What an item of the tree stands for, and where it is kept in the item.
-enum class Part { project, model, database, group, index, sensor, atmosphere, sun, analysis };
+enum class TreePart { project, model, database, group, index, sensor, atmosphere, sun, analysis };
 constexpr int partRole = Qt::UserRole, modelRole = Qt::UserRole + 1, kindRole = Qt::UserRole + 2,
               numberRole = Qt::UserRole + 3;
 
-Part partOf(const QTreeWidgetItem* item) {
-    return static_cast<Part>(item->data(0, partRole).toInt());
+TreePart partOf(const QTreeWidgetItem* item) {
+    return static_cast<TreePart>(item->data(0, partRole).toInt());
 }
 
-QTreeWidgetItem* add(QTreeWidgetItem* parent, Part part, const QString& text,
+QTreeWidgetItem* add(QTreeWidgetItem* parent, TreePart part, const QString& text,
                      const QString& detail = {}, const QString& drawing = {}) {
     auto* item = new QTreeWidgetItem(parent, {text, detail});
     item->setData(0, partRole, static_cast<int>(part));
@@ -53,7 +53,7 @@ void warn(QTreeWidgetItem* item, const QString& why) {
 QString branchOf(const QTreeWidgetItem* item) {
     const QString own = QString::number(static_cast<int>(partOf(item))) + "/" +
                         item->data(0, modelRole).toString() + "/" +
-                        (partOf(item) == Part::group ? item->text(0) : QString());
+                        (partOf(item) == TreePart::group ? item->text(0) : QString());
     return item->parent() == nullptr ? own : branchOf(item->parent()) + ">" + own;
 }
 
@@ -181,7 +181,7 @@ void SceneTreeDock::setDatabase(int model, const irsg::SignatureDatabase& databa
     if (saysTheSame(one, before))
         return;
     const auto* selected = tree_->currentItem();
-    if (selected == nullptr || partOf(selected) != Part::index) {
+    if (selected == nullptr || partOf(selected) != TreePart::index) {
         fill();
         return;
     }
@@ -199,7 +199,7 @@ void SceneTreeDock::fill() {
     const Project& project = workbench_.project();
     auto* root = new QTreeWidgetItem(
         tree_, {textOf(project.title.empty() ? project.displayName() : project.title)});
-    root->setData(0, partRole, static_cast<int>(Part::project));
+    root->setData(0, partRole, static_cast<int>(TreePart::project));
     root->setIcon(0, icon("smat"));
     root->setToolTip(0, textOf(project.file.empty() ? "not saved yet" : project.file.string()));
     QFont bold = root->font(0);
@@ -207,17 +207,17 @@ void SceneTreeDock::fill() {
     root->setFont(0, bold);
     for (std::size_t i = 0; i < project.models.size(); ++i)
         fillModel(root, i);
-    sensor_ = add(root, Part::sensor, {}, {}, "sensor");
-    atmosphere_ = add(root, Part::atmosphere, {}, {}, "air");
-    sun_ = add(root, Part::sun, {}, {}, "sun");
-    auto* analyses = add(root, Part::group, tr("Analyses"), {}, "folder");
+    sensor_ = add(root, TreePart::sensor, {}, {}, "sensor");
+    atmosphere_ = add(root, TreePart::atmosphere, {}, {}, "air");
+    sun_ = add(root, TreePart::sun, {}, {}, "sun");
+    auto* analyses = add(root, TreePart::group, tr("Analyses"), {}, "folder");
     for (const auto& analysis : project.analyses) {
-        auto* item =
-            add(analyses, Part::analysis, textOf(analysis.name), {}, textOf(name(analysis.kind)));
+        auto* item = add(analyses, TreePart::analysis, textOf(analysis.name), {},
+                         textOf(name(analysis.kind)));
         item->setToolTip(0, textOf(analysis.notes));
     }
     if (project.analyses.empty())
-        add(analyses, Part::group, tr("none in this project"))->setDisabled(true);
+        add(analyses, TreePart::group, tr("none in this project"))->setDisabled(true);
     refreshSettings();
     root->setExpanded(true);
     analyses->setExpanded(true);
@@ -232,9 +232,9 @@ void SceneTreeDock::fillModel(QTreeWidgetItem* root, std::size_t number) {
     const ModelIndex& index = index_.at(number);
     const std::string name = model.name.empty() ? model.file.stem().string() : model.name;
     auto* item =
-        add(root, Part::model, textOf(name), isLoading() ? tr("reading…") : QString(), "model");
+        add(root, TreePart::model, textOf(name), isLoading() ? tr("reading…") : QString(), "model");
     item->setToolTip(0, textOf(project.resolve(model.file).string()));
-    auto* database = add(item, Part::database,
+    auto* database = add(item, TreePart::database,
                          model.database.empty() ? tr("no signature database")
                                                 : textOf(model.database.filename().string()),
                          {}, "database");
@@ -263,7 +263,7 @@ void SceneTreeDock::fillIndices(QTreeWidgetItem* parent, std::size_t model, Inde
     const auto& uses = isTemperature ? index_[model].temperatures : index_[model].materials;
     const bool hasDatabase = !workbench_.project().models[model].database.empty() &&
                              index_[model].databaseProblem.isEmpty();
-    auto* group = add(parent, Part::group, isTemperature ? tr("Temperatures") : tr("Materials"),
+    auto* group = add(parent, TreePart::group, isTemperature ? tr("Temperatures") : tr("Materials"),
                       QString::number(uses.size()), "folder");
     group->setHidden(uses.empty());
     bool missing = false;
@@ -271,7 +271,7 @@ void SceneTreeDock::fillIndices(QTreeWidgetItem* parent, std::size_t model, Inde
         const QString name = use.hasEntry     ? (use.name.isEmpty() ? tr("unnamed") : use.name)
                              : use.isReplaced ? tr("(the fallback stands in)")
                                               : tr("(no entry)");
-        auto* item = add(group, Part::index, QStringLiteral("%1  %2").arg(number).arg(name),
+        auto* item = add(group, TreePart::index, QStringLiteral("%1  %2").arg(number).arg(name),
                          use.faces > 0 ? QString::number(use.faces) : QStringLiteral("–"));
         item->setData(0, modelRole, static_cast<int>(model));
         item->setData(0, kindRole, static_cast<int>(kind));
@@ -324,7 +324,7 @@ void SceneTreeDock::refreshSettings() {
 
 void SceneTreeDock::showIndex(IndexKind kind, int index, int model) {
     for (QTreeWidgetItemIterator it(tree_); *it != nullptr; ++it) {
-        if (partOf(*it) == Part::index && (*it)->data(0, modelRole).toInt() == model &&
+        if (partOf(*it) == TreePart::index && (*it)->data(0, modelRole).toInt() == model &&
             (*it)->data(0, kindRole).toInt() == static_cast<int>(kind) &&
             (*it)->data(0, numberRole).toInt() == index) {
             const QSignalBlocker quiet(tree_);
@@ -337,7 +337,7 @@ void SceneTreeDock::showIndex(IndexKind kind, int index, int model) {
 
 void SceneTreeDock::onSelected() {
     const auto selected = tree_->selectedItems();
-    if (selected.isEmpty() || partOf(selected.front()) != Part::index) {
+    if (selected.isEmpty() || partOf(selected.front()) != TreePart::index) {
         emit nothingSelected();
         return;
     }
@@ -349,33 +349,33 @@ void SceneTreeDock::onSelected() {
 void SceneTreeDock::onActivated(QTreeWidgetItem* item) {
     const int model = item->data(0, modelRole).toInt();
     switch (partOf(item)) {
-    case Part::model:
+    case TreePart::model:
         if (!index_.at(static_cast<std::size_t>(model)).modelProblem.isEmpty())
             emit modelFileWanted(model);
         break;
-    case Part::database:
+    case TreePart::database:
         emit databaseFileWanted(model);
         break;
-    case Part::sensor:
+    case TreePart::sensor:
         emit sensorActivated();
         break;
-    case Part::atmosphere:
+    case TreePart::atmosphere:
         emit atmosphereActivated();
         break;
-    case Part::sun:
+    case TreePart::sun:
         emit sunActivated();
         break;
-    case Part::analysis:
+    case TreePart::analysis:
         emit analysisActivated(item->text(0));
         break;
-    case Part::index:
+    case TreePart::index:
         emit indexActivated(static_cast<IndexKind>(item->data(0, kindRole).toInt()),
                             item->data(0, numberRole).toInt(), model);
         break;
-    case Part::project:
+    case TreePart::project:
         emit propertiesWanted();
         break;
-    case Part::group:
+    case TreePart::group:
         break;
     }
 }
@@ -386,19 +386,19 @@ void SceneTreeDock::showMenu(const QPoint& place) {
         return;
     const int model = item->data(0, modelRole).toInt();
     QMenu menu;
-    if (partOf(item) == Part::model)
+    if (partOf(item) == TreePart::model)
         menu.addAction(tr("Take another &model file…"), this,
                        [this, model] { emit modelFileWanted(model); });
-    if (partOf(item) == Part::model || partOf(item) == Part::database)
+    if (partOf(item) == TreePart::model || partOf(item) == TreePart::database)
         menu.addAction(tr("Take another signature &database…"), this,
                        [this, model] { emit databaseFileWanted(model); });
-    if (partOf(item) == Part::analysis) {
+    if (partOf(item) == TreePart::analysis) {
         menu.addAction(tr("&New analysis from this…"), this,
                        [this, name = item->text(0)] { emit analysisActivated(name); });
         menu.addAction(tr("&Remove from the project"), this,
                        [this, name = item->text(0)] { emit removeAnalysisWanted(name); });
     }
-    if (partOf(item) == Part::project || partOf(item) == Part::model)
+    if (partOf(item) == TreePart::project || partOf(item) == TreePart::model)
         menu.addAction(tr("&Properties…"), this, &SceneTreeDock::propertiesWanted);
     if (!menu.isEmpty())
         menu.exec(tree_->viewport()->mapToGlobal(place));

@@ -102,13 +102,13 @@ void AtmosphereSmart::makeTransfer() const {
     transfer_ = std::make_shared<const RadiativeTransfer>(air_, gases_);
 }
 
-const PathTables& AtmosphereSmart::tables(const NodeSet& nodes) const {
+const AirTables& AtmosphereSmart::tables(const NodeSet& nodes) const {
     const RadiativeTransfer& air = transfer();
     const std::lock_guard lock(tablesMutex_);
     auto& own = tables_[nodes.nodes];
     if (!own)
-        own = std::make_unique<PathTables>(air, nodes,
-                                           parameters_.irradianceMode == 1 ? tableTolerance : 0.0);
+        own = std::make_unique<AirTables>(air, nodes,
+                                          parameters_.irradianceMode == 1 ? tableTolerance : 0.0);
     return *own;
 }
 
@@ -136,7 +136,7 @@ SunView AtmosphereSmart::sunView(double altitude_m, const SunPosition& sun) cons
 
 std::vector<double> AtmosphereSmart::valuesAt(const NodeSet& nodes,
                                               const AtmosphericQuery& question) const {
-    const PathTables& air = tables(nodes);
+    const AirTables& air = tables(nodes);
     const auto& [quantity, path, sight, altitude_m, sun] = question;
     switch (quantity) {
     case AtmosphereProperty::transmittance:

@@ -10,7 +10,7 @@
 #include "irsg/atmosphere/Atmosphere.h"
 #include "irsg/atmosphere/AtmosphereSmartParameters.h"
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
-#include "irsg/atmosphere/tables/PathTables.h"
+#include "irsg/atmosphere/tables/AirTables.h"
 
 namespace irsg {
 
@@ -89,7 +89,7 @@ class AtmosphereSmart : public Atmosphere {
 
   private:
     void makeTransfer() const;
-    const PathTables& tables(const NodeSet& nodes) const;
+    const AirTables& tables(const NodeSet& nodes) const;
     /// The answer at every node of a set.
     std::vector<double> valuesAt(const NodeSet& nodes, const AtmosphericQuery& question) const;
 
@@ -102,7 +102,7 @@ class AtmosphereSmart : public Atmosphere {
     mutable std::once_flag once_;
     mutable std::shared_ptr<const RadiativeTransfer> transfer_;
     mutable std::mutex tablesMutex_;
-    mutable std::map<std::vector<std::uint32_t>, std::unique_ptr<PathTables>> tables_;
+    mutable std::map<std::vector<std::uint32_t>, std::unique_ptr<AirTables>> tables_;
 };
 
 } // namespace irsg

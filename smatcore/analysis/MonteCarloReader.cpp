@@ -46,7 +46,7 @@ MonteCarloOptions optionsOf(const CheckedJson& json) {
         options.standardError = json.at("standard_error").number();
     if (json.has("ranking_at"))
         options.rankingAt = json.at("ranking_at").number();
-    json.judge([&] { options.check(); });
+    json.check([&] { options.check(); });
     return options;
 }
 
@@ -58,7 +58,7 @@ irsg::Distribution distributionOf(const CheckedJson& json) {
     const double least = json.at("min").number(), most = json.at("max").number();
     const std::vector<double> parameters = json.at("parameters").numbers();
     irsg::Distribution distribution;
-    json.judge([&] { distribution = irsg::Distribution(kind, least, most, parameters); });
+    json.check([&] { distribution = irsg::Distribution(kind, least, most, parameters); });
     return distribution;
 }
 

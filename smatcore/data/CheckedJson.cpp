@@ -46,9 +46,9 @@ void CheckedJson::refuse(const std::string& value, const std::string& expected) 
     throw irsg::InputError({document_->file, document_->places.position(path_), value, expected});
 }
 
-void CheckedJson::judge(const std::function<void()>& judgement) const {
+void CheckedJson::check(const std::function<void()>& checking) const {
     try {
-        judgement();
+        checking();
     } catch (const irsg::InputError& error) {
         std::vector<irsg::Diagnostic> placed = error.diagnostics();
         for (irsg::Diagnostic& one : placed) {

@@ -39,8 +39,8 @@ class CheckedJson {
     double numberOrNull() const;
     std::vector<double> numbersOrNull() const;
 
-    /// Calls what judges values by themselves; what it refuses is said of this place.
-    void judge(const std::function<void()>& judgement) const;
+    /// Calls what checks values by themselves; what it refuses is said of this place.
+    void check(const std::function<void()>& checking) const;
     [[noreturn]] void refuse(const std::string& expected) const;
     [[noreturn]] void refuse(const std::string& value, const std::string& expected) const;
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
-#include "irsg/atmosphere/tables/PathTables.h"
+#include "irsg/atmosphere/tables/AirTables.h"
 #include "irsg/radiometry/Units.h"
 
 using namespace irsg;
@@ -96,7 +96,7 @@ TEST(LightOfThePath, IsBrightestTowardsTheSunAndAlikeOnBothSides) {
 TEST(LightOfThePath, IsTheSameFromTablesAtEveryAzimuth) {
     const AtmosphereSmart fly = hazyAir(2), table = hazyAir(1);
     const NodeSet nodes = fly.transfer().nodesOf({2.1, 2.2});
-    const PathTables tables(table.transfer(), nodes);
+    const AirTables tables(table.transfer(), nodes);
     const SunPosition sun{1.0, 0.4};
     for (double range_m = 2000.0; range_m < 6000.0; range_m += 370.0) {
         for (const double azimuth_rad : {1.05, 2.5}) {

@@ -19,8 +19,8 @@ std::vector<double> smoothPoints(const std::vector<double>& wavenumbers_per_cm) 
     const auto step_per_cm = [](double wavenumber_per_cm) {
         return wavenumber_per_cm < 1e4 ? 10.0 : 50.0;
     };
-    const double first_step_cm = step_per_cm(own.front());
-    std::vector<double> grid{std::floor(own.front() / first_step_cm) * first_step_cm};
+    const double firstStep_per_cm = step_per_cm(own.front());
+    std::vector<double> grid{std::floor(own.front() / firstStep_per_cm) * firstStep_per_cm};
     while (grid.back() < own.back() && grid.size() < own.size())
         grid.push_back(grid.back() + step_per_cm(grid.back()));
     return grid.back() < own.back() ? own : grid;

@@ -1,4 +1,4 @@
-#include "irsg/atmosphere/tables/PathTables.h"
+#include "irsg/atmosphere/tables/AirTables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,12 +91,12 @@ RangeCell cellOf(double range_m, double least_m) {
 
 } // namespace
 
-PathTables::PathTables(const RadiativeTransfer& transfer, NodeSet nodes, double tolerance)
+AirTables::AirTables(const RadiativeTransfer& transfer, NodeSet nodes, double tolerance)
     : transfer_(transfer), nodes_(std::move(nodes)), tolerance_(tolerance) {}
 
-const AdaptiveTable& PathTables::table(const Key& key, double low, double high,
-                                       const AdaptiveTable::Function& function,
-                                       const AdaptiveTable::Distance& distance) const {
+const AdaptiveTable& AirTables::table(const Key& key, double low, double high,
+                                      const AdaptiveTable::Function& function,
+                                      const AdaptiveTable::Distance& distance) const {
     const std::lock_guard lock(mutex_);
     auto& own = tables_[key];
     if (!own)
@@ -104,7 +104,7 @@ const AdaptiveTable& PathTables::table(const Key& key, double low, double high,
     return *own;
 }
 
-std::vector<double> PathTables::transmittance(const AtmosphericPath& path) const {
+std::vector<double> AirTables::transmittance(const AtmosphericPath& path) const {
     const double least_m = shortest_m(path.sensorAltitude_m, path.targetAltitude_m);
     if (onTheFly() || !(path.range_m > least_m && path.range_m <= farthest_m))
         return transfer_.transmittance(nodes_, path);
@@ -121,13 +121,13 @@ std::vector<double> PathTables::transmittance(const AtmosphericPath& path) const
         table(key, cell.low_m, cell.high_m, function, transmittanceDifference).at(path.range_m));
 }
 
-std::vector<double> PathTables::towards(const DirectedLight& light, const SunPosition& sun,
-                                        double azimuth_rad) const {
+std::vector<double> AirTables::towards(const DirectedLight& light, const SunPosition& sun,
+                                       double azimuth_rad) const {
     return transfer_.towards(nodes_, light, sun.elevation_rad, azimuth_rad - sun.azimuth_rad);
 }
 
-DirectedLight PathTables::recent(const Key& key,
-                                 const std::function<DirectedLight()>& compute) const {
+DirectedLight AirTables::recent(const Key& key,
+                                const std::function<DirectedLight()>& compute) const {
     {
         const std::lock_guard lock(mutex_);
         if (const auto* known = recent_.find([&](const auto& kept) { return kept.first == key; }))
@@ -139,8 +139,8 @@ DirectedLight PathTables::recent(const Key& key,
     return light;
 }
 
-std::vector<double> PathTables::pathRadiance(const AtmosphericPath& path,
-                                             const SunPosition& sun) const {
+std::vector<double> AirTables::pathRadiance(const AtmosphericPath& path,
+                                            const SunPosition& sun) const {
     const double least_m = shortest_m(path.sensorAltitude_m, path.targetAltitude_m);
     if (onTheFly() || !(path.range_m > least_m && path.range_m <= farthest_m)) {
         const Key key{Kind::pathRadiance, path.sensorAltitude_m, path.targetAltitude_m,
@@ -161,7 +161,7 @@ std::vector<double> PathTables::pathRadiance(const AtmosphericPath& path,
     return towards(unpacked(own.at(path.range_m), nodes_.nodes.size()), sun, path.azimuth_rad);
 }
 
-PathTables::Horizon PathTables::horizonOf(double altitude_m) const {
+AirTables::Horizon AirTables::horizonOf(double altitude_m) const {
     {
         const std::lock_guard lock(mutex_);
         if (const auto found = horizons_.find(altitude_m); found != horizons_.end())
@@ -179,8 +179,8 @@ PathTables::Horizon PathTables::horizonOf(double altitude_m) const {
     return horizons_.emplace(altitude_m, horizon).first->second;
 }
 
-std::vector<double> PathTables::backgroundRadiance(const LineOfSight& sight,
-                                                   const SunPosition& sun) const {
+std::vector<double> AirTables::backgroundRadiance(const LineOfSight& sight,
+                                                  const SunPosition& sun) const {
     const auto light = [this, sight, sun](double elevation_rad) {
         LineOfSight at = sight;
         at.elevation_rad = elevation_rad;
@@ -214,8 +214,8 @@ std::vector<double> PathTables::backgroundRadiance(const LineOfSight& sight,
                    sight.azimuth_rad);
 }
 
-std::vector<double> PathTables::overAltitude(Kind kind, double altitude_m, const SunPosition& sun,
-                                             const AdaptiveTable::Function& function) const {
+std::vector<double> AirTables::overAltitude(Kind kind, double altitude_m, const SunPosition& sun,
+                                            const AdaptiveTable::Function& function) const {
     const double top_m = transfer_.air().profile.top_m();
     if (onTheFly() || !(altitude_m >= 0.0 && altitude_m <= top_m))
         return function(altitude_m);
@@ -224,25 +224,25 @@ std::vector<double> PathTables::overAltitude(Kind kind, double altitude_m, const
         .at(altitude_m);
 }
 
-std::vector<double> PathTables::solarIrradiance(double altitude_m, const SunPosition& sun) const {
+std::vector<double> AirTables::solarIrradiance(double altitude_m, const SunPosition& sun) const {
     return overAltitude(Kind::sun, altitude_m, sun, [this, sun](double at_m) {
         return transfer_.solarIrradiance(nodes_, at_m, sun);
     });
 }
 
-std::vector<double> PathTables::upwardFlux(double altitude_m, const SunPosition& sun) const {
+std::vector<double> AirTables::upwardFlux(double altitude_m, const SunPosition& sun) const {
     return overAltitude(Kind::up, altitude_m, sun, [this, sun](double at_m) {
         return transfer_.upwardFlux(nodes_, at_m, sun);
     });
 }
 
-std::vector<double> PathTables::downwardFlux(double altitude_m, const SunPosition& sun) const {
+std::vector<double> AirTables::downwardFlux(double altitude_m, const SunPosition& sun) const {
     return overAltitude(Kind::down, altitude_m, sun, [this, sun](double at_m) {
         return transfer_.downwardFlux(nodes_, at_m, sun);
     });
 }
 
-std::size_t PathTables::evaluations() const {
+std::size_t AirTables::evaluations() const {
     const std::lock_guard lock(mutex_);
     std::size_t sum = 0;
     for (const auto& [key, own] : tables_)
@@ -250,7 +250,7 @@ std::size_t PathTables::evaluations() const {
     return sum;
 }
 
-double PathTables::largestError() const {
+double AirTables::largestError() const {
     const std::lock_guard lock(mutex_);
     double largest = 0.0;
     for (const auto& [key, own] : tables_)

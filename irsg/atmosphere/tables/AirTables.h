@@ -22,10 +22,10 @@ namespace irsg {
 /// Optical depths are linear in range where the air is uniform, so transmittances are interpolated
 /// through them, and path radiances as they are. Errors: `tolerance` in transmittance, and relative
 /// to the sum over nodes for radiances, irradiances and fluxes.
-class PathTables {
+class AirTables {
   public:
     /// `transfer` must live as long.
-    PathTables(const RadiativeTransfer& transfer, NodeSet nodes, double tolerance = 1e-3);
+    AirTables(const RadiativeTransfer& transfer, NodeSet nodes, double tolerance = 1e-3);
 
     const NodeSet& nodes() const { return nodes_; }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "irsg/atmosphere/tables/PathTables.h"
+#include "irsg/atmosphere/tables/AirTables.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/atmosphere/SyntheticAir.h"
 
@@ -69,15 +69,15 @@ TEST(AdaptiveTable, RefusesWhatItDoesNotHold) {
     EXPECT_THROW(sine(0.0), LogicError);
 }
 
-class PathTablesOfAir : public testing::Test {
+class AirTablesTest : public testing::Test {
   protected:
-    PathTablesOfAir()
+    AirTablesTest()
         : transfer(syntheticair::model(syntheticair::profile(288.0, 6.5)), syntheticair::table()),
           tables(transfer, syntheticair::nodes(), tolerance) {}
 
     static constexpr double tolerance = 1e-3;
     RadiativeTransfer transfer;
-    PathTables tables;
+    AirTables tables;
     SunPosition sun{0.4, 0.6};
 
     void near(const std::vector<double>& found, const std::vector<double>& expected,
@@ -86,7 +86,7 @@ class PathTablesOfAir : public testing::Test {
     }
 };
 
-TEST_F(PathTablesOfAir, GiveWhatTheTransferGivesAlongARange) {
+TEST_F(AirTablesTest, GiveWhatTheTransferGivesAlongARange) {
     for (double range_m = 20.0; range_m < 150e3; range_m *= 1.31) {
         for (const auto& [sensor_m, target_m] :
              {std::pair{10.0, 10.0}, std::pair{3000.0, 3010.0}}) {
@@ -106,7 +106,7 @@ TEST_F(PathTablesOfAir, GiveWhatTheTransferGivesAlongARange) {
     EXPECT_LE(tables.largestError(), tolerance);
 }
 
-TEST_F(PathTablesOfAir, KeepTransmittanceOneAtRangeZeroAndFalling) {
+TEST_F(AirTablesTest, KeepTransmittanceOneAtRangeZeroAndFalling) {
     EXPECT_EQ(tables.transmittance({100.0, 100.0, 0.0}), std::vector<double>(5, 1.0));
     std::vector<double> last(5, 1.0);
     for (double range_m = 1.0; range_m < 1e5; range_m *= 1.4) {
@@ -118,7 +118,7 @@ TEST_F(PathTablesOfAir, KeepTransmittanceOneAtRangeZeroAndFalling) {
     }
 }
 
-TEST_F(PathTablesOfAir, GiveSkyAndGroundOnBothSidesOfTheHorizon) {
+TEST_F(AirTablesTest, GiveSkyAndGroundOnBothSidesOfTheHorizon) {
     for (const double altitude_m : {10.0, 5000.0}) {
         for (double elevation_rad = -1.5; elevation_rad <= 1.5; elevation_rad += 0.0617) {
             const LineOfSight sight{altitude_m, elevation_rad, 1.0};
@@ -129,7 +129,7 @@ TEST_F(PathTablesOfAir, GiveSkyAndGroundOnBothSidesOfTheHorizon) {
     }
 }
 
-TEST_F(PathTablesOfAir, GiveSunAndFluxesOverAltitude) {
+TEST_F(AirTablesTest, GiveSunAndFluxesOverAltitude) {
     for (double altitude_m = 0.0; altitude_m <= 40e3; altitude_m += 1234.5) {
         const std::string at = " at " + std::to_string(altitude_m);
         near(tables.solarIrradiance(altitude_m, sun),
@@ -141,7 +141,7 @@ TEST_F(PathTablesOfAir, GiveSunAndFluxesOverAltitude) {
     }
 }
 
-TEST_F(PathTablesOfAir, AskTheTransferLessThanTheyAreAsked) {
+TEST_F(AirTablesTest, AskTheTransferLessThanTheyAreAsked) {
     std::size_t questions = 0;
     for (double range_m = 1000.0; range_m < 40e3; range_m += 20.0, ++questions) {
         (void)tables.transmittance({3000.0, 3000.0, range_m});
