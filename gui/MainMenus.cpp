@@ -118,12 +118,12 @@ void MainMenus::makeFileMenu(QMenu* menu) {
 
 void MainMenus::addDatabaseActions(QMenu* menu) {
     needProject_.append(add(menu, "openDatabase", "database", tr("Open &database…"), {},
-                            [this] { with_.database.openDatabase(); }));
-    saveDatabase_ =
-        add(menu, "saveDatabase", {}, tr("Save data&base"),
-            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { with_.database.save(); });
+                            [this] { with_.database.files().open(); }));
+    saveDatabase_ = add(menu, "saveDatabase", {}, tr("Save data&base"),
+                        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D),
+                        [this] { with_.database.files().save(); });
     saveDatabaseAs_ = add(menu, "saveDatabaseAs", {}, tr("Save database as…"), {},
-                          [this] { with_.database.saveAs(); });
+                          [this] { with_.database.files().saveAs(); });
 }
 
 void MainMenus::makeEditMenu(QMenu* menu) {

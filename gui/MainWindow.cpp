@@ -108,7 +108,7 @@ void MainWindow::makeDocks() {
     for (QDockWidget* dock :
          {static_cast<QDockWidget*>(results_), static_cast<QDockWidget*>(databaseDock_)})
         keepKeysFromHiddenTab(*dock);
-    files_->addSettler([this] { return databaseDock_->mayClose(); });
+    files_->addSettler([this] { return databaseDock_->files().mayClose(); });
     resizeDocks({tree_, manipulators}, {310, 410}, Qt::Vertical);
 
     joinTreeAndEditor();
@@ -125,7 +125,7 @@ void MainWindow::connectTree() {
     connect(tree_, &SceneTreeDock::databaseFileWanted, this, [this](int model) {
         // The target's is being edited here.
         if (model == 0)
-            databaseDock_->openDatabase();
+            databaseDock_->files().open();
         else
             files_->chooseDatabaseFile(static_cast<std::size_t>(model));
     });

@@ -9,7 +9,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Sentences.h"
 #include "gui/Theme.h"
 #include "gui/Widgets.h"
 #include "gui/database/CopyEntriesDialog.h"
@@ -18,14 +17,9 @@
 #include "gui/database/FindingsPanel.h"
 #include "gui/database/ImportSpectrumDialog.h"
 #include "gui/database/MaterialPanel.h"
-#include "gui/database/QuestionDialog.h"
 #include "gui/database/SpectrumPanel.h"
 #include "gui/database/TemperaturePanel.h"
-#include "gui/start/DataFolder.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/Model.h"
 #include "irsg/signature/MaterialLibrary.h"
-#include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SpectrumCsv.h"
 
 namespace smat::gui {
@@ -35,15 +29,12 @@ constexpr int findingsTab = 3;
 /// From here on the entry stands beside the list, not below it.
 constexpr int wide_px = 820;
 
-QStringList databaseFilters() {
-    return {QObject::tr("Signature databases (*.sigdb)"), QObject::tr("All files (*)")};
-}
-
 } // namespace
 
 DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget* window)
     : QDockWidget(tr("Signature database"), window),
-      context_(workbench, workbench.database(), dialogs) {
+      context_(workbench, workbench.database(), dialogs),
+      files_(context_) {
     setObjectName("databaseDock");
     context_.window = window;
     banner_ = new DatabaseBanner(context_, this);
@@ -100,12 +91,12 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
 
     connect(&context_.session(), &DatabaseSession::stateChanged, this, &DatabaseDock::refresh);
     connect(&context_.session(), &DatabaseSession::opened, this, &DatabaseDock::refresh);
-    connect(banner_, &DatabaseBanner::newRequested, this, &DatabaseDock::newDatabase);
+    connect(banner_, &DatabaseBanner::newRequested, this, [this] { files_.makeNew(); });
     connect(banner_, &DatabaseBanner::firstSignatureRequested, this,
             &DatabaseDock::firstSignatureWanted);
-    connect(banner_, &DatabaseBanner::openRequested, this, &DatabaseDock::openDatabase);
-    connect(banner_, &DatabaseBanner::saveAsRequested, this, &DatabaseDock::saveAs);
-    connect(banner_, &DatabaseBanner::overwriteRequested, this, &DatabaseDock::overwrite);
+    connect(banner_, &DatabaseBanner::openRequested, this, [this] { files_.open(); });
+    connect(banner_, &DatabaseBanner::saveAsRequested, this, [this] { files_.saveAs(); });
+    connect(banner_, &DatabaseBanner::overwriteRequested, this, [this] { files_.overwrite(); });
     connect(tabs_, &QTabWidget::currentChanged, this, [this] {
         context_.session().endGesture();
         emit currentChanged(current());
@@ -169,7 +160,7 @@ QWidget* DatabaseDock::makeHeader() {
     save_->setText(tr("Save"));
     save_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     save_->setToolTip(tr("Save the signature database (Ctrl+Shift+D)"));
-    connect(save_, &QToolButton::clicked, this, &DatabaseDock::save);
+    connect(save_, &QToolButton::clicked, this, [this] { files_.save(); });
     auto* more = new QToolButton(holder);
     more->setObjectName("databaseMenu");
     more->setIcon(icon("menu"));
@@ -187,9 +178,9 @@ QWidget* DatabaseDock::makeHeader() {
     action("import", tr("Import spectrum…"), "menuImportSpectrum", &DatabaseDock::importSpectrum);
     menu->addSeparator();
     action("new", tr("New database for this model…"), "menuNewDatabase",
-           &DatabaseDock::newDatabase);
-    action("open", tr("Open another database…"), "menuOpenDatabase", &DatabaseDock::openDatabase);
-    action("save", tr("Save as…"), "menuSaveDatabaseAs", &DatabaseDock::saveAs);
+           [this] { files_.makeNew(); });
+    action("open", tr("Open another database…"), "menuOpenDatabase", [this] { files_.open(); });
+    action("save", tr("Save as…"), "menuSaveDatabaseAs", [this] { files_.saveAs(); });
     more->setMenu(menu);
     auto* row = new QHBoxLayout(holder);
     row->setContentsMargins(0, 0, 0, 0);
@@ -213,14 +204,6 @@ void DatabaseDock::refresh() {
     title_->setToolTip(QString::fromStdString(session.file().string()));
 }
 
-void DatabaseDock::attempt(const QString& title, const std::function<void()>& act) {
-    try {
-        act();
-    } catch (const irsg::InputError& error) {
-        context_.dialogs().tell(context_.window, title, sentencesOf(error));
-    }
-}
-
 std::optional<EntryKey> DatabaseDock::current() const {
     const int tab = tabs_->currentIndex();
     return tab < 0 || tab >= findingsTab ? std::nullopt
@@ -235,138 +218,6 @@ void DatabaseDock::select(const EntryKey& key) {
 void DatabaseDock::selectCodes(int temperature, int material) {
     pageOf(EntryKind::temperature).list->select({EntryKind::temperature, temperature});
     pageOf(EntryKind::material).list->select({EntryKind::material, material});
-}
-
-bool DatabaseDock::mayClose() {
-    auto& session = context_.session();
-    if (!session.isOpen() || !session.isDirty())
-        return true;
-    QuestionDialog question(tr("Unsaved database"),
-                            tr("%1 has edits that are not saved.")
-                                .arg(QString::fromStdString(session.file().filename().string())),
-                            {tr("Save"), tr("Discard")}, context_.window);
-    if (!context_.dialogs().run(question))
-        return false;
-    if (question.answer() == 0)
-        save();
-    else
-        session.discard();
-    return !session.isDirty();
-}
-
-void DatabaseDock::openDatabase() {
-    if (!context_.workbench().hasProject() || !mayClose())
-        return;
-    const QString file = context_.dialogs().openFile(
-        context_.window, tr("Open a signature database"), databaseFilters());
-    if (!file.isEmpty())
-        attempt(tr("This database cannot be opened"),
-                [&] { context_.workbench().target().use(file.toStdString()); });
-}
-
-void DatabaseDock::newDatabase() {
-    auto& workbench = context_.workbench();
-    if (!workbench.hasProject() || !mayClose())
-        return;
-    if (context_.isReadingModel()) {
-        context_.dialogs().tell(context_.window, tr("The model is still being read"),
-                                {tr("A new database has an entry for every index of the model. "
-                                    "Try again in a moment.")});
-        return;
-    }
-    const Project& project = workbench.project();
-    const ModelKey key = ModelKey::of(project, project.models.front());
-    const auto& model = key.file;
-    const QString file = context_.dialogs().saveFile(
-        context_.window, tr("New signature database"), databaseFilters(),
-        QString::fromStdString(std::filesystem::path(model).replace_extension(".sigdb").string()));
-    if (file.isEmpty())
-        return;
-    attempt(tr("This model cannot be read"), [&] {
-        const auto target = workbench.models()->model(key);
-        irsg::SignatureDatabase database;
-        database.title = model.stem().string();
-        for (const auto& [pair, use] : target->codes()) {
-            irsg::TemperatureEntry& entry = database.temperatures[pair.temperature];
-            entry.name = "temperature " + std::to_string(pair.temperature);
-            entry.terms = irsg::TemperatureTerms::ofAmbient();
-            database.materials[pair.material].name = "material " + std::to_string(pair.material);
-        }
-        workbench.target().useNew(file.toStdString(), std::move(database));
-    });
-}
-
-void DatabaseDock::save() {
-    auto& session = context_.session();
-    if (!session.isOpen())
-        return;
-    if (isOfSample(session.file())) {
-        saveAs();
-        return;
-    }
-    QStringList problem;
-    if (!session.isChangedOnDisk()) {
-        try {
-            session.save();
-        } catch (const irsg::InputError& error) {
-            problem = sentencesOf(error);
-        }
-    }
-    // It may have changed a moment ago, while the save began.
-    if (session.isChangedOnDisk()) {
-        QuestionDialog question(tr("The file has changed"),
-                                tr("Another program has changed this file since it was read."),
-                                {tr("Save mine over it"), tr("Take the file's version")},
-                                context_.window);
-        if (!context_.dialogs().run(question))
-            return;
-        if (question.answer() == 0)
-            overwrite();
-        else
-            attempt(tr("The signature database"), [&] { session.reload(); });
-        return;
-    }
-    if (!problem.isEmpty())
-        context_.dialogs().tell(context_.window, tr("This database cannot be saved"), problem);
-    if (!session.isDirty())
-        createScalings();
-}
-
-void DatabaseDock::overwrite() {
-    attempt(tr("This database cannot be saved"), [this] {
-        context_.session().overwrite();
-        createScalings();
-    });
-}
-
-void DatabaseDock::createScalings() {
-    // Each only where it is not there: what somebody wrote is never touched.
-    const auto& models = context_.workbench().project().models;
-    if (models.empty() || isOfSample(context_.workbench().project().resolve(models.front().file)))
-        return;
-    attempt(tr("The scaling files cannot be written"), [&] {
-        const auto& project = context_.workbench().project();
-        irsg::createScalingFiles(project.resolve(models.front().file), context_.session().value());
-    });
-}
-
-void DatabaseDock::saveAs() {
-    auto& session = context_.session();
-    if (!session.isOpen())
-        return;
-    const auto& project = context_.workbench().project().file;
-    const bool besideProject =
-        isOfSample(session.file()) && !project.empty() && !isOfSample(project);
-    const auto suggestion = besideProject ? project.parent_path() / session.file().filename()
-                                          : ownPlaceOf(session.file());
-    const QString file =
-        context_.dialogs().saveFile(context_.window, tr("Save the signature database as"),
-                                    databaseFilters(), QString::fromStdString(suggestion.string()));
-    if (!file.isEmpty())
-        attempt(tr("This database cannot be saved"), [&] {
-            context_.workbench().target().saveAs(file.toStdString());
-            createScalings();
-        });
 }
 
 void DatabaseDock::takeEntries(irsg::SignatureDatabase source, const QString& title,
@@ -395,7 +246,7 @@ void DatabaseDock::copyFromDatabase() {
         context_.window, tr("Copy from a signature database"), databaseFilters());
     if (file.isEmpty())
         return;
-    attempt(tr("This database cannot be opened"), [&] {
+    context_.attempt(tr("This database cannot be opened"), [&] {
         const std::filesystem::path path = file.toStdString();
         const QString name = QString::fromStdString(path.filename().string());
         takeEntries(irsg::loadSignatureFile(path, irsg::OutsideChanges::accept).database,
@@ -429,7 +280,7 @@ void DatabaseDock::exportSpectrum() {
         context_.dialogs().saveFile(context_.window, tr("Write a spectrum"), {tr("Tables (*.csv)")},
                                     QString::fromStdString(key->name + ".csv"));
     if (!file.isEmpty())
-        attempt(tr("This spectrum cannot be written"), [&] {
+        context_.attempt(tr("This spectrum cannot be written"), [&] {
             irsg::writeSpectrumCsv(context_.session().value().spectra.at(key->name),
                                    file.toStdString());
         });

@@ -2,6 +2,7 @@
 
 #include <QDockWidget>
 
+#include "gui/database/DatabaseFiles.h"
 #include "gui/database/EditorContext.h"
 
 class QLabel;
@@ -32,8 +33,8 @@ class DatabaseDock : public QDockWidget {
     void select(const EntryKey& key);
     /// Those of a face that was picked: both tabs select theirs, and the one that is open stays.
     void selectCodes(int temperature, int material);
-    /// False where a person wants to go on editing what is not saved.
-    bool mayClose();
+    /// Opens and saves what is edited here.
+    DatabaseFiles& files() { return files_; }
     /// The faces of the target are not known yet.
     bool isReadingModel() const { return context_.isReadingModel(); }
 
@@ -42,10 +43,6 @@ class DatabaseDock : public QDockWidget {
     DatabaseBanner* banner() const { return banner_; }
 
   public slots:
-    void openDatabase();
-    void newDatabase();
-    void save();
-    void saveAs();
     void addFromLibrary();
     void copyFromDatabase();
     void importSpectrum();
@@ -70,14 +67,10 @@ class DatabaseDock : public QDockWidget {
     void addPage(EntryKind kind, EntryPanel* panel, const QString& title);
     QWidget* makeHeader();
     void refresh();
-    /// What the file holds now is known, and given up.
-    void overwrite();
-    /// The two scaling files beside the model, where they are not there.
-    void createScalings();
-    void attempt(const QString& title, const std::function<void()>& act);
     void takeEntries(irsg::SignatureDatabase source, const QString& title, const QString& step);
 
     EditorContext context_;
+    DatabaseFiles files_;
     QLabel* title_ = nullptr;
     QLabel* empty_ = nullptr;
     QToolButton* save_ = nullptr;

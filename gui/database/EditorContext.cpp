@@ -1,5 +1,6 @@
 #include "gui/database/EditorContext.h"
 
+#include "gui/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/Model.h"
 #include "irsg/scene/model/ModelUse.h"
@@ -156,6 +157,14 @@ double EditorContext::bandMean(const irsg::Spectrum& spectrum) const {
 
 QString counted(long number, const QString& one, const QString& many) {
     return QStringLiteral("%1 %2").arg(number).arg(number == 1 ? one : many);
+}
+
+void EditorContext::attempt(const QString& title, const std::function<void()>& act) const {
+    try {
+        act();
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(window, title, sentencesOf(error));
+    }
 }
 
 } // namespace smat::gui

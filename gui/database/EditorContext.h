@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 
@@ -28,6 +29,8 @@ class EditorContext : public QObject {
     DatabaseSession& session() const { return session_; }
     const Dialogs& dialogs() const { return dialogs_; }
     QWidget* window = nullptr; ///< parent of dialogs
+    /// Says under this title what a file was refused for.
+    void attempt(const QString& title, const std::function<void()>& act) const;
 
     /// Faces of the target that carry an index; 0 for spectra.
     int facesOf(const EntryKey& key) const;

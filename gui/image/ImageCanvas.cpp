@@ -14,7 +14,7 @@
 namespace smat::gui {
 namespace {
 
-constexpr double leastZoom = 0.02, largestZoom = 200.0, wheelStep = 1.2, keyStep = 1.5;
+constexpr double wheelStep = 1.2, keyStep = 1.5;
 constexpr int printedDigits = 4;
 
 QString printed(double value) {
@@ -45,9 +45,8 @@ void ImageCanvas::setPlane(int width, int height, SharedValues values,
         colorTask_.cancel();
         second_ = {};
         secondShown_ = false;
-        cursor_.reset();
-        selectAnchor_.reset();
-        selection_.reset();
+        placement_.setImage({width, height});
+        chosen_.setImage({width, height});
         fit();
     }
     onChanged();
@@ -62,8 +61,8 @@ void ImageCanvas::clear() {
     secondShown_ = false;
     awaitsColors_ = false;
     colorTask_.cancel();
-    cursor_.reset();
-    selection_.reset();
+    placement_.setImage({});
+    chosen_.setImage({});
     onChanged();
 }
 
@@ -149,27 +148,19 @@ void ImageCanvas::setWipe(std::optional<double> fraction) {
     update();
 }
 
-void ImageCanvas::place(double zoom, const QPointF& corner, bool fitted) {
-    zoom_ = zoom;
-    corner_ = corner;
-    fitted_ = fitted;
+void ImageCanvas::onPlaced() {
     update();
     emit viewChanged();
 }
 
 void ImageCanvas::fit() {
-    fitted_ = true;
-    if (!hasImage() || width() == 0 || height() == 0)
-        return;
-    const double zoom = std::min(static_cast<double>(width()) / plane_.width(),
-                                 static_cast<double>(height()) / plane_.height());
-    place(zoom, QPointF(width() - zoom * plane_.width(), height() - zoom * plane_.height()) / 2.0,
-          true);
+    if (placement_.fit(size()))
+        onPlaced();
 }
 
 void ImageCanvas::zoomAt(const QPointF& point, double zoom) {
-    const double to = std::clamp(zoom, leastZoom, largestZoom);
-    place(to, point + (corner_ - point) * (to / zoom_), false);
+    placement_.zoomAt(point, zoom);
+    onPlaced();
 }
 
 void ImageCanvas::setZoom(double windowPixelsPerPixel) {
@@ -180,38 +171,14 @@ void ImageCanvas::showActualSize() {
     setZoom(1.0 / devicePixelRatioF());
 }
 
-CanvasView ImageCanvas::view() const {
-    return {zoom_, (QPointF(width() / 2.0, height() / 2.0) - corner_) / zoom_, fitted_};
-}
-
 void ImageCanvas::setView(const CanvasView& view) {
-    zoom_ = view.zoom;
-    corner_ = QPointF(width() / 2.0, height() / 2.0) - view.centre * view.zoom;
-    fitted_ = view.fitted;
+    placement_.setView(view, size());
     update();
 }
 
 void ImageCanvas::centreOn(const QPoint& pixel, double zoom) {
-    const double to = std::clamp(std::max(zoom, zoom_), leastZoom, largestZoom);
-    place(to, QPointF(width() / 2.0, height() / 2.0) - (QPointF(pixel) + QPointF(0.5, 0.5)) * to,
-          false);
-}
-
-std::optional<QPoint> ImageCanvas::pixelAt(const QPointF& point) const {
-    const QPointF p = (point - corner_) / zoom_;
-    const QPoint pixel(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
-    if (pixel.x() < 0 || pixel.y() < 0 || pixel.x() >= plane_.width() ||
-        pixel.y() >= plane_.height())
-        return std::nullopt;
-    return pixel;
-}
-
-QPointF ImageCanvas::widgetPoint(const QPointF& imagePoint) const {
-    return corner_ + imagePoint * zoom_;
-}
-
-QRectF ImageCanvas::imageRect() const {
-    return {corner_, QSizeF(plane_.width() * zoom_, plane_.height() * zoom_)};
+    placement_.centreOn(pixel, zoom, size());
+    onPlaced();
 }
 
 double ImageCanvas::printingZoom() const {
@@ -219,7 +186,7 @@ double ImageCanvas::printingZoom() const {
 }
 
 void ImageCanvas::drawFrame(QPainter& painter, const QRectF& pixels) const {
-    const QRectF box(widgetPoint(pixels.topLeft()), pixels.size() * zoom_);
+    const QRectF box = placement_.inRoom(pixels);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(Qt::black, 3.0));
     painter.drawRect(box);
@@ -232,12 +199,12 @@ void ImageCanvas::drawOutlines(QPainter& painter) const {
     for (const auto& [color, width] : {std::pair{QColor(0, 0, 0, 150), 3.0}, {Qt::white, 1.0}}) {
         painter.setPen(QPen(color, width));
         for (const QRectF& outline : outlines_)
-            painter.drawRect(QRectF(widgetPoint(outline.topLeft()), outline.size() * zoom_));
+            painter.drawRect(placement_.inRoom(outline));
     }
 }
 
 void ImageCanvas::printValues(QPainter& painter) const {
-    const QRectF seen = imageRect() & QRectF(rect());
+    const QRectF seen = placement_.imageInRoom() & QRectF(rect());
     const auto first = pixelAt(seen.topLeft() + QPointF(0.01, 0.01));
     const auto last = pixelAt(seen.bottomRight() - QPointF(0.01, 0.01));
     if (!first || !last)
@@ -245,7 +212,7 @@ void ImageCanvas::printValues(QPainter& painter) const {
     const bool wiping = wipe_ && !second_.isEmpty();
     for (int y = first->y(); y <= last->y(); ++y)
         for (int x = first->x(); x <= last->x(); ++x) {
-            const QRectF box(widgetPoint(QPointF(x, y)), QSizeF(zoom_, zoom_));
+            const QRectF box = placement_.inRoom(QRectF(x, y, 1.0, 1.0));
             const bool right = wiping && box.center().x() >= *wipe_ * width();
             const ColoredPlane& plane = right ? second_ : shown();
             painter.setPen(plane.shownColorAt(x, y).lightness() > 140 ? QColor("#101010")
@@ -269,7 +236,7 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
         painter.drawText(rect(), Qt::AlignCenter, tr("Colouring the image…"));
         return;
     }
-    shown().draw(painter, imageRect(), rect(), devicePixelRatioF());
+    shown().draw(painter, placement_.imageInRoom(), rect(), devicePixelRatioF());
     if (wipe_ && !second_.isEmpty()) {
         // The second plane from the line on.
         const double line = *wipe_ * width();
@@ -277,34 +244,33 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
         painter.save();
         painter.setClipRect(right);
         painter.fillRect(right, isDark(palette()) ? QColor("#14161a") : QColor("#e3e6eb"));
-        second_.draw(painter, imageRect(), right, devicePixelRatioF());
+        second_.draw(painter, placement_.imageInRoom(), right, devicePixelRatioF());
         painter.restore();
         painter.setPen(QPen(Qt::black, 3.0));
         painter.drawLine(QPointF(line, 0.0), QPointF(line, height()));
         painter.setPen(QPen(QColor("#ffd43b"), 1.4));
         painter.drawLine(QPointF(line, 0.0), QPointF(line, height()));
     }
-    if (zoom_ >= printingZoom())
+    if (zoom() >= printingZoom())
         printValues(painter);
     drawOutlines(painter);
-    if (selection_)
-        drawFrame(painter,
-                  QRectF(selection_->x, selection_->y, selection_->width, selection_->height));
-    if (cursor_) {
+    if (const auto& box = chosen_.rectangle())
+        drawFrame(painter, QRectF(box->x, box->y, box->width, box->height));
+    if (const auto cursor = chosen_.cursor()) {
         // A pixel too small to be seen has a box of a few window pixels around it.
-        const double margin = zoom_ >= 6.0 ? 0.0 : (6.0 / zoom_ - 1.0) / 2.0;
-        const QRectF pixel(cursor_->x(), cursor_->y(), 1.0, 1.0);
+        const double margin = zoom() >= 6.0 ? 0.0 : (6.0 / zoom() - 1.0) / 2.0;
+        const QRectF pixel(cursor->x(), cursor->y(), 1.0, 1.0);
         drawFrame(painter, pixel.adjusted(-margin, -margin, margin, margin));
     }
 }
 
 void ImageCanvas::resizeEvent(QResizeEvent*) {
-    if (fitted_)
+    if (placement_.isFitted())
         fit();
 }
 
 void ImageCanvas::wheelEvent(QWheelEvent* event) {
-    zoomAt(event->position(), zoom_ * std::pow(wheelStep, event->angleDelta().y() / 120.0));
+    zoomAt(event->position(), zoom() * std::pow(wheelStep, event->angleDelta().y() / 120.0));
 }
 
 void ImageCanvas::mousePressEvent(QMouseEvent* event) {
@@ -318,15 +284,13 @@ void ImageCanvas::mousePressEvent(QMouseEvent* event) {
 
 void ImageCanvas::mouseMoveEvent(QMouseEvent* event) {
     if (panFrom_) {
-        place(zoom_, corner_ + event->position() - *panFrom_, false);
+        placement_.moveBy(event->position() - *panFrom_);
+        onPlaced();
         panFrom_ = event->position();
     }
     if (selectFrom_)
         select(*selectFrom_, event->position());
-    if (cursor_) {
-        cursor_.reset();
-        update();
-    }
+    setCursorPixel(std::nullopt);
     emit hovered(pixelAt(event->position()));
 }
 
@@ -342,72 +306,41 @@ void ImageCanvas::mouseDoubleClickEvent(QMouseEvent*) {
 }
 
 void ImageCanvas::leaveEvent(QEvent*) {
-    emit hovered(cursor_);
+    emit hovered(cursorPixel());
 }
 
 void ImageCanvas::select(const QPointF& from, const QPointF& to) {
-    const QRectF box = QRectF((from - corner_) / zoom_, (to - corner_) / zoom_).normalized();
-    const auto before = selection_;
     // A click without a drag takes the selection away.
-    const bool dragged = std::abs(to.x() - from.x()) + std::abs(to.y() - from.y()) > 4.0;
-    selectAnchor_.reset();
-    std::optional<irsg::PixelRectangle> chosen;
-    if (dragged) {
-        const int left = static_cast<int>(std::floor(std::max(box.left(), -1.0)));
-        const int top = static_cast<int>(std::floor(std::max(box.top(), -1.0)));
-        chosen = irsg::PixelRectangle{
-            left, top,
-            static_cast<int>(std::ceil(std::min(box.right(), plane_.width() + 1.0))) - left,
-            static_cast<int>(std::ceil(std::min(box.bottom(), plane_.height() + 1.0))) - top};
-    }
-    setSelection(chosen);
-    if (selection_ != before)
+    std::optional<QRectF> box;
+    if ((to - from).manhattanLength() > 4.0)
+        box = QRectF(placement_.inImage(from), placement_.inImage(to)).normalized();
+    const bool hasChanged = chosen_.drag(box);
+    update();
+    if (hasChanged)
         emit selectionChanged();
 }
 
 void ImageCanvas::setSelection(const std::optional<irsg::PixelRectangle>& selection) {
-    selection_.reset();
-    if (selection) {
-        const QRect inside =
-            QRect(selection->x, selection->y, selection->width, selection->height) &
-            QRect(0, 0, plane_.width(), plane_.height());
-        if (!inside.isEmpty())
-            selection_ =
-                irsg::PixelRectangle{inside.x(), inside.y(), inside.width(), inside.height()};
-    }
+    chosen_.setRectangle(selection);
     update();
 }
 
 void ImageCanvas::setCursorPixel(std::optional<QPoint> pixel) {
-    if (pixel == cursor_)
-        return;
-    cursor_ = pixel;
-    update();
+    if (chosen_.setCursor(pixel))
+        update();
 }
 
 void ImageCanvas::moveCursor(const QPoint& step, bool selecting) {
-    const QPoint before = cursor_.value_or(
-        QPoint(static_cast<int>(view().centre.x()), static_cast<int>(view().centre.y())));
-    const QPoint to(std::clamp(before.x() + (cursor_ ? step.x() : 0), 0, plane_.width() - 1),
-                    std::clamp(before.y() + (cursor_ ? step.y() : 0), 0, plane_.height() - 1));
-    cursor_ = to;
+    const QPointF centre = view().centre;
+    chosen_.step(step, {static_cast<int>(centre.x()), static_cast<int>(centre.y())}, selecting);
     // The pixel stays in sight.
-    const QPointF at = widgetPoint(QPointF(to) + QPointF(0.5, 0.5));
-    if (!rect().contains(at.toPoint()))
-        centreOn(to, zoom_);
-    if (selecting) {
-        if (!selectAnchor_)
-            selectAnchor_ = before;
-        const QRect whole(
-            std::min(selectAnchor_->x(), to.x()), std::min(selectAnchor_->y(), to.y()),
-            std::abs(selectAnchor_->x() - to.x()) + 1, std::abs(selectAnchor_->y() - to.y()) + 1);
-        selection_ = irsg::PixelRectangle{whole.x(), whole.y(), whole.width(), whole.height()};
+    const QPoint to = *cursorPixel();
+    if (!rect().contains(widgetPoint(QPointF(to) + QPointF(0.5, 0.5)).toPoint()))
+        centreOn(to, zoom());
+    if (selecting)
         emit selectionChanged();
-    } else {
-        selectAnchor_.reset();
-    }
     update();
-    emit hovered(cursor_);
+    emit hovered(to);
 }
 
 bool ImageCanvas::handleKey(int key, Qt::KeyboardModifiers modifiers) {
@@ -421,10 +354,12 @@ bool ImageCanvas::handleKey(int key, Qt::KeyboardModifiers modifiers) {
                         : key == Qt::Key_Down  ? QPoint(0, 1)
                                                : QPoint();
     if (!step.isNull()) {
-        if (control)
-            place(zoom_, corner_ - QPointF(step) * 40.0, false);
-        else
+        if (control) {
+            placement_.moveBy(QPointF(step) * -40.0);
+            onPlaced();
+        } else {
             moveCursor(step, shift);
+        }
         return true;
     }
     if (control)
@@ -432,10 +367,10 @@ bool ImageCanvas::handleKey(int key, Qt::KeyboardModifiers modifiers) {
     switch (key) {
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-        setZoom(zoom_ * keyStep);
+        setZoom(zoom() * keyStep);
         return true;
     case Qt::Key_Minus:
-        setZoom(zoom_ / keyStep);
+        setZoom(zoom() / keyStep);
         return true;
     case Qt::Key_F:
         fit();
@@ -444,11 +379,9 @@ bool ImageCanvas::handleKey(int key, Qt::KeyboardModifiers modifiers) {
         showActualSize();
         return true;
     case Qt::Key_Escape:
-        if (!selection_ && !cursor_)
+        if (chosen_.isEmpty())
             return false;
-        selection_.reset();
-        cursor_.reset();
-        selectAnchor_.reset();
+        chosen_.clear();
         update();
         emit selectionChanged();
         emit hovered(std::nullopt);
@@ -463,7 +396,7 @@ bool ImageCanvas::event(QEvent* event) {
         // Plain keys are the image's while it has the focus, whatever the window uses them for.
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool arrow = key->key() >= Qt::Key_Left && key->key() <= Qt::Key_Down;
-        const bool clears = key->key() == Qt::Key_Escape && (selection_ || cursor_);
+        const bool clears = key->key() == Qt::Key_Escape && !chosen_.isEmpty();
         if (arrow || clears) {
             event->accept();
             return true;

@@ -5,17 +5,11 @@
 #include <QWidget>
 
 #include "gui/LatestTask.h"
+#include "gui/image/CanvasPlacement.h"
 #include "gui/image/ColoredPlane.h"
-#include "irsg/image/ImageStatistics.h"
+#include "gui/image/PixelSelection.h"
 
 namespace smat::gui {
-
-/// The part of an image that a canvas shows; canvases of one size share it.
-struct CanvasView {
-    double zoom = 1.0; ///< window pixels per image pixel
-    QPointF centre;    ///< of the widget, in image pixels
-    bool fitted = true;
-};
 
 /// One plane of an image in false colours, top row at the top. The wheel zooms at the cursor, the
 /// right button (or the left with Shift) pans, a drag of the left button selects a rectangle, a
@@ -63,8 +57,8 @@ class ImageCanvas : public QWidget {
     void fit();
     void setZoom(double windowPixelsPerPixel);
     void showActualSize();
-    double zoom() const { return zoom_; }
-    CanvasView view() const;
+    double zoom() const { return placement_.zoom(); }
+    CanvasView view() const { return placement_.view(size()); }
     void setView(const CanvasView& view);
     /// Moves the image so that a pixel lies in the middle, enlarged at least `zoom` times.
     void centreOn(const QPoint& pixel, double zoom);
@@ -72,14 +66,14 @@ class ImageCanvas : public QWidget {
     const QImage& picture() const { return plane_.picture(); }
 
     /// The image pixel under a point of the widget; none outside.
-    std::optional<QPoint> pixelAt(const QPointF& point) const;
-    QPointF widgetPoint(const QPointF& imagePoint) const;
-    std::optional<irsg::PixelRectangle> selection() const { return selection_; }
+    std::optional<QPoint> pixelAt(const QPointF& point) const { return placement_.pixelAt(point); }
+    QPointF widgetPoint(const QPointF& imagePoint) const { return placement_.inRoom(imagePoint); }
+    std::optional<irsg::PixelRectangle> selection() const { return chosen_.rectangle(); }
     /// Without a signal. What lies outside of the image is cut off.
     void setSelection(const std::optional<irsg::PixelRectangle>& selection);
     /// The pixel that is read, outlined; without a signal.
     void setCursorPixel(std::optional<QPoint> pixel);
-    std::optional<QPoint> cursorPixel() const { return cursor_; }
+    std::optional<QPoint> cursorPixel() const { return chosen_.cursor(); }
     /// Zoom from which on values are printed on the pixels.
     double printingZoom() const;
 
@@ -102,18 +96,17 @@ class ImageCanvas : public QWidget {
 
   private:
     const ColoredPlane& shown() const { return secondShown_ ? second_ : plane_; }
-    QRectF imageRect() const;
     void onChanged();
     bool isStale() const;
     void refreshColors();
     void drawFrame(QPainter& painter, const QRectF& pixels) const;
     void drawOutlines(QPainter& painter) const;
     void printValues(QPainter& painter) const;
+    void onPlaced();
     void zoomAt(const QPointF& point, double zoom);
     void select(const QPointF& from, const QPointF& to);
     void moveCursor(const QPoint& step, bool selecting);
     bool handleKey(int key, Qt::KeyboardModifiers modifiers);
-    void place(double zoom, const QPointF& corner, bool fitted);
 
     ColoredPlane plane_, second_;
     const irsg::ColorMap* map_ = nullptr;
@@ -125,12 +118,9 @@ class ImageCanvas : public QWidget {
     unsigned revision_ = 0; ///< of values, colours and marks
     LatestTask colorTask_;
     std::optional<double> wipe_;
-    double zoom_ = 1.0;
-    QPointF corner_; ///< of the image's top left in the widget
-    bool fitted_ = true;
+    CanvasPlacement placement_;
+    PixelSelection chosen_;
     std::optional<QPointF> panFrom_, selectFrom_;
-    std::optional<QPoint> cursor_, selectAnchor_;
-    std::optional<irsg::PixelRectangle> selection_;
 };
 
 } // namespace smat::gui

@@ -70,7 +70,7 @@ TEST_F(DatabaseSafetyTest, TellsWhatCannotBeOpenedAndOffersWhatCanBeDone) {
     find<QPushButton>("acceptChanges")->click();
     ASSERT_TRUE(session().isOpen());
     EXPECT_TRUE(session().isDirty()) << "its hashes are those of before";
-    dock().save();
+    dock().files().save();
     EXPECT_EQ(irsg::loadSignatureFile(file).database, session().value());
     told.clear();
 
@@ -122,7 +122,7 @@ TEST_F(DatabaseSafetyTest, EverySaveWritesTheScalingFilesThatAreNotThere) {
     };
     edit("first");
     EXPECT_FALSE(std::filesystem::exists(temperatures)) << "not before it is saved";
-    dock().save();
+    dock().files().save();
     ASSERT_TRUE(std::filesystem::exists(temperatures));
     ASSERT_TRUE(std::filesystem::exists(emissivities));
     EXPECT_EQ(irsg::readScalingFile(temperatures, irsg::ScalingKind::temperature).size(),
@@ -143,7 +143,7 @@ TEST_F(DatabaseSafetyTest, EverySaveWritesTheScalingFilesThatAreNotThere) {
     edit("mine");
     irsg::saveSignatureFile(theirs, folder / "as.sigdb");
     onDialog = [](QDialog& dialog) { dialog.findChild<QPushButton*>("answer0")->click(); };
-    dock().save();
+    dock().files().save();
     onDialog = nullptr;
     EXPECT_EQ(irsg::loadSignatureFile(folder / "as.sigdb").database.title, "mine");
     EXPECT_TRUE(std::filesystem::exists(emissivities)) << "saved over another's";
@@ -172,14 +172,14 @@ TEST_F(DatabaseSafetyTest, OffersTheEditsThatAWindowLeft) {
 TEST_F(DatabaseSafetyTest, AsksBeforeUnsavedEditsAreLost) {
     session().edit("x", [](auto& d) { d.title = "edited"; });
     accept = false;
-    EXPECT_FALSE(dock().mayClose());
+    EXPECT_FALSE(dock().files().mayClose());
     EXPECT_EQ(session().value().title, "edited");
     accept = true;
     onDialog = [](QDialog& dialog) {
         test::keepScreenshot(dialog, "editor-unsaved");
         dialog.findChild<QPushButton*>("answer1")->click();
     };
-    EXPECT_TRUE(dock().mayClose());
+    EXPECT_TRUE(dock().files().mayClose());
     EXPECT_FALSE(session().isDirty());
     EXPECT_NE(session().value().title, "edited");
     onDialog = nullptr;
@@ -206,7 +206,7 @@ TEST_F(DatabaseSafetyTest, AsksWhoseVersionStaysWhereAnotherProgramSaved) {
     irsg::saveSignatureFile(theirs, file);
     accept = false;
     onDialog = [](QDialog&) {};
-    dock().save();
+    dock().files().save();
     EXPECT_EQ(session().value().title, "mine");
     EXPECT_TRUE(session().isDirty());
     EXPECT_EQ(irsg::loadSignatureFile(file).database, theirs);
@@ -214,7 +214,7 @@ TEST_F(DatabaseSafetyTest, AsksWhoseVersionStaysWhereAnotherProgramSaved) {
     accept = true;
     onDialog = answers;
     answer = 0;
-    dock().save();
+    dock().files().save();
     EXPECT_TRUE(question.contains("Another program has changed this file"))
         << question.toStdString();
     EXPECT_EQ(irsg::loadSignatureFile(file).database.title, "mine");
@@ -223,7 +223,7 @@ TEST_F(DatabaseSafetyTest, AsksWhoseVersionStaysWhereAnotherProgramSaved) {
     mine("mine again");
     irsg::saveSignatureFile(theirs, file);
     answer = 1;
-    dock().save();
+    dock().files().save();
     EXPECT_EQ(session().value(), theirs);
     EXPECT_EQ(irsg::loadSignatureFile(file).database, theirs);
     EXPECT_FALSE(session().isDirty());
