@@ -1,5 +1,6 @@
 #include "gui/project/FirstSignatureDialog.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -61,6 +62,13 @@ FirstSignatureDialog::FirstSignatureDialog(const Project& project, QWidget* pare
         {tr("Name in the file"), tr("Faces"), tr("Material"), tr("Temperature")});
     table_->verticalHeader()->hide();
     table_->setSelectionMode(QAbstractItemView::NoSelection);
+    // The keys go through the fields in it, and what has them is in sight.
+    table_->setFocusPolicy(Qt::NoFocus);
+    table_->setTabKeyNavigation(false);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+        if (now != nullptr && table_->viewport()->isAncestorOf(now))
+            table_->scrollTo(table_->indexAt(now->mapTo(table_->viewport(), now->rect().center())));
+    });
     surfaceColumn->addWidget(hint);
     surfaceColumn->addWidget(table_, 1);
 

@@ -8,6 +8,7 @@
 #include <osg/MatrixTransform>
 
 #include "irsg/scene/model/CodedGraph.h"
+#include "irsg/scene/model/FirstSignature.h"
 #include "irsg/scene/model/ModelConverter.h"
 #include "irsg/scene/model/ModelLoader.h"
 #include "tests/support/ModelAccess.h"
@@ -291,6 +292,35 @@ TEST(ModelCodes, TheFileBesideAModelWinsOverTheModelAndGoesWithEveryReader) {
 
     smat::test::writtenFile(codesFileOf(model), "{\"format\": \"smat-codes\"");
     EXPECT_THAT(refusal([&] { Model::load(model); }), HasSubstr("plate.codes.json"));
+}
+
+TEST(ModelCodes, AFirstSignatureComesFromMaterialsElseObjectsElseAllAsOne) {
+    const auto surfaces = suggestedSurfaces(namesIn(*named(), "a"));
+    ASSERT_EQ(surfaces.size(), 2u);
+    EXPECT_EQ(surfaces[0].name, "Paint grey");
+    EXPECT_EQ(surfaces[0].because, "grey");
+    EXPECT_EQ(surfaces[1].because, "glass");
+    const auto first = firstSignatureOf(surfaces, "a");
+    EXPECT_EQ(first.codes.rules.size(), 2u);
+    EXPECT_EQ(first.database.materials.at(2).name, "window glass, 4 mm");
+    EXPECT_EQ(first.database.temperatures.at(1).terms.recoveryFactor, 0.89);
+    EXPECT_EQ(first.database.temperatures.at(2).name, "air");
+
+    osg::ref_ptr<osg::Group> objects = new osg::Group;
+    for (int i = 0; i < 101; ++i) {
+        auto geode = plate(1);
+        geode->setName(i == 0 ? "Exhaust" : "part " + std::to_string(i));
+        objects->addChild(geode);
+        if (i != 1 && i != 100) {
+            continue;
+        }
+        const auto found = suggestedSurfaces(namesIn(*objects, "a"));
+        EXPECT_EQ(found.size(), i == 1 ? 2u : 1u);
+        EXPECT_EQ(found[0].name, i == 1 ? "Exhaust" : "*");
+        EXPECT_EQ(found[0].polygons, i == 1 ? 1 : 101);
+        auto codes = firstSignatureOf(found, "a").codes;
+        EXPECT_EQ(given(objects, codes).count({0, 0}), 0u) << "every face has its codes";
+    }
 }
 
 TEST(ModelCodes, NamesAreListedWithWhatCarriesThem) {

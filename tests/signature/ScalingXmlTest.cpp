@@ -122,7 +122,7 @@ TEST(ScalingXml, RefusesWhatNoScaleCanBeWithItsLine) {
         {"a negative index", scale("-3", "1 1 0"), ScalingKind::temperature, "the name '-3'"},
         {"a temperature of 0", scale("1", "0 1 0"), ScalingKind::temperature, "above 0"},
         {"a negative emissivity", scale("1", "-0.1 1 0"), ScalingKind::emissivity, "at least 0"},
-        {"distribution 16", scale("1", "0.9 1 16"), ScalingKind::emissivity, "distribution 16"},
+        {"distribution 17", scale("1", "0.9 1 17"), ScalingKind::emissivity, "distribution 17"},
         {"distribution 1.5", scale("1", "0.9 1 1.5"), ScalingKind::emissivity, "distribution 1.5"},
         {"reversed ends", scale("1", "1.1 0.9 0"), ScalingKind::emissivity, "min 1.1"},
         {"Poisson without a number", scale("1", "0.2 0.9 14"), ScalingKind::emissivity,

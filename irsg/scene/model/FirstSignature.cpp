@@ -177,16 +177,35 @@ std::string nameOf(const FirstTemperature& temperature) {
 }
 
 std::vector<FirstSurface> suggestedSurfaces(const NamesOfKinds& names) {
-    const auto& materials = names[static_cast<std::size_t>(CodeRule::Of::material)];
-    const auto& objects = names[static_cast<std::size_t>(CodeRule::Of::object)];
-    const bool hasMaterials = materials.size() > 1 || !materials.contains("");
+    // Names of materials say most; of objects and groups only as many as a person looks through.
+    constexpr std::size_t most = 100;
+    const auto of = [&](CodeRule::Of kind) -> const auto& {
+        return names[static_cast<std::size_t>(kind)];
+    };
+    const auto tells = [&](CodeRule::Of kind) {
+        return !of(kind).empty() && (of(kind).size() > 1 || !of(kind).contains("")) &&
+               (kind == CodeRule::Of::material || of(kind).size() <= most);
+    };
     std::vector<FirstSurface> surfaces;
-    for (const auto& [name, faces] : hasMaterials ? materials : objects) {
-        FirstSurface surface = suggestion(name);
-        surface.of = hasMaterials ? CodeRule::Of::material : CodeRule::Of::object;
-        surface.polygons = faces.polygons;
-        surface.area = faces.area;
-        surfaces.push_back(std::move(surface));
+    for (const auto kind : {CodeRule::Of::material, CodeRule::Of::object, CodeRule::Of::group}) {
+        if (!tells(kind))
+            continue;
+        for (const auto& [name, faces] : of(kind)) {
+            FirstSurface surface = suggestion(name);
+            surface.of = kind;
+            surface.polygons = faces.polygons;
+            surface.area = faces.area;
+            surfaces.push_back(std::move(surface));
+        }
+        break;
+    }
+    if (surfaces.empty()) {
+        FirstSurface all = suggestion("*");
+        for (const auto& [name, faces] : of(CodeRule::Of::material)) {
+            all.polygons += faces.polygons;
+            all.area += faces.area;
+        }
+        surfaces.push_back(std::move(all));
     }
     std::ranges::stable_sort(surfaces, std::ranges::greater(), &FirstSurface::area);
     return surfaces;

@@ -34,8 +34,9 @@ struct FirstSurface {
     std::string because; ///< the word of the name that says so; empty where none does
 };
 
-/// The surfaces of a model by the names of its materials, or, where it has none, of its objects,
-/// each with a material of the library and a temperature that its name suggests. Largest first.
+/// The surfaces of a model by the names of its materials, or, where it has none, of its objects or
+/// its groups, if they are not more than 100, or else all as one, "*"; each with a material of the
+/// library and a temperature that its name suggests. Largest first.
 std::vector<FirstSurface> suggestedSurfaces(const NamesOfKinds& names);
 
 /// Codes and entries for surfaces: an index for each material and each temperature that occurs,
