@@ -6,18 +6,12 @@
 #include <optional>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/scene/model/PlacingGuess.h"
 #include "smatcore/project/JsonFields.h"
 
 namespace smat::batch {
 
 namespace {
-
-struct NamedUnit {
-    const char* name;
-    double unit_m;
-};
-constexpr NamedUnit units[] = {{"m", 1.0},     {"cm", 0.01},   {"mm", 0.001},
-                               {"in", 0.0254}, {"ft", 0.3048}, {"km", 1000.0}};
 
 [[noreturn]] void refuse(const char* option, const std::string& value, const char* expected) {
     throw irsg::InputError(
@@ -97,8 +91,8 @@ irsg::ModelPlacing PlacingOptions::placing() const {
     placing.up = axisOf("--up-axis", up_);
     placing.nose = axisOf("--nose-axis", nose_);
     if (!unit_.empty()) {
-        for (const NamedUnit& unit : units)
-            if (unit_ == unit.name)
+        for (const irsg::ModelUnit& unit : irsg::modelUnits)
+            if (unit_ == unit.symbol)
                 placing.unit_m = unit.unit_m;
         if (!placing.unit_m)
             placing.unit_m = numberOf(unit_);

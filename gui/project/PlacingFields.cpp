@@ -20,16 +20,7 @@ namespace {
 
 using Origin = irsg::ModelOrigin::At;
 
-struct NamedUnit {
-    double unit_m;
-    const char* name;
-};
-constexpr NamedUnit units[] = {{1.0, QT_TRANSLATE_NOOP("PlacingFields", "metres")},
-                               {0.01, QT_TRANSLATE_NOOP("PlacingFields", "centimetres")},
-                               {0.001, QT_TRANSLATE_NOOP("PlacingFields", "millimetres")},
-                               {0.0254, QT_TRANSLATE_NOOP("PlacingFields", "inches")},
-                               {0.3048, QT_TRANSLATE_NOOP("PlacingFields", "feet")},
-                               {1000.0, QT_TRANSLATE_NOOP("PlacingFields", "kilometres")}};
+using irsg::modelUnits;
 
 QComboBox* axisBox(const QString& name) {
     auto* box = new QComboBox;
@@ -61,7 +52,7 @@ PlacingFields::PlacingFields(const QString& prefix, QWidget* parent) : QWidget(p
     unit_ = new QComboBox;
     unit_->setObjectName(prefix + ".unit");
     unit_->addItem(tr("as the file says"));
-    for (const NamedUnit& unit : units)
+    for (const irsg::ModelUnit& unit : modelUnits)
         unit_->addItem(tr(unit.name));
     unit_->addItem(tr("another"));
     otherUnit_ = new NumberField(tr("m"));
@@ -154,9 +145,9 @@ void PlacingFields::setPlacing(const irsg::ModelPlacing& placing) {
     setAxis(nose_, placing.nose);
     int unit = 0;
     if (placing.unit_m) {
-        unit = static_cast<int>(std::size(units)) + 1;
-        for (std::size_t i = 0; i < std::size(units); ++i)
-            if (units[i].unit_m == *placing.unit_m)
+        unit = static_cast<int>(std::size(modelUnits)) + 1;
+        for (std::size_t i = 0; i < std::size(modelUnits); ++i)
+            if (modelUnits[i].unit_m == *placing.unit_m)
                 unit = static_cast<int>(i) + 1;
         otherUnit_->setValue(*placing.unit_m);
     }
@@ -176,7 +167,8 @@ irsg::ModelPlacing PlacingFields::placing() const {
     placing.nose = axisOf(nose_);
     const auto unit = static_cast<std::size_t>(unit_->currentIndex());
     if (unit > 0)
-        placing.unit_m = unit <= std::size(units) ? units[unit - 1].unit_m : otherUnit_->value();
+        placing.unit_m =
+            unit <= std::size(modelUnits) ? modelUnits[unit - 1].unit_m : otherUnit_->value();
     if (origin_->currentIndex() > 0) {
         placing.origin = irsg::ModelOrigin{static_cast<Origin>(origin_->currentIndex() - 1), {}};
         if (placing.origin->at == Origin::point)

@@ -394,19 +394,23 @@ const DistributionLaw poisson{
     },
     .isDiscrete = true};
 
+/// The parameters of laws over a width, of which a part is special.
+Numbers wholeWidthAndHalf(double min, double max) {
+    return {min, max - min, 0.5};
+}
+
+void widthAndPart(ParameterCheck& check, const Numbers& p, const char* part) {
+    positive(check, "width", p[1]);
+    check.require(p[2] >= 0.0 && p[2] <= 1.0, part, p[2], "a part from 0 to 1");
+}
+
 const DistributionLaw triangular{
     .info = {DistributionKind::triangular,
              "triangular",
              {"least value", "width", "mode, as a part of the width"},
              "min, max - min, 0.5"},
-    .defaults = [](double min, double max) -> Numbers {
-        return {min, max - min, 0.5};
-    },
-    .check =
-        [](ParameterCheck& check, const Numbers& p) {
-            positive(check, "width", p[1]);
-            check.require(p[2] >= 0.0 && p[2] <= 1.0, "mode", p[2], "a part from 0 to 1");
-        },
+    .defaults = wholeWidthAndHalf,
+    .check = [](ParameterCheck& check, const Numbers& p) { widthAndPart(check, p, "mode"); },
     .standard = originScaleShapes,
     .tails = [](const StandardForm& form) -> Tails {
         return [mode = form.a](double z) { return triangularTails(mode, z); };
@@ -419,14 +423,8 @@ const DistributionLaw trapezoidal{
              "trapezoidal",
              {"least value", "width", "top, as a part of the width"},
              "min, max - min, 0.5"},
-    .defaults = [](double min, double max) -> Numbers {
-        return {min, max - min, 0.5};
-    },
-    .check =
-        [](ParameterCheck& check, const Numbers& p) {
-            positive(check, "width", p[1]);
-            check.require(p[2] >= 0.0 && p[2] <= 1.0, "top", p[2], "a part from 0 to 1");
-        },
+    .defaults = wholeWidthAndHalf,
+    .check = [](ParameterCheck& check, const Numbers& p) { widthAndPart(check, p, "top"); },
     .standard = originScaleShapes,
     .tails = [](const StandardForm& form) -> Tails {
         return [side = 0.5 * (1.0 - form.a)](double z) { return trapezoidalTails(side, z); };

@@ -160,7 +160,7 @@ void readAxes(File file) {
 
 std::string axesBytes() {
     irsg::ByteSink sink;
-    irsg::putAxes(sink, {0.01, irsg::UpAxis::plusZ, irsg::UpAxis::minusX, "a file"});
+    irsg::putAxes(sink, {0.01, irsg::ModelAxis::plusZ, irsg::ModelAxis::minusX, "a file"});
     return sink.take();
 }
 

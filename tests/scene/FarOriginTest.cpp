@@ -124,7 +124,7 @@ TEST(FarOrigin, KeepsTheShapeOfOpenFlightInItsUnitBelowItsMatrices) {
               0.3048 * 0.3048);
     EXPECT_THAT(loaded.remarks, testing::Not(Contains(HasSubstr("single precision"))));
     EXPECT_EQ(loaded.axes.unit_m, 1.0);
-    EXPECT_EQ(loaded.axes.up, UpAxis::plusZ);
+    EXPECT_EQ(loaded.axes.up, ModelAxis::plusZ);
 }
 
 TEST(FarOrigin, KeepsTheShapeOfPoolsThatAreContinued) {

@@ -156,8 +156,8 @@ TEST(ForeignFormats, GiveTheAreaTheNamesAndTheSharedPartsOfAGltf) {
         EXPECT_NEAR(placed.areaOfMaterials.at("red paint"), 22.0, 1e-5);
         EXPECT_NEAR(placed.areaOfMaterials.at("blue"), 12.0, 1e-5);
         EXPECT_EQ(loaded.axes.unit_m, 1.0);
-        EXPECT_EQ(loaded.axes.up, UpAxis::plusY);
-        EXPECT_EQ(loaded.axes.front, UpAxis::plusZ);
+        EXPECT_EQ(loaded.axes.up, ModelAxis::plusY);
+        EXPECT_EQ(loaded.axes.front, ModelAxis::plusZ);
         EXPECT_THAT(loaded.axes.reason, HasSubstr("glTF"));
         for (const auto* geometry : placed.drawables) {
             const auto& state = *geometry->getStateSet();
@@ -323,11 +323,11 @@ TEST(ForeignFormats, TellAxesAndUnitOfAnFbxAndTurnNothing) {
     const struct {
         double unit_cm;
         int axis, sign;
-        UpAxis up;
-    } rows[] = {{1.0, 1, 1, UpAxis::plusY},
-                {100.0, 2, 1, UpAxis::plusZ},
-                {2.54, 0, 1, UpAxis::plusX},
-                {100.0, 2, -1, UpAxis::minusZ}};
+        ModelAxis up;
+    } rows[] = {{1.0, 1, 1, ModelAxis::plusY},
+                {100.0, 2, 1, ModelAxis::plusZ},
+                {2.54, 0, 1, ModelAxis::plusX},
+                {100.0, 2, -1, ModelAxis::minusZ}};
     for (const auto& row : rows) {
         FbxWriter fbx = fbxBox();
         fbx.unit_cm = row.unit_cm;
@@ -360,7 +360,7 @@ TEST(ForeignFormats, TellAxesAndUnitOfAColladaAndTurnNothing) {
     const auto loaded = load(folder.write("a.dae", collada.text()));
     EXPECT_THAT(loaded.remarks, testing::IsEmpty());
     EXPECT_EQ(loaded.axes.unit_m, 0.0254);
-    EXPECT_EQ(loaded.axes.up, UpAxis::plusZ);
+    EXPECT_EQ(loaded.axes.up, ModelAxis::plusZ);
     EXPECT_THAT(loaded.axes.reason, AllOf(HasSubstr("0.0254 m"), HasSubstr("Z_UP")));
     const Placed placed(*loaded.node);
     EXPECT_NEAR(placed.area, 66.0, 1e-5);

@@ -214,9 +214,9 @@ TEST(GraphCoding, KeepsMaterialsAndPictures) {
 
 TEST(GraphCoding, KeepsWhatAFileSaysOfItsAxes) {
     const FileAxes rows[] = {{},
-                             {0.0254, UpAxis::plusX, std::nullopt, "inches"},
-                             {std::nullopt, UpAxis::minusZ, UpAxis::plusY, ""},
-                             {1.0, std::nullopt, UpAxis::minusX, "metres"}};
+                             {0.0254, ModelAxis::plusX, std::nullopt, "inches"},
+                             {std::nullopt, ModelAxis::minusZ, ModelAxis::plusY, ""},
+                             {1.0, std::nullopt, ModelAxis::minusX, "metres"}};
     for (const auto& axes : rows) {
         ByteSink sink;
         putAxes(sink, axes);
@@ -233,7 +233,7 @@ TEST(GraphCoding, KeepsWhatAFileSaysOfItsAxes) {
         EXPECT_THROW(getAxes(source), DamagedBytes) << unit_m;
     }
     ByteSink sink;
-    putAxes(sink, {1.0, UpAxis::plusZ, {}, ""});
+    putAxes(sink, {1.0, ModelAxis::plusZ, {}, ""});
     std::string bytes = sink.take();
     bytes[8] = 7;
     ByteSource source(bytes);

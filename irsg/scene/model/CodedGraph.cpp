@@ -7,12 +7,12 @@
 
 #include <osg/Geode>
 #include <osg/Geometry>
-#include <osg/Material>
 #include <osg/Transform>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/DrawablePolygons.h"
 #include "irsg/scene/model/IrCodes.h"
+#include "irsg/scene/model/MaterialNames.h"
 #include "irsg/scene/model/ModelLoader.h"
 #include "irsg/scene/model/PaintedGrid.h"
 #include "irsg/scene/model/Triangulation.h"
@@ -21,12 +21,7 @@ namespace irsg {
 namespace {
 
 std::string materialNamed(const osg::StateSet* state) {
-    if (!state)
-        return "";
-    const auto* material = state->getAttribute(osg::StateAttribute::MATERIAL);
-    if (material && !material->getName().empty())
-        return material->getName();
-    return state->getName();
+    return state ? materialNameOf(*state) : std::string();
 }
 
 /// Walks over all drawables, hidden ones and unused levels of detail too, with what stands over

@@ -7,8 +7,6 @@
 
 namespace irsg {
 
-using UpAxis = ModelAxis;
-
 /// What a file says of itself, or its format of all files, about the numbers of the graph that is
 /// handed over. Nothing is turned or scaled because of it: that is for whoever places the model.
 struct FileAxes {

@@ -106,7 +106,7 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
     const auto scan = scanFlight(file);
     LoadedGraph loaded;
     loaded.faces = scan.faceCounts();
-    loaded.axes = {1.0, UpAxis::plusZ, std::nullopt,
+    loaded.axes = {1.0, ModelAxis::plusZ, std::nullopt,
                    "the format: OpenFlight has z up, and its units are read as metres"};
     for (const auto& scanned : scan.files)
         for (const auto& remark : scanned.remarks)

@@ -105,17 +105,9 @@ std::pair<double, double> heightsOfHalves(const SurfaceMesh& mesh, const Boundin
     return heights;
 }
 
-struct Unit {
-    double metres;
-    const char* name;
-};
-/// In the order in which they are believed.
-constexpr Unit units[] = {{1.0, "metres"},    {0.01, "centimetres"}, {0.001, "millimetres"},
-                          {0.0254, "inches"}, {0.3048, "feet"},      {1000.0, "kilometres"}};
-
 std::string unitName(double unit_m) {
-    for (const Unit& unit : units)
-        if (std::abs(unit.metres - unit_m) < 1e-9 * unit_m)
+    for (const ModelUnit& unit : modelUnits)
+        if (std::abs(unit.unit_m - unit_m) < 1e-9 * unit_m)
             return unit.name;
     return "units of " + shown(unit_m) + " m";
 }
@@ -192,11 +184,11 @@ PlacingGuess guessOf(const SurfaceMesh& mesh, const FileAxes& axes, const std::s
     const auto isLikely = [&](double unit_m) {
         return longest * unit_m >= shortest_m && longest * unit_m <= longest_m;
     };
-    const auto likely =
-        std::ranges::find_if(units, [&](const Unit& unit) { return isLikely(unit.metres); });
+    const auto likely = std::ranges::find_if(modelUnits, isLikely, &ModelUnit::unit_m);
     const double stated_m = axes.unit_m.value_or(1.0);
     // Files are often not in the unit that their format has.
-    placing.unit_m = isLikely(stated_m) || likely == std::end(units) ? stated_m : likely->metres;
+    placing.unit_m =
+        isLikely(stated_m) || likely == std::end(modelUnits) ? stated_m : likely->unit_m;
     const std::string so = "so it is " + shown(longest * *placing.unit_m) + " m long";
     if (!axes.unit_m)
         guess.reasons.push_back("it is in " + unitName(*placing.unit_m) + ": " + so);

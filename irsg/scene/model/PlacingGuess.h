@@ -8,6 +8,17 @@
 
 namespace irsg {
 
+/// A unit in which files are.
+struct ModelUnit {
+    double unit_m;
+    const char* symbol;
+    const char* name;
+};
+/// In the order in which a guess believes them.
+inline constexpr ModelUnit modelUnits[] = {
+    {1.0, "m", "metres"},     {0.01, "cm", "centimetres"}, {0.001, "mm", "millimetres"},
+    {0.0254, "in", "inches"}, {0.3048, "ft", "feet"},      {1000.0, "km", "kilometres"}};
+
 /// What a model most likely is like, by what its file states and by its shape, for a person to
 /// confirm.
 struct PlacingGuess {

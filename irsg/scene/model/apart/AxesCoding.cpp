@@ -8,15 +8,15 @@ namespace {
 
 constexpr std::uint8_t axisCount = 6;
 
-void putAxis(ByteSink& sink, const std::optional<UpAxis>& axis) {
+void putAxis(ByteSink& sink, const std::optional<ModelAxis>& axis) {
     sink.put(axis ? static_cast<std::uint8_t>(*axis) : axisCount);
 }
 
-std::optional<UpAxis> getAxis(ByteSource& source) {
+std::optional<ModelAxis> getAxis(ByteSource& source) {
     const auto number = source.get<std::uint8_t>();
     if (number > axisCount)
         throw DamagedBytes("an axis that there is not");
-    return number == axisCount ? std::nullopt : std::optional(static_cast<UpAxis>(number));
+    return number == axisCount ? std::nullopt : std::optional(static_cast<ModelAxis>(number));
 }
 
 } // namespace

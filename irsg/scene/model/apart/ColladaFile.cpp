@@ -93,8 +93,9 @@ class ColladaText {
             said = "a unit of " + numberText(*length) + " m";
         }
         const std::string_view up = asset.child_value("up_axis");
-        for (const auto& [name, axis] :
-             {std::pair{"X_UP", UpAxis::plusX}, {"Y_UP", UpAxis::plusY}, {"Z_UP", UpAxis::plusZ}})
+        for (const auto& [name, axis] : {std::pair{"X_UP", ModelAxis::plusX},
+                                         {"Y_UP", ModelAxis::plusY},
+                                         {"Z_UP", ModelAxis::plusZ}})
             if (up == name) {
                 axes.up = axis;
                 said += (said.empty() ? "" : ", ") + std::string(name);

@@ -38,9 +38,9 @@ FileAxes axesOf(const Settings& settings) {
                " cm)";
     }
     if (const auto up = number("UpAxis"); up && (*up == 0.0 || *up == 1.0 || *up == 2.0)) {
-        static constexpr UpAxis known[3][2] = {{UpAxis::plusX, UpAxis::minusX},
-                                               {UpAxis::plusY, UpAxis::minusY},
-                                               {UpAxis::plusZ, UpAxis::minusZ}};
+        static constexpr ModelAxis known[3][2] = {{ModelAxis::plusX, ModelAxis::minusX},
+                                                  {ModelAxis::plusY, ModelAxis::minusY},
+                                                  {ModelAxis::plusZ, ModelAxis::minusZ}};
         const auto axis = static_cast<int>(*up);
         const bool down = number("UpAxisSign").value_or(1.0) < 0.0;
         axes.up = known[axis][down];

@@ -161,7 +161,7 @@ class AssimpModel {
 
     /// Nodes in double, and each mesh as long as the file says.
     void takeGltf(FileAxes& axes) {
-        axes = {1.0, UpAxis::plusY, UpAxis::plusZ,
+        axes = {1.0, ModelAxis::plusY, ModelAxis::plusZ,
                 "the format: glTF is in metres, with y up and the front along z"};
         addNew(remarks_, gltf_.remarks);
         for (unsigned int i = 0; i < scene_->mNumMaterials; ++i)

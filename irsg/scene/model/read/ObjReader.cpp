@@ -205,7 +205,7 @@ class ObjText {
             remarks_.push_back(firstUnknown_ + ", which the format does not have (" +
                                std::to_string(unknown_) + " lines like this are left out)");
         loaded.node = root;
-        loaded.axes = {std::nullopt, UpAxis::plusZ, std::nullopt,
+        loaded.axes = {std::nullopt, ModelAxis::plusZ, std::nullopt,
                        "the custom of .obj: y up, turned to z on reading"};
         loaded.remarks = std::move(remarks_);
         return loaded;
