@@ -85,6 +85,9 @@ PlacingFields::PlacingFields(const QString& prefix, QWidget* parent) : QWidget(p
     said_ = new QLabel;
     said_->setObjectName(prefix + ".said");
     said_->setWordWrap(true);
+    said_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    // Forms give no room for lines that a text takes later.
+    said_->setMinimumHeight(3 * said_->fontMetrics().lineSpacing());
     said_->setForegroundRole(QPalette::PlaceholderText);
     picture_ = new PlacingPicture;
 

@@ -49,7 +49,7 @@ ProjectPropertiesDialog::ProjectPropertiesDialog(const Project& project, QWidget
     : QDialog(parent), project_(project) {
     setObjectName("projectPropertiesDialog");
     setWindowTitle(tr("Project properties"));
-    resize(520, 360);
+    resize(640, 600);
     auto* tabs = new QTabWidget(this);
     tabs->setDocumentMode(true);
     auto* page = new QWidget;
