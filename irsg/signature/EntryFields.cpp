@@ -327,6 +327,20 @@ int formatVersionOf(const SignatureDatabase& database) {
     return version;
 }
 
+int newestFormatVersion() {
+    int newest = 1;
+    const auto count = [&](auto fields) {
+        for (const auto& field : fields)
+            newest = std::max(newest, field.since);
+    };
+    count(termFields());
+    count(factorFields());
+    count(temperatureFields());
+    count(materialFields());
+    count(spectrumFields());
+    return newest;
+}
+
 const char* nameOf(EmissionMode mode) {
     return std::ranges::find(modes, mode, &std::pair<EmissionMode, const char*>::first)->second;
 }

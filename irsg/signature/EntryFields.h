@@ -108,6 +108,8 @@ void forEachField(std::span<const EntryField<Entry>> fields, Use use) {
 
 /// The least version of the file's format that holds all that the database says.
 int formatVersionOf(const SignatureDatabase& database);
+/// The version that brought the last field: the newest that is read.
+int newestFormatVersion();
 
 /// "temperature" and "userSpectrum", as both forms of the file name the modes.
 const char* nameOf(EmissionMode mode);

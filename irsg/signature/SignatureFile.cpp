@@ -65,10 +65,10 @@ void checkOurs(SQLite::Database& database, const fs::path& file) {
                       "a signature database, with application id " + std::to_string(applicationId));
     }
     const int version = pragma(database, "user_version");
-    if (version < 1 || version > signatureFileVersion) {
+    if (version < 1 || version > newestFormatVersion()) {
         throw refusal(file, "schema version " + std::to_string(version),
                       "schema version " + signatureVersionsExpected() +
-                          (version > signatureFileVersion
+                          (version > newestFormatVersion()
                                ? " (a newer version of this program reads the file)"
                                : ""));
     }
@@ -297,7 +297,8 @@ void save(const SignatureDatabase& database, const fs::path& file,
 } // namespace
 
 std::string signatureVersionsExpected() {
-    return signatureFileVersion == 1 ? "1" : "1 to " + std::to_string(signatureFileVersion);
+    const int newest = newestFormatVersion();
+    return newest == 1 ? "1" : "1 to " + std::to_string(newest);
 }
 
 LoadedSignature loadSignatureFile(const fs::path& file, OutsideChanges outside, LintErrors errors) {

@@ -8,15 +8,14 @@
 
 namespace irsg {
 
+/// "1", or "1 to 2": what the version of a file may be.
+std::string signatureVersionsExpected();
+
 /// The `.sigdb` file: SQLite with an application id, a schema version in user_version, foreign keys
 /// on, put in place whole at each save; any SQLite tool opens it. A hash of the canonical content
 /// of each entry tells what was changed outside this program. Each file has the least version that
 /// holds what it says (formatVersionOf), so that what uses nothing new is read by programs of
 /// before.
-inline constexpr int signatureFileVersion = 2;
-/// "1", or "1 to 2": what the version of a file may be.
-std::string signatureVersionsExpected();
-
 struct LoadedSignature {
     SignatureDatabase database;
     /// Entries whose content no longer matches its stored hash: "materials.3".

@@ -215,8 +215,8 @@ SignatureDatabase signatureFromJson(const std::string& text, const std::string& 
     const std::string format = root.text("format", true);
     if (!format.empty() && format != formatName)
         problems.addText("format", "'" + format + "'", std::string("'") + formatName + "'");
-    const double version = root.number("version", signatureFileVersion, true);
-    if (version != std::clamp(std::round(version), 1.0, double{signatureFileVersion}))
+    const double version = root.number("version", newestFormatVersion(), true);
+    if (version != std::clamp(std::round(version), 1.0, double(newestFormatVersion())))
         problems.addText("version", numberText(version), signatureVersionsExpected());
 
     SignatureDatabase database;
