@@ -270,6 +270,21 @@ const std::array spectrumRows = {
                 "nearer sensor sees it unchanged, a farther one through the rest of the air",
         .number = {.expected = "a distance of at least 0 m", .least = 0.0}},
     EntryField<UserSpectrum>{
+        .key = "calibrationFactor",
+        .column = "calibration_factor",
+        .member = &UserSpectrum::calibrationFactor,
+        .label = "Calibration",
+        .word = "calibration factor",
+        .help = "Multiplies every component wherever this spectrum is used: what a later calibration "
+                "found of the measurement, whose curves stay as they were imported",
+        .number = {.expected = "a factor of at least 0",
+                   .least = 0.0,
+                   .likely = "a correction from 0.1 to 10",
+                   .likelyLeast = 0.1,
+                   .likelyMost = 10.0,
+                   .step = 0.01},
+        .since = 3},
+    EntryField<UserSpectrum>{
         .key = "importedUnit", .column = "imported_unit", .member = &UserSpectrum::importedUnit},
     EntryField<UserSpectrum>{
         .key = "notes", .column = "notes", .member = &UserSpectrum::notes, .label = "Notes"},

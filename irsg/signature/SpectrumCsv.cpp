@@ -117,7 +117,7 @@ void writeSpectrumCsv(const UserSpectrum& spectrum, const std::filesystem::path&
     for (std::size_t i = 0; i < axis_um.size(); ++i) {
         text += numberText(axis_um[i]);
         for (const SpectrumComponent& component : spectrum.components)
-            text += "," + numberText(component.radiance.values()[i]);
+            text += "," + numberText(spectrum.calibrationFactor * component.radiance.values()[i]);
         text += "\n";
     }
 

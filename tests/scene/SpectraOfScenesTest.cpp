@@ -207,6 +207,21 @@ TEST(UserSpectrum, AddsItsComponentsWithTheirFactors) {
     }
 }
 
+TEST(UserSpectrum, IsCalibratedAsAWhole) {
+    Irsg irsg;
+    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    SignatureDatabase database = gasDatabase(0.0);
+    for (const double calibration : {1.0, 0.8, 1.25, 0.0}) {
+        database.spectra["gas"].calibrationFactor = calibration;
+        irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), database)});
+        for (const double azimuth_deg : {0.0, 90.0}) {
+            look(irsg, {.azimuth_rad = radians(azimuth_deg)});
+            const double expected = calibration * (2.0 * (1.0 + azimuth_deg / 90.0) * 2.5 + 1.0);
+            EXPECT_NEAR(centreRadiance(irsg), expected, 1e-5) << azimuth_deg;
+        }
+    }
+}
+
 TEST(UserSpectrum, LosesTheAirBeyondItsReferenceDistanceOnly) {
     Irsg irsg;
     Environment environment;

@@ -220,6 +220,19 @@ TEST(EntryFields, OfALaterVersionMakeAFileThatOlderProgramsRefuse) {
     EXPECT_TRUE(loadSignatureFile(folder / "a.sigdb").database == completeDatabase());
 }
 
+TEST(EntryFields, EachVersionIsAskedForByWhatItBrought) {
+    const TemporaryFolder folder;
+    SignatureDatabase database = completeDatabase();
+    UserSpectrum& plume = database.spectra.at("plume core");
+    plume.calibrationFactor = 0.9;
+    saveSignatureFile(database, folder / "a.sigdb");
+    EXPECT_EQ(versionOf(folder / "a.sigdb"), 3);
+    EXPECT_EQ(loadSignatureFile(folder / "a.sigdb").database.spectra.at("plume core"), plume);
+    EXPECT_THAT(signatureToJson(database), testing::HasSubstr("\"calibrationFactor\": 0.9"));
+    plume.calibrationFactor = 1.0;
+    EXPECT_EQ(formatVersionOf(database), 1);
+}
+
 TEST(EntryFields, CelsiusTakenForKelvinIsSuspectedAndRepaired) {
     SignatureDatabase database = completeDatabase();
     database.temperatures.at(-7).terms.ambient = LookupTable({-20.0, 30.0}, {-2.0, 3.0});

@@ -136,6 +136,17 @@ TEST(SpectrumCsv, TakesTheUnitFromTheFileUnlessAnotherIsChosen) {
     EXPECT_EQ(chosen.referenceDistance_m, 7.0);
 }
 
+TEST(SpectrumCsv, IsWrittenAsItIsCalibrated) {
+    const TemporaryFolder folder;
+    UserSpectrum spectrum =
+        readSpectrumCsv(writeBytes(folder / "a.csv", "um,L\n4,1\n5,3\n"), SpectralRadianceUnit{});
+    spectrum.calibrationFactor = 0.5;
+    writeSpectrumCsv(spectrum, folder / "b.csv");
+    const UserSpectrum back = readSpectrumCsv(folder / "b.csv");
+    EXPECT_EQ(back.components[0].radiance.values(), (std::vector{0.5, 1.5}));
+    EXPECT_EQ(back.calibrationFactor, 1.0);
+}
+
 TEST(SpectrumCsv, ReadsEveryUnitToTheSameRadiance) {
     const TemporaryFolder folder;
     for (const std::string& name : SpectralRadianceUnit::known()) {

@@ -51,6 +51,7 @@ std::vector<double> componentFactors(const SurfaceInput& surface) {
         for (const ComponentFactor& candidate : surface.temperature->factors)
             if (candidate.component == component.name)
                 factor = candidate.at(surface.state);
+        factor *= surface.userSpectrum->calibrationFactor;
     }
     return factors;
 }

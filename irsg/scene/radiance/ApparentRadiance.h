@@ -81,7 +81,7 @@ SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
                               const std::vector<double>& wavelengths_um,
                               const SpectrumSampler& sample);
 
-/// c_j of eq. 6, by component of a user-defined spectrum.
+/// c_j of eq. 6 times the calibration, by component of a user-defined spectrum.
 std::vector<double> componentFactors(const SurfaceInput& surface);
 
 /// Apparent spectral radiance of a surface at the sensor in term `number` of a list at a geometric
