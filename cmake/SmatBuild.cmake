@@ -15,7 +15,6 @@ endif()
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR};$ORIGIN")
-set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON) # Qwt may lie in the user's cache
 
 find_program(SMAT_CCACHE ccache)
 find_program(SMAT_ENV env)
@@ -116,9 +115,10 @@ endfunction()
 
 # smat_add_floor(irsg radiometry SOURCES a.cpp b.cpp DEPENDS other::target PRIVATE_DEPENDS x)
 # makes the library irsg_radiometry with the alias irsg::radiometry. Includes are written from the
-# top of the tree: #include "irsg/radiometry/Spectrum.h".
+# top of the tree: #include "irsg/radiometry/Spectrum.h". With PACKAGED its headers are installed and
+# other programs find it: find_package(irsg).
 function(smat_add_floor house floor)
-    cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+    cmake_parse_arguments(ARG "PACKAGED" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
     set(name ${house}_${floor})
     add_library(${name} ${ARG_SOURCES})
     add_library(${house}::${floor} ALIAS ${name})
@@ -130,13 +130,28 @@ function(smat_add_floor house floor)
                           VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
     smat_configure_target(${name})
 
-    # irsg is a package of its own for other programs; the floors above it only serve our programs.
-    if(house STREQUAL irsg)
-        install(TARGETS ${name} EXPORT irsgTargets COMPONENT irsg)
+    if(ARG_PACKAGED)
+        install(TARGETS ${name} EXPORT ${house}Targets COMPONENT ${house})
         file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
-        install(DIRECTORY ./ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${folder}" COMPONENT irsg
+        install(DIRECTORY ./ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${folder}" COMPONENT ${house}
                 FILES_MATCHING PATTERN "*.h")
     else()
         install(TARGETS ${name} LIBRARY NAMELINK_SKIP)
     endif()
+endfunction()
+
+# smat_package(irsg FILES Find.cmake) makes the package of a house's PACKAGED floors out of
+# cmake/irsgConfig.cmake.in.
+function(smat_package house)
+    cmake_parse_arguments(ARG "" "" "FILES" ${ARGN})
+    include(CMakePackageConfigHelpers)
+    set(folder "${CMAKE_INSTALL_LIBDIR}/cmake/${house}")
+    install(EXPORT ${house}Targets NAMESPACE ${house}:: DESTINATION "${folder}" COMPONENT ${house})
+    configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/${house}Config.cmake.in" ${house}Config.cmake
+                                  INSTALL_DESTINATION "${folder}"
+                                  NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+    write_basic_package_version_file(${house}ConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+    install(FILES "${CMAKE_CURRENT_BINARY_DIR}/${house}Config.cmake"
+                  "${CMAKE_CURRENT_BINARY_DIR}/${house}ConfigVersion.cmake" ${ARG_FILES}
+            DESTINATION "${folder}" COMPONENT ${house})
 endfunction()

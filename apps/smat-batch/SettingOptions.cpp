@@ -1,5 +1,6 @@
 #include "apps/smat-batch/SettingOptions.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "irsg/radiometry/CsvTable.h"
@@ -32,7 +33,25 @@ std::string placed(const SettingInfo& setting, const std::string& text) {
     return list;
 }
 
+bool isFlagOfASetting(const std::string& option) {
+    return std::ranges::any_of(settingTable(), [&](const SettingInfo& setting) {
+        return setting.kind == SettingKind::boolean && setting.option == option;
+    });
+}
+
 } // namespace
+
+std::vector<std::string> withJoinedFlags(std::vector<std::string> arguments) {
+    std::vector<std::string> joined;
+    for (std::string& argument : arguments) {
+        const bool isValue = argument == "true" || argument == "false";
+        if (isValue && !joined.empty() && isFlagOfASetting(joined.back()))
+            joined.back() += "=" + argument;
+        else
+            joined.push_back(std::move(argument));
+    }
+    return joined;
+}
 
 SettingOptions::SettingOptions(CLI::App& command, std::optional<AnalysisKind> kind)
     : SettingOptions(command, [kind](const SettingInfo& setting) {
@@ -50,7 +69,7 @@ SettingOptions::SettingOptions(CLI::App& command,
                                  (setting.defaultText.empty() ? "nothing" : setting.defaultText) +
                                  ")";
         if (setting.kind == SettingKind::boolean) {
-            given->option = command.add_flag(setting.option, given->flag, help);
+            given->option = command.add_flag(setting.option, given->flag, help)->take_last();
         } else {
             given->option = command.add_option(setting.option, given->text, help);
             given->option->type_name(setting.unit.empty() ? "" : setting.unit);
@@ -59,6 +78,8 @@ SettingOptions::SettingOptions(CLI::App& command,
                 given->option->join(';');
             else if (setting.kind == SettingKind::band)
                 given->option->join(',');
+            else
+                given->option->take_last();
         }
         given->option->group(sectionTitle(setting.section()));
         given_.push_back(std::move(given));

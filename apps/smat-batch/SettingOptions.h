@@ -40,4 +40,8 @@ class SettingOptions {
     std::optional<SunOptions> sun_;
 };
 
+/// Arguments of a command line in which a setting that is true or false may be followed by either
+/// word, as every other setting by its value: "--sun-disc", "false" becomes "--sun-disc=false".
+std::vector<std::string> withJoinedFlags(std::vector<std::string> arguments);
+
 } // namespace smat::batch

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <ctime>
 #include <exception>
 #include <filesystem>
@@ -6,6 +7,7 @@
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/Streams.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
@@ -65,7 +67,9 @@ void checkArguments(int argc, char** argv) {
 int parseAndWork(CLI::App& app, Context& context, int argc, char** argv) {
     checkArguments(argc, argv);
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> arguments = withJoinedFlags({argv + 1, argv + argc});
+        std::ranges::reverse(arguments); // as the parser takes them
+        app.parse(std::move(arguments));
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {

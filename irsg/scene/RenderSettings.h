@@ -20,6 +20,11 @@ enum class FluxWeights {
     viewFactor, ///< (1 + cos theta_z) / 2, exact
     report      ///< 1 - theta_z / pi, as published
 };
+/// What of the air a measured spectrum passes that holds the air of its reference distance already.
+enum class ReferenceAir {
+    ratio,  ///< T(whole path) / T(reference distance, from the target on)
+    segment ///< T(what is left of the path, from the sensor on), as published
+};
 enum class BackgroundMode {
     none,       ///< 0
     constant,   ///< `background_W_m2_sr`, in-band
@@ -49,6 +54,8 @@ enum class SunShadowMode {
 /// All reflections between surfaces, in RenderSettings::bounces.
 inline constexpr int convergedBounces = -1;
 
+inline constexpr int largestBackgroundGrid = 1024;
+
 struct RenderSettings {
     EngineChoice engine = EngineChoice::opengl;
     CalculationMode mode = CalculationMode::spectral;
@@ -77,11 +84,12 @@ struct RenderSettings {
     /// Of the view factors between surfaces, as a part of the hemisphere: 1e-5 to 0.1.
     double lightError = 0.005;
     FluxWeights fluxWeights = FluxWeights::viewFactor;
+    ReferenceAir referenceAir = ReferenceAir::ratio;
     BackgroundMode background = BackgroundMode::environment;
     double background_W_m2_sr = 0.0;
     /// Lines of sight over the field that the environment is asked for its background: 1 x 1 is
     /// uniform, the one at the field's centre, 0 rows are as many as half a percent needs; see
-    /// BackgroundGrid.
+    /// BackgroundGrid. Each at most `largestBackgroundGrid`.
     int backgroundRows = 1, backgroundColumns = 1;
     /// The sun is seen as a disc, see SunDisc.
     bool sunDisc = false;

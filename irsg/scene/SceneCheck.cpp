@@ -15,8 +15,6 @@ namespace irsg {
 
 namespace {
 
-constexpr int largestBackgroundGrid = 1024;
-
 /// An altitude that is negative by rounding alone is the ground.
 double altitude_m(double z_m, double range_m, const std::string& what,
                   std::vector<Diagnostic>& diagnostics) {

@@ -275,8 +275,9 @@ const std::array spectrumRows = {
         .member = &UserSpectrum::calibrationFactor,
         .label = "Calibration",
         .word = "calibration factor",
-        .help = "Multiplies every component wherever this spectrum is used: what a later calibration "
-                "found of the measurement, whose curves stay as they were imported",
+        .help =
+            "Multiplies every component wherever this spectrum is used: what a later calibration "
+            "found of the measurement, whose curves stay as they were imported",
         .number = {.expected = "a factor of at least 0",
                    .least = 0.0,
                    .likely = "a correction from 0.1 to 10",

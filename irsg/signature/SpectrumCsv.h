@@ -36,8 +36,8 @@ UserSpectrum readSpectrumCsv(const std::filesystem::path& file,
                              std::optional<SpectralRadianceUnit> unit = std::nullopt,
                              std::optional<double> referenceDistance_m = std::nullopt);
 /// Writes it back in um and W m-2 sr-1 um-1, with its unit and reference distance as comments and
-/// its calibration applied; every number reads back as the same double. The components must share one axis (LogicError).
-/// Throws InputError where the file cannot be written.
+/// its calibration applied; every number reads back as the same double. The components must share
+/// one axis (LogicError). Throws InputError where the file cannot be written.
 void writeSpectrumCsv(const UserSpectrum& spectrum, const std::filesystem::path& file);
 
 enum class FactorAxis { time_s, angle_deg };

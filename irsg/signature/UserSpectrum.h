@@ -24,8 +24,8 @@ struct UserSpectrum {
     std::string importedUnit;
     std::string notes;
     std::vector<SpectrumComponent> components;
-    /// What all components are multiplied with: the correction of a measurement whose curves stay as
-    /// they were imported.
+    /// What all components are multiplied with: the correction of a measurement whose curves stay
+    /// as they were imported.
     double calibrationFactor = 1.0;
 
     const SpectrumComponent* find(const std::string& component) const;

@@ -5,8 +5,8 @@
 #include "irsg/image/ImageFormat.h"
 #include "irsg/image/ImageStatistics.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/scene/view/ImageQuantity.h"
 #include "smatcore/analysis/Conditions.h"
-#include "smatcore/analysis/ImageQuantity.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
@@ -41,9 +41,9 @@ std::string showQuantity(irsg::RadianceImage& image, const irsg::Sensor& sensor,
                          const Settings& settings) {
     const std::string& quantity = settings.text(key::imageQuantity);
     if (quantity == "irradiance") {
-        showIrradiance(image, sensor);
+        irsg::showIrradiance(image, sensor);
     } else if (quantity == "apparent-temperature") {
-        const std::size_t without = showApparentTemperature(image, sensor);
+        const std::size_t without = irsg::showApparentTemperature(image, sensor);
         if (without > 0) {
             return fmt::format("{} pixels without radiance have no apparent temperature (nan)",
                                without);

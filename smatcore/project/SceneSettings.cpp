@@ -168,6 +168,9 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
     render.fluxWeights = settings.text(key::renderFluxWeights) == "report"
                              ? irsg::FluxWeights::report
                              : irsg::FluxWeights::viewFactor;
+    render.referenceAir = settings.text(key::renderReferenceAir) == "segment"
+                              ? irsg::ReferenceAir::segment
+                              : irsg::ReferenceAir::ratio;
     const std::optional<double> radiance = settings[key::renderBackground];
     render.background = radiance ? irsg::BackgroundMode::constant
                         : settings.text(key::renderBackground) == "none"

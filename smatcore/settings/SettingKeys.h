@@ -75,6 +75,7 @@ inline constexpr TextKey renderSupersampling{"render.supersampling"};
 inline constexpr TextKey renderSun{"render.sun"};
 inline constexpr TextKey renderFluxes{"render.fluxes"};
 inline constexpr TextKey renderFluxWeights{"render.fluxWeights"};
+inline constexpr TextKey renderReferenceAir{"render.referenceAir"};
 inline constexpr OptionalRealKey renderBackground{"render.background"};
 inline constexpr IntegerKey renderBackgroundRows{"render.backgroundRows"};
 inline constexpr IntegerKey renderBackgroundColumns{"render.backgroundColumns"};

@@ -1,5 +1,7 @@
 #include "irsg/atmosphere/AtmosphereFile.h"
 #include "irsg/image/ColorMap.h"
+#include "irsg/scene/RenderSettings.h"
+#include "irsg/scene/view/Sensor.h"
 #include "smatcore/settings/AnalysisSections.h"
 #include "smatcore/settings/SettingRows.h"
 
@@ -10,10 +12,10 @@ namespace {
 using namespace rows;
 
 void addSensor(std::vector<SettingInfo>& table) {
-    table.push_back(integer(key::sensorWidth, "--width", "Width", "px", 1, 16384, "640",
-                            "Columns of the detector."));
-    table.push_back(integer(key::sensorHeight, "--height", "Height", "px", 1, 16384, "512",
-                            "Rows of the detector."));
+    table.push_back(integer(key::sensorWidth, "--width", "Width", "px", 1,
+                            irsg::largestResolution_px, "640", "Columns of the detector."));
+    table.push_back(integer(key::sensorHeight, "--height", "Height", "px", 1,
+                            irsg::largestResolution_px, "512", "Rows of the detector."));
     table.push_back(number(key::sensorFov, "--fov", "Field of view", "deg", 1e-6, 179.0, "2",
                            "Horizontal field of view. Pixels are square, so the vertical one "
                            "follows from width and height."));
@@ -230,6 +232,14 @@ void addRendering(std::vector<SettingInfo>& table) {
                      SettingAudience::expert),
               {"exact view factor", "angle, as published"}));
     table.push_back(
+        named(choice(key::renderReferenceAir, "--reference-air", "Air of measured spectra",
+                     {"ratio", "segment"}, "ratio",
+                     "What a spectrum passes that was measured at a reference distance: the ratio "
+                     "of the transmittances to sensor and reference distance, or that of the "
+                     "segment which is left of the path, as published.",
+                     SettingAudience::expert),
+              {"ratio of transmittances", "rest of the path, as published"}));
+    table.push_back(
         choiceOrNumber(key::renderBackground, "--background", "Background", "W m-2 sr-1",
                        {"smart", "none"}, 0, 1e9, "smart",
                        "What lies behind the models: smart asks the environment along "
@@ -237,13 +247,13 @@ void addRendering(std::vector<SettingInfo>& table) {
                        "them; none is 0, a number is an in-band radiance. Skybox, sun and terrain "
                        "come on top."));
     table.push_back(integer(key::renderBackgroundRows, "--background-rows", "Background rows", "",
-                            0, 1024, "1",
+                            0, irsg::largestBackgroundGrid, "1",
                             "Rows of lines of sight over the field that a smart background is "
                             "asked along, on both sides of the horizon where it is in the field. "
                             "One row and one column is a uniform background; 0 is as many rows as "
                             "half a percent of the radiance needs."));
     table.push_back(integer(key::renderBackgroundColumns, "--background-columns",
-                            "Background columns", "", 1, 1024, "1",
+                            "Background columns", "", 1, irsg::largestBackgroundGrid, "1",
                             "Columns of the same: one does unless the sun makes the sky change "
                             "with azimuth."));
     table.push_back(flag(key::renderSunDisc, "--sun-disc", "Sun disc", false,

@@ -34,6 +34,28 @@ TEST(SmatBatch, ListsSettingsForPeopleMachinesAndTheManual) {
     EXPECT_EQ(json["settings"][0]["key"], "sensor.width");
 }
 
+TEST(SmatBatch, TakesTheLastOfASettingAndTheWordBehindAFlag) {
+    const TemporaryFolder folder;
+    // What differs from the defaults stands in the remarks of an image.
+    const auto imageOf = [&](std::vector<std::string> options) {
+        const std::filesystem::path out = folder / "a.csv";
+        options.insert(options.begin(), {"image", sample("box/box.smat"), "--height", "4"});
+        options.insert(options.end(), {"--width", "8", "--out", out.string()});
+        const Ran ran = smatBatch(options);
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return contentOf(out);
+    };
+    EXPECT_THAT(imageOf({"--width", "100"}), HasSubstr("# sensor.width: 8 px"));
+    EXPECT_THAT(imageOf({"--hot-parts", "false"}), HasSubstr("# render.hotParts: false"));
+    EXPECT_THAT(imageOf({"--hot-parts=false", "--hot-parts", "true"}),
+                testing::Not(HasSubstr("# render.hotParts")));
+    EXPECT_THAT(imageOf({"--sun-disc"}), HasSubstr("# render.sunDisc: true"));
+
+    const Ran wrong = smatBatch({"polar", sample("box/box.smat"), "--sun-disc", "perhaps"});
+    EXPECT_EQ(wrong.exitCode, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("perhaps"));
+}
+
 TEST(SmatBatch, ModelInfoCountsFacesByCode) {
     const Ran ran = smatBatch({"model", "info", sample("turboprop4/turboprop4.flt"), "--json"});
     EXPECT_EQ(ran.exitCode, 0);

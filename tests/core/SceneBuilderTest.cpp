@@ -71,6 +71,7 @@ TEST_F(SceneBuilderTest, TakesEveryNumberOverInTheUnitsOfTheRenderer) {
     settings.set("render.sun", "approx");
     settings.set("render.fluxes", "off");
     settings.set("render.fluxWeights", "report");
+    settings.set("render.referenceAir", "segment");
     settings.set("render.background", "2.5");
     settings.set("render.layers", "3");
     project.models[0].fallbackMaterial = 7;
@@ -100,6 +101,7 @@ TEST_F(SceneBuilderTest, TakesEveryNumberOverInTheUnitsOfTheRenderer) {
     EXPECT_EQ(scene.render.sun, irsg::ReflectionMode::approx);
     EXPECT_EQ(scene.render.fluxes, irsg::ReflectionMode::off);
     EXPECT_EQ(scene.render.fluxWeights, irsg::FluxWeights::report);
+    EXPECT_EQ(scene.render.referenceAir, irsg::ReferenceAir::segment);
     EXPECT_EQ(scene.render.background, irsg::BackgroundMode::constant);
     EXPECT_EQ(scene.render.background_W_m2_sr, 2.5);
     EXPECT_EQ(scene.render.maximumLayers, 3);

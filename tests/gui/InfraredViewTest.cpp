@@ -11,9 +11,9 @@
 
 #include "gui/view/InfraredScene.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/view/ImageQuantity.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
-#include "smatcore/analysis/ImageQuantity.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/ProcessCounts.h"
 #include "tests/gui/ViewFixture.h"

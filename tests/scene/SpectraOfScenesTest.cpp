@@ -30,6 +30,19 @@ class TwoBandAir : public ConstantAir {
     }
 };
 
+/// Air whose lines are saturated: exp(-sqrt(range / km)) beyond 4 um.
+class SaturatedAir : public ConstantAir {
+  protected:
+    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+                            const SpectralRange& range) const override {
+        if (question.quantity != AtmosphereProperty::transmittance) {
+            return ConstantAir::nativeSpectrum(question, range);
+        }
+        const double t = std::exp(-std::sqrt(1e-3 * question.path.range_m));
+        return Spectrum({0.2, 4.0, 4.0001, 40.0}, {1.0, 1.0, t, t});
+    }
+};
+
 /// Tables of air over exactly these ranges, which pass half and add 2 W m-2 sr-1 um-1 along
 /// horizontal paths.
 Environment tabulatedAir(const std::vector<SpectralRange>& ranges) {
@@ -239,6 +252,26 @@ TEST(UserSpectrum, LosesTheAirBeyondItsReferenceDistanceOnly) {
     EXPECT_NEAR(radianceAt(500.0, 500.0), clear, 1e-5);
     EXPECT_NEAR(radianceAt(1500.0, 500.0), 0.5 + inFoulAir * std::exp(-1.0), 1e-3);
     EXPECT_NEAR(radianceAt(1500.0, 0.0), 0.5 + inFoulAir * std::exp(-1.5), 1e-3);
+}
+
+TEST(UserSpectrum, PassesARatioOrTheSegmentThatIsLeft) {
+    Irsg irsg;
+    Environment environment;
+    environment.add(std::make_shared<SaturatedAir>());
+    irsg.setEnvironment(environment);
+    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(500.0))});
+    look(irsg, {.range_m = 1500.0, .fieldOfView_rad = 1.0 / 1500.0});
+    const double inFoulAir = 2.0 * 2.5 + 0.5; // CO2 all in 4-5 um, half of H2O
+    const std::vector<std::pair<ReferenceAir, double>> expected = {
+        {ReferenceAir::ratio, std::exp(-(std::sqrt(1.5) - std::sqrt(0.5)))},
+        {ReferenceAir::segment, std::exp(-std::sqrt(1.0))},
+        {ReferenceAir::ratio, std::exp(-(std::sqrt(1.5) - std::sqrt(0.5)))}};
+    for (const auto& [rule, transmittance] : expected) {
+        RenderSettings settings = irsg.settings();
+        settings.referenceAir = rule;
+        irsg.setSettings(settings);
+        EXPECT_NEAR(centreRadiance(irsg), 0.5 + inFoulAir * transmittance, 1e-3);
+    }
 }
 
 TEST(UserSpectrum, SaysWhenItIsSeenFromNearerThanItWasMeasured) {

@@ -33,7 +33,8 @@ SampledScenes::Key SampledScenes::keyOf(const Environment& environment, const Ai
             airQuestions(environment, scene.terms, scene.geometry, settings, scene.centre),
             {environment.sun.azimuth_rad, environment.sun.elevation_rad,
              environment.sun.distance_au, settings.airSliceFrom, settings.background_W_m2_sr,
-             static_cast<double>(settings.background), static_cast<double>(settings.mode)},
+             static_cast<double>(settings.background), static_cast<double>(settings.mode),
+             static_cast<double>(settings.referenceAir)},
             bands,
             {}};
     for (const RadianceTerm& term : scene.terms.terms)

@@ -42,6 +42,22 @@ AtmosphericPath nearTarget(const AtmosphericPath& path, double range_m) {
     return part;
 }
 
+/// The transmittance that is asked for because of a spectrum that was measured from so far.
+AtmosphericQuery passedByMeasured(const AtmosphericPath& path, double reference_m,
+                                  ReferenceAir rule) {
+    return AtmosphericQuery::transmittance(rule == ReferenceAir::segment
+                                               ? atRange(path, path.range_m - reference_m)
+                                               : nearTarget(path, reference_m));
+}
+
+/// Node by node; 0, for "nothing arrives", where both are 0.
+SharedValues ratio(const std::vector<double>& whole, const std::vector<double>& part) {
+    auto made = std::make_shared<std::vector<double>>(whole);
+    for (std::size_t i = 0; i < made->size(); ++i)
+        (*made)[i] = part[i] > 0.0 ? whole[i] / part[i] : 0.0;
+    return made;
+}
+
 bool areEqual(const std::map<std::string, SharedValues>& a,
               const std::map<std::string, SharedValues>& b) {
     return std::ranges::equal(a, b, [](const auto& one, const auto& other) {
@@ -165,9 +181,12 @@ SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                 air.insideReference.insert(name);
                 continue;
             }
-            const AtmosphericQuery question =
-                AtmosphericQuery::transmittance(nearTarget(path, inside_m));
-            air.toReference.emplace(name, answers.at(question, sampling).value);
+            SharedValues divisor =
+                answers.at(passedByMeasured(path, inside_m, settings.referenceAir), sampling).value;
+            if (settings.referenceAir == ReferenceAir::segment)
+                divisor = ratio(*answers.at(AtmosphericQuery::transmittance(path), sampling).value,
+                                *divisor);
+            air.toReference.emplace(name, std::move(divisor));
         }
         scene.objects.push_back(std::move(air));
     }
@@ -196,8 +215,7 @@ std::vector<const Spectrum*> airSpectra(AtmosphericQueryCache& answers, const Ra
                 add(questionOf(*term.light, path, sun));
         for (const auto& [name, spectrum] : entities[e].database->spectra)
             if (spectrum.referenceDistance_m > 0.0 && path.range_m > spectrum.referenceDistance_m)
-                add(AtmosphericQuery::transmittance(
-                    nearTarget(path, spectrum.referenceDistance_m)));
+                add(passedByMeasured(path, spectrum.referenceDistance_m, settings.referenceAir));
     }
     return spectra;
 }

@@ -10,18 +10,14 @@
 
 namespace irsg {
 
-namespace {
-
-constexpr int largestResolution = 16384;
-
-} // namespace
+namespace {} // namespace
 
 void Sensor::check() const {
     std::vector<Diagnostic> diagnostics;
     const auto checkResolution = [&diagnostics](const std::string& name, int pixels) {
-        if (pixels < 1 || pixels > largestResolution)
+        if (pixels < 1 || pixels > largestResolution_px)
             diagnostics.push_back({"sensor", name, std::to_string(pixels),
-                                   "1 to " + std::to_string(largestResolution) + " px"});
+                                   "1 to " + std::to_string(largestResolution_px) + " px"});
     };
     checkResolution("width", width_px);
     checkResolution("height", height_px);

@@ -1,24 +1,24 @@
-#include "smatcore/analysis/ImageQuantity.h"
+#include "irsg/scene/view/ImageQuantity.h"
 
 #include <algorithm>
 
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/radiometry/Quantity.h"
 
-namespace smat {
+namespace irsg {
 
 namespace {
 
 /// The shown channel of an image is its first.
-void moveLastToFront(irsg::RadianceImage& image) {
+void moveLastToFront(RadianceImage& image) {
     std::rotate(image.channels.begin(), image.channels.end() - 1, image.channels.end());
 }
 
 } // namespace
 
-void showIrradiance(irsg::RadianceImage& image, const irsg::Sensor& sensor) {
-    irsg::ImageChannel irradiance{"E", std::string(irsg::info(irsg::Quantity::irradiance).unit),
-                                  image.primary().values};
+void showIrradiance(RadianceImage& image, const Sensor& sensor) {
+    ImageChannel irradiance{"E", std::string(info(Quantity::irradiance).unit),
+                            image.primary().values};
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x) {
             float& value = irradiance.values[image.offset(x, y)];
@@ -30,10 +30,10 @@ void showIrradiance(irsg::RadianceImage& image, const irsg::Sensor& sensor) {
     moveLastToFront(image);
 }
 
-std::size_t showApparentTemperature(irsg::RadianceImage& image, const irsg::Sensor& sensor) {
-    const std::size_t without = irsg::addApparentTemperature(image, sensor.band);
+std::size_t showApparentTemperature(RadianceImage& image, const Sensor& sensor) {
+    const std::size_t without = addApparentTemperature(image, sensor.band);
     moveLastToFront(image);
     return without;
 }
 
-} // namespace smat
+} // namespace irsg

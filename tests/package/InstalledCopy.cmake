@@ -1,0 +1,62 @@
+# Installs everything into a folder of its own and looks at it: every program and library finds what it links
+# below that folder or in the system's, samples, airs, guide, licences and desktop file are there, and the programs
+# work on the installed samples.
+#
+# SOURCE and BUILD are the project's folders, WORK is a folder that is made anew, WINDOW whether smat is built.
+
+file(REMOVE_RECURSE "${WORK}")
+set(prefix "${WORK}/prefix")
+function(run_step what)
+    execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${WORK}" RESULT_VARIABLE status
+                    OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT status EQUAL 0)
+        message(FATAL_ERROR "${what} failed (${status}):\n${output}")
+    endif()
+    set(output "${output}" PARENT_SCOPE)
+endfunction()
+file(MAKE_DIRECTORY "${WORK}")
+run_step("Installing" "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}")
+
+foreach(file share/doc/smat/LICENSE share/doc/smat/README.md share/smat/atmosphere)
+    if(NOT EXISTS "${prefix}/${file}")
+        message(FATAL_ERROR "${file} was not installed")
+    endif()
+endforeach()
+if(WINDOW)
+    foreach(file share/applications/smat.desktop share/icons/hicolor/scalable/apps/smat.svg
+                 share/smat/samples/ship/ship.smat share/smat/docs/user-guide/README.md
+                 share/smat/resources/atmospheres)
+        if(NOT EXISTS "${prefix}/${file}")
+            message(FATAL_ERROR "${file} was not installed")
+        endif()
+    endforeach()
+endif()
+
+file(GLOB_RECURSE installed "${prefix}/bin/*" "${prefix}/lib/*.so*" "${prefix}/libexec/*")
+list(LENGTH installed count)
+if(count LESS 5)
+    message(FATAL_ERROR "only ${count} programs and libraries were installed")
+endif()
+foreach(binary ${installed})
+    file(READ_ELF "${binary}" RPATH rpath RUNPATH runpath CAPTURE_ERROR trouble)
+    foreach(path ${rpath} ${runpath})
+        if(NOT path MATCHES "^\\$ORIGIN")
+            message(FATAL_ERROR "${binary} looks for libraries in ${path}")
+        endif()
+    endforeach()
+    run_step("Linking ${binary}" ldd "${binary}")
+    string(REPLACE "${prefix}" "" output "${output}")
+    if(output MATCHES "not found|${BUILD}|/\\.cache/")
+        message(FATAL_ERROR "${binary} links libraries of where it was built, or none:\n${output}")
+    endif()
+endforeach()
+
+run_step("smat-batch" "${prefix}/bin/smat-batch" model info "${SOURCE}/samples/box/box.flt")
+if(WINDOW)
+    run_step("smat-batch image" "${prefix}/bin/smat-batch" image "${prefix}/share/smat/samples/ship/ship.smat"
+             --width 64 --height 48 --out ship.exr)
+    run_step("smat-batch polar" "${prefix}/bin/smat-batch" polar "${prefix}/share/smat/samples/sphere/sphere.smat"
+             --step 90 --out sphere.csv)
+    run_step("smat plot" "${prefix}/bin/smat" plot sphere.csv -o sphere.svg)
+    run_step("smat --version" "${CMAKE_COMMAND}" -E env QT_QPA_PLATFORM=offscreen "${prefix}/bin/smat" --version)
+endif()
