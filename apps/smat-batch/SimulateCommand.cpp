@@ -112,38 +112,24 @@ class SimulateCommand {
         catchStopSignal();
         for (const std::string& sentence : files.makeFolders(plan.sensors))
             warn(sentence);
-        for (const std::size_t sensor : plan.sensors)
-            files.writeImagingSensor(sensor);
         std::unique_ptr<ImageSource> source;
         {
             const StageTimer::Scope scope(&context.timer, "start renderer");
             source = makeIrsgImageSource();
         }
-        SceneGenerator3D generator(loaded, *source);
-        source->resetStageTimes();
         SimulationResult result;
-        const auto writeTables = [&] {
-            for (SensorResult& sensor : result.sensors)
-                files.writeTable(sensor, result.state);
-        };
         std::stop_source stop;
-        try {
+        {
             ProgressLine line;
-            runSimulation(
-                generator, plan,
-                [&](SensorFrame& frame, std::size_t number) { files.write(frame, number); }, result,
+            writeSimulation(
+                loaded, plan, files, *source, result,
                 [&](const Progress& progress) {
                     line.show(progress);
                     if (stopWasAsked())
                         stop.request_stop();
                 },
                 stop.get_token(), &context.timer);
-        } catch (const irsg::InputError&) {
-            // What was done so far is kept; the refusal is told by the program's end.
-            writeTables();
-            throw;
         }
-        writeTables();
         splitTimes(*source, context);
         fmt::print("{}",
                    context.json ? jsonOf(result, loaded, files) : textOf(result, loaded, files));

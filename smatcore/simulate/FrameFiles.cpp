@@ -130,7 +130,7 @@ Provenance FrameFiles::provenance(std::size_t sensor) const {
     return provenance;
 }
 
-void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
+void FrameFiles::describe(SensorFrame& frame, std::size_t number) const {
     const LoadedSensor& sensor = scenario_.sensors.at(frame.sensor);
     irsg::RadianceImage& image = frame.rendered.image;
     auto& attributes = image.attributes;
@@ -174,17 +174,26 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
     const std::string sentence = showQuantity(image, detector, sensor.settings);
     if (!sentence.empty())
         join("warning", sentence);
+}
+
+PictureWords FrameFiles::words(std::size_t sensor, double time_s) const {
     const std::string& title = scenario_.scenario.title;
-    const std::string heading =
-        fmt::format("{}{}, {:.6g} s", title.empty() ? "" : title + ": ",
-                    scenario_.scenario.sensors[frame.sensor].name, frame.time_s);
+    const std::string heading = fmt::format("{}{}, {:.6g} s", title.empty() ? "" : title + ": ",
+                                            scenario_.scenario.sensors[sensor].name, time_s);
     // Where entities are and when is the scenario's, not the settings'.
-    std::vector<Condition> conditions = conditionsOf(sensor.settings);
+    std::vector<Condition> conditions = conditionsOf(scenario_.sensors.at(sensor).settings);
     std::erase_if(conditions, [](const Condition& one) {
         return one.key != key::sensorBand && one.key != key::environmentAtmospheres;
     });
+    return {heading, conditions};
+}
+
+void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
+    describe(frame, number);
+    const PictureWords above = words(frame.sensor, frame.time_s);
     for (const std::string& extension : extensions_) {
-        saveImage(image, sensor.settings, {heading, conditions}, scenario_.scenario.displayName(),
+        saveImage(frame.rendered.image, scenario_.sensors.at(frame.sensor).settings, above,
+                  scenario_.scenario.displayName(),
                   frameFile(frame.sensor, number, extension, frame.band));
     }
 }
@@ -198,6 +207,35 @@ void FrameFiles::writeTable(SensorResult& result, AnalysisState state) const {
         provenance.add("warning", warning);
     result.table.provenance = std::move(provenance);
     result.table.save(tableFile(result.sensor));
+}
+
+void writeSimulation(const LoadedScenario& scenario, const SimulationPlan& plan,
+                     const FrameFiles& files, ImageSource& source, SimulationResult& result,
+                     const ProgressCallback& progress, std::stop_token stop, StageTimer* timer,
+                     const FrameSink& heed) {
+    for (const std::size_t sensor : plan.sensors)
+        files.writeImagingSensor(sensor);
+    SceneGenerator3D generator(scenario, source);
+    source.resetStageTimes();
+    const auto writeTables = [&] {
+        for (SensorResult& sensor : result.sensors)
+            files.writeTable(sensor, result.state);
+    };
+    try {
+        runSimulation(
+            generator, plan,
+            [&](SensorFrame& frame, std::size_t number) {
+                files.write(frame, number);
+                if (heed)
+                    heed(frame, number);
+            },
+            result, progress, std::move(stop), timer);
+    } catch (const irsg::InputError&) {
+        // What was done so far is kept; the refusal is told by whoever asked.
+        writeTables();
+        throw;
+    }
+    writeTables();
 }
 
 } // namespace smat

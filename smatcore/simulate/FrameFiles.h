@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/simulate/Simulation.h"
 
 namespace smat {
@@ -30,9 +31,13 @@ class FrameFiles {
     std::filesystem::path tableFile(std::size_t sensor) const;
     std::filesystem::path imagingSensorFile(std::size_t sensor) const;
 
-    /// Describes the image of a frame (time, sensor, places of the entities, settings), makes of it
-    /// what `image.quantity` asks for, and writes it in every form. Throws InputError.
+    /// Describes the image of a frame (time, sensor, places of the entities, settings), and makes
+    /// of it what `image.quantity` asks for: what stands in its file.
+    void describe(SensorFrame& frame, std::size_t number) const;
+    /// Describes a frame and writes it in every form. Throws InputError.
     void write(SensorFrame& frame, std::size_t number) const;
+    /// What stands above the picture of a frame.
+    PictureWords words(std::size_t sensor, double time_s) const;
     /// Writes what the frames of a sensor are made with in KARMA's form, on top of what else its
     /// own ImagingSensor file holds. Throws InputError.
     void writeImagingSensor(std::size_t sensor) const;
@@ -47,5 +52,13 @@ class FrameFiles {
     std::vector<std::string> extensions_;
     std::string commandLine_;
 };
+
+/// Makes the frames of a plan with this renderer and writes all there is to write: folders,
+/// ImagingSensor files, frames, and the tables at the end, however it ends. `heed` is given each
+/// frame after it was written. Throws InputError, and then the tables hold what was done before.
+void writeSimulation(const LoadedScenario& scenario, const SimulationPlan& plan,
+                     const FrameFiles& files, ImageSource& source, SimulationResult& result,
+                     const ProgressCallback& progress = {}, std::stop_token stop = {},
+                     StageTimer* timer = nullptr, const FrameSink& heed = {});
 
 } // namespace smat

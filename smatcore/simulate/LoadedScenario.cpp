@@ -16,8 +16,9 @@ namespace {
 /// Reads the files of one scenario and collects what is wrong with them.
 class Loader {
   public:
-    Loader(const Scenario& scenario, SceneBuilder& builder, const Settings& overrides)
-        : scenario_(scenario), builder_(builder), overrides_(overrides) {}
+    Loader(const Scenario& scenario, SceneBuilder& builder, const Settings& overrides,
+           const EditedTrajectories& edited)
+        : scenario_(scenario), builder_(builder), overrides_(overrides), edited_(edited) {}
 
     LoadedScenario load() {
         LoadedScenario loaded{.scenario = scenario_, .paths = {}, .sensors = {}};
@@ -72,6 +73,10 @@ class Loader {
         Trajectory path{irsg::Pose()};
         collect([&] {
             const std::filesystem::path at = scenario_.resolve(file);
+            if (const auto edited = edited_.find(at); edited != edited_.end()) {
+                path = Trajectory(edited->second);
+                return;
+            }
             logInfo("reading trajectory " + at.string());
             path = Trajectory::read(at);
         });
@@ -160,6 +165,7 @@ class Loader {
     const Scenario& scenario_;
     SceneBuilder& builder_;
     const Settings& overrides_;
+    const EditedTrajectories& edited_;
     std::vector<ImagingSensorSettings::Needed> needed_; ///< of the sensor that is being loaded
     std::vector<irsg::Diagnostic> diagnostics_;
 };
@@ -197,8 +203,8 @@ std::optional<SensorPlace> LoadedScenario::sensorAt(std::size_t sensor, double t
 }
 
 LoadedScenario loadScenarioFiles(const Scenario& scenario, SceneBuilder& builder,
-                                 const Settings& overrides) {
-    return Loader(scenario, builder, overrides).load();
+                                 const Settings& overrides, const EditedTrajectories& edited) {
+    return Loader(scenario, builder, overrides, edited).load();
 }
 
 } // namespace smat

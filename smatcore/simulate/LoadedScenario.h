@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,11 +38,15 @@ struct LoadedScenario {
     std::optional<SensorPlace> sensorAt(std::size_t sensor, double time_s) const;
 };
 
+/// Trajectories as they are edited, by their resolved file: they stand in for what the file holds.
+using EditedTrajectories = std::map<std::filesystem::path, TrajectoryTable>;
+
 /// Reads what a scenario names. `overrides` go before the settings of every sensor. Throws
 /// InputError with the diagnostics of all files and settings together: those of the parts, an
 /// engine setting beside a trajectory that has the column, an ImagingSensor file that turns
 /// something on that no setting describes.
 LoadedScenario loadScenarioFiles(const Scenario& scenario, SceneBuilder& builder,
-                                 const Settings& overrides = {});
+                                 const Settings& overrides = {},
+                                 const EditedTrajectories& edited = {});
 
 } // namespace smat

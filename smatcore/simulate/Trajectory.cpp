@@ -17,32 +17,13 @@ namespace {
 
 constexpr double sameTime_s = 1e-6;
 
-/// A column that a trajectory may have.
-struct Column {
-    std::string_view name, unit;
-    double minimum, maximum;
-    bool isRequired;
-};
-enum ColumnIndex { time, x, y, z, yaw, pitch, roll, power, mach, columnCount };
-constexpr std::array<Column, columnCount> columns = {{{"t", "s", -1e9, 1e9, true},
-                                                      {"x", "m", -1e9, 1e9, true},
-                                                      {"y", "m", -1e9, 1e9, true},
-                                                      {"z", "m", -1e9, 1e9, true},
-                                                      {"yaw", "deg", -360, 360, true},
-                                                      {"pitch", "deg", -90, 90, true},
-                                                      {"roll", "deg", -360, 360, true},
-                                                      {"power", "", 0, 1e6, false},
-                                                      {"mach", "", 0, 30, false}}};
-
-std::string headerOf(const Column& column) {
-    return column.unit.empty() ? std::string(column.name)
-                               : fmt::format("{} [{}]", column.name, column.unit);
-}
+using Column = TrajectoryColumn;
+using Table = TrajectoryTable;
 
 std::string allHeaders() {
     std::string text;
-    for (const Column& column : columns)
-        text += (text.empty() ? "" : ", ") + headerOf(column);
+    for (const Column& column : Table::columns())
+        text += (text.empty() ? "" : ", ") + column.header();
     return text;
 }
 
@@ -55,12 +36,17 @@ double mixedAngle_rad(double a_rad, double b_rad, double share) {
     return a_rad + std::remainder(b_rad - a_rad, 2.0 * irsg::pi) * share;
 }
 
+/// "# key: value" as it stood, but for blanks.
+std::string remarkOf(const irsg::CsvComment& comment) {
+    return comment.key.empty() ? "# " + comment.value : "# " + comment.key + ": " + comment.value;
+}
+
 /// Reads the rows of one table and collects what is wrong with them.
 class TrajectoryReader {
   public:
     explicit TrajectoryReader(const irsg::CsvTable& csv) : csv_(csv) {}
 
-    Trajectory read() {
+    Table read() {
         if (csv_.rows().empty())
             throw irsg::InputError(csv_.diagnostic("no rows", "a header row " + allHeaders()));
         readHeader(csv_.rows().front());
@@ -70,8 +56,11 @@ class TrajectoryReader {
         if (csv_.rows().size() < 2)
             diagnostics_.push_back(csv_.diagnostic("no points", "at least one row of numbers"));
         throwRefused();
-        return Trajectory(std::move(points_), places_[power].has_value(),
-                          places_[mach].has_value());
+        for (const irsg::CsvComment& comment : csv_.comments())
+            table_.remarks.push_back(remarkOf(comment));
+        table_.hasPower = places_[Table::power].has_value();
+        table_.hasMach = places_[Table::mach].has_value();
+        return std::move(table_);
     }
 
   private:
@@ -82,27 +71,28 @@ class TrajectoryReader {
             const std::size_t open = cell.text.find('[');
             const std::string_view name =
                 irsg::trimmed(std::string_view(cell.text).substr(0, open));
-            const auto column = std::find_if(columns.begin(), columns.end(),
-                                             [&](const Column& one) { return one.name == name; });
-            if (column == columns.end()) {
+            const auto* const column =
+                std::find_if(columns_.begin(), columns_.end(),
+                             [&](const Column& one) { return one.name == name; });
+            if (column == columns_.end()) {
                 diagnostics_.push_back(csv_.diagnostic(cell, "one of " + allHeaders()));
                 continue;
             }
             if (open != std::string::npos &&
                 cell.text.substr(open) != fmt::format("[{}]", column->unit)) {
-                diagnostics_.push_back(csv_.diagnostic(cell, headerOf(*column)));
+                diagnostics_.push_back(csv_.diagnostic(cell, column->header()));
             }
             std::optional<std::size_t>& known =
-                places_[static_cast<std::size_t>(column - columns.begin())];
+                places_[static_cast<std::size_t>(column - columns_.begin())];
             if (known)
                 diagnostics_.push_back(csv_.diagnostic(cell, "each column once"));
             known = place;
         }
-        for (std::size_t i = 0; i < columnCount; ++i) {
-            if (!places_[i] && columns[i].isRequired) {
-                diagnostics_.push_back(csv_.diagnostic(header.line,
-                                                       fmt::format("no column {}", columns[i].name),
-                                                       "the columns " + allHeaders()));
+        for (std::size_t i = 0; i < Table::columnCount; ++i) {
+            if (!places_[i] && columns_[i].isRequired) {
+                diagnostics_.push_back(
+                    csv_.diagnostic(header.line, fmt::format("no column {}", columns_[i].name),
+                                    "the columns " + allHeaders()));
             }
         }
     }
@@ -116,30 +106,24 @@ class TrajectoryReader {
             return;
         }
         const std::size_t before = diagnostics_.size();
-        std::array<double, columnCount> numbers{};
-        for (std::size_t i = 0; i < columnCount; ++i)
+        Table::Row numbers{};
+        for (std::size_t i = 0; i < Table::columnCount; ++i)
             if (places_[i])
-                numbers[i] = number(row.cells[*places_[i]], columns[i]);
+                numbers[i] = number(row.cells[*places_[i]], columns_[i]);
         if (diagnostics_.size() > before)
             return;
-        if (!points_.empty() && !(numbers[time] > points_.back().time_s)) {
+        constexpr auto time = Table::time;
+        if (!table_.rows.empty() && !(numbers[time] > table_.rows.back()[time])) {
             diagnostics_.push_back(csv_.diagnostic(
                 row.cells[*places_[time]],
-                fmt::format("a time after {} s: times ascend", points_.back().time_s)));
+                fmt::format("a time after {} s: times ascend", table_.rows.back()[time])));
             return;
         }
-        points_.push_back({.time_s = numbers[time],
-                           .pose = {{numbers[x], numbers[y], numbers[z]},
-                                    {irsg::radians(numbers[yaw]), irsg::radians(numbers[pitch]),
-                                     irsg::radians(numbers[roll])}},
-                           .power = numbers[power],
-                           .mach = numbers[mach]});
+        table_.rows.push_back(numbers);
     }
 
     double number(const irsg::CsvCell& cell, const Column& column) {
-        const std::string unit = column.unit.empty() ? "" : fmt::format(" {}", column.unit);
-        const std::string expected =
-            fmt::format("a number from {} to {}{}", column.minimum, column.maximum, unit);
+        const std::string expected = column.expectation();
         const std::optional<double> value = csv_.number(cell, diagnostics_, expected);
         if (value && (*value < column.minimum || *value > column.maximum))
             diagnostics_.push_back(csv_.diagnostic(cell, expected));
@@ -152,13 +136,84 @@ class TrajectoryReader {
     }
 
     const irsg::CsvTable& csv_;
-    std::array<std::optional<std::size_t>, columnCount> places_;
+    const std::array<Column, Table::columnCount>& columns_ = Table::columns();
+    std::array<std::optional<std::size_t>, Table::columnCount> places_;
     std::size_t width_ = 0;
-    std::vector<TrajectoryPoint> points_;
+    Table table_;
     std::vector<irsg::Diagnostic> diagnostics_;
 };
 
+TrajectoryPoint pointOf(const Table::Row& row) {
+    return {.time_s = row[Table::time],
+            .pose = {{row[Table::x], row[Table::y], row[Table::z]},
+                     {irsg::radians(row[Table::yaw]), irsg::radians(row[Table::pitch]),
+                      irsg::radians(row[Table::roll])}},
+            .power = row[Table::power],
+            .mach = row[Table::mach]};
+}
+
+std::vector<TrajectoryPoint> pointsOf(const Table& table) {
+    std::vector<TrajectoryPoint> points;
+    std::transform(table.rows.begin(), table.rows.end(), std::back_inserter(points), pointOf);
+    return points;
+}
+
 } // namespace
+
+std::string TrajectoryColumn::header() const {
+    return unit.empty() ? std::string(name) : fmt::format("{} [{}]", name, unit);
+}
+
+std::string TrajectoryColumn::expectation() const {
+    return fmt::format("a number from {} to {}{}{}", minimum, maximum, unit.empty() ? "" : " ",
+                       unit);
+}
+
+const std::array<TrajectoryColumn, TrajectoryTable::columnCount>& TrajectoryTable::columns() {
+    static constexpr std::array<TrajectoryColumn, columnCount> all = {
+        {{"t", "s", -1e9, 1e9, true},
+         {"x", "m", -1e9, 1e9, true},
+         {"y", "m", -1e9, 1e9, true},
+         {"z", "m", -1e9, 1e9, true},
+         {"yaw", "deg", -360, 360, true},
+         {"pitch", "deg", -90, 90, true},
+         {"roll", "deg", -360, 360, true},
+         {"power", "", 0, 1e6, false},
+         {"mach", "", 0, 30, false}}};
+    return all;
+}
+
+bool TrajectoryTable::has(Column column) const {
+    return column == power ? hasPower : column == mach ? hasMach : true;
+}
+
+TrajectoryTable TrajectoryTable::read(const std::filesystem::path& file) {
+    return TrajectoryReader(irsg::CsvTable::read(file)).read();
+}
+
+TrajectoryTable TrajectoryTable::parse(std::string_view text, const std::string& name) {
+    return TrajectoryReader(irsg::CsvTable::parse(text, name)).read();
+}
+
+std::string TrajectoryTable::text() const {
+    std::string text;
+    for (const std::string& remark : remarks)
+        text += remark + "\n";
+    const auto addLine = [&](const auto& cell) {
+        std::string line;
+        for (std::size_t i = 0; i < columnCount; ++i)
+            if (has(static_cast<Column>(i)))
+                line += (i == 0 ? "" : ",") + cell(i);
+        text += line + "\n";
+    };
+    addLine([](std::size_t i) { return columns()[i].header(); });
+    for (const Row& row : rows)
+        addLine([&](std::size_t i) { return fmt::format("{}", row[i]); });
+    return text;
+}
+
+Trajectory::Trajectory(const TrajectoryTable& table)
+    : Trajectory(pointsOf(table), table.hasPower, table.hasMach) {}
 
 Trajectory::Trajectory(const irsg::Pose& pose, double power, double mach)
     : points_({{.time_s = 0.0, .pose = pose, .power = power, .mach = mach}}), standsStill_(true) {}
@@ -174,11 +229,11 @@ Trajectory::Trajectory(std::vector<TrajectoryPoint> points, bool hasPower, bool 
 }
 
 Trajectory Trajectory::read(const std::filesystem::path& file) {
-    return TrajectoryReader(irsg::CsvTable::read(file)).read();
+    return Trajectory(TrajectoryTable::read(file));
 }
 
 Trajectory Trajectory::parse(std::string_view text, const std::string& name) {
-    return TrajectoryReader(irsg::CsvTable::parse(text, name)).read();
+    return Trajectory(TrajectoryTable::parse(text, name));
 }
 
 std::optional<TrajectoryPoint> Trajectory::at(double time_s, bool hold) const {

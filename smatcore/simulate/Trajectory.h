@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,6 +21,39 @@ struct TrajectoryPoint {
     bool operator==(const TrajectoryPoint&) const = default;
 };
 
+/// A column of a trajectory: its header, the range of its numbers, and whether it must be there.
+struct TrajectoryColumn {
+    std::string_view name, unit;
+    double minimum, maximum;
+    bool isRequired;
+    /// "t [s]", "power".
+    std::string header() const;
+    /// "a number from -360 to 360 deg".
+    std::string expectation() const;
+};
+
+/// The rows of a trajectory's file, as it has them: the numbers that are edited. Those of power and
+/// mach are 0 where there is no such column.
+struct TrajectoryTable {
+    enum Column { time, x, y, z, yaw, pitch, roll, power, mach, columnCount };
+    using Row = std::array<double, columnCount>;
+
+    std::vector<std::string> remarks = {}; ///< lines of the file that begin with #, whole
+    std::vector<Row> rows = {};            ///< times ascend strictly; at least one
+    bool hasPower = false, hasMach = false;
+
+    static const std::array<TrajectoryColumn, columnCount>& columns();
+    bool has(Column column) const;
+
+    /// See Trajectory::read.
+    static TrajectoryTable read(const std::filesystem::path& file);
+    static TrajectoryTable parse(std::string_view text, const std::string& name);
+    /// The text of a file with these rows, the remarks first; reads back equal.
+    std::string text() const;
+
+    bool operator==(const TrajectoryTable&) const = default;
+};
+
 /// The path of an entity or a sensor. Between two points position, power and mach go linearly; yaw
 /// and roll each take the shorter way round, so that 350 to 10 degrees passes 0. The angles are
 /// interpolated one by one: near a pitch of 90 degrees points must lie close to each other.
@@ -29,6 +63,9 @@ class Trajectory {
     explicit Trajectory(const irsg::Pose& pose, double power = 0.0, double mach = 0.0);
     /// LogicError for no points and for times that do not ascend.
     Trajectory(std::vector<TrajectoryPoint> points, bool hasPower, bool hasMach);
+
+    /// LogicError as above.
+    explicit Trajectory(const TrajectoryTable& table);
 
     /// Reads a CSV with the columns `t [s]`, `x [m]`, `y [m]`, `z [m]` (east, north, altitude of
     /// the origin), `yaw [deg]`, `pitch [deg]`, `roll [deg]` and, where they are wanted, `power`

@@ -40,6 +40,18 @@ TEST(Trajectory, GivesItsPointsBackExactly) {
     }
 }
 
+TEST(TrajectoryTable, IsWrittenWithItsRemarksAndReadsBackEqual) {
+    const std::string text = "# One flight.\n# source: radar\n"
+                             "t [s],x [m],y [m],z [m],yaw [deg],pitch [deg],roll [deg],mach\n"
+                             "0,0.1,-2e-07,1000,350,-10,0.3,0.4\n4,8,-10,1400,10,10,20,0.8\n";
+    const TrajectoryTable table = TrajectoryTable::parse(text, "t.csv");
+    EXPECT_EQ(table.text(), text);
+    EXPECT_FALSE(table.hasPower);
+    EXPECT_EQ(TrajectoryTable::parse(table.text(), "t.csv"), table);
+    // What is flown is the same to the last bit.
+    EXPECT_EQ(Trajectory(table).points(), Trajectory::parse(text, "t.csv").points());
+}
+
 struct TurnRow {
     const char* name;
     double from_deg, to_deg, quarter_deg;
