@@ -9,6 +9,7 @@
 #include <QToolBar>
 
 #include "gui/CommandPalette.h"
+#include "gui/DocumentPage.h"
 #include "gui/HelpDialogs.h"
 #include "gui/MainDialogs.h"
 #include "gui/PageTabs.h"
@@ -65,7 +66,7 @@ void MainMenus::makeFileMenu(QMenu* menu) {
         [this] { with_.files.newProject(); });
     auto* open = add(menu, "openProject", "open", tr("&Open…"), QKeySequence::Open,
                      [this] { with_.opening.choose(); });
-    open->setToolTip(tr("Open a project, a model, a result or an image (Ctrl+O)"));
+    open->setToolTip(tr("Open a project, a model, a scenario, a result or an image (Ctrl+O)"));
     add(menu, "openModel", "model", tr("Open &model…"),
         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), [this] { with_.files.chooseModel(); });
     auto* recent = menu->addMenu(icon("recent"), tr("Open &recent"));
@@ -74,20 +75,29 @@ void MainMenus::makeFileMenu(QMenu* menu) {
     auto* samplesMenu = menu->addMenu(icon("model"), tr("Sam&ples"));
     samplesMenu->setObjectName("samples");
     for (const Sample& sample : samples()) {
-        auto* action = samplesMenu->addAction(
-            sample.title, this, [this, file = sample.project] { with_.files.open(file); });
+        auto* action = samplesMenu->addAction(sample.title, this, [this, file = sample.project] {
+            with_.opening.open({QString::fromStdString(file.string())});
+        });
         action->setToolTip(sample.words);
     }
     samplesMenu->setEnabled(!samplesMenu->isEmpty());
     menu->addSeparator();
-    auto* save = add(menu, "saveProject", "save", tr("&Save project"), QKeySequence::Save,
-                     [this] { with_.files.save(); });
+    auto* save = add(menu, "saveProject", "save", tr("&Save project"), QKeySequence::Save, [this] {
+        if (DocumentPage* shown = with_.tabs.shownDocument())
+            shown->save();
+        else
+            with_.files.save();
+    });
     save->setIconText(tr("Save"));
     save->setToolTip(tr("Save the project (Ctrl+S)"));
-    auto* saveAs =
-        add(menu, "saveProjectAs", {}, tr("Save project &as…"),
-            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { with_.files.saveAs(); });
-    needProject_ = {save, saveAs};
+    auto* saveAs = add(menu, "saveProjectAs", {}, tr("Save project &as…"),
+                       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] {
+                           if (DocumentPage* shown = with_.tabs.shownDocument())
+                               shown->saveAs();
+                           else
+                               with_.files.saveAs();
+                       });
+    saves_ = {save, saveAs};
     needProject_.append(add(menu, "projectProperties", {}, tr("Project proper&ties…"),
                             QKeySequence(Qt::ALT | Qt::Key_Return),
                             [this] { with_.ask.showProjectProperties(); }));
@@ -241,7 +251,7 @@ void MainMenus::fillRecent(QMenu* menu) {
         const bool exists = QFileInfo::exists(file);
         auto* action = menu->addAction(
             QStringLiteral("&%1  %2").arg(number++).arg(QString(file).replace('&', "&&")), this,
-            [this, file] { with_.files.open(file.toStdString()); });
+            [this, file] { with_.opening.open({file}); });
         action->setEnabled(exists);
         if (!exists)
             action->setText(action->text() + tr("  (not there)"));
@@ -271,6 +281,14 @@ void MainMenus::refresh() {
                               page->resultIds().size() == 1);
     for (auto* action : needProject_)
         action->setEnabled(with_.workbench.hasProject());
+    const bool ofPage = with_.tabs.shownDocument() != nullptr;
+    for (auto* action : saves_)
+        action->setEnabled(ofPage || with_.workbench.hasProject());
+    saves_.front()->setText(ofPage ? tr("&Save scenario") : tr("&Save project"));
+    saves_.front()->setIconText(tr("Save"));
+    saves_.front()->setToolTip(ofPage ? tr("Save the scenario that is shown (Ctrl+S)")
+                                      : tr("Save the project (Ctrl+S)"));
+    saves_.back()->setText(ofPage ? tr("Save scenario &as…") : tr("Save project &as…"));
     const DatabaseSession& database = with_.workbench.database();
     saveDatabase_->setEnabled(database.isOpen() && database.isDirty() &&
                               database.access() == DatabaseSession::Access::edit);

@@ -75,6 +75,7 @@ class MainMenus : public QObject {
     QAction* saveDatabaseAs_ = nullptr;
     QAction* keepAnalysis_ = nullptr;
     QMenu* ofProject_ = nullptr;
+    QList<QAction*> saves_; ///< of the project, or of the file of the page that is shown
     QList<QAction*> needProject_;
     std::map<AnalysisKind, QAction*> analyses_;
 };

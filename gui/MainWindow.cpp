@@ -22,6 +22,7 @@
 #include "gui/project/FileOpening.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/SceneTreeDock.h"
+#include "gui/scenario/ScenarioPages.h"
 #include "gui/settings/SettingsDialog.h"
 #include "gui/start/StartPage.h"
 #include "gui/view/LoadingBar.h"
@@ -45,7 +46,9 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     makeCentre();
     ask_ = new MainDialogs(*this, workbench_, dialogs_, preferences_, *files_, *tabs_);
     makeDocks();
-    opening_ = new FileOpening(this, workbench_, dialogs_, *files_, *images_, *results_);
+    auto* scenarios = new ScenarioPages(workbench_, dialogs_, *tabs_);
+    opening_ =
+        new FileOpening(this, workbench_, dialogs_, *files_, *images_, *results_, *scenarios);
     layout_ = new WindowLayout(*this);
     menus_ = new MainMenus({*this, workbench_, dialogs_, *ask_, *files_, *opening_, *tabs_,
                             *images_, view_, *results_, *databaseDock_, *layout_});
@@ -209,7 +212,7 @@ void MainWindow::makeStartPage() {
     start_ = new StartPage(tabs_->widget(0));
     start_->setRecentFiles(workbench_.recentFiles());
     connect(start_, &StartPage::fileChosen, this,
-            [this](const QString& file) { open(file.toStdString()); });
+            [this](const QString& file) { opening_->open({file}); });
     connect(start_, &StartPage::modelWanted, files_, &ProjectFiles::chooseModel);
     connect(start_, &StartPage::projectWanted, files_, &ProjectFiles::newProject);
     connect(start_, &StartPage::openWanted, opening_, &FileOpening::choose);
@@ -301,7 +304,7 @@ ComparisonWindow* MainWindow::compareResults(int a, int b) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!files_->settle()) {
+    if (!tabs_->mayCloseAll() || !files_->settle()) {
         event->ignore();
         return;
     }

@@ -2,6 +2,7 @@
 
 #include <QTabBar>
 
+#include "gui/DocumentPage.h"
 #include "gui/Exportable.h"
 #include "gui/Sentences.h"
 #include "gui/Theme.h"
@@ -26,10 +27,7 @@ void PageTabs::setFirst(QWidget* page, const QString& title) {
     addTab(page, icon("axes"), title);
     for (const auto side : {QTabBar::LeftSide, QTabBar::RightSide})
         tabBar()->setTabButton(0, side, nullptr);
-    connect(this, &QTabWidget::tabCloseRequested, this, [this](int index) {
-        if (index > 0)
-            delete widget(index);
-    });
+    connect(this, &QTabWidget::tabCloseRequested, this, &PageTabs::close);
     letShownPageAloneAskForRoom(*this);
     connect(this, &QTabWidget::currentChanged, this, &PageTabs::shownChanged);
 }
@@ -47,9 +45,25 @@ ResultPage* PageTabs::currentResult() const {
     return qobject_cast<ResultPage*>(currentWidget());
 }
 
-void PageTabs::closeShown() {
-    if (mayCloseShown())
-        delete currentWidget();
+DocumentPage* PageTabs::shownDocument() const {
+    return dynamic_cast<DocumentPage*>(currentWidget());
+}
+
+void PageTabs::close(int index) {
+    if (index <= 0)
+        return;
+    auto* document = dynamic_cast<DocumentPage*>(widget(index));
+    if (document == nullptr || document->mayClose())
+        delete widget(index);
+}
+
+bool PageTabs::mayCloseAll() const {
+    for (int i = 1; i < count(); ++i) {
+        auto* document = dynamic_cast<DocumentPage*>(widget(i));
+        if (document != nullptr && !document->mayClose())
+            return false;
+    }
+    return true;
 }
 
 bool PageTabs::mayExportShown() const {

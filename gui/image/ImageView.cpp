@@ -66,6 +66,19 @@ void ImageView::setImage(std::shared_ptr<const irsg::RadianceImage> image,
             [this](std::shared_ptr<const irsg::RadianceImage> with) { adopt(std::move(with)); });
 }
 
+void ImageView::setFrame(std::shared_ptr<const irsg::RadianceImage> image) {
+    if (image_ == nullptr || image == nullptr || image->empty() ||
+        image->width() != image_->width() || image->height() != image_->height()) {
+        setImage(std::move(image));
+        return;
+    }
+    temperatureTask_.cancel();
+    adopt(std::move(image));
+    showPlane();
+    if (const auto pixel = canvas_->cursorPixel())
+        readout_->setText(readoutAt(pixel->x(), pixel->y()));
+}
+
 void ImageView::adopt(std::shared_ptr<const irsg::RadianceImage> image) {
     const int shown = plane_->currentIndex();
     image_ = isColorPicture(*image) ? withLuminance(*image) : std::move(image);

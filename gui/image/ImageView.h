@@ -41,6 +41,9 @@ class ImageView : public QWidget, public Exportable {
     void setImage(std::shared_ptr<const irsg::RadianceImage> image,
                   const std::optional<irsg::Band>& band = {});
     void setImage(irsg::RadianceImage image, const std::optional<irsg::Band>& band = {});
+    /// The next of a row of images: plane, zoom, rectangle and limits that were chosen stay as they
+    /// are, and the last picture stands until this one has its colours.
+    void setFrame(std::shared_ptr<const irsg::RadianceImage> image);
     const irsg::RadianceImage& image() const { return *image_; }
     /// A line over exported pictures, and the name that is suggested for files.
     void setTitle(const QString& title) { title_ = title; }

@@ -10,11 +10,13 @@
 #include "gui/image/ImagePages.h"
 #include "gui/plot/ResultPlot.h"
 #include "gui/project/ProjectFiles.h"
+#include "gui/scenario/ScenarioPages.h"
 
 namespace smat::gui {
 
 FileOpening::FileOpening(QWidget* window, const Workbench& workbench, Dialogs& dialogs,
-                         ProjectFiles& projects, ImagePages& images, ResultsDock& results)
+                         ProjectFiles& projects, ImagePages& images, ResultsDock& results,
+                         ScenarioPages& scenarios)
     : QObject(window),
       window_(window),
       workbench_(workbench),
@@ -22,6 +24,8 @@ FileOpening::FileOpening(QWidget* window, const Workbench& workbench, Dialogs& d
       projects_(projects),
       images_(images),
       results_(results) {
+    openWith({"json"},
+             [&scenarios](const std::filesystem::path& file) { return scenarios.open(file); });
     openWith({"csv", "json", "exr", "txt", "dat"},
              [this](const std::filesystem::path& file) { return results_.openResult(file); });
 }
@@ -84,10 +88,10 @@ void FileOpening::overlayResultsFrom(std::size_t first) {
 void FileOpening::choose() {
     const QString models = ProjectFiles::modelPatterns(), images = readableImagePatterns();
     const QString file = dialogs_.openFile(
-        window_, tr("Open a project, a model, a result or an image"),
+        window_, tr("Open a project, a model, a scenario, a result or an image"),
         {tr("All that can be opened (%1)").arg("*.smat " + models + " *.json " + images),
-         tr("Projects (*.smat)"), tr("Models (%1)").arg(models), tr("Results (*.csv *.json *.exr)"),
-         tr("Images (%1)").arg(images), tr("All files (*)")});
+         tr("Projects (*.smat)"), tr("Models (%1)").arg(models), tr("Scenarios (*.json)"),
+         tr("Results (*.csv *.json *.exr)"), tr("Images (%1)").arg(images), tr("All files (*)")});
     if (!file.isEmpty())
         open({file});
 }

@@ -15,6 +15,7 @@ namespace smat::gui {
 class ImagePages;
 class ProjectFiles;
 class ResultsDock;
+class ScenarioPages;
 class Workbench;
 
 /// Opens files of any kind, each by what it is, wherever they come from: a dialog, a drop, the
@@ -25,13 +26,14 @@ class FileOpening : public QObject {
   public:
     using Opener = std::function<bool(const std::filesystem::path&)>;
     FileOpening(QWidget* window, const Workbench& workbench, Dialogs& dialogs,
-                ProjectFiles& projects, ImagePages& images, ResultsDock& results);
+                ProjectFiles& projects, ImagePages& images, ResultsDock& results,
+                ScenarioPages& scenarios);
 
     /// Who opens files of other kinds: asked in turn for a file with one of these suffixes ("exr")
     /// until one answers true.
     void openWith(const QStringList& suffixes, Opener opener);
-    /// One image as a page or two as a comparison, saved results, of which several plots are
-    /// overlaid as well, else a project or a model.
+    /// A scenario as a page, one image as a page or two as a comparison, saved results, of which
+    /// several plots are overlaid as well, else a project or a model.
     void open(const QStringList& files);
     /// Asks which one.
     void choose();

@@ -13,6 +13,7 @@ namespace {
 
 struct Named {
     const char *folder, *title, *words;
+    const char* extension = ".smat"; ///< of the file that is opened
 };
 constexpr std::array known{
     Named{"heron", QT_TRANSLATE_NOOP("Samples", "Patrol aircraft"),
@@ -25,6 +26,9 @@ constexpr std::array known{
           QT_TRANSLATE_NOOP("Samples", "Sky, terrain and sun in one picture")},
     Named{"ship", QT_TRANSLATE_NOOP("Samples", "Ship"),
           QT_TRANSLATE_NOOP("Samples", "A day at sea: night, noon and two crossovers")},
+    Named{"flyby", QT_TRANSLATE_NOOP("Samples", "Fly-by"),
+          QT_TRANSLATE_NOOP("Samples", "A scenario: two aircraft seen by two sensors over time"),
+          ".json"},
     Named{"sphere", QT_TRANSLATE_NOOP("Samples", "Sphere"),
           QT_TRANSLATE_NOOP("Samples", "Every number has a closed form")},
 };
@@ -65,7 +69,7 @@ std::vector<Sample> samples() {
     std::vector<Sample> list;
     for (const Named& one : known) {
         const std::filesystem::path own = folder / one.folder;
-        const std::filesystem::path project = own / (std::string(one.folder) + ".smat");
+        const std::filesystem::path project = own / (std::string(one.folder) + one.extension);
         std::error_code failure;
         if (!folder.empty() && std::filesystem::exists(project, failure))
             list.push_back({QCoreApplication::translate("Samples", one.title),

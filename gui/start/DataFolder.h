@@ -12,11 +12,11 @@ namespace smat::gui {
 /// Empty where it is nowhere.
 std::filesystem::path dataFolder(const std::filesystem::path& name);
 
-/// A project that comes with the program.
+/// A project or a scenario that comes with the program.
 struct Sample {
     QString title;                 ///< "Patrol aircraft"
     QString words;                 ///< what it is good for, one line
-    std::filesystem::path project; ///< its .smat
+    std::filesystem::path project; ///< its .smat, or the .json of a scenario
     std::filesystem::path picture;
 };
 /// Those that are there, the one to begin with first.

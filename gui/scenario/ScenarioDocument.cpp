@@ -1,0 +1,236 @@
+#include "gui/scenario/ScenarioDocument.h"
+
+#include <algorithm>
+
+#include <QUndoCommand>
+#include <nlohmann/json.hpp>
+
+#include "gui/start/DataFolder.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/simulate/ScenarioFile.h"
+#include "smatcore/support/TextFile.h"
+
+namespace smat::gui {
+namespace {
+
+/// No scenario is longer; results in JSON may be.
+constexpr std::uintmax_t longestScenario_B = 16 << 20;
+
+/// Calls `use` with every path of a trajectory in a scenario.
+template <typename Scenario, typename Use>
+void eachTrajectory(Scenario& scenario, const Use& use) {
+    for (auto& entity : scenario.entities)
+        if (!entity.trajectory.empty())
+            use(entity.trajectory);
+    for (auto& sensor : scenario.sensors)
+        if (sensor.mount == MountKind::trajectory)
+            use(sensor.trajectory);
+}
+
+EditedScenario readAll(const std::filesystem::path& file) {
+    EditedScenario read{loadScenario(file), {}};
+    std::vector<irsg::Diagnostic> diagnostics;
+    eachTrajectory(read.scenario, [&](const std::filesystem::path& path) {
+        const std::filesystem::path at = read.scenario.resolve(path);
+        if (read.trajectories.contains(at))
+            return;
+        try {
+            read.trajectories[at] = TrajectoryTable::read(at);
+        } catch (const irsg::InputError& error) {
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
+            read.trajectories[at] = {}; // said once
+        }
+    });
+    if (!diagnostics.empty())
+        throw irsg::InputError(diagnostics);
+    return read;
+}
+
+/// "far.csv", or "far-2.csv" where that holds something else than these rows.
+std::filesystem::path freePlace(const std::filesystem::path& wanted, const TrajectoryTable& table,
+                                const EditedTrajectories& taken) {
+    std::filesystem::path place = wanted;
+    for (int number = 2;; ++number) {
+        std::error_code failure;
+        const bool exists = std::filesystem::exists(place, failure);
+        if (!taken.contains(place) && (!exists || readTextFile(place) == table.text()))
+            return place;
+        place = wanted.parent_path() / (wanted.stem().string() + "-" + std::to_string(number) +
+                                        wanted.extension().string());
+    }
+}
+
+} // namespace
+
+const TrajectoryTable* EditedScenario::table(const std::filesystem::path& file) const {
+    const auto found = trajectories.find(scenario.resolve(file));
+    return found == trajectories.end() ? nullptr : &found->second;
+}
+
+/// All of it before and after.
+class ScenarioDocument::Command : public QUndoCommand {
+  public:
+    Command(std::shared_ptr<ScenarioDocument*> document, QUndoStack& stack,
+            std::shared_ptr<const EditedScenario> before, EditedScenario after)
+        : document_(std::move(document)),
+          stack_(stack),
+          before_(std::move(before)),
+          after_(std::make_shared<const EditedScenario>(std::move(after))) {}
+    void undo() override {
+        if (*document_ != nullptr)
+            (*document_)->apply(*before_);
+        else
+            passOn(&QUndoStack::undo);
+    }
+    void redo() override {
+        if (*document_ != nullptr)
+            (*document_)->apply(*after_);
+        else
+            passOn(&QUndoStack::redo);
+    }
+
+  private:
+    /// What was closed is neither undone nor done again: the step before it is.
+    void passOn(void (QUndoStack::*next)()) {
+        setObsolete(true);
+        QMetaObject::invokeMethod(
+            &stack_, [stack = &stack_, next] { (stack->*next)(); }, Qt::QueuedConnection);
+    }
+
+    std::shared_ptr<ScenarioDocument*> document_;
+    QUndoStack& stack_;
+    std::shared_ptr<const EditedScenario> before_, after_;
+};
+
+ScenarioDocument::ScenarioDocument(const std::filesystem::path& file, QUndoStack& undoStack,
+                                   QObject* parent)
+    : QObject(parent),
+      undoStack_(undoStack),
+      now_(std::make_shared<const EditedScenario>(
+          readAll(std::filesystem::absolute(file).lexically_normal()))),
+      saved_(*now_),
+      self_(std::make_shared<ScenarioDocument*>(this)) {
+    noteStamps();
+}
+
+ScenarioDocument::~ScenarioDocument() {
+    *self_ = nullptr;
+}
+
+void ScenarioDocument::edit(EditedScenario after, const QString& step) {
+    if (after == *now_)
+        return;
+    auto* command = new Command(self_, undoStack_, now_, std::move(after));
+    command->setText(step);
+    undoStack_.push(command);
+}
+
+void ScenarioDocument::change(const QString& step,
+                              const std::function<void(EditedScenario&)>& edit) {
+    EditedScenario after = *now_;
+    edit(after);
+    this->edit(std::move(after), step);
+}
+
+void ScenarioDocument::apply(const EditedScenario& state) {
+    take(state.scenario.file == file() ? state : movedTo(state, file()));
+}
+
+void ScenarioDocument::take(EditedScenario state) {
+    now_ = std::make_shared<const EditedScenario>(std::move(state));
+    emit changed();
+    emit stateChanged();
+}
+
+EditedScenario ScenarioDocument::movedTo(const EditedScenario& state,
+                                         const std::filesystem::path& file) const {
+    EditedScenario moved;
+    moved.scenario = scenarioFromJson(scenarioToJson(state.scenario, file), file);
+    for (const auto& [at, table] : state.trajectories) {
+        const auto place = moved_.find(at);
+        moved.trajectories[place == moved_.end() ? at : place->second] = table;
+    }
+    eachTrajectory(moved.scenario, [&](std::filesystem::path& path) {
+        const auto place = moved_.find(moved.scenario.resolve(path));
+        if (place != moved_.end())
+            path = place->second.lexically_relative(file.parent_path());
+    });
+    return moved;
+}
+
+bool ScenarioDocument::isChangedOnDisk() const {
+    return std::ranges::any_of(stamps_, [](const auto& stamp) {
+        const auto now = irsg::stampOf(stamp.first);
+        return now && now != stamp.second;
+    });
+}
+
+void ScenarioDocument::noteStamps() {
+    stamps_.clear();
+    const auto note = [&](const std::filesystem::path& at) {
+        if (const auto stamp = irsg::stampOf(at))
+            stamps_[at] = *stamp;
+    };
+    note(file());
+    for (const auto& [at, table] : now_->trajectories)
+        note(at);
+}
+
+void ScenarioDocument::save() {
+    saveAs(file());
+}
+
+void ScenarioDocument::saveAs(const std::filesystem::path& file) {
+    const auto absolute = std::filesystem::absolute(file).lexically_normal();
+    requireOwnPlace(absolute);
+    const bool staysHere = absolute.parent_path() == this->file().parent_path();
+    const auto movedBefore = moved_;
+    EditedTrajectories written;
+    for (const auto& [at, table] : now_->trajectories) {
+        if (!staysHere) {
+            // It comes along.
+            const auto place = freePlace(absolute.parent_path() / at.filename(), table, written);
+            moved_[at] = place;
+            written[place] = table;
+        } else if (!saved_.trajectories.contains(at) || saved_.trajectories.at(at) != table) {
+            requireOwnPlace(at);
+            written[at] = table;
+        }
+    }
+    try {
+        EditedScenario moved = movedTo(*now_, absolute);
+        for (const auto& [at, table] : written)
+            writeTextFile(at, table.text());
+        saveScenario(moved.scenario, absolute);
+        saved_ = moved;
+        take(std::move(moved));
+    } catch (const irsg::InputError&) {
+        moved_ = movedBefore;
+        throw;
+    }
+    noteStamps();
+    emit stateChanged();
+}
+
+bool ScenarioDocument::isScenario(const std::filesystem::path& file) {
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(file, failure) ||
+        std::filesystem::file_size(file, failure) > longestScenario_B)
+        return false;
+    std::string text;
+    try {
+        text = readTextFile(file);
+    } catch (const irsg::InputError&) {
+        return false;
+    }
+    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    // One with a fault in its writing is still what it was meant to be.
+    if (json.is_discarded())
+        return text.find("\"entities\"") != std::string::npos &&
+               text.find("\"sensors\"") != std::string::npos;
+    return json.is_object() &&
+           (json.contains("entities") || json.contains("sensors") || json.contains("dt_s"));
+}
+
+} // namespace smat::gui

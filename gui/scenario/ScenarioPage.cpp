@@ -1,0 +1,318 @@
+#include "gui/scenario/ScenarioPage.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "gui/FlowBar.h"
+#include "gui/Readable.h"
+#include "gui/Sentences.h"
+#include "gui/Widgets.h"
+#include "gui/Workbench.h"
+#include "gui/image/ColorBar.h"
+#include "gui/image/ImageView.h"
+#include "gui/scenario/PlanView.h"
+#include "gui/scenario/PresentTable.h"
+#include "gui/scenario/TimeLine.h"
+#include "gui/start/DataFolder.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/settings/SettingKeys.h"
+
+namespace smat::gui {
+namespace {
+
+/// From this width on the panels stand beside the picture, below it before.
+constexpr int wide_px = 980;
+
+QStringList scenarioFilters() {
+    return {ScenarioPage::tr("Scenarios (*.json)"), ScenarioPage::tr("All files (*)")};
+}
+
+} // namespace
+
+ScenarioPage::ScenarioPage(std::unique_ptr<ScenarioDocument> document, Workbench& workbench,
+                           Dialogs dialogs, QWidget* parent)
+    : QWidget(parent),
+      document_(std::move(document)),
+      workbench_(workbench),
+      dialogs_(std::move(dialogs)),
+      pictures_(new ScenarioPictures(workbench.models(), this)) {
+    setObjectName("scenarioPage");
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Window);
+    makeParts();
+    connectParts();
+    followDocument();
+    setFocusProxy(timeLine_);
+}
+
+ScenarioPage::~ScenarioPage() = default;
+
+void ScenarioPage::makeParts() {
+    image_ = new ImageView(this, dialogs_);
+    notice_ = new QLabel(this);
+    notice_->setObjectName("scenarioNotice");
+    notice_->setWordWrap(true);
+    notice_->setAlignment(Qt::AlignCenter);
+    notice_->setForegroundRole(QPalette::PlaceholderText);
+    notice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    notice_->setMinimumSize(200, 160);
+    notice_->setText(tr("Reading the models…"));
+    image_->hide();
+    timeLine_ = new TimeLine(this);
+    present_ = new PresentTable(this);
+    plan_ = new PlanView(this);
+    notes_ = new QLabel(this);
+    notes_->setObjectName("scenarioNotes");
+    notes_->setWordWrap(true);
+    notes_->setForegroundRole(QPalette::PlaceholderText);
+    notes_->hide();
+
+    auto* now = new QWidget(this);
+    auto* nowColumn = new QVBoxLayout(now);
+    nowColumn->setContentsMargins(0, 0, 0, 0);
+    nowColumn->setSpacing(0);
+    halves_ = new QSplitter(Qt::Vertical, now);
+    halves_->setChildrenCollapsible(false);
+    halves_->addWidget(plan_);
+    nowColumn->addWidget(halves_, 1);
+    nowColumn->addWidget(notes_);
+    panels_ = new QTabWidget(this);
+    panels_->setObjectName("scenarioPanels");
+    panels_->setDocumentMode(true);
+    panels_->addTab(present_, tr("Entities"));
+    panels_->addTab(now, tr("Plan"));
+    letShownPageAloneAskForRoom(*panels_);
+
+    auto* left = new QWidget(this);
+    auto* column = new QVBoxLayout(left);
+    column->setContentsMargins(0, 6, 0, 0);
+    column->setSpacing(2);
+    auto* bar = makeBar();
+    bar->setContentsMargins(10, 0, 10, 0);
+    column->addWidget(bar);
+    column->addWidget(image_, 1);
+    column->addWidget(notice_, 1);
+    column->addWidget(timeLine_);
+    parts_ = new QSplitter(Qt::Vertical, this);
+    parts_->setObjectName("scenarioParts");
+    parts_->setChildrenCollapsible(false);
+    parts_->addWidget(left);
+    parts_->addWidget(panels_);
+    parts_->setStretchFactor(0, 3);
+    parts_->setStretchFactor(1, 2);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(parts_);
+}
+
+FlowBar* ScenarioPage::makeBar() {
+    sensor_ = new QComboBox(this);
+    sensor_->setObjectName("scenarioSensor");
+    sensor_->setToolTip(tr("Sensor whose picture is shown"));
+    sensor_->setAccessibleName(tr("Sensor"));
+    sensor_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    band_ = new QComboBox(this);
+    band_->setObjectName("scenarioBand");
+    band_->setToolTip(tr("Band of the sensor"));
+    band_->setAccessibleName(tr("Band"));
+    band_->hide();
+    auto* flow = new FlowBar(this);
+    auto* label = new QLabel(tr("Sensor"), this);
+    label->setBuddy(sensor_);
+    flow->first()->addWidget(label);
+    flow->first()->addWidget(sensor_);
+    flow->first()->addWidget(band_);
+    return flow;
+}
+
+void ScenarioPage::connectParts() {
+    connect(document_.get(), &ScenarioDocument::changed, this, &ScenarioPage::followDocument);
+    connect(document_.get(), &ScenarioDocument::stateChanged, this,
+            [this] { emit titleChanged(title()); });
+    connect(timeLine_, &TimeLine::stepChanged, this, &ScenarioPage::ask);
+    connect(timeLine_, &TimeLine::playingChanged, this, [this] {
+        if (!pictures_->isBusy())
+            timeLine_->shown();
+    });
+    connect(sensor_, &QComboBox::activated, this, &ScenarioPage::ask);
+    connect(band_, &QComboBox::activated, this, &ScenarioPage::ask);
+    connect(pictures_, &ScenarioPictures::drawn, this, &ScenarioPage::show);
+    connect(pictures_, &ScenarioPictures::failed, this, &ScenarioPage::tellProblems);
+}
+
+void ScenarioPage::followDocument() {
+    const Scenario& scenario = document_->scenario();
+    const int shown = std::max(sensor_->currentIndex(), 0);
+    sensor_->clear();
+    for (const ScenarioSensor& sensor : scenario.sensors)
+        sensor_->addItem(textOf(sensor.name));
+    sensor_->setCurrentIndex(std::min(shown, sensor_->count() - 1));
+    displayedSensor_.reset();
+    pictures_->setScenario(document_->now());
+    plan_->setScenario(document_->now());
+    timeLine_->setTimes(scenario.times_s());
+    ask();
+}
+
+std::size_t ScenarioPage::shownSensor() const {
+    return static_cast<std::size_t>(std::max(sensor_->currentIndex(), 0));
+}
+
+void ScenarioPage::showSensor(std::size_t sensor) {
+    sensor_->setCurrentIndex(static_cast<int>(sensor));
+    ask();
+}
+
+void ScenarioPage::ask() {
+    plan_->setMoment(timeLine_->time_s(), shownSensor(),
+                     picture_.settings[key::sensorFov]);
+    pictures_->ask({.sensor = shownSensor(),
+                    .band = static_cast<std::size_t>(std::max(band_->currentIndex(), 0)),
+                    .step = timeLine_->step(),
+                    .time_s = timeLine_->time_s()});
+}
+
+void ScenarioPage::show(const ScenarioPicture& picture) {
+    picture_ = picture;
+    refreshBands(picture);
+    plan_->setMoment(picture.moment.time_s, picture.moment.sensor,
+                     picture.settings[key::sensorFov]);
+    present_->showMoment(document_->scenario(), picture);
+    notes_->setText(picture.notes.join('\n'));
+    notes_->setVisible(!picture.notes.isEmpty());
+    image_->setVisible(picture.shown != nullptr);
+    notice_->setVisible(picture.shown == nullptr);
+    if (picture.shown != nullptr) {
+        image_->setTitle(picture.title);
+        image_->setFrame(picture.shown);
+        image_->setConditions(picture.title + "   " + picture.conditions);
+        if (displayedSensor_ != picture.moment.sensor)
+            useDisplay(picture.settings);
+        displayedSensor_ = picture.moment.sensor;
+    } else {
+        notice_->setText(
+            tr("There is no picture at this time: the sensor, what carries it or what it follows "
+               "is not there."));
+    }
+    if (picture.moment.step == timeLine_->step())
+        timeLine_->shown();
+}
+
+void ScenarioPage::useDisplay(const Settings& settings) {
+    image_->setColorMap(settings.text(key::displayColorMap));
+    image_->setColorScale(irsg::colorScaleNamed(settings.text(key::displayScale)),
+                          settings[key::displayMarkOutside]);
+    const auto low = settings[key::displayMinimum], high = settings[key::displayMaximum];
+    ColorBar& bar = *image_->colorBar();
+    if (low && high && *low < *high) {
+        irsg::DisplayLimits limits = bar.limits();
+        limits.low = *low;
+        limits.high = *high;
+        bar.edit(limits);
+    }
+}
+
+void ScenarioPage::refreshBands(const ScenarioPicture& picture) {
+    const int count = static_cast<int>(picture.bandCount);
+    if (band_->count() != count || displayedSensor_ != picture.moment.sensor) {
+        band_->clear();
+        const QStringList names = textOf(picture.settings.text(key::sensorBand)).split(',');
+        for (int i = 0; i < count; ++i)
+            band_->addItem(i < names.size() && names.size() == count
+                               ? tr("%1 µm").arg(names[i].trimmed())
+                               : tr("Band %1").arg(i + 1));
+        band_->setCurrentIndex(static_cast<int>(picture.moment.band));
+    }
+    band_->setVisible(count > 1);
+}
+
+void ScenarioPage::tellProblems(const QStringList& sentences) {
+    timeLine_->pause();
+    image_->hide();
+    notice_->show();
+    notice_->setText(tr("This cannot be drawn:") + "\n" + sentences.join('\n'));
+    emit said(sentences.join("   "));
+}
+
+QString ScenarioPage::title() const {
+    return textOf(document_->scenario().displayName()) + (document_->isModified() ? " *" : "");
+}
+
+bool ScenarioPage::save() {
+    if (isOfSample(document_->file()))
+        return saveAs();
+    if (document_->isModified() && document_->isChangedOnDisk() &&
+        dialogs_.ask(this, tr("The file has changed"),
+                     tr("Another program has changed the scenario or one of its trajectories since "
+                        "it was read."),
+                     {tr("Save mine over it"), tr("Cancel")}) != 0)
+        return false;
+    return saveTo(document_->file());
+}
+
+bool ScenarioPage::saveAs() {
+    const QString file =
+        dialogs_.saveFile(this, tr("Save the scenario"), scenarioFilters(),
+                          textOf(ownPlaceOf(document_->file())));
+    return !file.isEmpty() && saveTo(file.toStdString());
+}
+
+bool ScenarioPage::saveTo(const std::filesystem::path& file) {
+    try {
+        document_->saveAs(file);
+        emit said(tr("Saved %1").arg(textOf(file)));
+        rememberFile(document_->file());
+        return true;
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(this, tr("This scenario cannot be saved"), sentencesOf(error));
+        return false;
+    }
+}
+
+bool ScenarioPage::mayClose() {
+    if (!document_->isModified())
+        return true;
+    const int answer = dialogs_.ask(
+        this, tr("Unsaved scenario"),
+        tr("%1 has edits that are not saved.").arg(textOf(document_->scenario().displayName())),
+        {tr("Save"), tr("Discard"), tr("Cancel")});
+    return answer == 1 || (answer == 0 && save());
+}
+
+QStringList ScenarioPage::exportFilters() const {
+    return picture_.shown != nullptr ? image_->exportFilters() : QStringList();
+}
+
+void ScenarioPage::exportTo(const std::filesystem::path& file) const {
+    image_->exportTo(file);
+}
+
+void ScenarioPage::keyPressEvent(QKeyEvent* event) {
+    // What the parts leave is for the line of time.
+    if (event->modifiers() != Qt::NoModifier || !timeLine_->takesKey(event->key()))
+        QWidget::keyPressEvent(event);
+}
+
+void ScenarioPage::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const auto wanted = width() >= wide_px ? Qt::Horizontal : Qt::Vertical;
+    if (parts_->orientation() == wanted)
+        return;
+    parts_->setOrientation(wanted);
+    // Below the plan where there is room, else beside it.
+    if (wanted == Qt::Horizontal) {
+        halves_->addWidget(present_);
+        halves_->setStretchFactor(0, 3);
+        halves_->setStretchFactor(1, 1);
+        present_->show();
+    } else {
+        panels_->insertTab(0, present_, tr("Entities"));
+    }
+}
+
+} // namespace smat::gui

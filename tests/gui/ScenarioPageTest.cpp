@@ -1,0 +1,159 @@
+#include <QComboBox>
+#include <QLabel>
+#include <QSlider>
+#include <QTableWidget>
+#include <QToolButton>
+
+#include "gui/RecentFiles.h"
+#include "gui/image/ColorBar.h"
+#include "gui/image/ImageCanvas.h"
+#include "gui/image/ImageView.h"
+#include "gui/scenario/PlanView.h"
+#include "irsg/image/ExrFile.h"
+#include "tests/cli/Program.h"
+#include "tests/gui/ScenarioFixture.h"
+
+namespace smat::gui {
+namespace {
+
+class ScenarioPageTest : public test::ScenarioFixture {
+  protected:
+    static QString cell(ScenarioPage& page, int row, int column) {
+        return page.findChild<QTableWidget*>("entitiesNow")->item(row, column)->text();
+    }
+    static void press(ScenarioPage& page, Qt::Key key) {
+        QTest::keyClick(page.findChild<QSlider*>("timeSlider"), key);
+    }
+};
+
+TEST_F(ScenarioPageTest, EveryPictureEqualsTheFrameOfSmatBatch) {
+    ScenarioPage* page = openScenario();
+    ASSERT_NE(page, nullptr);
+    const auto ran = smat::test::smatBatch({"simulate", "pass.json", "--out", "out"}, folder);
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    int frames = 0;
+    for (const std::size_t sensor : {0U, 1U}) {
+        page->showSensor(sensor);
+        for (std::size_t step = 0; step < page->timeLine().times_s().size(); ++step) {
+            page->timeLine().setStep(step);
+            ASSERT_TRUE(settles(*page));
+            const ScenarioPicture& picture = page->picture();
+            ASSERT_EQ(picture.moment.step, step);
+            ASSERT_EQ(picture.moment.sensor, sensor);
+            ASSERT_NE(picture.image, nullptr);
+            char name[40];
+            std::snprintf(name, sizeof name, "frame_%06zu.exr", step);
+            irsg::RadianceImage ofBatch =
+                irsg::readExr(folder / "out" / (sensor == 0 ? "mwir" : "lwir") / name);
+            ofBatch.attributes.erase("command");
+            const irsg::RadianceImage ofWindow = *picture.image;
+            irsg::writeExr(ofWindow, folder / "window.exr");
+            irsg::writeExr(ofBatch, folder / "batch.exr");
+            EXPECT_TRUE(smat::test::contentOf(folder / "window.exr") ==
+                        smat::test::contentOf(folder / "batch.exr"))
+                << name;
+            ++frames;
+        }
+    }
+    EXPECT_EQ(frames, 18);
+}
+
+TEST_F(ScenarioPageTest, KeysStepAndPlayTheLineOfTime) {
+    ScenarioPage* page = openScenario();
+    ASSERT_NE(page, nullptr);
+    TimeLine& line = page->timeLine();
+    press(*page, Qt::Key_Right);
+    press(*page, Qt::Key_Right);
+    EXPECT_EQ(line.step(), 2U);
+    press(*page, Qt::Key_Left);
+    EXPECT_EQ(line.step(), 1U);
+    press(*page, Qt::Key_End);
+    EXPECT_EQ(line.time_s(), 2.0);
+    press(*page, Qt::Key_Home);
+    EXPECT_EQ(line.step(), 0U);
+    page->findChild<QComboBox*>("speed")->setCurrentIndex(1);
+    std::vector<std::size_t> seen;
+    QObject::connect(&line, &TimeLine::stepChanged, page, [&] { seen.push_back(line.step()); });
+    press(*page, Qt::Key_Space);
+    EXPECT_TRUE(line.isPlaying());
+    ASSERT_TRUE(test::waitUntil([&] { return !line.isPlaying(); }));
+    EXPECT_EQ(seen, (std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8}));
+    EXPECT_EQ(page->picture().moment.step, 8U);
+    // In real time it takes as long as the scenario, whatever the number of pictures.
+    page->findChild<QComboBox*>("speed")->setCurrentIndex(0);
+    QElapsedTimer clock;
+    clock.start();
+    page->findChild<QToolButton*>("play")->click();
+    ASSERT_TRUE(test::waitUntil([&] { return !line.isPlaying(); }));
+    EXPECT_EQ(line.step(), 8U);
+    EXPECT_GE(clock.elapsed(), 1990);
+}
+
+TEST_F(ScenarioPageTest, TheTableFollowsTheTime) {
+    ScenarioPage* page = openScenario();
+    ASSERT_NE(page, nullptr);
+    EXPECT_EQ(cell(*page, 0, 0), "mover");
+    EXPECT_EQ(cell(*page, 0, 5), "0.2");
+    press(*page, Qt::Key_End);
+    ASSERT_TRUE(settles(*page));
+    EXPECT_EQ(cell(*page, 0, 5), "1");
+    EXPECT_EQ(cell(*page, 0, 7), "52");
+    EXPECT_NEAR(cell(*page, 0, 1).toDouble(), 100.2, 0.1);
+    EXPECT_GT(cell(*page, 0, 2).toDouble(), 0.0);
+    EXPECT_GT(cell(*page, 1, 4).toDouble(), 1.0);
+}
+
+TEST_F(ScenarioPageTest, ScrubbingShowsTheLastStepAndBlocksNothing) {
+    ScenarioPage* page = openScenario();
+    ASSERT_NE(page, nullptr);
+    int drawn = 0;
+    auto* pictures = page->findChild<ScenarioPictures*>();
+    QObject::connect(pictures, &ScenarioPictures::drawn, page, [&] { ++drawn; });
+    auto* slider = page->findChild<QSlider*>("timeSlider");
+    for (int round = 0; round < 20; ++round) {
+        slider->setValue(round % 2 == 0 ? 8 : 3);
+    }
+    ASSERT_TRUE(settles(*page));
+    EXPECT_EQ(page->picture().moment.step, 3U);
+    EXPECT_LE(drawn, 3); // the one under way and the last
+}
+
+TEST_F(ScenarioPageTest, AScenarioIsRememberedAndOpenedOnce) {
+    ScenarioPage* page = openScenario();
+    ASSERT_NE(page, nullptr);
+    EXPECT_EQ(recentFiles().front(), QString::fromStdString((folder / "pass.json").string()));
+    trigger("openProject");
+    EXPECT_EQ(shownPage(), page);
+    EXPECT_EQ(window->findChildren<ScenarioPage*>().size(), 1);
+    // A fault is told with its place, and nothing is opened.
+    write("bad.json", R"({"version": 1, "dt_s": 1, "end_s": "x", "entities": [], "sensors": []})");
+    chosen = QString::fromStdString((folder / "bad.json").string());
+    trigger("openProject");
+    EXPECT_TRUE(told.join('\n').contains("end_s")) << told.join('\n').toStdString();
+    EXPECT_EQ(window->findChildren<ScenarioPage*>().size(), 1);
+}
+
+TEST_F(ScenarioPageTest, TheSampleOpensFromTheStartPageWithItsColours) {
+    window->findChild<QToolButton*>("sample-flyby")->click();
+    ScenarioPage* page = shownPage();
+    ASSERT_NE(page, nullptr);
+    page->timeLine().setStep(10);
+    ASSERT_TRUE(settles(*page));
+    ASSERT_NE(page->picture().image, nullptr);
+    EXPECT_EQ(page->imageView().colorMap().name(), "ironbow");
+    EXPECT_EQ(page->imageView().colorBar()->limits().low, 0.8);
+    EXPECT_EQ(page->imageView().colorBar()->limits().high, 3.0);
+    test::keepScreenshot(*window, "scenario");
+    page->findChild<QTabWidget*>("scenarioPanels")->setCurrentIndex(1);
+    QTest::qWait(50);
+    test::keepScreenshot(*window, "scenario-plan");
+    page->showSensor(1);
+    ASSERT_TRUE(settles(*page));
+    EXPECT_EQ(page->imageView().colorBar()->limits().high, 36.0);
+    window->resize(1900, 1000);
+    QTest::qWait(100);
+    test::keepScreenshot(*window, "scenario-wide");
+}
+
+} // namespace
+} // namespace smat::gui
