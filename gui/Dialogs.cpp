@@ -40,6 +40,9 @@ Dialogs Dialogs::ofDesktop() {
             QFileDialog::getSaveFileName(parent, title, suggestion, filters.join(";;"), &chosen);
         return withSuffix(file, chosen);
     };
+    dialogs.chooseFolder = [](QWidget* parent, const QString& title, const QString& suggestion) {
+        return QFileDialog::getExistingDirectory(parent, title, suggestion);
+    };
     dialogs.tell = [](QWidget* parent, const QString& title, const QStringList& sentences) {
         QMessageBox box(QMessageBox::Warning, title, sentences.mid(0, 8).join("\n\n"),
                         QMessageBox::Ok, parent);

@@ -18,6 +18,9 @@ struct Dialogs {
     std::function<QString(QWidget* parent, const QString& title, const QStringList& filters,
                           const QString& suggestion)>
         saveFile;
+    /// Asks for a folder to write into; empty for none.
+    std::function<QString(QWidget* parent, const QString& title, const QString& suggestion)>
+        chooseFolder = [](QWidget*, const QString&, const QString&) { return QString(); };
     /// Says what went wrong, one sentence each.
     std::function<void(QWidget* parent, const QString& title, const QStringList& sentences)> tell;
     /// Asks a question; the number of the answer, -1 where it was closed without one.

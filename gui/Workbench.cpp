@@ -43,7 +43,7 @@ Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent,
         const auto asker = askers_.find(number);
         if (result.monteCarlo)
             results_.add(result.monteCarlo, asker != askers_.end() && !asker->second.isNull());
-        else
+        else if (result.data)
             results_.add(result.data);
     });
     connect(&results_, &ResultStore::added, this, &Workbench::resultAdded);
@@ -252,6 +252,14 @@ int Workbench::start(const MonteCarloData& asked, QObject* asker) {
     if (asker != nullptr)
         askers_[number] = asker;
     return number;
+}
+
+int Workbench::start(SimulationOrder order) {
+    // Frames are those that a terminal gives: of databases as they are saved.
+    return jobs_.add({.analysis = {},
+                      .monteCarlo = {},
+                      .simulation = std::make_shared<const SimulationOrder>(std::move(order))},
+                     {});
 }
 
 void Workbench::saveResults() {

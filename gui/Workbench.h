@@ -87,6 +87,8 @@ class Workbench : public QObject {
     /// one runs. Returns its number. An `asker` that is still there then shows the result itself.
     int start(AnalysisData data);
     int start(const MonteCarloData& asked, QObject* asker = nullptr);
+    /// The same for the frames of a scenario, of which jobs().finished() tells.
+    int start(SimulationOrder order);
     /// Whether a job runs or waits.
     bool isRunning() const { return jobs_.isBusy(); }
     JobQueue& jobs() { return jobs_; }

@@ -36,6 +36,9 @@ AnalysisJob::AnalysisJob(JobOrder order, std::shared_ptr<AnalysisEngine> engine,
 }
 
 QString AnalysisJob::titleOf(const JobOrder& order) {
+    if (order.simulation)
+        return tr("Scenario: %1")
+            .arg(QString::fromStdString(order.simulation->scenario.displayName()));
     const AnalysisData& data = order.analysis;
     const bool unnamed = data.name.empty() || data.name == smat::name(data.kind);
     const QString what = QString::fromStdString(unnamed ? smat::title(data.kind) : data.name);
@@ -83,14 +86,16 @@ void AnalysisJob::work(std::stop_token stop) {
     try {
         if (!engine_->source)
             engine_->source = engine_->makeSource();
-        outcome.result = order_.monteCarlo ? drawScales(progress, stop) : analyse(progress, stop);
+        outcome.result = order_.simulation   ? simulate(progress, stop)
+                         : order_.monteCarlo ? drawScales(progress, stop)
+                                             : analyse(progress, stop);
     } catch (const irsg::InputError& error) {
         outcome.sentences << sentencesOf(error);
     } catch (const std::exception& error) {
         outcome.ourFault = true;
         outcome.sentences << QString::fromLocal8Bit(error.what());
     }
-    if (outcome.sentences.isEmpty() && !outcome.result.data)
+    if (outcome.sentences.isEmpty() && outcome.result.isEmpty())
         outcome.sentences << (stop.stop_requested()
                                   ? tr("Cancelled before the first case was done.")
                                   : tr("The analysis gave no result."));
@@ -101,7 +106,7 @@ void AnalysisJob::work(std::stop_token stop) {
             working_ = false;
             if (!answered_)
                 answer(outcome);
-            else if (outcome.result.monteCarlo)
+            else if (outcome.result.monteCarlo || outcome.result.simulation)
                 emit finished(outcome.result);
             emit ended();
         },
@@ -129,6 +134,13 @@ JobResult AnalysisJob::analyse(const ProgressCallback& progress, std::stop_token
     if (data.image.empty() && data.table.empty())
         return {};
     return {std::make_shared<const AnalysisData>(std::move(data))};
+}
+
+JobResult AnalysisJob::simulate(const ProgressCallback& progress, std::stop_token stop) {
+    return {.data = {},
+            .monteCarlo = {},
+            .simulation = std::make_shared<const SimulationOutcome>(runSimulationOrder(
+                *order_.simulation, engine_->scenes, *engine_->source, progress, std::move(stop)))};
 }
 
 JobResult AnalysisJob::drawScales(const ProgressCallback& progress, std::stop_token stop) {
@@ -159,7 +171,7 @@ void AnalysisJob::keep(const AnalysisData& data, const Progress& now) {
 AnalysisJob::Outcome AnalysisJob::keptSoFar() {
     const std::lock_guard lock(kept_.mutex);
     AnalysisData data = kept_.data;
-    if (data.table.empty() || data.kind->form == AnalysisForm::image)
+    if (order_.simulation || data.table.empty() || data.kind->form == AnalysisForm::image)
         return {.result = {}, .sentences = {tr("Cancelled before the first case was done.")}};
     // What the run itself says of a stop between two cases.
     data.state = AnalysisState::partial;

@@ -10,6 +10,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include "gui/scenario/SimulationOrder.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/MonteCarlo.h"
@@ -27,24 +28,28 @@ struct AnalysisEngine {
     SceneBuilder scenes;
 };
 
-/// What is asked of a job: an analysis, or with options the Monte Carlo run of one.
+/// What is asked of a job: an analysis, with options the Monte Carlo run of one, or the frames of a
+/// scenario.
 struct JobOrder {
     AnalysisData analysis;
     std::optional<MonteCarloOptions> monteCarlo = {};
+    std::shared_ptr<const SimulationOrder> simulation = {};
 };
 
-/// What came of one; `data` is never null, `monteCarlo` holds it where it was such a run.
+/// What came of one: `simulation`, or `data`, which `monteCarlo` holds where it was such a run.
 struct JobResult {
     std::shared_ptr<const AnalysisData> data = {};
     std::shared_ptr<const MonteCarloData> monteCarlo = {};
+    std::shared_ptr<const SimulationOutcome> simulation = {};
+    bool isEmpty() const { return !data && !simulation; }
 };
 
 /// One run of AnalysisGenerator or MonteCarlo in a thread of its own. Its signals arrive in the
 /// thread that made it. A cancel is answered within a moment: by the run itself where a case ends
 /// in that time, else by the cases done so far, and the drawing under way is left to end by itself;
-/// its engine is then not free before `ended`. What a Monte Carlo run had drawn until then comes
-/// with another `finished`, after its answer. Destroying a job asks it to stop and waits for the
-/// drawing under way.
+/// its engine is then not free before `ended`. What a Monte Carlo run or a scenario had drawn until
+/// then comes with another `finished`, after its answer. Destroying a job asks it to stop and waits
+/// for the drawing under way.
 class AnalysisJob : public QObject {
     Q_OBJECT
 
@@ -93,6 +98,7 @@ class AnalysisJob : public QObject {
     };
     void work(std::stop_token stop);
     JobResult analyse(const ProgressCallback& progress, std::stop_token stop);
+    JobResult simulate(const ProgressCallback& progress, std::stop_token stop);
     JobResult drawScales(const ProgressCallback& progress, std::stop_token stop);
     void keep(const AnalysisData& data, const Progress& now);
     Outcome keptSoFar();

@@ -50,9 +50,8 @@ void PresentTable::showMoment(const Scenario& scenario, const ScenarioPicture& p
         };
         put(textOf(scenario.entities[i].name));
         const auto& at = i < picture.entities.size() ? picture.entities[i] : std::nullopt;
-        const auto object = i < picture.objects.size()
-                                ? picture.objects[i]
-                                : std::optional<irsg::ObjectRadiometry>();
+        const auto object = i < picture.objects.size() ? picture.objects[i]
+                                                       : std::optional<irsg::ObjectRadiometry>();
         const auto number = [](bool isThere, double value) {
             return isThere ? readableNumber(value) : QStringLiteral("–");
         };

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QSplitter>
 #include <QTabWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "gui/FlowBar.h"
@@ -15,8 +16,10 @@
 #include "gui/Workbench.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageView.h"
+#include "gui/scenario/FramesPanel.h"
 #include "gui/scenario/PlanView.h"
 #include "gui/scenario/PresentTable.h"
+#include "gui/scenario/RunScenarioDialog.h"
 #include "gui/scenario/TimeLine.h"
 #include "gui/start/DataFolder.h"
 #include "irsg/radiometry/Errors.h"
@@ -86,6 +89,8 @@ void ScenarioPage::makeParts() {
     panels_->setDocumentMode(true);
     panels_->addTab(present_, tr("Entities"));
     panels_->addTab(now, tr("Plan"));
+    frames_ = new FramesPanel(dialogs_, this);
+    panels_->addTab(frames_, tr("Frames"));
     letShownPageAloneAskForRoom(*panels_);
 
     auto* left = new QWidget(this);
@@ -127,6 +132,10 @@ FlowBar* ScenarioPage::makeBar() {
     flow->first()->addWidget(label);
     flow->first()->addWidget(sensor_);
     flow->first()->addWidget(band_);
+    run_ = textButton(tr("Write frames…"), "runScenario",
+                      tr("Write the frames and tables of all sensors into a folder, as smat-batch "
+                         "simulate does"));
+    flow->second()->addWidget(run_);
     return flow;
 }
 
@@ -139,7 +148,24 @@ void ScenarioPage::connectParts() {
         if (!pictures_->isBusy())
             timeLine_->shown();
     });
-    connect(sensor_, &QComboBox::activated, this, &ScenarioPage::ask);
+    connect(sensor_, &QComboBox::activated, this, [this] { showSensor(shownSensor()); });
+    connect(run_, &QToolButton::clicked, this, &ScenarioPage::run);
+    connect(frames_, &FramesPanel::frameChosen, this,
+            [this](std::size_t, std::size_t band, std::size_t number) {
+                band_->setCurrentIndex(static_cast<int>(band));
+                timeLine_->pause();
+                timeLine_->setStep(number);
+                ask();
+            });
+    JobQueue& jobs = workbench_.jobs();
+    connect(&jobs, &JobQueue::finished, this, [this](int number, const JobResult& result) {
+        if (number == job_ && result.simulation)
+            takeOutcome(result.simulation);
+    });
+    connect(&jobs, &JobQueue::failed, this, [this](int number, const QStringList& sentences) {
+        if (number == job_)
+            frames_->say(sentences.join('\n'));
+    });
     connect(band_, &QComboBox::activated, this, &ScenarioPage::ask);
     connect(pictures_, &ScenarioPictures::drawn, this, &ScenarioPage::show);
     connect(pictures_, &ScenarioPictures::failed, this, &ScenarioPage::tellProblems);
@@ -165,12 +191,12 @@ std::size_t ScenarioPage::shownSensor() const {
 
 void ScenarioPage::showSensor(std::size_t sensor) {
     sensor_->setCurrentIndex(static_cast<int>(sensor));
+    frames_->showSensor(sensor);
     ask();
 }
 
 void ScenarioPage::ask() {
-    plan_->setMoment(timeLine_->time_s(), shownSensor(),
-                     picture_.settings[key::sensorFov]);
+    plan_->setMoment(timeLine_->time_s(), shownSensor(), picture_.settings[key::sensorFov]);
     pictures_->ask({.sensor = shownSensor(),
                     .band = static_cast<std::size_t>(std::max(band_->currentIndex(), 0)),
                     .step = timeLine_->step(),
@@ -239,6 +265,25 @@ void ScenarioPage::tellProblems(const QStringList& sentences) {
     emit said(sentences.join("   "));
 }
 
+void ScenarioPage::run() {
+    const auto state = document_->now();
+    RunScenarioDialog dialog(*state, !document_->isModified(), dialogs_, this);
+    if (!dialogs_.run(dialog))
+        return;
+    timeLine_->pause();
+    frames_->say(tr("The frames are being written; the bar below says how far."));
+    panels_->setCurrentWidget(frames_);
+    job_ = workbench_.start(dialog.order());
+}
+
+void ScenarioPage::takeOutcome(const std::shared_ptr<const SimulationOutcome>& outcome) {
+    frames_->setOutcome(outcome, textOf(image_->colorMap().name()));
+    frames_->showSensor(shownSensor());
+    panels_->setCurrentWidget(frames_);
+    emit said(
+        tr("Wrote %1 frames to %2").arg(outcome->frames.size()).arg(textOf(outcome->order.folder)));
+}
+
 QString ScenarioPage::title() const {
     return textOf(document_->scenario().displayName()) + (document_->isModified() ? " *" : "");
 }
@@ -256,9 +301,8 @@ bool ScenarioPage::save() {
 }
 
 bool ScenarioPage::saveAs() {
-    const QString file =
-        dialogs_.saveFile(this, tr("Save the scenario"), scenarioFilters(),
-                          textOf(ownPlaceOf(document_->file())));
+    const QString file = dialogs_.saveFile(this, tr("Save the scenario"), scenarioFilters(),
+                                           textOf(ownPlaceOf(document_->file())));
     return !file.isEmpty() && saveTo(file.toStdString());
 }
 

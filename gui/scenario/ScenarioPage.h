@@ -8,15 +8,18 @@
 #include "gui/DocumentPage.h"
 #include "gui/Exportable.h"
 #include "gui/scenario/ScenarioPictures.h"
+#include "gui/scenario/SimulationOrder.h"
 
 class QComboBox;
 class QLabel;
 class QSplitter;
 class QTabWidget;
+class QToolButton;
 
 namespace smat::gui {
 
 class FlowBar;
+class FramesPanel;
 class ImageView;
 class PlanView;
 class PresentTable;
@@ -68,6 +71,9 @@ class ScenarioPage : public QWidget, public Exportable, public DocumentPage {
     void useDisplay(const Settings& settings);
     void refreshBands(const ScenarioPicture& picture);
     void tellProblems(const QStringList& sentences);
+    /// Asks what is to be written and puts it in the line of jobs.
+    void run();
+    void takeOutcome(const std::shared_ptr<const SimulationOutcome>& outcome);
     bool saveTo(const std::filesystem::path& file);
 
     std::unique_ptr<ScenarioDocument> document_;
@@ -87,6 +93,9 @@ class ScenarioPage : public QWidget, public Exportable, public DocumentPage {
     QComboBox* sensor_ = nullptr;
     QComboBox* band_ = nullptr;
     QLabel* notes_ = nullptr;
+    QToolButton* run_ = nullptr;
+    FramesPanel* frames_ = nullptr;
+    int job_ = 0; ///< of this page, as it runs or waits
 };
 
 } // namespace smat::gui

@@ -1,5 +1,8 @@
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QSlider>
 #include <QTableWidget>
 #include <QToolButton>
@@ -8,6 +11,7 @@
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageView.h"
+#include "gui/plot/CartesianPlot.h"
 #include "gui/scenario/PlanView.h"
 #include "irsg/image/ExrFile.h"
 #include "tests/cli/Program.h"
@@ -153,6 +157,101 @@ TEST_F(ScenarioPageTest, TheSampleOpensFromTheStartPageWithItsColours) {
     window->resize(1900, 1000);
     QTest::qWait(100);
     test::keepScreenshot(*window, "scenario-wide");
+}
+
+/// All files below a folder, by their names in it.
+std::map<std::string, std::string> filesIn(const std::filesystem::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) {
+            files[entry.path().lexically_relative(folder).string()] =
+                smat::test::contentOf(entry.path());
+        }
+    }
+    return files;
+}
+
+TEST_F(ScenarioPageTest, WhatTheWindowWritesEqualsSmatBatchByteForByte) {
+    ScenarioPage* page = openScenario();
+    ASSERT_NE(page, nullptr);
+    const std::filesystem::path out = folder / "frames";
+    std::string command;
+    onDialog = [&](QDialog& dialog) {
+        dialog.findChild<QLineEdit*>("folder")->setText(QString::fromStdString(out.string()));
+        dialog.findChild<QCheckBox*>("form.png")->setChecked(true);
+        command = dialog.findChild<QLineEdit*>("commandLine")->text().toStdString();
+        test::keepScreenshot(dialog, "scenario-run");
+    };
+    page->findChild<QToolButton*>("runScenario")->click();
+    ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
+    ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    const auto ofWindow = filesIn(out);
+    std::filesystem::remove_all(out);
+    std::istringstream words(command);
+    std::vector<std::string> arguments;
+    for (std::string word; words >> word;) {
+        arguments.push_back(word);
+    }
+    arguments.erase(arguments.begin());
+    const auto ran = smat::test::smatBatch(arguments, folder);
+    ASSERT_EQ(ran.exitCode, 0) << command << ran.err;
+    const auto ofBatch = filesIn(out);
+    EXPECT_EQ(ofBatch.size(), 2U * (9U * 2U + 2U));
+    ASSERT_EQ(ofWindow.size(), ofBatch.size());
+    for (const auto& [name, content] : ofBatch) {
+        EXPECT_TRUE(ofWindow.at(name) == content) << name;
+    }
+}
+
+TEST_F(ScenarioPageTest, AFilmStripShowsTheFramesAndACurveTheTable) {
+    ScenarioPage* page = openScenario();
+    ASSERT_NE(page, nullptr);
+    onDialog = [&](QDialog& dialog) {
+        dialog.findChild<QLineEdit*>("folder")->setText(
+            QString::fromStdString((folder / "frames").string()));
+    };
+    page->findChild<QToolButton*>("runScenario")->click();
+    ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
+    auto* strip = page->findChild<QListWidget*>("filmStrip");
+    ASSERT_EQ(strip->count(), 9);
+    EXPECT_EQ(strip->item(3)->text(), "0.75 s");
+    strip->setCurrentRow(6);
+    ASSERT_TRUE(settles(*page));
+    EXPECT_EQ(page->picture().moment.step, 6U);
+    auto* plot = page->findChild<CartesianPlot*>();
+    ASSERT_EQ(plot->data().curves.size(), 2U);
+    EXPECT_EQ(plot->data().curves.front().x.size(), 9U);
+    EXPECT_EQ(plot->data().curves.front().x.back(), 2.0);
+    test::keepScreenshot(*window, "scenario-frames");
+    // The other sensor has a strip and curves of its own.
+    const double first = plot->data().curves.front().y[4];
+    page->showSensor(1);
+    EXPECT_EQ(strip->count(), 9);
+    EXPECT_NE(plot->data().curves.front().y[4], first);
+}
+
+TEST_F(ScenarioPageTest, ACancelledRunKeepsItsFrames) {
+    ScenarioPage* page = openScenario();
+    ASSERT_NE(page, nullptr);
+    onDialog = [&](QDialog& dialog) {
+        dialog.findChild<QLineEdit*>("folder")->setText(
+            QString::fromStdString((folder / "frames").string()));
+    };
+    page->findChild<QToolButton*>("runScenario")->click();
+    const auto frame = [&](int number) {
+        return folder / "frames/lwir" / ("frame_00000" + std::to_string(number) + ".exr");
+    };
+    ASSERT_TRUE(test::waitUntil([&] { return std::filesystem::exists(frame(1)); }));
+    workbench.cancel();
+    ASSERT_TRUE(test::waitUntil([&] { return !workbench.jobs().isWorking(); }));
+    QTest::qWait(50);
+    ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    EXPECT_FALSE(std::filesystem::exists(frame(8)));
+    EXPECT_NE(smat::test::contentOf(folder / "frames/lwir.csv").find("# state: partial"),
+              std::string::npos);
+    const auto* strip = page->findChild<QListWidget*>("filmStrip");
+    EXPECT_GE(strip->count(), 2);
+    EXPECT_LT(strip->count(), 9);
 }
 
 } // namespace

@@ -1,0 +1,179 @@
+#include "gui/scenario/FramesPanel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "gui/Readable.h"
+#include "gui/image/ColoredPlane.h"
+#include "gui/plot/CartesianPlot.h"
+#include "gui/plot/PlotPanel.h"
+#include "gui/plot/ResultPlot.h"
+#include "irsg/image/ImageStatistics.h"
+
+namespace smat::gui {
+namespace {
+
+constexpr QSize thumbnail(112, 84);
+enum Role { bandRole = Qt::UserRole, numberRole };
+
+QIcon pictureOf(const WrittenFrame& frame, const irsg::ColorMap& map,
+                const irsg::DisplayLimits& limits) {
+    ColoredPlane plane;
+    plane.setValues(frame.width, frame.height,
+                    std::make_shared<const std::vector<float>>(frame.values));
+    plane.setColors(map, limits);
+    return QPixmap::fromImage(
+        plane.picture().scaled(thumbnail, Qt::KeepAspectRatio, Qt::FastTransformation));
+}
+
+} // namespace
+
+FramesPanel::FramesPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent) {
+    setObjectName("framesPanel");
+    words_ = new QLabel(this);
+    words_->setObjectName("framesWords");
+    words_->setWordWrap(true);
+    words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    words_->setForegroundRole(QPalette::PlaceholderText);
+    words_->setContentsMargins(10, 6, 10, 2);
+    words_->setText(tr("Write frames to see them here."));
+    strip_ = new QListWidget(this);
+    strip_->setObjectName("filmStrip");
+    strip_->setAccessibleName(tr("Frames"));
+    strip_->setViewMode(QListView::IconMode);
+    strip_->setFlow(QListView::LeftToRight);
+    strip_->setWrapping(false);
+    strip_->setMovement(QListView::Static);
+    strip_->setIconSize(thumbnail);
+    strip_->setSpacing(4);
+    strip_->setUniformItemSizes(true);
+    strip_->setFrameShape(QFrame::NoFrame);
+    strip_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    strip_->setMinimumHeight(thumbnail.height() + 62);
+    strip_->setMaximumHeight(thumbnail.height() + 70);
+    strip_->hide();
+    quantity_ = new QComboBox(this);
+    quantity_->setObjectName("framesQuantity");
+    quantity_->setMinimumWidth(90);
+    quantity_->setToolTip(tr("Quantity that is drawn"));
+    plot_ = new PlotPanel(PlotKind::cartesian, std::move(dialogs), this);
+    plot_->addInFront(quantity_);
+    plot_->hide();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(words_);
+    column->addWidget(strip_);
+    column->addWidget(plot_, 1);
+    column->addStretch(0);
+    connect(strip_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+        if (item != nullptr)
+            emit frameChosen(sensor_, item->data(bandRole).toULongLong(),
+                             item->data(numberRole).toULongLong());
+    });
+    connect(quantity_, &QComboBox::activated, this, &FramesPanel::drawTable);
+}
+
+void FramesPanel::say(const QString& sentence) {
+    words_->setText(sentence);
+    words_->setVisible(!sentence.isEmpty());
+}
+
+void FramesPanel::setOutcome(std::shared_ptr<const SimulationOutcome> outcome,
+                             const QString& colorMap) {
+    outcome_ = std::move(outcome);
+    colorMap_ = colorMap;
+    std::size_t missing = 0;
+    for (const SensorResult& sensor : outcome_->result.sensors)
+        missing += sensor.framesMissing;
+    QStringList words{(outcome_->result.state == AnalysisState::complete
+                           ? tr("%1 frames in %2")
+                           : tr("Stopped: %1 frames in %2"))
+                          .arg(outcome_->frames.size())
+                          .arg(textOf(outcome_->order.folder))};
+    if (missing > 0)
+        words << tr("%1 steps have no frame: the sensor or what it follows was not there")
+                     .arg(missing);
+    for (const std::string& note : outcome_->notes)
+        words << textOf(note);
+    say(words.join('\n'));
+    showSensor(sensor_);
+}
+
+const SensorResult* FramesPanel::shownResult() const {
+    if (!outcome_)
+        return nullptr;
+    const auto found = std::ranges::find(outcome_->result.sensors, sensor_, &SensorResult::sensor);
+    return found == outcome_->result.sensors.end() ? nullptr : &*found;
+}
+
+void FramesPanel::showSensor(std::size_t sensor) {
+    sensor_ = sensor;
+    if (!outcome_)
+        return;
+    fillStrip();
+    const SensorResult* result = shownResult();
+    const bool hasRows = result != nullptr && !result->table.empty();
+    plot_->setVisible(hasRows);
+    if (!hasRows)
+        return;
+    const QString before = quantity_->currentData().toString();
+    quantity_->clear();
+    for (const std::string& key : plottableQuantities(result->table))
+        quantity_->addItem(quantityTitle(result->table, key), textOf(key));
+    quantity_->setCurrentIndex(std::max(quantity_->findData(before), 0));
+    drawTable();
+}
+
+void FramesPanel::fillStrip() {
+    const QSignalBlocker quiet(strip_);
+    strip_->clear();
+    // One scale for all frames of a band, so that what grows brighter is seen to.
+    std::vector<irsg::DisplayLimits> limits;
+    for (const WrittenFrame& frame : outcome_->frames) {
+        if (frame.sensor != sensor_ || frame.low > frame.high)
+            continue;
+        if (limits.size() <= frame.band)
+            limits.resize(frame.band + 1, {.low = INFINITY, .high = -INFINITY});
+        limits[frame.band].low = std::min(limits[frame.band].low, frame.low);
+        limits[frame.band].high = std::max(limits[frame.band].high, frame.high);
+    }
+    std::vector<std::vector<std::span<const float>>> shown(limits.size());
+    for (const WrittenFrame& frame : outcome_->frames)
+        if (frame.sensor == sensor_ && frame.band < limits.size())
+            shown[frame.band].emplace_back(frame.values);
+    for (std::size_t band = 0; band < limits.size(); ++band) {
+        if (!(limits[band].low < limits[band].high))
+            limits[band].high = limits[band].low + 1.0;
+        limits[band] = limits[band].with(irsg::ColorScale::automatic, shown[band]);
+    }
+    const irsg::ColorMap& map = irsg::ColorMap::named(colorMap_.toStdString());
+    for (const WrittenFrame& frame : outcome_->frames) {
+        if (frame.sensor != sensor_ || frame.band >= limits.size())
+            continue;
+        auto* item = new QListWidgetItem(pictureOf(frame, map, limits[frame.band]),
+                                         tr("%1 s").arg(frame.time_s, 0, 'g', 6), strip_);
+        item->setData(bandRole, static_cast<qulonglong>(frame.band));
+        item->setData(numberRole, static_cast<qulonglong>(frame.number));
+        item->setToolTip(tr("Frame %1").arg(frame.number, 6, 10, QChar('0')));
+    }
+    strip_->setVisible(strip_->count() > 0);
+}
+
+void FramesPanel::drawTable() {
+    const SensorResult* result = shownResult();
+    if (result == nullptr || result->table.empty())
+        return;
+    PlotData data = cartesianData({{textOf(result->name), &result->table, true}},
+                                  quantity_->currentData().toString().toStdString());
+    plot_->cartesian()->setData(std::move(data));
+    plot_->refresh();
+}
+
+} // namespace smat::gui

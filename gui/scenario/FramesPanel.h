@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+
+#include <QWidget>
+
+#include "gui/Dialogs.h"
+#include "gui/scenario/SimulationOrder.h"
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QVBoxLayout;
+
+namespace smat::gui {
+
+class PlotPanel;
+
+/// What a run of a scenario wrote: the frames of one sensor as a film strip in one scale of
+/// colours, and its table as curves over time.
+class FramesPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit FramesPanel(Dialogs dialogs, QWidget* parent = nullptr);
+
+    void setOutcome(std::shared_ptr<const SimulationOutcome> outcome, const QString& colorMap);
+    const SimulationOutcome* outcome() const { return outcome_.get(); }
+    /// Of the scenario.
+    void showSensor(std::size_t sensor);
+    /// What is to be said of the run.
+    void say(const QString& sentence);
+
+  signals:
+    void frameChosen(std::size_t sensor, std::size_t band, std::size_t number);
+
+  private:
+    void fillStrip();
+    void drawTable();
+    const SensorResult* shownResult() const;
+
+    std::shared_ptr<const SimulationOutcome> outcome_;
+    QString colorMap_;
+    std::size_t sensor_ = 0;
+    QLabel* words_ = nullptr;
+    QListWidget* strip_ = nullptr;
+    QComboBox* quantity_ = nullptr;
+    PlotPanel* plot_ = nullptr;
+};
+
+} // namespace smat::gui
