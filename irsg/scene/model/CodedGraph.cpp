@@ -11,11 +11,12 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/DrawablePolygons.h"
+#include "irsg/scene/model/GeometryCollector.h"
 #include "irsg/scene/model/IrCodes.h"
 #include "irsg/scene/model/MaterialNames.h"
 #include "irsg/scene/model/ModelLoader.h"
 #include "irsg/scene/model/PaintedGrid.h"
-#include "irsg/scene/model/Triangulation.h"
+#include "irsg/scene/model/PolygonPlace.h"
 
 namespace irsg {
 namespace {
@@ -51,31 +52,6 @@ class NamedVisitor : public osg::NodeVisitor {
     Visit visit_;
     osg::Matrixd matrix_;
 };
-
-/// Where a polygon is, for all that is asked of it by place.
-struct Face {
-    osg::Vec3d point, normal; ///< a point inside; unit normal
-    double area = 0.0;
-    Triangulation cut;
-};
-
-Face faceOf(const std::vector<PolygonCorner>& corners) {
-    Face face;
-    face.cut = triangulate(corners);
-    face.normal = face.cut.normal;
-    face.area = face.cut.area;
-    double largest = -1.0;
-    for (const auto& triangle : face.cut.triangles) {
-        const osg::Vec3d &a = corners[triangle[0]].position, &b = corners[triangle[1]].position,
-                         &c = corners[triangle[2]].position;
-        const double area = ((b - a) ^ (c - a)).length();
-        if (area > largest) {
-            largest = area;
-            face.point = (a + b + c) / 3.0;
-        }
-    }
-    return face;
-}
 
 bool isPerSet(const osg::Array* array) {
     return array && array->getBinding() == osg::Array::BIND_PER_PRIMITIVE_SET;
@@ -205,13 +181,16 @@ class CodeGiver {
             return std::nullopt;
         const bool hasSets =
             isPerSet(geometry.getNormalArray()) || isPerSet(geometry.getColorArray());
+        const bool mirrored = mirrors(matrix);
         std::set<IrCodes> all;
         const auto each = [&](const auto& use) {
             forEachPolygon(geometry, name_, [&](std::vector<PolygonCorner>& corners) {
                 auto placed = corners;
                 for (PolygonCorner& corner : placed)
                     corner.position = corner.position * matrix;
-                const Face face = faceOf(placed);
+                if (mirrored)
+                    std::ranges::reverse(placed);
+                const PolygonPlace face = placeOf(placed);
                 const int surface =
                     face.cut.triangles.empty() ? -1 : grid_.find(face.point, face.normal);
                 const IrCodes given =
@@ -221,7 +200,7 @@ class CodeGiver {
                 use(given, corners, placed, face, surface);
             });
         };
-        each([&](const IrCodes& given, const auto&, const auto& placed, const Face& face,
+        each([&](const IrCodes& given, const auto&, const auto& placed, const PolygonPlace& face,
                  int surface) {
             all.insert(given);
             if (surface >= 0)
@@ -239,7 +218,7 @@ class CodeGiver {
                  "primitive sets",
                  "normals and colours for vertices; conversion by another program makes them"});
         GeometryCut cut(geometry);
-        each([&](const IrCodes& given, const auto& corners, const auto&, const Face&, int) {
+        each([&](const IrCodes& given, const auto& corners, const auto&, const PolygonPlace&, int) {
             cut.add(given, corners);
         });
         return cut;
@@ -310,7 +289,7 @@ NamesOfKinds namesIn(osg::Node& graph, const std::string& name) {
             forEachPolygon(geometry, name, [&](std::vector<PolygonCorner>& corners) {
                 for (PolygonCorner& corner : corners)
                     corner.position = corner.position * matrix;
-                faces.area += faceOf(corners).area;
+                faces.area += placeOf(corners).area;
                 ++faces.polygons;
             });
             const auto add = [&](CodeRule::Of of, const std::string& called) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <osg/Billboard>
 #include <osg/Camera>
@@ -74,13 +75,13 @@ osg::Vec3d transformNormal(const osg::Matrixd& m, const osg::Vec3d& n) {
     return r0 * (r1 ^ r2) < 0.0 ? -transformed : transformed;
 }
 
+} // namespace
+
 bool mirrors(const osg::Matrixd& m) {
     const osg::Vec3d r0(m(0, 0), m(0, 1), m(0, 2)), r1(m(1, 0), m(1, 1), m(1, 2)),
         r2(m(2, 0), m(2, 1), m(2, 2));
     return r0 * (r1 ^ r2) < 0.0;
 }
-
-} // namespace
 
 GeometryCollector::GeometryCollector(SurfaceMesh& mesh, const osg::Matrixd& toModel,
                                      const std::string& name, bool forceTwoSided)
@@ -231,10 +232,11 @@ void GeometryCollector::apply(osg::Drawable& drawable) {
             nowhere_ += polygonsOf(drawable);
             return;
         }
-        const auto& path = getNodePath();
-        const auto codes = codesOf(drawable, {path.begin(), path.end() - 1});
+        const std::vector<osg::Node*> path(getNodePath().begin(), getNodePath().end() - 1);
+        const auto codes = codesOf(drawable, path);
+        first_ = true;
         withoutArea_ += forEachPolygon(*geometry, name_, [&](std::vector<PolygonCorner>& corners) {
-            addPolygon(codes, corners);
+            addPolygon(drawable, path, codes, corners);
         });
         for (unsigned int i = 0; i < geometry->getNumPrimitiveSets(); ++i)
             if (geometry->getPrimitiveSet(i)->getMode() >= GL_TRIANGLES)
@@ -242,7 +244,9 @@ void GeometryCollector::apply(osg::Drawable& drawable) {
     });
 }
 
-void GeometryCollector::addPolygon(const IrCodes& codes, std::vector<PolygonCorner>& corners) {
+void GeometryCollector::addPolygon(const osg::Drawable& drawable,
+                                   const std::vector<osg::Node*>& path, const IrCodes& codes,
+                                   std::vector<PolygonCorner>& corners) {
     for (auto& corner : corners) {
         corner.position = corner.position * matrix_;
         corner.normal = transformNormal(matrix_, corner.normal);
@@ -254,10 +258,14 @@ void GeometryCollector::addPolygon(const IrCodes& codes, std::vector<PolygonCorn
                                   "finite coordinates within 1e9 m"});
     }
     // The corners run counter-clockwise on the side that is the front.
-    const bool front = state_.culling && state_.front;
-    if (mirrors(matrix_) != (state_.clockwise != front))
+    const bool turned = state_.clockwise != (state_.culling && state_.front);
+    if (mirrors(matrix_) != turned)
         std::reverse(corners.begin(), corners.end());
-    mesh_.add({state_.layer, codes, state_.culling && !forceTwoSided_}, corners);
+    const SurfaceMesh::Key key{state_.layer, codes, state_.culling && !forceTwoSided_};
+    if (each_)
+        each_({key, corners, drawable, path, turned, std::exchange(first_, false)});
+    else
+        mesh_.add(key, corners);
 }
 
 std::vector<std::string> GeometryCollector::remarks() const {

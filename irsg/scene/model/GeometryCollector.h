@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,6 +12,19 @@
 
 namespace irsg {
 
+/// Whether a transformation turns what runs counter-clockwise round.
+bool mirrors(const osg::Matrixd& matrix);
+
+/// A polygon that is drawn, with what stands over it.
+struct DrawnPolygon {
+    const SurfaceMesh::Key& key;
+    std::vector<PolygonCorner>& corners; ///< in model axes, counter-clockwise from the front
+    const osg::Drawable& drawable;
+    const std::vector<osg::Node*>& path; ///< ends with the node above the drawable
+    bool turned = false; ///< its state makes the other side the front than its corners do
+    bool first = false;  ///< of the drawable at this place
+};
+
 /// Walks a loaded graph as a sensor at no distance would see it and adds every polygon to a mesh,
 /// in model axes: transforms are multiplied out in double (a mirroring one turns the polygon
 /// round), the highest level of detail is taken at every range, switches show their present
@@ -20,6 +34,9 @@ class GeometryCollector : public osg::NodeVisitor {
     /// `toModel` leads from the axes of the file to those of the model. `name` is used in messages.
     GeometryCollector(SurfaceMesh& mesh, const osg::Matrixd& toModel, const std::string& name,
                       bool forceTwoSided);
+    using Each = std::function<void(const DrawnPolygon&)>;
+    /// Has the polygons go here, not into the mesh.
+    void giveTo(Each each) { each_ = std::move(each); }
     /// Throws InputError as forEachPolygon does.
     void collect(osg::Node& graph);
     /// What was overridden or left out, a sentence each.
@@ -45,13 +62,16 @@ class GeometryCollector : public osg::NodeVisitor {
     void update(const osg::StateSet* state);
     std::set<const osg::LOD*> coarserSiblings(const osg::Group& group) const;
     bool startsWhereAnotherEnds(const osg::LOD& lod) const;
-    void addPolygon(const IrCodes& codes, std::vector<PolygonCorner>& corners);
+    void addPolygon(const osg::Drawable& drawable, const std::vector<osg::Node*>& path,
+                    const IrCodes& codes, std::vector<PolygonCorner>& corners);
 
     SurfaceMesh& mesh_;
+    Each each_;
     osg::Matrixd matrix_;
     std::string name_;
     bool forceTwoSided_;
     State state_;
+    bool first_ = false; ///< no polygon of the drawable was given yet
     std::set<const osg::LOD*> coarser_;
     std::vector<std::pair<double, double>> ranges_; ///< of all LODs in the graph
     std::set<const osg::LOD*> lods_, leftOut_;

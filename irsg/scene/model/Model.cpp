@@ -123,7 +123,13 @@ Model::Model(std::unique_ptr<Impl> parts) : impl_(std::move(parts)) {}
 Model::~Model() = default;
 
 std::shared_ptr<Model> Model::load(const std::filesystem::path& file, const ModelOptions& options) {
-    auto loaded = loadGraph(file, LoadPurpose::infrared);
+    return ofGraph(loadGraphAsIs(file, LoadPurpose::infrared), readModelCodes(file), file, options);
+}
+
+std::shared_ptr<Model> Model::ofGraph(const LoadedGraph& asIs, const ModelCodes& codes,
+                                      const std::filesystem::path& file,
+                                      const ModelOptions& options) {
+    LoadedGraph loaded = withCodes(asIs, codes, file);
     auto parts = std::make_unique<Impl>();
     parts->name = file.stem().string();
     parts->file = file;

@@ -17,6 +17,9 @@ class Node;
 
 namespace irsg {
 
+struct LoadedGraph;
+struct ModelCodes;
+
 /// A loaded model: geometry with its codes, in the axes of this program (x starboard, y nose, z
 /// up). The graph is one Group with one Geode; its drawables are osg::Geometry, one for each
 /// subface level, pair of codes and culling, sorted by these: a Vec3Array of vertices, a Vec3Array
@@ -34,6 +37,11 @@ class Model {
     /// truncated, malformed (with the byte offset), unreadable or without faces.
     static std::shared_ptr<Model> load(const std::filesystem::path& file,
                                        const ModelOptions& options = {});
+    /// The same of what was read already (loadGraphAsIs), with these codes beside it; the graph is
+    /// left as it is, and nobody else may use it meanwhile.
+    static std::shared_ptr<Model> ofGraph(const LoadedGraph& asIs, const ModelCodes& codes,
+                                          const std::filesystem::path& file,
+                                          const ModelOptions& options = {});
     /// Takes a graph made in memory; codes are read from its ShapeAttributeLists.
     static std::shared_ptr<Model> fromGraph(osg::Node* graph, const std::string& name,
                                             const ModelOptions& options = {});

@@ -196,8 +196,10 @@ LoadedGraph loadGraphAsIs(const fs::path& file, LoadPurpose purpose) {
 }
 
 LoadedGraph loadGraph(const fs::path& file, LoadPurpose purpose) {
-    LoadedGraph loaded = loadGraphAsIs(file, purpose);
-    const ModelCodes codes = readModelCodes(file);
+    return withCodes(loadGraphAsIs(file, purpose), readModelCodes(file), file);
+}
+
+LoadedGraph withCodes(LoadedGraph loaded, const ModelCodes& codes, const fs::path& file) {
     if (codes.empty())
         return loaded;
     for (std::string& remark : giveCodes(loaded.node, codes, file.string()))

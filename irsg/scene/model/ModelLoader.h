@@ -10,6 +10,7 @@
 #include <osg/ref_ptr>
 
 #include "irsg/scene/model/FileAxes.h"
+#include "irsg/scene/model/ModelCodes.h"
 #include "irsg/scene/model/ModelValues.h"
 
 namespace irsg {
@@ -41,6 +42,9 @@ LoadedGraph loadGraphAsIs(const std::filesystem::path& file, LoadPurpose purpose
 /// The same with the codes that a file beside the model gives it (ModelCodes), which win; what of
 /// them fits nothing becomes remarks. Faces are then not those of the file's records.
 LoadedGraph loadGraph(const std::filesystem::path& file, LoadPurpose purpose);
+
+/// The same of what was read already, whose graph stays as it is, with these codes.
+LoadedGraph withCodes(LoadedGraph asIs, const ModelCodes& codes, const std::filesystem::path& file);
 
 /// What OpenSceneGraph reads of these bytes as those of a file of this name, .flt, .obj and .stl
 /// excepted.

@@ -9,6 +9,8 @@ namespace {
 constexpr double toleranceOfDiagonal = 1e-4;
 /// Cosine of the most that a face may be tilted against what was painted.
 constexpr double leastCosine = 0.7;
+/// Of the tolerance, within which a point lies on a triangle itself and not beside it.
+constexpr double exactPart = 0.01;
 constexpr std::uint64_t most = (std::uint64_t{1} << 20) - 1;
 
 std::uint64_t place(double along) {
@@ -67,26 +69,44 @@ std::uint64_t PaintedGrid::cellOf(const osg::Vec3d& point) const {
     return (place(from.x()) << 40) | (place(from.y()) << 20) | place(from.z());
 }
 
-int PaintedGrid::find(const osg::Vec3d& point, const osg::Vec3d& normal) const {
+PaintedGrid::Fit PaintedGrid::fitOf(const Triangle& t, const osg::Vec3d& point,
+                                    const osg::Vec3d& normal) const {
+    const osg::Vec3d from = point - t.corner;
+    const double off = std::abs(from * t.normal);
+    if (t.normal * normal < leastCosine || off > tolerance_ || t.area <= 0.0)
+        return Fit::none;
+    // How far outside of its sides: their lengths times these are areas.
+    const double b = (from ^ t.second) * t.normal, c = (t.first ^ from) * t.normal;
+    const double outside = std::max({-b / t.second.length(), -c / t.first.length(),
+                                     (b + c - 2.0 * t.area) / (t.second - t.first).length()});
+    if (outside > tolerance_)
+        return Fit::none;
+    return std::max(off, outside) <= exactPart * tolerance_ ? Fit::exact : Fit::near;
+}
+
+std::vector<unsigned int> PaintedGrid::holding(const osg::Vec3d& point,
+                                               const osg::Vec3d& normal) const {
+    std::vector<unsigned int> found;
     const auto cell = cells_.find(cellOf(point));
     if (cell == cells_.end())
-        return -1;
-    int surface = -1;
+        return found;
+    Fit best = Fit::near;
     for (const unsigned int i : cell->second) {
-        const Triangle& t = triangles_[i];
-        const osg::Vec3d from = point - t.corner;
-        if (t.normal * normal < leastCosine || std::abs(from * t.normal) > tolerance_)
-            continue;
-        // Its place in the triangle, from areas; the edges count as inside.
-        const double area2 = 2.0 * t.area;
-        const double b = (from ^ t.second) * t.normal / area2,
-                     c = (t.first ^ from) * t.normal / area2;
-        const double slack =
-            tolerance_ / std::max(1e-300, std::min(t.first.length(), t.second.length()));
-        if (b < -slack || c < -slack || b + c > 1.0 + slack)
-            continue;
-        surface = std::max(surface, t.surface);
+        const Fit fit = fitOf(triangles_[i], point, normal);
+        if (fit > best) {
+            best = fit;
+            found.clear();
+        }
+        if (fit == best)
+            found.push_back(i);
     }
+    return found;
+}
+
+int PaintedGrid::find(const osg::Vec3d& point, const osg::Vec3d& normal) const {
+    int surface = -1;
+    for (const unsigned int i : holding(point, normal))
+        surface = std::max(surface, triangles_[i].surface);
     return surface;
 }
 

@@ -14,9 +14,13 @@ class PaintedGrid {
   public:
     explicit PaintedGrid(const std::vector<PaintedSurface>& painted);
 
-    /// The surface whose triangle holds a point, of those that look the same way; the last one
-    /// where several do; -1 where there is none.
+    /// The surface whose triangle holds a point, of those that look the same way; of several one
+    /// that holds it exactly, else within the tolerance, and of these the last; -1 where there is
+    /// none.
     int find(const osg::Vec3d& point, const osg::Vec3d& normal) const;
+    /// All triangles that hold a point as well as that one does, by their number in the order of
+    /// the surfaces.
+    std::vector<unsigned int> holding(const osg::Vec3d& point, const osg::Vec3d& normal) const;
     bool empty() const { return triangles_.empty(); }
 
   private:
@@ -25,6 +29,8 @@ class PaintedGrid {
         double area = 0.0;
         int surface = 0;
     };
+    enum class Fit { none, near, exact };
+    Fit fitOf(const Triangle& triangle, const osg::Vec3d& point, const osg::Vec3d& normal) const;
     std::uint64_t cellOf(const osg::Vec3d& point) const;
 
     std::vector<Triangle> triangles_;

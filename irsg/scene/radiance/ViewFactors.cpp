@@ -15,7 +15,7 @@ namespace irsg {
 namespace {
 
 /// Pieces that the rows of a window are divided into, whatever the number of cores.
-constexpr std::size_t parts = 8;
+constexpr std::size_t lightParts = 8;
 
 /// Adds the samples of some rows of a window, counted from the top, to sums of theirs.
 template <typename Sums>
@@ -91,17 +91,17 @@ template <std::size_t Factors>
 void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSamples& samples,
                                   ViewFactors& view) {
     const auto rows = static_cast<std::size_t>(window.height());
-    std::vector<LayerWalk> walks(parts, LayerWalk(rows_));
-    std::array<FactorField<double>, parts> fields;
-    std::array<LightSums, parts> lights;
-    parallelFor(parts, [&](std::size_t p) {
+    std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
+    std::array<FactorField<double>, lightParts> fields;
+    std::array<LightSums, lightParts> lights;
+    parallelFor(lightParts, [&](std::size_t p) {
         ViewKindSums<Factors> sums(rows_, grid_, varying_, exchange_.get(), window.share());
-        addRows(window, samples, beginOfPart(p, parts, rows), beginOfPart(p + 1, parts, rows),
-                walks[p], sums);
+        addRows(window, samples, beginOfPart(p, lightParts, rows),
+                beginOfPart(p + 1, lightParts, rows), walks[p], sums);
         fields[p] = sums.field(layout_);
         lights[p] = sums.lightSums();
     });
-    for (std::size_t p = 0; p < parts; ++p) {
+    for (std::size_t p = 0; p < lightParts; ++p) {
         const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
         view.field.add(
             fields[p], [](std::size_t) { return std::size_t{0}; },
@@ -135,11 +135,11 @@ void FactorSums::addToView(const SampleWindow& window, const FactorSamples& samp
 void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& samples,
                              PixelFactors& pixels) {
     const auto rows = static_cast<std::size_t>(window.height());
-    std::vector<LayerWalk> walks(parts, LayerWalk(rows_));
-    std::array<std::optional<PixelKindSums>, parts> sums;
-    parallelFor(parts, [&](std::size_t p) {
-        const std::size_t begin = beginOfPart(p, parts, rows),
-                          end = beginOfPart(p + 1, parts, rows);
+    std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
+    std::array<std::optional<PixelKindSums>, lightParts> sums;
+    parallelFor(lightParts, [&](std::size_t p) {
+        const std::size_t begin = beginOfPart(p, lightParts, rows),
+                          end = beginOfPart(p + 1, lightParts, rows);
         if (begin == end)
             return;
         const auto pixelRow = [&](std::size_t row) {
@@ -153,7 +153,7 @@ void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& sa
                         window.share());
         addRows(window, samples, begin, end, walks[p], *sums[p]);
     });
-    for (std::size_t p = 0; p < parts; ++p) {
+    for (std::size_t p = 0; p < lightParts; ++p) {
         if (!sums[p])
             continue;
         const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
