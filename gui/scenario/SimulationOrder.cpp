@@ -22,9 +22,9 @@ WrittenFrame smallCopy(const SensorFrame& frame, std::size_t number) {
     const int step = std::max(1, (image.width() + thumbnailWidth_px - 1) / thumbnailWidth_px);
     written.width = (image.width() + step - 1) / step;
     written.height = (image.height() + step - 1) / step;
-    written.values.assign(
-        static_cast<std::size_t>(written.width) * static_cast<std::size_t>(written.height),
-        std::nanf(""));
+    written.values.assign(static_cast<std::size_t>(written.width) *
+                              static_cast<std::size_t>(written.height),
+                          std::nanf(""));
     written.low = INFINITY;
     written.high = -INFINITY;
     for (int y = 0; y < image.height(); ++y) {
@@ -51,8 +51,7 @@ SimulationOutcome runSimulationOrder(const SimulationOrder& order, SceneBuilder&
     SimulationOutcome outcome;
     outcome.order = order;
     const SimulationPlan plan = planSimulation(order.scenario, order.request);
-    const LoadedScenario loaded =
-        loadScenarioFiles(order.scenario, scenes, {}, order.trajectories);
+    const LoadedScenario loaded = loadScenarioFiles(order.scenario, scenes, {}, order.trajectories);
     const FrameFiles files(loaded, order.folder, order.extensions, order.commandLine);
     files.checkExtensions();
     outcome.notes = files.makeFolders(plan.sensors);

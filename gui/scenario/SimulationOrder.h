@@ -23,8 +23,8 @@ struct SimulationOrder {
 struct WrittenFrame {
     std::size_t sensor = 0, band = 0, number = 0;
     double time_s = 0.0;
-    int width = 0, height = 0; ///< of the thumbnail
-    std::vector<float> values; ///< of the thumbnail, top row first
+    int width = 0, height = 0;    ///< of the thumbnail
+    std::vector<float> values;    ///< of the thumbnail, top row first
     double low = 0.0, high = 0.0; ///< least and largest value of the frame
 };
 

@@ -16,6 +16,7 @@
 
 #include "gui/analysis/ResultsDock.h"
 #include "gui/database/DatabaseDock.h"
+#include "gui/scenario/ScenarioPage.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -268,6 +269,14 @@ class KeyboardWalkTest : public test::WindowFixture {
                 limits->trigger();
             }
         }
+        chosen = SMAT_SOURCE_DIR "/samples/flyby/flyby.json";
+        window->findChild<QAction*>("openProject")->trigger();
+        chosen.clear();
+        auto* scenario = dynamic_cast<ScenarioPage*>(tabs().currentWidget());
+        ASSERT_NE(scenario, nullptr);
+        EXPECT_TRUE(test::waitUntil([&] { return !scenario->isBusy(); }));
+        walk(*window, "page of a scenario");
+        scenario->findChild<QToolButton*>("runScenario")->click();
         workbench.set("camera.azimuth", "1");
         answer = 1;
         trigger("newProject");

@@ -14,8 +14,10 @@
 #include <QRegularExpression>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QToolButton>
 #include <QTreeWidget>
 
+#include "gui/scenario/ScenarioPage.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -73,6 +75,14 @@ class UserGuideTest : public test::WindowFixture {
             trigger(name);
         }
         auto* tabs = window->findChild<QTabWidget*>("tabs");
+        chosen = SMAT_SOURCE_DIR "/samples/flyby/flyby.json";
+        trigger("openProject");
+        chosen.clear();
+        auto* scenario = dynamic_cast<ScenarioPage*>(tabs->currentWidget());
+        ASSERT_NE(scenario, nullptr);
+        EXPECT_TRUE(test::waitUntil([&] { return !scenario->isBusy(); }));
+        collect(*scenario);
+        scenario->findChild<QToolButton*>("runScenario")->click();
         emit tabs->tabBar()->customContextMenuRequested(tabs->tabBar()->tabRect(1).center());
         collect(*window);
         if (auto* menu = window->findChild<QMenu*>("tabMenu")) {

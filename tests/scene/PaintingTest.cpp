@@ -281,8 +281,7 @@ TEST(Painting, WhatIsPaintedIsWhatIsReadAndLosesNothing) {
     ASSERT_EQ(one.size(), 1u);
     EXPECT_EQ(one[0].triangles.size(), 12u);
     std::vector<std::string> remarks;
-    EXPECT_EQ(read(graph, one, &remarks),
-              (std::map<IrCodes, long>{{{0, 0}, 12}, {{3, 4}, 12}}));
+    EXPECT_EQ(read(graph, one, &remarks), (std::map<IrCodes, long>{{{0, 0}, 12}, {{3, 4}, 12}}));
     EXPECT_THAT(remarks, IsEmpty());
     EXPECT_EQ(told(mesh, one), read(graph, one));
     // Written and read again they are equal to the last digit.
@@ -350,8 +349,7 @@ TEST(Painting, WhatWasPaintedOnAnotherCutIsPaintedOverPieceByPiece) {
     coarse->addChild(polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {}));
     for (int i = 0; i < 16; ++i) {
         const auto x = static_cast<float>(i % 4), y = static_cast<float>(i / 4);
-        fine->addChild(
-            polygon({{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}}, {}));
+        fine->addChild(polygon({{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}}, {}));
     }
     const FaceMesh whole = meshOf(*coarse), cut = meshOf(*fine);
     const Surfaces before = painted({}, whole, {0}, {1, 1});
@@ -361,8 +359,7 @@ TEST(Painting, WhatWasPaintedOnAnotherCutIsPaintedOverPieceByPiece) {
         EXPECT_EQ(told(cut, over), (std::map<IrCodes, long>{{{1, 1}, 15}, {{2, 1}, 1}})) << f;
         const Surfaces less = erased(before, cut, {f});
         std::vector<std::string> remarks;
-        EXPECT_EQ(read(fine, less, &remarks),
-                  (std::map<IrCodes, long>{{{0, 0}, 1}, {{1, 1}, 15}}))
+        EXPECT_EQ(read(fine, less, &remarks), (std::map<IrCodes, long>{{{0, 0}, 1}, {{1, 1}, 15}}))
             << f;
         EXPECT_THAT(remarks, IsEmpty());
     }
@@ -374,8 +371,8 @@ TEST(Painting, SmallFacesBesideLargeOnesKeepTheirCodes) {
     graph->addChild(polygon({{0, 0, 0}, {1000, 0, 0}, {1000, 1000, 0}, {0, 1000, 0}}, {}));
     for (int i = 0; i < 10; ++i) {
         const float x = 0.05F * static_cast<float>(i);
-        graph->addChild(polygon({{x, -0.05F, 0}, {x + 0.05F, -0.05F, 0}, {x + 0.05F, 0, 0}, {x, 0, 0}},
-                                {}));
+        graph->addChild(
+            polygon({{x, -0.05F, 0}, {x + 0.05F, -0.05F, 0}, {x + 0.05F, 0, 0}, {x, 0, 0}}, {}));
     }
     const FaceMesh mesh = meshOf(*graph);
     Surfaces surfaces = painted({}, mesh, {0}, {1, 1});
@@ -399,8 +396,8 @@ TEST(Painting, AfterANewExportWithATenthOfTheFacesMovedTheRestIsKeptAndTheLossTo
     const Surfaces surfaces = painted({}, mesh, all, {3, 4});
     // Exported anew: every tenth triangle lies elsewhere.
     const auto anew = sphere(20);
-    auto& corners = static_cast<osg::Vec3Array&>(
-        *anew->getDrawable(0)->asGeometry()->getVertexArray());
+    auto& corners =
+        static_cast<osg::Vec3Array&>(*anew->getDrawable(0)->asGeometry()->getVertexArray());
     for (std::size_t f = 0; f < corners.size() / 3; f += 10) {
         for (std::size_t k = 0; k < 3; ++k) {
             corners[3 * f + k] *= 1.1F;

@@ -65,8 +65,7 @@ class SeenFaces {
         const auto& other = mesh_.faces()[before];
         const double behind = (other.point - face.point) * other.normal;
         const double slack = other.part == face.part ? 2.0 * pixelAt(face.point) : 0.0;
-        return (looksHere(other) ? behind : -behind) <
-               behindOfDiagonal * mesh_.diagonal() + slack;
+        return (looksHere(other) ? behind : -behind) < behindOfDiagonal * mesh_.diagonal() + slack;
     }
 
   private:
@@ -85,8 +84,8 @@ class SeenFaces {
     void draw(const FaceMesh::Triangle& triangle, unsigned int number) {
         osg::Vec3d at[3]; // x and y in the box, 1 / depth
         for (int k = 0; k < 3; ++k) {
-            const osg::Vec4d p = osg::Vec4d(triangle[static_cast<std::size_t>(k)], 1.0) *
-                                 box_.toPicture;
+            const osg::Vec4d p =
+                osg::Vec4d(triangle[static_cast<std::size_t>(k)], 1.0) * box_.toPicture;
             if (p.w() <= 0.0)
                 return;
             at[k].set(p.x() / p.w() - box_.left, p.y() / p.w() - box_.top, 1.0 / p.w());
@@ -108,8 +107,7 @@ class SeenFaces {
                 if (a < 0.0 || b < 0.0 || c < 0.0)
                     continue;
                 // 1 / depth is linear in the picture.
-                const auto near =
-                    static_cast<float>(a * at[0].z() + b * at[1].z() + c * at[2].z());
+                const auto near = static_cast<float>(a * at[0].z() + b * at[1].z() + c * at[2].z());
                 const auto pixel = static_cast<std::size_t>(y * width_ + x);
                 if (near > nearest_[pixel]) {
                     nearest_[pixel] = near;
@@ -198,8 +196,7 @@ FaceNumbers smoothFrom(const FaceMesh& mesh, unsigned int face, double most_rad)
         const unsigned int from = open.back();
         open.pop_back();
         for (const auto& neighbour : mesh.neighboursOf(from)) {
-            const double cosine =
-                mesh.faces()[from].normal * mesh.faces()[neighbour.face].normal;
+            const double cosine = mesh.faces()[from].normal * mesh.faces()[neighbour.face].normal;
             if (reached[neighbour.face] || (neighbour.opposed ? -cosine : cosine) < least)
                 continue;
             reached[neighbour.face] = true;

@@ -213,8 +213,8 @@ void FaceMesh::join() {
         while (next < sides.size() && !(sides[i] < sides[next]))
             ++next;
         for (std::size_t a = i; a < next; ++a)
-            for (std::size_t b = a + 1; b < (next - i > mostAtAnEdge ? std::min(a + 2, next) : next);
-                 ++b) {
+            for (std::size_t b = a + 1;
+                 b < (next - i > mostAtAnEdge ? std::min(a + 2, next) : next); ++b) {
                 if (sides[a].face == sides[b].face)
                     continue;
                 const bool opposed = sides[a].forward == sides[b].forward;

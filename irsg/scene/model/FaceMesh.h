@@ -43,8 +43,7 @@ class FaceMesh {
         return std::span(triangles_).subspan(face.first, face.count);
     }
     std::span<const Neighbour> neighboursOf(std::size_t face) const {
-        return std::span(neighbours_)
-            .subspan(beginOf_[face], beginOf_[face + 1] - beginOf_[face]);
+        return std::span(neighbours_).subspan(beginOf_[face], beginOf_[face + 1] - beginOf_[face]);
     }
     /// What the faces have when these surfaces are painted over file and rules.
     std::vector<IrCodes> codes(const std::vector<PaintedSurface>& painted) const;

@@ -21,7 +21,7 @@ osg::Vec3d frontOf(const FaceMesh::Face& face) {
 }
 
 void addTo(std::vector<PaintedSurface>& surfaces, const GivenCodes& codes, const FaceMesh& mesh,
-         const FaceMesh::Face& face) {
+           const FaceMesh::Face& face) {
     // The last, since later surfaces win.
     auto surface = std::find_if(surfaces.rbegin(), surfaces.rend(),
                                 [&](const PaintedSurface& one) { return one.codes == codes; });
@@ -34,9 +34,9 @@ void addTo(std::vector<PaintedSurface>& surfaces, const GivenCodes& codes, const
 }
 
 /// `given` tells what a face is painted with, of what it was.
-std::vector<PaintedSurface>
-repainted(const std::vector<PaintedSurface>& before, const FaceMesh& mesh, const FaceNumbers& faces,
-          const std::function<GivenCodes(const GivenCodes&)>& given) {
+std::vector<PaintedSurface> repainted(const std::vector<PaintedSurface>& before,
+                                      const FaceMesh& mesh, const FaceNumbers& faces,
+                                      const std::function<GivenCodes(const GivenCodes&)>& given) {
     const PaintedGrid grid(before);
     std::vector<bool> isChosen(mesh.faces().size());
     PaintedSurface own;
