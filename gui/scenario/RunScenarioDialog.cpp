@@ -70,6 +70,7 @@ RunScenarioDialog::RunScenarioDialog(const EditedScenario& scenario, bool isSave
         sensors_.push_back(box);
     }
     auto* forms = new QHBoxLayout;
+    forms->setSpacing(14);
     for (const auto& [extension, words] :
          {std::pair(".exr", tr("OpenEXR")), std::pair(".csv", tr("CSV")),
           std::pair(".png", tr("Pictures (PNG)"))}) {
@@ -93,7 +94,9 @@ RunScenarioDialog::RunScenarioDialog(const EditedScenario& scenario, bool isSave
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
-    form->addRow(tr("&Folder"), place);
+    auto* named = new QLabel(tr("&Folder"), this);
+    named->setBuddy(folder_);
+    form->addRow(named, place);
     form->addRow(tr("Sensors"), sensors);
     form->addRow(tr("Frames as"), forms);
     form->addRow(tr("The same from a terminal"), command_);

@@ -50,7 +50,6 @@ ScenarioPage::ScenarioPage(std::unique_ptr<ScenarioDocument> document, Workbench
     makeParts();
     connectParts();
     followDocument();
-    setFocusProxy(timeLine_);
 }
 
 ScenarioPage::~ScenarioPage() = default;

@@ -28,7 +28,7 @@ bool ScenarioPages::open(const std::filesystem::path& file) {
                 [this, page](const QString& title) { tabs_.retitle(page, title); });
         connect(page, &ScenarioPage::said, &tabs_, &PageTabs::said);
         tabs_.addPage(page, icon("scenario"), page->title());
-        page->timeLine().setFocus();
+        page->timeLine().takeFocus();
     } catch (const irsg::InputError& error) {
         dialogs_.tell(tabs_.window(), tr("This scenario cannot be opened"), sentencesOf(error));
     }

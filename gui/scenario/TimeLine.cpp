@@ -91,7 +91,10 @@ void TimeLine::makeParts() {
     column->setSpacing(2);
     column->addWidget(slider_);
     column->addWidget(flow);
-    setFocusProxy(slider_);
+}
+
+void TimeLine::takeFocus() {
+    slider_->setFocus();
 }
 
 void TimeLine::setTimes(std::vector<double> times_s) {

@@ -30,6 +30,7 @@ class TimeLine : public QWidget {
     std::size_t step() const { return step_; }
     double time_s() const { return times_s_.at(step_); }
     void setStep(std::size_t step);
+    void takeFocus();
     bool isPlaying() const { return isPlaying_; }
     void play();
     void pause();
