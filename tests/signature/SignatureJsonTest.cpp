@@ -160,8 +160,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "format", "'gltf'", "smat-signature"},
         BadJson{
             "NewerVersion",
-            R"({"format": "smat-signature", "version": 3, "temperatures": {}, "materials": {}})",
-            "version", "3", "1 to 2"},
+            R"({"format": "smat-signature", "version": 4, "temperatures": {}, "materials": {}})",
+            "version", "4", "1 to 3"},
         BadJson{"NoMaterials", R"({"format": "smat-signature", "version": 1, "temperatures": {}})",
                 "materials", "nothing", "required"},
         BadJson{"UnknownTopKey",
@@ -282,7 +282,7 @@ TEST(SignatureJson, NamesTheLineOfAValueAndOfWhatLacksOne) {
 
 TEST(SignatureJson, ReportsAllDiagnosticsAtOnce) {
     const auto diagnostics = refusalOf([] {
-        signatureFromJson(R"({"format": "x", "version": 3, "temperatures": {"a": {}},
+        signatureFromJson(R"({"format": "x", "version": 99, "temperatures": {"a": {}},
                               "materials": {"1": {"name": 5, "emissivity": "x", "k": 1}}})");
     });
     EXPECT_EQ(diagnostics.size(), 6U);
