@@ -19,6 +19,7 @@
 #include "gui/database/DatabaseDock.h"
 #include "gui/database/DatabasePreview.h"
 #include "gui/image/ImagePages.h"
+#include "gui/paint/FacePainter.h"
 #include "gui/project/FileOpening.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/SceneTreeDock.h"
@@ -118,8 +119,37 @@ void MainWindow::makeDocks() {
     if (view_ != nullptr) {
         joinTreeAndView();
         new DatabasePreview(workbench_, *databaseDock_, *sceneView(), this);
+        makePainter();
     }
     connectTree();
+}
+
+void MainWindow::makePainter() {
+    paint_ = new PaintDock(this);
+    addDockWidget(Qt::LeftDockWidgetArea, paint_);
+    tabifyDockWidget(tree_, paint_);
+    for (QDockWidget* dock : {static_cast<QDockWidget*>(tree_), static_cast<QDockWidget*>(paint_)})
+        keepKeysFromHiddenTab(*dock);
+    paint_->hide();
+    QAction* toggle = paint_->toggleViewAction();
+    toggle->setObjectName("paintCodes");
+    toggle->setIcon(icon("paint"));
+    toggle->setShortcut(Qt::Key_F4);
+    connect(toggle, &QAction::triggered, paint_, [this](bool on) {
+        if (on) {
+            tabs_->setCurrentIndex(0);
+            paint_->raise();
+        }
+    });
+    auto* painter = new FacePainter(
+        workbench_, dialogs_, *sceneView(), *paint_,
+        [this](const EntryKey& key) {
+            databaseDock_->select(key);
+            databaseDock_->show();
+            databaseDock_->raise();
+        },
+        this);
+    connect(view_, &ProjectView::shown, painter, &FacePainter::followScene);
 }
 
 void MainWindow::connectTree() {

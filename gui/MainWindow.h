@@ -19,6 +19,7 @@ class ImagePages;
 class LoadingBar;
 class MainDialogs;
 class MainMenus;
+class PaintDock;
 class ProjectFiles;
 class ProjectView;
 class ResultPage;
@@ -73,6 +74,7 @@ class MainWindow : public QMainWindow {
   private:
     void makeCentre();
     void makeDocks();
+    void makePainter();
     void connectTree();
     void joinTreeAndView();
     void joinTreeAndEditor();
@@ -98,6 +100,7 @@ class MainWindow : public QMainWindow {
     ProjectFiles* files_ = nullptr;
     FileOpening* opening_ = nullptr;
     ImagePages* images_ = nullptr;
+    PaintDock* paint_ = nullptr; ///< null where the desktop has no OpenGL
     MainDialogs* ask_ = nullptr;
     WindowLayout* layout_ = nullptr;
     MainMenus* menus_ = nullptr;

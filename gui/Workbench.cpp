@@ -29,6 +29,7 @@ Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent,
       steps_(undoStack_, [this](const Project& edited) { apply(edited); }),
       database_(undoStack_, [this](const auto& file) { nameDatabase(file); }),
       models_(std::move(models)),
+      painted_(undoStack_, models_),
       jobs_(std::move(makeSource), ModelStore::loader(models_)) {
     connect(&jobs_, &JobQueue::started, this,
             [this](int, const QString& title) { emit jobStarted(title); });
@@ -50,6 +51,7 @@ Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent,
     connect(&results_, &ResultStore::addedQuietly, this, &Workbench::resultAdded);
     connect(&results_, &ResultStore::removed, this, &Workbench::resultRemoved);
     connect(&results_, &ResultStore::unsavedChanged, this, &Workbench::modifiedChanged);
+    connect(&painted_, &PaintedModels::stateChanged, this, &Workbench::modifiedChanged);
 }
 
 Workbench::~Workbench() = default;
@@ -86,6 +88,7 @@ void Workbench::take(const Project& project, const Project& saved) {
     if (project_)
         results_.clear();
     undoStack_.clear();
+    painted_.clear();
     saved_ = saved;
     project_ = project;
     settings_ = project.settings;
@@ -120,6 +123,8 @@ Project Workbench::editedProject() const {
 bool Workbench::isModified() const {
     if (!project_)
         return false;
+    if (painted_.isDirty())
+        return true;
     Project texts = *project_;
     texts.settings = saved_.settings;
     const auto keys = keysThatDiffer(settings_, saved_.settings);

@@ -17,6 +17,7 @@
 #include "gui/analysis/JobQueue.h"
 #include "gui/analysis/ResultStore.h"
 #include "gui/database/TargetDatabase.h"
+#include "gui/paint/PaintedModels.h"
 #include "gui/view/OrbitCamera.h"
 
 namespace smat::gui {
@@ -46,8 +47,8 @@ class Workbench : public QObject {
     const Settings& settings() const { return settings_; }
     /// The project with the settings in effect: what is saved.
     Project editedProject() const;
-    /// Whether editedProject() is something else than its file has. Where there is no file, moving
-    /// the camera alone is no change.
+    /// Whether editedProject() is something else than its file has, or a model is painted otherwise
+    /// than the file beside it says. Where there is no file, moving the camera alone is no change.
     bool isModified() const;
     /// Colour map of a project that is begun: no change and no step.
     void useColorMap(const std::string& name);
@@ -76,6 +77,9 @@ class Workbench : public QObject {
     DatabaseSession& database() { return database_.session(); }
     /// See TargetDatabase::edited.
     SceneBuilder::DatabaseOverrides editedDatabases() const { return database_.edited(); }
+
+    /// What is painted on the models, saved with the project.
+    PaintedModels& painted() { return painted_; }
 
     /// The models of the project that is open; never null.
     const std::shared_ptr<ModelStore>& models() const { return models_; }
@@ -139,6 +143,7 @@ class Workbench : public QObject {
     EditSteps steps_;
     TargetDatabase database_;
     std::shared_ptr<ModelStore> models_;
+    PaintedModels painted_;
     ResultStore results_;
     std::map<int, QPointer<QObject>> askers_; ///< of jobs, by number
     JobQueue jobs_;                           ///< last: its threads stop before the rest goes

@@ -18,6 +18,11 @@ EditorContext::EditorContext(Workbench& workbench, DatabaseSession& session, Dia
         readSettings();
     });
     connect(&workbench_, &Workbench::projectChanged, this, &EditorContext::readModel);
+    connect(&workbench_.painted(), &PaintedModels::changed, this,
+            [this](const std::filesystem::path& model) {
+                if (target_ && target_->file == model)
+                    read(*target_);
+            });
     connect(&workbench_, &Workbench::settingsChanged, this, &EditorContext::readSettings);
     readModel();
     readSettings();

@@ -105,6 +105,7 @@ bool ProjectFiles::settle() {
         return save();
     case 1:
         recovery_.forget();
+        workbench_.painted().discard();
         return true;
     default:
         return false;
@@ -113,6 +114,8 @@ bool ProjectFiles::settle() {
 
 QStringList ProjectFiles::unsavedWords() const {
     QStringList sentences;
+    for (const QString& model : workbench_.painted().unsaved())
+        sentences << tr("What was painted on %1 is not saved.").arg(model);
     if (workbench_.isModified())
         sentences << tr("%1 has changes that are not saved.").arg(displayName());
     if (const int results = workbench_.resultStore().unsavedCount(); results > 0)
@@ -174,6 +177,48 @@ bool ProjectFiles::load(const std::filesystem::path& file) {
         unknown << QString::fromStdString(key);
     if (!unknown.isEmpty())
         emit said(tr("Not known to this version, and kept: %1").arg(unknown.join(", ")));
+    recoverPaint();
+    return true;
+}
+
+void ProjectFiles::recoverPaint() {
+    for (const ProjectModel& model : workbench_.project().models) {
+        const auto file = ModelKey::of(workbench_.project(), model).file;
+        const auto copy = PaintedModels::leftBehind(file);
+        if (!copy)
+            continue;
+        const int answer =
+            dialogs_.ask(window_, tr("Recover unsaved changes"),
+                         tr("What was painted on %1 was not saved. It was kept of %2.")
+                             .arg(textOf(file.filename()), whenWritten(*copy)),
+                         {tr("&Recover it"), tr("&Discard it")});
+        if (answer == 1)
+            RecoveryCopy::remove(*copy);
+        if (answer != 0)
+            continue;
+        try {
+            workbench_.painted().recover(file, *copy);
+        } catch (const irsg::InputError& error) {
+            dialogs_.tell(window_, tr("The recovery copy cannot be read; it is left where it is"),
+                          sentencesOf(error));
+        }
+    }
+}
+
+bool ProjectFiles::savePaint() {
+    const auto changed = workbench_.painted().changedOutside();
+    for (const auto& file : changed)
+        if (dialogs_.ask(
+                window_, tr("Changed by another program"),
+                tr("What is painted in %1 was changed by another program.").arg(textOf(file)),
+                {tr("&Replace it")}) != 0)
+            return false;
+    try {
+        workbench_.painted().save();
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(window_, tr("What is painted cannot be saved"), sentencesOf(error));
+        return false;
+    }
     return true;
 }
 
@@ -239,6 +284,7 @@ void ProjectFiles::adopt(const Project& recovered, const std::filesystem::path& 
     workbench_.adopt(recovered);
     recovery_.takeOver(copy);
     remember();
+    recoverPaint();
 }
 
 bool ProjectFiles::begin(const std::filesystem::path& file) {
@@ -327,6 +373,8 @@ bool ProjectFiles::saveTo(const std::filesystem::path& file) {
         return false;
     }
     remember();
+    if (!savePaint())
+        return false;
     try {
         workbench_.saveResults();
     } catch (const irsg::InputError& error) {

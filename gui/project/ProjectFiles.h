@@ -68,6 +68,10 @@ class ProjectFiles : public QObject {
     /// A large model that was read takes the place of what is open.
     void openRead(const std::filesystem::path& file);
     bool saveTo(const std::filesystem::path& file);
+    /// What is painted on the models, beside them; false where it was not.
+    bool savePaint();
+    /// Offers what a crash left behind of that.
+    void recoverPaint();
     /// What became of the copies of a project that a crash left behind.
     enum class Recovery { none, taken, left };
     Recovery recover(const std::filesystem::path& file);

@@ -113,6 +113,7 @@ SceneTreeDock::SceneTreeDock(Workbench& workbench, QWidget* parent)
     connect(tree_, &QTreeWidget::itemActivated, this, &SceneTreeDock::onActivated);
     connect(tree_, &QWidget::customContextMenuRequested, this, &SceneTreeDock::showMenu);
     connect(&workbench_, &Workbench::projectOpened, this, &SceneTreeDock::load);
+    connect(&workbench_.painted(), &PaintedModels::changed, this, &SceneTreeDock::count);
     connect(&workbench_, &Workbench::projectChanged, this, &SceneTreeDock::onProjectChanged);
     connect(&workbench_, &Workbench::settingsChanged, this, &SceneTreeDock::refreshSettings);
     connect(&workbench_.database(), &DatabaseSession::changed, this, followDatabase);
@@ -146,6 +147,12 @@ void SceneTreeDock::load() {
     loading_ = std::make_shared<Loading>();
     index_.assign(workbench_.project().models.size(), {});
     fill();
+    count();
+}
+
+/// What is told meanwhile stays.
+void SceneTreeDock::count() {
+    loading_ = std::make_shared<Loading>();
     backgroundPool().start(
         [work = loading_, project = workbench_.project(), models = workbench_.models()] {
             work->index = loadSceneIndex(project, *models);

@@ -54,6 +54,7 @@ class SceneTreeDock : public QDockWidget {
   private:
     struct Loading;
     void load();
+    void count();
     void onProjectChanged();
     QSet<QString> openBranches() const;
     void fill();

@@ -68,6 +68,19 @@ void DisplayScene::setSignature(const std::filesystem::path& file,
     }
 }
 
+void DisplayScene::setModel(const ModelKey& key, std::shared_ptr<const irsg::Model> model,
+                            const std::shared_ptr<const ModelFaces>& faces) {
+    loaded[key] = std::move(model);
+    for (DisplayModel& one : models)
+        if (one.key == key)
+            one.faces = faces;
+    // What of it is opaque may be another part.
+    if (!models.empty() && models.front().key == key) {
+        findReference();
+        referencePoint_m = models.front().pose.toWorld(referenceInModel_m);
+    }
+}
+
 void DisplayScene::findReference() {
     // The centre of what is opaque in the infrared, as the infrared renderer takes it; of all where
     // there is no database to tell.
@@ -111,6 +124,7 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
         loaded.node->accept(unlit);
 
         DisplayModel model;
+        model.key = key;
         model.name =
             QString::fromStdString(given.name.empty() ? given.file.stem().string() : given.name);
         model.pose = i == 0 ? targetPoseOf(settings) : given.pose;

@@ -20,6 +20,7 @@ namespace smat::gui {
 /// infrared renderer's thread.
 struct DisplayModel {
     QString name;
+    ModelKey key;
     std::filesystem::path database;            ///< resolved; empty for none
     osg::ref_ptr<osg::MatrixTransform> placed; ///< in its visible colours
     osg::ref_ptr<osg::MatrixTransform> marks;  ///< what is drawn over its faces
@@ -40,6 +41,9 @@ struct DisplayScene {
     LoadedModels loaded; ///< for the infrared renderer
 
     void placeTarget(const irsg::Pose& pose);
+    /// The same model with other codes, as the infrared renderer has it.
+    void setModel(const ModelKey& key, std::shared_ptr<const irsg::Model> model,
+                  const std::shared_ptr<const ModelFaces>& faces);
     /// Gives the models with this database file an edited one; the target's reference point may
     /// move with what is opaque in it.
     void setSignature(const std::filesystem::path& file,

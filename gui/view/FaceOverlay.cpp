@@ -5,6 +5,8 @@
 #include <osg/PolygonMode>
 #include <osg/PolygonOffset>
 
+#include "gui/view/FaceMarks.h"
+
 namespace smat::gui {
 namespace {
 
@@ -28,13 +30,19 @@ void fillMarks(DisplayScene& scene, const OverlayLook& look) {
         model.marks->removeChildren(0, model.marks->getNumChildren());
         if (!model.faces)
             continue;
-        if (look.overInfrared && !look.selection.empty())
+        const bool isChosen = look.chosen.geometry && look.chosen.model == static_cast<int>(i);
+        if (look.codes && !look.overInfrared)
+            model.marks->addChild(model.faces->colored(*look.codes));
+        if (look.overInfrared && (!look.selection.empty() || isChosen))
             model.marks->addChild(depthsOf(*model.faces));
         if (look.overInfrared && look.wireframe)
             model.marks->addChild(model.faces->wireframe(look.devicePixelRatio));
         if (const auto marked =
                 model.faces->marked(static_cast<int>(i), look.selection, look.devicePixelRatio))
             model.marks->addChild(marked);
+        if (isChosen)
+            model.marks->addChild(
+                makeFaceMarks({look.chosen.geometry.get()}, look.devicePixelRatio));
     }
 }
 

@@ -96,8 +96,11 @@ const irsg::Environment& InfraredScene::environment(const InfraredRequest& reque
 }
 
 void InfraredScene::update(const InfraredRequest& request) {
-    if (request.models != offered_)
+    // Painted ones have other codes while their files are what they were.
+    if (request.models != offered_) {
         loaded_ = offered_ = request.models;
+        builder_.forgetModels();
+    }
     builder_.setDatabaseOverrides(request.edited);
     const SceneDescription scene =
         builder_.build(*request.project, request.settings, &environment(request));

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include <osg/CullFace>
 #include <osg/Geometry>
 #include <osg/KdTree>
+#include <osg/LightModel>
+#include <osg/Material>
+#include <osg/PolygonOffset>
 #include <osgUtil/IntersectionVisitor>
 #include <osgUtil/LineSegmentIntersector>
 
@@ -35,7 +39,13 @@ ModelFaces::ModelFaces(const irsg::Model& model) : geode_(new osg::Geode), bound
                 copy->addPrimitiveSet(
                     osg::clone(geometry.getPrimitiveSet(i), osg::CopyOp::DEEP_COPY_ALL));
             faces_.geode_->addDrawable(copy);
-            faces_.surfaces_.push_back({irsg::codesOf(geometry, {}), culled});
+            Surface surface{irsg::codesOf(geometry, {}), culled, {}, {}};
+            if (const auto* normals = geometry.getNormalArray())
+                surface.normals = osg::clone(normals, osg::CopyOp::DEEP_COPY_ALL);
+            if (state != nullptr)
+                if (const auto* offset = state->getAttribute(osg::StateAttribute::POLYGONOFFSET))
+                    surface.offset = osg::clone(offset, osg::CopyOp::DEEP_COPY_ALL);
+            faces_.surfaces_.push_back(std::move(surface));
         }
 
       private:
@@ -78,6 +88,41 @@ osg::ref_ptr<osg::Group> ModelFaces::marked(int model, const FaceSelection& sele
         if (selection.holds(model, surfaces_[i].codes))
             wanted.push_back(geometry(i));
     return wanted.empty() ? nullptr : makeFaceMarks(wanted, devicePixelRatio);
+}
+
+osg::ref_ptr<osg::Group> ModelFaces::colored(const CodeColors& colors) const {
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        const osg::Geometry& face = *geometry(i);
+        const QColor color = colors.of(surfaces_[i].codes);
+        const osg::Vec4 rgba(color.redF(), color.greenF(), color.blueF(), 1.0F);
+        osg::ref_ptr<osg::Geometry> copy = new osg::Geometry;
+        copy->setUseDisplayList(false);
+        copy->setUseVertexBufferObjects(true);
+        copy->setVertexArray(const_cast<osg::Array*>(face.getVertexArray()));
+        if (surfaces_[i].normals)
+            copy->setNormalArray(surfaces_[i].normals, osg::Array::BIND_PER_VERTEX);
+        copy->setColorArray(new osg::Vec4Array(1, &rgba), osg::Array::BIND_OVERALL);
+        for (unsigned int k = 0; k < face.getNumPrimitiveSets(); ++k)
+            copy->addPrimitiveSet(const_cast<osg::PrimitiveSet*>(face.getPrimitiveSet(k)));
+        auto* state = copy->getOrCreateStateSet();
+        if (surfaces_[i].culled)
+            state->setAttributeAndModes(new osg::CullFace);
+        if (surfaces_[i].offset)
+            state->setAttributeAndModes(surfaces_[i].offset);
+        geode->addDrawable(copy);
+    }
+    auto* state = geode->getOrCreateStateSet();
+    osg::ref_ptr<osg::Material> material = new osg::Material;
+    material->setColorMode(osg::Material::AMBIENT_AND_DIFFUSE);
+    state->setAttribute(material);
+    state->setMode(GL_LIGHTING, osg::StateAttribute::ON);
+    osg::ref_ptr<osg::LightModel> bothSides = new osg::LightModel;
+    bothSides->setTwoSided(true);
+    state->setAttribute(bothSides);
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(geode);
+    return group;
 }
 
 osg::ref_ptr<osg::Group> ModelFaces::wireframe(double devicePixelRatio) const {

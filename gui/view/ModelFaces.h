@@ -7,6 +7,7 @@
 #include <osg/Group>
 #include <osg/ref_ptr>
 
+#include "gui/view/CodeColors.h"
 #include "irsg/scene/model/Model.h"
 
 namespace smat::gui {
@@ -51,6 +52,8 @@ class ModelFaces {
     /// Tint and outline of the selected faces, to be drawn over them; null where there are none.
     osg::ref_ptr<osg::Group> marked(int model, const FaceSelection& selection,
                                     double devicePixelRatio) const;
+    /// All faces, lit, each in the colour of its codes.
+    osg::ref_ptr<osg::Group> colored(const CodeColors& colors) const;
     /// Edges of all faces.
     osg::ref_ptr<osg::Group> wireframe(double devicePixelRatio) const;
     const irsg::BoundingBox& bounds() const { return bounds_; }
@@ -59,6 +62,8 @@ class ModelFaces {
     struct Surface {
         irsg::IrCodes codes;
         bool culled = false;
+        osg::ref_ptr<osg::Array> normals;
+        osg::ref_ptr<osg::StateAttribute> offset; ///< of what is drawn over another face
     };
     const osg::Geometry* geometry(std::size_t surface) const;
 

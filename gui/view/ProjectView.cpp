@@ -42,6 +42,7 @@ void ProjectView::connectLoader() {
                 view()->setScene(std::move(*scene));
                 // Settings may have changed in the meantime.
                 view()->setTargetPose(targetPoseOf(workbench_.settings()));
+                emit shown();
             });
     connect(loader_, &SceneLoader::failed, this, [this](const QStringList& sentences) {
         dialogs_.tell(page_->window(), tr("The model cannot be shown"), sentences);

@@ -38,6 +38,8 @@ class ProjectView : public QObject {
     bool isLoading() const;
 
   signals:
+    /// Other models are seen.
+    void shown();
     /// For a moment, or until something else is said.
     void said(const QString& sentence, int time_ms);
 

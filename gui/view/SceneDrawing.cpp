@@ -135,7 +135,7 @@ void SceneDrawing::arrange(DisplayScene& scene, const OverlayLook& look, bool ha
     }
     root_->removeChildren(0, root_->getNumChildren());
     root_->addChild(look.overInfrared ? sheet_.node() : background_.get());
-    if (scene.root && !look.overInfrared)
+    if (scene.root && !look.overInfrared && !look.codes)
         root_->addChild(scene.root);
     for (const DisplayModel& model : scene.models)
         if (model.marks->getNumChildren() > 0)

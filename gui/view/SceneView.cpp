@@ -58,7 +58,7 @@ void SceneView::follow() {
     });
     connect(navigation_, &ViewNavigation::cameraChanged, this, &SceneView::displayChanged);
     connect(navigation_, &ViewNavigation::sensorMoved, this, &SceneView::cameraMoved);
-    connect(navigation_, &ViewNavigation::clicked, this, &SceneView::pick);
+    connect(navigation_, &ViewNavigation::clicked, this, &SceneView::click);
     connect(navigation_, &ViewNavigation::hovered, this, &SceneView::refreshReadout);
     connect(navigation_, &ViewNavigation::dismissed, this, [this] {
         setHighlighted({});
@@ -110,7 +110,8 @@ void SceneView::initializeGL() {
 
 void SceneView::arrange() {
     drawing_->arrange(subject_.scene(),
-                      {selection_, shownPicture() != nullptr, wireframe_, devicePixelRatioF()},
+                      {selection_, chosen_, codes_, facesRevision_, shownPicture() != nullptr,
+                       wireframe_, devicePixelRatioF()},
                       !insetRect().isNull());
 }
 
@@ -143,6 +144,7 @@ void SceneView::setScene(DisplayScene scene) {
     drawing_->forget(subject_.scene());
     subject_.setScene(std::move(scene));
     selection_ = {};
+    chosen_ = {};
     picker_.forget();
     infrared_->beginAnew();
     if (!subject_.hasModels())
@@ -239,6 +241,31 @@ void SceneView::setHighlighted(const FaceSelection& selection) {
     redraw();
 }
 
+void SceneView::setChosen(const ChosenFaces& faces) {
+    if (faces == chosen_)
+        return;
+    chosen_ = faces;
+    arrange();
+    redraw();
+}
+
+void SceneView::setCodeColors(std::shared_ptr<const CodeColors> codes) {
+    if (codes == codes_)
+        return;
+    codes_ = std::move(codes);
+    arrange();
+    redraw();
+}
+
+void SceneView::setModel(const ModelKey& key, std::shared_ptr<const irsg::Model> model,
+                         const std::shared_ptr<const ModelFaces>& faces) {
+    subject_.scene().setModel(key, std::move(model), faces);
+    ++facesRevision_;
+    picker_.forget();
+    arrange();
+    sceneChanged();
+}
+
 void SceneView::sceneChanged() {
     redraw();
     if (!infrared_->isOn())
@@ -274,6 +301,11 @@ void SceneView::changeEvent(QEvent* event) {
 
 std::vector<FaceHit> SceneView::facesAt(const QPointF& point) const {
     return facesUnder(subject_.scene(), projection(), point);
+}
+
+void SceneView::click(const QPointF& point, Qt::KeyboardModifiers modifiers) {
+    if (!clickHandler_ || !clickHandler_(point, modifiers))
+        pick(point);
 }
 
 void SceneView::pick(const QPointF& point) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include <QOpenGLWidget>
 
+#include "gui/view/FaceOverlay.h"
 #include "gui/view/FacePicker.h"
 #include "gui/view/InfraredPictures.h"
 #include "gui/view/ViewNavigation.h"
@@ -78,6 +80,19 @@ class SceneView : public QOpenGLWidget {
     /// Tints and outlines faces, in either display; an empty selection none.
     void setHighlighted(const FaceSelection& selection);
     const FaceSelection& highlighted() const { return selection_; }
+    /// Tints and outlines single faces; another scene has none.
+    void setChosen(const ChosenFaces& faces);
+    /// Shows codes in place of the file's colours in the visible display; null for these.
+    void setCodeColors(std::shared_ptr<const CodeColors> codes);
+    const std::shared_ptr<const CodeColors>& codeColors() const { return codes_; }
+    /// Takes clicks before faces are picked by them; true where it was for it.
+    using ClickHandler = std::function<bool(const QPointF&, Qt::KeyboardModifiers)>;
+    void setClickHandler(ClickHandler handler) { clickHandler_ = std::move(handler); }
+    /// The models as they are shown.
+    const DisplayScene& scene() const { return subject_.scene(); }
+    /// See DisplayScene::setModel; the infrared picture follows.
+    void setModel(const ModelKey& key, std::shared_ptr<const irsg::Model> model,
+                  const std::shared_ptr<const ModelFaces>& faces);
     /// What stands under a point of the widget, nearest first.
     std::vector<FaceHit> facesAt(const QPointF& point) const;
     /// "Radiance 1.234 W·m⁻²·sr⁻¹   temperature 3 (wing)   material 2 (grey paint)".
@@ -114,6 +129,7 @@ class SceneView : public QOpenGLWidget {
     void redraw();
     /// Something that is seen has changed.
     void sceneChanged();
+    void click(const QPointF& point, Qt::KeyboardModifiers modifiers);
     void pick(const QPointF& point);
     void refreshReadout();
     ViewHud hud() const;
@@ -128,6 +144,10 @@ class SceneView : public QOpenGLWidget {
     FacePicker picker_;
     bool inset_ = true, wireframe_ = false;
     FaceSelection selection_;
+    ChosenFaces chosen_;
+    std::shared_ptr<const CodeColors> codes_;
+    long facesRevision_ = 0;
+    ClickHandler clickHandler_;
     QMetaObject::Connection contextGoes_;
     QString renderer_;
     long frameCount_ = 0;

@@ -146,7 +146,7 @@ void ViewNavigation::release(const QMouseEvent& event) {
     pressAt_.reset();
     dragFrom_.reset();
     if (isClick)
-        emit clicked(event.position());
+        emit clicked(event.position(), event.modifiers());
     hover(event.position());
 }
 

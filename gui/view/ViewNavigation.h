@@ -53,7 +53,7 @@ class ViewNavigation : public QObject {
     void cameraChanged();
     /// It was the sensor that moved.
     void sensorMoved(const OrbitCamera& camera);
-    void clicked(const QPointF& point);
+    void clicked(const QPointF& point, Qt::KeyboardModifiers modifiers);
     /// readsAt() may be another place.
     void hovered();
     /// Escape.

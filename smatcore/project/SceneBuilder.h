@@ -31,6 +31,8 @@ class SceneBuilder {
                            const irsg::Environment* environment = nullptr);
     std::shared_ptr<const irsg::Model> model(const std::filesystem::path& file,
                                              const irsg::ModelOptions& options);
+    /// Models are asked for anew, though their files are what they were.
+    void forgetModels() { models_.clear(); }
     std::shared_ptr<const irsg::SignatureDatabase> database(const std::filesystem::path& file);
     /// Databases that stand in for files, by their resolved path, while they are being edited; the
     /// files need not even exist. Replaces those of the last call.

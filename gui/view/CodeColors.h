@@ -1,0 +1,25 @@
+#pragma once
+
+#include <map>
+
+#include <QColor>
+
+#include "irsg/scene/model/ModelValues.h"
+
+namespace smat::gui {
+
+/// Colours for the faces of a model by one of their two indices.
+struct CodeColors {
+    bool byMaterial = false;
+    std::map<int, QColor> colors;
+
+    int indexOf(const irsg::IrCodes& codes) const {
+        return byMaterial ? codes.material : codes.temperature;
+    }
+    QColor of(const irsg::IrCodes& codes) const {
+        const auto found = colors.find(indexOf(codes));
+        return found == colors.end() ? QColor(128, 128, 128) : found->second;
+    }
+};
+
+} // namespace smat::gui
