@@ -136,10 +136,13 @@ void MainWindow::makePainter() {
     toggle->setIcon(icon("paint"));
     toggle->setShortcut(Qt::Key_F4);
     connect(toggle, &QAction::triggered, paint_, [this](bool on) {
-        if (on) {
-            tabs_->setCurrentIndex(0);
-            paint_->raise();
-        }
+        if (!on)
+            return;
+        tabs_->setCurrentIndex(0);
+        paint_->raise();
+        // Down to the legend, where the screen is high enough.
+        if (auto* below = findChild<QDockWidget*>("manipulatorsDock"))
+            resizeDocks({paint_, below}, {560, 180}, Qt::Vertical);
     });
     auto* painter = new FacePainter(
         workbench_, dialogs_, *sceneView(), *paint_,
