@@ -277,6 +277,8 @@ class KeyboardWalkTest : public test::WindowFixture {
         EXPECT_TRUE(test::waitUntil([&] { return !scenario->isBusy(); }));
         walk(*window, "page of a scenario");
         scenario->findChild<QToolButton*>("runScenario")->click();
+        auto* index = window->findChild<QComboBox*>("paintTemperature");
+        emit index->activated(index->count() - 1);
         workbench.set("camera.azimuth", "1");
         answer = 1;
         trigger("newProject");

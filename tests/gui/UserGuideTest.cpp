@@ -83,6 +83,8 @@ class UserGuideTest : public test::WindowFixture {
         EXPECT_TRUE(test::waitUntil([&] { return !scenario->isBusy(); }));
         collect(*scenario);
         scenario->findChild<QToolButton*>("runScenario")->click();
+        auto* index = window->findChild<QComboBox*>("paintTemperature");
+        emit index->activated(index->count() - 1);
         emit tabs->tabBar()->customContextMenuRequested(tabs->tabBar()->tabRect(1).center());
         collect(*window);
         if (auto* menu = window->findChild<QMenu*>("tabMenu")) {
