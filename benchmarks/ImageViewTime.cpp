@@ -13,13 +13,13 @@
 #include <QElapsedTimer>
 
 #include "benchmarks/Fluidity.h"
-#include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ComparisonPanes.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ImageView.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/image/Histogram.h"
 
 namespace {

@@ -10,9 +10,9 @@
 #include <QTimer>
 
 #include "gui/MainWindow.h"
-#include "gui/Theme.h"
 #include "gui/settings/Preferences.h"
 #include "gui/view/SceneView.h"
+#include "gui/widgets/Theme.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <QUndoCommand>
 
-#include "gui/Readable.h"
+#include "gui/widgets/Readable.h"
 #include "smatcore/settings/SettingInfo.h"
 
 namespace smat::gui {

@@ -10,11 +10,11 @@
 #include <qwt_global.h>
 #include <sqlite3.h>
 
-#include "gui/DialogButtons.h"
-#include "gui/Theme.h"
-#include "gui/VerticalScrollArea.h"
 #include "gui/image/ComparisonKeys.h"
 #include "gui/image/ImageView.h"
+#include "gui/widgets/DialogButtons.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/VerticalScrollArea.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "smatcore/data/Provenance.h"
 

@@ -7,8 +7,8 @@
 #include <QThread>
 #include <unistd.h>
 
-#include "gui/BackgroundPool.h"
 #include "gui/Workbench.h"
+#include "gui/widgets/BackgroundPool.h"
 
 namespace smat::gui {
 namespace {

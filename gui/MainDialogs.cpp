@@ -6,8 +6,6 @@
 
 #include "gui/HelpDialogs.h"
 #include "gui/PageTabs.h"
-#include "gui/Sentences.h"
-#include "gui/Theme.h"
 #include "gui/UnsavedNote.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
@@ -20,6 +18,8 @@
 #include "gui/settings/Preferences.h"
 #include "gui/settings/SettingsDialog.h"
 #include "gui/start/GuidePage.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 

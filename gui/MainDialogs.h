@@ -2,8 +2,8 @@
 
 #include <QObject>
 
-#include "gui/Dialogs.h"
 #include "gui/settings/SettingForm.h"
+#include "gui/widgets/Dialogs.h"
 #include "smatcore/project/AnalysisKind.h"
 
 class QMainWindow;

@@ -13,7 +13,6 @@
 #include "gui/HelpDialogs.h"
 #include "gui/MainDialogs.h"
 #include "gui/PageTabs.h"
-#include "gui/Theme.h"
 #include "gui/WindowLayout.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/MissingForAnalyses.h"
@@ -29,7 +28,8 @@
 #include "gui/tools/MonteCarloPage.h"
 #include "gui/view/ModelPage.h"
 #include "gui/view/ProjectView.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "gui/widgets/Theme.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 
 namespace smat::gui {
 

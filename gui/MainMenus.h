@@ -5,7 +5,7 @@
 
 #include <QObject>
 
-#include "gui/Dialogs.h"
+#include "gui/widgets/Dialogs.h"
 #include "smatcore/project/AnalysisKind.h"
 
 class QAction;

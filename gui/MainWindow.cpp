@@ -10,8 +10,6 @@
 #include "gui/MainDialogs.h"
 #include "gui/MainMenus.h"
 #include "gui/ManipulatorsDock.h"
-#include "gui/Theme.h"
-#include "gui/Widgets.h"
 #include "gui/WindowLayout.h"
 #include "gui/analysis/JobBar.h"
 #include "gui/analysis/ResultPages.h"
@@ -29,6 +27,8 @@
 #include "gui/view/LoadingBar.h"
 #include "gui/view/ModelPage.h"
 #include "gui/view/ProjectView.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/Widgets.h"
 
 namespace smat::gui {
 

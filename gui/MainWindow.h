@@ -5,10 +5,10 @@
 
 #include <QMainWindow>
 
-#include "gui/Dialogs.h"
 #include "gui/PageTabs.h"
 #include "gui/Workbench.h"
 #include "gui/settings/Preferences.h"
+#include "gui/widgets/Dialogs.h"
 
 namespace smat::gui {
 

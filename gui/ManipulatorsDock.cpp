@@ -14,10 +14,10 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
-#include "gui/Readable.h"
-#include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/settings/SettingForm.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -3,11 +3,11 @@
 #include <QTabBar>
 
 #include "gui/DocumentPage.h"
-#include "gui/Exportable.h"
-#include "gui/Sentences.h"
-#include "gui/Theme.h"
-#include "gui/Widgets.h"
 #include "gui/analysis/ResultPage.h"
+#include "gui/widgets/Exportable.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/Widgets.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

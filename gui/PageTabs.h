@@ -2,7 +2,7 @@
 
 #include <QTabWidget>
 
-#include "gui/Dialogs.h"
+#include "gui/widgets/Dialogs.h"
 
 namespace smat::gui {
 

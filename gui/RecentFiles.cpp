@@ -2,7 +2,7 @@
 
 #include <QSettings>
 
-#include "gui/Memory.h"
+#include "gui/widgets/Memory.h"
 
 namespace smat::gui {
 namespace {

@@ -6,7 +6,7 @@
 #include <QMainWindow>
 #include <QScreen>
 
-#include "gui/Memory.h"
+#include "gui/widgets/Memory.h"
 
 namespace smat::gui {
 namespace {

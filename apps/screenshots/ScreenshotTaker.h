@@ -6,8 +6,8 @@
 
 #include <QStringList>
 
-#include "gui/Dialogs.h"
 #include "gui/MainWindow.h"
+#include "gui/widgets/Dialogs.h"
 
 namespace smat::gui {
 

@@ -12,7 +12,7 @@
 #include <QStandardPaths>
 
 #include "apps/screenshots/ScreenshotTaker.h"
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 
 int main(int argc, char** argv) {
     CLI::App cli{"Keeps a picture of every window and dialog of the workbench"};

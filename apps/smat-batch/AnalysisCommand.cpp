@@ -2,7 +2,7 @@
 #include "apps/smat-batch/ProjectInput.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "irsg/radiometry/Errors.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 
 namespace smat::batch {
 

@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "irsg/radiometry/Errors.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/project/AnalysisKind.h"
 #include "smatcore/support/StageTimer.h"
 

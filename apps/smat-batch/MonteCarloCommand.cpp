@@ -12,8 +12,8 @@
 #include "apps/smat-batch/StopSignal.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/MonteCarlo.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -12,7 +12,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/Utf8.h"
-#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/data/ImageSource.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/support/FreedMemory.h"
 #include "smatcore/support/Log.h"

@@ -11,11 +11,11 @@
 #include "apps/smat/PlotCommand.h"
 #include "gui/Leaving.h"
 #include "gui/MainWindow.h"
-#include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/settings/Preferences.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
-#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/data/ImageSource.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/support/FreedMemory.h"
 

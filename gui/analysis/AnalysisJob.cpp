@@ -4,10 +4,10 @@
 
 #include <QTimer>
 
-#include "gui/Sentences.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat::gui {
 namespace {

@@ -13,7 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 

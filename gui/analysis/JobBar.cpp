@@ -10,10 +10,10 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "gui/Theme.h"
-#include "gui/Widgets.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/ResultStore.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/Widgets.h"
 
 namespace smat::gui {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "gui/Sentences.h"
 #include "gui/analysis/ResultStore.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/results/ResultFolder.h"
 

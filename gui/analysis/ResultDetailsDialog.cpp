@@ -11,9 +11,9 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
-#include "gui/Readable.h"
 #include "gui/analysis/ResultStore.h"
+#include "gui/widgets/DialogButtons.h"
+#include "gui/widgets/Readable.h"
 
 namespace smat::gui {
 namespace {

@@ -3,8 +3,8 @@
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
 #include "gui/analysis/ResultStore.h"
+#include "gui/widgets/DialogButtons.h"
 
 namespace smat::gui {
 

@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageView.h"
@@ -15,6 +14,7 @@
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
 #include "gui/tools/MonteCarloPlots.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/image/PngView.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/Conditions.h"

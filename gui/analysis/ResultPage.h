@@ -6,9 +6,9 @@
 #include <QStringList>
 #include <QWidget>
 
-#include "gui/Dialogs.h"
-#include "gui/Exportable.h"
 #include "gui/analysis/ResultStore.h"
+#include "gui/widgets/Dialogs.h"
+#include "gui/widgets/Exportable.h"
 
 class QComboBox;
 

@@ -2,13 +2,13 @@
 
 #include <QTabWidget>
 
-#include "gui/Sentences.h"
-#include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/FloatingPages.h"
 #include "gui/analysis/ResultPage.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 
 namespace smat::gui {
 

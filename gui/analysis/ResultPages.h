@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "gui/Dialogs.h"
+#include "gui/widgets/Dialogs.h"
 
 class QTabWidget;
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/ResultFile.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/data/ResultDifference.h"
 
 namespace smat::gui {

@@ -7,7 +7,7 @@
 #include <QDateTime>
 #include <QObject>
 
-#include "gui/LatestTask.h"
+#include "gui/widgets/LatestTask.h"
 #include "smatcore/results/ResultDocument.h"
 
 namespace smat::gui {

@@ -10,9 +10,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
-#include "gui/Theme.h"
 #include "gui/UnsavedNote.h"
 #include "gui/Workbench.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
@@ -20,8 +17,11 @@
 #include "gui/analysis/ResultItemDelegate.h"
 #include "gui/analysis/ResultNotesDialog.h"
 #include "gui/image/ImageExport.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 
 namespace smat::gui {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <QDockWidget>
 
-#include "gui/Dialogs.h"
+#include "gui/widgets/Dialogs.h"
 
 class QAction;
 class QLabel;

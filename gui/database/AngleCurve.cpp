@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 

@@ -9,8 +9,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
 #include "gui/database/NodePlot.h"
+#include "gui/widgets/DialogButtons.h"
 
 namespace smat::gui {
 namespace {

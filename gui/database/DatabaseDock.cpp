@@ -9,8 +9,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
-#include "gui/Widgets.h"
 #include "gui/database/CopyEntriesDialog.h"
 #include "gui/database/DatabaseBanner.h"
 #include "gui/database/EntryList.h"
@@ -19,6 +17,8 @@
 #include "gui/database/MaterialPanel.h"
 #include "gui/database/SpectrumPanel.h"
 #include "gui/database/TemperaturePanel.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/Widgets.h"
 #include "irsg/signature/MaterialLibrary.h"
 #include "irsg/signature/SpectrumCsv.h"
 

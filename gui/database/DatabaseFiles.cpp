@@ -2,9 +2,9 @@
 
 #include <QObject>
 
-#include "gui/Sentences.h"
 #include "gui/database/QuestionDialog.h"
 #include "gui/start/DataFolder.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/Model.h"
 #include "irsg/signature/ScalingXml.h"

@@ -6,8 +6,8 @@
 #include <QFile>
 #include <QUndoStack>
 
-#include "gui/Sentences.h"
 #include "gui/start/DataFolder.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/FileReplacement.h"

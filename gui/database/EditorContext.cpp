@@ -1,6 +1,6 @@
 #include "gui/database/EditorContext.h"
 
-#include "gui/Sentences.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/Model.h"
 #include "irsg/scene/model/ModelUse.h"

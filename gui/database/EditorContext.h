@@ -6,11 +6,11 @@
 
 #include <QObject>
 
-#include "gui/Dialogs.h"
-#include "gui/LatestTask.h"
 #include "gui/Workbench.h"
 #include "gui/database/DatabaseEdits.h"
 #include "gui/database/DatabaseSession.h"
+#include "gui/widgets/Dialogs.h"
+#include "gui/widgets/LatestTask.h"
 #include "irsg/signature/EntityState.h"
 #include "irsg/signature/Lint.h"
 

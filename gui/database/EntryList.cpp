@@ -8,9 +8,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
 #include "gui/database/QuestionDialog.h"
 #include "gui/database/RenumberDialog.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 

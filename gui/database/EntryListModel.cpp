@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <QPixmap>
 
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/image/ColorMap.h"
 
 namespace smat::gui {

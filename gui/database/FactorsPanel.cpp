@@ -12,10 +12,10 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/Sentences.h"
-#include "gui/Theme.h"
 #include "gui/database/NodeEditor.h"
 #include "gui/database/NodePlot.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SpectrumCsv.h"
 

@@ -7,8 +7,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
 #include "gui/database/FindingsScope.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <QTimer>
 
-#include "gui/LatestTask.h"
 #include "gui/database/EditorContext.h"
+#include "gui/widgets/LatestTask.h"
 
 namespace smat::gui {
 

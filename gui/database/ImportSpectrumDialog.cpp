@@ -9,10 +9,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
-#include "gui/Sentences.h"
-#include "gui/Theme.h"
 #include "gui/database/Nodes.h"
+#include "gui/widgets/DialogButtons.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/signature/SpectrumCsv.h"

@@ -5,9 +5,9 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "gui/Widgets.h"
 #include "gui/database/AngleCurve.h"
 #include "gui/database/SpectralProperty.h"
+#include "gui/widgets/Widgets.h"
 
 namespace smat::gui {
 

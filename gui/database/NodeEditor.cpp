@@ -6,9 +6,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
 #include "gui/database/NodePlot.h"
 #include "gui/database/NodeTable.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 

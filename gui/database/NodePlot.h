@@ -5,9 +5,9 @@
 #include <QwtPlot>
 #include <QwtScaleMap>
 
-#include "gui/PaletteWatch.h"
 #include "gui/database/Nodes.h"
 #include "gui/plot/PlotData.h"
+#include "gui/widgets/PaletteWatch.h"
 
 class QwtPlotCurve;
 class QwtPlotGrid;

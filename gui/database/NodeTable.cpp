@@ -10,7 +10,7 @@
 #include <QLineEdit>
 #include <QStyledItemDelegate>
 
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 namespace {

@@ -7,7 +7,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
-#include "gui/Readable.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

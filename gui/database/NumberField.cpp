@@ -6,8 +6,8 @@
 #include <QKeyEvent>
 #include <QPainter>
 
-#include "gui/Theme.h"
 #include "gui/database/Nodes.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 

@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
+#include "gui/widgets/DialogButtons.h"
 
 namespace smat::gui {
 

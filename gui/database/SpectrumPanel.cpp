@@ -11,11 +11,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
-#include "gui/Theme.h"
-#include "gui/Widgets.h"
 #include "gui/database/SpectrumTableModel.h"
 #include "gui/plot/CartesianPlot.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/Widgets.h"
 
 namespace smat::gui {
 

@@ -1,6 +1,6 @@
 #include "gui/database/TargetDatabase.h"
 
-#include "gui/Sentences.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SignatureFile.h"
 

@@ -11,12 +11,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
-#include "gui/Widgets.h"
 #include "gui/database/FactorsPanel.h"
 #include "gui/database/NodePlot.h"
 #include "gui/database/TemperatureResult.h"
 #include "gui/database/TermsPanel.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/Widgets.h"
 
 namespace smat::gui {
 namespace {

@@ -7,8 +7,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
 #include "gui/database/NumberField.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/signature/EntryFields.h"
 
 namespace smat::gui {

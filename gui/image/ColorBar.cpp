@@ -12,8 +12,8 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
 #include "gui/image/ColorBarScale.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/image/AxisTicks.h"
 
 namespace smat::gui {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 

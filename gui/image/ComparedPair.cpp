@@ -4,10 +4,10 @@
 
 #include <QStringList>
 
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
 #include "gui/image/ColoredPlane.h"
 #include "gui/image/ImageExport.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/image/ComparisonFigures.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/radiometry/Errors.h"

@@ -9,7 +9,7 @@
 
 #include <QObject>
 
-#include "gui/LatestTask.h"
+#include "gui/widgets/LatestTask.h"
 #include "irsg/image/ImageComparison.h"
 #include "irsg/image/RadianceImage.h"
 

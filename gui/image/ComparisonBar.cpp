@@ -8,9 +8,9 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include "gui/Theme.h"
-#include "gui/Widgets.h"
 #include "gui/image/ImageExport.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/Widgets.h"
 #include "irsg/image/ColorMap.h"
 
 namespace smat::gui {

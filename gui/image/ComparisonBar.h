@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gui/FlowBar.h"
 #include "gui/image/ComparedPair.h"
+#include "gui/widgets/FlowBar.h"
 
 class QAction;
 class QCheckBox;

@@ -5,9 +5,9 @@
 
 #include <QObject>
 
-#include "gui/LatestTask.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ColoredPlane.h"
+#include "gui/widgets/LatestTask.h"
 #include "irsg/image/ImageComparison.h"
 
 namespace smat::gui {

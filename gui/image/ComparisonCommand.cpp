@@ -9,7 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Widgets.h"
+#include "gui/widgets/Widgets.h"
 
 namespace smat::gui {
 

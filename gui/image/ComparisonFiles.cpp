@@ -5,8 +5,8 @@
 #include <QPointer>
 #include <QWidget>
 
-#include "gui/Sentences.h"
 #include "gui/image/ImageExport.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/radiometry/Errors.h"
 

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "gui/Dialogs.h"
-#include "gui/LatestTask.h"
 #include "gui/image/ComparedPair.h"
+#include "gui/widgets/Dialogs.h"
+#include "gui/widgets/LatestTask.h"
 
 namespace smat::gui {
 

@@ -6,12 +6,12 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
 #include "gui/image/ComparisonCommand.h"
 #include "gui/image/FiguresTable.h"
 #include "gui/image/HistogramPlot.h"
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ThresholdForm.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/image/ComparisonFigures.h"
 
 namespace smat::gui {

@@ -11,8 +11,6 @@
 #include <QMimeData>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
 #include "gui/image/ComparisonBar.h"
 #include "gui/image/ComparisonCommand.h"
 #include "gui/image/ComparisonFiles.h"
@@ -25,6 +23,8 @@
 #include "gui/image/ImageInspector.h"
 #include "gui/image/PaperPicture.h"
 #include "gui/image/ThresholdForm.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/support/ShellText.h"

@@ -4,9 +4,9 @@
 
 #include <QWidget>
 
-#include "gui/Dialogs.h"
-#include "gui/Exportable.h"
 #include "gui/image/ComparedPair.h"
+#include "gui/widgets/Dialogs.h"
+#include "gui/widgets/Exportable.h"
 
 class QLabel;
 

@@ -11,8 +11,8 @@
 #include <QwtPlotMarker>
 #include <QwtScaleEngine>
 
-#include "gui/Theme.h"
 #include "gui/plot/PlotLook.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 

@@ -2,7 +2,7 @@
 
 #include <QwtPlot>
 
-#include "gui/PaletteWatch.h"
+#include "gui/widgets/PaletteWatch.h"
 #include "irsg/image/Histogram.h"
 
 class QwtPlotHistogram;

@@ -9,7 +9,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 namespace {

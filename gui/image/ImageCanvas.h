@@ -4,10 +4,10 @@
 
 #include <QWidget>
 
-#include "gui/LatestTask.h"
 #include "gui/image/CanvasPlacement.h"
 #include "gui/image/ColoredPlane.h"
 #include "gui/image/PixelSelection.h"
+#include "gui/widgets/LatestTask.h"
 
 namespace smat::gui {
 

@@ -10,7 +10,7 @@
 #include <QPainter>
 #include <QPixmap>
 
-#include "gui/Readable.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"

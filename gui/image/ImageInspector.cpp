@@ -5,9 +5,9 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
 #include "gui/image/FiguresTable.h"
 #include "gui/image/HistogramPlot.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/image/ImageIntensity.h"
 
 namespace smat::gui {

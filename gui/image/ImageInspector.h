@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "gui/LatestTask.h"
+#include "gui/widgets/LatestTask.h"
 #include "irsg/image/Histogram.h"
 #include "irsg/image/ImageStatistics.h"
 #include "irsg/image/RadianceImage.h"

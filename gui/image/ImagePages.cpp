@@ -5,11 +5,11 @@
 #include <QFileInfo>
 
 #include "gui/PageTabs.h"
-#include "gui/Sentences.h"
-#include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageView.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/Conditions.h"

@@ -2,8 +2,8 @@
 
 #include <QObject>
 
-#include "gui/Dialogs.h"
-#include "gui/LatestTask.h"
+#include "gui/widgets/Dialogs.h"
+#include "gui/widgets/LatestTask.h"
 
 namespace smat::gui {
 

@@ -10,13 +10,13 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ColorPicture.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageInspector.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"

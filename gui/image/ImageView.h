@@ -5,10 +5,10 @@
 
 #include <QWidget>
 
-#include "gui/Dialogs.h"
-#include "gui/Exportable.h"
-#include "gui/LatestTask.h"
 #include "gui/image/ImageExport.h"
+#include "gui/widgets/Dialogs.h"
+#include "gui/widgets/Exportable.h"
+#include "gui/widgets/LatestTask.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/image/RadianceImage.h"
 #include "irsg/image/SampledWindows.h"

@@ -7,13 +7,13 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/FlowBar.h"
-#include "gui/Widgets.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ImageView.h"
+#include "gui/widgets/FlowBar.h"
+#include "gui/widgets/Widgets.h"
 
 namespace smat::gui {
 ImageView::ImageView(QWidget* parent, Dialogs dialogs)

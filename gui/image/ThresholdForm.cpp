@@ -9,8 +9,8 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 

@@ -6,11 +6,11 @@
 
 #include <osg/Geometry>
 
-#include "gui/Sentences.h"
-#include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/paint/BoxMouse.h"
 #include "gui/paint/NewEntryDialog.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/Painting.h"
 
@@ -24,8 +24,7 @@ osg::Vec3d vec(const irsg::Vec3& v) {
 /// From model axes to the window of the view: see FaceBox.
 osg::Matrixd pictureOf(const ViewProjection& through, const irsg::Pose& pose) {
     const irsg::Rotation toWorld = pose.attitude.rotation();
-    const irsg::Vec3 right = through.eye.right, up = through.eye.up,
-                     ahead = through.eye.forward();
+    const irsg::Vec3 right = through.eye.right, up = through.eye.up, ahead = through.eye.forward();
     const auto row = [&](osg::Matrixd& m, int i, const irsg::Vec3& v) {
         const double depth = irsg::dot(v, ahead), f = through.focalLength_px;
         m(i, 0) = f * irsg::dot(v, right) + 0.5 * through.window.width() * depth;
@@ -132,9 +131,8 @@ void FacePainter::followScene() {
 }
 
 bool FacePainter::isReady() const {
-    return mesh_ && !reading_.isBusy() && std::ranges::none_of(paints_, [](const auto& one) {
-        return one.second->isBusy();
-    });
+    return mesh_ && !reading_.isBusy() &&
+           std::ranges::none_of(paints_, [](const auto& one) { return one.second->isBusy(); });
 }
 
 const DisplayModel* FacePainter::shown() const {
@@ -176,21 +174,20 @@ void FacePainter::readMesh() {
     }
     key_ = key;
     using Mesh = std::shared_ptr<const irsg::FaceMesh>;
-    reading_.run<Mesh>(
-        [key, store = workbench_.models()] { return store->mesh(key.file); },
-        [this](const Mesh& mesh) {
-            if (mesh != mesh_)
-                chosen_.clear();
-            mesh_ = mesh;
-            refreshChosen();
-        },
-        [this](const std::exception_ptr& thrown) {
-            mesh_ = nullptr;
-            chosen_.clear();
-            refreshChosen();
-            dialogs_.tell(&dock_, tr("The faces of the model cannot be read"),
-                          sentencesOf(thrown));
-        });
+    reading_.run<Mesh>([key, store = workbench_.models()] { return store->mesh(key.file); },
+                       [this](const Mesh& mesh) {
+                           if (mesh != mesh_)
+                               chosen_.clear();
+                           mesh_ = mesh;
+                           refreshChosen();
+                       },
+                       [this](const std::exception_ptr& thrown) {
+                           mesh_ = nullptr;
+                           chosen_.clear();
+                           refreshChosen();
+                           dialogs_.tell(&dock_, tr("The faces of the model cannot be read"),
+                                         sentencesOf(thrown));
+                       });
     fillBoxes();
     refreshChosen();
     refreshCodes();
@@ -265,9 +262,9 @@ void FacePainter::takeBox(const QRectF& box, Qt::KeyboardModifiers modifiers) {
     const ViewProjection through = view_.projection();
     irsg::FaceBox wanted;
     wanted.toPicture = painted->fromFile() * pictureOf(through, pose);
-    wanted.eye = vec(pose.attitude.rotation().transposed() *
-                     (through.eye.position_m - pose.position_m)) *
-                 osg::Matrixd::inverse(painted->fromFile());
+    wanted.eye =
+        vec(pose.attitude.rotation().transposed() * (through.eye.position_m - pose.position_m)) *
+        osg::Matrixd::inverse(painted->fromFile());
     wanted.left = box.left();
     wanted.top = box.top();
     wanted.right = box.right();

@@ -6,11 +6,11 @@
 
 #include <QColor>
 
-#include "gui/Dialogs.h"
-#include "gui/LatestTask.h"
 #include "gui/database/DatabaseEdits.h"
 #include "gui/paint/PaintDock.h"
 #include "gui/view/SceneView.h"
+#include "gui/widgets/Dialogs.h"
+#include "gui/widgets/LatestTask.h"
 #include "irsg/scene/model/FaceChoice.h"
 
 namespace smat::gui {
@@ -34,8 +34,7 @@ class FacePainter : public QObject {
     bool isReady() const;
     const std::shared_ptr<const irsg::FaceMesh>& mesh() const { return mesh_; }
     const irsg::FaceNumbers& chosen() const { return chosen_; }
-    void choose(const irsg::FaceNumbers& faces,
-                irsg::Choosing how = irsg::Choosing::anew);
+    void choose(const irsg::FaceNumbers& faces, irsg::Choosing how = irsg::Choosing::anew);
 
   private:
     void connectDock();

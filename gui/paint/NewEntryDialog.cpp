@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
+#include "gui/widgets/DialogButtons.h"
 
 namespace smat::gui {
 
@@ -14,8 +14,7 @@ NewEntryDialog::NewEntryDialog(EntryKind kind, int index, QWidget* parent) : QDi
     setObjectName("newEntryDialog");
     const bool isMaterial = kind == EntryKind::material;
     setWindowTitle(isMaterial ? tr("New material") : tr("New temperature"));
-    name_ = new QLineEdit(
-        (isMaterial ? tr("material %1") : tr("temperature %1")).arg(index), this);
+    name_ = new QLineEdit((isMaterial ? tr("material %1") : tr("temperature %1")).arg(index), this);
     name_->setObjectName("entryName");
     name_->selectAll();
     auto* form = new QFormLayout;

@@ -13,8 +13,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
-#include "gui/VerticalScrollArea.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/VerticalScrollArea.h"
 
 namespace smat::gui {
 namespace {
@@ -228,9 +228,9 @@ void PaintDock::refresh() {
 void PaintDock::setLegend(const std::vector<CodeRow>& rows) {
     legend_->clear();
     for (const CodeRow& row : rows) {
-        auto* item = new QTreeWidgetItem(
-            legend_, {QString::number(row.index), row.name, QString::number(row.faces),
-                      areaWords(row.area_m2)});
+        auto* item =
+            new QTreeWidgetItem(legend_, {QString::number(row.index), row.name,
+                                          QString::number(row.faces), areaWords(row.area_m2)});
         item->setData(0, Qt::UserRole, row.index);
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
         item->setTextAlignment(3, Qt::AlignRight | Qt::AlignVCenter);

@@ -83,8 +83,8 @@ std::shared_ptr<const PaintedModels::Surfaces> PaintedModels::of(const fs::path&
 void PaintedModels::edit(const fs::path& model, Surfaces after, const QString& step) {
     const auto before = of(model);
     if (*before != after)
-        undoStack_.push(
-            new Step(*this, step, model, before, std::make_shared<const Surfaces>(std::move(after))));
+        undoStack_.push(new Step(*this, step, model, before,
+                                 std::make_shared<const Surfaces>(std::move(after))));
 }
 
 void PaintedModels::apply(const fs::path& model, std::shared_ptr<const Surfaces> surfaces) {
@@ -220,14 +220,12 @@ void PaintedModels::writeRecoveryNow() {
             const fs::path first = recoveryOf(model);
             std::error_code none;
             const bool free = painting.lock->isLocked() && !fs::exists(first, none);
-            painting.recovery =
-                free ? first
-                     : fs::path(first.string() + "-" +
-                                std::to_string(QCoreApplication::applicationPid()));
+            painting.recovery = free ? first
+                                     : fs::path(first.string() + "-" +
+                                                std::to_string(QCoreApplication::applicationPid()));
         }
         try {
-            irsg::writeFileDurably(painting.recovery,
-                                   irsg::modelCodesToJson({{}, *painting.now}));
+            irsg::writeFileDurably(painting.recovery, irsg::modelCodesToJson({{}, *painting.now}));
         } catch (const irsg::InputError&) {
             // The copy of the project says why its folder cannot be written to.
             painting.recovery.clear();

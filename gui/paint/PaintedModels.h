@@ -51,8 +51,7 @@ class PaintedModels : public QObject {
 
     /// The copy of unsaved paint that a window which ended without saving left, and no other
     /// window is at work on.
-    static std::optional<std::filesystem::path>
-    leftBehind(const std::filesystem::path& model);
+    static std::optional<std::filesystem::path> leftBehind(const std::filesystem::path& model);
     /// Takes it as a step that can be undone; it goes once this window has one of its own. Throws
     /// irsg::InputError for a damaged copy, which stays where it is.
     void recover(const std::filesystem::path& model, const std::filesystem::path& copy);

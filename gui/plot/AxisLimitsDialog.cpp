@@ -8,9 +8,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
-#include "gui/Readable.h"
-#include "gui/Widgets.h"
+#include "gui/widgets/DialogButtons.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Widgets.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

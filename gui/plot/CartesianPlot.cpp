@@ -13,11 +13,11 @@
 #include <QwtScaleWidget>
 #include <QwtText>
 
-#include "gui/Readable.h"
 #include "gui/plot/CartesianItems.h"
 #include "gui/plot/CurveDrawing.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/PlotNavigator.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "gui/Theme.h"
 #include "gui/plot/PlotData.h"
 #include "gui/plot/PlotSurface.h"
+#include "gui/widgets/Theme.h"
 
 class QVariant;
 

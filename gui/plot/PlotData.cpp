@@ -5,7 +5,7 @@
 
 #include <QStringList>
 
-#include "gui/Readable.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

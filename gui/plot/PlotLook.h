@@ -4,7 +4,7 @@
 #include <QwtScaleDraw>
 #include <QwtText>
 
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 
 class QwtLegend;
 class QwtPlot;

@@ -10,12 +10,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/FlowBar.h"
-#include "gui/Sentences.h"
 #include "gui/plot/AxisLimitsDialog.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotNavigator.h"
 #include "gui/plot/PolarPlot.h"
+#include "gui/widgets/FlowBar.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-#include "gui/Dialogs.h"
 #include "gui/plot/PlotExport.h"
+#include "gui/widgets/Dialogs.h"
 
 class QAction;
 class QHBoxLayout;

@@ -4,7 +4,7 @@
 #include <QRectF>
 #include <QString>
 
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 
 class QPainter;
 class QWidget;

@@ -8,9 +8,9 @@
 #include <QwtPolarItem>
 #include <QwtRoundScaleDraw>
 
-#include "gui/Theme.h"
 #include "gui/plot/CurveDrawing.h"
 #include "gui/plot/CurveItem.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 

@@ -15,11 +15,11 @@
 #include <QwtScaleEngine>
 #include <QwtScaleMap>
 
-#include "gui/Readable.h"
 #include "gui/plot/CurveDrawing.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/PlotNavigator.h"
 #include "gui/plot/PolarItems.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "gui/Readable.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/data/ColumnName.h"

@@ -17,11 +17,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/BackgroundPool.h"
-#include "gui/Sentences.h"
-#include "gui/Theme.h"
 #include "gui/analysis/ResultStore.h"
 #include "gui/project/ProjectFiles.h"
+#include "gui/widgets/BackgroundPool.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/scene/model/ModelConverter.h"
 
 namespace smat::gui {

@@ -6,7 +6,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
-#include "gui/Dialogs.h"
+#include "gui/widgets/Dialogs.h"
 
 class QCheckBox;
 class QGridLayout;

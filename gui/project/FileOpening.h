@@ -8,7 +8,7 @@
 #include <QObject>
 #include <QStringList>
 
-#include "gui/Dialogs.h"
+#include "gui/widgets/Dialogs.h"
 
 namespace smat::gui {
 

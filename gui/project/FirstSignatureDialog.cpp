@@ -11,11 +11,11 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
 #include "gui/database/NumberField.h"
 #include "gui/project/PlacingFields.h"
+#include "gui/widgets/DialogButtons.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/signature/MaterialLibrary.h"
 #include "irsg/signature/SignatureFile.h"
 

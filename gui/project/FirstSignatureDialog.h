@@ -5,7 +5,7 @@
 
 #include <QDialog>
 
-#include "gui/LatestTask.h"
+#include "gui/widgets/LatestTask.h"
 #include "irsg/scene/model/FirstSignature.h"
 #include "smatcore/project/Project.h"
 

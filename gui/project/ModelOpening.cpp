@@ -1,7 +1,7 @@
 #include "gui/project/ModelOpening.h"
 
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "smatcore/project/ProjectFile.h"
 
 namespace smat::gui {

@@ -4,9 +4,9 @@
 
 #include <QStringList>
 
-#include "gui/LatestTask.h"
 #include "gui/ModelStore.h"
 #include "gui/ModelWait.h"
+#include "gui/widgets/LatestTask.h"
 
 namespace smat::gui {
 

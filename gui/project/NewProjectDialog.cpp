@@ -9,10 +9,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
-#include "gui/Theme.h"
 #include "gui/project/PlacingFields.h"
 #include "gui/project/ProjectFiles.h"
+#include "gui/widgets/DialogButtons.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 

@@ -2,7 +2,7 @@
 
 #include <QDialog>
 
-#include "gui/Dialogs.h"
+#include "gui/widgets/Dialogs.h"
 #include "smatcore/project/Project.h"
 
 class QFormLayout;

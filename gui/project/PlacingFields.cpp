@@ -9,10 +9,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
 #include "gui/database/NumberField.h"
 #include "gui/project/PlacingPicture.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

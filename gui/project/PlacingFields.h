@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "gui/LatestTask.h"
+#include "gui/widgets/LatestTask.h"
 #include "irsg/scene/model/ModelPlacing.h"
 
 class QComboBox;

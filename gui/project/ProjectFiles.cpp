@@ -8,12 +8,12 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
 #include "gui/Workbench.h"
 #include "gui/project/NewProjectDialog.h"
 #include "gui/settings/Preferences.h"
 #include "gui/start/DataFolder.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/scene/model/OpenableFiles.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"

@@ -7,9 +7,9 @@
 
 #include <QObject>
 
-#include "gui/Dialogs.h"
 #include "gui/project/ModelOpening.h"
 #include "gui/project/RecoveryCopy.h"
+#include "gui/widgets/Dialogs.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileStamp.h"
 

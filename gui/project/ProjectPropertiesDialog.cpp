@@ -12,8 +12,8 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
 #include "gui/project/PlacingFields.h"
+#include "gui/widgets/DialogButtons.h"
 
 namespace smat::gui {
 namespace {

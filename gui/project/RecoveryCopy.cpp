@@ -6,10 +6,10 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
 #include "gui/Workbench.h"
 #include "gui/start/DataFolder.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/support/TextFile.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gui/Sentences.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SignatureFile.h"
 

@@ -9,10 +9,10 @@
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
-#include "gui/BackgroundPool.h"
-#include "gui/Readable.h"
-#include "gui/Theme.h"
 #include "gui/Workbench.h"
+#include "gui/widgets/BackgroundPool.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/settings/SettingKeys.h"

@@ -9,11 +9,11 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
 #include "gui/image/ColoredPlane.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/ResultPlot.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/image/ImageStatistics.h"
 
 namespace smat::gui {

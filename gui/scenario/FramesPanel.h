@@ -4,8 +4,8 @@
 
 #include <QWidget>
 
-#include "gui/Dialogs.h"
 #include "gui/scenario/SimulationOrder.h"
+#include "gui/widgets/Dialogs.h"
 
 class QComboBox;
 class QLabel;

@@ -8,8 +8,8 @@
 #include <QPainter>
 #include <QWheelEvent>
 
-#include "gui/Readable.h"
-#include "gui/Theme.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Units.h"
 
 namespace smat::gui {

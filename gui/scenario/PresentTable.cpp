@@ -2,7 +2,7 @@
 
 #include <QHeaderView>
 
-#include "gui/Readable.h"
+#include "gui/widgets/Readable.h"
 
 namespace smat::gui {
 

@@ -12,11 +12,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
 #include "gui/scenario/ScenarioDocument.h"
 #include "gui/start/DataFolder.h"
+#include "gui/widgets/DialogButtons.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/support/ShellText.h"
 

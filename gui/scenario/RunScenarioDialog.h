@@ -4,8 +4,8 @@
 
 #include <QDialog>
 
-#include "gui/Dialogs.h"
 #include "gui/scenario/SimulationOrder.h"
+#include "gui/widgets/Dialogs.h"
 
 class QCheckBox;
 class QLabel;

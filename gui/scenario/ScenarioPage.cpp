@@ -9,10 +9,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/FlowBar.h"
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
-#include "gui/Widgets.h"
 #include "gui/Workbench.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageView.h"
@@ -22,6 +18,10 @@
 #include "gui/scenario/RunScenarioDialog.h"
 #include "gui/scenario/TimeLine.h"
 #include "gui/start/DataFolder.h"
+#include "gui/widgets/FlowBar.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Widgets.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -4,11 +4,11 @@
 
 #include <QWidget>
 
-#include "gui/Dialogs.h"
 #include "gui/DocumentPage.h"
-#include "gui/Exportable.h"
 #include "gui/scenario/ScenarioPictures.h"
 #include "gui/scenario/SimulationOrder.h"
+#include "gui/widgets/Dialogs.h"
+#include "gui/widgets/Exportable.h"
 
 class QComboBox;
 class QLabel;

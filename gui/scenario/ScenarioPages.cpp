@@ -1,11 +1,11 @@
 #include "gui/scenario/ScenarioPages.h"
 
 #include "gui/PageTabs.h"
-#include "gui/Sentences.h"
-#include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/scenario/ScenarioPage.h"
 #include "gui/scenario/TimeLine.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

@@ -1,8 +1,8 @@
 #include "gui/scenario/ScenarioPictures.h"
 
 #include "gui/ModelStore.h"
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/simulate/FrameFiles.h"

@@ -6,8 +6,8 @@
 #include <QObject>
 #include <QStringList>
 
-#include "gui/LatestTask.h"
 #include "gui/scenario/ScenarioDocument.h"
+#include "gui/widgets/LatestTask.h"
 #include "smatcore/simulate/SceneGenerator3D.h"
 
 namespace smat::gui {

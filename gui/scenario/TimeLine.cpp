@@ -11,9 +11,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/FlowBar.h"
-#include "gui/Theme.h"
 #include "gui/database/NumberField.h"
+#include "gui/widgets/FlowBar.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 namespace {

@@ -1,6 +1,6 @@
 #include "gui/settings/MtfNote.h"
 
-#include "gui/Sentences.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 

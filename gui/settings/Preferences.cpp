@@ -11,7 +11,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "gui/DialogButtons.h"
+#include "gui/widgets/DialogButtons.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/radiometry/Errors.h"
 

@@ -5,7 +5,7 @@
 #include <QDialog>
 #include <QStringList>
 
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 
 class QComboBox;
 class QSpinBox;

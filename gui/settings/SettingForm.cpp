@@ -13,8 +13,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
-#include "gui/Theme.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Theme.h"
 #include "smatcore/settings/SettingAvailability.h"
 
 namespace smat::gui {

@@ -11,11 +11,11 @@
 #include <QPushButton>
 #include <QStackedWidget>
 
-#include "gui/DialogButtons.h"
-#include "gui/Theme.h"
-#include "gui/VerticalScrollArea.h"
 #include "gui/Workbench.h"
 #include "gui/settings/MtfNote.h"
+#include "gui/widgets/DialogButtons.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/VerticalScrollArea.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {

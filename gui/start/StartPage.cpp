@@ -9,8 +9,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Theme.h"
 #include "gui/start/DataFolder.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 namespace {

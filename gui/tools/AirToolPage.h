@@ -4,9 +4,9 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "gui/Dialogs.h"
-#include "gui/Exportable.h"
 #include "gui/tools/Calculation.h"
+#include "gui/widgets/Dialogs.h"
+#include "gui/widgets/Exportable.h"
 #include "smatcore/data/ResultTable.h"
 
 class QLabel;

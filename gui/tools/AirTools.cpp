@@ -3,11 +3,11 @@
 #include <QAction>
 #include <QMenu>
 
-#include "gui/Theme.h"
 #include "gui/Workbench.h"
 #include "gui/tools/RadiativePage.h"
 #include "gui/tools/TemperatureProfilePage.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "gui/widgets/Theme.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 
 namespace smat::gui {
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "gui/Dialogs.h"
+#include "gui/widgets/Dialogs.h"
 
 class QIcon;
 class QMenu;

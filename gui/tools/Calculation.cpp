@@ -1,6 +1,6 @@
 #include "gui/tools/Calculation.h"
 
-#include "gui/Sentences.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

@@ -6,7 +6,7 @@
 #include <QObject>
 #include <QStringList>
 
-#include "gui/LatestTask.h"
+#include "gui/widgets/LatestTask.h"
 
 namespace smat::gui {
 

@@ -14,15 +14,15 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
 #include "gui/UnsavedNote.h"
 #include "gui/Workbench.h"
 #include "gui/tools/MonteCarloPlots.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -6,8 +6,8 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "gui/Dialogs.h"
-#include "gui/Exportable.h"
+#include "gui/widgets/Dialogs.h"
+#include "gui/widgets/Exportable.h"
 #include "smatcore/analysis/MonteCarlo.h"
 
 class QCheckBox;

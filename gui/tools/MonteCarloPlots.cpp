@@ -17,13 +17,13 @@
 #include <QwtPlotIntervalCurve>
 #include <QwtPlotMarker>
 
-#include "gui/Readable.h"
-#include "gui/Theme.h"
 #include "gui/image/ImageExport.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotExport.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/tools/RankingBars.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Quantity.h"
 #include "smatcore/data/ColumnName.h"
 

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "gui/Exportable.h"
+#include "gui/widgets/Exportable.h"
 #include "smatcore/analysis/MonteCarlo.h"
 
 class QLabel;

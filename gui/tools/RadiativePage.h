@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "gui/LatestTask.h"
 #include "gui/tools/AirToolPage.h"
+#include "gui/widgets/LatestTask.h"
 #include "irsg/atmosphere/Atmosphere.h"
 #include "smatcore/project/Project.h"
 #include "smatcore/settings/Settings.h"

@@ -8,8 +8,8 @@
 #include <QPen>
 #include <QToolTip>
 
-#include "gui/Theme.h"
 #include "gui/plot/PlotLook.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 

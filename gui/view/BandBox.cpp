@@ -2,9 +2,9 @@
 
 #include <QLineEdit>
 
-#include "gui/Readable.h"
-#include "gui/Sentences.h"
 #include "gui/Workbench.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/settings/SettingKeys.h"
 

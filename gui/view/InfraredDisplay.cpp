@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "gui/Sentences.h"
 #include "gui/view/InfraredScene.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {

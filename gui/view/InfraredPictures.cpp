@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "gui/Readable.h"
 #include "gui/image/ImageView.h"
 #include "gui/view/InfraredDisplay.h"
+#include "gui/widgets/Readable.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {

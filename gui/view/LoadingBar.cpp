@@ -5,8 +5,8 @@
 #include <QProgressBar>
 #include <QToolButton>
 
-#include "gui/Theme.h"
-#include "gui/Widgets.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/Widgets.h"
 
 namespace smat::gui {
 

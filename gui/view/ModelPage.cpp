@@ -13,13 +13,13 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/FlowBar.h"
-#include "gui/Readable.h"
-#include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/PaperPicture.h"
 #include "gui/view/ViewOverlay.h"
+#include "gui/widgets/FlowBar.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/settings/SettingKeys.h"

@@ -4,8 +4,8 @@
 
 #include <QWidget>
 
-#include "gui/Exportable.h"
 #include "gui/view/SceneView.h"
+#include "gui/widgets/Exportable.h"
 
 class QAction;
 class QActionGroup;

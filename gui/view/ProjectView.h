@@ -4,7 +4,7 @@
 
 #include <QObject>
 
-#include "gui/Dialogs.h"
+#include "gui/widgets/Dialogs.h"
 #include "smatcore/project/Project.h"
 
 class QWidget;

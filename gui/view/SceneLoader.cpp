@@ -1,6 +1,6 @@
 #include "gui/view/SceneLoader.h"
 
-#include "gui/Sentences.h"
+#include "gui/widgets/Sentences.h"
 
 namespace smat::gui {
 

@@ -2,9 +2,9 @@
 
 #include <QStringList>
 
-#include "gui/LatestTask.h"
 #include "gui/ModelWait.h"
 #include "gui/view/DisplayScene.h"
+#include "gui/widgets/LatestTask.h"
 
 namespace smat::gui {
 

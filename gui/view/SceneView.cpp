@@ -6,10 +6,10 @@
 #include <QEvent>
 #include <QOpenGLContext>
 
-#include "gui/Theme.h"
 #include "gui/view/SceneDrawing.h"
 #include "gui/view/ViewHud.h"
 #include "gui/view/ViewOverlay.h"
+#include "gui/widgets/Theme.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {

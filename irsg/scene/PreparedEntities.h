@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "irsg/radiometry/RecentlyUsed.h"
-#include "irsg/scene/Entity.h"
 #include "irsg/scene/model/DrawList.h"
 #include "irsg/scene/model/LongEdges.h"
 #include "irsg/scene/sampling/HotParts.h"
 #include "irsg/scene/trace/BodyLight.h"
 #include "irsg/scene/trace/RayMesh.h"
+#include "irsg/scene/values/Entity.h"
 
 namespace irsg {
 

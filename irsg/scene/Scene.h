@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "irsg/atmosphere/Environment.h"
-#include "irsg/scene/Entity.h"
-#include "irsg/scene/RenderReport.h"
-#include "irsg/scene/RenderSettings.h"
 #include "irsg/scene/radiance/ScaledView.h"
+#include "irsg/scene/values/Entity.h"
+#include "irsg/scene/values/RenderReport.h"
+#include "irsg/scene/values/RenderSettings.h"
 #include "irsg/scene/view/Pose.h"
 #include "irsg/scene/view/Sensor.h"
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/NewLines.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/CalculationChoice.h"
 #include "smatcore/analysis/CaseChecks.h"
@@ -15,7 +16,6 @@
 #include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/analysis/SweepTable.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"
 

@@ -5,7 +5,7 @@
 
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisPlan.h"
-#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/data/ImageSource.h"
 #include "smatcore/support/Progress.h"
 #include "smatcore/support/StageTimer.h"
 

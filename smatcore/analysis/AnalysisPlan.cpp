@@ -7,7 +7,7 @@
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 

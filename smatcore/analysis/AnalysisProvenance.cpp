@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/settings/AnalysisSections.h"
 

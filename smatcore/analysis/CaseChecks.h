@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/data/ImageSource.h"
 
 namespace smat {
 

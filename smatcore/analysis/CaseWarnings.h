@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/RenderReport.h"
-#include "smatcore/analysis/ImageSource.h"
+#include "irsg/scene/values/RenderReport.h"
+#include "smatcore/data/ImageSource.h"
 
 namespace smat {
 

@@ -1,4 +1,4 @@
-#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/data/ImageSource.h"
 
 namespace smat {
 

@@ -9,9 +9,9 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/ParallelFor.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/MonteCarloReport.h"
 #include "smatcore/analysis/MonteCarloViews.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/settings/SettingKeys.h"
 

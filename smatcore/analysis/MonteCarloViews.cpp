@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/NewLines.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/SceneRestorer.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -4,8 +4,8 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Wording.h"
 #include "smatcore/analysis/AnalysisData.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/ImageFiles.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/data/ImageSource.h"
 
 namespace smat {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
-#include "smatcore/analysis/ImageSource.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/data/ImageSource.h"
 #include "smatcore/data/ResultTable.h"
 
 namespace smat {

@@ -9,7 +9,7 @@
 
 #include "irsg/radiometry/FileStamp.h"
 #include "irsg/scene/model/ModelCodes.h"
-#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/data/ImageSource.h"
 #include "smatcore/project/Project.h"
 
 namespace smat {

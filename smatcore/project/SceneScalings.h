@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "irsg/scene/radiance/ScaledView.h"
-#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/data/ImageSource.h"
 #include "smatcore/project/Project.h"
 
 namespace smat {

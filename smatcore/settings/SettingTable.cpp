@@ -1,6 +1,6 @@
 #include "irsg/atmosphere/AtmosphereFile.h"
 #include "irsg/image/ColorMap.h"
-#include "irsg/scene/RenderSettings.h"
+#include "irsg/scene/values/RenderSettings.h"
 #include "irsg/scene/view/Sensor.h"
 #include "smatcore/settings/AnalysisSections.h"
 #include "smatcore/settings/SettingRows.h"

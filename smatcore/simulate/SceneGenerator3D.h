@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/data/ImageSource.h"
 #include "smatcore/simulate/LoadedScenario.h"
 
 namespace smat {

@@ -9,7 +9,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/LookupTable.h"
-#include "smatcore/analysis/ImageSource.h"
+#include "smatcore/data/ImageSource.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::test {

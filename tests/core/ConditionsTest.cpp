@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/SettingWords.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 
 namespace smat {
 namespace {

@@ -6,9 +6,9 @@
 #include <QTabWidget>
 #include <QToolButton>
 
-#include "gui/Theme.h"
 #include "gui/tools/RadiativePage.h"
 #include "gui/tools/TemperatureProfilePage.h"
+#include "gui/widgets/Theme.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/project/ProjectFile.h"
 #include "tests/cli/Program.h"

@@ -21,12 +21,12 @@
 #include <QWheelEvent>
 #include <gtest/gtest.h>
 
-#include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ComparisonPanes.h"
 #include "gui/image/FiguresTable.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ThresholdForm.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/radiometry/Errors.h"

@@ -11,11 +11,11 @@
 #include <QTreeWidget>
 #include <gtest/gtest.h>
 
-#include "gui/Theme.h"
 #include "gui/database/CopyEntriesDialog.h"
 #include "gui/database/DatabaseBanner.h"
 #include "gui/database/FindingsPanel.h"
 #include "gui/project/SceneTreeDock.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/MaterialLibrary.h"
 #include "irsg/signature/ScalingXml.h"

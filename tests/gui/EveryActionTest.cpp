@@ -12,7 +12,7 @@
 #include <QTreeWidget>
 
 #include "gui/CommandPalette.h"
-#include "gui/Memory.h"
+#include "gui/widgets/Memory.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {

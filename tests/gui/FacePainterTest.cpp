@@ -54,7 +54,8 @@ class FacePainterTest : public test::WindowFixture {
   protected:
     void openCubes(int count = 2) {
         file = folder / "cubes.obj";
-        for (const char* beside : {"cubes.codes.json", "cubes.codes.json.recovery", "cubes.sigdb"}) {
+        for (const char* beside :
+             {"cubes.codes.json", "cubes.codes.json.recovery", "cubes.sigdb"}) {
             fs::remove(folder / beside);
         }
         writeCubes(file, std::vector<double>(static_cast<std::size_t>(count), 2.0));
@@ -92,7 +93,8 @@ class FacePainterTest : public test::WindowFixture {
     }
     PaintDock& dock() { return *window->findChild<PaintDock*>(); }
     FacePainter& painter() { return *window->findChild<FacePainter*>(); }
-    template <typename Widget> Widget* field(const char* name) {
+    template <typename Widget>
+    Widget* field(const char* name) {
         return dock().findChild<Widget*>(name);
     }
     void press(const char* name) { field<QPushButton>(name)->click(); }
@@ -102,9 +104,7 @@ class FacePainterTest : public test::WindowFixture {
         const auto& shown = view->scene().models.front();
         const auto& model = view->scene().loaded.at(shown.key);
         const osg::Vec3d at = painter().mesh()->faces().at(face).point * model->fromFile();
-        return view->projection()
-            .toWindow(shown.pose.toWorld({at.x(), at.y(), at.z()}))
-            .toPoint();
+        return view->projection().toWindow(shown.pose.toWorld({at.x(), at.y(), at.z()})).toPoint();
     }
     /// A face that is seen where its middle is.
     unsigned int seenFace(unsigned int from) {
@@ -218,8 +218,8 @@ TEST_F(FacePainterTest, APartIsPaintedByAClickSavedUndoneAndThereAgain) {
 
     // Erased and saved, no file is left.
     showCodes(CodesShown::temperature);
-    emit field<QTreeWidget>("codeLegend")->itemActivated(
-        field<QTreeWidget>("codeLegend")->topLevelItem(1), 0);
+    emit field<QTreeWidget>("codeLegend")
+        ->itemActivated(field<QTreeWidget>("codeLegend")->topLevelItem(1), 0);
     EXPECT_EQ(painter().chosen().size(), 12U);
     press("eraseFaces");
     ASSERT_TRUE(waitForPainter());
@@ -469,8 +469,7 @@ TEST_F(FacePainterTest, ANewExportKeepsWhatLiesWhereItLayAndTellsTheRest) {
     EXPECT_EQ(now.at({1, 1}) + now.at({0, 0}), 120);
     EXPECT_EQ(countsOfBatch(), now);
     QString remarks;
-    for (const auto& remark :
-         window->sceneView()->scene().loaded.begin()->second->remarks()) {
+    for (const auto& remark : window->sceneView()->scene().loaded.begin()->second->remarks()) {
         remarks += QString::fromStdString(remark) + '\n';
     }
     EXPECT_TRUE(remarks.contains("lie on no face of this model")) << remarks.toStdString();

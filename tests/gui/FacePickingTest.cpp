@@ -4,8 +4,8 @@
 #include <QTreeWidget>
 
 #include "gui/MainWindow.h"
-#include "gui/Theme.h"
 #include "gui/project/SceneTreeDock.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "tests/gui/ViewFixture.h"

@@ -3,10 +3,10 @@
 #include <QListWidget>
 #include <QToolButton>
 
-#include "gui/Theme.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/start/StartPage.h"
+#include "gui/widgets/Theme.h"
 #include "tests/gui/DatabaseFixture.h"
 
 namespace smat::gui {

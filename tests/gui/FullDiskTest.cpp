@@ -2,11 +2,11 @@
 
 #include <QListWidget>
 
-#include "gui/Exportable.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageView.h"
 #include "gui/view/ModelPage.h"
+#include "gui/widgets/Exportable.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/gui/ResultTables.h"

@@ -15,8 +15,8 @@
 #include <QWindow>
 #include <gtest/gtest.h>
 
-#include "gui/Theme.h"
 #include "gui/view/SceneView.h"
+#include "gui/widgets/Theme.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat::gui::test {

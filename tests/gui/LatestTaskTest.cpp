@@ -1,4 +1,4 @@
-#include "gui/LatestTask.h"
+#include "gui/widgets/LatestTask.h"
 
 #include <cstdlib>
 

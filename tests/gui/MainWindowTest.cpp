@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include "gui/HelpDialogs.h"
-#include "gui/Theme.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/image/ComparisonWindow.h"
@@ -23,6 +22,7 @@
 #include "gui/plot/PolarPlot.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/view/SceneView.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/image/ExrFile.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/data/Provenance.h"

@@ -17,10 +17,10 @@
 #include <QwtPolarCanvas>
 #include <gtest/gtest.h>
 
-#include "gui/Theme.h"
 #include "gui/plot/AxisLimitsDialog.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PolarPlot.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
 

@@ -11,9 +11,9 @@
 #include <QPushButton>
 #include <QSemaphore>
 
-#include "gui/BackgroundPool.h"
 #include "gui/project/ConvertModelDialog.h"
 #include "gui/project/NewProjectDialog.h"
+#include "gui/widgets/BackgroundPool.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/gui/WindowFixture.h"

@@ -1,4 +1,4 @@
-#include "gui/Readable.h"
+#include "gui/widgets/Readable.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,6 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
-#include "gui/Theme.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/FloatingPages.h"
 #include "gui/analysis/ResultPage.h"
@@ -17,6 +16,7 @@
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/WindowFixture.h"

@@ -3,7 +3,7 @@
 #include <QLineEdit>
 #include <QwtPlot>
 
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 #include "tests/gui/DatabaseFixture.h"
 
 namespace smat::gui {

@@ -1,8 +1,8 @@
 #include <array>
 #include <cmath>
 
-#include "gui/Theme.h"
 #include "gui/view/ViewOverlay.h"
+#include "gui/widgets/Theme.h"
 #include "irsg/atmosphere/import/EnvironmentXml.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/SceneBuilder.h"

@@ -3,10 +3,10 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include "gui/Theme.h"
 #include "gui/image/ColorBar.h"
 #include "gui/view/ModelPage.h"
 #include "gui/view/ViewOverlay.h"
+#include "gui/widgets/Theme.h"
 #include "tests/gui/ViewFixture.h"
 
 namespace smat::gui {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/TextureScale.h"
 #include "irsg/scene/background/FieldRays.h"
 #include "irsg/scene/background/TextureImage.h"
+#include "irsg/scene/values/TextureScale.h"
 
 namespace irsg {
 

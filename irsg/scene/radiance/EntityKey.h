@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "irsg/scene/Entity.h"
+#include "irsg/scene/values/Entity.h"
 
 namespace irsg {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "irsg/atmosphere/Atmosphere.h"
-#include "irsg/scene/RenderSettings.h"
 #include "irsg/scene/sampling/SampleGeometry.h"
+#include "irsg/scene/values/RenderSettings.h"
 #include "irsg/scene/view/Vec3.h"
 
 namespace irsg {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/RenderReport.h"
 #include "irsg/scene/radiance/FactorField.h"
 #include "irsg/scene/radiance/KindRadiances.h"
 #include "irsg/scene/radiance/ViewFactors.h"
 #include "irsg/scene/sampling/FrameReduction.h"
+#include "irsg/scene/values/RenderReport.h"
 
 namespace irsg {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/Entity.h"
-#include "irsg/scene/RenderSettings.h"
 #include "irsg/scene/radiance/ApparentRadiance.h"
 #include "irsg/scene/radiance/AtmosphericQueryCache.h"
 #include "irsg/scene/radiance/RadianceTerms.h"
 #include "irsg/scene/radiance/SurfaceRows.h"
+#include "irsg/scene/values/Entity.h"
+#include "irsg/scene/values/RenderSettings.h"
 
 namespace irsg {
 

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/scene/RenderSettings.h"
 #include "irsg/scene/radiance/FactorField.h"
 #include "irsg/scene/radiance/Fronts.h"
 #include "irsg/scene/radiance/LightResponse.h"
 #include "irsg/scene/radiance/LightSolution.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
 #include "irsg/scene/sampling/Samples.h"
+#include "irsg/scene/values/RenderSettings.h"
 
 namespace irsg {
 

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
-#include "irsg/scene/RenderReport.h"
 #include "irsg/scene/sampling/SampleWindow.h"
 #include "irsg/scene/sampling/Samples.h"
+#include "irsg/scene/values/RenderReport.h"
 #include "irsg/scene/view/CameraFrame.h"
 #include "irsg/scene/view/FrameBackground.h"
 

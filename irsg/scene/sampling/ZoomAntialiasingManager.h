@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "irsg/scene/RenderSettings.h"
 #include "irsg/scene/sampling/AbstractZoomAntialiasingStrategy.h"
+#include "irsg/scene/values/RenderSettings.h"
 
 namespace irsg {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "irsg/radiometry/Wording.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/settings/AnalysisSections.h"
 
 namespace smat {

@@ -1,7 +1,7 @@
 #include <optional>
 
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/settings/SettingRows.h"
 

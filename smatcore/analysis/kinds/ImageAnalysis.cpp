@@ -1,5 +1,5 @@
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/settings/SettingRows.h"
 
 namespace smat {

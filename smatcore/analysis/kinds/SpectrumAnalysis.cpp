@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/Units.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/settings/SettingRows.h"

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/settings/SettingRows.h"
 

@@ -1,4 +1,4 @@
-#include "smatcore/analysis/kinds/AnalysisDefinition.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 
 namespace smat {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "irsg/scene/TextureScale.h"
+#include "irsg/scene/values/TextureScale.h"
 
 namespace irsg {
 

@@ -1,4 +1,4 @@
-#include "gui/Widgets.h"
+#include "gui/widgets/Widgets.h"
 
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-#include "gui/BackgroundPool.h"
+#include "gui/widgets/BackgroundPool.h"
 
 #include <QCoreApplication>
 

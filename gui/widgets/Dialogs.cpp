@@ -1,4 +1,4 @@
-#include "gui/Dialogs.h"
+#include "gui/widgets/Dialogs.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -7,7 +7,7 @@
 #include <QRegularExpression>
 #include <QStyle>
 
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 
 namespace smat::gui {
 namespace {

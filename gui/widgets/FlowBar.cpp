@@ -1,4 +1,4 @@
-#include "gui/FlowBar.h"
+#include "gui/widgets/FlowBar.h"
 
 #include <algorithm>
 

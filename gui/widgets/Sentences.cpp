@@ -1,4 +1,4 @@
-#include "gui/Sentences.h"
+#include "gui/widgets/Sentences.h"
 
 #include <algorithm>
 

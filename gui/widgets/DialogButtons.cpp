@@ -1,4 +1,4 @@
-#include "gui/DialogButtons.h"
+#include "gui/widgets/DialogButtons.h"
 
 #include <QDialog>
 #include <QPushButton>

@@ -1,4 +1,4 @@
-#include "gui/VerticalScrollArea.h"
+#include "gui/widgets/VerticalScrollArea.h"
 
 #include <algorithm>
 

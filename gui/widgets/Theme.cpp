@@ -1,4 +1,4 @@
-#include "gui/Theme.h"
+#include "gui/widgets/Theme.h"
 
 #include <algorithm>
 #include <array>

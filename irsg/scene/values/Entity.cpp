@@ -1,4 +1,4 @@
-#include "irsg/scene/Entity.h"
+#include "irsg/scene/values/Entity.h"
 
 namespace irsg {
 

@@ -9,7 +9,7 @@
 #include <QObject>
 #include <QThread>
 
-#include "gui/BackgroundPool.h"
+#include "gui/widgets/BackgroundPool.h"
 
 namespace smat::gui {
 
