@@ -20,7 +20,7 @@ namespace smat::gui {
 namespace {
 
 constexpr QSize thumbnail(112, 84);
-enum Role { bandRole = Qt::UserRole, numberRole };
+enum Role { bandRole = Qt::UserRole, frameRole };
 
 QIcon pictureOf(const WrittenFrame& frame, const irsg::ColorMap& map,
                 const irsg::DisplayLimits& limits) {
@@ -75,7 +75,7 @@ FramesPanel::FramesPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent) {
     connect(strip_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
         if (item != nullptr)
             emit frameChosen(sensor_, item->data(bandRole).toULongLong(),
-                             item->data(numberRole).toULongLong());
+                             item->data(frameRole).toULongLong());
     });
     connect(quantity_, &QComboBox::activated, this, &FramesPanel::drawTable);
 }
@@ -160,7 +160,7 @@ void FramesPanel::fillStrip() {
         auto* item = new QListWidgetItem(pictureOf(frame, map, limits[frame.band]),
                                          tr("%1 s").arg(frame.time_s, 0, 'g', 6), strip_);
         item->setData(bandRole, static_cast<qulonglong>(frame.band));
-        item->setData(numberRole, static_cast<qulonglong>(frame.number));
+        item->setData(frameRole, static_cast<qulonglong>(frame.number));
         item->setToolTip(tr("Frame %1").arg(frame.number, 6, 10, QChar('0')));
     }
     strip_->setVisible(strip_->count() > 0);
