@@ -99,6 +99,7 @@ void MainWindow::makeCentre() {
 }
 
 void MainWindow::makeDocks() {
+    keepKeysFromEmptyTabBars(*this);
     tree_ = new SceneTreeDock(workbench_, this);
     addDockWidget(Qt::LeftDockWidgetArea, tree_);
     auto* manipulators = new ManipulatorsDock(workbench_, this);

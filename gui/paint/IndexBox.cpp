@@ -14,7 +14,7 @@ IndexBox::IndexBox(QWidget* parent) : QComboBox(parent) {
     setEditable(true);
     setInsertPolicy(QComboBox::NoInsert);
     setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    setMinimumContentsLength(18);
+    setMinimumContentsLength(14);
     lineEdit()->setPlaceholderText(tr("leave as it is"));
     setEntries({}, false);
     connect(this, &QComboBox::editTextChanged, this, [this] {

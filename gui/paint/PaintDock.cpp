@@ -32,6 +32,8 @@ QComboBox* choice(const QStringList& items, const char* name, const QString& tip
     box->addItems(items);
     box->setObjectName(name);
     box->setToolTip(tip);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(12);
     return box;
 }
 
@@ -50,7 +52,8 @@ PaintDock::PaintDock(QWidget* parent) : QDockWidget(tr("Paint codes"), parent) {
     column->addWidget(makePicking());
     column->addWidget(makePainting());
     column->addWidget(makeLegend(), 1);
-    setWidget(new VerticalScrollArea(body, this));
+    // No wider than the docks beside and below it.
+    setWidget(new VerticalScrollArea(body, this, 300));
     connect(by_, &QComboBox::activated, this, [this] {
         refresh();
         emit pickByChosen();

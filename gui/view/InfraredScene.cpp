@@ -96,10 +96,18 @@ const irsg::Environment& InfraredScene::environment(const InfraredRequest& reque
 }
 
 void InfraredScene::update(const InfraredRequest& request) {
-    // Painted ones have other codes while their files are what they were.
     if (request.models != offered_) {
         loaded_ = offered_ = request.models;
-        builder_.forgetModels();
+        // Painted ones have other codes while their files are what they were; all others stay, with
+        // what is known of them.
+        bool arePainted = false;
+        for (const auto& [key, model] : offered_) {
+            auto& before = codes_[key];
+            arePainted |= before && *before != *model->codesBeside();
+            before = model->codesBeside();
+        }
+        if (arePainted)
+            builder_.forgetModels();
     }
     builder_.setDatabaseOverrides(request.edited);
     const SceneDescription scene =

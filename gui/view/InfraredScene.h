@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -28,6 +29,8 @@ class InfraredScene {
 
     irsg::Irsg irsg_;
     LoadedModels offered_, loaded_; ///< by the window; those of them not yet taken
+    /// Beside each model that was offered so far.
+    std::map<ModelKey, std::shared_ptr<const irsg::ModelCodes>> codes_;
     long modelsLoaded_ = 0;
     SceneBuilder builder_;
     std::string environmentKey_;

@@ -8,11 +8,12 @@
 namespace smat::gui {
 namespace {
 
-constexpr int leastWidth_px = 330, leastHeight_px = 120;
+constexpr int leastHeight_px = 120;
 
 } // namespace
 
-VerticalScrollArea::VerticalScrollArea(QWidget* body, QWidget* parent) : QScrollArea(parent) {
+VerticalScrollArea::VerticalScrollArea(QWidget* body, QWidget* parent, int leastWidth_px)
+    : QScrollArea(parent), leastWidth_px_(leastWidth_px) {
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -26,7 +27,7 @@ QSize VerticalScrollArea::sizeHint() const {
 
 QSize VerticalScrollArea::minimumSizeHint() const {
     const int bar = verticalScrollBar()->sizeHint().width();
-    return {std::max(leastWidth_px, widget()->minimumSizeHint().width() + bar), leastHeight_px};
+    return {std::max(leastWidth_px_, widget()->minimumSizeHint().width() + bar), leastHeight_px};
 }
 
 bool VerticalScrollArea::eventFilter(QObject* watched, QEvent* event) {

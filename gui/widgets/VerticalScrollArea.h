@@ -10,12 +10,15 @@ class VerticalScrollArea : public QScrollArea {
     Q_OBJECT
 
   public:
-    explicit VerticalScrollArea(QWidget* body, QWidget* parent = nullptr);
+    explicit VerticalScrollArea(QWidget* body, QWidget* parent = nullptr, int leastWidth_px = 330);
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    int leastWidth_px_;
 };
 
 } // namespace smat::gui

@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QGridLayout>
 #include <QLineEdit>
+#include <QMainWindow>
 #include <QMenu>
 #include <QScrollArea>
 #include <QSplitter>
@@ -128,6 +129,34 @@ void keepKeysFromHiddenTab(QDockWidget& dock) {
     policy.setRetainSizeWhenHidden(true);
     content->setSizePolicy(policy);
     QObject::connect(&dock, &QDockWidget::visibilityChanged, content, &QWidget::setVisible);
+}
+
+void keepKeysFromEmptyTabBars(QMainWindow& window) {
+    /// Follows the bars of tabs that Qt puts beside docks, as they come and change their size.
+    class BarsOfDocks : public QObject {
+      public:
+        using QObject::QObject;
+        bool eventFilter(QObject* object, QEvent* event) override {
+            if (event->type() == QEvent::ChildPolished) {
+                if (auto* bar = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child())) {
+                    bar->installEventFilter(this);
+                    follow(*bar);
+                }
+            } else if (event->type() == QEvent::Resize || event->type() == QEvent::Move ||
+                       event->type() == QEvent::Show) {
+                if (auto* bar = qobject_cast<QTabBar*>(object))
+                    follow(*bar);
+            }
+            return QObject::eventFilter(object, event);
+        }
+
+      private:
+        static void follow(QTabBar& bar) {
+            const bool isSeen = bar.parentWidget()->rect().intersects(bar.geometry());
+            bar.setFocusPolicy(isSeen ? Qt::TabFocus : Qt::NoFocus);
+        }
+    };
+    window.installEventFilter(new BarsOfDocks(&window));
 }
 
 void tabAsOneReads(QWidget& page) {

@@ -6,6 +6,7 @@
 
 class QDockWidget;
 class QLineEdit;
+class QMainWindow;
 class QTabWidget;
 class QToolButton;
 class QWidget;
@@ -23,6 +24,10 @@ void letShownPageAloneAskForRoom(QTabWidget& tabs);
 /// Takes the fields of a dock that lies behind another one out of reach of the keys: Qt leaves them
 /// shown beyond the edge of the window, with the focus that they had.
 void keepKeysFromHiddenTab(QDockWidget& dock);
+
+/// Takes the bar of tabs of a single dock, whose others are closed, out of reach of the keys: Qt
+/// leaves it in the line, out of sight.
+void keepKeysFromEmptyTabBars(QMainWindow& window);
 
 /// Makes Tab go through the fields of a page as one reads them: as they stand in its layouts, not
 /// as they were made.

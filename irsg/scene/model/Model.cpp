@@ -45,6 +45,7 @@ struct Model::Impl {
     std::vector<std::string> remarks, notes;
     ModelPlacing placing;
     osg::Matrixd fromFile;
+    std::shared_ptr<const ModelCodes> beside = std::make_shared<ModelCodes>();
 
     /// Fills everything from a loaded graph; `faces` are the file's own counts where it has some.
     void fill(osg::Node& loaded, const FileAxes& axes, const std::map<IrCodes, int>& faces,
@@ -134,6 +135,7 @@ std::shared_ptr<Model> Model::ofGraph(const LoadedGraph& asIs, const ModelCodes&
     parts->name = file.stem().string();
     parts->file = file;
     parts->remarks = std::move(loaded.remarks);
+    parts->beside = std::make_shared<const ModelCodes>(codes);
     parts->fill(*loaded.node, loaded.axes, loaded.faces, options);
     return std::shared_ptr<Model>(new Model(std::move(parts)));
 }
@@ -159,6 +161,9 @@ osg::Node* Model::graph() const {
 }
 const std::map<IrCodes, CodeUse>& Model::codes() const {
     return impl_->codes;
+}
+const std::shared_ptr<const ModelCodes>& Model::codesBeside() const {
+    return impl_->beside;
 }
 const BoundingBox& Model::bounds() const {
     return impl_->bounds;

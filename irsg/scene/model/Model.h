@@ -51,6 +51,8 @@ class Model {
     const std::filesystem::path& file() const;
     osg::Node* graph() const;
     const std::map<IrCodes, CodeUse>& codes() const;
+    /// What was given beside those of the file; never null.
+    const std::shared_ptr<const ModelCodes>& codesBeside() const;
     /// Of all geometry, model axes.
     const BoundingBox& bounds() const;
     /// Of the geometry whose codes are wanted; not valid() where there is none.
