@@ -62,6 +62,7 @@ void addModelCodesCommand(CLI::App& model, Context& context); ///< of `model`
 void addMonteCarloCommand(CLI::App& app, Context& context);
 void addMtfCommand(CLI::App& app, Context& context);
 void addAtmosphereCommand(CLI::App& app, Context& context);
+void addSelfTestCommand(CLI::App& app, Context& context);
 void addSettingsCommand(CLI::App& app, Context& context);
 void addRadiativeCommand(CLI::App& app, Context& context);
 void addSimulateCommand(CLI::App& app, Context& context);

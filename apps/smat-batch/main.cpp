@@ -107,6 +107,7 @@ int main(int argc, char** argv) {
     addMonteCarloCommand(app, context);
     addMtfCommand(app, context);
     addAtmosphereCommand(app, context);
+    addSelfTestCommand(app, context);
     addSettingsCommand(app, context);
     addSimulateCommand(app, context);
     addRadiativeCommand(app, context);

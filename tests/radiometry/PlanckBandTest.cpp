@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "PlanckReference.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Planck.h"
+#include "irsg/reference/PlanckReference.h"
 
 using namespace irsg;
 

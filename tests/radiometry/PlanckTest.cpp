@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "PlanckReference.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/reference/PlanckReference.h"
 
 using namespace irsg;
 

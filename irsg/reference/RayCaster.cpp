@@ -1,9 +1,9 @@
-#include "tests/support/RayCaster.h"
+#include "irsg/reference/RayCaster.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace irsg::test {
+namespace irsg::reference {
 
 namespace {
 
@@ -19,9 +19,8 @@ bool intersect(const Triangle& t, const Vec3& origin, const Vec3& ray, Hit& hit)
     const Vec3 e1 = t.vertex[1] - t.vertex[0], e2 = t.vertex[2] - t.vertex[0];
     const Vec3 p = cross(ray, e2);
     const double determinant = dot(e1, p);
-    if (determinant == 0.0) {
+    if (determinant == 0.0)
         return false;
-    }
     const Vec3 s = origin - t.vertex[0];
     hit.u = dot(s, p) / determinant;
     const Vec3 q = cross(s, e1);
@@ -67,9 +66,8 @@ std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
                     scene.surfaces[static_cast<std::size_t>(t.codes.temperature)];
                 Vec3 n = normalized(t.normal[0] * (1.0 - hit.u - hit.v) + t.normal[1] * hit.u +
                                     t.normal[2] * hit.v);
-                if (!hit.front) {
+                if (!hit.front)
                     n = n * -1.0;
-                }
                 const double cosView = std::clamp(-dot(n, ray), 0.0, 1.0);
                 const double thermal =
                     s.nAngleFactor == 0.0 ? 1.0 : std::pow(cosView, s.nAngleFactor);
@@ -79,9 +77,8 @@ std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
                      std::max(0.0, dot(n, scene.sunDirection)) * s.sun + s.path);
                 passed *= s.transmissivity;
                 facets.push_back(hit.facet);
-                if (s.transmissivity == 0.0) {
+                if (s.transmissivity == 0.0)
                     break;
-                }
             }
             pixel.opacity = 1.0 - passed;
             pixel.radiance += passed * scene.background;
@@ -108,4 +105,4 @@ std::vector<RayPixel> castRays(const RayScene& scene, const Sensor& sensor,
     return pixels;
 }
 
-} // namespace irsg::test
+} // namespace irsg::reference

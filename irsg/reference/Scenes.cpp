@@ -1,4 +1,4 @@
-#include "tests/support/SceneFixtures.h"
+#include "irsg/reference/Scenes.h"
 
 #include <cmath>
 #include <map>
@@ -9,7 +9,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 
-namespace irsg::test {
+namespace irsg::reference {
 
 Mesh sphereMesh(double radius_m, int latitudes, int longitudes, IrCodes codes, bool smooth) {
     auto point = [&](int i, int j) {
@@ -21,21 +21,18 @@ Mesh sphereMesh(double radius_m, int latitudes, int longitudes, IrCodes codes, b
     auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
         const Vec3 facet = normalized(cross(b - a, c - a));
         Triangle t{{a * radius_m, b * radius_m, c * radius_m}, {a, b, c}, codes, false};
-        if (!smooth) {
+        if (!smooth)
             t.normal[0] = t.normal[1] = t.normal[2] = facet;
-        }
         mesh.push_back(t);
     };
     for (int i = 0; i < latitudes; ++i) {
         for (int j = 0; j < longitudes; ++j) {
             const Vec3 a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1),
                        d = point(i, j + 1);
-            if (i + 1 < latitudes) {
+            if (i + 1 < latitudes)
                 add(a, b, c);
-            }
-            if (i > 0) {
+            if (i > 0)
                 add(a, c, d);
-            }
         }
     }
     return mesh;
@@ -45,6 +42,13 @@ Mesh plateMesh(const Vec3& centre, const Vec3& u, const Vec3& v, IrCodes codes) 
     const Vec3 n = normalized(cross(u, v));
     const Vec3 a = centre - u - v, b = centre + u - v, c = centre + u + v, d = centre - u + v;
     return {{{a, b, c}, {n, n, n}, codes, false}, {{a, c, d}, {n, n, n}, codes, false}};
+}
+
+Mesh oneSidedPlate(const Vec3& centre, const Vec3& u, const Vec3& v, IrCodes codes) {
+    Mesh mesh = plateMesh(centre, u, v, codes);
+    for (Triangle& triangle : mesh)
+        triangle.cullsBackFaces = true;
+    return mesh;
 }
 
 Mesh boxMesh(const Vec3& half, const std::vector<IrCodes>& codes) {
@@ -82,17 +86,15 @@ double solidAngle_sr(const Triangle& triangle, const Vec3& from) {
 
 double convexSolidAngle_sr(const Mesh& mesh, const Vec3& from) {
     double sum = 0.0;
-    for (const Triangle& triangle : mesh) {
+    for (const Triangle& triangle : mesh)
         sum += std::max(0.0, solidAngle_sr(triangle, from));
-    }
     return sum;
 }
 
 osg::ref_ptr<osg::Geode> graphOf(const Mesh& mesh) {
     std::map<std::pair<IrCodes, bool>, Mesh> parts;
-    for (const Triangle& triangle : mesh) {
+    for (const Triangle& triangle : mesh)
         parts[{triangle.codes, triangle.cullsBackFaces}].push_back(triangle);
-    }
 
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     for (const auto& [key, triangles] : parts) {
@@ -218,4 +220,4 @@ Sensor sensorOf(int width_px, int height_px, double fieldOfView_deg) {
     return sensor;
 }
 
-} // namespace irsg::test
+} // namespace irsg::reference

@@ -7,16 +7,15 @@
 
 /// Planck's law and its band integral once more, in long double, by other means than the library's:
 /// the truth the tests compare with.
-namespace reference {
+namespace irsg::reference {
 
 inline constexpr long double c1 = 2.0L * 6.62607015e-34L * 299792458.0L * 299792458.0L * 1e24L;
 inline constexpr long double c2 = 6.62607015e-34L * 299792458.0L / 1.380649e-23L * 1e6L;
 
 /// exp(x) - 1 by its series where the difference would lose digits.
 inline long double exponentialLessOne(long double x) {
-    if (x > 0.5L) {
+    if (x > 0.5L)
         return std::exp(x) - 1.0L;
-    }
     long double term = x;
     long double sum = x;
     for (int n = 2; n < 40; ++n) {
@@ -50,4 +49,4 @@ inline long double bandRadiance(const irsg::SpectralRange& range, long double te
     return sum * step / 3.0L;
 }
 
-} // namespace reference
+} // namespace irsg::reference

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/selftest/SelfTest.h"
+
+namespace smat::selftest {
+
+// One list a room, in the order in which they are told.
+std::vector<SelfTestCheck> radiometryChecks();
+std::vector<SelfTestCheck> signatureChecks();
+std::vector<SelfTestCheck> airChecks();
+std::vector<SelfTestCheck> surfaceChecks();
+std::vector<SelfTestCheck> sceneChecks();
+std::vector<SelfTestCheck> samplingChecks();
+std::vector<SelfTestCheck> lightChecks();
+std::vector<SelfTestCheck> scatteringChecks();
+
+inline constexpr auto relative = SelfTestCheck::Error::relative;
+inline constexpr auto absolute = SelfTestCheck::Error::absolute;
+
+/// Of several pairs, the one that lies farthest apart.
+class Farthest {
+  public:
+    explicit Farthest(SelfTestCheck::Error error = relative) : kind_(error) {}
+
+    void add(double value, double expected) {
+        const double difference = std::abs(value - expected);
+        const double error = kind_ == relative ? difference / std::abs(expected) : difference;
+        // What is no number is farther than any.
+        if (!(error <= worst_)) {
+            worst_ = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+            found_ = {value, expected};
+        }
+    }
+    SelfTestValue found() const { return found_; }
+
+  private:
+    SelfTestCheck::Error kind_;
+    double worst_ = -1.0;
+    SelfTestValue found_;
+};
+
+/// How many of these calls are refused with an irsg::InputError.
+template <typename... Calls>
+int refusals(Calls&&... calls) {
+    const auto isRefused = [](auto& call) {
+        try {
+            call();
+        } catch (const irsg::InputError&) {
+            return 1;
+        }
+        return 0;
+    };
+    return (isRefused(calls) + ...);
+}
+
+} // namespace smat::selftest

@@ -1,0 +1,9 @@
+#include "smatcore/selftest/Checks.h"
+
+namespace smat::selftest {
+
+std::vector<SelfTestCheck> scatteringChecks() {
+    return {};
+}
+
+} // namespace smat::selftest

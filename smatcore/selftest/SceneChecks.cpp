@@ -1,0 +1,378 @@
+// Whole objects: what becomes of their samples.
+#include <cmath>
+#include <numeric>
+
+#include "irsg/radiometry/Planck.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/reference/RayCaster.h"
+#include "smatcore/selftest/Checks.h"
+
+namespace smat::selftest {
+namespace {
+
+using namespace irsg::reference;
+using irsg::Irsg;
+using irsg::Vec3;
+
+constexpr irsg::IrCodes one{1, 1};
+const irsg::Band band = irsg::Band::topHat(3.0, 5.0);
+
+double grey_W_m2_sr() {
+    return 0.9 * irsg::bandRadiance_W_m2_sr(band, 320.0);
+}
+
+Mesh ball() {
+    return sphereMesh(1.0, 32, 64, one);
+}
+
+/// A grey ball in the dark, to be looked at.
+Irsg& withBall(SelfTestBench& bench) {
+    Irsg& irsg = bench.irsg();
+    irsg.setEntities({entityOf(modelOf(ball()), greyDatabase(0.9, 320.0))});
+    look(irsg, {});
+    return irsg;
+}
+
+/// By the solid angle of its facets.
+double intensityOfBall_W_sr(double range_m) {
+    return grey_W_m2_sr() * convexSolidAngle_sr(ball(), {0, range_m, 0}) * range_m * range_m;
+}
+
+double sumOf(const irsg::RadianceImage& image) {
+    const auto& values = image.primary().values;
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// Pixels of three layers, one before the other, against rays in double.
+SelfTestValue againstRays(SelfTestBench& bench) {
+    const Mesh mesh = glazedMesh();
+    irsg::SignatureDatabase database;
+    RayScene rays;
+    rays.surfaces.resize(1);
+    struct Surface {
+        double emissivity, transmissivity, temperature_K, n;
+    };
+    int code = 0;
+    const double bandwidth_um = band.area_um(), t = 0.7, pi = irsg::pi;
+    for (const Surface& s :
+         {Surface{0.9, 0.0, 320.0, 0.0}, {0.5, 0.0, 400.0, 1.0}, {0.2, 0.7, 330.0, 0.0}}) {
+        ++code;
+        database.temperatures[code] = fixedTemperature(s.temperature_K);
+        database.materials[code] = greyMaterial(s.emissivity, s.transmissivity, s.n);
+        const double rho = 1.0 - s.emissivity - s.transmissivity;
+        SurfaceTerms terms;
+        terms.thermal = s.emissivity * t * irsg::bandRadiance_W_m2_sr(band, s.temperature_K);
+        terms.sun = rho / pi * 3.0 * t * bandwidth_um;
+        terms.up = rho / pi * 2.0 * t * bandwidth_um;
+        terms.down = rho / pi * 1.0 * t * bandwidth_um;
+        terms.path = (1.0 - s.transmissivity) * 0.2 * bandwidth_um;
+        terms.transmissivity = s.transmissivity;
+        terms.nAngleFactor = s.n;
+        rays.surfaces.push_back(terms);
+    }
+    Irsg& irsg = bench.irsg();
+    irsg.setEnvironment(brightAir());
+    irsg::RenderSettings settings;
+    settings.zoomWindow = 0;
+    settings.samplesPerAxis = 1;
+    irsg.setSettings(settings);
+    irsg.setEntities({entityOf(modelOf(mesh), database)});
+    look(irsg, {.azimuth_rad = 0.7,
+                .elevation_rad = 0.4,
+                .width_px = 96,
+                .height_px = 80,
+                .fieldOfView_rad = 0.06});
+    rays.mesh = mesh;
+    for (Triangle& triangle : rays.mesh)
+        for (Vec3& vertex : triangle.vertex)
+            vertex.z += standingAltitude_m;
+    const auto& sun = irsg.environment().sun;
+    rays.sunDirection = {std::sin(sun.azimuth_rad) * std::cos(sun.elevation_rad),
+                         std::cos(sun.azimuth_rad) * std::cos(sun.elevation_rad),
+                         std::sin(sun.elevation_rad)};
+    rays.background = 0.4 * bandwidth_um;
+    const irsg::RadianceImage image = irsg.picture();
+    const auto pixels = castRays(rays, irsg.sensor(), irsg.viewpoint());
+    Farthest farthest;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (pixels[i].isInterior)
+            farthest.add(static_cast<double>(image.primary().values[i]), pixels[i].radiance);
+    return farthest.found();
+}
+
+/// A body of the background's radiance, whichever that is.
+SelfTestValue unseen(SelfTestBench& bench) {
+    Irsg& irsg = withBall(bench);
+    irsg::RenderSettings settings;
+    settings.background = irsg::BackgroundMode::constant;
+    settings.background_W_m2_sr = grey_W_m2_sr();
+    irsg.setSettings(settings);
+    const auto report = irsg.measure();
+    return {report.all.contrastIntensity_W_sr / report.all.intensity_W_sr, 0.0};
+}
+
+SelfTestValue twoBands(SelfTestBench& bench) {
+    Irsg& irsg = withBall(bench);
+    const std::vector<irsg::Band> bands{irsg::Band::topHat(3.4, 4.1),
+                                        irsg::Band::topHat(8.0, 12.0)};
+    const auto together = irsg.measure(bands);
+    Farthest farthest;
+    for (std::size_t i = 0; i < bands.size(); ++i)
+        farthest.add(together[i].all.intensity_W_sr / irsg::bandRadiance_W_m2_sr(bands[i], 320.0),
+                     intensityOfBall_W_sr(100.0) / irsg::bandRadiance_W_m2_sr(band, 320.0));
+    return farthest.found();
+}
+
+} // namespace
+
+std::vector<SelfTestCheck> sceneChecks() {
+    return {
+        {.name = "scene.ball-intensity",
+         .says = "Radiant intensity of a grey ball against the solid angle of its facets",
+         .unit = "W sr-1",
+         .bound = 1e-3,
+         .measure =
+             [](auto& bench) {
+                 return SelfTestValue{withBall(bench).measure().all.intensity_W_sr,
+                                      intensityOfBall_W_sr(100.0)};
+             }},
+        {.name = "scene.plate-cosine",
+         .says = "Intensity of a plate of 4 m2, seen at 0 to 80 degrees: area times cosine",
+         .unit = "W sr-1",
+         .bound = 2e-3,
+         .measure =
+             [](auto& bench) {
+                 Irsg& irsg = bench.irsg();
+                 irsg.setEntities(
+                     {entityOf(modelOf(plateMesh({0, 0, 0}, {-1, 0, 0}, {0, 0, 1}, one)),
+                               greyDatabase(0.9, 320.0))});
+                 Farthest farthest;
+                 for (const double angle_deg : {0.0, 33.0, 61.0, 80.0}) {
+                     look(irsg, {.range_m = 5000.0,
+                                 .azimuth_rad = irsg::radians(angle_deg),
+                                 .fieldOfView_rad = 1e-3});
+                     farthest.add(irsg.measure().all.intensity_W_sr,
+                                  4.0 * std::cos(irsg::radians(angle_deg)) * grey_W_m2_sr());
+                 }
+                 return farthest.found();
+             }},
+        {.name = "scene.irradiance",
+         .says = "Irradiance of the ball at the sensor: contrast intensity over the range squared",
+         .unit = "W m-2",
+         .bound = 1e-4,
+         .measure =
+             [](auto& bench) {
+                 const auto report = withBall(bench).measure();
+                 return SelfTestValue{report.all.irradiance_W_m2,
+                                      report.all.contrastIntensity_W_sr / 1e4};
+             }},
+        {.name = "scene.picture-and-report",
+         .says = "Sum over a picture, by solid angles of pixels and range squared, against the "
+                 "intensity of the report",
+         .unit = "W sr-1",
+         .bound = 1e-3,
+         .measure =
+             [](auto& bench) {
+                 Irsg& irsg = withBall(bench);
+                 const auto rendered = irsg.render();
+                 const double pixel_rad = 2.0 * std::tan(0.02) / 64.0;
+                 return SelfTestValue{sumOf(rendered.image) * pixel_rad * pixel_rad * 1e4,
+                                      rendered.report.all.intensity_W_sr};
+             }},
+        {.name = "scene.wide-field",
+         .says = "The ball 35 degrees off the axis of a wide field, against its solid angle",
+         .unit = "W sr-1",
+         .bound = 2e-3,
+         .measure =
+             [](auto& bench) {
+                 Irsg& irsg = withBall(bench);
+                 look(irsg, {.width_px = 400, .height_px = 400, .fieldOfView_rad = 1.4});
+                 const double aside_m = 100.0 * std::tan(irsg::radians(35.0));
+                 irsg.setPose(0, {{aside_m, 0.0, standingAltitude_m}, {}});
+                 const double range_m = std::hypot(100.0, aside_m);
+                 return SelfTestValue{irsg.measure().all.intensity_W_sr,
+                                      grey_W_m2_sr() *
+                                          convexSolidAngle_sr(ball(), {-aside_m, 100.0, 0.0}) *
+                                          range_m * range_m};
+             }},
+        {.name = "scene.hidden",
+         .says = "A plate behind a larger one adds nothing",
+         .unit = "W sr-1",
+         .bound = 1e-9,
+         .measure =
+             [](auto& bench) {
+                 Irsg& irsg = bench.irsg();
+                 const Mesh front = plateMesh({0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, one);
+                 const auto measured = [&](const Mesh& mesh) {
+                     irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))});
+                     look(irsg, {});
+                     return irsg.measure().all.intensity_W_sr;
+                 };
+                 const double alone = measured(front);
+                 return SelfTestValue{
+                     measured(joined(front, plateMesh({0, -1, 0}, {-0.5, 0, 0}, {0, 0, 0.5}, one))),
+                     alone};
+             }},
+        {.name = "scene.unseen",
+         .says = "Contrast of a body of its background's radiance, as a part of its intensity",
+         .unit = "",
+         .bound = 1e-6,
+         .error = absolute,
+         .measure = [](auto& bench) { return unseen(bench); }},
+        {.name = "scene.against-rays",
+         .says = "A picture of a glazed body, every term switched on, against a ray caster in "
+                 "double: the farthest pixel whose neighbours hit the same facets",
+         .unit = "W m-2 sr-1",
+         .bound = 1e-5,
+         .measure = [](auto& bench) { return againstRays(bench); }},
+        {.name = "scene.two-bands",
+         .says = "Two bands from one drawing, over their black bodies, against a band by itself",
+         .unit = "m2",
+         .bound = 1e-3,
+         .measure = [](auto& bench) { return twoBands(bench); }},
+        {.name = "scene.spectrum-and-band",
+         .says = "A spectrum of intensity at 10 wavenumbers against Planck's law",
+         .unit = "W sr-1 um-1",
+         .bound = 1e-3,
+         .measure =
+             [](auto& bench) {
+                 Irsg& irsg = withBall(bench);
+                 std::vector<double> wavenumbers_per_cm;
+                 for (int i = 0; i < 10; ++i)
+                     wavenumbers_per_cm.push_back(2000.0 + 130.0 * i);
+                 const auto spectrum = irsg.measureSpectrum(wavenumbers_per_cm);
+                 const double area = intensityOfBall_W_sr(100.0) / grey_W_m2_sr();
+                 Farthest farthest;
+                 for (std::size_t i = 0; i < wavenumbers_per_cm.size(); ++i)
+                     farthest.add(
+                         spectrum.intensity_W_sr_um[i],
+                         area * 0.9 *
+                             irsg::planckRadiance_W_m2_sr_um(1e4 / wavenumbers_per_cm[i], 320.0));
+                 return farthest.found();
+             }},
+        {.name = "scene.scales",
+         .says = "A temperature scaled by 1.1 as a draw of Monte Carlo against the same model "
+                 "with 352 K",
+         .unit = "W sr-1",
+         .bound = 1e-6,
+         .measure =
+             [](auto& bench) {
+                 Irsg& irsg = withBall(bench);
+                 auto scaled = irsg.entities();
+                 scaled[0].temperatureScale[1] = 1.1;
+                 irsg.setEntities(scaled);
+                 const double found = irsg.measure().all.intensity_W_sr;
+                 auto warmer = withBall(bench).entities();
+                 warmer[0].database =
+                     std::make_shared<const irsg::SignatureDatabase>(greyDatabase(0.9, 352.0));
+                 irsg.setEntities(warmer);
+                 return SelfTestValue{found, irsg.measure().all.intensity_W_sr};
+             }},
+        {.name = "scene.far-from-the-origin",
+         .says = "The ball 9,000 km from the world's origin against itself at the origin",
+         .unit = "W sr-1",
+         .bound = 1e-5,
+         .hard = true,
+         .measure =
+             [](auto& bench) {
+                 Irsg& irsg = withBall(bench);
+                 const double here = irsg.measure().all.intensity_W_sr;
+                 irsg.setPose(0, {{6.4e6, -6.4e6, standingAltitude_m}, {}});
+                 look(irsg, {});
+                 return SelfTestValue{irsg.measure().all.intensity_W_sr, here};
+             }},
+        {.name = "scene.ten-thousand-kilometres",
+         .says = "The ball from 1e7 m, 2.4 balls to the frame",
+         .unit = "W sr-1",
+         .bound = 2e-3,
+         .hard = true,
+         .measure =
+             [](auto& bench) {
+                 Irsg& irsg = withBall(bench);
+                 look(irsg, {.range_m = 1e7, .fieldOfView_rad = 2.4e-7});
+                 return SelfTestValue{irsg.measure().all.intensity_W_sr,
+                                      grey_W_m2_sr() * convexSolidAngle_sr(ball(), {0, 1e4, 0}) *
+                                          1e8};
+             }},
+        {.name = "scene.from-inside",
+         .says = "From inside the ball, and from its very centre: its radiance all around",
+         .unit = "W m-2 sr-1",
+         .bound = 1e-5,
+         .hard = true,
+         .measure =
+             [](auto& bench) {
+                 Farthest farthest;
+                 for (const double range_m : {0.5, 1e-9}) {
+                     Irsg& irsg = withBall(bench);
+                     look(irsg, {.range_m = range_m, .fieldOfView_rad = 1.0});
+                     farthest.add(static_cast<double>(irsg.picture().at(32, 32)), grey_W_m2_sr());
+                 }
+                 return farthest.found();
+             }},
+        {.name = "scene.shapes-of-pictures",
+         .says = "Pictures of 1 x 1, 1 x 37, 37 x 1, 53 x 47 and 640 x 3 pixels: their middle",
+         .unit = "W m-2 sr-1",
+         .bound = 1e-5,
+         .hard = true,
+         .measure =
+             [](auto& bench) {
+                 Irsg& irsg = withBall(bench);
+                 Farthest farthest;
+                 constexpr int sizes[][2] = {{1, 1}, {1, 37}, {37, 1}, {53, 47}, {640, 3}};
+                 for (const auto& size : sizes) {
+                     look(irsg, {.width_px = size[0],
+                                 .height_px = size[1],
+                                 .fieldOfView_rad = size[0] == 1 ? 1e-3 : 0.018});
+                     farthest.add(static_cast<double>(irsg.picture().at(size[0] / 2, size[1] / 2)),
+                                  grey_W_m2_sr());
+                 }
+                 return farthest.found();
+             }},
+        {.name = "scene.degenerate-facets",
+         .says = "Facets without area, without normals: the ball as it was",
+         .unit = "W sr-1",
+         .bound = 1e-6,
+         .hard = true,
+         .measure =
+             [](auto& bench) {
+                 Irsg& irsg = withBall(bench);
+                 const double before = irsg.measure().all.intensity_W_sr;
+                 Mesh mesh = ball();
+                 mesh.push_back({{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+                                 {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
+                                 one,
+                                 false});
+                 mesh.push_back({{{0, 0, 0}, {0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}},
+                                 {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+                                 one,
+                                 false});
+                 irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))});
+                 look(irsg, {});
+                 return SelfTestValue{irsg.measure().all.intensity_W_sr, before};
+             }},
+        {.name = "scene.layers-left-over",
+         .says = "Six panes where three layers are kept: every sample is counted",
+         .unit = "samples",
+         .bound = 0.0,
+         .error = absolute,
+         .hard = true,
+         .measure =
+             [](auto& bench) {
+                 Mesh mesh;
+                 for (int i = 0; i < 6; ++i)
+                     mesh = joined(mesh, plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one));
+                 Irsg& irsg = bench.irsg();
+                 irsg::RenderSettings settings;
+                 settings.zoomWindow = 0;
+                 settings.samplesPerAxis = 1;
+                 settings.maximumLayers = 3;
+                 irsg.setSettings(settings);
+                 irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.3, 320.0, 0.0, 0.7))});
+                 look(irsg, {.range_m = 50.0, .fieldOfView_rad = 0.01});
+                 return SelfTestValue{static_cast<double>(irsg.render().report.layersLeftOver),
+                                      64.0 * 64.0};
+             }},
+    };
+}
+
+} // namespace smat::selftest
