@@ -7,52 +7,10 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLineEdit>
-#include <QStyledItemDelegate>
 
-#include "gui/widgets/Theme.h"
+#include "gui/widgets/CheckedCell.h"
 
 namespace smat::gui {
-namespace {
-
-/// A field that reddens while its text cannot stand, and then gives the cell back unchanged.
-class CheckedCell : public QStyledItemDelegate {
-  public:
-    CheckedCell(NodeTableModel& model, std::function<void(QString)> report, QObject* parent)
-        : QStyledItemDelegate(parent), model_(model), report_(std::move(report)) {}
-
-    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
-                          const QModelIndex& index) const override {
-        auto* edit = new QLineEdit(parent);
-        edit->setObjectName("nodeCell");
-        edit->setFrame(false);
-        edit->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        const QPersistentModelIndex cell(index);
-        connect(edit, &QLineEdit::textEdited, this, [this, edit, cell](const QString& text) {
-            const QString sentence = model_.problemOf(cell, text);
-            QPalette colours = edit->palette();
-            colours.setColor(QPalette::Base, sentence.isEmpty()
-                                                 ? QApplication::palette().base().color()
-                                             : isDark(QApplication::palette()) ? QColor("#5a2a2e")
-                                                                               : QColor("#ffe3e3"));
-            edit->setPalette(colours);
-            report_(sentence);
-        });
-        return edit;
-    }
-    void setModelData(QWidget* editor, QAbstractItemModel* model,
-                      const QModelIndex& index) const override {
-        const QString text = static_cast<QLineEdit*>(editor)->text();
-        if (model_.problemOf(index, text).isEmpty())
-            model->setData(index, text, Qt::EditRole);
-    }
-
-  private:
-    NodeTableModel& model_;
-    std::function<void(QString)> report_;
-};
-
-} // namespace
 
 NodeTableModel::NodeTableModel(QObject* parent) : QAbstractTableModel(parent) {}
 
@@ -164,7 +122,11 @@ NodeTable::NodeTable(NodeTableModel& model, QWidget* parent) : QTableView(parent
     setObjectName("nodeTable");
     setModel(&model_);
     setItemDelegate(new CheckedCell(
-        model_, [this](const QString& sentence) { report(sentence); }, this));
+        "nodeCell",
+        [this](const QModelIndex& cell, const QString& text) {
+            return model_.problemOf(cell, text);
+        },
+        [this](const QString& sentence) { report(sentence); }, this));
     setSelectionMode(QAbstractItemView::ExtendedSelection);
     setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                     QAbstractItemView::AnyKeyPressed);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gui/start/DataFolder.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/simulate/ScenarioFile.h"
 #include "smatcore/support/TextFile.h"
@@ -61,6 +62,13 @@ std::filesystem::path freePlace(const std::filesystem::path& wanted, const Traje
     }
 }
 
+std::optional<irsg::FileStamp>
+stampIn(const std::map<std::filesystem::path, irsg::FileStamp>& stamps,
+        const std::filesystem::path& file) {
+    const auto found = stamps.find(file);
+    return found == stamps.end() ? std::nullopt : std::optional(found->second);
+}
+
 } // namespace
 
 const TrajectoryTable* EditedScenario::table(const std::filesystem::path& file) const {
@@ -72,11 +80,22 @@ const TrajectoryTable* EditedScenario::table(const std::filesystem::path& file) 
 class ScenarioDocument::Command : public QUndoCommand {
   public:
     Command(std::shared_ptr<ScenarioDocument*> document, QUndoStack& stack,
-            std::shared_ptr<const EditedScenario> before, EditedScenario after)
+            std::shared_ptr<const EditedScenario> before, EditedScenario after, int gesture)
         : document_(std::move(document)),
           stack_(stack),
           before_(std::move(before)),
-          after_(std::make_shared<const EditedScenario>(std::move(after))) {}
+          after_(std::make_shared<const EditedScenario>(std::move(after))),
+          gesture_(gesture) {}
+    int id() const override { return gesture_; }
+    bool mergeWith(const QUndoCommand* next) override {
+        const auto* step = dynamic_cast<const Command*>(next);
+        if (step == nullptr || step->document_ != document_)
+            return false;
+        after_ = step->after_;
+        setText(step->text());
+        setObsolete(*after_ == *before_);
+        return true;
+    }
     void undo() override {
         if (*document_ != nullptr)
             (*document_)->apply(*before_);
@@ -101,6 +120,7 @@ class ScenarioDocument::Command : public QUndoCommand {
     std::shared_ptr<ScenarioDocument*> document_;
     QUndoStack& stack_;
     std::shared_ptr<const EditedScenario> before_, after_;
+    int gesture_;
 };
 
 ScenarioDocument::ScenarioDocument(const std::filesystem::path& file, QUndoStack& undoStack,
@@ -118,19 +138,36 @@ ScenarioDocument::~ScenarioDocument() {
     *self_ = nullptr;
 }
 
-void ScenarioDocument::edit(EditedScenario after, const QString& step) {
+void ScenarioDocument::edit(EditedScenario after, const QString& step, int gesture) {
     if (after == *now_)
         return;
-    auto* command = new Command(self_, undoStack_, now_, std::move(after));
+    auto* command = new Command(self_, undoStack_, now_, std::move(after), gesture);
     command->setText(step);
     undoStack_.push(command);
 }
 
-void ScenarioDocument::change(const QString& step,
-                              const std::function<void(EditedScenario&)>& edit) {
+QString ScenarioDocument::change(const QString& step,
+                                 const std::function<void(EditedScenario&)>& edit, int gesture) {
     EditedScenario after = *now_;
     edit(after);
-    this->edit(std::move(after), step);
+    if (after == *now_)
+        return {};
+    try {
+        // The reader has the rules.
+        scenarioFromJson(scenarioToJson(after.scenario, file()), file());
+    } catch (const irsg::InputError& error) {
+        const irsg::Diagnostic& first = error.diagnostics().front();
+        return tr("%1, where %2 is needed")
+            .arg(textOf(first.value), withReadableUnits(textOf(first.expected)));
+    }
+    this->edit(std::move(after), step, gesture);
+    return {};
+}
+
+int ScenarioDocument::newGesture() {
+    // Those of other documents on the stack, and the steps of the project, have other numbers.
+    static int last = 0x5ce0000;
+    return ++last;
 }
 
 void ScenarioDocument::apply(const EditedScenario& state) {
@@ -202,7 +239,10 @@ void ScenarioDocument::saveAs(const std::filesystem::path& file) {
         EditedScenario moved = movedTo(*now_, absolute);
         for (const auto& [at, table] : written)
             writeTextFile(at, table.text());
-        saveScenario(moved.scenario, absolute);
+        // A file that says the same stays as its writer laid it out.
+        if (absolute != this->file() || moved.scenario != saved_.scenario ||
+            irsg::stampOf(absolute) != stampIn(stamps_, absolute))
+            saveScenario(moved.scenario, absolute);
         saved_ = moved;
         take(std::move(moved));
     } catch (const irsg::InputError&) {

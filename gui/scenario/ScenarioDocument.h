@@ -41,10 +41,16 @@ class ScenarioDocument : public QObject {
     const std::filesystem::path& file() const { return now_->scenario.file; }
     bool isModified() const { return *now_ != saved_; }
 
-    /// A step of this name; nothing where nothing differs.
-    void edit(EditedScenario after, const QString& step);
-    /// The same by a function that changes the state.
-    void change(const QString& step, const std::function<void(EditedScenario&)>& edit);
+    /// A step of this name; nothing where nothing differs. Steps of one gesture, as letters that
+    /// are typed into a field, are one.
+    void edit(EditedScenario after, const QString& step, int gesture = noGesture);
+    /// The same by a function that changes the state. What a file could not hold is refused: says
+    /// then what was expected, and nothing changes.
+    QString change(const QString& step, const std::function<void(EditedScenario&)>& edit,
+                   int gesture = noGesture);
+    /// The number of another gesture.
+    static int newGesture();
+    static constexpr int noGesture = -1;
 
     /// Whether another program has written one of the files since it was read or saved.
     bool isChangedOnDisk() const;

@@ -12,6 +12,7 @@
 #include "gui/Workbench.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageView.h"
+#include "gui/scenario/EditPanel.h"
 #include "gui/scenario/FramesPanel.h"
 #include "gui/scenario/PlanView.h"
 #include "gui/scenario/PresentTable.h"
@@ -21,6 +22,7 @@
 #include "gui/widgets/FlowBar.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
+#include "gui/widgets/VerticalScrollArea.h"
 #include "gui/widgets/Widgets.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -90,6 +92,8 @@ void ScenarioPage::makeParts() {
     panels_->addTab(now, tr("Plan"));
     frames_ = new FramesPanel(dialogs_, this);
     panels_->addTab(frames_, tr("Frames"));
+    panels_->addTab(new VerticalScrollArea(new EditPanel(*document_, dialogs_, this), this),
+                    tr("Edit"));
     letShownPageAloneAskForRoom(*panels_);
 
     auto* left = new QWidget(this);
@@ -305,7 +309,9 @@ bool ScenarioPage::saveAs() {
     return !file.isEmpty() && saveTo(file.toStdString());
 }
 
-bool ScenarioPage::saveTo(const std::filesystem::path& file) {
+/// By value: what the document calls its file goes with the state that is saved.
+bool ScenarioPage::saveTo(
+    std::filesystem::path file) { // NOLINT(performance-unnecessary-value-param)
     try {
         document_->saveAs(file);
         emit said(tr("Saved %1").arg(textOf(file)));

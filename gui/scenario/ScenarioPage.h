@@ -74,7 +74,7 @@ class ScenarioPage : public QWidget, public Exportable, public DocumentPage {
     /// Asks what is to be written and puts it in the line of jobs.
     void run();
     void takeOutcome(const std::shared_ptr<const SimulationOutcome>& outcome);
-    bool saveTo(const std::filesystem::path& file);
+    bool saveTo(std::filesystem::path file);
 
     std::unique_ptr<ScenarioDocument> document_;
     Workbench& workbench_;

@@ -276,6 +276,14 @@ class KeyboardWalkTest : public test::WindowFixture {
         ASSERT_NE(scenario, nullptr);
         EXPECT_TRUE(test::waitUntil([&] { return !scenario->isBusy(); }));
         walk(*window, "page of a scenario");
+        auto* panels = scenario->findChild<QTabWidget*>("scenarioPanels");
+        panels->setCurrentIndex(panels->count() - 1);
+        auto* parts = scenario->findChild<QComboBox*>("editedPart");
+        for (int part = 0; part < parts->count(); ++part) {
+            parts->setCurrentIndex(part);
+            emit parts->activated(part);
+            walk(*window, "page of a scenario, " + parts->currentText());
+        }
         scenario->findChild<QToolButton*>("runScenario")->click();
         auto* index = window->findChild<QComboBox*>("paintTemperature");
         emit index->activated(index->count() - 1);
