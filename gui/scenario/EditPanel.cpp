@@ -119,8 +119,8 @@ void EditPanel::makeTimes(QVBoxLayout* column) {
     title_ = new QLineEdit(times_);
     title_->setObjectName("scenarioTitle");
     form->addRow(tr("Title"), title_);
-    start_ = timeField(form, "scenarioStart", tr("Start"), tr("Change the start"),
-                       &Scenario::start_s);
+    start_ =
+        timeField(form, "scenarioStart", tr("Start"), tr("Change the start"), &Scenario::start_s);
     end_ = timeField(form, "scenarioEnd", tr("End"), tr("Change the end"), &Scenario::end_s);
     step_ = timeField(form, "scenarioStep", tr("Step"), tr("Change the step"), &Scenario::dt_s);
     step_->setRange(1e-6, 1e9);
@@ -205,15 +205,16 @@ void EditPanel::makePart(QVBoxLayout* column) {
     connect(name_, &QLineEdit::textEdited, this, &EditPanel::rename);
     connect(name_, &QLineEdit::editingFinished, this, &EditPanel::finish);
     connect(place_, &PlaceFields::finished, this, &EditPanel::finish);
-    connect(place_, &PlaceFields::edited, this, [this](const irsg::Pose& pose, const QString& what) {
-        const Part part = this->part();
-        change(tr("Set %1 of %2").arg(what, partName()), [&](EditedScenario& state) {
-            if (part.entity)
-                state.scenario.entities[*part.entity].pose = pose;
-            else if (part.sensor)
-                state.scenario.sensors[*part.sensor].offset = pose;
-        });
-    });
+    connect(place_, &PlaceFields::edited, this,
+            [this](const irsg::Pose& pose, const QString& what) {
+                const Part part = this->part();
+                change(tr("Set %1 of %2").arg(what, partName()), [&](EditedScenario& state) {
+                    if (part.entity)
+                        state.scenario.entities[*part.entity].pose = pose;
+                    else if (part.sensor)
+                        state.scenario.sensors[*part.sensor].offset = pose;
+                });
+            });
     connect(hold_, &QCheckBox::clicked, this, [this](bool hold) {
         const Part part = this->part();
         change(tr("Change the ends of %1").arg(partName()), [&](EditedScenario& state) {
@@ -269,12 +270,11 @@ void EditPanel::follow() {
     const int chosen = std::clamp(part_->currentIndex(), 0, static_cast<int>(names.size()) - 1);
     while (part_->count() > names.size())
         part_->removeItem(part_->count() - 1);
-    for (int i = 0; i < names.size(); ++i) {
+    for (int i = 0; i < names.size(); ++i)
         if (i < part_->count())
             part_->setItemText(i, names[i]);
         else
             part_->addItem(names[i]);
-    }
     part_->setCurrentIndex(chosen);
     if (title_->text() != textOf(scenario.title))
         title_->setText(textOf(scenario.title));

@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "gui/image/ColoredPlane.h"
@@ -20,6 +19,7 @@ namespace smat::gui {
 namespace {
 
 constexpr QSize thumbnail(112, 84);
+constexpr int leastBeside_px = 480, leastPlot_px = 130;
 enum Role { bandRole = Qt::UserRole, frameRole };
 
 QIcon pictureOf(const WrittenFrame& frame, const irsg::ColorMap& map,
@@ -28,8 +28,12 @@ QIcon pictureOf(const WrittenFrame& frame, const irsg::ColorMap& map,
     plane.setValues(frame.width, frame.height,
                     std::make_shared<const std::vector<float>>(frame.values));
     plane.setColors(map, limits);
-    return QPixmap::fromImage(
+    const QPixmap picture = QPixmap::fromImage(
         plane.picture().scaled(thumbnail, Qt::KeepAspectRatio, Qt::FastTransformation));
+    // The chosen one has the colours of the others, not a tint of the selection.
+    QIcon icon(picture);
+    icon.addPixmap(picture, QIcon::Selected);
+    return icon;
 }
 
 } // namespace
@@ -47,16 +51,12 @@ FramesPanel::FramesPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent) {
     strip_->setObjectName("filmStrip");
     strip_->setAccessibleName(tr("Frames"));
     strip_->setViewMode(QListView::IconMode);
-    strip_->setFlow(QListView::LeftToRight);
     strip_->setWrapping(false);
     strip_->setMovement(QListView::Static);
     strip_->setIconSize(thumbnail);
     strip_->setSpacing(4);
     strip_->setUniformItemSizes(true);
     strip_->setFrameShape(QFrame::NoFrame);
-    strip_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    strip_->setMinimumHeight(thumbnail.height() + 62);
-    strip_->setMaximumHeight(thumbnail.height() + 70);
     strip_->hide();
     quantity_ = new QComboBox(this);
     quantity_->setObjectName("framesQuantity");
@@ -64,20 +64,44 @@ FramesPanel::FramesPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent) {
     quantity_->setToolTip(tr("Quantity that is drawn"));
     plot_ = new PlotPanel(PlotKind::cartesian, std::move(dialogs), this);
     plot_->addInFront(quantity_);
+    plot_->cartesian()->setMinimumHeight(leastPlot_px);
     plot_->hide();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
     column->addWidget(words_);
-    column->addWidget(strip_);
-    column->addWidget(plot_, 1);
+    parts_ = new QBoxLayout(QBoxLayout::TopToBottom);
+    parts_->setSpacing(2);
+    parts_->addWidget(strip_);
+    parts_->addWidget(plot_, 1);
+    column->addLayout(parts_, 1);
     column->addStretch(0);
+    arrange(false);
     connect(strip_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
         if (item != nullptr)
             emit frameChosen(sensor_, item->data(bandRole).toULongLong(),
                              item->data(frameRole).toULongLong());
     });
     connect(quantity_, &QComboBox::activated, this, &FramesPanel::drawTable);
+}
+
+void FramesPanel::arrange(bool beside) {
+    parts_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    strip_->setFlow(beside ? QListView::TopToBottom : QListView::LeftToRight);
+    // setFlow forgets it.
+    strip_->setWrapping(false);
+    const int along = thumbnail.height() + 62, across = thumbnail.width() + 40;
+    strip_->setHorizontalScrollBarPolicy(beside ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
+    strip_->setVerticalScrollBarPolicy(beside ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+    strip_->setMinimumSize(beside ? across : 0, beside ? 0 : along);
+    strip_->setMaximumSize(beside ? across : QWIDGETSIZE_MAX, beside ? QWIDGETSIZE_MAX : along + 8);
+}
+
+void FramesPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const bool beside = width() >= leastBeside_px && 5 * width() > 7 * height();
+    if (beside != (parts_->direction() == QBoxLayout::LeftToRight))
+        arrange(beside);
 }
 
 void FramesPanel::say(const QString& sentence) {
@@ -172,6 +196,9 @@ void FramesPanel::drawTable() {
         return;
     PlotData data = cartesianData({{textOf(result->name), &result->table, true}},
                                   quantity_->currentData().toString().toStdString());
+    // The field above says what is drawn, and aspect and range are the scenario's.
+    data.title.clear();
+    data.conditions.clear();
     plot_->cartesian()->setData(std::move(data));
     plot_->refresh();
 }

@@ -7,10 +7,10 @@
 #include "gui/scenario/SimulationOrder.h"
 #include "gui/widgets/Dialogs.h"
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QListWidget;
-class QVBoxLayout;
 
 namespace smat::gui {
 
@@ -34,7 +34,12 @@ class FramesPanel : public QWidget {
   signals:
     void frameChosen(std::size_t sensor, std::size_t band, std::size_t number);
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    /// The strip beside the plot where the panel is low, above it where it is high.
+    void arrange(bool beside);
     void fillStrip();
     void drawTable();
     const SensorResult* shownResult() const;
@@ -46,6 +51,7 @@ class FramesPanel : public QWidget {
     QListWidget* strip_ = nullptr;
     QComboBox* quantity_ = nullptr;
     PlotPanel* plot_ = nullptr;
+    QBoxLayout* parts_ = nullptr;
 };
 
 } // namespace smat::gui

@@ -24,9 +24,12 @@ PlaceFields::PlaceFields(QWidget* parent) : QWidget(parent) {
     setObjectName("placeFields");
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    const QStringList tips{
-        tr("East"), tr("North"),    tr("Altitude of the origin"), tr("Counter-clockwise from north"),
-        tr("Nose up"), tr("Starboard down")};
+    const QStringList tips{tr("East"),
+                           tr("North"),
+                           tr("Altitude of the origin"),
+                           tr("Counter-clockwise from north"),
+                           tr("Nose up"),
+                           tr("Starboard down")};
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         // Those of a trajectory behind its time.
         const TrajectoryColumn& column = TrajectoryTable::columns()[i + 1];

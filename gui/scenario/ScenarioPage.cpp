@@ -32,6 +32,7 @@ namespace {
 
 /// From this width on the panels stand beside the picture, below it before.
 constexpr int wide_px = 980;
+constexpr int lowestFrames_px = 320;
 
 QStringList scenarioFilters() {
     return {ScenarioPage::tr("Scenarios (*.json)"), ScenarioPage::tr("All files (*)")};
@@ -283,6 +284,9 @@ void ScenarioPage::takeOutcome(const std::shared_ptr<const SimulationOutcome>& o
     frames_->setOutcome(outcome, textOf(image_->colorMap().name()));
     frames_->showSensor(shownSensor());
     panels_->setCurrentWidget(frames_);
+    // Below the picture curves need more room than what stood there before.
+    if (parts_->orientation() == Qt::Vertical && panels_->height() < lowestFrames_px)
+        parts_->setSizes({parts_->height() - lowestFrames_px, lowestFrames_px});
     emit said(
         tr("Wrote %1 frames to %2").arg(outcome->frames.size()).arg(textOf(outcome->order.folder)));
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "gui/widgets/Readable.h"
 #include "gui/database/Nodes.h"
+#include "gui/widgets/Readable.h"
 
 namespace smat::gui {
 namespace {
@@ -151,8 +151,7 @@ QString TrajectoryModel::take(std::vector<Row> rows, const QString& step) {
                 return tr("row %1, %2: %3, where %4 is needed")
                     .arg(i + 1)
                     .arg(nameOf(column), gui::textOf(rows[i][column]),
-                         withReadableUnits(
-                             QString::fromStdString(columnOf(column).expectation())));
+                         withReadableUnits(QString::fromStdString(columnOf(column).expectation())));
         }
         if (i > 0 && rows[i][timeColumn] == rows[i - 1][timeColumn])
             return tr("two rows have the time %1 s").arg(gui::textOf(rows[i][timeColumn]));
@@ -180,8 +179,7 @@ QString TrajectoryModel::insertRow(int row) {
     else
         between[timeColumn] -= rows.size() > 1 ? rows[1][timeColumn] - rows[0][timeColumn] : 1.0;
     rows.push_back(between);
-    return take(std::move(rows),
-                tr("Insert a row at %1 s").arg(gui::textOf(between[timeColumn])));
+    return take(std::move(rows), tr("Insert a row at %1 s").arg(gui::textOf(between[timeColumn])));
 }
 
 QString TrajectoryModel::removeRows(const std::vector<int>& rows) {

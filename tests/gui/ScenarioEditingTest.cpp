@@ -138,8 +138,9 @@ TEST_F(ScenarioEditingTest, TimesTitleNamesAndPlacesAreEditedAndReopenedEqual) {
     EXPECT_EQ(again.scenario().notes, "Kept as it is.");
     EXPECT_EQ(again.scenario().entities[0].trajectory, "flight.csv");
     // Every step goes back, one at a time.
-    while (workbench.undoStack().canUndo())
+    while (workbench.undoStack().canUndo()) {
         workbench.undoStack().undo();
+    }
     EXPECT_EQ(page->document().scenario().title, "Pass");
     EXPECT_EQ(page->document().scenario().sensors[1].track, "mover");
     EXPECT_EQ(page->document().scenario().entities[1].pose.position_m.y, 110.0);

@@ -219,6 +219,15 @@ TEST_F(ScenarioPageTest, AFilmStripShowsTheFramesAndACurveTheTable) {
     ASSERT_TRUE(settles(*page));
     EXPECT_EQ(page->picture().moment.step, 6U);
     auto* plot = page->findChild<CartesianPlot*>();
+    // All of it is in sight in a window of 1360 x 840.
+    QTest::qWait(50);
+    EXPECT_GE(plot->visibleRegion().boundingRect().height(), plot->height());
+    EXPECT_GE(plot->height(), 120);
+    EXPECT_EQ(strip->viewport()->visibleRegion().boundingRect(), strip->viewport()->rect());
+    // The picture that is chosen has the colours of the others.
+    const QIcon thumbnail = strip->item(6)->icon();
+    EXPECT_EQ(thumbnail.pixmap(112, 84, QIcon::Selected).toImage(),
+              thumbnail.pixmap(112, 84, QIcon::Normal).toImage());
     ASSERT_EQ(plot->data().curves.size(), 2U);
     EXPECT_EQ(plot->data().curves.front().x.size(), 9U);
     EXPECT_EQ(plot->data().curves.front().x.back(), 2.0);
