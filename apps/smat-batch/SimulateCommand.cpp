@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/StopSignal.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/simulate/Film.h"
 #include "smatcore/simulate/FrameFiles.h"
 #include "smatcore/simulate/ScenarioFile.h"
 
@@ -51,6 +53,12 @@ class SimulateCommand {
             ->type_name("FORM")
             ->expected(1)
             ->take_all();
+        command
+            .add_option("--film", film_,
+                        "A film of the frames in one scale of colours: .mp4 or .gif where ffmpeg "
+                        "is on PATH, or .png for numbered pictures; one for each sensor and band, "
+                        "FILE-SENSOR where there are several")
+            ->type_name("FILE");
         command.add_flag("--dry-run", dryRun_, "Say what would be drawn, and stop");
     }
 
@@ -71,6 +79,7 @@ class SimulateCommand {
         }
         const FrameFiles files(loaded, folder_, extensions(), context.commandLine);
         files.checkExtensions();
+        checkFilmGiven();
         for (const std::size_t sensor : plan.sensors)
             for (const std::string& warning : loaded.sensors[sensor].warnings)
                 warn(loaded.scenario.sensors[sensor].name + ": " + warning);
@@ -107,6 +116,34 @@ class SimulateCommand {
         return list.empty() ? std::vector<std::string>{".exr"} : list;
     }
 
+    void checkFilmGiven() const {
+        if (film_.empty())
+            return;
+        checkFilm(film_);
+        const std::vector<std::string> forms = extensions();
+        if (std::ranges::find(forms, ".exr") == forms.end()) {
+            throw irsg::InputError(irsg::Diagnostic{.file = "--film",
+                                                    .position = "",
+                                                    .value = "frames without their values",
+                                                    .expected = "--format exr among the forms"});
+        }
+    }
+
+    /// Sentences with the files.
+    std::string writeFilms(const FilmRecorder& recorder, const std::string& whose,
+                           const std::stop_token& stop) const {
+        std::string text;
+        for (const FilmStrip& strip : recorder.strips()) {
+            const std::filesystem::path file = filmFile(film_, strip, recorder.strips().size());
+            const std::string sentence = writeFilm(strip, file, whose, stop);
+            if (sentence.empty())
+                text += "  -> " + file.string() + "\n";
+            else
+                warn(sentence);
+        }
+        return text;
+    }
+
     int simulate(const LoadedScenario& loaded, const SimulationPlan& plan, const FrameFiles& files,
                  Context& context) const {
         catchStopSignal();
@@ -118,6 +155,10 @@ class SimulateCommand {
             source = makeIrsgImageSource();
         }
         SimulationResult result;
+        FilmRecorder recorder(loaded, files);
+        FrameSink heed;
+        if (!film_.empty())
+            heed = [&](SensorFrame& frame, std::size_t number) { recorder.heed(frame, number); };
         std::stop_source stop;
         {
             ProgressLine line;
@@ -128,11 +169,16 @@ class SimulateCommand {
                     if (stopWasAsked())
                         stop.request_stop();
                 },
-                stop.get_token(), &context.timer);
+                stop.get_token(), &context.timer, heed);
+        }
+        std::string films;
+        {
+            const StageTimer::Scope scope(&context.timer, "film");
+            films = writeFilms(recorder, loaded.scenario.displayName(), stop.get_token());
         }
         splitTimes(*source, context);
-        fmt::print("{}",
-                   context.json ? jsonOf(result, loaded, files) : textOf(result, loaded, files));
+        fmt::print("{}", context.json ? jsonOf(result, loaded, files)
+                                      : textOf(result, loaded, files) + films);
         if (stopWasAsked())
             warn("stopped; what was done so far is kept");
         return stopWasAsked() ? warned : done;
@@ -226,6 +272,7 @@ class SimulateCommand {
     std::string folder_;
     std::vector<std::string> sensors_;
     std::vector<std::string> formats_;
+    std::string film_;
     bool dryRun_ = false;
 };
 

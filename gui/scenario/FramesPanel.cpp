@@ -4,16 +4,23 @@
 #include <cmath>
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "gui/image/ColoredPlane.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/ResultPlot.h"
+#include "gui/start/DataFolder.h"
 #include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Widgets.h"
 #include "irsg/image/ImageStatistics.h"
+#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 namespace {
@@ -38,7 +45,8 @@ QIcon pictureOf(const WrittenFrame& frame, const irsg::ColorMap& map,
 
 } // namespace
 
-FramesPanel::FramesPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent) {
+FramesPanel::FramesPanel(Dialogs dialogs, QWidget* parent)
+    : QWidget(parent), dialogs_(std::move(dialogs)) {
     setObjectName("framesPanel");
     words_ = new QLabel(this);
     words_->setObjectName("framesWords");
@@ -62,14 +70,21 @@ FramesPanel::FramesPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent) {
     quantity_->setObjectName("framesQuantity");
     quantity_->setMinimumWidth(90);
     quantity_->setToolTip(tr("Quantity that is drawn"));
-    plot_ = new PlotPanel(PlotKind::cartesian, std::move(dialogs), this);
+    plot_ = new PlotPanel(PlotKind::cartesian, dialogs_, this);
     plot_->addInFront(quantity_);
     plot_->cartesian()->setMinimumHeight(leastPlot_px);
     plot_->hide();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
-    column->addWidget(words_);
+    film_ = menuButton(tr("Export film…"), "exportFilm", {});
+    film_->hide();
+    connect(film_->menu(), &QMenu::aboutToShow, this, &FramesPanel::fillFilmMenu);
+    auto* first = new QHBoxLayout;
+    first->setContentsMargins(0, 0, 10, 0);
+    first->addWidget(words_, 1);
+    first->addWidget(film_, 0, Qt::AlignTop);
+    column->addLayout(first);
     parts_ = new QBoxLayout(QBoxLayout::TopToBottom);
     parts_->setSpacing(2);
     parts_->addWidget(strip_);
@@ -83,6 +98,10 @@ FramesPanel::FramesPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent) {
                              item->data(frameRole).toULongLong());
     });
     connect(quantity_, &QComboBox::activated, this, &FramesPanel::drawTable);
+}
+
+FramesPanel::~FramesPanel() {
+    stopFilm_.request_stop();
 }
 
 void FramesPanel::arrange(bool beside) {
@@ -142,6 +161,11 @@ void FramesPanel::showSensor(std::size_t sensor) {
     if (!outcome_)
         return;
     fillStrip();
+    film_->setVisible(strip_->count() > 0);
+    const bool canBe = shownFilm() != nullptr;
+    film_->setEnabled(canBe && !filming_.isBusy());
+    film_->setToolTip(canBe ? tr("The frames of the shown sensor and band in one scale of colours")
+                            : tr("A film needs frames that were written as OpenEXR"));
     const SensorResult* result = shownResult();
     const bool hasRows = result != nullptr && !result->table.empty();
     plot_->setVisible(hasRows);
@@ -201,6 +225,72 @@ void FramesPanel::drawTable() {
     data.conditions.clear();
     plot_->cartesian()->setData(std::move(data));
     plot_->refresh();
+}
+
+const FilmStrip* FramesPanel::shownFilm() const {
+    if (!outcome_)
+        return nullptr;
+    // Of several bands that of the chosen frame.
+    const QListWidgetItem* chosen = strip_->currentItem();
+    const std::size_t band = chosen == nullptr ? 0 : chosen->data(bandRole).toULongLong();
+    const auto found = std::ranges::find_if(outcome_->films, [&](const FilmStrip& film) {
+        return film.sensor == sensor_ && film.band == band;
+    });
+    return found == outcome_->films.end() ? nullptr : &*found;
+}
+
+void FramesPanel::fillFilmMenu() {
+    QMenu* menu = film_->menu();
+    menu->clear();
+    const bool hasFfmpeg = findFfmpeg().has_value();
+    const auto add = [&](const char* name, const QString& text, const QString& filter,
+                         const QString& extension) {
+        const bool isThere = hasFfmpeg || extension == ".png";
+        QAction* action = menu->addAction(
+            isThere ? text : tr("%1 (needs the program ffmpeg, which is not on PATH)").arg(text));
+        action->setObjectName(name);
+        action->setEnabled(isThere);
+        connect(action, &QAction::triggered, this,
+                [this, extension, filter] { exportFilm(extension, filter); });
+    };
+    add("filmMp4", tr("Film (MP4)…"), tr("Film (*.mp4)"), ".mp4");
+    add("filmGif", tr("Moving picture (GIF)…"), tr("Moving picture (*.gif)"), ".gif");
+    add("filmPng", tr("Numbered pictures (PNG)…"), tr("Numbered pictures (*.png)"), ".png");
+}
+
+void FramesPanel::exportFilm(const QString& extension, const QString& filter) {
+    const FilmStrip* film = shownFilm();
+    if (film == nullptr)
+        return;
+    const std::filesystem::path usual =
+        outcome_->order.folder / (film->label + extension.toStdString());
+    std::filesystem::path file =
+        dialogs_.saveFile(this, tr("Export a film"), {filter}, textOf(usual)).toStdString();
+    if (file.empty())
+        return;
+    if (file.extension() != extension.toStdString())
+        file += extension.toStdString();
+    try {
+        requireOwnPlace(file);
+    } catch (const irsg::InputError& error) {
+        return dialogs_.tell(this, tr("This film cannot be written"), sentencesOf(error));
+    }
+    film_->setEnabled(false);
+    const QString before = words_->text();
+    say(tr("The film is being written…"));
+    stopFilm_ = {};
+    filming_.run<std::string>(
+        [film = *film, file, whose = outcome_->order.scenario.displayName(),
+         stop = stopFilm_.get_token()] { return writeFilm(film, file, whose, stop); },
+        [this, file](const std::string& sentence) {
+            film_->setEnabled(true);
+            say(sentence.empty() ? tr("Wrote the film %1").arg(textOf(file)) : textOf(sentence));
+        },
+        [this, before](const std::exception_ptr& thrown) {
+            film_->setEnabled(true);
+            say(before);
+            dialogs_.tell(this, tr("This film cannot be written"), sentencesOf(thrown));
+        });
 }
 
 } // namespace smat::gui

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include <QWidget>
 
 #include "gui/scenario/SimulationOrder.h"
 #include "gui/widgets/Dialogs.h"
+#include "gui/widgets/LatestTask.h"
 
 class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QListWidget;
+class QToolButton;
 
 namespace smat::gui {
 
@@ -23,6 +26,7 @@ class FramesPanel : public QWidget {
 
   public:
     explicit FramesPanel(Dialogs dialogs, QWidget* parent = nullptr);
+    ~FramesPanel() override;
 
     void setOutcome(std::shared_ptr<const SimulationOutcome> outcome, const QString& colorMap);
     const SimulationOutcome* outcome() const { return outcome_.get(); }
@@ -42,11 +46,19 @@ class FramesPanel : public QWidget {
     void arrange(bool beside);
     void fillStrip();
     void drawTable();
+    /// What a film can be, and of what it cannot be why.
+    void fillFilmMenu();
+    void exportFilm(const QString& extension, const QString& filter);
+    const FilmStrip* shownFilm() const;
     const SensorResult* shownResult() const;
 
     std::shared_ptr<const SimulationOutcome> outcome_;
     QString colorMap_;
     std::size_t sensor_ = 0;
+    Dialogs dialogs_;
+    LatestTask filming_;
+    std::stop_source stopFilm_;
+    QToolButton* film_ = nullptr;
     QLabel* words_ = nullptr;
     QListWidget* strip_ = nullptr;
     QComboBox* quantity_ = nullptr;

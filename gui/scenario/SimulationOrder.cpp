@@ -55,10 +55,14 @@ SimulationOutcome runSimulationOrder(const SimulationOrder& order, SceneBuilder&
     const FrameFiles files(loaded, order.folder, order.extensions, order.commandLine);
     files.checkExtensions();
     outcome.notes = files.makeFolders(plan.sensors);
+    FilmRecorder recorder(loaded, files);
     writeSimulation(loaded, plan, files, source, outcome.result, progress, std::move(stop), nullptr,
                     [&](SensorFrame& frame, std::size_t number) {
                         outcome.frames.push_back(smallCopy(frame, number));
+                        recorder.heed(frame, number);
                     });
+    if (std::ranges::find(order.extensions, ".exr") != order.extensions.end())
+        outcome.films = recorder.strips();
     return outcome;
 }
 

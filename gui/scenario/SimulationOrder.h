@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
+#include "smatcore/simulate/Film.h"
 #include "smatcore/simulate/Simulation.h"
 
 namespace smat::gui {
@@ -33,6 +34,7 @@ struct SimulationOutcome {
     SimulationOrder order;
     SimulationResult result;
     std::vector<WrittenFrame> frames;
+    std::vector<FilmStrip> films;   ///< none where the values of frames were not written
     std::vector<std::string> notes; ///< about the folders
 };
 

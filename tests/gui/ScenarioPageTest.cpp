@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QSlider>
 #include <QTableWidget>
 #include <QToolButton>
@@ -237,6 +238,64 @@ TEST_F(ScenarioPageTest, AFilmStripShowsTheFramesAndACurveTheTable) {
     page->showSensor(1);
     EXPECT_EQ(strip->count(), 9);
     EXPECT_NE(plot->data().curves.front().y[4], first);
+}
+
+TEST_F(ScenarioPageTest, AFilmOfTheFramesIsThatOfSmatBatch) {
+    ScenarioPage* page = openScenario();
+    ASSERT_NE(page, nullptr);
+    auto* film = page->findChild<QToolButton*>("exportFilm");
+    EXPECT_FALSE(film->isVisible());
+    onDialog = [&](QDialog& dialog) {
+        dialog.findChild<QLineEdit*>("folder")->setText(
+            QString::fromStdString((folder / "frames").string()));
+    };
+    page->findChild<QToolButton*>("runScenario")->click();
+    ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
+    ASSERT_TRUE(film->isVisible());
+    // Without ffmpeg only numbered pictures are offered, and the others say why not.
+    const QByteArray path = qgetenv("PATH");
+    const auto offered = [&](const char* name) {
+        emit film->menu()->aboutToShow();
+        return film->menu()->findChild<QAction*>(name);
+    };
+    std::filesystem::create_directories(folder / "bin");
+    qputenv("PATH", QByteArray::fromStdString((folder / "bin").string()));
+    EXPECT_FALSE(offered("filmMp4")->isEnabled());
+    EXPECT_TRUE(offered("filmGif")->text().contains("needs the program ffmpeg"));
+    EXPECT_TRUE(offered("filmPng")->isEnabled());
+    // With one (it stands for ffmpeg) there are films.
+    write("bin/ffmpeg", "#!/bin/sh\nfor film; do :; done\ncat \"$(dirname \"$film\")\"/0*.png > "
+                        "\"$film\"\n");
+    std::filesystem::permissions(folder / "bin/ffmpeg", std::filesystem::perms::owner_all);
+    qputenv("PATH", QByteArray::fromStdString((folder / "bin").string()) + ":" + path);
+    const auto* words = page->findChild<QLabel*>("framesWords");
+    const auto exported = [&](const char* name, const char* file) {
+        chosen = QString::fromStdString((folder / file).string());
+        offered(name)->trigger();
+        EXPECT_FALSE(film->isEnabled());
+        EXPECT_TRUE(test::waitUntil([&] { return film->isEnabled(); }));
+        EXPECT_TRUE(words->text().contains("Wrote the film")) << words->text().toStdString();
+    };
+    exported("filmMp4", "own"); // the extension is added
+    page->showSensor(1);
+    exported("filmPng", "own.png");
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    test::keepScreenshot(*window, "scenario-film");
+    const auto ran = smat::test::smatBatch(
+        {"simulate", "pass.json", "--out", "out", "--sensor", "mwir", "--film", "batch.mp4"},
+        folder);
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_GT(smat::test::contentOf(folder / "batch.mp4").size(), 1000U);
+    EXPECT_TRUE(smat::test::contentOf(folder / "batch.mp4") ==
+                smat::test::contentOf(folder / "own.mp4"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "own-000008.png"));
+    // What ffmpeg refuses is told with its own words.
+    write("bin/ffmpeg", "#!/bin/sh\necho 'no such encoder' >&2\nexit 1\n");
+    chosen = QString::fromStdString((folder / "other.gif").string());
+    offered("filmGif")->trigger();
+    EXPECT_TRUE(test::waitUntil([&] { return film->isEnabled(); }));
+    EXPECT_TRUE(told.join('\n').contains("no such encoder")) << told.join('\n').toStdString();
+    qputenv("PATH", path);
 }
 
 TEST_F(ScenarioPageTest, ACancelledRunKeepsItsFrames) {
