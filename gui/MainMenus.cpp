@@ -26,6 +26,7 @@
 #include "gui/start/DataFolder.h"
 #include "gui/tools/AirTools.h"
 #include "gui/tools/MonteCarloPage.h"
+#include "gui/tools/SelfTestDialog.h"
 #include "gui/view/ModelPage.h"
 #include "gui/view/ProjectView.h"
 #include "gui/widgets/Theme.h"
@@ -238,6 +239,10 @@ void MainMenus::makeHelpMenu(QMenu* menu) {
             if (chosen != nullptr)
                 chosen->trigger();
         });
+    add(menu, "selfTest", "check", tr("&Self-test…"), {}, [this] {
+        SelfTestDialog dialog(&with_.window);
+        with_.dialogs.run(dialog);
+    });
     add(menu, "showAbout", "info", tr("&About SMAT"), {}, [this] {
         with_.ask.showAbout(with_.view != nullptr ? with_.view->view()->renderer()
                                                   : tr("no OpenGL on this desktop"));

@@ -71,7 +71,7 @@ class UserGuideTest : public test::WindowFixture {
              {"newProject", "projectProperties", "firstSignature", "convertModel", "preferences",
               "options", "analysisSettings", "compareImages", "radiativeOutput",
               "temperatureProfile", "monteCarlo", "menuLibrary", "showShortcuts", "findCommand",
-              "showAbout"}) {
+              "selfTest", "showAbout"}) {
             trigger(name);
         }
         auto* tabs = window->findChild<QTabWidget*>("tabs");
