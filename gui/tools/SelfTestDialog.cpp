@@ -52,7 +52,7 @@ QTreeWidgetItem* rowOf(const SelfTestResult& result) {
     item->setText(checkColumn, QString::fromStdString(check.name));
     const bool passed = result.outcome == SelfTestResult::Outcome::passed;
     const bool failed = result.outcome == SelfTestResult::Outcome::failed;
-    item->setIcon(checkColumn, icon(passed ? "check" : failed ? "error" : "info"));
+    item->setIcon(checkColumn, icon(passed ? "check-physics" : failed ? "error" : "info"));
     if (result.remark.empty()) {
         item->setText(valueColumn, withUnit(result.found.value));
         item->setText(expectedColumn, withUnit(result.found.expected));
@@ -83,11 +83,11 @@ SelfTestDialog::SelfTestDialog(QWidget* parent) : QDialog(parent) {
     says->setWordWrap(true);
     column->addWidget(says);
     auto* row = new QHBoxLayout;
+    start_ = new QPushButton(this);
+    start_->setObjectName("selfTestStart");
     hard_ = new QCheckBox(tr("Hard cases as well"), this);
     hard_->setObjectName("selfTestHard");
     hard_->setChecked(true);
-    start_ = new QPushButton(this);
-    start_->setObjectName("selfTestStart");
     counts_ = new QLabel(this);
     counts_->setObjectName("selfTestCounts");
     copy_ = new QPushButton(tr("Copy the table"), this);
