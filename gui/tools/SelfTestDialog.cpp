@@ -133,18 +133,18 @@ bool SelfTestDialog::isRunning() const {
 void SelfTestDialog::start() {
     table_->clear();
     run_ = std::make_shared<Run>();
-    backgroundPool().start([run = run_, options = SelfTestOptions{.hard = hard_->isChecked(),
-                                                                  .only = {}}] {
-        runSelfTest(
-            options,
-            [&](const SelfTestResult& result) {
-                const std::scoped_lock lock(run->mutex);
-                run->results.push_back(result);
-            },
-            run->stop.get_token());
-        const std::scoped_lock lock(run->mutex);
-        run->ended = true;
-    });
+    backgroundPool().start(
+        [run = run_, options = SelfTestOptions{.hard = hard_->isChecked(), .only = {}}] {
+            runSelfTest(
+                options,
+                [&](const SelfTestResult& result) {
+                    const std::scoped_lock lock(run->mutex);
+                    run->results.push_back(result);
+                },
+                run->stop.get_token());
+            const std::scoped_lock lock(run->mutex);
+            run->ended = true;
+        });
     timer_.start();
     follow();
 }

@@ -12,8 +12,8 @@ class QTreeWidget;
 
 namespace smat::gui {
 
-/// The checks of `smat-batch selftest` on this machine, each told of as it ends. They run beside the
-/// window; closing the dialog ends them after the one that runs.
+/// The checks of `smat-batch selftest` on this machine, each told of as it ends. They run beside
+/// the window; closing the dialog ends them after the one that runs.
 class SelfTestDialog : public QDialog {
     Q_OBJECT
 
